@@ -154,7 +154,7 @@ LANGUAGES = {'Both': 'both', 'Fragment': 'fragment', 'Vertex': 'vertex',
 def words():
     front = ROOT / 'src' / 'fp_compiler' / 'front'
     source = ('src/fp_compiler/front/{words/words.def,words/bindings.def,native/words.def,'
-              'ati/words.def}')
+              'ati/words.def,nvparse/words.def}')
     out = ['# Words and bindings of the languages\n', GENERATED.format(source=source),
            'Sections are those of ARB_fragment_program (3.11), or of ARB_vertex_program (2.14) for '
            'what vertex programs alone have.\n',
@@ -179,6 +179,7 @@ def words():
         out.append(f'| `{word}` | {doc} |')
     out += native_words(front / 'native' / 'words.def')
     out += ati_words(front / 'ati' / 'words.def')
+    out += nvparse_words(front / 'nvparse' / 'words.def')
     return '\n'.join(out) + '\n'
 
 
@@ -221,6 +222,22 @@ def ati_words(tables):
         for *_, word, doc in rows_of(tables, macro):
             if word:
                 out.append(f'| `.{word}` | {doc} |')
+    return out
+
+
+def nvparse_words(tables):
+    out = ["\n## nvparse's texts\n",
+           'Register combiners (`!!RC1.0`, [register_combiners.md](register_combiners.md)) and texture '
+           'shaders (`!!TS1.0`, [texture_shaders.md](texture_shaders.md)). The number is that of the '
+           'NV_texture_shader that has the stage.\n', '| word | text | what it is |', '|---|---|---|']
+    for _, word, count, doc in rows_of(tables, 'RC_REGISTER'):
+        names = f'`{word}`' if count == '0' else f'`{word}0` to `{word}{int(count) - 1}`'
+        out.append(f'| {names} | both | {doc} |')
+    for macro in ('RC_WORD', 'RC_FUNCTION'):
+        out += [f'| `{word}` | !!RC1.0 | {doc} |' for word, doc in rows_of(tables, macro)]
+    for word, _, _, _, _, extension, doc in rows_of(tables, 'TS_OPERATION'):
+        out.append(f'| `{word}` | !!TS1.0, {extension} | {doc} |')
+    out += [f'| `{word}` | !!TS1.0 | {doc} |' for word, doc in rows_of(tables, 'TS_WORD')]
     return out
 
 

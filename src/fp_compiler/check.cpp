@@ -1,13 +1,18 @@
 #include <algorithm>
+#include <bit>
 
 #include "fp_compiler/ati/lower.h"
+#include "fp_compiler/combiners/lower.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/native/header.h"
 #include "fp_compiler/front/native/parser.h"
+#include "fp_compiler/front/nvparse/text.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/inspect.h"
+#include "fp_compiler/texture_shader/lower.h"
+#include "fp_compiler/texture_shader/operations.h"
 
 namespace arbiter::fp {
 
@@ -58,12 +63,109 @@ CheckResult checkAtiShader(std::string_view text, const CompileOptions &options,
   return result;
 }
 
+/// Stages that are not enabled by the text give way to what units have by default: their texture,
+/// modulated with what is before it.
+texture_shader::Environments defaultEnvironments(const texture_shader::State &shaders) {
+  texture_shader::Environments environments;
+  for (std::size_t unit = 0; unit < environments.size(); ++unit)
+    if (shaders.stages[unit].operation != texture_shader::Operation::None)
+      environments[unit].mode = texture_shader::EnvironmentMode::Modulate;
+  return environments;
+}
+
+/// The text's state, of textures that are 2D and colours where it does not say what they are, and
+/// without fog.
+ir::Program lowerNvparse(const nvparse::Text &text) {
+  ir::Program program;
+  if (text.shaders) {
+    texture_shader::Key key;
+    key.shaders = *text.shaders;
+    key.combines = text.combiners.has_value();
+    if (key.combines)
+      key.combiners = *text.combiners;
+    else
+      key.environments = defaultEnvironments(key.shaders);
+    program = texture_shader::lower(texture_shader::essential(key));
+  } else {
+    const combiners::State state = combiners::essential(*text.combiners);
+    combiners::Surroundings around;
+    const std::uint32_t read = combiners::texturesRead(state);
+    for (std::size_t unit = 0; unit < around.texels.size(); ++unit) {
+      around.targets[unit] = ir::TexTarget::Tex2D;
+      if ((read >> unit & 1u) != 0)
+        around.texels[unit] = combiners::Texel::Color;
+    }
+    program = combiners::lower(state, around);
+  }
+  texture_shader::bindValues(program, text.values);
+  return program;
+}
+
+/// The longest chain of stages of which each samples by what the one before gives.
+std::uint32_t chainOf(const texture_shader::State &state) {
+  std::array<std::uint32_t, texture_shader::kUnits> depth{};
+  std::uint32_t most = 1;
+  for (std::size_t unit = 0; unit < state.units; ++unit) {
+    const texture_shader::Stage &stage = state.stages[unit];
+    const texture_shader::OperationInfo &info = texture_shader::infoOf(stage.operation);
+    const bool reads = texture_shader::readsPrevious(info.family) && stage.previous < unit;
+    depth[unit] = (reads ? depth[stage.previous] : 0u) + (info.target ? 1u : 0u);
+    most = std::max(most, depth[unit]);
+  }
+  return most;
+}
+
+/// General stages as ALU instructions, units that are sampled or have a stage as texture ones, and
+/// what the program names of the rest.
+ResourceCounts countNvparse(const nvparse::Text &text, const ir::Program &program) {
+  ResourceCounts counts;
+  if (text.combiners) {
+    counts.aluInstructions = text.combiners->count;
+    counts.texInstructions = std::uint32_t(
+        std::popcount(combiners::texturesRead(combiners::essential(*text.combiners))));
+    counts.temporaries = combiners::registersWritten(*text.combiners);
+  }
+  counts.texIndirections = text.shaders ? chainOf(*text.shaders) : 1;
+  if (text.shaders) {
+    counts.texInstructions = 0;
+    for (const texture_shader::Stage &stage : text.shaders->stages)
+      counts.texInstructions += stage.operation != texture_shader::Operation::None ? 1 : 0;
+  }
+  counts.instructions = counts.aluInstructions + counts.texInstructions;
+  for (const ir::Parameter &parameter : program.parameters) {
+    const bool isEnv = parameter.kind == ir::ParameterKind::Env;
+    counts.parameters += isEnv ? 1 : 0;
+  }
+  for (const std::optional<ir::Vec4> &value : text.values)
+    counts.parameters += value ? 1 : 0;
+  counts.attribs = std::uint32_t(program.attributes.size());
+  return counts;
+}
+
+CheckResult checkNvparse(ir::Language language, std::string_view text,
+                         const CompileOptions &options, NameTable *names) {
+  nvparse::ParseResult parsed = nvparse::parse(language, text, options, names);
+  CheckResult result;
+  result.diagnostics = std::move(parsed.diagnostics);
+  if (parsed.text) {
+    result.program = lowerNvparse(*parsed.text);
+    result.counts = result.nativeCounts = countNvparse(*parsed.text, *result.program);
+    const Limits &limits = options.limits;
+    result.underNativeLimits = result.counts.aluInstructions <= limits.generalCombiners ||
+                               (!parsed.text->combiners && limits.textureShaders != 0);
+  }
+  return result;
+}
+
 CheckResult checkIn(ir::Language language, std::string_view text, const CompileOptions &options,
                     NameTable *names) {
   switch (language) {
   case ir::Language::ArbFragment:
   case ir::Language::ArbVertex:
     return checkArbProgram(arbLanguage(language), text, options, names);
+  case ir::Language::Combiners:
+  case ir::Language::TextureShaders:
+    return checkNvparse(language, text, options, names);
   case ir::Language::AtiFragment:
     break;
   }
@@ -90,6 +192,10 @@ std::optional<ir::Language> languageOfText(std::string_view text) {
     return ir::Language::ArbVertex;
   if (text.starts_with("!!ATIfs"))
     return ir::Language::AtiFragment;
+  if (text.starts_with("!!RC"))
+    return ir::Language::Combiners;
+  if (text.starts_with("!!TS"))
+    return ir::Language::TextureShaders;
   return native::stageOfHeader(text);
 }
 

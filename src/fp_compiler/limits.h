@@ -52,6 +52,11 @@ struct Limits {
   NativeModel nativeModel = NativeModel::Documented;
   /// 1: the chip samples rectangle textures at [0,1], so that each sample costs a MUL before it.
   std::uint32_t scaleRectangles = 0;
+  /// nvparse's texts: general combiner stages (0: NV_register_combiners is not offered), whether
+  /// there is NV_register_combiners2, and how many of NV_texture_shader, 2 and 3.
+  std::uint32_t generalCombiners = 0;
+  std::uint32_t perStageConstants = 0;
+  std::uint32_t textureShaders = 0;
 };
 
 /// Limits on the text itself, whatever the profile: a program string is bad input until proved

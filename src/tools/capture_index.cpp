@@ -24,6 +24,8 @@ constexpr CaptureTarget kTargets[] = {
     {"fragment", ".fp", fp::ir::Language::ArbFragment},
     {"vertex", ".vp", fp::ir::Language::ArbVertex},
     {"ati-fragment", ".atifs", fp::ir::Language::AtiFragment},
+    {"combiners", ".nvrc", fp::ir::Language::Combiners},
+    {"texture-shaders", ".nvts", fp::ir::Language::TextureShaders},
     {"vertex-state", ".vsp", fp::ir::Language::ArbVertex}, // by its header
 };
 

@@ -85,7 +85,8 @@ std::string details(const CapturedProgram &program) {
   if (!program.path.empty())
     html += "; drawn by " + escaped(program.path);
   html += ". <a href=\"" + program.file() + "\">text</a>";
-  if (program.target->language != fp::ir::Language::AtiFragment)
+  if (program.target->language != fp::ir::Language::AtiFragment &&
+      !isNvparse(program.target->language))
     html += " <a href=\"" + program.file() + ".shader_test\">shader_test</a>";
   html += "</p>\n";
   if (!program.options.empty()) {

@@ -87,8 +87,8 @@ class Profiles(Temporary):
         result = arbiter('profiles')
         self.assertEqual(result.returncode, 0)
         self.assertEqual([line.split()[0] for line in result.stdout.splitlines()],
-                         ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv30', 'nv35',
-                          'nv40', 'i915', 'host'])
+                         ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv10', 'nv20',
+                          'nv25', 'nv30', 'nv35', 'nv40', 'i915', 'host'])
 
     def test_a_printed_profile_is_a_profile(self):
         for name in ('r300', 'r360', 'host'):

@@ -35,7 +35,8 @@ std::string tokenListing(std::string_view text) {
       begin = std::uint32_t(std::string_view(row.header).size());
   if (begin != 0)
     add({0, begin}, "Header");
-  fp::Lexer lexer(text, begin);
+  const bool calls = text.starts_with("!!RC") || text.starts_with("!!TS");
+  fp::Lexer lexer(text, begin, calls ? fp::Words::Calls : fp::Words::Identifiers);
   for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
     add(token.span, fp::name(token.kind));
   return listing;

@@ -1,6 +1,9 @@
 #include "tools/language.h"
 
+#include <iterator>
+
 #include "fp_compiler/ati/limits.h"
+#include "fp_compiler/front/nvparse/limits.h"
 
 namespace arbiter::tools {
 
@@ -8,10 +11,11 @@ using fp::ir::Language;
 
 namespace {
 constexpr LanguageRow kLanguages[] = {
-    {"arbfp", "!!ARBfp1.0", Language::ArbFragment},
-    {"arbvp", "!!ARBvp1.0", Language::ArbVertex},
-    {"atifs", "!!ATIfs1.0", Language::AtiFragment},
+    {"arbfp", "!!ARBfp1.0", Language::ArbFragment}, {"arbvp", "!!ARBvp1.0", Language::ArbVertex},
+    {"atifs", "!!ATIfs1.0", Language::AtiFragment}, {"rc", "!!RC1.0", Language::Combiners},
+    {"ts", "!!TS1.0", Language::TextureShaders},
 };
+static_assert(std::size(kLanguages) == kLanguageCount);
 } // namespace
 
 std::span<const LanguageRow> languageRows() { return kLanguages; }
@@ -47,6 +51,13 @@ std::string languageTitle(Language language, std::string_view text) {
 fp::Limits limitsOf(const fp::hw::Profile &profile, Language language) {
   if (language == Language::AtiFragment)
     return fp::ati::limitsOf(profile.fragment);
+  if (isNvparse(language)) {
+    fp::Limits limits = profile.fragment;
+    limits.generalCombiners = profile.combiners.general;
+    limits.perStageConstants = profile.combiners.perStageConstants;
+    limits.textureShaders = profile.textureShaders;
+    return fp::nvparse::limitsOf(limits);
+  }
   return language == Language::ArbVertex ? profile.vertex : profile.fragment;
 }
 

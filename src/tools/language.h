@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@ struct LanguageRow {
   const char *header;
   fp::ir::Language language;
 };
+/// How many there are; an fp::ir::Language is below it.
+inline constexpr std::size_t kLanguageCount = 5;
 [[nodiscard]] std::span<const LanguageRow> languageRows();
 [[nodiscard]] const LanguageRow &languageRow(fp::ir::Language language);
 
@@ -28,7 +31,8 @@ struct LanguageRow {
 /// "ARBvp1.0", or the "VP2.0" of a text that is in one of NVIDIA's own languages.
 [[nodiscard]] std::string languageTitle(fp::ir::Language language, std::string_view text);
 
-/// The limits of the language's target; for ATI's those of the language itself.
+/// The limits of the language's target; for ATI's those of the language itself, for nvparse's those
+/// of the card's combiners and texture shaders.
 [[nodiscard]] fp::Limits limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
 
 } // namespace arbiter::tools

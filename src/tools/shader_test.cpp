@@ -103,6 +103,10 @@ std::string shaderTest(const CapturedProgram &program, std::string &reason) {
     reason = "shader_runner knows no ATI_text_fragment_shader";
     return {};
   }
+  if (isNvparse(program.target->language)) {
+    reason = "shader_runner knows no texts of nvparse's";
+    return {};
+  }
   if (program.text.find('\0') != std::string::npos) {
     reason = "the text has a NUL byte";
     return {};

@@ -2,8 +2,9 @@
 """`arbiter capture` and `arbiter run --replace` on real clients: what the folder holds, that its tests
 run under piglit, and that an edited text is drawn, while the application runs too.
 
-usage: capture_test.py ARBITER LIGHTING LIFE TICKER [unittest arguments]
-TICKER draws again and again and prints the colour that it finds; see ticker.cpp.
+usage: capture_test.py ARBITER LIGHTING LIFE TICKER STATE_TICKER [unittest arguments]
+TICKER draws again and again and prints the colour that it finds; see ticker.cpp. STATE_TICKER does so
+by register combiners and texture shaders; see state_ticker.cpp.
 """
 import contextlib
 import html.parser
@@ -21,7 +22,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'clients'))
 from plain_environment import plain  # noqa: E402
 
-ARBITER, LIGHTING, LIFE, TICKER = (os.path.abspath(path) for path in sys.argv[1:5])
+ARBITER, LIGHTING, LIFE, TICKER, STATE_TICKER = (os.path.abspath(path) for path in sys.argv[1:6])
 SHADER_RUNNERS = list(pathlib.Path('/usr/lib').glob('*/piglit/bin/shader_runner'))
 # Red, and wrong, in the other languages.
 KINDS = {
@@ -52,6 +53,10 @@ class Folder(unittest.TestCase):
         result = run(ARBITER, 'capture', '-o', self.folder, '--', *command)
         self.assertEqual(result.returncode, code, result.stderr)
         return json.loads((self.folder / 'index.json').read_text())
+
+    def put(self, name, text):
+        (self.folder / (name + '.new')).write_bytes(text)
+        os.replace(self.folder / (name + '.new'), self.folder / name)  # as editors do
 
 
 class Page(html.parser.HTMLParser):
@@ -173,9 +178,9 @@ class Capture(Folder):
 
 
 @contextlib.contextmanager
-def ticking(folder, kind='fragment'):
+def ticking(folder, kind='fragment', client=TICKER, *options):
     """A TICKER under replacement; gives a function that waits until it has drawn a colour."""
-    with subprocess.Popen([ARBITER, 'run', '--replace', folder, '--', TICKER, kind],
+    with subprocess.Popen([ARBITER, 'run', *options, '--replace', folder, '--', client, kind],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           env=plain()) as process:
         rest = last = b''
@@ -203,10 +208,6 @@ def ticking(folder, kind='fragment'):
 
 class Replace(Folder):
     """TICKER's own program draws green."""
-
-    def put(self, name, text):
-        (self.folder / (name + '.new')).write_bytes(text)
-        os.replace(self.folder / (name + '.new'), self.folder / name)  # as editors do
 
     def test_an_edit_is_drawn_while_the_application_runs(self):
         index = self.capture(TICKER, 'fragment', '1')
@@ -288,5 +289,62 @@ class Replace(Folder):
                          (name, True, False))
 
 
+class States(Folder):
+    """STATE_TICKER's state draws green."""
+    KINDS = {
+        'combiners': ('.nvrc', b'!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n  }\n  alpha {\n',
+                      b'!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n'),
+        'texture-shaders': ('.nvts', b'!!TS1.0\npass_through();\n!!RC1.0\n{\n  rgb {\n    spare0 = tex0;\n',
+                            b'!!TS1.0\npass_through();\n!!RC1.0\nconst0 = (1, 0, 0, 1);\n'
+                            b'{ rgb { spare0 = unsigned_invert(tex0); } }\nout.rgb = const0 * spare0;\n'),
+    }
+
+    def capture(self, *command, code=0):
+        result = run(ARBITER, 'capture', '--profile', 'nv25', '-o', self.folder, '--', *command)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stdout, '0 255 0\n')
+        return json.loads((self.folder / 'index.json').read_text())
+
+    def test_states_are_captured_and_replaced(self):
+        for kind, (extension, text, red) in self.KINDS.items():
+            with self.subTest(kind=kind):
+                self.folder = self.folder.parent / kind
+                index = self.capture(STATE_TICKER, kind, '3')
+                program, = index['programs']
+                name = program['file']
+                self.assertTrue(name.endswith(extension))
+                self.assertEqual((program['draws'], program['error']), (3, None))
+                self.assertEqual(program['counts']['alu_instructions'], 1)
+                self.assertIn('#version 120', program['glsl'])
+                self.assertFalse(list(self.folder.glob('*.shader_test')))
+                own = (self.folder / name).read_bytes()
+                self.assertTrue(own.startswith(text), own)
+                checked = run(ARBITER, 'check', '--profile', 'nv25', self.folder / name)
+                self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+                with ticking(self.folder, kind, STATE_TICKER, '--profile', 'nv25') as (waits_for, _):
+                    self.assertTrue(waits_for(b'0 255 0'))
+                    self.put(name, red)
+                    self.assertTrue(waits_for(b'255 0 0'), 'the edit was not seen')
+                    self.put(name, red + b'nothing();\n')
+                    self.assertFalse(waits_for(b'0 255 0', 1), 'the last good text is lost')
+                    self.put(name, red.replace(b'(1, 0, 0, 1)', b'(1, 0, 1, 1)'))
+                    self.assertTrue(waits_for(b'255 0 255'), 'a second edit was not seen')
+                    (self.folder / name).unlink()
+                    self.assertTrue(waits_for(b'0 255 0'), 'the own state is not back')
+
+    def test_a_text_over_the_card_is_refused(self):
+        index = self.capture(STATE_TICKER, 'combiners', '1')
+        name = index['programs'][0]['file']
+        stage = b'{ rgb { spare0 = const0; } }\n'
+        self.put(name, b'!!RC1.0\n' + stage * 3 + b'out.rgb = unsigned_invert(spare0);\n')
+        result = run(ARBITER, 'run', '--profile', 'nv10', '--replace', self.folder, '--', STATE_TICKER,
+                     'combiners', '1')
+        self.assertEqual(result.stdout, '0 255 0\n')
+        self.assertIn(f'{name}:4:1: error: more than 2 general stages', result.stderr)
+        result = run(ARBITER, 'run', '--profile', 'nv20', '--replace', self.folder, '--', STATE_TICKER,
+                     'combiners', '1')
+        self.assertEqual(result.stdout, '255 0 255\n')
+
+
 if __name__ == '__main__':
-    unittest.main(argv=sys.argv[:1] + sys.argv[5:])
+    unittest.main(argv=sys.argv[:1] + sys.argv[6:])

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/front/nvparse/text.h"
 #include "fp_compiler/ir/validate.h"
 
 namespace {
@@ -23,12 +24,27 @@ CompileOptions makeOptions(LimitPolicy policy) {
   options.limits.programMatrixStackDepth = 4;
   options.limits.drawBuffers = 4;
   options.limits.nvOptions = 2;
+  options.limits.generalCombiners = options.policy == LimitPolicy::Enforce ? 4 : 8;
+  options.limits.perStageConstants = 1;
+  options.limits.textureShaders = 3;
   return options;
 }
 
 void require(bool condition) {
   if (!condition)
     std::abort();
+}
+
+/// What is written of a state is read as that state.
+void checkWritten(ir::Language language, std::string_view text, const CompileOptions &options) {
+  const nvparse::ParseResult parsed = nvparse::parse(language, text, options);
+  require(parsed.text.has_value());
+  const std::string written = nvparse::write(*parsed.text);
+  const nvparse::ParseResult again = nvparse::parse(language, written, options);
+  require(again.text.has_value());
+  require(again.text->combiners == parsed.text->combiners);
+  require(again.text->shaders == parsed.text->shaders);
+  require(nvparse::write(*again.text) == written);
 }
 
 void checkAnswer(std::string_view text, const CheckResult &result) {
@@ -48,7 +64,8 @@ void checkAnswer(std::string_view text, const CheckResult &result) {
   require(ir::validate(program).empty());
   const bool native = result.native.language != ir::NativeLanguage::None;
   require(native == (program.options.native != ir::NativeLanguage::None));
-  if (program.language == ir::Language::AtiFragment || program.options.nv != ir::NvOption::None)
+  if (isNvparse(languageOfText(text).value_or(ir::Language::ArbFragment)) ||
+      program.language == ir::Language::AtiFragment || program.options.nv != ir::NvOption::None)
     return; // counted before it is lowered
   require(result.counts.instructions == program.code.size());
   require(result.counts.temporaries == program.temporaries.size());
@@ -68,6 +85,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   const ir::Language language = languageOfText(text).value_or(ir::Language::ArbFragment);
   const CheckResult result = checkProgram(language, text, kOptions[size % 2]);
   checkAnswer(text, result);
+  if (result.ok() && isNvparse(language))
+    checkWritten(language, text, kOptions[size % 2]);
   // What loads under the limits loads where they are only reported, and is the same program.
   if (result.ok() && size % 2 == 0) {
     const CheckResult reported = checkProgram(language, text, kOptions[1]);

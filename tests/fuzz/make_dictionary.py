@@ -26,6 +26,14 @@ NV_fragment_program2 NV_vertex_program3 SHORT LONG ADDC ADDR MULH_SAT MOVC1 _SSA
 !!FP1.0 !!VP1.0 !!VP1.1 !!VP2.0 !!VSP1.0 DEFINE DECLARE NV_position_invariant f[WPOS] f[FOGC] f[TEX0]
 o[COLR] o[COLH] o[DEPR] o[HPOS] o[TEX7] o[BFC0] p[1] v[0] v[OPOS] v[WGHT] c[0] c[95] c[A0.x+63] c[A1.y-256]
 R0 R11 H63 RC HC CC A0.x A1 TEX15
+!!RC1.0 !!TS1.0 rgb alpha out.rgb out.a spare0 spare1 tex0 tex3 const0 const1 fog zero one discard
+color_sum final_product unsigned( unsigned_invert( expand( half_bias( sum(); mux(); lerp(
+scale_by_two(); scale_by_four(); scale_by_one_half(); bias_by_negative_one_half(); clamp_color_sum();
+per_stage_constants(); bias_by_negative_one_half_scale_by_two(); ( ) * // /* */
+nop(); texture_1d(); texture_2d(); texture_3d(); texture_rectangle(); texture_cube_map(); pass_through();
+cull_fragment( GEQUAL_TO_ZERO LESS_THAN_ZERO offset_2d( offset_2d_scale( dependent_ar( dependent_gb(
+dot_product_2d_1of2( dot_product_2d_2of2( dot_product_3d_1of3( dot_product_3d_2of3( dot_product_3d_3of3(
+dot_product_reflect_cube_map_const_eye_ 1of3( 2of3( 3of3( force_blue_to_one( dependent_rgb_3d(
 .str .stq .str_dr .stq_dq .2x .4x .8x .half .quarter .eighth .sat .neg .bias .comp .rgb
 """
 

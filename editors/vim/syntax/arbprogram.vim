@@ -88,6 +88,39 @@ elseif getline(1) =~# '^!!ATIfs'
     \ program env local
   syn match arbSuffix '\.\s*\zs[rgba]\{1,4}\>'
   syn match arbMember '\.\s*\zs\%(quarter\|eighth\|stq_dq\|str_dr\|bias\|comp\|half\|neg\|sat\|stq\|str\|2x\|4x\|8x\)\>'
+elseif getline(1) =~# '^!!\%(RC\|TS\)'
+  syn keyword arbOpcode unsigned unsigned_invert expand half_bias sum mux lerp scale_by_two
+    \ scale_by_four scale_by_one_half bias_by_negative_one_half
+    \ bias_by_negative_one_half_scale_by_two clamp_color_sum per_stage_constants nop texture_1d
+    \ texture_2d texture_rectangle texture_cube_map texture_3d pass_through cull_fragment offset_2d
+    \ offset_2d_scale offset_rectangle offset_rectangle_scale dependent_ar dependent_gb
+    \ dot_product_2d_1of2 dot_product_2d_2of2 dot_product_rectangle_1of2 dot_product_rectangle_2of2
+    \ dot_product_depth_replace_1of2 dot_product_depth_replace_2of2 dot_product_3d_1of3
+    \ dot_product_3d_2of3 dot_product_3d_3of3 dot_product_cube_map_1of3 dot_product_cube_map_2of3
+    \ dot_product_cube_map_3of3 dot_product_reflect_cube_map_eye_from_qs_1of3
+    \ dot_product_reflect_cube_map_eye_from_qs_2of3 dot_product_reflect_cube_map_eye_from_qs_3of3
+    \ dot_product_reflect_cube_map_const_eye_1of3 dot_product_reflect_cube_map_const_eye_2of3
+    \ dot_product_reflect_cube_map_const_eye_3of3
+    \ dot_product_cube_map_and_reflect_cube_map_eye_from_qs_1of3
+    \ dot_product_cube_map_and_reflect_cube_map_eye_from_qs_2of3
+    \ dot_product_cube_map_and_reflect_cube_map_eye_from_qs_3of3
+    \ dot_product_cube_map_and_reflect_cube_map_const_eye_1of3
+    \ dot_product_cube_map_and_reflect_cube_map_const_eye_2of3
+    \ dot_product_cube_map_and_reflect_cube_map_const_eye_3of3 offset_projective_2d
+    \ offset_projective_2d_scale offset_projective_rectangle offset_projective_rectangle_scale
+    \ offset_hilo_2d offset_hilo_rectangle offset_hilo_projective_2d offset_hilo_projective_rectangle
+    \ dependent_hilo_2d dependent_rgb_3d dependent_rgb_cube_map dot_product_pass_through
+    \ dot_product_1d dot_product_affine_depth_replace dot_product dot_product_2d
+    \ dot_product_rectangle dot_product_depth_replace dot_product_3d dot_product_cube_map
+    \ dot_product_diffuse_cube_map dot_product_reflect_cube_map_eye_from_qs
+    \ dot_product_reflect_cube_map_const_eye
+  syn keyword arbStatement rgb alpha out
+  syn keyword arbBinding one zero const0 const1 fog col0 col1 spare0 spare1 tex0 tex1 tex2 tex3 tex4
+    \ tex5 tex6 tex7 final_product color_sum discard
+  syn keyword arbOption GEQUAL_TO_ZERO LESS_THAN_ZERO force_blue_to_one
+  syn match arbSuffix '\.\zs\%(rgb\|a\|b\)\>'
+  syn match arbComment '//.*$' contains=@Spell
+  syn region arbComment start='/\*' end='\*/' contains=@Spell
 else
   syn keyword arbOpcode ABS ABS_SAT ADD ADD_SAT CMP CMP_SAT COS COS_SAT DP3 DP3_SAT DP4 DP4_SAT DPH
     \ DPH_SAT DST DST_SAT EX2 EX2_SAT FLR FLR_SAT FRC FRC_SAT LG2 LG2_SAT LIT LIT_SAT LRP LRP_SAT MAD
@@ -106,7 +139,7 @@ else
 endif
 
 syn match arbComment '#.*$' contains=@Spell
-syn match arbHeader '\%^!!\%(\%(ARBfp\|ARBvp\|ATIfs\|FP\|VP\|VSP\)1\.0\|VP1\.1\|VP2\.0\)'
+syn match arbHeader '\%^!!\%(\%(ARBfp\|ARBvp\|ATIfs\|FP\|VP\|VSP\|RC\|TS\)1\.0\|VP1\.1\|VP2\.0\)'
 
 hi def link arbComment Comment
 hi def link arbHeader PreProc

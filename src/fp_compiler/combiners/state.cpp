@@ -1,5 +1,7 @@
 #include "fp_compiler/combiners/state.h"
 
+#include <bit>
+
 #include <algorithm>
 
 namespace arbiter::fp::combiners {
@@ -73,6 +75,16 @@ private:
 } // namespace
 
 std::uint32_t texturesRead(const State &state) { return FirstReads(state).textures(); }
+
+std::uint32_t registersWritten(const State &state) {
+  std::uint32_t written = 0;
+  for (std::size_t i = 0; i < state.count; ++i)
+    for (const Portion *const portion : {&state.stages[i].rgb, &state.stages[i].alpha})
+      for (const Register to : {portion->ab, portion->cd, portion->sum})
+        if (to != Register::Discard)
+          written |= 1u << unsigned(to);
+  return std::uint32_t(std::popcount(written));
+}
 
 State essential(const State &state) {
   State result = state;

@@ -138,6 +138,9 @@ struct Surroundings {
 /// The image units whose texture registers may be read as they are initialised, one bit each.
 [[nodiscard]] std::uint32_t texturesRead(const State &state);
 
+/// How many registers the active stages write.
+[[nodiscard]] std::uint32_t registersWritten(const State &state);
+
 /// The state with what it does not depend on as it is initially: stages that are not active, and
 /// E and F where nothing reads their product.
 [[nodiscard]] State essential(const State &state);

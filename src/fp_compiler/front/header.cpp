@@ -17,6 +17,8 @@ constexpr HeaderRow kHeaders[] = {
     {"!!ARBvp1.0", "this is a vertex program; load it for GL_VERTEX_PROGRAM_ARB"},
     {"!!ARBfp1.0", "this is a fragment program; load it for GL_FRAGMENT_PROGRAM_ARB"},
     {"!!ATIfs1.0", "this is a fragment shader; load it for GL_TEXT_FRAGMENT_SHADER_ATI"},
+    {"!!RC1.0", "these are register combiners; no program target takes them"},
+    {"!!TS1.0", "these are texture shaders; no program target takes them"},
     {"!!VP", "this is an NV_vertex_program, which is not offered"},
     {"!!VSP", "this is an NV_vertex_program's state program, which is not offered"},
     {"!!FP", "this is an NV_fragment_program, which is not offered"},
@@ -42,8 +44,8 @@ bool checkHeader(std::string_view header, std::string_view text, Reporter &repor
   std::uint32_t wrong = 0;
   while (wrong < text.size() && text[wrong] == header[wrong])
     ++wrong;
-  std::string hint =
-      "the first ten bytes must be " + std::string(header) + ", with nothing before them";
+  std::string hint = "the first " + std::string(header.size() == 10 ? "ten" : "seven") +
+                     " bytes must be " + std::string(header) + ", with nothing before them";
   if (text.empty())
     hint = "the text is empty; the length given was 0";
   else if (text.find(header) < 64)

@@ -8,8 +8,8 @@ namespace arbiter::fp {
 /// True if the text is no longer than kMaxTextBytes. Else that is reported.
 [[nodiscard]] bool checkLength(std::string_view text, Reporter &reporter);
 
-/// True if the text may be parsed: no longer than kMaxTextBytes, and with \p header, of ten bytes,
-/// at its first one. Else the reason is reported.
+/// True if the text may be parsed: no longer than kMaxTextBytes, and with \p header,
+/// at its first byte. Else the reason is reported.
 [[nodiscard]] bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter);
 
 /// Where the statements of a text may begin whose header is not the expected one: behind a first

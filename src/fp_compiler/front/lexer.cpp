@@ -24,8 +24,14 @@ constexpr auto kClasses = makeClasses();
 
 ByteClass classOf(char c) { return kClasses[std::uint8_t(c)]; }
 
-constexpr TokenKind punctuation(char c) {
+constexpr TokenKind punctuation(char c, bool calls) {
   switch (c) {
+  case '(':
+    return calls ? TokenKind::OpenParen : TokenKind::InvalidByte;
+  case ')':
+    return calls ? TokenKind::CloseParen : TokenKind::InvalidByte;
+  case '*':
+    return calls ? TokenKind::Times : TokenKind::InvalidByte;
   case ',':
     return TokenKind::Comma;
   case ';':
@@ -85,6 +91,12 @@ const char *name(TokenKind kind) {
     return "Plus";
   case TokenKind::Minus:
     return "Minus";
+  case TokenKind::OpenParen:
+    return "OpenParen";
+  case TokenKind::CloseParen:
+    return "CloseParen";
+  case TokenKind::Times:
+    return "Times";
   case TokenKind::InvalidByte:
     return "InvalidByte";
   case TokenKind::OverlongIdentifier:
@@ -111,12 +123,32 @@ void Lexer::skipWhitespace() {
     if (classOf(m_text[m_pos]) == kSpace) {
       ++m_pos;
     } else if (m_text[m_pos] == '#') {
-      while (m_pos < m_text.size() && m_text[m_pos] != '\n' && m_text[m_pos] != '\r')
-        ++m_pos;
-    } else {
+      skipLine();
+    } else if (m_words != Words::Calls || !skipCComment()) {
       return;
     }
   }
+}
+
+void Lexer::skipLine() {
+  while (m_pos < m_text.size() && m_text[m_pos] != '\n' && m_text[m_pos] != '\r')
+    ++m_pos;
+}
+
+/// A comment of C++ or of C; of one that nothing ends no byte is skipped.
+bool Lexer::skipCComment() {
+  if (!is(m_pos, '/'))
+    return false;
+  if (is(m_pos + 1, '/')) {
+    skipLine();
+    return true;
+  }
+  const std::size_t end =
+      is(m_pos + 1, '*') ? m_text.find("*/", m_pos + 2) : std::string_view::npos;
+  if (end == std::string_view::npos)
+    return false;
+  m_pos = std::uint32_t(end) + 2;
+  return true;
 }
 
 Token Lexer::finish(TokenKind kind, std::uint32_t begin) { return {kind, {begin, m_pos}}; }
@@ -160,14 +192,14 @@ Token Lexer::next() {
   if (begin >= m_text.size())
     return {TokenKind::EndOfText, {std::uint32_t(m_text.size()), std::uint32_t(m_text.size())}};
   const char c = m_text[begin];
-  const bool suffixes = m_words == Words::Suffixes;
+  const bool suffixes = m_words != Words::Identifiers;
   if (classOf(c) == kLetter || (suffixes && classOf(c) == kDigit))
     return identifier(begin);
   if (!suffixes && (classOf(c) == kDigit || (c == '.' && digitAt(begin + 1))))
     return numeral(begin);
   ++m_pos;
   if (c != '.')
-    return finish(punctuation(c), begin);
+    return finish(punctuation(c, m_words == Words::Calls), begin);
   if (suffixes || !is(m_pos, '.'))
     return finish(TokenKind::Dot, begin);
   ++m_pos;

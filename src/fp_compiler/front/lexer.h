@@ -9,8 +9,9 @@ namespace arbiter::fp {
 
 /// What a word is. Identifiers: it begins with a letter; numerals are tokens of their own.
 /// Suffixes: ATI's text, where "2x" and "0" are words and a full stop always stands alone; a
-/// numeral is cut by a lexer of Identifiers that begins there.
-enum class Words : std::uint8_t { Identifiers, Suffixes };
+/// numeral is cut by a lexer of Identifiers that begins there. Calls: nvparse's texts, the same
+/// with parentheses, `*`, and the comments of C and C++ beside those of `#`.
+enum class Words : std::uint8_t { Identifiers, Suffixes, Calls };
 
 /// Cuts a program string into tokens, by length and not by a terminator; reads no byte outside
 /// [text.data(), text.data() + text.size()). Spaces, tabs, newlines, carriage returns and comments
@@ -25,6 +26,8 @@ public:
 
 private:
   void skipWhitespace();
+  void skipLine();
+  bool skipCComment();
   Token finish(TokenKind kind, std::uint32_t begin);
   Token identifier(std::uint32_t begin);
   Token numeral(std::uint32_t begin);

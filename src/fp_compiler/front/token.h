@@ -24,6 +24,9 @@ enum class TokenKind : std::uint8_t {
   Equals,
   Plus,
   Minus,
+  OpenParen, ///< this and the next two: nvparse's texts alone
+  CloseParen,
+  Times,
   InvalidByte,        ///< a byte that begins no token
   OverlongIdentifier, ///< beyond kMaxIdentifierBytes
   OverlongNumeral,    ///< beyond kMaxNumeralBytes

@@ -12,7 +12,8 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 # The order of every listing; the first is the default.
-ORDER = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv30', 'nv35', 'nv40', 'i915', 'host']
+ORDER = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv10', 'nv20', 'nv25', 'nv30', 'nv35',
+         'nv40', 'i915', 'host']
 ROW = re.compile(r'^PROFILE_ROW\((\w+), (\w+), (\w+), ([\w.]+), "([\w: ]+)", (\d+), (\d+)\)$')
 CHOICE = re.compile(r'^PROFILE_CHOICE\((\w+), (\w+), ([\w.]+), (\w+), "([\w|]+)", "(.+)"\)$')
 MODEL = 'model'  # the table that has choices

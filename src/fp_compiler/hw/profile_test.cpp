@@ -37,7 +37,7 @@ TEST(Profiles, CatalystAnnouncedMoreThanTheChipHas) {
 
 // ARB_fragment_program's state tables: no built-in profile may promise less.
 TEST(Profiles, EveryBuiltInMeetsTheSpecificationAndHasSources) {
-  EXPECT_EQ(builtinNames().size(), 10u);
+  EXPECT_EQ(builtinNames().size(), 13u);
   for (const std::string_view name : builtinNames()) {
     const Profile *profile = findBuiltin(name);
     ASSERT_NE(profile, nullptr) << name;
@@ -58,6 +58,8 @@ TEST(Profiles, CardsHaveModelsAndTheHostAndNv40None) {
       {"r420", NativeModel::R300},       {"nv30", NativeModel::Nv30},
       {"nv35", NativeModel::Nv35},       {"i915", NativeModel::I915},
       {"host", NativeModel::Documented}, {"nv40", NativeModel::Documented},
+      {"nv10", NativeModel::Documented}, {"nv20", NativeModel::Documented},
+      {"nv25", NativeModel::Documented},
   };
   ASSERT_EQ(std::size(kModels), builtinNames().size());
   for (const auto &[name, model] : kModels) {
@@ -102,7 +104,8 @@ TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().message,
             "no profile \"r3000\"; did you mean \"r300\"? (built in: r300, r300-catalyst-2004, "
-            "r350, r360, r420, nv30, nv35, nv40, i915, host; or the path of a TOML file)");
+            "r350, r360, r420, nv10, nv20, nv25, nv30, nv35, nv40, i915, host; or the path of a "
+            "TOML file)");
   EXPECT_EQ(findBuiltin("r3000"), nullptr);
 }
 

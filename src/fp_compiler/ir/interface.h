@@ -9,8 +9,20 @@ namespace arbiter::fp::ir {
 
 struct Program;
 
-/// The language that a program was written in. ATI's text and its API form are one.
-enum class Language : std::uint8_t { ArbFragment, ArbVertex, AtiFragment };
+/// The language that a program was written in. ATI's text and its API form are one. The last two
+/// are of texts alone: !!RC1.0, and !!TS1.0 with or without the other behind it. They become
+/// programs of ArbFragment.
+enum class Language : std::uint8_t {
+  ArbFragment,
+  ArbVertex,
+  AtiFragment,
+  Combiners,
+  TextureShaders
+};
+/// One of nvparse's languages.
+[[nodiscard]] constexpr bool isNvparse(Language language) {
+  return language == Language::Combiners || language == Language::TextureShaders;
+}
 
 using Vec4 = std::array<float, 4>;
 

@@ -141,7 +141,8 @@ ObservedDraw DrawObserver::describe(const char *command) const {
   if (const CompiledProgram *const vertex = stages[0]->compiled)
     draw.vertex = textFileName(vertex->target, vertex->hash);
   draw.compiled = stages[1]->compiled;
-  if (draw.compiled && *infoOf(draw.compiled->target).extension != '\0')
+  if (draw.compiled && *infoOf(draw.compiled->target).extension != '\0' &&
+      !isOfState(draw.compiled->target))
     draw.fragment = textFileName(draw.compiled->target, draw.compiled->hash);
   return draw;
 }

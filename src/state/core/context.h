@@ -27,6 +27,7 @@
 namespace arbiter::state {
 
 class CombinerState;
+class StateTexts;
 struct EraState;
 struct ImagingState;
 class HostAssembly;
@@ -121,6 +122,8 @@ public:
 
   std::unique_ptr<CombinerState> combiners; ///< where the profile has register combiners, else null
   std::unique_ptr<TextureShaderState> textureShaders; ///< the same of NV_texture_shader
+  /// Their texts; null where none is captured or replaced.
+  std::unique_ptr<StateTexts> stateTexts;
 
   std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
 

@@ -28,6 +28,7 @@
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
+#include "state/programs/state_text.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"

@@ -28,17 +28,21 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment", ".atifs"},
     {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ""},
     {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
-    {GL_REGISTER_COMBINERS_NV, fp::ir::Language::ArbFragment, "combiners", ""},
-    {GL_TEXTURE_SHADER_NV, fp::ir::Language::ArbFragment, "texture-shaders", ""},
+    {GL_REGISTER_COMBINERS_NV, fp::ir::Language::Combiners, "combiners", ".nvrc"},
+    {GL_TEXTURE_SHADER_NV, fp::ir::Language::TextureShaders, "texture-shaders", ".nvts"},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];
 }
 
+/// The target's programs are made of GL's state, and its texts of that too.
+[[nodiscard]] constexpr bool isOfState(Target target) {
+  return target == Target::Combiners || target == Target::TextureShaders;
+}
+
 /// Draws of the target depend on fixed-function state (host_draw/fixed_function.h).
 [[nodiscard]] constexpr bool followsFixedFunction(Target target) {
-  return target == Target::AtiText || target == Target::AtiApi || target == Target::Combiners ||
-         target == Target::TextureShaders;
+  return target == Target::AtiText || target == Target::AtiApi || isOfState(target);
 }
 
 /// The name of a text's file in a capture and in a folder of replacements: "<hash>.fp".

@@ -12,6 +12,7 @@
 #include "state/imaging/imaging_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
+#include "state/programs/state_texts.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
@@ -86,6 +87,8 @@ void offerCombiners(Context &context) {
   fp::Limits limits = context.row(Target::Fragment).limits;
   limits.envParameters = fp::combiners::kConstants;
   limits.localParameters = 0;
+  limits.generalCombiners = card.general;
+  limits.perStageConstants = card.perStageConstants;
   offer(context, Target::Combiners, limits);
   context.combiners = std::make_unique<CombinerState>(
       int(card.general), card.perStageConstants != 0,
@@ -111,6 +114,9 @@ void offerTextureShaders(Context &context) {
     return;
   limits.envParameters = fp::texture_shader::kParameters;
   limits.localParameters = 0;
+  limits.textureShaders = extensions;
+  limits.generalCombiners = activeProfile().combiners.general;
+  limits.perStageConstants = activeProfile().combiners.perStageConstants;
   offer(context, Target::TextureShaders, limits);
   context.textureShaders =
       std::make_unique<TextureShaderState>(int(extensions), int(std::min(limits.textureUnits, 8u)));
@@ -129,6 +135,8 @@ void offerTargets(Context &context) {
     offerNvPrograms(context);
     offerCombiners(context);
     offerTextureShaders(context);
+    if (context.combiners || context.textureShaders)
+      context.stateTexts = makeStateTexts();
     offerEra(context);
   }
 }

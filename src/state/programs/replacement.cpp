@@ -4,6 +4,7 @@
 #include "state/core/context.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
+#include "state/programs/state_text.h"
 #include "state/share/share_group.h"
 #include "util/log.h"
 
@@ -141,6 +142,8 @@ void refreshReplacements(Context &context) {
     refreshFromFolder(context, *folder);
   if (controlled())
     refreshFromEdits(context);
+  if (context.stateTexts && context.stateTexts->changed())
+    invalidateProgram(context);
 }
 
 } // namespace arbiter::state

@@ -75,7 +75,7 @@ Subject::Subject(std::string_view text, const Setting &setting, fp::CheckResult 
     : m_text(text), m_setting(setting), m_check(std::move(check)), m_flow(*m_check.program) {}
 
 std::unique_ptr<Subject> Subject::read(std::string_view text, const Setting &setting) {
-  if (setting.language == fp::ir::Language::AtiFragment)
+  if (setting.language == fp::ir::Language::AtiFragment || isNvparse(setting.language))
     return nullptr;
   fp::CheckResult check =
       fp::checkProgram(setting.language, text, {setting.limits, fp::LimitPolicy::Report});

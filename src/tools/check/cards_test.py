@@ -11,7 +11,9 @@ import tempfile
 import unittest
 
 ARBITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
-CARDS = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv30', 'nv35', 'nv40', 'i915']
+CARDS = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv10', 'nv20', 'nv25', 'nv30',
+         'nv35', 'nv40', 'i915']
+PROGRAMLESS = ('nv10', 'nv20', 'nv25')  # cards without fragment programs
 SIMPLE = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
 FOURTH_BUFFER = '!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[3], 1;\nEND\n'
 FIFTH_BUFFER = FOURTH_BUFFER.replace('[3]', '[4]')
@@ -84,12 +86,13 @@ class Cards(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         head, first, second, total, legend, *reasons = result.stdout.splitlines()
         self.assertEqual(head.split(), CARDS)
-        self.assertEqual(first.split(), [str(deep)] + ['over', 'over', 'over', 'over', 'over',
+        self.assertEqual(first.split(), [str(deep)] + ['over', 'over', 'over', 'over', 'over', 'no', 'no', 'no',
                                                        'fits', 'fits', 'fits', 'over'])
-        self.assertEqual(second.split()[1:], ['fits'] * 9)
-        self.assertEqual(total.split(), 'fit, of 2 1 1 1 1 1 2 2 2 1'.split())
+        # No fragment program is run by the cards that have none.
+        self.assertEqual(second.split()[1:], ['fits'] * 5 + ['over'] * 3 + ['fits'] * 4)
+        self.assertEqual(total.split(), 'fit, of 2 1 1 1 1 1 0 0 0 2 2 2 1'.split())
         self.assertTrue(legend.startswith('fits:'))
-        self.assertEqual(len(reasons), 6)
+        self.assertEqual(len(reasons), 12)
         self.assertIn(f'{deep}: r300: over the native limits: TEX indirections 5 of 4', reasons[0])
         brief = run('--profile', 'all', '--brief', deep)
         self.assertEqual(len(brief.stdout.splitlines()), 3)
@@ -98,7 +101,7 @@ class Cards(unittest.TestCase):
         lines = run('--profile', 'all', self.write('a.fp', SIMPLE)).stdout.splitlines()
         for card in CARDS:
             at = lines[0].index(' ' + card + ' ' if card != 'i915' else ' i915') + 1
-            self.assertEqual(lines[1][at:at + 4], 'fits')
+            self.assertEqual(lines[1][at:at + 4], 'over' if card in PROGRAMLESS else 'fits')
 
     def test_exit_codes(self):
         self.statuses(self.write('a.fp', SIMPLE), code=0)
@@ -115,7 +118,8 @@ class Cards(unittest.TestCase):
 
     def test_standard_input_is_read_once(self):
         answers, _ = self.statuses('-', code=0, text=SIMPLE)
-        self.assertEqual({cell['status'] for cell in answers['<stdin>'].values()}, {'valid'})
+        for card, cell in answers['<stdin>'].items():
+            self.assertEqual(cell['status'], 'over-native' if card in PROGRAMLESS else 'valid')
 
     def test_what_it_does_not_go_with(self):
         path = self.write('a.fp', SIMPLE)

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kExtensions[] = {".fp", ".vp", ".atifs", ".arbfp", ".arbvp"};
+constexpr std::string_view kExtensions[] = {".fp",    ".vp",   ".atifs", ".arbfp",
+                                            ".arbvp", ".nvrc", ".nvts"};
 
 bool beginsAsProgram(const fs::path &path) {
   std::array<char, 8> head = {};

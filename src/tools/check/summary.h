@@ -8,6 +8,7 @@
 #include "fp_compiler/resources.h"
 #include "tools/check/checked_file.h"
 #include "tools/check/terminal.h"
+#include "tools/language.h"
 #include "util/json.h"
 
 namespace arbiter::tools {
@@ -35,7 +36,7 @@ public:
   [[nodiscard]] int exitCode() const;
 
 private:
-  static constexpr std::size_t kLanguages = 3;
+  static constexpr std::size_t kLanguages = kLanguageCount;
   static constexpr std::size_t kResources = sizeof(fp::ResourceCounts) / sizeof(std::uint32_t);
 
   /// The file that takes the largest part of a native limit; of equal ones the first.

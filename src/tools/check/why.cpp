@@ -104,6 +104,8 @@ std::string Why::reasons(const fp::ResourceRow &row) const {
 }
 
 std::string Why::headline() const {
+  if (isNvparse(m_file.language))
+    return "  native: the limits are those of the card's combiners and texture shaders\n";
   if (m_file.language == fp::ir::Language::AtiFragment)
     return "  native: the limits are those of the language; what loads fits\n";
   if (m_report.model == fp::NativeModel::Documented)

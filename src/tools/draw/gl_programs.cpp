@@ -1,5 +1,9 @@
 #include "tools/draw/gl_programs.h"
 
+#include <algorithm>
+
+#include "tools/draw/gl_state_text.h"
+
 namespace arbiter::tools {
 
 namespace {
@@ -38,6 +42,15 @@ std::optional<RenderError> parametersBeyond(const scene::ProgramFile &file, std:
   };
   for (const scene::Parameter &parameter : file.panel.parameters) {
     const bool attrib = parameter.space == Setting::Attrib;
+    if (isNvparse(file.language) && !attrib) {
+      const bool beyond = parameter.first + parameter.count > fp::texture_shader::kParameters;
+      if (parameter.space == Setting::Local && parameter.span.end != 0)
+        return fault(parameter, "combiners and texture shaders have no local parameters");
+      if (parameter.space == Setting::Env && beyond)
+        return fault(parameter, "env " + std::to_string(parameter.first) + ": there are " +
+                                    std::to_string(fp::texture_shader::kParameters));
+      continue;
+    }
     if (file.language == Language::AtiFragment && !attrib) {
       if (parameter.span.end != 0)
         return fault(parameter, "an ATI shader has no parameters; its constants are in its text");
@@ -101,6 +114,10 @@ ProgramTarget targetOf(Language language) {
     return {GL_VERTEX_PROGRAM_ARB, "GL_ARB_vertex_program"};
   case Language::AtiFragment:
     return {kTextFragmentShaderAti, "GL_ATI_text_fragment_shader"};
+  case Language::Combiners:
+    return {GL_REGISTER_COMBINERS_NV, "GL_NV_register_combiners"};
+  case Language::TextureShaders:
+    return {GL_TEXTURE_SHADER_NV, "GL_NV_texture_shader"};
   case Language::ArbFragment:
     break;
   }
@@ -127,6 +144,9 @@ std::optional<RenderError> Programs::loadFile(const scene::Document &document, s
   if (auto error = parametersBeyond(file, index))
     return error;
   GLuint &name = m_names.emplace_back(0);
+  m_states.emplace_back();
+  if (isNvparse(file.language))
+    return loadState(document, index);
   glGenProgramsARB(1, &name);
   glBindProgramARB(target.name, name);
   glProgramStringARB(target.name, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(file.text.size()),
@@ -138,11 +158,43 @@ std::optional<RenderError> Programs::loadFile(const scene::Document &document, s
                      query(GL_PROGRAM_ERROR_POSITION_ARB)};
 }
 
+/// The text is parsed by the context's limits; GL itself has no such texts.
+std::optional<RenderError> Programs::loadState(const scene::Document &document, std::size_t index) {
+  const scene::ProgramFile &file = document.files[index];
+  const fp::nvparse::ParseResult parsed =
+      fp::nvparse::parse(file.language, file.text, {stateTextLimits(), fp::LimitPolicy::Enforce});
+  if (!parsed.text) {
+    const auto error = std::find_if(
+        parsed.diagnostics.begin(), parsed.diagnostics.end(),
+        [](const fp::Diagnostic &each) { return each.severity == fp::Severity::Error; });
+    return RenderError{RenderError::Kind::Program,
+                       fp::renderAll("program", file.text, parsed.diagnostics), index,
+                       error == parsed.diagnostics.end() ? 0 : int(error->span.begin)};
+  }
+  m_states[index] = parsed.text;
+  return std::nullopt;
+}
+
+/// Values go to the ARB's fragment programs too: the debugger shows values of a state with those.
+void Programs::useState(std::size_t file, const std::vector<scene::ParameterRow> &rows) const {
+  issueStateText(*m_states[file]);
+  for (const scene::ParameterRow &row : rows)
+    if (row.space == Setting::Env && !m_states[file]->values[row.index]) {
+      giveStateValue(int(row.index), row.value);
+      if (epoxy_has_gl_extension("GL_ARB_fragment_program"))
+        give(GL_FRAGMENT_PROGRAM_ARB, row);
+    }
+}
+
 void Programs::use(const scene::Document &document, const scene::Pass &pass, double seconds) const {
   for (const int file : {pass.vertex, pass.fragment}) {
     if (file < 0)
       continue;
     const Language language = document.files[std::size_t(file)].language;
+    if (isNvparse(language)) {
+      useState(std::size_t(file), document.rows(pass, file, seconds));
+      continue;
+    }
     const GLenum target = targetOf(language).name;
     glBindProgramARB(target, m_names[std::size_t(file)]);
     glEnable(target);
@@ -159,7 +211,10 @@ void Programs::use(const scene::Document &document, const scene::Pass &pass, dou
 
 void Programs::disable(const scene::Document &document) {
   for (const scene::ProgramFile &file : document.files)
-    glDisable(targetOf(file.language).name);
+    if (isNvparse(file.language))
+      disableStateTexts();
+    else
+      glDisable(targetOf(file.language).name);
 }
 
 } // namespace arbiter::tools

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "fp_compiler/front/nvparse/text.h"
 #include "tools/draw/gl_queries.h"
 #include "tools/draw/renderer.h"
 
@@ -24,8 +25,11 @@ public:
 
 private:
   std::optional<RenderError> loadFile(const scene::Document &document, std::size_t file);
+  std::optional<RenderError> loadState(const scene::Document &document, std::size_t file);
+  void useState(std::size_t file, const std::vector<scene::ParameterRow> &rows) const;
 
-  std::vector<GLuint> m_names; ///< one for each file
+  std::vector<GLuint> m_names;                            ///< one for each file; 0 for nvparse's
+  std::vector<std::optional<fp::nvparse::Text>> m_states; ///< nvparse's
 };
 
 } // namespace arbiter::tools

@@ -59,6 +59,12 @@ GLint wrapOf(const scene::TextureSpec &spec, GLenum target) {
   return kWraps[std::size_t(spec.wrap.value)];
 }
 
+/// What the fragments' language samples is the target that is enabled.
+bool enablesUnits(const scene::Document &document, const scene::Pass &pass) {
+  const Language language = document.files[std::size_t(pass.fragment)].language;
+  return language == Language::AtiFragment || isNvparse(language);
+}
+
 } // namespace
 
 Textures::~Textures() {
@@ -101,7 +107,7 @@ void Textures::addUnset(const scene::Document &document, const scene::Pass &pass
     unit.panel = pass.panel;
     unit.number = sampled.unit;
     unit.target = glTarget(sampled.target);
-    unit.enabled = document.files[std::size_t(pass.fragment)].language == Language::AtiFragment;
+    unit.enabled = enablesUnits(document, pass);
     unit.name = makeUnsetTexture(sampled.unit, sampled.target, document.width(), document.height());
     m_units.push_back(unit);
   }
@@ -124,8 +130,7 @@ std::optional<RenderError> Textures::loadUnit(const scene::Document &document,
   unit.target = glTarget(sampled);
   unit.compares = spec.compare || fp::ir::isShadow(sampled);
   unit.feedback = spec.source.generator.value == Generator::Feedback;
-  unit.enabled = pass.fragment < 0 ||
-                 document.files[std::size_t(pass.fragment)].language == Language::AtiFragment;
+  unit.enabled = pass.fragment < 0 || enablesUnits(document, pass);
   if (unit.target == GL_TEXTURE_3D || cube != (unit.target == GL_TEXTURE_CUBE_MAP))
     return fault(pass.panel, spec.source.generator.span,
                  "the program samples texture[" + std::to_string(spec.unit) + "] as " +

@@ -29,6 +29,8 @@ Json Completion::run() {
     behindDot();
   else if (m_language == fp::ir::Language::AtiFragment)
     inAtiStatement();
+  else if (isNvparse(m_language))
+    inNvparseStatement();
   else if (own)
     inOwnStatement();
   else
@@ -72,9 +74,16 @@ void Completion::addHeaders() {
     m_replaced = {m_replaced.begin, m_replaced.begin};
     return;
   }
+  const fp::Limits &limits = m_view.analysis.limits;
+  const auto offered = [&](fp::ir::Language language) {
+    const fp::Limits own = limitsOf(m_view.profile, language);
+    return language == fp::ir::Language::TextureShaders ? own.textureShaders != 0
+                                                        : own.generalCombiners != 0;
+  };
   for (const LanguageRow &row : languageRows())
-    add(row.header, kKeyword, "the first bytes of the text");
-  if (m_view.analysis.limits.nvOptions != 0)
+    if (!isNvparse(row.language) || offered(row.language))
+      add(row.header, kKeyword, "the first bytes of the text");
+  if (limits.nvOptions != 0)
     addOwnHeaders();
 }
 

@@ -91,6 +91,10 @@ private:
   void addAtiSources(std::string_view word);
   void addAtiSuffixes(bool nested);
 
+  // of nvparse's texts
+  void inNvparseStatement();
+  void addNvparseRegisters();
+
   const View &m_view;
   Reading m_reading;
   fp::ir::Language m_language;

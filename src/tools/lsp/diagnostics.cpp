@@ -134,7 +134,7 @@ Json diagnostics(const View &view) {
        scene::checkPanel(pathOf(view.document.uri()), view.document.text()))
     all.push_back(ofCompiler(view, diagnostic));
   if (check.ok() && view.analysis.language != fp::ir::Language::AtiFragment &&
-      !view.analysis.native.fits)
+      !isNvparse(view.analysis.language) && !view.analysis.native.fits)
     addNative(view, all);
   return all;
 }

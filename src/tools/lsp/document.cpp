@@ -14,18 +14,20 @@ struct EndingRow {
   Language language;
 };
 constexpr EndingRow kEndings[] = {
-    {".vp", Language::ArbVertex},     {".arbvp", Language::ArbVertex},
-    {".vert", Language::ArbVertex},   {".atifs", Language::AtiFragment},
-    {".fp", Language::ArbFragment},   {".arbfp", Language::ArbFragment},
-    {".frag", Language::ArbFragment},
+    {".vp", Language::ArbVertex},        {".arbvp", Language::ArbVertex},
+    {".vert", Language::ArbVertex},      {".atifs", Language::AtiFragment},
+    {".fp", Language::ArbFragment},      {".arbfp", Language::ArbFragment},
+    {".frag", Language::ArbFragment},    {".nvrc", Language::Combiners},
+    {".nvts", Language::TextureShaders},
 };
 
 std::vector<fp::Token> tokensOf(std::string_view text, Language language) {
   std::vector<fp::Token> tokens;
   if (text.size() > fp::kMaxTextBytes)
     return tokens;
-  const auto words =
-      language == Language::AtiFragment ? fp::Words::Suffixes : fp::Words::Identifiers;
+  const auto words = isNvparse(language)                 ? fp::Words::Calls
+                     : language == Language::AtiFragment ? fp::Words::Suffixes
+                                                         : fp::Words::Identifiers;
   const fp::ir::NativeLanguage own = fp::nativeLanguageOf(text);
   const std::string_view header =
       own == fp::ir::NativeLanguage::None ? languageRow(language).header : fp::ir::headerOf(own);
@@ -125,7 +127,7 @@ const Analysis &Document::analysis(const fp::hw::Profile &profile) {
   options.limits = made.limits;
   made.inspection = fp::inspectProgram(made.language, m_text, options);
   const fp::CheckResult &check = made.inspection.check;
-  if (check.ok() && made.language != Language::AtiFragment)
+  if (check.ok() && made.language != Language::AtiFragment && !isNvparse(made.language))
     made.native = fp::hw::explainNative(*check.program, check.counts, made.limits);
   return made;
 }

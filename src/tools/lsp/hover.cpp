@@ -43,7 +43,8 @@ class Hover {
 public:
   explicit Hover(const View &view)
       : m_view(view), m_reading(view.document, view.analysis),
-        m_ati(view.analysis.language == fp::ir::Language::AtiFragment) {}
+        m_ati(view.analysis.language == fp::ir::Language::AtiFragment),
+        m_nvparse(isNvparse(view.analysis.language)) {}
 
   std::optional<Found> at(std::uint32_t offset) const {
     if (const fp::NameUse *use = m_view.analysis.inspection.names.at(offset))
@@ -51,6 +52,8 @@ public:
     const auto token = m_reading.at(offset);
     if (!token)
       return std::nullopt;
+    if (m_nvparse)
+      return ofNvparseWord(*token);
     if (auto found = ofBinding(*token))
       return found;
     return m_ati ? ofAtiWord(*token) : ofWord(*token);
@@ -83,13 +86,24 @@ private:
         text = codeBlock(m_view.document.text(statement).substr(0, 400));
         text += declaredAs(statement);
       }
-    text = "**" + std::string(kindText(name.kind, m_ati)) + "** `" +
+    text = "**" + std::string(kindText(name.kind, m_ati || m_nvparse)) + "** `" +
            std::string(name.text.substr(0, 100)) + "`\n\n" + text;
+    if (m_nvparse)
+      text += registerText(name.text) + "\n";
     text += "\nread " + lines(name, fp::Access::Read);
     if (name.kind != fp::SymbolKind::Attribute && name.kind != fp::SymbolKind::Parameter &&
         name.kind != fp::SymbolKind::ParameterArray)
       text += "; written " + lines(name, fp::Access::Write);
     return {std::move(text), use.span};
+  }
+
+  /// What a register of nvparse's is.
+  static std::string registerText(std::string_view word) {
+    for (const fp::reference::AtiSource &row : fp::reference::nvparseRegisters())
+      if (row.count == 0 ? row.word == word
+                         : word.size() == row.word.size() + 1 && word.starts_with(row.word))
+        return std::string(row.doc) + "\n";
+    return {};
   }
 
   /// What the bindings of a declaration are.
@@ -196,9 +210,18 @@ private:
     return ofEntry(fp::reference::atiStatements(), token);
   }
 
+  std::optional<Found> ofNvparseWord(std::size_t token) const {
+    using fp::ir::Language;
+    for (const Language language : {m_view.analysis.language, Language::Combiners})
+      if (auto found = ofEntry(fp::reference::nvparseWords(language), token))
+        return found;
+    return std::nullopt;
+  }
+
   const View &m_view;
   Reading m_reading;
   bool m_ati;
+  bool m_nvparse;
 };
 
 } // namespace

@@ -74,7 +74,8 @@ std::string labelOf(const LineCost &cost, bool nodes) {
 Json inlayHints(const View &view, fp::Span span) {
   Json all = Json::array();
   const fp::CheckResult &check = view.analysis.inspection.check;
-  if (!check.ok() || view.analysis.language == fp::ir::Language::AtiFragment)
+  if (!check.ok() || view.analysis.language == fp::ir::Language::AtiFragment ||
+      isNvparse(view.analysis.language))
     return all;
   const TextMap &map = view.document.map();
   const std::uint32_t first = map.lineOf(span.begin);

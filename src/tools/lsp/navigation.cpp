@@ -64,6 +64,8 @@ Result<const Name *, Refusal> renamable(const View &view, std::uint32_t offset) 
     return Refusal{"there is no name of a variable here"};
   if (view.analysis.language == fp::ir::Language::AtiFragment)
     return Refusal{"the registers and constants of !!ATIfs1.0 have fixed names"};
+  if (isNvparse(view.analysis.language))
+    return Refusal{"the registers and constants of !!RC1.0 and !!TS1.0 have fixed names"};
   if (name->declared.end == 0)
     return Refusal{"'" + std::string(name->text.substr(0, 64)) + "' is not declared"};
   return name;

@@ -44,7 +44,8 @@ bool Reading::inComment(std::uint32_t offset) const {
 }
 
 fp::Word Reading::word(std::size_t token) const {
-  if (kind(token) != TokenKind::Identifier || m_analysis.language == fp::ir::Language::AtiFragment)
+  if (kind(token) != TokenKind::Identifier ||
+      m_analysis.language == fp::ir::Language::AtiFragment || isNvparse(m_analysis.language))
     return {};
   if (m_analysis.ownLanguage != fp::ir::NativeLanguage::None)
     return fp::nv::classify(text(token), m_analysis.ownLanguage);
@@ -57,6 +58,9 @@ fp::Word Reading::word(std::size_t token) const {
 bool Reading::beginsStatement(std::size_t token) const {
   if (m_analysis.language == fp::ir::Language::AtiFragment)
     return kind(token) == TokenKind::Identifier && fp::ati::beginsStatement(text(token));
+  if (isNvparse(m_analysis.language))
+    return token > 0 &&
+           (kind(token - 1) == TokenKind::OpenBrace || kind(token - 1) == TokenKind::CloseBrace);
   return fp::beginsStatement(word(token).keyword);
 }
 

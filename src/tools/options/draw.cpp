@@ -66,7 +66,8 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
   verb.flag("--in-layer", draw.inLayer).hidden(); // what draw passes to itself
   verb.option(
           "FILE", draw.files,
-          "a document: a program text (!!ARBfp1.0, !!ARBvp1.0, !!ATIfs1.0) whose lines that begin "
+          "a document: a program text (!!ARBfp1.0, !!ARBvp1.0, !!ATIfs1.0, !!RC1.0, !!TS1.0) whose "
+          "lines that begin "
           "with #@ say what it is drawn with, or a folder of one; or a program of vertices and "
           "one of fragments; gallery:NAME is a document of the gallery; - is standard input")
       .required()

@@ -83,7 +83,8 @@ void addCapture(CLI::App &app, CaptureArguments &capture) {
   verb.flag("--index-only", capture.indexOnly, "run nothing: make the index of the folder anew");
   addLayer(verb, capture.layer);
   verb.prefixCommand();
-  verb.footer("The folder gets HASH.fp, .vp or .atifs for each text, its GLSL, a shader_test "
+  verb.footer("The folder gets HASH.fp, .vp or .atifs for each text, HASH.nvrc and .nvts for "
+              "register combiners and texture shaders, their GLSL, a shader_test "
               "for piglit, index.json and index.html. Edit a text there, and\n"
               "  arbiter run --replace DIR -- COMMAND\n"
               "loads it in place of the application's, while it runs too.\n"

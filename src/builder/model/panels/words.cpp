@@ -163,6 +163,10 @@ Language languageOf(const QString &text) {
     return Language::ArbVertex;
   if (text.startsWith(QStringLiteral("!!ATIfs")))
     return Language::AtiFragment;
+  if (text.startsWith(QStringLiteral("!!RC")))
+    return Language::Combiners;
+  if (text.startsWith(QStringLiteral("!!TS")))
+    return Language::TextureShaders;
   return Language::ArbFragment;
 }
 

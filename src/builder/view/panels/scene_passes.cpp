@@ -54,9 +54,10 @@ void ScenePanel::addPasses(QFormLayout *form) {
 }
 
 void ScenePanel::chooseFile(const QString &word) {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Program"), m_bench.file().folder(),
-      word == u"vertex" ? tr("Vertex programs (*.vp)") : tr("Programs (*.fp *.atifs)"));
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Program"), m_bench.file().folder(),
+                                   word == u"vertex" ? tr("Vertex programs (*.vp)")
+                                                     : tr("Programs (*.fp *.atifs *.nvrc *.nvts)"));
   const QString name = path.isEmpty() ? QString() : nameBeside(this, m_bench, path);
   if (name.isEmpty())
     return;

@@ -20,7 +20,9 @@ constexpr const char *kNewText = "!!ARBfp1.0\n"
                                  "MOV result.color, fragment.texcoord[0];\n"
                                  "END\n";
 
-QString filter() { return QObject::tr("Programs (*.fp *.vp *.atifs);;All files (*)"); }
+QString filter() {
+  return QObject::tr("Programs (*.fp *.vp *.atifs *.nvrc *.nvts);;All files (*)");
+}
 
 /// The document of a folder: the file of its name, else main.fp, else its first program.
 QString documentOf(const QString &folder) {

@@ -6,9 +6,9 @@
 
 #include "fp_compiler/ati/shader.h"
 #include "fp_compiler/compiler.h"
-#include "fp_compiler/front/ati/tokens.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/words/names.h"
+#include "fp_compiler/front/words/word_tokens.h"
 
 /// The text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed grammar has
 /// gaps; docs/ati_fragment_shader.md says how each is read.
@@ -101,7 +101,7 @@ private:
   const Limits &m_limits;
   Reporter &m_reporter;
   NameTable *m_names; ///< null where names are not wanted
-  Tokens m_tokens;
+  WordTokens m_tokens;
   Shader m_shader;
 
   std::array<bool, kConstants> m_declared = {};

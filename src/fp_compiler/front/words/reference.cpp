@@ -141,7 +141,7 @@ std::vector<Entry> of(std::span<const LanguageEntry> rows, bool vertex) {
 template <const auto &rows> std::span<const Entry> byLanguage(Language language) {
   static const std::vector<Entry> kFragment = of(rows, false);
   static const std::vector<Entry> kVertex = of(rows, true);
-  if (language == Language::AtiFragment)
+  if (language == Language::AtiFragment || isNvparse(language))
     return {};
   return language == Language::ArbVertex ? kVertex : kFragment;
 }
@@ -199,6 +199,24 @@ constexpr AtiSource kAtiSources[] = {
 #include "fp_compiler/front/ati/words.def"
 };
 
+constexpr Entry kCombinerWords[] = {
+#define RC_FUNCTION(word, doc) {word, "", doc},
+#include "fp_compiler/front/nvparse/words.def"
+#define RC_WORD(word, doc) {word, "", doc},
+#include "fp_compiler/front/nvparse/words.def"
+};
+constexpr Entry kShaderWords[] = {
+#define TS_OPERATION(word, Enumerator, stage, stages, arguments, extension, doc) {word, "", doc},
+#include "fp_compiler/front/nvparse/words.def"
+#define TS_WORD(word, doc) {word, "", doc},
+#include "fp_compiler/front/nvparse/words.def"
+    {"expand", "", "a dot product of 2*x - 1"},
+};
+constexpr AtiSource kNvparseRegisters[] = {
+#define RC_REGISTER(Enumerator, word, count, doc) {word, count, doc},
+#include "fp_compiler/front/nvparse/words.def"
+};
+
 } // namespace
 
 std::string Binding::path() const {
@@ -220,6 +238,9 @@ std::span<const Binding> bindings(Language language) {
     return kFragment;
   case Language::ArbVertex:
     return kVertex;
+  case Language::Combiners:
+  case Language::TextureShaders:
+    return {};
   case Language::AtiFragment:
     break;
   }
@@ -258,5 +279,10 @@ std::span<const Entry> atiDestinationModifiers() {
 }
 std::span<const Entry> atiArgumentModifiers() { return kAtiModifiers; }
 std::span<const AtiSource> atiSources() { return kAtiSources; }
+std::span<const Entry> nvparseWords(Language language) {
+  return language == Language::TextureShaders ? std::span<const Entry>(kShaderWords)
+                                              : std::span<const Entry>(kCombinerWords);
+}
+std::span<const AtiSource> nvparseRegisters() { return kNvparseRegisters; }
 
 } // namespace arbiter::fp::reference

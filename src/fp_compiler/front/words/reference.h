@@ -7,7 +7,8 @@
 #include "fp_compiler/ir/ir.h"
 
 /// What the words of the languages mean, for documentation, hover and completion: the tables that
-/// the parser is made of (ir/ops.def, words.def, ati/words.def), and bindings.def beside it.
+/// the parser is made of (ir/ops.def, words.def, ati/words.def,
+/// nvparse/words.def), and bindings.def beside it.
 namespace arbiter::fp::reference {
 
 /// A word with its documentation.
@@ -77,5 +78,11 @@ struct AtiSource {
   std::string_view doc;
 };
 [[nodiscard]] std::span<const AtiSource> atiSources();
+
+/// Functions and words of nvparse's texts: of register combiners, or of texture shaders, whose texts
+/// may go on with the others.
+[[nodiscard]] std::span<const Entry> nvparseWords(ir::Language language);
+/// Their registers, as sources of ATI's.
+[[nodiscard]] std::span<const AtiSource> nvparseRegisters();
 
 } // namespace arbiter::fp::reference

@@ -11,6 +11,7 @@
 #include "state/host_draw/variants/fixed_function_now.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/state_text.h"
 #include "state/programs/texture_changes.h"
 
 namespace arbiter::state {
@@ -83,9 +84,9 @@ void askDepths(Context &context, Surroundings &around) {
   }
 }
 
-Surroundings surroundingsNow(Context &context) {
-  const std::uint32_t read = fp::combiners::texturesRead(context.combiners->state()) &
-                             ((1u << unsigned(context.combiners->units())) - 1u);
+Surroundings surroundingsNow(Context &context, const fp::combiners::State &state) {
+  const std::uint32_t read =
+      fp::combiners::texturesRead(state) & ((1u << unsigned(context.combiners->units())) - 1u);
   const fp::FixedFunction fixed = fixedFunctionNow(context, read);
   Surroundings around;
   around.fog = fixed.fog;
@@ -103,11 +104,17 @@ Surroundings surroundingsNow(Context &context) {
 std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
                                                           const fp::GlslHost &host) {
   CombinerState &combiners = *context.combiners;
-  combiners.drawnUnder = surroundingsNow(context);
+  fp::combiners::State state = fp::combiners::essential(combiners.state());
+  const StateText *text = nullptr;
+  if (context.stateTexts) {
+    text = &context.stateTexts->of(context, Target::Combiners, {.combiners = state});
+    if (text->replaced)
+      state = fp::combiners::essential(*text->replaced->combiners);
+  }
+  combiners.drawnUnder = surroundingsNow(context, state);
   combiners.effective = true;
   context.followsFixedFunction = true;
-  return combiners.programUnder(
-      context, {fp::combiners::essential(combiners.state()), combiners.drawnUnder}, host);
+  return combiners.programUnder(context, {state, combiners.drawnUnder}, host, text);
 }
 
 bool mayFollowCombinedDepths(const Context &context) {

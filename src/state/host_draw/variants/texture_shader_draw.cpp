@@ -9,6 +9,7 @@
 #include "state/host_draw/variants/shader_textures.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/state_text.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
@@ -54,13 +55,14 @@ void askTextures(Context &context, State &state) {
 bool isEnabled(const Context &context) { return context.row(Target::TextureShaders).enabled; }
 
 /// The stages and what they sample; conventional ones where the enable is off.
-State stagesNow(Context &context) {
+/// \param instead stages that stand in for the application's
+State stagesNow(Context &context, const State *instead = nullptr) {
   const TextureShaderState &shaders = *context.textureShaders;
   State state;
   state.units = std::uint8_t(shaders.units());
   state.conventional = !isEnabled(context);
   if (!state.conventional) {
-    state.stages = shaders.now().stages;
+    state.stages = instead ? instead->stages : shaders.now().stages;
   } else {
     const fp::FixedFunction fixed = fixedFunctionNow(context, allUnits(context));
     for (std::size_t unit = 0; unit < state.units; ++unit)
@@ -76,18 +78,33 @@ bool isSpecial(const fp::texture_shader::Texture &texture) {
   return texture.base >= Base::Hilo || texture.signs != fp::texture_shader::Signs::Unsigned;
 }
 
+/// The text of the stages that are enabled, and of combiners behind them.
+const StateText *textNow(Context &context, bool combines) {
+  if (!context.stateTexts || !isEnabled(context))
+    return nullptr;
+  fp::nvparse::Text own;
+  State &shaders = own.shaders.emplace();
+  shaders.units = std::uint8_t(context.textureShaders->units());
+  shaders.stages = context.textureShaders->now().stages;
+  if (combines)
+    own.combiners = fp::combiners::essential(context.combiners->state());
+  return &context.stateTexts->of(context, Target::TextureShaders, own);
+}
+
 } // namespace
 
 std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const fp::GlslHost &host,
                                                          bool combines) {
   TextureShaderState &shaders = *context.textureShaders;
   fp::texture_shader::Key key;
-  key.shaders = stagesNow(context);
+  const StateText *const text = textNow(context, combines);
+  const fp::nvparse::Text *const instead = text && text->replaced ? &*text->replaced : nullptr;
+  key.shaders = stagesNow(context, instead ? &*instead->shaders : nullptr);
   const fp::FixedFunction fixed = fixedFunctionNow(context, 0);
   key.fog = fixed.fog;
-  key.combines = combines;
-  if (combines) {
-    key.combiners = context.combiners->state();
+  key.combines = instead ? instead->combiners.has_value() : combines;
+  if (key.combines) {
+    key.combiners = instead ? *instead->combiners : context.combiners->state();
   } else {
     key.environments = environmentsNow(context);
     key.colorSum = fixed.colorSum;
@@ -95,7 +112,7 @@ std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const
   context.followsFixedFunction = true;
   shaders.effective = true;
   shaders.drawnUnder = key.shaders;
-  return shaders.programUnder(context, fp::texture_shader::essential(key), host);
+  return shaders.programUnder(context, fp::texture_shader::essential(key), host, text);
 }
 
 bool texturesNeedLayer(Context &context) {

@@ -3,6 +3,7 @@
 #include "fp_compiler/combiners/lower.h"
 #include "state/core/context.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/state_text.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
@@ -46,9 +47,15 @@ void CombinerState::restore(Context &context,
 }
 
 std::shared_ptr<const CompiledProgram> CombinerState::programUnder(Context &context, const Key &key,
-                                                                   const fp::GlslHost &host) {
-  return m_programs.of(context, Target::Combiners, key, host,
-                       [](const Key &of) { return fp::combiners::lower(of.state, of.around); });
+                                                                   const fp::GlslHost &host,
+                                                                   const StateText *text) {
+  StatePrograms<Key> &programs = text ? m_named.of(context, text->key()) : m_programs;
+  return programs.of(context, Target::Combiners, key, host, text, [&](const Key &of) {
+    fp::ir::Program program = fp::combiners::lower(of.state, of.around);
+    if (text && text->replaced)
+      fp::texture_shader::bindValues(program, text->replaced->values);
+    return program;
+  });
 }
 
 bool combinerValue(const Context &context, GLenum pname, GLint &value) {

@@ -64,8 +64,9 @@ public:
   void restore(Context &context, const std::shared_ptr<const CombinerSettings> &settings);
 
   /// The program for a key, whose state is fp::combiners::essential(); made once for each.
+  /// \param text of the application's state; the key's is that of what stands in for it
   [[nodiscard]] std::shared_ptr<const CompiledProgram>
-  programUnder(Context &context, const Key &key, const fp::GlslHost &host);
+  programUnder(Context &context, const Key &key, const fp::GlslHost &host, const StateText *text);
 
   /// The effective program is of combiners, made for `drawnUnder` (combiner_draw.h).
   bool effective = false;
@@ -81,6 +82,7 @@ private:
   /// Never null. Made by this class alone, as what may be changed while nothing else has it.
   std::shared_ptr<CombinerSettings> m_settings;
   StatePrograms<Key> m_programs;
+  NamedStatePrograms<Key> m_named;
 };
 
 /// True, with it, for a value of Get that NV_register_combiners and 2 have, but for the colours,

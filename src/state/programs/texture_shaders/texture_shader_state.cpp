@@ -3,6 +3,7 @@
 #include "state/core/context.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/state_text.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -60,10 +61,17 @@ void TextureShaderState::setParameters(Context &context) {
              m_settings->rows[std::size_t(unit)][std::size_t(row)]);
 }
 
-std::shared_ptr<const CompiledProgram>
-TextureShaderState::programUnder(Context &context, const Key &key, const fp::GlslHost &host) {
-  return m_programs.of(context, Target::TextureShaders, key, host,
-                       [](const Key &of) { return fp::texture_shader::lower(of); });
+std::shared_ptr<const CompiledProgram> TextureShaderState::programUnder(Context &context,
+                                                                        const Key &key,
+                                                                        const fp::GlslHost &host,
+                                                                        const StateText *text) {
+  StatePrograms<Key> &programs = text ? m_named.of(context, text->key()) : m_programs;
+  return programs.of(context, Target::TextureShaders, key, host, text, [&](const Key &of) {
+    fp::ir::Program program = fp::texture_shader::lower(of);
+    if (text && text->replaced)
+      fp::texture_shader::bindValues(program, text->replaced->values);
+    return program;
+  });
 }
 
 bool followsTextures(const Context &context) {

@@ -66,8 +66,10 @@ public:
   void restore(Context &context, const std::shared_ptr<const TextureShaderSettings> &settings);
 
   /// The program for a key; made once for each.
+  /// \param text as of CombinerState::programUnder()
   [[nodiscard]] std::shared_ptr<const CompiledProgram>
-  programUnder(Context &context, const fp::texture_shader::Key &key, const fp::GlslHost &host);
+  programUnder(Context &context, const fp::texture_shader::Key &key, const fp::GlslHost &host,
+               const StateText *text);
 
   ComponentTransfers transfers;
 
@@ -94,6 +96,7 @@ private:
   /// Never null. Made by this class alone, as what may be changed while nothing else has it.
   std::shared_ptr<TextureShaderSettings> m_settings;
   StatePrograms<fp::texture_shader::Key> m_programs;
+  NamedStatePrograms<fp::texture_shader::Key> m_named;
 };
 
 /// Draws depend on which textures are bound and on what they are: their consistency chooses

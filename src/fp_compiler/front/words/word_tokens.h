@@ -3,14 +3,15 @@
 
 #include "fp_compiler/front/lexer.h"
 
-namespace arbiter::fp::ati {
+namespace arbiter::fp {
 
-/// The tokens of an !!ATIfs1.0 text, one ahead. A word is letters, digits and underscores: "r0",
-/// "2x", "1", "str_dr".
-class Tokens {
+/// The tokens of a text whose words are letters, digits and underscores ("r0", "2x", "1",
+/// "str_dr"), one ahead: ATI's and nvparse's.
+class WordTokens {
 public:
   /// Begins at byte \p begin of \p text, which must outlive this.
-  Tokens(std::string_view text, std::uint32_t begin);
+  /// \param words Suffixes or Calls
+  WordTokens(std::string_view text, std::uint32_t begin, Words words = Words::Suffixes);
 
   [[nodiscard]] const Token &peek() const { return m_ahead; }
   [[nodiscard]] bool at(TokenKind kind) const { return m_ahead.kind == kind; }
@@ -33,9 +34,10 @@ public:
 
 private:
   std::string_view m_text;
+  Words m_words;
   Lexer m_lexer;
   Token m_ahead;
   std::uint32_t m_lastEnd;
 };
 
-} // namespace arbiter::fp::ati
+} // namespace arbiter::fp

@@ -1,0 +1,30 @@
+#pragma once
+#include "fp_compiler/limits.h"
+#include "fp_compiler/texture_shader/state.h"
+
+namespace arbiter::fp::nvparse {
+
+/// Limits of nvparse's texts: those of the card's register combiners and texture shaders, which are
+/// no program target's; what fits them is native.
+/// \param fragment the fragment target's, with generalCombiners, perStageConstants and
+///        textureShaders
+[[nodiscard]] inline Limits limitsOf(Limits fragment) {
+  ResourceCounts counts;
+  counts.aluInstructions = fragment.generalCombiners;
+  counts.texInstructions = fragment.textureUnits;
+  counts.instructions = counts.aluInstructions + counts.texInstructions;
+  counts.texIndirections = fragment.textureShaders != 0 ? fragment.textureUnits : 1;
+  counts.temporaries = 4 + fragment.textureUnits; // both colours, both spares, a unit's each
+  // Two constant colours, two of each stage, three rows of each unit.
+  counts.parameters = (fragment.generalCombiners != 0 ? 2 : 0) +
+                      (fragment.perStageConstants != 0 ? 2 * fragment.generalCombiners : 0) +
+                      (fragment.textureShaders != 0 ? 3 * fragment.textureUnits : 0);
+  counts.attribs = 3 + fragment.textureUnits; // both colours, fog
+  fragment.api = fragment.native = counts;
+  fragment.envParameters = texture_shader::kParameters;
+  fragment.localParameters = 0;
+  fragment.nativeModel = NativeModel::Documented;
+  return fragment;
+}
+
+} // namespace arbiter::fp::nvparse

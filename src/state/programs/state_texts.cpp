@@ -1,0 +1,109 @@
+#include "state/programs/state_texts.h"
+
+#include <unordered_map>
+
+#include "state/core/context.h"
+#include "state/programs/program_edits.h"
+#include "state/programs/program_load.h"
+#include "state/programs/replacement.h"
+#include "state/report/capture.h"
+
+namespace arbiter::state {
+
+namespace {
+
+std::uint64_t folderGeneration() {
+  const ReplacementFolder *const folder = ReplacementFolder::instance();
+  return folder ? folder->generation() : 0;
+}
+
+std::uint64_t editsGeneration() { return controlled() ? ProgramEdits::instance().generation() : 0; }
+
+/// Whether what stands in may be another since it was looked for.
+bool mayDiffer(Target target, const StateText &entry) {
+  const std::string name = textFileName(target, entry.hash);
+  return (entry.folderSeen != folderGeneration() &&
+          ReplacementFolder::instance()->changedSince(name, entry.folderSeen)) ||
+         (entry.editsSeen != editsGeneration() &&
+          ProgramEdits::instance().changedSince(name, entry.editsSeen));
+}
+
+class KnownTexts final : public StateTexts {
+public:
+  const StateText &of(const Context &context, Target target,
+                      const fp::nvparse::Text &state) override;
+  void noteProgram(const Context &context, const StateText &text,
+                   const CompiledProgram &compiled) override;
+  bool changed() override;
+
+private:
+  static void look(const Context &context, Target target, StateText &entry);
+
+  static constexpr std::size_t kMost = 4096;
+  std::unordered_map<std::string, std::unique_ptr<StateText>> m_texts;
+  std::uint64_t m_folderSeen = 0, m_editsSeen = 0;
+};
+
+void KnownTexts::look(const Context &context, Target target, StateText &entry) {
+  entry.folderSeen = folderGeneration();
+  entry.editsSeen = editsGeneration();
+  if (!replacing())
+    return;
+  const fp::CompileOptions options = compileOptions(context.row(target));
+  const std::optional<Replacement> found = findReplacement(target, entry.hash, options);
+  if (!found) {
+    entry.replacement.clear();
+    entry.replaced.reset();
+    return;
+  }
+  if (!found->result.ok() || found->text == entry.replacement)
+    return; // what stood in stays
+  entry.replacement = found->text;
+  entry.replaced = fp::nvparse::parse(infoOf(target).language, found->text, options).text;
+}
+
+const StateText &KnownTexts::of(const Context &context, Target target,
+                                const fp::nvparse::Text &state) {
+  std::string text = fp::nvparse::write(state);
+  if (const auto it = m_texts.find(text); it != m_texts.end()) {
+    if (mayDiffer(target, *it->second))
+      look(context, target, *it->second);
+    return *it->second;
+  }
+  if (m_texts.size() >= kMost)
+    m_texts.clear();
+  auto made = std::make_unique<StateText>();
+  made->hash = hashBytes(text);
+  made->text = text;
+  look(context, target, *made);
+  return *m_texts.emplace(std::move(text), std::move(made)).first->second;
+}
+
+bool KnownTexts::changed() {
+  const std::uint64_t folder = folderGeneration(), edits = editsGeneration();
+  const bool differs = folder != m_folderSeen || edits != m_editsSeen;
+  m_folderSeen = folder;
+  m_editsSeen = edits;
+  return differs;
+}
+
+void KnownTexts::noteProgram(const Context &context, const StateText &text,
+                             const CompiledProgram &compiled) {
+  CaptureRecord *const record = CaptureRecord::instance();
+  if (!record)
+    return;
+  const ProgramTarget &row = context.row(compiled.target);
+  fp::CompileOptions options = compileOptions(row);
+  options.policy = fp::LimitPolicy::Report;
+  const fp::CheckResult result = fp::checkProgram(row.info().language, text.text, options);
+  record->loaded(context.serial, compiled.target, text.text, result, result.errorString(text.text),
+                 &compiled);
+}
+
+} // namespace
+
+std::unique_ptr<StateTexts> makeStateTexts() {
+  return capturing() || replacing() ? std::make_unique<KnownTexts>() : nullptr;
+}
+
+} // namespace arbiter::state
