@@ -62,7 +62,7 @@ struct Surroundings {
             ir::Vec4 value = {};
             for (std::size_t c = 0; c < 4; ++c)
               value[c] = float(made.values[i][column * 4 + c]);
-            if (symbol.isNormal)
+            if (symbol.isDirection)
               value[3] = 1.0f; // as the attribute is
             values.push_back(value);
           }

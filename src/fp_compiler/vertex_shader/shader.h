@@ -29,7 +29,7 @@ struct Symbol {
   /// the x of its attribute.
   std::array<ir::Attribute, 4> attributes = {};
   bool clampsAttributes = false; ///< NORMALIZED_RANGE: a vertex array may hold more than [-1, 1]
-  bool isNormal = false;         ///< Attribute: the fourth component is 0 (2.14, CURRENT_NORMAL)
+  bool isDirection = false;      ///< Attribute, State: the fourth component is 0 (2.14)
   ir::StateRef state;            ///< State: of a matrix the first row
   std::uint8_t component = 0;    ///< State: of a scalar
   /// Constant: x of a scalar, a vector, or the rows of a matrix.

@@ -70,6 +70,8 @@ Source Symbols::whole(std::uint32_t symbol, int row) {
   const Symbol &of = m_shader.symbols[symbol];
   if (of.from == From::Local)
     return local(symbol, row).read();
+  if (of.from == From::State && of.isDirection)
+    return direction(symbol);
   if (isParameter(of))
     return parameter(symbol, row);
   Rows &rows = m_rows[symbol];
@@ -82,10 +84,19 @@ Source Symbols::whole(std::uint32_t symbol, int row) {
   return *rows.sources[std::size_t(row)];
 }
 
+Source Symbols::direction(std::uint32_t symbol) {
+  std::optional<Target> &known = m_rows[symbol].registers[0];
+  if (!known) {
+    known = m_builder.temporary("direction");
+    m_builder.op(Opcode::Swz, *known, {parameter(symbol, 0).swz("xyz0")});
+  }
+  return known->read();
+}
+
 Source Symbols::attribute(const Symbol &symbol, int column) {
   const ir::Attribute &of = symbol.attributes[std::size_t(column)];
   const Source source = m_builder.attribute(of.kind, of.index);
-  if (symbol.isNormal) {
+  if (symbol.isDirection) {
     const Target to = m_builder.temporary("normal");
     m_builder.op(Opcode::Swz, to, {source.swz("xyz0")});
     return to.read();

@@ -33,9 +33,11 @@ public:
 private:
   struct Rows {
     std::array<std::optional<ir::Source>, 4> sources;
-    std::array<std::optional<ir::Target>, 4> registers; ///< of a local
+    std::array<std::optional<ir::Target>, 4> registers; ///< of a local, or a direction
   };
   [[nodiscard]] ir::Source whole(std::uint32_t symbol, int row);
+  /// Of a row of state without its fourth component.
+  [[nodiscard]] ir::Source direction(std::uint32_t symbol);
   [[nodiscard]] ir::Source attribute(const Symbol &symbol, int column);
   /// Rows of a matrix that is given as columns.
   void transpose(const Symbol &symbol, Rows &rows);

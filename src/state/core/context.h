@@ -37,6 +37,7 @@ class TextureShaderState;
 class LinkedProgramCache;
 struct LinkedProgram;
 struct NvState;
+struct VertexShaderState;
 namespace software {
 struct ContextState;
 }
@@ -122,6 +123,8 @@ public:
   std::unique_ptr<CombinerState> combiners; ///< where the profile has register combiners, else null
   std::unique_ptr<TextureShaderState> textureShaders; ///< the same of NV_texture_shader
 
+  std::unique_ptr<VertexShaderState> vertexShaders; ///< where EXT_vertex_shader is the layer's
+
   std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
 
   std::unique_ptr<ImagingState> imaging; ///< where ARB_imaging is the layer's, else null
@@ -199,10 +202,11 @@ public:
   return row->offered ? row : nullptr;
 }
 
-/// The row that `cap` of Enable names: that of a program target, of ATI_fragment_shader, or of
-/// NV_register_combiners or NV_texture_shader.
+/// The row that `cap` of Enable names: that of a program target, of ATI_fragment_shader,
+/// NV_register_combiners, NV_texture_shader or EXT_vertex_shader.
 [[nodiscard]] inline ProgramTarget *enableRowOf(Context &context, GLenum cap) {
-  for (const Target target : {Target::AtiApi, Target::Combiners, Target::TextureShaders})
+  for (const Target target :
+       {Target::AtiApi, Target::Combiners, Target::TextureShaders, Target::VertexShader})
     if (cap == infoOf(target).name) {
       ProgramTarget &row = context.row(target);
       return row.offered ? &row : nullptr;

@@ -15,8 +15,8 @@ namespace arbiter::state {
 
 /// What the specifications say of a program target, whatever the context.
 struct TargetInfo {
-  /// As Enable takes it, and every entry point of the program API (not AtiApi's, Combiners'
-  /// and TextureShaders').
+  /// As Enable takes it, and every entry point of the program API (not AtiApi's, Combiners',
+  /// TextureShaders' and VertexShader's).
   GLenum name;
   fp::ir::Language language;
   const char *word;      ///< in statistics and logs
@@ -30,9 +30,15 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
     {GL_REGISTER_COMBINERS_NV, fp::ir::Language::ArbFragment, "combiners", ""},
     {GL_TEXTURE_SHADER_NV, fp::ir::Language::ArbFragment, "texture-shaders", ""},
+    {GL_VERTEX_SHADER_EXT, fp::ir::Language::ArbVertex, "vertex-shader", ""},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];
+}
+
+/// Its programs shade vertices that are drawn.
+[[nodiscard]] constexpr bool isOfVertices(Target target) {
+  return target == Target::Vertex || target == Target::VertexShader;
 }
 
 /// Draws of the target depend on fixed-function state (host_draw/fixed_function.h).

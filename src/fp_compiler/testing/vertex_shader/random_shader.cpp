@@ -1,5 +1,6 @@
 #include "fp_compiler/testing/vertex_shader/random_shader.h"
 
+#include <cmath>
 #include <initializer_list>
 
 namespace arbiter::fp::testing {
@@ -74,7 +75,7 @@ private:
   void addAttribute(ir::AttributeKind kind, int index, double fourth) {
     Symbol symbol{.from = From::Attribute};
     symbol.attributes[0] = {kind, std::uint8_t(index)};
-    symbol.isNormal = kind == ir::AttributeKind::Normal;
+    symbol.isDirection = kind == ir::AttributeKind::Normal;
     add(symbol, 1);
     m_made.values.back()[3] = fourth;
   }
@@ -84,6 +85,8 @@ private:
     symbol.state = state;
     symbol.component = std::uint8_t(component);
     add(symbol, 1);
+    if (type == DataType::Scalar) // attenuation and density, which are not negative
+      m_made.values.back()[0] = std::abs(m_made.values.back()[0]);
   }
 
   void declare() {
