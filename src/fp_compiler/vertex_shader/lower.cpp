@@ -207,8 +207,11 @@ private:
   /// gives. POW itself takes no negative number.
   void power(const Operation &operation, const Target &to) {
     const Source base = argument(operation, 0), exponent = argument(operation, 1);
-    const Source size = step(Opcode::Abs, {base});
-    const Source negative = step(Opcode::Slt, {base, m_symbols.literal(0.0f)});
+    const Source zero = m_symbols.literal(0.0f);
+    // x^0 is 1 of 0 too, where hosts that multiply with a logarithm have no number.
+    const Source exponentIsZero = step(Opcode::Sge, {-step(Opcode::Abs, {exponent}), zero});
+    const Source size = step(Opcode::Max, {step(Opcode::Abs, {base}), exponentIsZero});
+    const Source negative = step(Opcode::Slt, {base, zero});
     const Source half = step(Opcode::Mul, {exponent, m_symbols.literal(0.5f)});
     const Source odd = step(Opcode::Frc, {half}); // a half, if it is
     const Source turns = step(Opcode::Mul, {negative, odd});

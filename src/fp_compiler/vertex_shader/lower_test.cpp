@@ -184,6 +184,9 @@ TEST(VertexShaderLowering, PowersOfNegativeNumbers) {
   EXPECT_NEAR(power(-2, -1), -0.5, 1e-5);
   EXPECT_NEAR(power(2, 0.5f), std::sqrt(2.0), 1e-5);
   EXPECT_NEAR(power(2, -3), 0.125, 1e-5);
+  EXPECT_EQ(power(0, 0), 1);
+  EXPECT_EQ(power(-3, 0), 1);
+  EXPECT_EQ(power(0, 2), 0);
 }
 
 TEST(VertexShaderLowering, NothingInTheTableIsAnErrorElsewhere) {
