@@ -44,6 +44,7 @@ ALLOWED = {
     "fp_compiler/analysis": {IR},
     "fp_compiler/opt": {IR},
     "fp_compiler/ati": {IR},
+    "fp_compiler/vertex_shader": {IR},
     "fp_compiler/front": {"fp_compiler/ati", IR},
     "fp_compiler/hw": {IR, R300, R300 + "/report"},
     R300: {IR, R300 + "/lower", R300 + "/pair"},

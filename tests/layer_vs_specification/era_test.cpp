@@ -55,7 +55,8 @@ TEST_F(Era, AnnouncedAsTheProfileHasThem) {
         "GL_APPLE_transform_hint", "GL_APPLE_float_pixels", "GL_APPLE_vertex_array_object",
         "GL_APPLE_texture_range"})
     EXPECT_EQ(has(extension), profile == "host") << extension;
-  EXPECT_EQ(has("GL_ATIX_texture_env_combine3"), profile == "host" || profile == "r300");
+  for (const char *const extension : {"GL_ATIX_texture_env_combine3", "GL_EXT_vertex_shader"})
+    EXPECT_EQ(has(extension), profile == "host" || profile == "r300") << extension;
 }
 
 TEST_F(Era, NvFence) {

@@ -44,6 +44,7 @@ inline constexpr CapabilityRow kCapabilities[] = {
     {infoOf(Target::AtiApi).name, Capability::ProgramTarget, 0},
     {infoOf(Target::Combiners).name, Capability::ProgramTarget, 0},
     {infoOf(Target::TextureShaders).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::VertexShader).name, Capability::ProgramTarget, 0},
     {GL_FRAGMENT_PROGRAM_NV, Capability::ProgramTarget, 0},
     {GL_PER_STAGE_CONSTANTS_NV, Capability::PerStageConstants, 0},
     {GL_COLOR_TABLE, Capability::Imaging, 0},

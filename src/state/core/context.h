@@ -38,6 +38,7 @@ class TextureShaderState;
 class LinkedProgramCache;
 struct LinkedProgram;
 struct NvState;
+struct VertexShaderState;
 namespace software {
 struct ContextState;
 }
@@ -125,6 +126,8 @@ public:
   /// Their texts; null where none is captured or replaced.
   std::unique_ptr<StateTexts> stateTexts;
 
+  std::unique_ptr<VertexShaderState> vertexShaders; ///< where EXT_vertex_shader is the layer's
+
   std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
 
   std::unique_ptr<ImagingState> imaging; ///< where ARB_imaging is the layer's, else null
@@ -202,10 +205,11 @@ public:
   return row->offered ? row : nullptr;
 }
 
-/// The row that `cap` of Enable names: that of a program target, of ATI_fragment_shader, or of
-/// NV_register_combiners or NV_texture_shader.
+/// The row that `cap` of Enable names: that of a program target, of ATI_fragment_shader,
+/// NV_register_combiners, NV_texture_shader or EXT_vertex_shader.
 [[nodiscard]] inline ProgramTarget *enableRowOf(Context &context, GLenum cap) {
-  for (const Target target : {Target::AtiApi, Target::Combiners, Target::TextureShaders})
+  for (const Target target :
+       {Target::AtiApi, Target::Combiners, Target::TextureShaders, Target::VertexShader})
     if (cap == infoOf(target).name) {
       ProgramTarget &row = context.row(target);
       return row.offered ? &row : nullptr;

@@ -31,6 +31,7 @@
 #include "state/programs/state_text.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frame.h"
 #include "state/raster_draw/immediate/held.h"
@@ -117,7 +118,7 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
     targets[i].target = Target(i);
     targets[i].bound = group->defaultProgram(Target(i));
     targets[i].parameterBits =
-        Target(i) == Target::Vertex ? attention::kVertexParameters : attention::kFragmentParameters;
+        isOfVertices(Target(i)) ? attention::kVertexParameters : attention::kFragmentParameters;
   }
   software::addNeighbour(*this); // or there is no memory, and no context
   group->contexts.fetch_add(1);

@@ -15,8 +15,8 @@ namespace arbiter::state {
 
 /// What the specifications say of a program target, whatever the context.
 struct TargetInfo {
-  /// As Enable takes it, and every entry point of the program API (not AtiApi's, Combiners'
-  /// and TextureShaders').
+  /// As Enable takes it, and every entry point of the program API (not AtiApi's, Combiners',
+  /// TextureShaders' and VertexShader's).
   GLenum name;
   fp::ir::Language language;
   const char *word;      ///< in statistics and logs
@@ -30,6 +30,7 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
     {GL_REGISTER_COMBINERS_NV, fp::ir::Language::Combiners, "combiners", ".nvrc"},
     {GL_TEXTURE_SHADER_NV, fp::ir::Language::TextureShaders, "texture-shaders", ".nvts"},
+    {GL_VERTEX_SHADER_EXT, fp::ir::Language::ArbVertex, "vertex-shader", ""},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];
@@ -38,6 +39,11 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
 /// The target's programs are made of GL's state, and its texts of that too.
 [[nodiscard]] constexpr bool isOfState(Target target) {
   return target == Target::Combiners || target == Target::TextureShaders;
+}
+
+/// Its programs shade vertices that are drawn.
+[[nodiscard]] constexpr bool isOfVertices(Target target) {
+  return target == Target::Vertex || target == Target::VertexShader;
 }
 
 /// Draws of the target depend on fixed-function state (host_draw/fixed_function.h).

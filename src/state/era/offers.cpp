@@ -29,6 +29,7 @@ constexpr Row kRows[] = {
     {"GL_ARB_imaging", &EraOffers::imaging, "GL_ARB_texture_float",
      "GL_ARB_texture_non_power_of_two", true},
     {"GL_ATIX_texture_env_combine3", nullptr, "GL_ATI_texture_env_combine3", nullptr, false},
+    {"GL_EXT_vertex_shader", &EraOffers::vertexShader, nullptr, nullptr, false},
     {"GL_NV_fence", &EraOffers::nvFence, nullptr, nullptr, true},
     {"GL_NV_multisample_filter_hint", &EraOffers::multisampleFilterHint, nullptr, nullptr, true},
     {"GL_NV_vertex_array_range", &EraOffers::nvRange, nullptr, nullptr, true},

@@ -18,6 +18,7 @@ struct EraOffers {
   bool imaging = false;
   bool textureRange = false;
   bool vertexArrayObject = false;
+  bool vertexShader = false;
   /// Names in the extension string, of those that need no state beyond the host's too.
   std::vector<const char *> names;
 

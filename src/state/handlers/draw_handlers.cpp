@@ -8,6 +8,7 @@
 #include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -58,6 +59,18 @@ bool begin(Context &context, Validate validateDraw) {
   return false;
 }
 
+/// As beginDraw(): the raster position is fixed function's where a shader of EXT_vertex_shader
+/// shades (2.12 of it). In a list it is what the list is called with.
+bool beginWithoutVertexShader(Context &context) {
+  if (context.insideBeginEnd || context.listMode != 0)
+    return begin(context, validate);
+  ProgramTarget &row = context.row(Target::VertexShader);
+  setEnabled(context, row, false);
+  const bool valid = begin(context, validate);
+  setEnabled(context, row, true); // and the next draw looks again
+  return valid;
+}
+
 } // namespace
 
 namespace handlers {
@@ -66,6 +79,8 @@ bool beginDraw(Context &context) { return begin(context, validate); }
 bool beginPixels(Context &context) { return begin(context, validatePixels); }
 
 bool beginRasterPos(Context &context) {
+  if (context.vertexShaders && context.vertexShaders->effective) [[unlikely]]
+    return beginWithoutVertexShader(context);
   if (!beginDraw(context))
     return false;
   // The raster position keeps each result of the vertex program, whatever the fragment program in

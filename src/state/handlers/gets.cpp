@@ -19,6 +19,7 @@
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -137,6 +138,25 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     return combinerValue(context, pname, value);
   case infoOf(Target::TextureShaders).name:
     return textureShaderValue(context, value);
+  case infoOf(Target::VertexShader).name:
+  case GL_VERTEX_SHADER_BINDING_EXT:
+  case GL_MAX_VERTEX_SHADER_INSTRUCTIONS_EXT:
+  case GL_MAX_VERTEX_SHADER_VARIANTS_EXT:
+  case GL_MAX_VERTEX_SHADER_INVARIANTS_EXT:
+  case GL_MAX_VERTEX_SHADER_LOCAL_CONSTANTS_EXT:
+  case GL_MAX_VERTEX_SHADER_LOCALS_EXT:
+  case GL_MAX_OPTIMIZED_VERTEX_SHADER_INSTRUCTIONS_EXT:
+  case GL_MAX_OPTIMIZED_VERTEX_SHADER_VARIANTS_EXT:
+  case GL_MAX_OPTIMIZED_VERTEX_SHADER_INVARIANTS_EXT:
+  case GL_MAX_OPTIMIZED_VERTEX_SHADER_LOCAL_CONSTANTS_EXT:
+  case GL_MAX_OPTIMIZED_VERTEX_SHADER_LOCALS_EXT:
+  case GL_VERTEX_SHADER_INSTRUCTIONS_EXT:
+  case GL_VERTEX_SHADER_VARIANTS_EXT:
+  case GL_VERTEX_SHADER_INVARIANTS_EXT:
+  case GL_VERTEX_SHADER_LOCAL_CONSTANTS_EXT:
+  case GL_VERTEX_SHADER_LOCALS_EXT:
+  case GL_VERTEX_SHADER_OPTIMIZED_EXT:
+    return vertexShaderValue(context, pname, value);
   case GL_TRANSFORM_HINT_APPLE:
   case GL_MULTISAMPLE_FILTER_HINT_NV:
   case GL_VERTEX_ARRAY_RANGE_NV:

@@ -39,9 +39,13 @@ bool drawsWithDistances(const Context &context) {
   return linked && linked->vertex.compiled && writesClipDistances(*linked->vertex.compiled);
 }
 
+bool vertexProgramsEnabled(const Context &context) {
+  return context.row(Target::Vertex).enabled || context.row(Target::VertexShader).enabled;
+}
+
 void invalidateClipPlanes(Context &context) {
   context.clipPlanes.known = context.clipPlanes.maskKnown = false;
-  if (context.row(Target::Vertex).enabled)
+  if (vertexProgramsEnabled(context))
     invalidateProgram(context);
 }
 
@@ -88,7 +92,7 @@ void noteClipPlane(Context &context, bool enabled) {
     invalidateClipPlanes(context);
   }
   const bool drawsNow =
-      context.listMode == GL_COMPILE_AND_EXECUTE && context.row(Target::Vertex).enabled;
+      context.listMode == GL_COMPILE_AND_EXECUTE && vertexProgramsEnabled(context);
   // What follows is drawn with the form that is effective now, or, of a program that writes
   // distances, with that of the planes which are enabled when the list comes there.
   if ((first && drawsNow) || context.row(Target::Vertex).limits.nvOptions != 0)

@@ -21,6 +21,7 @@
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
 #include "state/programs/texture_changes.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/report/capture.h"
 #include "state/share/garbage.h"
@@ -73,7 +74,7 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kInvalid;
   if (context.hostPartWaits)
     bits |= attention::kHostPart;
-  if (nativeInputsMayChange(context))
+  if (nativeInputsMayChange(context) || vertexShaderFollows(context))
     bits |= attention::kState;
   if (mayFollowAlphaDepths(context))
     bits |= attention::kDepth;
@@ -89,7 +90,8 @@ std::uint32_t stickyAttention(const Context &context) {
   const bool needsLayer = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
                           isDropped(context.path) || context.row(Target::AtiText).enabled ||
                           context.row(Target::AtiApi).enabled ||
-                          context.row(Target::Combiners).enabled;
+                          context.row(Target::Combiners).enabled ||
+                          context.row(Target::VertexShader).enabled;
   if (needsLayer && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
   if (context.softwarePossible)
@@ -170,6 +172,14 @@ void followTextureChanges(Context &context) {
   context.texturesChanged = false;
 }
 
+/// What of GL's state reaches vertex programs as parameters and attributes.
+void refreshInputs(Context &context) {
+  if (context.nv)
+    refreshNativeInputs(context);
+  if (context.vertexShaders)
+    refreshVertexShader(context);
+}
+
 /// What is effective, as far as that may have changed.
 void refreshEffective(Context &context, HostPart part) {
   if (context.group->hasGarbage())
@@ -190,8 +200,7 @@ void refreshEffective(Context &context, HostPart part) {
 } // namespace
 
 bool validatePrograms(Context &context) {
-  if (context.nv)
-    refreshNativeInputs(context);
+  refreshInputs(context);
   followTextureChanges(context);
   constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
   const bool known = (context.attention & kMayChange) == 0 && !context.group->hasGarbage() &&
@@ -209,8 +218,7 @@ bool validatePrograms(Context &context) {
 }
 
 bool validate(Context &context) {
-  if (context.nv)
-    refreshNativeInputs(context);
+  refreshInputs(context);
   if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
   followTextureChanges(context);

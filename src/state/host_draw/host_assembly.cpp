@@ -63,7 +63,7 @@ private:
 } // namespace
 
 GLenum hostAssemblyTarget(const CompiledProgram &compiled) {
-  return kHostTargets[compiled.target == Target::Vertex ? 0 : 1];
+  return kHostTargets[isOfVertices(compiled.target) ? 0 : 1];
 }
 
 void HostAssembly::applyStage(Context &context, std::size_t stage, AssemblyProgram *program) {

@@ -5,6 +5,7 @@
 #include <GL/gl.h>
 
 #include "fp_compiler/ir/interface.h"
+#include "state/core/target.h"
 #include "state/programs/program_object.h"
 
 /// What the host has of a program: a shader of GLSL, a program of GLSL, or a program object of its
@@ -15,7 +16,7 @@ class Context;
 struct ProgramPair;
 
 [[nodiscard]] inline bool isVertex(const CompiledProgram &compiled) {
-  return compiled.target == Target::Vertex;
+  return isOfVertices(compiled.target);
 }
 
 /// A shader of `compiled`'s stage with the text `glsl`.

@@ -21,6 +21,7 @@
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/share/share_group.h"
 
@@ -67,6 +68,8 @@ EffectivePrograms enabledRows(Context &context) {
     return row.enabled && !isSwitchedOff(context, row) ? &row : nullptr;
   };
   EffectivePrograms rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
+  if (!rows.vertex)
+    rows.vertex = vertexShaderEffective(context);
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
   rows.combiners = !rows.fragment && ifEnabled(Target::Combiners);
   rows.textureShaders =
@@ -133,7 +136,7 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
     }
     pair.vertex = pair.vertex->clipped->of(*pair.vertex, planes, depths);
   }
-  context.stagesAreLinked = pair.fragment != nullptr;
+  context.stagesAreLinked = context.stagesAreLinked || pair.fragment != nullptr;
   return context.linkedPrograms->get(context, pair);
 }
 
@@ -171,6 +174,8 @@ Path choosePath(Context &context, HostPart part) {
     context.textureShaders->effective = false;
   if (context.combiners)
     context.combiners->effective = false;
+  if (context.vertexShaders)
+    context.vertexShaders->effective = nullptr;
   for (ProgramTarget &row : context.targets)
     if (row.enabled)
       row.seenVersion = row.bound->version.load(std::memory_order_acquire);
@@ -200,6 +205,8 @@ Path choosePath(Context &context, HostPart part) {
     return Path::InvalidProgram;
   if (!pair.vertex && !pair.fragment)
     return Path::NoProgram;
+  // RasterPos looks then, as no shader of EXT_vertex_shader transforms the raster position.
+  context.stagesAreLinked = pair.vertex && pair.vertex->target == Target::VertexShader;
   // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
   // function; no program of the layer's can be linked to the application's.
   if (program != 0 || pipeline != 0)

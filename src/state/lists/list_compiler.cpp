@@ -32,7 +32,8 @@ bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) 
   // Of this list alone until it is defined, and made by record(), as what may be changed.
   std::string &bytes = const_cast<Command &>(*last.command).bytes;
   if (command.kind == Command::Kind::BindProgram && last.command->target == command.target &&
-      command.target != infoOf(Target::AtiApi).name)
+      command.target != infoOf(Target::AtiApi).name &&
+      command.target != infoOf(Target::VertexShader).name)
     bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
   else if (command.kind == Command::Kind::Combiners ||
            command.kind == Command::Kind::TextureShaders)

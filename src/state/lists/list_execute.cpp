@@ -21,6 +21,7 @@
 #include "state/programs/program_load.h"
 #include "state/programs/texture_shaders/component_image.h"
 #include "state/programs/texture_shaders/texture_shader_commands.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/copy_texture.h"
 
@@ -34,6 +35,14 @@ void executeFragmentShader(Context &context, const Command &command) {
     bindFragmentShader(context, command.name);
   else
     setFragmentShaderConstant(context, int(command.name), command.values.front());
+}
+
+/// A command of EXT_vertex_shader.
+void executeVertexShader(Context &context, const Command &command) {
+  if (command.kind == Command::Kind::BindProgram)
+    bindVertexShader(context, command.name);
+  else
+    setInvariant(context, command.name, command.values);
 }
 
 /// The command's bind, and those that followed it.
@@ -52,6 +61,8 @@ void executeProgram(Context &context, ProgramTarget &row, const Command &command
       command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
   if (row.target == Target::AtiApi && !enables)
     return executeFragmentShader(context, command);
+  if (row.target == Target::VertexShader && !enables)
+    return executeVertexShader(context, command);
   const bool named =
       command.kind == Command::Kind::NamedString || command.kind == Command::Kind::NamedLocal;
   const std::shared_ptr<ProgramObject> object =

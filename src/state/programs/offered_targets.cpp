@@ -14,6 +14,7 @@
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/state_texts.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
 
@@ -104,6 +105,14 @@ void offerEra(Context &context) {
   context.era->offered = std::move(offers);
   if (context.era->offered.imaging)
     context.imaging = std::make_unique<ImagingState>();
+  if (context.era->offered.vertexShader) {
+    fp::Limits limits = context.row(Target::Vertex).limits;
+    for (fp::ResourceCounts *const counts : {&limits.api, &limits.native})
+      counts->instructions =
+          std::min(counts->instructions, VertexShaderRecorder::kMostInstructions);
+    offer(context, Target::VertexShader, limits);
+    context.vertexShaders = std::make_unique<VertexShaderState>();
+  }
 }
 
 /// Texture shaders, where the profile's card and the host's formats have them.

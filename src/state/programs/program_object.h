@@ -27,8 +27,9 @@ enum class Target : std::uint8_t {
   VertexState,    ///< state programs of NV_vertex_program, which are executed and never bound
   Combiners,      ///< NV_register_combiners: state, not objects, of which programs are made
   TextureShaders, ///< NV_texture_shader: the same, before combiners or texture environments
+  VertexShader,   ///< EXT_vertex_shader: its objects have commands and names of their own
 };
-inline constexpr int kTargetCount = 7;
+inline constexpr int kTargetCount = 8;
 /// When a name becomes a program's: BindProgramARB makes one, under NVIDIA's API a load does.
 enum class Existence : std::uint8_t { Now, OnceLoaded };
 
@@ -36,6 +37,7 @@ class ArrayVariants;
 class AtiVariants;
 class ClippedVariant;
 class DepthVariants;
+struct VertexShaderInputs;
 
 /// A program string that loaded: what every query and every draw needs of it. Immutable, so that
 /// contexts of a share group read it without a lock.
@@ -64,6 +66,8 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   std::shared_ptr<const ArrayVariants> arrays;
   /// Of a fragment program, or a form of an ATI shader: its forms beside GLSL 1.30.
   std::shared_ptr<const DepthVariants> depths;
+  /// Of a shader of EXT_vertex_shader, whose `program` is null where it is over a limit.
+  std::shared_ptr<const VertexShaderInputs> vertexShader;
 
   [[nodiscard]] bool replaced() const { return !replacement.empty(); }
   /// The text that was compiled.

@@ -9,8 +9,9 @@
 
 #include "state/host_draw/linked_stages.h"
 #include "state/lists/display_list.h"
-#include "state/programs/fragment_shader_table.h"
 #include "state/programs/program_object.h"
+#include "state/programs/shader_table.h"
+#include "state/programs/vertex_shaders/symbol_table.h"
 #include "state/share/deleted_names.h"
 #include "state/share/texture_formats.h"
 #include "state/share/texture_ranges.h"
@@ -56,8 +57,10 @@ public:
   }
   void setDefaultLocals(Target target, std::size_t count);
 
-  /// Shader objects of ATI_fragment_shader, under a lock of their own.
-  FragmentShaderTable fragmentShaders;
+  /// Shader objects of ATI_fragment_shader and of EXT_vertex_shader, each under a lock of its own.
+  ShaderTable fragmentShaders{Target::AtiApi};
+  ShaderTable vertexShaders{Target::VertexShader};
+  VertexSymbolTable vertexSymbols;
 
   DeletedNames deletedNames;
   TextureViews textureViews;
@@ -102,7 +105,8 @@ public:
   std::atomic<bool> compareModeUsed{false};
   /// DEPTH_TEXTURE_MODE was set to ALPHA: draws beside clip distances look for such images.
   std::atomic<bool> alphaDepthsUsed{false};
-  /// Set for good by the first image that may hold depths: draws of register combiners look for such.
+  /// Set for good by the first image that may hold depths: draws of register combiners look for
+  /// such.
   std::atomic<bool> depthImagesUsed{false};
   /// A list kept by the host alone holds UseProgram, or calls others, which may push or pop
   /// attributes.

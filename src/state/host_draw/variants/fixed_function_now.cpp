@@ -2,6 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
 
 namespace arbiter::state {
 
@@ -67,7 +68,8 @@ FogMode queryFog(Context &context) {
 }
 
 bool vertexProgramEffective(const Context &context) {
-  return context.applicationProgram != 0 || context.row(Target::Vertex).enabled;
+  return context.applicationProgram != 0 || context.row(Target::Vertex).enabled ||
+         (context.vertexShaders && context.vertexShaders->effective);
 }
 
 /// Lighting makes the secondary colour itself, whatever COLOR_SUM says, and leaves it black unless

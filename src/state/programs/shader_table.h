@@ -10,11 +10,15 @@
 
 namespace arbiter::state {
 
-/// The shader objects of ATI_fragment_shader that a share group has: a name space of their own
-/// (3.8.11). They are program objects of target AtiApi, so that draws and queries know one kind.
-class FragmentShaderTable {
+/// The shader objects of ATI_fragment_shader (3.8.11) or EXT_vertex_shader (2.14) that a share
+/// group has: a name space of their own. They are program objects of target AtiApi or VertexShader,
+/// so that draws and queries know one kind.
+class ShaderTable {
 public:
-  /// GenFragmentShadersATI: the first of `range` names in a row; 0 if there is no such row.
+  explicit ShaderTable(Target target) : m_target(target) {}
+
+  /// GenFragmentShadersATI and GenVertexShadersEXT: the first of `range` names in a row; 0 if there
+  /// is no such row.
   [[nodiscard]] GLuint generate(GLuint range) {
     const std::lock_guard lock(m_mutex);
     return m_names.reserveRow(range);
@@ -25,7 +29,7 @@ public:
     const std::lock_guard lock(m_mutex);
     if (const auto it = m_objects.find(name); it != m_objects.end())
       return it->second;
-    auto object = std::make_shared<ProgramObject>(name, Target::AtiApi);
+    auto object = std::make_shared<ProgramObject>(name, m_target);
     m_names.reserve(name);
     m_objects.emplace(name, object);
     return object;
@@ -45,6 +49,7 @@ public:
   }
 
 private:
+  const Target m_target;
   std::mutex m_mutex;
   NameRanges m_names;
   std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;

@@ -1,0 +1,193 @@
+// Names of EXT_vertex_shader's symbols, and the values that they are given. Invariants and variants
+// have their place in lists; the other commands are executed at once.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/vertex_shaders/bindings.h"
+#include "state/programs/vertex_shaders/given_values.h"
+#include "state/programs/vertex_shaders/vertex_shader_state.h"
+#include "state/raster_draw/immediate/recorder.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using fp::vertex_shader::DataType;
+using fp::vertex_shader::From;
+
+/// The symbol, if GenSymbols made it for values of the storage type; else null, after an error.
+std::shared_ptr<VertexSymbol> ownSymbol(Context &context, GLuint id, GLenum storage,
+                                        const char *why) {
+  std::shared_ptr<VertexSymbol> symbol = context.group->vertexSymbols.find(id);
+  if (symbol && symbol->isOwn(storage))
+    return symbol;
+  raise(context, GL_INVALID_VALUE, why);
+  return nullptr;
+}
+
+From sourceOf(GLenum storage) {
+  switch (storage) {
+  case GL_VARIANT_EXT:
+    return From::Attribute;
+  case GL_INVARIANT_EXT:
+    return From::Invariant;
+  case GL_LOCAL_CONSTANT_EXT:
+    return From::Constant;
+  default:
+    return From::Local;
+  }
+}
+
+/// A current attribute: of the primitive that is recorded, else of the host.
+void setAttribute(const Context &context, GLuint index, const Vec4 &v) {
+  if (context.recorder)
+    context.recorder->set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3]);
+  else
+    context.host->VertexAttrib4fv(index, v.data());
+}
+
+template <typename T> void setVariant(Context &context, GLuint id, const T *numbers) {
+  const auto symbol = ownSymbol(context, id, GL_VARIANT_EXT, "Variant: no variant of that name");
+  if (!symbol || !numbers)
+    return;
+  const std::vector<Vec4> columns = givenColumns(*symbol, numbers);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    setAttribute(context, symbol->meaning.attributes[i].index, columns[i]);
+}
+
+/// Bind...ParameterEXT are not among what the specification lets stand in a definition, and
+/// programs of its days have them there.
+template <typename Bind> GLuint bound(Context &context, const char *command, Bind bind) {
+  return outsideBeginEnd(context, command) ? bind() : 0;
+}
+
+} // namespace
+
+namespace handlers {
+
+GLuint GenSymbolsEXT(Context &context, GLenum datatype, GLenum storagetype, GLenum range,
+                     GLuint components) {
+  if (!context.vertexShaders)
+    return context.host->GenSymbolsEXT(datatype, storagetype, range, components);
+  if (!outsideBeginEnd(context, "GenSymbols between Begin and End"))
+    return 0;
+  if (datatype < GL_SCALAR_EXT || datatype > GL_MATRIX_EXT || storagetype < GL_VARIANT_EXT ||
+      storagetype > GL_LOCAL_EXT ||
+      (range != GL_NORMALIZED_RANGE_EXT && range != GL_FULL_RANGE_EXT)) {
+    raise(context, GL_INVALID_ENUM, "GenSymbols: datatype, storagetype or range");
+    return 0;
+  }
+  VertexSymbol kind;
+  kind.storage = storagetype;
+  kind.normalized = range == GL_NORMALIZED_RANGE_EXT;
+  kind.meaning.type = DataType(datatype - GL_SCALAR_EXT);
+  kind.meaning.from = sourceOf(storagetype);
+  kind.meaning.clampsAttributes = kind.normalized;
+  const GLuint first =
+      components == 0 ? 0 : context.group->vertexSymbols.generate(kind, components);
+  if (first == 0)
+    raise(context, GL_INVALID_VALUE, "GenSymbols: components is 0 or more than there can be");
+  return first;
+}
+
+GLuint BindLightParameterEXT(Context &context, GLenum light, GLenum value) {
+  if (!context.vertexShaders)
+    return context.host->BindLightParameterEXT(light, value);
+  return bound(context, "BindLightParameter between Begin and End",
+               [&] { return bindLightParameter(context, light, value); });
+}
+
+GLuint BindMaterialParameterEXT(Context &context, GLenum face, GLenum value) {
+  if (!context.vertexShaders)
+    return context.host->BindMaterialParameterEXT(face, value);
+  return bound(context, "BindMaterialParameter between Begin and End",
+               [&] { return bindMaterialParameter(context, face, value); });
+}
+
+GLuint BindTexGenParameterEXT(Context &context, GLenum unit, GLenum coord, GLenum value) {
+  if (!context.vertexShaders)
+    return context.host->BindTexGenParameterEXT(unit, coord, value);
+  return bound(context, "BindTexGenParameter between Begin and End",
+               [&] { return bindTexGenParameter(context, unit, coord, value); });
+}
+
+GLuint BindTextureUnitParameterEXT(Context &context, GLenum unit, GLenum value) {
+  if (!context.vertexShaders)
+    return context.host->BindTextureUnitParameterEXT(unit, value);
+  return bound(context, "BindTextureUnitParameter between Begin and End",
+               [&] { return bindTextureUnitParameter(context, unit, value); });
+}
+
+GLuint BindParameterEXT(Context &context, GLenum value) {
+  if (!context.vertexShaders)
+    return context.host->BindParameterEXT(value);
+  return bound(context, "BindParameter between Begin and End",
+               [&] { return bindParameter(context, value); });
+}
+
+void SetInvariantEXT(Context &context, GLuint id, GLenum type, const void *addr) {
+  if (!context.vertexShaders)
+    return context.host->SetInvariantEXT(id, type, addr);
+  if (!outsideBeginEnd(context, "SetInvariant between Begin and End"))
+    return;
+  if (context.vertexShaders->recorder)
+    return raise(context, GL_INVALID_OPERATION, "SetInvariant in the definition of a shader");
+  const auto symbol =
+      ownSymbol(context, id, GL_INVARIANT_EXT, "SetInvariant: no invariant of that name");
+  if (!symbol || !addr)
+    return;
+  const auto rows = givenRows(*symbol, type, addr);
+  if (!rows)
+    return raise(context, GL_INVALID_ENUM, "SetInvariant: type");
+  if (!context.listMode)
+    return setInvariant(context, id, *rows);
+  noteProgramApiUse(context);
+  context.list->record(context, {.kind = Command::Kind::Env,
+                                 .target = infoOf(Target::VertexShader).name,
+                                 .name = id,
+                                 .values = *rows});
+}
+
+void SetLocalConstantEXT(Context &context, GLuint id, GLenum type, const void *addr) {
+  if (!context.vertexShaders)
+    return context.host->SetLocalConstantEXT(id, type, addr);
+  if (!outsideBeginEnd(context, "SetLocalConstant between Begin and End"))
+    return;
+  if (!context.vertexShaders->recorder)
+    return raise(context, GL_INVALID_OPERATION, "SetLocalConstant outside Begin/EndVertexShader");
+  const auto symbol = ownSymbol(context, id, GL_LOCAL_CONSTANT_EXT,
+                                "SetLocalConstant: no local constant of that name");
+  if (!symbol || !addr)
+    return;
+  const auto rows = givenRows(*symbol, type, addr);
+  if (!rows)
+    return raise(context, GL_INVALID_ENUM, "SetLocalConstant: type");
+  const auto verdict = context.vertexShaders->recorder->setConstant(id);
+  if (verdict.error != GL_NO_ERROR)
+    return raise(context, verdict.error, verdict.why);
+  for (std::size_t row = 0; row < rows->size(); ++row)
+    symbol->value[row].store((*rows)[row]);
+}
+
+#define VARIANT(letter, T)                                                                         \
+  void Variant##letter##vEXT(Context &context, GLuint id, const T *addr) {                         \
+    if (!context.vertexShaders)                                                                    \
+      return context.host->Variant##letter##vEXT(id, addr);                                        \
+    setVariant(context, id, addr);                                                                 \
+  }
+VARIANT(b, GLbyte)
+VARIANT(s, GLshort)
+VARIANT(i, GLint)
+VARIANT(f, GLfloat)
+VARIANT(d, GLdouble)
+VARIANT(ub, GLubyte)
+VARIANT(us, GLushort)
+VARIANT(ui, GLuint)
+#undef VARIANT
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+
+#include "fixture.h"
+
+/// What the tests of EXT_vertex_shader share.
+namespace api::vertex_shaders {
+
+/// Skips where the extension is not offered: the bare host's, and other profiles.
+class EraVertexShaders : public ApiTest {
+protected:
+  void SetUp() override {
+    ApiTest::SetUp();
+    if (!epoxy_has_gl_extension("GL_EXT_vertex_shader"))
+      GTEST_SKIP() << "no EXT_vertex_shader here";
+  }
+};
+
+inline GLuint symbol(GLenum type, GLenum storage, GLuint count = 1,
+                     GLenum range = GL_FULL_RANGE_EXT) {
+  return glGenSymbolsEXT(type, storage, range, count);
+}
+inline GLuint vertex() { return glBindParameterEXT(GL_CURRENT_VERTEX_EXT); }
+inline GLuint color() { return glBindParameterEXT(GL_CURRENT_COLOR); }
+inline void move(GLuint to, GLuint from) { glShaderOp1EXT(GL_OP_MOV_EXT, to, from); }
+
+/// A new shader, bound: the position is the vertex's, and `rest` says what else is.
+template <typename Rest> GLuint shader(Rest rest) {
+  const GLuint name = glGenVertexShadersEXT(1);
+  glBindVertexShaderEXT(name);
+  glBeginVertexShaderEXT();
+  move(GL_OUTPUT_VERTEX_EXT, vertex());
+  rest();
+  glEndVertexShaderEXT();
+  return name;
+}
+/// One whose colour is that of a symbol.
+inline GLuint colored(GLuint from) {
+  return shader([&] { move(GL_OUTPUT_COLOR0_EXT, from); });
+}
+
+using Values = std::array<GLfloat, 16>;
+inline Values invariant(GLuint name) {
+  Values values{};
+  glGetInvariantFloatvEXT(name, GL_INVARIANT_VALUE_EXT, values.data());
+  return values;
+}
+inline Values variant(GLuint name) {
+  Values values{};
+  glGetVariantFloatvEXT(name, GL_VARIANT_VALUE_EXT, values.data());
+  return values;
+}
+
+} // namespace api::vertex_shaders
