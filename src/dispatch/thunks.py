@@ -129,6 +129,8 @@ def thunks(table, command, action, symbol):
         slow = imaged(command) + slow
     if action in ("draw", "pixels"):
         slow = draws_itself(table, name) + slow + hides_from_host(table, name)
+    if action in ATTENTIVE:
+        slow = "  if (here().held)\n    software::drawHeld(here());\n" + slow
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
              f"{guarded(command, slow)}{lead}{count}{dirty}  {call}\n}}\n")
     turn = f"slow_{symbol}({command.arguments()});"
@@ -141,13 +143,15 @@ def thunks(table, command, action, symbol):
 
 # What opens a primitive, and what ends it: these know of one that is held.
 PRIMITIVE = ("Begin", "End")
+# Those that look at ContextHot::attention, which says that too.
+ATTENTIVE = ("draw", "pixels", "validate")
 
 
-def draws_held(command, symbol):
+def draws_held(command, symbol, action=""):
     """A function that draws the primitive that is held (state/raster_draw/immediate/held.h) and then is
     the command, and the line of the entry point that calls it: apart, so that the way without it saves
     no registers."""
-    if command.name in PRIMITIVE:
+    if command.name in PRIMITIVE or action in ATTENTIVE:
         return "", ""
     result, arguments = command.result, command.arguments()
     give = "" if result == "void" else "return "
@@ -177,7 +181,7 @@ def entry_points_source(table):
         command = table.commands[name]
         root, *aliases = table.entry_names(name)
         aside, body = thunks(table, command, action, root)
-        held, look = draws_held(command, root)
+        held, look = draws_held(command, root, action)
         out.append(f"// {action}\n{aside}ARBITER_ENTRY {command.result} arbiter_{root}({command.declare()}) "
                    f'__asm__("{root}");\n{held}')
         out.append(f"{command.result} arbiter_{root}({command.declare()}) {{\n"

@@ -250,7 +250,8 @@ def main():
             with tempfile.TemporaryDirectory(prefix="arbiter-formats-") as scratch:
                 stats = pathlib.Path(scratch) / "stats-%p.json"
                 layer = sides.environment(sides.layer_of(args.build.resolve()), "swrast",
-                                          {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats)})
+                                          {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats),
+                                           "ARBITER_FIXED_FUNCTION": "programs"})  # which are counted
                 both = [run_batch(client, scenes, {**env, "DISPLAY": displays.name()},
                                   line_of_numbers)
                         for env in (sides.environment(), layer)]

@@ -61,6 +61,8 @@ inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at w
 /// Stays until validate(): the host has not been given what is effective.
 inline constexpr std::uint32_t kHostPart = 1024;
 inline constexpr std::uint32_t kDepth = 2048; ///< stays: the texts have a depth mode in them
+inline constexpr std::uint32_t kHeld =
+    4096; ///< ContextHot::held: a draw looks at no flag of its own
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.

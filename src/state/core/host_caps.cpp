@@ -96,6 +96,8 @@ void querySoftwareCaps(HostCaps &caps, int gl) {
   caps.transformFeedback2 = since(40, {"GL_ARB_transform_feedback2"});
   caps.textureSwizzle = since(33, {"GL_ARB_texture_swizzle", "GL_EXT_texture_swizzle"});
   caps.seamlessCube = since(32, {"GL_ARB_seamless_cube_map"});
+  caps.seamlessPerTexture = since(kNever, {"GL_AMD_seamless_cubemap_per_texture"});
+  caps.fogDistance = since(kNever, {"GL_NV_fog_distance"});
   caps.filterMinmax = since(46, {"GL_ARB_texture_filter_minmax"});
   caps.vertexArrays = since(30, {"GL_ARB_vertex_array_object"});
   caps.instanced = since(33, {"GL_ARB_instanced_arrays"});

@@ -52,6 +52,8 @@ struct HostCaps {
   bool transformFeedback2 = false; ///< whether it is active can be asked for
   bool textureSwizzle = false;
   bool seamlessCube = false;
+  bool seamlessPerTexture = false; ///< AMD_seamless_cubemap_per_texture
+  bool fogDistance = false;        ///< NV_fog_distance
   bool filterMinmax = false;
   bool vertexArrays = false; ///< vertex array objects
   bool instanced = false;    ///< divisors of arrays

@@ -62,6 +62,10 @@ struct ArrayBindings {
 
 enum class TexGenMode : std::uint8_t { ObjectLinear, EyeLinear, Sphere, Reflection, Normal };
 
+/// What the fog of fixed-function vertices is of: the coordinate that they are given, |z| or z to
+/// the eye, or how far they are from it (OpenGL 2.1, 3.10; NV_fog_distance).
+enum class FogFrom : std::uint8_t { Coordinate, AbsoluteDepth, Depth, Distance };
+
 /// State of fixed-function vertices, beside what its program reads as parameters (fixed_vertex.h).
 struct VertexState {
   bool lighting = false, twoSided = false, localViewer = false, separateSpecular = false;
@@ -75,7 +79,7 @@ struct VertexState {
   std::uint8_t textureMatrix = 0;      ///< units whose matrix is not the identity
   /// Of unit and coordinate (s, t, r, q): 0 off, else 1 + TexGenMode.
   std::array<std::array<std::uint8_t, 4>, 8> texGen{};
-  bool fogFromDepth = true; ///< FOG_COORDINATE_SOURCE is FRAGMENT_DEPTH
+  FogFrom fogFrom = FogFrom::AbsoluteDepth;
   bool clampColors = true;  ///< CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point targets
   bool pointAttenuation = false;
   std::uint8_t clipPlanes = 0; ///< enabled, one bit each

@@ -124,6 +124,10 @@ void querySampling(const HostCaps &caps, const Source &source, SamplerState &sta
   // Along one dimension there is nothing to be wide.
   key.anisotropic = state.maxAnisotropy > 1.0f && key.mip != abi::MipFilter::None &&
                     key.dimension != abi::Dimension::Tex1D;
+  if (caps.seamlessPerTexture && key.dimension == abi::Dimension::Cube &&
+      (key.magnify == abi::Filter::Linear || key.minify == abi::Filter::Linear) &&
+      source.integer(GL_TEXTURE_CUBE_MAP_SEAMLESS) != GL_FALSE)
+    state.obstacle = "TEXTURE_CUBE_MAP_SEAMLESS";
   if (caps.filterMinmax && source.integer(GL_TEXTURE_REDUCTION_MODE_ARB) != GL_WEIGHTED_AVERAGE_ARB)
     state.obstacle = "TEXTURE_REDUCTION_MODE";
 }

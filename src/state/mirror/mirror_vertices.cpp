@@ -130,8 +130,21 @@ void queryTransform(const HostCaps &caps, const HostQuery &query, VertexState &s
   }
 }
 
-void queryPointsAndFog(const HostQuery &query, VertexState &state) {
-  state.fogFromDepth = query.name(GL_FOG_COORDINATE_SOURCE) == GL_FRAGMENT_DEPTH;
+FogFrom fogFrom(const HostQuery &query, const HostCaps &caps) {
+  if (query.name(GL_FOG_COORDINATE_SOURCE) != GL_FRAGMENT_DEPTH)
+    return FogFrom::Coordinate;
+  switch (caps.fogDistance ? query.name(GL_FOG_DISTANCE_MODE_NV) : GL_EYE_PLANE_ABSOLUTE_NV) {
+  case GL_EYE_RADIAL_NV:
+    return FogFrom::Distance;
+  case GL_EYE_PLANE:
+    return FogFrom::Depth;
+  default:
+    return FogFrom::AbsoluteDepth;
+  }
+}
+
+void queryPointsAndFog(const HostQuery &query, const HostCaps &caps, VertexState &state) {
+  state.fogFrom = fogFrom(query, caps);
   GLfloat factors[3] = {1, 0, 0};
   query.host.GetFloatv(GL_POINT_DISTANCE_ATTENUATION, factors);
   state.pointAttenuation = factors[0] != 1 || factors[1] != 0 || factors[2] != 0;
@@ -157,7 +170,7 @@ void Mirror::refreshVertexState(bool floatTarget) {
   if ((groups & dirty::kTexGen) != 0)
     queryTexGen(m_caps, query, state);
   if ((groups & (dirty::kFog | dirty::kRaster)) != 0)
-    queryPointsAndFog(query, state);
+    queryPointsAndFog(query, caps, state);
   state.clampColors = clamps;
   if (!(before == state))
     ++state.version;

@@ -2,6 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/exit_notice.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
@@ -37,6 +38,7 @@ void engage(Context &context) {
   context.softwareRefused = true;
   if (!isPossible(context))
     return;
+  watchExit();
   context.software = std::make_unique<ContextState>(context);
   context.software->forced = settings().backend == Backend::Swrast;
   context.software->steady = context.software->forced || debugFlag(DebugFlag::Steady);

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <utility>
 
+#include "state/core/exit_notice.h"
 #include "state/residency/residency_host.h"
 
 namespace arbiter::state::software {
@@ -86,6 +87,8 @@ bool Residency::present() {
 
 void Residency::leave() {
   ResidentImages &images = *m_images;
+  if (exitBegan()) // parts of the host may be gone, and what it would get is seen by no one
+    return;
   images.draws.finish();
   images.released = false;
   if (images.hot.insideBeginEnd || images.hot.listMode != 0)

@@ -133,10 +133,16 @@ constexpr Field kVertices[] = {
      [](Numbers &n) -> Check {
        const bool depth = n.chance(50), attenuated = n.chance(50);
        const GLfloat factors[3] = {1, 0, attenuated ? 0.5f : 0};
+       constexpr std::pair<GLenum, FogFrom> kModes[] = {
+           {GL_EYE_PLANE_ABSOLUTE_NV, FogFrom::AbsoluteDepth},
+           {GL_EYE_PLANE, FogFrom::Depth},
+           {GL_EYE_RADIAL_NV, FogFrom::Distance}};
+       const auto [mode, from] = kModes[n.below(3)];
        glFogi(GL_FOG_COORD_SRC, depth ? GL_FRAGMENT_DEPTH : GL_FOG_COORD);
+       glFogi(GL_FOG_DISTANCE_MODE_NV, GLint(mode));
        glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, factors);
        return [=](const Mirror &m) {
-         EXPECT_EQ(m.vertex.fogFromDepth, depth);
+         EXPECT_EQ(m.vertex.fogFrom, depth ? from : FogFrom::Coordinate);
          EXPECT_EQ(m.vertex.pointAttenuation, attenuated);
        };
      }},

@@ -22,7 +22,7 @@ FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs
   key.needs = needs;
   key.clipPlanes = state.clipPlanes;
   key.textureMatrix = state.textureMatrix & needs.texCoords;
-  key.fogFromDepth = needs.fogCoord && state.fogFromDepth;
+  key.fogFrom = needs.fogCoord ? state.fogFrom : FogFrom::Coordinate;
   key.pointAttenuation = needs.pointSize && state.pointAttenuation;
   key.needs.pointSize = key.pointAttenuation != 0;
   bool normals = false;
@@ -202,21 +202,33 @@ void FixedWriter::fogCoord() {
   if (!m_key.needs.fogCoord)
     return;
   const Target to = m_builder.result(OutputKind::FogCoord).mask("x");
-  if (m_key.fogFromDepth)
+  switch (m_key.fogFrom) {
+  case FogFrom::AbsoluteDepth:
     op(Opcode::Abs, to, {eye().swz("z")});
-  else
+    break;
+  case FogFrom::Depth:
+    op(Opcode::Mov, to, {eye().swz("z")});
+    break;
+  case FogFrom::Distance: {
+    const Target root = temporary();
+    const Source squared = square(eye());
+    op(Opcode::Rsq, root.mask("x"), {squared.swz("x")});
+    op(Opcode::Mul, to, {squared.swz("x"), root.read().swz("x")});
+    break;
+  }
+  case FogFrom::Coordinate:
     op(Opcode::Mov, to, {attribute(Kind::FogCoord).swz("x")});
+  }
 }
 
-/// size * sqrt(1 / (a + b*d + c*d*d)), between the limits (3.3).
+/// size * sqrt(1 / (a + b*d + c*d*d)), between the limits (3.3). Hosts take the depth for the
+/// distance, as NVIDIA's driver and Mesa do, and ours must be of the same size.
 void FixedWriter::pointSize() {
   if (!m_key.pointAttenuation)
     return;
   const Source size = state(StateItem::PointSize), factors = state(StateItem::PointAttenuation);
   const Target t = temporary();
-  const Source squared = square(eye());
-  op(Opcode::Rsq, t.mask("y"), {squared.swz("x")});
-  op(Opcode::Mul, t.mask("y"), {squared.swz("x"), t.read().swz("y")});
+  op(Opcode::Abs, t.mask("y"), {eye().swz("z")});
   op(Opcode::Mad, t.mask("z"), {factors.swz("z"), t.read().swz("y"), factors.swz("y")});
   op(Opcode::Mad, t.mask("z"), {t.read().swz("z"), t.read().swz("y"), factors.swz("x")});
   op(Opcode::Rsq, t.mask("w"), {t.read().swz("z")});

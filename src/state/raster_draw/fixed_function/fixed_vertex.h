@@ -31,7 +31,7 @@ struct FixedVertexKey {
   VertexNeeds needs;
   std::uint8_t clipPlanes = 0;
   std::uint8_t textureMatrix = 0;
-  std::uint8_t fogFromDepth = 0;
+  FogFrom fogFrom = FogFrom::Coordinate;
   std::uint8_t pointAttenuation = 0;
   std::uint8_t lighting = 0, twoSided = 0, localViewer = 0, separateSpecular = 0;
   std::uint8_t clampColors = 0;

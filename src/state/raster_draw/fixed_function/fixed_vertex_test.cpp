@@ -347,7 +347,7 @@ TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
   vertex.position = {1, 0, 1, 1}; // (1, 0, -3) to the eye; the plane was given before z moved on
   const fp::ir::Evaluation got = run(context, program, vertex);
   EXPECT_FLOAT_EQ(output(program, got, OutputKind::FogCoord)[0], 3);
-  EXPECT_NEAR(output(program, got, OutputKind::PointSize)[0], 10 / std::sqrt(1 + 0.25 * 10), 1e-5);
+  EXPECT_NEAR(output(program, got, OutputKind::PointSize)[0], 10 / std::sqrt(1 + 0.25 * 9), 1e-5);
   // Given in object coordinates of the time: 1*1 + 0.5*1 + 2.
   EXPECT_NEAR(output(program, got, OutputKind::TexCoord, kClipDistanceOutput + 1)[1], 3.5, 1e-5);
 

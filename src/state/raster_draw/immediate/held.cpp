@@ -37,6 +37,7 @@ bool holdPrimitive(Context &context) {
   recorder.limit(count, vertexOutside, &context);
   ++state.held;
   context.held = true;
+  context.attention |= attention::kHeld;
   context.insideBeginEnd = false;
   return true;
 }
@@ -48,6 +49,7 @@ bool reopenHeld(Context &context, GLenum mode) {
     return false;
   }
   context.held = false;
+  context.attention &= ~attention::kHeld;
   context.insideBeginEnd = true;
   limitOpen(context);
   return true;
@@ -56,7 +58,6 @@ bool reopenHeld(Context &context, GLenum mode) {
 void drawHeld(ContextHot &hot) {
   auto &context = static_cast<Context &>(hot);
   const ImmediateInputs inputs(context);
-  context.held = false;
   stopRecording(context);
   withinMemory(context, "End", [&] { endHeld(context); });
 }

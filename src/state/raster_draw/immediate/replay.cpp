@@ -8,7 +8,6 @@
 #include "state/host_draw/draw.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/immediate/held.h"
 
 namespace arbiter::state::software {
 
@@ -43,6 +42,8 @@ void startRecording(Context &context) {
 }
 
 void stopRecording(Context &context) {
+  context.held = false;
+  context.attention &= ~attention::kHeld;
   context.host = context.trueHost;
   context.recorder = nullptr;
 }
@@ -51,14 +52,11 @@ const host::HostTable *flushToHost() {
   auto &context = static_cast<Context &>(*t_current);
   if (context.host != &kRecordingHost)
     return context.host; // the caller kept the table of a moment ago
-  if (context.held) {
-    drawHeld(context);
-    return context.host;
-  }
   if (context.listMode != 0) {
     context.list->giveHost(context);
     return context.host;
   }
+  const bool hasEnded = context.held; // no command, as those have it drawn first
   stopRecording(context);
   context.insideBeginEnd = false; // of the host this is still true
   withinMemory(context, "glBegin", [&] {
@@ -66,7 +64,9 @@ const host::HostTable *flushToHost() {
     (void)validate(context);
   });
   replayToHost(context);
-  context.insideBeginEnd = true;
+  if (hasEnded)
+    context.host->End();
+  context.insideBeginEnd = !hasEnded;
   return context.host;
 }
 
