@@ -170,7 +170,7 @@ void Mirror::refreshVertexState(bool floatTarget) {
   if ((groups & dirty::kTexGen) != 0)
     queryTexGen(m_caps, query, state);
   if ((groups & (dirty::kFog | dirty::kRaster)) != 0)
-    queryPointsAndFog(query, caps, state);
+    queryPointsAndFog(query, m_caps, state);
   state.clampColors = clamps;
   if (!(before == state))
     ++state.version;

@@ -3,6 +3,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/lists/list_compiler.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/list_arrays.h"
@@ -110,8 +111,11 @@ bool takes(Context &context, const DrawCommand &command) {
 bool tryDraw(Context &context, const DrawCommand &command) {
   const bool draws = command.mode <= GL_POLYGON && command.count > 0 && command.first >= 0 &&
                      (command.indexType == 0 || isIndexType(command.indexType));
-  if (context.listMode != 0 && draws && recordArrays(context, command))
-    return true;
+  if (context.listMode != 0 && draws) {
+    if (recordArrays(context, command))
+      return true;
+    context.dirty |= dirty::kCurrent; // arrays of a host's list may leave their last values (2.8)
+  }
   return !isHosts(context) && draws && usesRasterizer(context) && drawArrays(context, command);
 }
 
