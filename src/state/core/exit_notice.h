@@ -1,8 +1,8 @@
 #pragma once
 
-/// Whether the process ends by exit(). The host frees what it has in exit handlers of its own, which
-/// run before those that the application registered earlier: a context that such a handler takes
-/// from its thread must not have the host draw or copy any more.
+/// Whether the process ends by exit(). The host frees what it has in exit handlers of its own,
+/// which run before those that the application registered earlier: a context that such a handler
+/// takes from its thread must not have the host draw or copy any more.
 namespace arbiter::state {
 
 /// From now on exitBegan() is true in exit handlers that were registered before this call. Once a

@@ -79,8 +79,8 @@ struct AtiSource {
 };
 [[nodiscard]] std::span<const AtiSource> atiSources();
 
-/// Functions and words of nvparse's texts: of register combiners, or of texture shaders, whose texts
-/// may go on with the others.
+/// Functions and words of nvparse's texts: of register combiners, or of texture shaders, whose
+/// texts may go on with the others.
 [[nodiscard]] std::span<const Entry> nvparseWords(ir::Language language);
 /// Their registers, as sources of ATI's.
 [[nodiscard]] std::span<const AtiSource> nvparseRegisters();
