@@ -242,36 +242,38 @@ const std::vector<Row> &nvRows() {
     std::vector<Row> all;
     if (!offered())
       return all;
-    for (const NvPair &pair : nvPairs()) {
-      for (const bool nv : {false, true}) {
-        const std::string name = std::string(pair.name) + (nv ? ", NV" : ", ARB");
-        all.push_back({"nv-frame/" + name,
-                       [&pair, nv](int count, unsigned) { return frames(pair, nv, count); }});
-        all.push_back({"nv-load/" + name, [&pair, nv](int count, unsigned seed) {
-                         return loads(pair, nv, count, seed);
-                       }});
-      }
-    }
+    for (const std::span<const NvPair> pairs : {nvFragmentPairs(), nvVertexPairs()})
+      for (const NvPair &pair : pairs)
+        for (const bool nv : {false, true}) {
+          const std::string name = std::string(pair.name) + (nv ? ", NV" : ", ARB");
+          all.push_back({"nv-frame/" + name,
+                         [&pair, nv](int count, unsigned) { return frames(pair, nv, count); }});
+          all.push_back({"nv-load/" + name, [&pair, nv](int count, unsigned seed) {
+                           return loads(pair, nv, count, seed);
+                         }});
+        }
     return all;
   }();
   return rows;
 }
 
 double nvDifference(std::string_view name) {
-  for (const NvPair &pair : nvPairs()) {
-    if (pair.name != name)
-      continue;
-    const std::vector<unsigned char> arb = picture(pair, false), nv = picture(pair, true);
-    const bool uniform = std::all_of(arb.begin(), arb.end(),
-                                     [&](unsigned char value) { return value == arb.front(); });
-    if (uniform) // nothing was drawn
-      return 1.0;
-    std::size_t apart = 0;
-    for (std::size_t i = 0; i < arb.size(); ++i)
-      apart += std::abs(int(arb[i]) - int(nv[i])) > 2;
-    return double(apart) / double(arb.size());
-  }
-  return -1.0;
+  const NvPair *found = nullptr;
+  for (const std::span<const NvPair> pairs : {nvFragmentPairs(), nvVertexPairs()})
+    for (const NvPair &pair : pairs)
+      if (pair.name == name)
+        found = &pair;
+  if (!found)
+    return -1.0;
+  const std::vector<unsigned char> arb = picture(*found, false), nv = picture(*found, true);
+  const bool uniform = std::all_of(arb.begin(), arb.end(),
+                                   [&](unsigned char value) { return value == arb.front(); });
+  if (uniform) // nothing was drawn
+    return 1.0;
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < arb.size(); ++i)
+    apart += std::abs(int(arb[i]) - int(nv[i])) > 2;
+  return double(apart) / double(arb.size());
 }
 
 } // namespace bench

@@ -16,7 +16,8 @@ struct NvPair {
   std::string_view arb, nv;
 };
 
-[[nodiscard]] std::span<const NvPair> nvPairs();
+[[nodiscard]] std::span<const NvPair> nvFragmentPairs();
+[[nodiscard]] std::span<const NvPair> nvVertexPairs();
 
 /// One of a pair's texts with number \p seed in it: another one for each of 400 seeds in a row.
 [[nodiscard]] std::string nvText(const NvPair &pair, bool nv, unsigned seed);

@@ -47,7 +47,7 @@ def recorded(command):
                 f"hot->recorder->set(kTexCoord0 + int({lead} - GL_TEXTURE0), {values})")
     if what == "VertexAttrib":
         # Outside of Begin and End attribute 0 is a value like others, and makes no vertex.
-        return f"{lead} < 16u && ({lead} != 0 || !hot->held)", f"generic(*hot->recorder, {lead}, {values})"
+        return f"{lead} < 16u && ({lead} != 0 || !isHeld(*hot))", f"generic(*hot->recorder, {lead}, {values})"
     return "true", f"hot->recorder->set({SLOTS[what]}, {values})"
 
 

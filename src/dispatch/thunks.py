@@ -130,7 +130,7 @@ def thunks(table, command, action, symbol):
     if action in ("draw", "pixels"):
         slow = draws_itself(table, name) + slow + hides_from_host(table, name)
     if action in ATTENTIVE:
-        slow = "  if (here().held)\n    software::drawHeld(here());\n" + slow
+        slow = "  if (software::isHeld(here()))\n    software::drawHeld(here());\n" + slow
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
              f"{guarded(command, slow)}{lead}{count}{dirty}  {call}\n}}\n")
     turn = f"slow_{symbol}({command.arguments()});"
@@ -143,7 +143,7 @@ def thunks(table, command, action, symbol):
 
 # What opens a primitive, and what ends it: these know of one that is held.
 PRIMITIVE = ("Begin", "End")
-# Those that look at ContextHot::attention, which says that too.
+# Those that look at ContextHot::attention anyway.
 ATTENTIVE = ("draw", "pixels", "validate")
 
 
@@ -157,7 +157,7 @@ def draws_held(command, symbol, action=""):
     give = "" if result == "void" else "return "
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} held_{symbol}({command.declare()}) {{\n"
              f"  software::drawHeld(*t_current);\n  {give}arbiter_{symbol}({arguments});\n}}\n")
-    return aside, f"  if (t_current->held) [[unlikely]]\n    return held_{symbol}({arguments});\n"
+    return aside, f"  if (software::isHeld(*t_current)) [[unlikely]]\n    return held_{symbol}({arguments});\n"
 
 
 def entry_points_source(table):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails on an #include that goes against the house's one way down.
 
-    interposer -> dispatch -> state -> {control, fp_compiler, swrast, host} -> util
+    interposer -> dispatch -> state -> {control, enumerants -> fp_compiler, swrast, host} -> util
 
 tools and builder sit on control, scene, fp_compiler, swrast and the public interface, scene on
 fp_compiler; demonstrations are clients and see none of it. swrast sees of the compiler only a plain
@@ -23,14 +23,15 @@ ALLOWED = {
     "util": set(),
     "control": {"util"},
     "fp_compiler": {"util"},
+    "enumerants": {"fp_compiler"},
     "swrast": {"util", "public"},
     "host": {"util", "public"},
-    "state": {"control", "fp_compiler", "swrast", "host", "util", "public"},
-    "dispatch": {"state", "control", "fp_compiler", "swrast", "host", "util", "public"},
-    "interposer": {"dispatch", "state", "control", "fp_compiler", "swrast", "host", "util",
+    "state": {"control", "enumerants", "fp_compiler", "swrast", "host", "util", "public"},
+    "dispatch": {"state", "control", "enumerants", "fp_compiler", "swrast", "host", "util", "public"},
+    "interposer": {"dispatch", "state", "control", "enumerants", "fp_compiler", "swrast", "host", "util",
                    "public"},
     "scene": {"fp_compiler", "util"},
-    "tools": {"control", "scene", "fp_compiler", "swrast", "util", "public"},
+    "tools": {"control", "scene", "enumerants", "fp_compiler", "swrast", "util", "public"},
     "builder": {"control", "fp_compiler", "scene", "util", "public"},
     "demos": {"public"},
     "public": set(),

@@ -63,6 +63,7 @@ ALLOWED = {
     LLVM + "/fragment": {LLVM + "/code", LLVM + "/math", LLVM + "/program", LLVM + "/pixel",
                          "fp_compiler/analysis", IR},
     LLVM + "/engine": {LLVM + "/code", LLVM + "/program", LLVM + "/fragment", IR},
+    "enumerants": set(),
     "swrast": set(),
     "swrast/image": set(),
     "swrast/setup": set(),

@@ -34,6 +34,20 @@ TEST_F(Lists, CompiledCommandsRunWhenCalled) {
   EXPECT_TRUE(glIsEnabled(kFragment));
 }
 
+TEST_F(Lists, BeginInsideOfBeginIsAnErrorWhenCalled) {
+  for (const bool vertex : {false, true}) {
+    glNewList(m_list, GL_COMPILE);
+    glBegin(GL_POINTS);
+    if (vertex)
+      glVertex2f(0, 0);
+    glBegin(GL_LINES);
+    glVertex2f(0, 0);
+    EXPECT_NO_GL_ERROR(glEnd(); glEndList());
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION, glCallList(m_list));
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION, glEnd()); // nothing is open
+  }
+}
+
 TEST_F(Lists, TheStringIsCopiedWhenRecorded) {
   BARE_HOST_DIFFERS("reads on past the end of its own copy, which has no terminator");
   makeProgram(kRed);

@@ -61,8 +61,9 @@ inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at w
 /// Stays until validate(): the host has not been given what is effective.
 inline constexpr std::uint32_t kHostPart = 1024;
 inline constexpr std::uint32_t kDepth = 2048; ///< stays: the texts have a depth mode in them
-inline constexpr std::uint32_t kHeld =
-    4096; ///< ContextHot::held: a draw looks at no flag of its own
+/// The primitive of a recorder has ended and is not drawn yet (raster_draw/immediate/held.h): every
+/// command but Begin and attributes has it drawn first.
+inline constexpr std::uint32_t kHeld = 4096;
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.

@@ -46,9 +46,6 @@ struct ContextHot {
   /// A command of ARB_imaging was used here, where the layer has it: commands that move pixels ask
   /// for it (state/imaging/pixel_commands.h).
   bool imagesPixels = false;
-  /// The primitive of a recorder has ended and is not drawn yet (raster_draw/immediate/held.h):
-  /// every command but Begin and attributes has it drawn first.
-  bool held = false;
   /// A primitive is deferred: its vertices go here. Null: to the host.
   software::ImmediateRecorder *recorder = nullptr;
   /// Groups of the host's state that may have changed since we asked for them

@@ -199,7 +199,7 @@ void release(Context *context) {
 
 /// What the window system is to see: the primitive that waits for more (held.h), too.
 void drawHeldOf(Context *context) {
-  if (context && context->held)
+  if (context && software::isHeld(*context))
     software::drawHeld(*context);
 }
 

@@ -32,13 +32,17 @@ bool defer(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
-  if (context.held && software::reopenHeld(context, mode))
+  if (software::isHeld(context) && software::reopenHeld(context, mode))
     return;
   const ImmediateInputs inputs(context);
   if (context.mapsNamed) [[unlikely]]
     beginEvaluation(context);
-  if (context.listMode != 0 && context.list->beginPrimitive(context, mode))
-    return;
+  if (context.listMode != 0) {
+    if (context.list->recordsPrimitive())
+      context.list->givePrimitive(context);
+    else if (context.list->beginPrimitive(context, mode))
+      return;
+  }
   if (software::mayDraw(context) && defer(context, mode))
     return;
   if (context.attention && !beginDraw(context)) [[unlikely]]
@@ -56,7 +60,7 @@ void Begin(Context &context, GLenum mode) {
 }
 
 void End(Context &context) {
-  if (context.held) [[unlikely]] // an error
+  if (software::isHeld(context)) [[unlikely]] // an error
     software::drawHeld(context);
   if (context.recorder && context.listMode == 0 && software::holdPrimitive(context))
     return;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <type_traits>
 
+#include "enumerants/combiners.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/lists/issue_combiners.h"
-#include "state/programs/combiners/combiner_names.h"
 #include "state/programs/combiners/combiner_state.h"
 
 namespace arbiter::state {
@@ -62,13 +62,13 @@ template <typename T>
 void giveInput(Context &context, const Input &input, GLenum pname, T *params) {
   switch (pname) {
   case GL_COMBINER_INPUT_NV:
-    *params = T(nameOf(input.source));
+    *params = T(enumerants::nameOf(input.source));
     return;
   case GL_COMBINER_MAPPING_NV:
-    *params = T(nameOf(input.mapping));
+    *params = T(enumerants::nameOf(input.mapping));
     return;
   case GL_COMBINER_COMPONENT_USAGE_NV:
-    *params = T(nameOf(input.usage));
+    *params = T(enumerants::nameOf(input.usage));
     return;
   default:
     raise(context, GL_INVALID_ENUM, "GetCombinerInputParameter: pname");
@@ -106,19 +106,19 @@ void getOutput(Context &context, GLenum stage, GLenum portionName, GLenum pname,
     *params = T(portion->mux);
     return;
   case GL_COMBINER_SCALE_NV:
-    *params = T(nameOf(portion->scale));
+    *params = T(enumerants::nameOf(portion->scale));
     return;
   case GL_COMBINER_BIAS_NV:
     *params = T(portion->bias ? GL_BIAS_BY_NEGATIVE_ONE_HALF_NV : GL_NONE);
     return;
   case GL_COMBINER_AB_OUTPUT_NV:
-    *params = T(nameOf(portion->ab));
+    *params = T(enumerants::nameOf(portion->ab));
     return;
   case GL_COMBINER_CD_OUTPUT_NV:
-    *params = T(nameOf(portion->cd));
+    *params = T(enumerants::nameOf(portion->cd));
     return;
   case GL_COMBINER_SUM_OUTPUT_NV:
-    *params = T(nameOf(portion->sum));
+    *params = T(enumerants::nameOf(portion->sum));
     return;
   default:
     raise(context, GL_INVALID_ENUM, "GetCombinerOutputParameter: pname");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "enumerants/texture_shaders.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -12,7 +13,6 @@
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/texture_shader_commands.h"
-#include "state/programs/texture_shaders/texture_shader_names.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
 namespace arbiter::state {
@@ -122,13 +122,13 @@ template <typename T> void getShader(Context &context, GLenum pname, T *params) 
     *params = T(stageIsConsistent(context, int(unit)) ? GL_TRUE : GL_FALSE);
     return;
   case GL_SHADER_OPERATION_NV:
-    *params = T(nameOf(stage.operation));
+    *params = T(enumerants::nameOf(stage.operation));
     return;
   case GL_PREVIOUS_TEXTURE_INPUT_NV:
     *params = T(GL_TEXTURE0 + stage.previous);
     return;
   case GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV:
-    *params = T(nameOf(stage.mapping));
+    *params = T(enumerants::nameOf(stage.mapping));
     return;
   case GL_CULL_MODES_NV:
     for (unsigned i = 0; i < 4; ++i)

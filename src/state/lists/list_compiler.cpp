@@ -253,6 +253,16 @@ void ListCompiler::interruptPrimitive(Context &context) {
   });
 }
 
+void ListCompiler::givePrimitive(Context &context) {
+  if (m_early)
+    return leaveEarly(context);
+  stopPrimitive(context);
+  openSegment(context);
+  software::sendOpen(*context.host, m_recorder);
+  notePixels();
+  notePrimitive(Primitive::Open);
+}
+
 bool ListCompiler::takeArraysDirty(Context &context) {
   // Arrays are set at once: their bit is for what follows the list, and no effect of a segment.
   const std::uint32_t bit = context.dirty & software::dirty::kArrays;

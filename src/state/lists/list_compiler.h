@@ -69,6 +69,10 @@ public:
     if (m_recording)
       interruptPrimitive(context);
   }
+  /// Before a Begin inside of the primitive that is recorded, a mistake that the host is to judge
+  /// when the list is called: it compiles the primitive from its Begin on. A host list of a Begin
+  /// alone would not do: hosts keep what is between Begin and End as a draw.
+  void givePrimitive(Context &context);
   /// The command that goes to the host now draws, or reads or writes images.
   void notePixels() { m_pixels = true; }
   /// Primitives are kept.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "enumerants/combiners.h"
+#include "enumerants/texture_shaders.h"
 #include "fp_compiler/front/nvparse/limits.h"
 #include "fp_compiler/texture_shader/operations.h"
 
@@ -9,59 +11,14 @@ namespace arbiter::tools {
 
 namespace {
 
-using fp::combiners::Input;
+using enumerants::nameOf;
 using fp::combiners::Portion;
-using fp::combiners::Register;
-using fp::combiners::Scale;
-using fp::combiners::Usage;
-using fp::texture_shader::Operation;
 using fp::texture_shader::Row;
-
-GLenum nameOf(Register name) {
-  switch (name) {
-  case Register::Zero:
-    return GL_ZERO;
-  case Register::Constant0:
-    return GL_CONSTANT_COLOR0_NV;
-  case Register::Constant1:
-    return GL_CONSTANT_COLOR1_NV;
-  case Register::Fog:
-    return GL_FOG;
-  case Register::Primary:
-    return GL_PRIMARY_COLOR_NV;
-  case Register::Secondary:
-    return GL_SECONDARY_COLOR_NV;
-  case Register::Spare0:
-    return GL_SPARE0_NV;
-  case Register::Spare1:
-    return GL_SPARE1_NV;
-  case Register::ETimesF:
-    return GL_E_TIMES_F_NV;
-  case Register::Spare0PlusSecondary:
-    return GL_SPARE0_PLUS_SECONDARY_COLOR_NV;
-  case Register::Discard:
-    return GL_DISCARD_NV;
-  default:
-    return GLenum(GL_TEXTURE0 + fp::combiners::textureUnit(name));
-  }
-}
-
-GLenum nameOf(Usage usage) {
-  return usage == Usage::Rgb ? GL_RGB : usage == Usage::Alpha ? GL_ALPHA : GL_BLUE;
-}
-
-GLenum nameOf(Scale scale) {
-  return scale == Scale::None ? GLenum(GL_NONE) : GLenum(GL_SCALE_BY_TWO_NV + int(scale) - 1);
-}
-
-GLenum mappingOf(const Input &input) {
-  return GLenum(GL_UNSIGNED_IDENTITY_NV + int(input.mapping)); // in the order of the enumerants
-}
 
 void issue(GLenum stage, GLenum half, const Portion &portion) {
   for (std::size_t v = 0; v < portion.inputs.size(); ++v)
     glCombinerInputNV(stage, half, GLenum(GL_VARIABLE_A_NV + v), nameOf(portion.inputs[v].source),
-                      mappingOf(portion.inputs[v]), nameOf(portion.inputs[v].usage));
+                      nameOf(portion.inputs[v].mapping), nameOf(portion.inputs[v].usage));
   glCombinerOutputNV(stage, half, nameOf(portion.ab), nameOf(portion.cd), nameOf(portion.sum),
                      nameOf(portion.scale),
                      portion.bias ? GL_BIAS_BY_NEGATIVE_ONE_HALF_NV : GL_NONE,
@@ -77,65 +34,12 @@ void issue(const fp::combiners::State &state) {
   }
   for (std::size_t v = 0; v < state.finals.size(); ++v)
     glFinalCombinerInputNV(GLenum(GL_VARIABLE_A_NV + v), nameOf(state.finals[v].source),
-                           mappingOf(state.finals[v]), nameOf(state.finals[v].usage));
+                           nameOf(state.finals[v].mapping), nameOf(state.finals[v].usage));
   if (state.perStageConstants)
     glEnable(GL_PER_STAGE_CONSTANTS_NV);
   else if (epoxy_has_gl_extension("GL_NV_register_combiners2"))
     glDisable(GL_PER_STAGE_CONSTANTS_NV);
   glEnable(GL_REGISTER_COMBINERS_NV);
-}
-
-constexpr GLenum kOperations[] = {
-    GL_NONE,
-    GL_TEXTURE_1D,
-    GL_TEXTURE_2D,
-    GL_TEXTURE_RECTANGLE,
-    GL_TEXTURE_CUBE_MAP,
-    GL_PASS_THROUGH_NV,
-    GL_CULL_FRAGMENT_NV,
-    GL_OFFSET_TEXTURE_2D_NV,
-    GL_OFFSET_TEXTURE_2D_SCALE_NV,
-    GL_OFFSET_TEXTURE_RECTANGLE_NV,
-    GL_OFFSET_TEXTURE_RECTANGLE_SCALE_NV,
-    GL_DEPENDENT_AR_TEXTURE_2D_NV,
-    GL_DEPENDENT_GB_TEXTURE_2D_NV,
-    GL_DOT_PRODUCT_NV,
-    GL_DOT_PRODUCT_TEXTURE_2D_NV,
-    GL_DOT_PRODUCT_TEXTURE_RECTANGLE_NV,
-    GL_DOT_PRODUCT_TEXTURE_CUBE_MAP_NV,
-    GL_DOT_PRODUCT_REFLECT_CUBE_MAP_NV,
-    GL_DOT_PRODUCT_CONST_EYE_REFLECT_CUBE_MAP_NV,
-    GL_DOT_PRODUCT_DIFFUSE_CUBE_MAP_NV,
-    GL_DOT_PRODUCT_DEPTH_REPLACE_NV,
-    GL_TEXTURE_3D,
-    GL_DOT_PRODUCT_TEXTURE_3D_NV,
-    GL_OFFSET_PROJECTIVE_TEXTURE_2D_NV,
-    GL_OFFSET_PROJECTIVE_TEXTURE_2D_SCALE_NV,
-    GL_OFFSET_PROJECTIVE_TEXTURE_RECTANGLE_NV,
-    GL_OFFSET_PROJECTIVE_TEXTURE_RECTANGLE_SCALE_NV,
-    GL_OFFSET_HILO_TEXTURE_2D_NV,
-    GL_OFFSET_HILO_TEXTURE_RECTANGLE_NV,
-    GL_OFFSET_HILO_PROJECTIVE_TEXTURE_2D_NV,
-    GL_OFFSET_HILO_PROJECTIVE_TEXTURE_RECTANGLE_NV,
-    GL_DEPENDENT_HILO_TEXTURE_2D_NV,
-    GL_DEPENDENT_RGB_TEXTURE_3D_NV,
-    GL_DEPENDENT_RGB_TEXTURE_CUBE_MAP_NV,
-    GL_DOT_PRODUCT_PASS_THROUGH_NV,
-    GL_DOT_PRODUCT_TEXTURE_1D_NV,
-    GL_DOT_PRODUCT_AFFINE_DEPTH_REPLACE_NV,
-};
-static_assert(std::size(kOperations) == fp::texture_shader::kOperations);
-
-GLenum nameOf(fp::texture_shader::Mapping mapping) {
-  switch (mapping) {
-  case fp::texture_shader::Mapping::ExpandNormal:
-    return GL_EXPAND_NORMAL_NV;
-  case fp::texture_shader::Mapping::ForceBlueToOne:
-    return GL_FORCE_BLUE_TO_ONE_NV;
-  case fp::texture_shader::Mapping::UnsignedIdentity:
-    break;
-  }
-  return GL_UNSIGNED_IDENTITY_NV;
 }
 
 void issue(const fp::texture_shader::State &state) {
@@ -146,7 +50,7 @@ void issue(const fp::texture_shader::State &state) {
     const auto set = [](GLenum pname, GLenum value) {
       glTexEnvi(GL_TEXTURE_SHADER_NV, pname, GLint(value));
     };
-    set(GL_SHADER_OPERATION_NV, kOperations[std::size_t(stage.operation)]);
+    set(GL_SHADER_OPERATION_NV, nameOf(stage.operation));
     if (fp::texture_shader::readsPrevious(family))
       set(GL_PREVIOUS_TEXTURE_INPUT_NV, GLenum(GL_TEXTURE0 + stage.previous));
     if (fp::texture_shader::computesDot(family))

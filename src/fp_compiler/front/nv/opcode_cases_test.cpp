@@ -202,10 +202,10 @@ TEST(NvOpcodeCases, AreAsNvidiaHasThem) {
   const auto compare = [](const char *value, const std::string &nvidia, const char *what) {
     if (nvidia == "-" || nvidia == value)
       return;
-    const auto ours = numbers(value), theirs = numbers(nvidia);
-    ASSERT_EQ(ours.size(), theirs.size()) << what;
-    for (std::size_t i = 0; i < ours.size(); ++i)
-      EXPECT_TRUE(!theirs[i] || near(*ours[i], *theirs[i])) << what << " component " << i;
+    const auto computed = numbers(value), theirs = numbers(nvidia);
+    ASSERT_EQ(computed.size(), theirs.size()) << what;
+    for (std::size_t i = 0; i < computed.size(); ++i)
+      EXPECT_TRUE(!theirs[i] || near(*computed[i], *theirs[i])) << what << " component " << i;
   };
   for (const Case &each : kCases)
     compare(each.value, each.nvidia, each.statements);

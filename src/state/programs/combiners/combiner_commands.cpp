@@ -6,9 +6,9 @@
 
 #include <GL/glext.h>
 
+#include "enumerants/combiners.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/programs/combiners/combiner_names.h"
 #include "state/programs/combiners/combiner_state.h"
 
 namespace arbiter::state {
@@ -79,9 +79,9 @@ Wrong input(Context &context, CombinerState &combiners, const CombinerCommand &c
       command.names;
   const int stage = stageOf(combiners, stageName);
   const GLenum variable = variableName - GL_VARIABLE_A_NV;
-  const auto from = inputRegister(source, combiners.units());
-  const auto mapping = combinerMapping(mappingName);
-  const auto usage = componentUsage(usageName);
+  const auto from = enumerants::inputRegister(source, combiners.units());
+  const auto mapping = enumerants::combinerMapping(mappingName);
+  const auto usage = enumerants::componentUsage(usageName);
   const bool alpha = portion == GL_ALPHA;
   if (stage < 0 || (portion != GL_RGB && !alpha) || variable > 3 || !from || !mapping || !usage)
     return {GL_INVALID_ENUM, "CombinerInput: an argument is none of its names"};
@@ -108,10 +108,10 @@ bool areUnique(const Portion &portion) {
 Wrong output(Context &context, CombinerState &combiners, const CombinerCommand &command) {
   const auto [stageName, portionName, abName, cdName, sumName, scaleName, bias] = command.names;
   const int stage = stageOf(combiners, stageName);
-  const auto ab = outputRegister(abName, combiners.units());
-  const auto cd = outputRegister(cdName, combiners.units());
-  const auto sum = outputRegister(sumName, combiners.units());
-  const auto scale = combinerScale(scaleName);
+  const auto ab = enumerants::outputRegister(abName, combiners.units());
+  const auto cd = enumerants::outputRegister(cdName, combiners.units());
+  const auto sum = enumerants::outputRegister(sumName, combiners.units());
+  const auto scale = enumerants::combinerScale(scaleName);
   const bool alpha = portionName == GL_ALPHA;
   if (stage < 0 || (portionName != GL_RGB && !alpha) || !ab || !cd || !sum || !scale ||
       (bias != GL_NONE && bias != GL_BIAS_BY_NEGATIVE_ONE_HALF_NV))
@@ -145,9 +145,9 @@ Wrong output(Context &context, CombinerState &combiners, const CombinerCommand &
 /// 3.8.12.3
 Wrong finalInput(Context &context, CombinerState &combiners, const CombinerCommand &command) {
   const GLenum variable = command.names[0] - GL_VARIABLE_A_NV;
-  const auto from = finalInputRegister(command.names[1], combiners.units());
-  const auto mapping = combinerMapping(command.names[2]);
-  const auto usage = componentUsage(command.names[3]);
+  const auto from = enumerants::finalInputRegister(command.names[1], combiners.units());
+  const auto mapping = enumerants::combinerMapping(command.names[2]);
+  const auto usage = enumerants::componentUsage(command.names[3]);
   if (variable > 6 || !from || !mapping || *mapping > Mapping::UnsignedInvert || !usage)
     return {GL_INVALID_ENUM, "FinalCombinerInput: an argument is none of its names"};
   const bool pseudo = *from == Register::ETimesF || *from == Register::Spare0PlusSecondary;

@@ -3,12 +3,12 @@
 #include <cstring>
 #include <type_traits>
 
+#include "enumerants/texture_shaders.h"
 #include "fp_compiler/texture_shader/operations.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/texture_shaders/component_image.h"
-#include "state/programs/texture_shaders/texture_shader_names.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
 namespace arbiter::state {
@@ -30,7 +30,7 @@ struct Wrong {
 GLenum nameIn(GLfloat value) { return value >= 0.0f && value < 16777216.0f ? GLenum(value) : ~0u; }
 
 Wrong operation(Context &context, TextureShaderState &shaders, int unit, GLenum name) {
-  const auto wanted = shaderOperation(name, shaders.extensions());
+  const auto wanted = enumerants::shaderOperation(name, shaders.extensions());
   if (!wanted)
     return {GL_INVALID_ENUM, "TexEnv: SHADER_OPERATION_NV"};
   const bool notLast =
@@ -73,7 +73,7 @@ Wrong cullModes(Context &context, TextureShaderState &shaders, int unit, const V
 }
 
 Wrong mapping(Context &context, TextureShaderState &shaders, int unit, GLenum name) {
-  const auto wanted = dotProductMapping(name, shaders.extensions());
+  const auto wanted = enumerants::dotProductMapping(name, shaders.extensions());
   if (!wanted)
     return {GL_INVALID_ENUM, "TexEnv: RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV"};
   shaders.set(

@@ -222,7 +222,8 @@ void FixedWriter::fogCoord() {
 }
 
 /// size * sqrt(1 / (a + b*d + c*d*d)), between the limits (3.3). Hosts take the depth for the
-/// distance, as NVIDIA's driver and Mesa do, and ours must be of the same size.
+/// distance, as NVIDIA's driver and Mesa do, and the rasterizer's points are to be of the same
+/// size.
 void FixedWriter::pointSize() {
   if (!m_key.pointAttenuation)
     return;

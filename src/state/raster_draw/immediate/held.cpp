@@ -36,7 +36,6 @@ bool holdPrimitive(Context &context) {
     return false;
   recorder.limit(count, vertexOutside, &context);
   ++state.held;
-  context.held = true;
   context.attention |= attention::kHeld;
   context.insideBeginEnd = false;
   return true;
@@ -48,7 +47,6 @@ bool reopenHeld(Context &context, GLenum mode) {
     drawHeld(context);
     return false;
   }
-  context.held = false;
   context.attention &= ~attention::kHeld;
   context.insideBeginEnd = true;
   limitOpen(context);

@@ -42,7 +42,6 @@ void startRecording(Context &context) {
 }
 
 void stopRecording(Context &context) {
-  context.held = false;
   context.attention &= ~attention::kHeld;
   context.host = context.trueHost;
   context.recorder = nullptr;
@@ -56,7 +55,8 @@ const host::HostTable *flushToHost() {
     context.list->giveHost(context);
     return context.host;
   }
-  const bool hasEnded = context.held; // no command, as those have it drawn first
+  const bool hasEnded =
+      (context.attention & attention::kHeld) != 0; // no command, as those have it drawn first
   stopRecording(context);
   context.insideBeginEnd = false; // of the host this is still true
   withinMemory(context, "glBegin", [&] {

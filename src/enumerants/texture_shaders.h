@@ -7,7 +7,7 @@
 #include "fp_compiler/texture_shader/state.h"
 
 /// The enumerants of NV_texture_shader, 2 and 3 and the numbers that the compiler has for them.
-namespace arbiter::state {
+namespace arbiter::enumerants {
 
 /// A SHADER_OPERATION_NV of the first `extensions` of the three.
 [[nodiscard]] std::optional<fp::texture_shader::Operation> shaderOperation(GLenum name,
@@ -19,4 +19,4 @@ namespace arbiter::state {
                                                                            int extensions);
 [[nodiscard]] GLenum nameOf(fp::texture_shader::Mapping mapping);
 
-} // namespace arbiter::state
+} // namespace arbiter::enumerants

@@ -1,11 +1,11 @@
-#include "state/programs/combiners/combiner_names.h"
+#include "enumerants/combiners.h"
 
 #include <algorithm>
 #include <iterator>
 
 #include <GL/glext.h>
 
-namespace arbiter::state {
+namespace arbiter::enumerants {
 
 using fp::combiners::Mapping;
 using fp::combiners::Register;
@@ -97,4 +97,4 @@ GLenum nameOf(Scale value) {
   return value == Scale::None ? GLenum(GL_NONE) : GLenum(GL_SCALE_BY_TWO_NV) + GLenum(value) - 1;
 }
 
-} // namespace arbiter::state
+} // namespace arbiter::enumerants

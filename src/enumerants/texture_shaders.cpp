@@ -1,9 +1,9 @@
-#include "state/programs/texture_shaders/texture_shader_names.h"
+#include "enumerants/texture_shaders.h"
 
 #include <algorithm>
 #include <iterator>
 
-namespace arbiter::state {
+namespace arbiter::enumerants {
 
 using fp::texture_shader::Mapping;
 using fp::texture_shader::Operation;
@@ -81,4 +81,4 @@ std::optional<Mapping> dotProductMapping(GLenum name, int extensions) {
 
 GLenum nameOf(Mapping mapping) { return kMappings[std::size_t(mapping)]; }
 
-} // namespace arbiter::state
+} // namespace arbiter::enumerants

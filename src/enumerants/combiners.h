@@ -6,7 +6,7 @@
 #include "fp_compiler/combiners/state.h"
 
 /// The enumerants of NV_register_combiners and what they stand for.
-namespace arbiter::state {
+namespace arbiter::enumerants {
 
 /// A register that an input may name, of texture registers the first `units`; nothing for another
 /// enumerant.
@@ -24,4 +24,4 @@ namespace arbiter::state {
 [[nodiscard]] GLenum nameOf(fp::combiners::Usage value);
 [[nodiscard]] GLenum nameOf(fp::combiners::Scale value);
 
-} // namespace arbiter::state
+} // namespace arbiter::enumerants
