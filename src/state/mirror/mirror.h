@@ -80,7 +80,7 @@ struct VertexState {
   /// Of unit and coordinate (s, t, r, q): 0 off, else 1 + TexGenMode.
   std::array<std::array<std::uint8_t, 4>, 8> texGen{};
   FogFrom fogFrom = FogFrom::AbsoluteDepth;
-  bool clampColors = true;  ///< CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point targets
+  bool clampColors = true; ///< CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point targets
   bool pointAttenuation = false;
   std::uint8_t clipPlanes = 0; ///< enabled, one bit each
   std::uint32_t version = 0;   ///< changes with the above

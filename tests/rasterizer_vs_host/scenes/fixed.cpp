@@ -99,9 +99,6 @@ private:
     case 4:
       set(GL_FOG, m_random.once(2));
       glFogi(GL_FOG_MODE, GL_LINEAR);
-      glFogi(GL_FOG_DISTANCE_MODE_NV, m_random.once(2)   ? GL_EYE_PLANE_ABSOLUTE_NV
-                                      : m_random.once(2) ? GL_EYE_RADIAL_NV
-                                                         : GL_EYE_PLANE);
       glFogf(GL_FOG_START, unit());
       glFogf(GL_FOG_END, 1.5f + unit());
       return;
