@@ -5,6 +5,7 @@ computes there; what each program costs. Requests that wait while GL is at work.
 usage: pixel_test.py ARBITER TICKER PAINTER [unittest arguments]
 """
 import json
+import random
 import time
 
 import controlled
@@ -142,10 +143,15 @@ class Pixels(Painting):
 class Busy(Painting):
     @staticmethod
     def slow_text(turns):
-        """A program that the host's compiler is at work on, the longer the more turns it has."""
+        """A program that the host's compiler is at work on, the longer the more turns it has.
+
+        No other run has its text: the host keeps on disk what it compiled, and would be done at once.
+        """
+        own = ', '.join(f'{0.5 + random.random():.6f}' for _ in range(4))
         lines = ''.join(f'POW a.{c}, a.{d}, a.{e};\nMAD a, a, a.{d}{e}{c}w, b.{c};\n'
                         for _ in range(turns) for c, d, e in ('xyz', 'yzx', 'zxy'))
-        return f'!!ARBfp1.0\nTEMP a, b;\nMOV a, fragment.position;\nMOV b, a;\n{lines}MOV result.color, a;\nEND\n'
+        head = f'!!ARBfp1.0\nTEMP a, b;\nMUL a, fragment.position, {{{own}}};\nMOV b, a;\n'
+        return f'{head}{lines}MOV result.color, a;\nEND\n'
 
     def lines_until_listed(self, raw):
         """What comes until a list is answered that is asked for now, with a ping behind it; milliseconds."""
@@ -165,7 +171,7 @@ class Busy(Painting):
             with Raw(self.socket_of(output)) as raw:
                 program = next(row['id'] for row in raw.call('program.list')['result']['programs']
                                if row['effective'])
-                for turns in range(60, 600, 40):  # until it is long enough here
+                for turns in (int(60 * 1.4 ** step) for step in range(12)):  # until it is long enough here
                     answer = raw.call('program.set', id=program, text=self.slow_text(turns), revision=turns)
                     self.assertTrue(answer['result']['ok'], answer)
                     seen, waited = self.lines_until_listed(raw)
