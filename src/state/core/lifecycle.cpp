@@ -33,7 +33,7 @@
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/frame.h"
+#include "state/raster_draw/frames/frame.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/report/capture.h"
 #include "state/report/statistics.h"

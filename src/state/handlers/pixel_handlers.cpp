@@ -13,7 +13,7 @@
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/frame.h"
+#include "state/raster_draw/frames/frame.h"
 #include "state/share/depth_images.h"
 
 namespace arbiter::state::handlers {

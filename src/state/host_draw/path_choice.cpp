@@ -145,7 +145,7 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
 bool mayWait(Context &context, const ProgramPair &pair) {
   if (pair.fragment)
     software::engage(context);
-  return context.softwarePossible && context.software->backOff.engaged() &&
+  return context.softwarePossible && context.software->history.backOff.engaged() &&
          (!pair.vertex || drawsVerticesByAssembly(context));
 }
 

@@ -42,7 +42,9 @@ void engage(Context &context) {
   context.software = std::make_unique<ContextState>(context);
   context.software->forced = settings().backend == Backend::Swrast;
   context.software->steady = context.software->forced || debugFlag(DebugFlag::Steady);
-  context.software->backOff.setForced(context.software->steady);
+  if (!context.software->steady)
+    context.software->history = historyOfProcess();
+  context.software->history.backOff.setForced(context.software->steady);
   context.dirty = dirty::kAll;
   context.softwarePossible = context.softwareListens = true;
   context.software->residency.enter(context.drawable);

@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "state/mirror/mirror.h"
-#include "state/raster_draw/back_off.h"
 #include "state/raster_draw/fallback.h"
-#include "state/raster_draw/frame_trials.h"
+#include "state/raster_draw/frames/frame_history.h"
 #include "state/raster_draw/immediate/recorder.h"
 #include "state/residency/residency.h"
 #include "swrast/queue/draw_queue.h"
@@ -40,19 +39,16 @@ struct ContextState {
   std::unique_ptr<Pipeline, void (*)(Pipeline *)> pipeline{nullptr, nullptr};
   /// The next draw looks at all state anew.
   void forgetPipeline() { pipeline.reset(); }
-  BackOff backOff;
+  FrameHistory history;
   bool forced = false; ///< ARBITER_BACKEND=swrast: depths too, whoever draws beside it
   bool steady = false; ///< that, or ARBITER_DEBUG=steady: wait for machine code, never back off
   /// Turns of the host in this frame that draw what the rasterizer cannot. Depths of two
   /// rasterizers are not equal to the bit, and passes that compare them for equality meet only if
   /// one of the two draws all: mayTestDepth().
   std::uint64_t hostTurns = 0;
-  FrameTrials trials;
-  bool wholeFrames = false; ///< the last frames had none, as many as `trials` asks for
   /// The host drew something in this frame of which it is not known whether the rasterizer lacks
   /// it, as the engine or a program is still being made.
   bool unjudged = false;
-  int unjudgedFrames = 0;    ///< in a row
   bool observed = false;     ///< a client looks at this frame, which says nothing for that reason
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
@@ -71,12 +67,12 @@ struct ContextState {
   /// waits for machine code. An application that makes programs in each frame would never be
   /// judged.
   [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
-    return unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
+    return history.unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
   }
   static constexpr int kMostUnjudged = 2, kMostUnjudgedPlain = 20;
   /// Whether the rasterizer may test depth or stencil now.
   [[nodiscard]] bool mayTestDepth() const {
-    return forced || (wholeFrames && !hostDrew && hostTurns == 0);
+    return forced || (history.wholeFrames && !hostDrew && hostTurns == 0);
   }
   std::uint64_t workSeen = 0;        ///< draws, at the end of the last frame
   bool presents = false;             ///< a window was shown

@@ -36,7 +36,7 @@ namespace {
   }
   if (!context.software->residency.syncWithNeighbours())
     return Fallback::Shared;
-  if (!context.software->backOff.engaged())
+  if (!context.software->history.backOff.engaged())
     return Fallback::BackedOff;
   return {};
 }

@@ -17,7 +17,7 @@ void Figures::add(const Context &context) {
   drawn += context.software->drawn;
   for (std::size_t i = 0; i < fallbacks.size(); ++i)
     fallbacks[i] += context.software->fallbacks[i];
-  const BackOff::Statistics &backOff = context.software->backOff.statistics();
+  const BackOff::Statistics &backOff = context.software->history.backOff.statistics();
   trials += backOff.trials;
   framesBackedOff += backOff.framesBackedOff;
   const ResidencyStatistics &moved = context.software->residency.statistics();

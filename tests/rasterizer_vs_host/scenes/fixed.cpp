@@ -3,6 +3,7 @@
 // coordinates, fog, depth, stencil, blending, alpha, scissors, clip planes, primitives between
 // Begin and End, from arrays and from display lists. Pictures are written as records; run_fixed.py
 // compares them.
+#include <algorithm>
 #include <cstdlib>
 
 #include "surface.h"
@@ -144,7 +145,12 @@ private:
     }
     const float specular[4] = {unit(), unit(), unit(), 1};
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, specular);
-    glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, float(m_random.below(16)));
+    shininess(GL_FRONT_AND_BACK, m_random);
+  }
+
+  /// Never 0: Mesa 22.3.6 attenuates such a highlight by too much, where n^0 is 1 (OpenGL 1.4, 2.13.1).
+  static void shininess(GLenum face, Random &random) {
+    glMateriali(face, GL_SHININESS, std::max(random.below(16), 1));
   }
 
   void environment() {
@@ -250,7 +256,7 @@ private:
     glMaterialfv(GL_FRONT_AND_BACK, m_materials.once(2) ? GL_DIFFUSE : GL_AMBIENT_AND_DIFFUSE,
                  color);
     if (m_materials.once(2))
-      glMateriali(GL_FRONT, GL_SHININESS, m_materials.below(16));
+      shininess(GL_FRONT, m_materials);
   }
 
   Random m_random;

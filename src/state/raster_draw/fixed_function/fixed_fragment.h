@@ -2,13 +2,12 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 
 #include <GL/gl.h>
 
-#include "fp_compiler/abi.h"
 #include "fp_compiler/fixed_function.h"
 #include "state/mirror/mirror.h"
+#include "state/raster_draw/fixed_function/fixed_programs.h"
 #include "state/raster_draw/outcome.h"
 
 /// Fixed-function fragments (OpenGL 1.4, sections 3.8.13 to 3.10: texture environments, colour sum,
@@ -65,10 +64,7 @@ private:
   Outcome ask(Context &context);
   Outcome completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key);
 
-  struct Hash {
-    std::size_t operator()(const FixedFragmentKey &key) const { return abi::hashOf(key); }
-  };
-  std::unordered_map<FixedFragmentKey, std::shared_ptr<const fp::ir::Program>, Hash> m_programs;
+  FixedPrograms<FixedFragmentKey> m_programs;
   FixedFragmentKey m_state; ///< as asked: units' kinds are not known yet
   Outcome m_outcome;
   std::uint64_t m_seen = 0;

@@ -176,10 +176,7 @@ std::shared_ptr<const fp::ir::Program> FixedFragments::get(Context &context, Mir
     outcome = completeUnits(context, mirror, key);
   if (!outcome.ok())
     return nullptr;
-  std::shared_ptr<const fp::ir::Program> &program = m_programs[key];
-  if (!program)
-    program = std::make_shared<const fp::ir::Program>(makeFixedFragmentProgram(key));
-  return program;
+  return m_programs.get(key, makeFixedFragmentProgram);
 }
 
 } // namespace arbiter::state::software

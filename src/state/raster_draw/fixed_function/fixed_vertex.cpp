@@ -253,14 +253,10 @@ const std::shared_ptr<const fp::ir::Program> &FixedVertexPrograms::get(const Ver
                                                                        const VertexNeeds &needs) {
   if (m_last && m_lastVersion == state.version && m_lastNeeds == needs) [[likely]]
     return *m_last;
-  const FixedVertexKey key = fixedVertexKey(state, needs);
-  auto &program = m_programs[key];
-  if (!program)
-    program = std::make_shared<const fp::ir::Program>(makeFixedVertexProgram(key));
-  m_last = &program; // an unordered_map's values stay where they are
+  m_last = &m_programs.get(fixedVertexKey(state, needs), makeFixedVertexProgram);
   m_lastVersion = state.version;
   m_lastNeeds = needs;
-  return program;
+  return *m_last;
 }
 
 } // namespace arbiter::state::software

@@ -6,9 +6,9 @@
 #include <memory>
 #include <unordered_map>
 
-#include "fp_compiler/abi.h"
 #include "fp_compiler/ir/interface.h"
 #include "state/mirror/mirror.h"
+#include "state/raster_draw/fixed_function/fixed_programs.h"
 
 /// Fixed-function vertex processing (OpenGL 1.4, chapter 2) as programs of Language::ArbVertex, one
 /// for each state that differs in code.
@@ -82,7 +82,7 @@ private:
   std::size_t m_sweepAt = 64;
 };
 
-/// The programs made, by key. Never removed: there are few.
+/// The programs made, and the choice among them.
 class FixedVertexPrograms {
 public:
   /// For mirror.vertex as it is now; a few compares where neither it nor the needs have changed.
@@ -90,10 +90,7 @@ public:
                                                                   const VertexNeeds &needs);
 
 private:
-  struct Hash {
-    std::size_t operator()(const FixedVertexKey &key) const { return abi::hashOf(key); }
-  };
-  std::unordered_map<FixedVertexKey, std::shared_ptr<const fp::ir::Program>, Hash> m_programs;
+  FixedPrograms<FixedVertexKey> m_programs;
   const std::shared_ptr<const fp::ir::Program> *m_last = nullptr;
   std::uint32_t m_lastVersion = 0;
   VertexNeeds m_lastNeeds;

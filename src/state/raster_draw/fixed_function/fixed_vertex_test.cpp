@@ -388,6 +388,8 @@ TEST(FixedVertex, ProgramsAreFoundAgain) {
   state.lighting = false;
   ++state.version;
   EXPECT_EQ(programs.get(state, needs), first);
+  FixedVertexPrograms ofAnotherContext;
+  EXPECT_EQ(ofAnotherContext.get(state, needs), first) << "machine code is found by the program";
 }
 
 } // namespace

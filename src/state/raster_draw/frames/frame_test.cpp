@@ -1,5 +1,5 @@
 // Where frames end, and which of them the rasterizer drew as a whole.
-#include "state/raster_draw/frame.h"
+#include "state/raster_draw/frames/frame.h"
 
 #include <gtest/gtest.h>
 
@@ -51,13 +51,13 @@ private:
 TEST_F(Frame, ClearingTheSameTargetAgainEndsOne) {
   clear(kBoth);
   drawn();
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
   clear(kBoth);
-  EXPECT_TRUE(state().wholeFrames);
+  EXPECT_TRUE(state().history.wholeFrames);
   drawn();
   drawnByHost();
   clear(kBoth);
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
 }
 
 TEST_F(Frame, PartsOfClearsEndNone) {
@@ -75,9 +75,9 @@ TEST_F(Frame, PartsOfClearsEndNone) {
   gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   clear(kBoth);
   gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
   clear(kBoth);
-  EXPECT_TRUE(state().wholeFrames);
+  EXPECT_TRUE(state().history.wholeFrames);
 }
 
 TEST_F(Frame, AnotherTargetIsAPassOfTheSameFrame) {
@@ -101,28 +101,28 @@ TEST_F(Frame, AnotherTargetIsAPassOfTheSameFrame) {
   for (int i = 0; i < 3; ++i) {
     drawn();
     clear(kBoth);
-    EXPECT_FALSE(state().wholeFrames) << "the host's turn was in this frame";
+    EXPECT_FALSE(state().history.wholeFrames) << "the host's turn was in this frame";
   }
   gl().BindFramebufferEXT(GL_FRAMEBUFFER, 0);
   clear(kBoth);
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
   drawn();
   clear(kBoth);
-  EXPECT_TRUE(state().wholeFrames);
+  EXPECT_TRUE(state().history.wholeFrames);
 }
 
 TEST_F(Frame, ThoseOfFinishAndOfWindowsEndThereAlone) {
   clear(kBoth);
   drawn();
   finishFrame(context());
-  EXPECT_TRUE(state().wholeFrames);
+  EXPECT_TRUE(state().history.wholeFrames);
   drawnByHost();
   clear(kBoth);
   drawn();
   clear(kBoth);
   drawn();
   finishFrame(context());
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
 }
 
 // While machine code is made nothing is known of what the host draws in its place.
@@ -133,34 +133,36 @@ TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
     finishFrame(context());
   };
   frame(true);
-  EXPECT_FALSE(state().wholeFrames) << "what the host drew may be what the rasterizer lacks";
+  EXPECT_FALSE(state().history.wholeFrames)
+      << "what the host drew may be what the rasterizer lacks";
   frame(false);
-  EXPECT_TRUE(state().wholeFrames);
+  EXPECT_TRUE(state().history.wholeFrames);
   frame(true);
-  EXPECT_TRUE(state().wholeFrames) << "nor does it end a row of whole ones";
+  EXPECT_TRUE(state().history.wholeFrames) << "nor does it end a row of whole ones";
   state().unjudged = true;
   drawnByHost();
   finishFrame(context());
-  EXPECT_FALSE(state().wholeFrames) << "a turn of the host's is one, whatever else was drawn";
+  EXPECT_FALSE(state().history.wholeFrames)
+      << "a turn of the host's is one, whatever else was drawn";
 }
 
 // A client of control looked at it: all of its draws were the host's.
 TEST_F(Frame, WhatWasObservedSaysNothing) {
   drawnWithDepths();
   finishFrame(context());
-  ASSERT_TRUE(state().wholeFrames);
+  ASSERT_TRUE(state().history.wholeFrames);
   for (int i = 0; i < 3; ++i) {
     state().fellBack(Fallback::Observed);
     state().observed = true;
     drawnByHost(); // a list
     finishFrame(context());
-    EXPECT_TRUE(state().wholeFrames);
+    EXPECT_TRUE(state().history.wholeFrames);
     EXPECT_TRUE(state().mayTestDepth()) << "the frame behind it is drawn as those before";
     EXPECT_FALSE(state().observed);
   }
   drawnByHost();
   finishFrame(context());
-  EXPECT_FALSE(state().wholeFrames) << "the next one is judged again";
+  EXPECT_FALSE(state().history.wholeFrames) << "the next one is judged again";
 }
 
 TEST_F(Frame, NotEachOfAnApplicationsFramesGoesUnjudged) {
@@ -181,7 +183,7 @@ TEST_F(Frame, TrialsThatFailBecomeRare) {
   int tried = 0, turns = 0;
   bool before = false;
   for (int i = 0; i < 400; ++i) {
-    const bool now = state().wholeFrames;
+    const bool now = state().history.wholeFrames;
     tried += now;
     turns += now && before;
     before = now;
@@ -200,7 +202,7 @@ TEST_F(Frame, TrialsThatFailBecomeRare) {
 
 TEST_F(Frame, TrialsThatHoldForgetThoseThatFailed) {
   const auto frame = [&](bool fails) {
-    if (state().wholeFrames)
+    if (state().history.wholeFrames)
       drawnWithDepths();
     else
       state().fellBack(Fallback::Mixed);
@@ -211,27 +213,46 @@ TEST_F(Frame, TrialsThatHoldForgetThoseThatFailed) {
   // After each failure twice as many frames, the failed one and those before it not counted.
   for (int needed = 1; needed <= 8; needed *= 2) {
     for (int i = 0; i < needed; ++i) {
-      EXPECT_FALSE(state().wholeFrames) << needed;
+      EXPECT_FALSE(state().history.wholeFrames) << needed;
       frame(false);
     }
-    EXPECT_TRUE(state().wholeFrames) << needed;
+    EXPECT_TRUE(state().history.wholeFrames) << needed;
     frame(true);
   }
   for (int i = 0; i < 16 + 4; ++i)
     frame(false);
   frame(true);
   frame(false);
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
   frame(false);
-  EXPECT_TRUE(state().wholeFrames);
+  EXPECT_TRUE(state().history.wholeFrames);
 }
 
 TEST_F(Frame, WithoutADrawItSaysNothing) {
   drawnByHost();
   finishFrame(context());
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
   finishFrame(context());
-  EXPECT_FALSE(state().wholeFrames);
+  EXPECT_FALSE(state().history.wholeFrames);
+}
+
+TEST_F(Frame, AContextBeginsWithWhatTheLastOneLearnt) {
+  const auto frame = [&](bool whole) {
+    clear(kBoth);
+    drawn();
+    if (!whole)
+      drawnByHost();
+    clear(kBoth);
+  };
+  frame(false);
+  EXPECT_FALSE(historyOfProcess().wholeFrames);
+  frame(true);
+  EXPECT_TRUE(historyOfProcess().wholeFrames);
+  clear(kBoth);
+  EXPECT_TRUE(historyOfProcess().wholeFrames) << "a frame without a draw says nothing";
+  state().steady = true;
+  frame(false);
+  EXPECT_TRUE(historyOfProcess().wholeFrames) << "nor one whose rasterizer is not chosen by it";
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "state/raster_draw/back_off.h"
+#include "state/raster_draw/frames/back_off.h"
 
 #include <gtest/gtest.h>
 

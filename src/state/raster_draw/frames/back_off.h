@@ -35,6 +35,8 @@ public:
            lastHostMilliseconds = 0; ///< a frame's median in the last trial
   };
   [[nodiscard]] const Statistics &statistics() const { return m_statistics; }
+  /// Of a copy, whose frames are counted anew.
+  void forgetStatistics() { m_statistics = {}; }
 
 private:
   static constexpr int kTrialFrames = 7;   ///< each way

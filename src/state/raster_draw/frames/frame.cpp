@@ -1,4 +1,4 @@
-#include "state/raster_draw/frame.h"
+#include "state/raster_draw/frames/frame.h"
 
 #include <numeric>
 
@@ -25,7 +25,7 @@ void passOver(ContextState &state) {
   state.unjudged = state.observed = state.hostDrew = state.depthsTested = false;
   state.hostTurns = 0;
   state.workSeen = workOf(state);
-  state.backOff.frameIgnored(std::chrono::steady_clock::now());
+  state.history.backOff.frameIgnored(std::chrono::steady_clock::now());
 }
 
 void judge(Context &context, bool moved) {
@@ -34,17 +34,21 @@ void judge(Context &context, bool moved) {
     return passOver(state);
   const bool plain = state.drawsPlain && !state.hostDrew && state.hostTurns == 0;
   // A frame in which nothing was drawn says nothing about the next one.
-  if (workOf(state) != state.workSeen) {
+  const bool drew = workOf(state) != state.workSeen;
+  if (drew) {
     // Nor does one that the host drew before anything could be said of it.
     if (state.hostTurns != 0 || !state.unjudged)
-      state.wholeFrames = state.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
-    state.unjudgedFrames = state.unjudged ? state.unjudgedFrames + 1 : 0;
+      state.history.wholeFrames =
+          state.history.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
+    state.history.unjudgedFrames = state.unjudged ? state.history.unjudgedFrames + 1 : 0;
     state.unjudged = false;
     state.hostTurns = 0;
     state.workSeen = workOf(state);
   }
   state.hostDrew = state.depthsTested = false;
-  state.backOff.frameEnded({moved, plain}, std::chrono::steady_clock::now());
+  state.history.backOff.frameEnded({moved, plain}, std::chrono::steady_clock::now());
+  if (drew && !state.steady)
+    keepHistory(state.history);
 }
 
 void endFrame(Context &context) {

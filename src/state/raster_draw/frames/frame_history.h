@@ -1,0 +1,24 @@
+#pragma once
+#include "state/raster_draw/frames/back_off.h"
+#include "state/raster_draw/frames/frame_trials.h"
+
+namespace arbiter::state::software {
+
+/// What a context has learnt of its frames, by which the next one is begun.
+struct FrameHistory {
+  BackOff backOff;
+  FrameTrials trials;
+  bool wholeFrames =
+      false;              ///< the last frames had no turn of the host, as many as `trials` asks for
+  int unjudgedFrames = 0; ///< in a row
+};
+
+/// The history that a context begins with: that of the context of this process whose frame ended
+/// last, or an empty one. Applications that make a context for each view, document or even frame
+/// would never be drawn by what their frames are; an application of several kinds of contexts has
+/// one frame of each judged by another's.
+[[nodiscard]] FrameHistory historyOfProcess();
+/// At the end of a frame. Does nothing while another thread is in one of these two.
+void keepHistory(const FrameHistory &history);
+
+} // namespace arbiter::state::software
