@@ -20,6 +20,14 @@ void addRectangle(ImmediateRecorder &to, GLfloat x1, GLfloat y1, GLfloat x2, GLf
   to.vertex(x1, y2, 0, 1);
 }
 
+/// A POLYGON by section 2.10, whose flat colour is its first vertex's. Smooth ones are cut in two
+/// where the host cuts them, which draws QUADS.
+GLenum rectangleMode(Context &context) {
+  Mirror &mirror = context.software->mirror;
+  mirror.refresh(context.dirty);
+  return mirror.raster.flatShade ? GL_POLYGON : GL_QUADS;
+}
+
 } // namespace
 
 bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
@@ -28,7 +36,7 @@ bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat 
     context.list->endPrimitive(context);
     return true;
   }
-  if (!isCandidate(context) || !beginPrimitive(context, GL_POLYGON))
+  if (!isCandidate(context) || !beginPrimitive(context, rectangleMode(context)))
     return false;
   addRectangle(context.software->recorder, x1, y1, x2, y2);
   endPrimitive(context);

@@ -98,11 +98,7 @@ private:
     case 3:
       return generated();
     case 4:
-      set(GL_FOG, m_random.once(2));
-      glFogi(GL_FOG_MODE, GL_LINEAR);
-      glFogf(GL_FOG_START, unit());
-      glFogf(GL_FOG_END, 1.5f + unit());
-      return;
+      return fog();
     case 5:
       set(GL_DEPTH_TEST, m_random.once(2));
       return glDepthFunc(m_random.once(2) ? GL_LEQUAL : GL_GREATER);
@@ -129,6 +125,15 @@ private:
     }
   }
 
+  void fog() {
+    set(GL_FOG, m_random.once(2));
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    constexpr GLint kDistances[] = {GL_EYE_RADIAL_NV, GL_EYE_PLANE, GL_EYE_PLANE_ABSOLUTE_NV};
+    glFogi(GL_FOG_DISTANCE_MODE_NV, m_random.pick(kDistances));
+    glFogf(GL_FOG_START, unit());
+    glFogf(GL_FOG_END, 1.5f + unit());
+  }
+
   void lighting() {
     set(GL_LIGHTING, !m_random.once(3));
     set(GL_COLOR_MATERIAL, m_random.once(2));
@@ -148,7 +153,8 @@ private:
     shininess(GL_FRONT_AND_BACK, m_random);
   }
 
-  /// Never 0: Mesa 22.3.6 attenuates such a highlight by too much, where n^0 is 1 (OpenGL 1.4, 2.13.1).
+  /// Never 0: Mesa 22.3.6 attenuates such a highlight by too much, where n^0 is 1
+  /// (OpenGL 1.4, 2.13.1).
   static void shininess(GLenum face, Random &random) {
     glMateriali(face, GL_SHININESS, std::max(random.below(16), 1));
   }
