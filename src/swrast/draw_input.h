@@ -84,8 +84,10 @@ struct RasterState {
   std::uint16_t lineStipple = 0xFFFF;
   std::int32_t lineStippleFactor = 0; ///< 0: off
   const std::uint8_t *polygonStipple =
-      nullptr;                 ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
-  bool secondDiagonal = false; ///< quads are cut from their second corner to the fourth
+      nullptr; ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
+  /// Quads are cut from their second corner to the fourth: so do hosts where they come from a list,
+  /// and where the provoking vertex counts, as the fourth one then is in both triangles.
+  bool secondDiagonal = false;
   /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
   /// 0: roundings and ties then fall as the host's do.
   std::int32_t upsideDownHeight = 0;

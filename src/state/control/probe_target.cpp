@@ -5,6 +5,7 @@
 #include "state/control/host_pixels.h"
 #include "state/core/context.h"
 #include "state/core/host_errors.h"
+#include "state/core/texture_binding.h"
 
 namespace arbiter::state::remote {
 
@@ -68,13 +69,12 @@ bool ProbeTarget::hasStencil() const { return stencilIsIn(m_depthFormat); }
 
 /// An image of no content under a name of the layer's; what is bound stays.
 void ProbeTarget::image(std::size_t index, int width, int height, GLenum format) {
-  const GLint before = get(m_host, GL_TEXTURE_BINDING_2D);
-  m_host.BindTexture(GL_TEXTURE_2D, m_firstTexture + GLuint(index));
+  const TextureBinding bound(m_host, GL_TEXTURE_2D, m_firstTexture + GLuint(index),
+                             sharingOf(m_context));
   const Layout layout = layoutOf(format);
   m_host.TexImage2D(GL_TEXTURE_2D, 0, GLint(format), width, height, 0, layout.components,
                     layout.type, nullptr);
   m_host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  m_host.BindTexture(GL_TEXTURE_2D, GLuint(before));
 }
 
 bool ProbeTarget::attach(std::size_t colors, const Region &region, GLenum depthFormat) {
@@ -148,13 +148,11 @@ bool textureSize(Context &context, const host::HostTable &host, GLuint name, GLi
     if (target.target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
       continue;
     HostErrorScope errors(host, context.pendingError);
-    const GLint before = get(host, target.query);
-    host.BindTexture(target.target, name);
+    const TextureBinding bound(host, target.target, name, sharingOf(context));
     if (errors.failed())
       continue;
     host.GetTexLevelParameteriv(target.image, level, GL_TEXTURE_WIDTH, &width);
     host.GetTexLevelParameteriv(target.image, level, GL_TEXTURE_HEIGHT, &height);
-    host.BindTexture(target.target, GLuint(before));
     return width > 0 && height > 0;
   }
   return false;

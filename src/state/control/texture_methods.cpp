@@ -1,10 +1,13 @@
 // texture.*: what is bound to the units where the frame ends.
 #include <algorithm>
+#include <optional>
 
 #include "control/base64.h"
 #include "host/host_table.h"
 #include "state/control/methods.h"
 #include "state/core/context.h"
+#include "state/core/host_integer.h"
+#include "state/core/texture_binding.h"
 #include "state/core/unit_scope.h"
 #include "state/report/format_name.h"
 #include "state/share/share_group.h"
@@ -81,10 +84,10 @@ bool holdsBytes(Context &context, const BoundTexture &texture) {
   return compressed == 0;
 }
 
-/// Binds the texture to unit 0 where no unit has it, and puts that binding back.
+/// Binds the texture where no unit has it, and puts that binding back.
 class Rebound {
 public:
-  Rebound(Context &context, BoundTexture &texture) : m_host(*context.host) {
+  Rebound(Context &context, BoundTexture &texture) {
     const auto bound = boundTextures(context);
     const auto found = std::find_if(bound.begin(), bound.end(), [&](const BoundTexture &other) {
       return other.name == texture.name && other.target == texture.target;
@@ -93,25 +96,15 @@ public:
       texture.unit = found->unit;
       return;
     }
-    texture.unit = 0;
-    m_target = textureTargets()[texture.target].target;
-    const UnitScope unit(m_host, 0);
-    m_host.GetIntegerv(textureTargets()[texture.target].query, &m_before);
-    m_host.BindTexture(m_target, GLuint(texture.name));
-  }
-  ~Rebound() {
-    if (m_target == 0)
-      return;
-    const UnitScope unit(m_host, 0);
-    m_host.BindTexture(m_target, GLuint(m_before));
+    m_bound.emplace(*context.host, textureTargets()[texture.target].target, GLuint(texture.name),
+                    sharingOf(context));
+    texture.unit = GLuint(hostInteger(*context.host, GL_ACTIVE_TEXTURE)) - GL_TEXTURE0;
   }
   Rebound(const Rebound &) = delete;
   Rebound &operator=(const Rebound &) = delete;
 
 private:
-  const host::HostTable &m_host;
-  GLenum m_target = 0;
-  GLint m_before = 0;
+  std::optional<TextureBinding> m_bound;
 };
 
 /// The application's image again, unless the application has given the texture another since.

@@ -12,7 +12,7 @@
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 #include "state/core/context.h"
-#include "state/core/unit_scope.h"
+#include "state/core/texture_binding.h"
 #include "state/hud/hud_text.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
@@ -105,12 +105,9 @@ bool write(const swrast::Image &image, const Picture &picture) {
 void upload(Context &context, const Picture &picture) {
   const host::HostTable &host = *context.host;
   const PlainTransfer plain(context, PixelStore::Unpack);
-  const UnitScope unit(host, 0);
-  const GLint before = get(host, GL_TEXTURE_BINDING_2D);
-  host.BindTexture(GL_TEXTURE_2D, kOurTexture);
+  const TextureBinding bound(host, GL_TEXTURE_2D, kOurTexture, sharingOf(context));
   host.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA,
                   GL_UNSIGNED_BYTE, picture.bytes.data());
-  host.BindTexture(GL_TEXTURE_2D, GLuint(before));
 }
 
 /// The window's back buffer is what is drawn to, while it lives.

@@ -7,6 +7,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/host_integer.h"
+#include "state/core/texture_binding.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 
@@ -18,19 +19,13 @@ namespace {
 /// not have the memory for them.
 constexpr std::size_t kMostPixels = std::size_t(1) << 26;
 
-/// A texture of the layer's own, bound to the active unit as long as this lives.
+/// A texture of the layer's own, bound as long as this lives.
 class Scratch {
 public:
   Scratch(const Context &context, bool deep)
       : m_host(*context.host), m_target(deep ? GL_TEXTURE_3D : GL_TEXTURE_2D),
-        m_bound(hostInteger(*context.host, deep ? GL_TEXTURE_BINDING_3D : GL_TEXTURE_BINDING_2D)) {
-    m_host.GenTextures(1, &m_name);
-    m_host.BindTexture(m_target, m_name);
-  }
-  ~Scratch() {
-    m_host.BindTexture(m_target, GLuint(m_bound));
-    m_host.DeleteTextures(1, &m_name);
-  }
+        m_name(newName(m_host)), m_bound(m_host, m_target, m_name, sharingOf(context)) {}
+  ~Scratch() { m_host.DeleteTextures(1, &m_name); }
   Scratch(const Scratch &) = delete;
   Scratch &operator=(const Scratch &) = delete;
 
@@ -47,10 +42,15 @@ public:
   }
 
 private:
+  static GLuint newName(const host::HostTable &host) {
+    GLuint name = 0;
+    host.GenTextures(1, &name);
+    return name;
+  }
   const host::HostTable &m_host;
   GLenum m_target;
-  GLint m_bound;
-  GLuint m_name = 0;
+  GLuint m_name;
+  TextureBinding m_bound;
 };
 
 /// Runs `function` where the host compiles nothing.

@@ -211,13 +211,22 @@ Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::
   return {};
 }
 
+namespace {
+
+bool hasFlatInput(const swrast::Shading &shading) {
+  const auto *const end = shading.interpolation + shading.inputCount;
+  return std::find(shading.interpolation, end, abi::Interpolation::Flat) != end;
+}
+
+} // namespace
+
 Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
                             std::uint32_t count, bool affine, swrast::Topology topology) {
   const swrast::Shading *shading = nullptr;
   if (const Outcome outcome = readyPixels(context, indices, count, affine, topology, shading);
       !outcome.ok())
     return outcome;
-  m_raster.secondDiagonal = source.fromList;
+  m_raster.secondDiagonal = source.fromList || (m_raster.flatShade && hasFlatInput(*shading));
   swrast::DrawQueue &draws = context.software->draws;
   if (draws.add(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0, count,
                 m_use))

@@ -62,32 +62,10 @@ const PixelModes &pixelModes(ResidentImages &images) {
   return modes;
 }
 
-// --- TextureBinding ---
-
-TextureBinding::TextureBinding(const ResidentImages &images, GLenum target, GLuint name)
-    : m_host(*images.hot.host), m_target(target) {
-  const GLenum binding =
-      target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_BINDING_CUBE_MAP) : bindingOf(target);
-  m_host.GetIntegerv(binding, &m_previous);
-  if (!isNamedAsBound(images, GLuint(m_previous))) {
-    m_host.GetIntegerv(GL_ACTIVE_TEXTURE, &m_unit);
-    for (GLint unit = get(m_host, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS); unit-- > 0;) {
-      m_host.ActiveTexture(GLenum(GL_TEXTURE0 + unit));
-      m_host.GetIntegerv(binding, &m_previous);
-      if (isNamedAsBound(images, GLuint(m_previous)))
-        break;
-    }
-  }
-  m_changed = GLuint(m_previous) != name;
-  if (m_changed)
-    m_host.BindTexture(m_target, name);
-}
-
-TextureBinding::~TextureBinding() {
-  if (m_changed)
-    m_host.BindTexture(m_target, GLuint(m_previous));
-  if (m_unit != 0)
-    m_host.ActiveTexture(GLenum(m_unit));
+TextureBinding bindTexture(const ResidentImages &images, GLenum target, GLuint name) {
+  const bool others =
+      images.groupContexts.load(std::memory_order_relaxed) > 1 || !images.deletedNames.none();
+  return {*images.hot.host, target, name, {others, others && !isNamedAsBound(images, name)}};
 }
 
 // --- PlainPixels ---

@@ -11,23 +11,8 @@
 /// For the files of residency*.cpp only.
 namespace arbiter::state::software {
 
-/// A texture bound to its target: on the unit that is active, or on another where what is bound
-/// there had its name taken away by another context. Bound by that name again it would be another
-/// object.
-class TextureBinding {
-public:
-  TextureBinding(const ResidentImages &images, GLenum target, GLuint name);
-  ~TextureBinding();
-  TextureBinding(const TextureBinding &) = delete;
-  TextureBinding &operator=(const TextureBinding &) = delete;
-
-private:
-  const host::HostTable &m_host;
-  GLenum m_target;
-  GLint m_previous = 0;
-  GLint m_unit = 0; ///< that was active; 0: still is
-  bool m_changed = false;
-};
+/// A texture of the application's or of the layer's, bound while the answer lives.
+[[nodiscard]] TextureBinding bindTexture(const ResidentImages &images, GLenum target, GLuint name);
 
 /// Plain pixel store and transfer in one direction: rows of `rowLength` pixels, no buffer.
 class PlainPixels {

@@ -137,7 +137,7 @@ GLenum findTarget(ResidentImages &images, Texture &texture) {
   // that changes nothing.
   for (const GLenum target :
        {GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D, GL_TEXTURE_1D}) {
-    const TextureBinding binding(images, target, texture.name);
+    const TextureBinding binding = bindTexture(images, target, texture.name);
     GLint bound = 0;
     host.GetIntegerv(bindingOf(target == GL_TEXTURE_CUBE_MAP
                                    ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X)
@@ -171,7 +171,7 @@ PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget
   }
   if (!isDescribed(images.objects, *image)) {
     HostErrorScope errors = errorScope(images);
-    const TextureBinding binding(images, target, texture.name);
+    const TextureBinding binding = bindTexture(images, target, texture.name);
     describeLevel(images, *image);
     if (images.textureViews.contains(texture.name)) {
       image->base = 0;
@@ -192,7 +192,7 @@ PixelImage *knownLevelOf(Texture &texture, GLenum imageTarget, GLint level) {
 
 bool isImmutable(ResidentImages &images, Texture &texture) {
   if (!texture.immutableKnown) {
-    const TextureBinding bound(images, texture.target, texture.name);
+    const TextureBinding bound = bindTexture(images, texture.target, texture.name);
     GLint immutable = 0;
     HostErrorScope errors = errorScope(images);
     images.hot.host->GetTexParameteriv(texture.target, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);

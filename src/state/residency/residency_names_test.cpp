@@ -1,5 +1,7 @@
 // Residency where another context of the share group deleted objects that this one has bound: they
 // live on here, without their names.
+#include "state/core/host_integer.h"
+#include "state/core/texture_binding.h"
 #include "state/residency/residency.h"
 #include "state/residency/testing/residency_scene.h"
 #include "state/share/share_group.h"
@@ -58,6 +60,37 @@ TEST_F(ResidencyOfNames, ATextureWithoutANameStaysBound) {
   EXPECT_EQ(unit, GL_TEXTURE0);
   gl().BindTexture(GL_TEXTURE_2D, feedback);
   EXPECT_EQ(hostTexel(3, 3, kWidth, kHeight), 0x10203040u);
+}
+
+TEST_F(ResidencyOfNames, ANameTakenAwayWhileTheLayerBindsAnotherIsNotBoundAnew) {
+  const GLuint another = texture(GL_RGBA8, 4, 4);
+  const GLuint bound = texture(GL_RGBA8, 8, 8);
+  context().group->contexts.fetch_add(1);
+  {
+    const TextureBinding binding(gl(), GL_TEXTURE_2D, another, sharingOf(context()));
+    EXPECT_EQ(boundWidth(), 4);
+    takeAway(Kind::Texture, bound);
+  }
+  EXPECT_EQ(boundTexture(), bound);
+  EXPECT_EQ(boundWidth(), 8);
+  EXPECT_EQ(hostInteger(gl(), GL_ACTIVE_TEXTURE), GL_TEXTURE0);
+  context().group->contexts.fetch_sub(1);
+}
+
+TEST_F(ResidencyOfNames, ANameTakenAwayWhileTheLayerBindsItIsStillTheObject) {
+  const GLuint drawn = texture(GL_RGBA8, 8, 8);
+  gl().ActiveTexture(GL_TEXTURE1);
+  (void)texture(GL_RGBA8, 4, 4);
+  context().group->contexts.fetch_add(1);
+  {
+    const TextureBinding binding(gl(), GL_TEXTURE_2D, drawn, sharingOf(context()));
+    EXPECT_EQ(hostInteger(gl(), GL_ACTIVE_TEXTURE), GL_TEXTURE0) << "where it is bound already";
+    takeAway(Kind::Texture, drawn);
+    EXPECT_EQ(boundWidth(), 8);
+  }
+  EXPECT_EQ(hostInteger(gl(), GL_ACTIVE_TEXTURE), GL_TEXTURE1);
+  EXPECT_EQ(boundWidth(), 4);
+  context().group->contexts.fetch_sub(1);
 }
 
 TEST_F(ResidencyOfNames, TexelsOfANameThatWasTakenAwayBeforeAreNotLost) {

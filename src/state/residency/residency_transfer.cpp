@@ -155,7 +155,8 @@ bool readTexture(ResidentImages &images, const PixelImage &image, const Image &t
   if (!textureExists(images, image.place.name))
     return false;
   const Rows rows = rowsOf(to);
-  const TextureBinding binding(images, textureTargetOf(image.place.target), image.place.name);
+  const TextureBinding binding =
+      bindTexture(images, textureTargetOf(image.place.target), image.place.name);
   if (!isAsDescribed(host, image))
     return false;
   const PlainPixels pixels(images, PlainPixels::Way::Pack, rows.rowLength, imageHeightOf(to));
@@ -264,7 +265,7 @@ void writeBuffer(ResidentImages &images, PixelImage &image) {
   if (from.empty())
     throw std::bad_alloc(); // the shadow stays the valid copy
   const GLint internalFormat = uploadFormat(image, gl);
-  const TextureBinding binding(images, GL_TEXTURE_2D, kOurTexture);
+  const TextureBinding binding = bindTexture(images, GL_TEXTURE_2D, kOurTexture);
   ObjectImages &objects = images.objects;
   const ObjectImages::Way way = {image.width, image.height, internalFormat};
   if (objects.way != way) {
@@ -335,7 +336,8 @@ void upload(ResidentImages &images, PixelImage &image) {
     const Image from = plain(image, false, gl);
     if (from.empty())
       throw std::bad_alloc();
-    const TextureBinding binding(images, textureTargetOf(image.place.target), image.place.name);
+    const TextureBinding binding =
+        bindTexture(images, textureTargetOf(image.place.target), image.place.name);
     if (!isAsDescribed(*images.hot.host, image))
       return;
     const MipmapsKept kept(images, image.place.target);

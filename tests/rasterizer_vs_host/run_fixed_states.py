@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""Draws of fixed function with every state of it by chance, on the bare host and under the layer, whose rasterizer
+draws them.
+
+  run_fixed_states.py --build build [--first SEED] [--count N] [--backend swrast]
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import sys
+
+import sides
+
+ROUNDING = 4  # of a texel's weight, a sum and a scale by 4
+ROUNDING_OF_LEVELS = 10  # the weights of two of them, whose logarithm llvmpipe approximates
+# Whose coordinate lies between two faces of a cube by its last bit.
+FEW_PIXELS = 2
+# llvmpipe calculates simple scenes with bytes, unless it is told not to: then both sides use floats.
+IN_FLOATS = {"LP_PERF": "no_rast_linear", "GALLIVM_PERF": "no_aos_sampling"}
+
+
+def judge(bare, layer):
+    lines = sides.differences([(what, b"") for what, _ in bare], [(what, b"") for what, _ in layer])
+    for (what, one), (_, other) in zip(bare, layer):
+        far, worst = sides.distances(one, other, ROUNDING_OF_LEVELS if "levels" in what else ROUNDING)
+        if far > FEW_PIXELS:
+            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
+    return lines
+
+
+def main():
+    args = sides.seeded_arguments(__doc__, 30)
+    bare, wrong, part = sides.compare(args, "rasterizer-fixed-states", judge, IN_FLOATS)
+    if not sides.mostly_ours(args, part, 20):
+        wrong.append("too many draws are the host's")
+    return sides.conclude(args, "seeds", bare, wrong, part)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
