@@ -267,7 +267,7 @@ private:
   void vertex(int x, int y) {
     glColor4fv(color());
     glSecondaryColor3f(part(), part(), part());
-    glFogCoordf(part(0, 16)); // of less than 0 Mesa takes the absolute value
+    glFogCoordf(part(-8, 16));
     glNormal3f(part(-8), part(-8), once(4) ? -1.0f : 1.0f);
     for (int unit = 0; unit < kUnits; ++unit) {
       // Rectangles have texels as coordinates.

@@ -175,7 +175,8 @@ private:
     if (!dotRgba)
       function(unit, key.alpha, result.mask("w"));
     const auto scale = [](const Combiner &half) { return float(half.scale); };
-    // Of DOT3_RGBA too (ARB_texture_env_dot3, issue 2).
+    // Of DOT3_RGBA too (ARB_texture_env_dot3, issue 2), as Mesa has it; NVIDIA scales its alpha as
+    // RGB.
     const float rgb = scale(key.color), alpha = scale(key.alpha);
     m_builder.op(Opcode::Mul, m_color.sat(),
                  {result.read(), m_builder.constant(rgb, rgb, rgb, alpha)});

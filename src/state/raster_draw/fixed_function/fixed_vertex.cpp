@@ -217,7 +217,8 @@ void FixedWriter::fogCoord() {
     break;
   }
   case FogFrom::Coordinate:
-    op(Opcode::Mov, to, {attribute(Kind::FogCoord).swz("x")});
+    // Of a coordinate below 0 the text has less fog than none; hosts have as much as of one above.
+    op(Opcode::Abs, to, {attribute(Kind::FogCoord).swz("x")});
   }
 }
 
