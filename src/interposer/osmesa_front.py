@@ -23,7 +23,8 @@ def find(compiler):
 
 
 def make(compiler, core, real, front):
-    base = [*compiler, "-shared", "-nostdlib", "-x", "c", os.devnull, "-x", "none"]
+    # Without code there is nothing for a debugger.
+    base = [*compiler, "-shared", "-Wl,-s", "-nostdlib", "-x", "c", os.devnull, "-x", "none"]
     with tempfile.TemporaryDirectory() as scratch:
         # The linker records the SONAME of what it links with: one that is the absolute path.
         stand_in = os.path.join(scratch, "real.so")

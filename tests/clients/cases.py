@@ -48,6 +48,8 @@ def all_cases():
         "RPATH": Client([c + "client_rpath"]),
         "absolute path": Client([c + "client_glx_dynamic", "absolute", system_gl()]),
         "EGL surfaceless": Client([c + "client_egl_direct", "surfaceless"]),
+        "EGL alone asked, X11": Client([c + "client_egl_every_function", "x11"], draws=4),
+        "EGL alone asked, surfaceless": Client([c + "client_egl_every_function", "surfaceless"], draws=4),
         "EGL device": Client([c + "client_egl_direct", "device"]),
         "handle reuse, GLX": Client([c + "client_reuse", "glx", "1000"], bare=False),
         "handle reuse, EGL": Client([c + "client_reuse", "egl", "1000"], bare=False),

@@ -1,5 +1,6 @@
 #include "util/record/live_record.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -172,12 +173,17 @@ LiveRecord *LiveRecord::make(const std::string &target, bool named) {
   const std::string path = target + "." + std::to_string(::getpid()) + kEnding;
   void *memory = mapFile(path.c_str(), kBytes);
   if (!memory && errno == EEXIST) {
-    // Of this number's earlier process, or program: this one may have been begun by exec().
-    // What it reports is newer than the beginning, by more than files' times are coarse.
+    // Of this number's earlier process, or program: this one may have been begun by exec(). What
+    // all of them report is newer than the first one's beginning: files' times are coarse by less
+    // than what is taken off here.
+    const std::int64_t earlier = beganAt(path);
     complete(path);
-    constexpr long kCoarse = 20'000'000;
-    began.tv_sec -= began.tv_nsec < kCoarse ? 1 : 0;
-    began.tv_nsec += began.tv_nsec < kCoarse ? 1'000'000'000 - kCoarse : -kCoarse;
+    constexpr std::int64_t kCoarse = 20'000'000, kSecond = 1'000'000'000;
+    std::int64_t since = began.tv_sec * kSecond + began.tv_nsec - kCoarse;
+    if (earlier != 0)
+      since = std::min(since, earlier);
+    began.tv_sec = time_t(since / kSecond);
+    began.tv_nsec = long(since % kSecond);
     ::unlink(path.c_str());
     memory = mapFile(path.c_str(), kBytes);
   }
