@@ -17,6 +17,7 @@
 #include "state/host_draw/sampler_override.h"
 #include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/variants/combiner_draw.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/host_draw/variants/texture_shader_draw.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
@@ -80,6 +81,8 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kDepth;
   if (mayFollowCombinedDepths(context) || mayFollowTextures(context))
     bits |= attention::kDepth;
+  if (mayFollowSprites(context))
+    bits |= attention::kSprites;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
       bits |= attention::kState;
@@ -222,7 +225,9 @@ bool validate(Context &context) {
   if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
   followTextureChanges(context);
+  followSprites(context);
   refreshEffective(context, HostPart::Now);
+  applySprites(context);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {
     LinkedProgram &linkedProgram = *context.linkedProgram;
