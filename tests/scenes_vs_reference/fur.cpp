@@ -240,8 +240,8 @@ constexpr char kArbVertices[] =
 
 constexpr char kArbFragments[] = "!!ARBfp1.0\n"
                                  "TEMP hair, light, color;\n"
-                                 "TEX hair, fragment.texcoord[0], texture[0], 2D;\n"
-                                 "TEX light, fragment.texcoord[1], texture[1], 2D;\n"
+                                 "TXP hair, fragment.texcoord[0], texture[0], 2D;\n"
+                                 "TXP light, fragment.texcoord[1], texture[1], 2D;\n"
                                  "MUL color.xyz, hair, light;\n"
                                  "MUL color.xyz, color, fragment.color;\n"
                                  "MAD result.color.xyz, light.w, fragment.color, color;\n"
