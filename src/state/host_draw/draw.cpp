@@ -128,7 +128,7 @@ void install(Context &context, HostPart part) {
     software::engage(context);
   if (!context.linkedProgram)
     return releaseHostState(context);
-  if (context.linkedProgram->fragment.compiled)
+  if (context.linkedProgram->fragment.compiled || settings().alwaysFixedFunction)
     software::engage(context);
   context.hostAssembly->apply(context, *context.linkedProgram);
   if (context.linkedProgram->hostProgram == 0)
