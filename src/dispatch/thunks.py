@@ -12,7 +12,8 @@ def handlers_header(table):
            "the\n/// thread's context; a missing one fails the link.\n",
            "namespace arbiter::state::handlers {\n\n",
            "/// Slow path of a draw: validates. False: the draw is dropped, its error raised.\n"
-           "bool beginDraw(Context &context);\n"
+           "/// \\param mode of its primitives; ~0 where it has none\n"
+           "bool beginDraw(Context &context, GLenum mode);\n"
            "/// The same of a command that shades fragments and transforms no vertex.\n"
            "bool beginPixels(Context &context);\n"
            "/// The same of RasterPos, which transforms a vertex and draws nothing.\n"
@@ -123,7 +124,11 @@ def thunks(table, command, action, symbol):
             begin = "beginPixels"
         elif action == "validate":
             flag, begin = "t->attention || t->stagesAreLinked", "beginRasterPos"
-        slow = f"  if (!handlers::{begin}(here()))\n    return{'' if result == 'void' else ' {}'};\n"
+        mode = ""
+        if action == "draw":
+            named = any(n == "mode" and t.strip() == "GLenum" for t, n, _ in command.params)
+            mode = ", mode" if named else ", ~0u"
+        slow = f"  if (!handlers::{begin}(here(){mode}))\n    return{'' if result == 'void' else ' {}'};\n"
     if name in IMAGED:
         flag += " || t->imagesPixels"
         slow = imaged(command) + slow

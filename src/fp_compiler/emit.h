@@ -58,6 +58,11 @@ struct GlslHost {
   /// A bit for each image unit that reads depths with DEPTH_TEXTURE_MODE ALPHA, for programs that
   /// are linked to a GLSL 1.30 text: beside it Mesa reads them as INTENSITY.
   std::uint32_t alphaDepths = 0;
+  /// Fragment programs, of points drawn as sprites: a bit for each texture coordinate that is
+  /// (s, t) over the point beside the vertex's r over q, or s over q with `spriteS`; the host does
+  /// not replace it.
+  std::uint8_t spriteUnits = 0;
+  bool spriteS = false;
   /// GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding: integers, and the bits of a float, which
   /// Numerics::Fp24 is written in.
   bool bitEncoding = true;

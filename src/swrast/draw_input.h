@@ -81,6 +81,9 @@ struct RasterState {
   /// Point sprites: bit i: input i is (s, t, 0, 1) over the point.
   std::uint32_t spriteInputs = 0;
   bool spriteOriginLowerLeft = false;
+  /// Their third component is the vertex's over q, of its s or r (NV_point_sprite); else 0.
+  enum class SpriteThird : std::uint8_t { Zero, S, R };
+  SpriteThird spriteThird = SpriteThird::Zero;
   std::uint16_t lineStipple = 0xFFFF;
   std::int32_t lineStippleFactor = 0; ///< 0: off
   const std::uint8_t *polygonStipple =

@@ -46,16 +46,18 @@ TEST_F(Era, AnnouncedAsTheProfileHasThem) {
   const char *const name = std::getenv("ARBITER_PROFILE");
   const std::string profile = name ? name : "r300";
   const bool nvidia = profile == "host" || profile == "nv40" || profile == "nv30";
-  for (const char *const extension : {"GL_NV_fence", "GL_NV_vertex_array_range",
-                                      "GL_NV_vertex_array_range2", "GL_NV_multisample_filter_hint",
-                                      "GL_SGIX_depth_texture", "GL_SGIX_shadow", "GL_ARB_imaging"})
+  for (const char *const extension :
+       {"GL_NV_fence", "GL_NV_vertex_array_range", "GL_NV_vertex_array_range2",
+        "GL_NV_multisample_filter_hint", "GL_SGIX_depth_texture", "GL_SGIX_shadow",
+        "GL_ARB_imaging", "GL_NV_point_sprite"})
     EXPECT_EQ(has(extension), nvidia) << extension;
   for (const char *const extension :
        {"GL_APPLE_fence", "GL_APPLE_vertex_array_range", "GL_APPLE_client_storage",
         "GL_APPLE_transform_hint", "GL_APPLE_float_pixels", "GL_APPLE_vertex_array_object",
         "GL_APPLE_texture_range"})
     EXPECT_EQ(has(extension), profile == "host") << extension;
-  for (const char *const extension : {"GL_ATIX_texture_env_combine3", "GL_EXT_vertex_shader"})
+  for (const char *const extension :
+       {"GL_ATIX_texture_env_combine3", "GL_EXT_vertex_shader", "GL_ATI_envmap_bumpmap"})
     EXPECT_EQ(has(extension), profile == "host" || profile == "r300") << extension;
 }
 

@@ -8,7 +8,7 @@ using ir::Opcode;
 using ir::Source;
 using ir::Target;
 
-constexpr int kArguments[] = {1, 2, 2, 2, 3, 2, 2, 2, 3, 3, 3, 4, 4};
+constexpr int kArguments[] = {1, 2, 2, 2, 3, 2, 2, 2, 3, 3, 3, 4, 4, 0};
 
 /// The colour goes from unit to unit in a temporary.
 class Writer {
@@ -194,16 +194,24 @@ private:
       return sum(to, a[0], a[1], a[2], a[3], false);
     case CombineFunction::AddSignedProducts:
       return sum(to, a[0], a[1], a[2], a[3], true);
+    case CombineFunction::BumpEnvmap:
+      return; // combine() passes it on
     }
   }
 
   void combine(int unit, const Environment &environment) {
     const Target result = m_builder.temporary();
     const bool dotRgba = environment.color.function == CombineFunction::Dot3Rgba;
-    function(unit, environment.color, dotRgba ? result : result.mask("xyz"));
+    if (environment.color.function != CombineFunction::BumpEnvmap)
+      function(unit, environment.color, dotRgba ? result : result.mask("xyz"));
     if (!dotRgba)
       function(unit, environment.alpha, result.mask("w"));
     const auto rgb = float(environment.color.scale);
+    if (environment.color.function == CombineFunction::BumpEnvmap) {
+      m_builder.op(Opcode::Mul, m_color.mask("w").sat(),
+                   {result.read(), m_builder.constant(float(environment.alpha.scale))});
+      return;
+    }
     const float alpha = dotRgba ? rgb : float(environment.alpha.scale);
     m_builder.op(Opcode::Mul, m_color.sat(),
                  {result.read(), m_builder.constant(rgb, rgb, rgb, alpha)});

@@ -12,7 +12,7 @@ namespace arbiter::fp::texture_shader {
 
 enum class EnvironmentMode : std::uint8_t { None, Replace, Modulate, Decal, Blend, Add, Combine };
 
-/// COMBINE_RGB and COMBINE_ALPHA; the last two are COMBINE4_NV's.
+/// COMBINE_RGB and COMBINE_ALPHA; those of products are COMBINE4_NV's.
 enum class CombineFunction : std::uint8_t {
   Replace,
   Modulate,
@@ -27,6 +27,7 @@ enum class CombineFunction : std::uint8_t {
   ModulateSubtract,
   AddProducts,
   AddSignedProducts,
+  BumpEnvmap, ///< ATI_envmap_bumpmap, of COMBINE_RGB: the colour is passed on
 };
 [[nodiscard]] int argumentsOf(CombineFunction function);
 

@@ -175,6 +175,7 @@ State essential(const State &state) {
   State key;
   key.units = state.units;
   key.conventional = state.conventional;
+  key.bumps = state.bumps;
   const std::uint32_t consistent = consistentStages(state);
   for (std::size_t unit = 0; unit < key.stages.size(); ++unit) {
     if ((consistent >> unit & 1u) == 0)

@@ -14,11 +14,15 @@ std::optional<Source> Stages::color(int unit) {
     return std::nullopt;
   if (base == Base::DsdtMagIntensity)
     return result(unit).swz("w");
+  if (resultOf(m_state, unit).base == Base::Dudv)
+    return m_builder.constant(0, 0, 0, 1); // table 3.23 of ATI_envmap_bumpmap
   return info(unit).scale ? scaled(unit) : result(unit);
 }
 
 Base Stages::environmentBase(int unit) const {
   const Base base = resultOf(m_state, unit).base;
+  if (base == Base::Dudv)
+    return Base::Rgb;
   return isRgba(base) || base == Base::DsdtMagIntensity ? base : Base::None;
 }
 
@@ -40,6 +44,8 @@ Source Stages::result(int unit) {
 Source Stages::shade(int unit) {
   switch (info(unit).family) {
   case Family::Texture:
+    if (bumping(unit) != 0)
+      return sample(unit, Opcode::Tex, bumped(unit));
     return sample(unit, info(unit).target == ir::TexTarget::Cube ? Opcode::Tex : Opcode::Txp,
                   coordinates(unit));
   case Family::PassThrough: {
@@ -101,6 +107,40 @@ Source Stages::moved(int unit) {
   m_builder.op(Opcode::Mad, at.mask("xy"), {matrix.swz("xyxy"), previous.swz("x"), from});
   m_builder.op(Opcode::Mad, at.mask("xy"), {matrix.swz("zwzw"), previous.swz("y"), at.read()});
   return at.read().swz("xyxy");
+}
+
+/// The units whose texels are added to its coordinates. Of those that bump each has the offsets of
+/// the ones before it, any other all.
+std::uint32_t Stages::bumping(int unit) const {
+  const bool bumps = m_state.bumps[std::size_t(unit)] != 0;
+  std::uint32_t units = 0;
+  for (int from = 0; from < (bumps ? unit : int(m_state.units)); ++from)
+    if (m_state.bumps[std::size_t(from)] == unit + 1 && from != unit &&
+        resultOf(m_state, from).base == Base::Dudv)
+      units |= 1u << unsigned(from);
+  return units;
+}
+
+/// Section 3.8.11 of ATI_envmap_bumpmap: u + du', v + dv', of coordinates that were divided.
+Source Stages::bumped(int unit) {
+  const Target at = m_builder.temporary();
+  const Source from = coordinates(unit);
+  if (info(unit).target == ir::TexTarget::Cube) {
+    m_builder.op(Opcode::Mov, at, {from});
+  } else {
+    const Target inverse = m_builder.temporary();
+    m_builder.op(Opcode::Rcp, inverse.mask("w"), {from.swz("w")});
+    m_builder.op(Opcode::Mul, at, {from, inverse.read().swz("w")});
+  }
+  const std::uint32_t units = bumping(unit);
+  for (int bump = 0; bump < m_state.units; ++bump) {
+    if ((units >> unsigned(bump) & 1u) == 0)
+      continue;
+    const Source texel = result(bump), matrix = m_builder.env(parameter(bump, Row::Bump));
+    m_builder.op(Opcode::Mad, at.mask("xy"), {matrix.swz("xzxz"), texel.swz("x"), at.read()});
+    m_builder.op(Opcode::Mad, at.mask("xy"), {matrix.swz("ywyw"), texel.swz("y"), at.read()});
+  }
+  return at.read().swz("xyzz");
 }
 
 Source Stages::dependent(int unit) {

@@ -32,6 +32,8 @@ private:
   ir::Source shade(int unit);
   ir::Source sample(int unit, ir::Opcode opcode, const ir::Source &at);
   ir::Source moved(int unit);
+  [[nodiscard]] std::uint32_t bumping(int unit) const;
+  ir::Source bumped(int unit);
   ir::Source dependent(int unit);
   /// The scalar that the stage computes, in every component.
   ir::Source dot(int unit);

@@ -79,6 +79,7 @@ enum class Base : std::uint8_t {
   Dsdt,
   DsdtMag,
   DsdtMagIntensity,
+  Dudv, ///< of ATI_envmap_bumpmap
 };
 /// Its components' signedness.
 enum class Signs : std::uint8_t { Unsigned, Signed, SignedRgb };
@@ -97,6 +98,9 @@ struct Texture {
 struct State {
   std::array<Stage, kUnits> stages;
   std::array<Texture, kUnits> textures;
+  /// ATI_envmap_bumpmap, of conventional texturing: of each unit one more than the number of the
+  /// unit whose coordinates its texel, rotated, is added to; 0: it does not bump.
+  std::array<std::uint8_t, kUnits> bumps{};
   std::uint8_t units = kUnits; ///< that there are
   /// Conventional texturing in the form of stages, TEXTURE_SHADER_NV being disabled: ALPHA textures
   /// are then (0, 0, 0, A).
@@ -109,11 +113,13 @@ struct State {
 [[nodiscard]] State essential(const State &state);
 
 /// The env parameters of a unit, behind those of register combiners: OFFSET_TEXTURE_MATRIX_NV (a1,
-/// a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV.
-enum class Row : std::uint8_t { Matrix, ScaleBias, Eye };
+/// a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV, and the rows of
+/// BUMP_ROT_MATRIX_ATI (r00, r01, r10, r11).
+enum class Row : std::uint8_t { Matrix, ScaleBias, Eye, Bump };
+inline constexpr int kRows = 4;
 [[nodiscard]] constexpr int parameter(int unit, Row row) {
-  return combiners::kConstants + 3 * unit + int(row);
+  return combiners::kConstants + kRows * unit + int(row);
 }
-inline constexpr int kParameters = combiners::kConstants + 3 * kUnits;
+inline constexpr int kParameters = combiners::kConstants + kRows * kUnits;
 
 } // namespace arbiter::fp::texture_shader

@@ -32,16 +32,19 @@ public:
     std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
     bool hasMaps = false;                        ///< of NV_vertex_program's evaluators
     std::uint32_t enabledMaps = 0;
-    std::optional<Hints> hints;                                  ///< of GL_HINT_BIT
-    bool perStageConstants = false;                              ///< PER_STAGE_CONSTANTS_NV
-    std::shared_ptr<const CombinerSettings> combiners;           ///< null without GL_TEXTURE_BIT
-    std::shared_ptr<const TextureShaderSettings> textureShaders; ///< the same
-    std::shared_ptr<const ComponentTransfers> transfers;         ///< null without GL_PIXEL_MODE_BIT
+    std::optional<Hints> hints;                        ///< of GL_HINT_BIT
+    bool perStageConstants = false;                    ///< PER_STAGE_CONSTANTS_NV
+    std::shared_ptr<const CombinerSettings> combiners; ///< null without GL_TEXTURE_BIT
+    std::shared_ptr<const TextureShaderSettings>
+        textureShaders;                                  ///< null as long as the context has none
+    std::shared_ptr<const ComponentTransfers> transfers; ///< null without GL_PIXEL_MODE_BIT
     std::shared_ptr<const std::vector<SavedTextureRange>> textureRanges; ///< of GL_TEXTURE_BIT
     std::shared_ptr<const imaging::Settings> imaging; ///< once ARB_imaging was used
     bool hasPixelMode = false;                        ///< GL_PIXEL_MODE_BIT
+    bool hasTextures = false;                         ///< GL_TEXTURE_BIT
     bool hasMatrixMode = false;                       ///< GL_TRANSFORM_BIT
     bool colorMatrix = false;                         ///< COLOR was the mode
+    std::optional<GLenum> spriteMode;                 ///< POINT_SPRITE_R_MODE_NV, of GL_POINT_BIT
   };
 
   void setMaxDepth(std::size_t depth) {

@@ -20,6 +20,7 @@ enum class Capability : std::uint8_t {
   EvaluatorMap,      ///< the layer, where NV_vertex_program is offered
   PerStageConstants, ///< the layer, where NV_register_combiners2 is offered
   Imaging,           ///< the layer, where ARB_imaging is its own
+  PointSprite,       ///< the host, and which form points are drawn in (variants/point_sprites.h)
 };
 
 /// Eight bytes, which an index scales by itself.
@@ -96,7 +97,7 @@ inline constexpr CapabilityRow kCapabilities[] = {
     {GL_DEPTH_CLAMP, Capability::Host, kRaster},
     {GL_VERTEX_PROGRAM_POINT_SIZE, Capability::Host, kRaster | kTexGen},
     {GL_VERTEX_PROGRAM_TWO_SIDE, Capability::Host, kRaster | kLighting},
-    {GL_POINT_SPRITE, Capability::Host, kRaster | kTexGen},
+    {GL_POINT_SPRITE, Capability::PointSprite, kRaster | kTexGen},
     {GL_TEXTURE_GEN_S, Capability::Host, kTexGen},
     {GL_TEXTURE_GEN_T, Capability::Host, kTexGen},
     {GL_TEXTURE_GEN_R, Capability::Host, kTexGen},

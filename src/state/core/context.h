@@ -64,6 +64,7 @@ inline constexpr std::uint32_t kDepth = 2048; ///< stays: the texts have a depth
 /// The primitive of a recorder has ended and is not drawn yet (raster_draw/immediate/held.h): every
 /// command but Begin and attributes has it drawn first.
 inline constexpr std::uint32_t kHeld = 4096;
+inline constexpr std::uint32_t kSprites = 8192; ///< stays: points may need a form of their own
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.

@@ -322,7 +322,13 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
     to.combiners->restore(to, std::make_shared<CombinerSettings>(*from.combiners->settings()));
     setEnabled(to, to.row(Target::Combiners), from.row(Target::Combiners).enabled);
   }
-  if (from.textureShaders && to.textureShaders) {
+  if (from.era && to.era && (mask & GL_POINT_BIT) != 0) {
+    to.era->sprites.rMode = from.era->sprites.rMode;
+    to.era->sprites.used = to.era->sprites.used || from.era->sprites.used;
+    invalidateProgram(to);
+  }
+  if (from.textureShaders && mayKeepTextures(to)) {
+    (void)keepTextures(to);
     if ((mask & GL_TEXTURE_BIT) != 0) {
       to.textureShaders->restore(
           to, std::make_shared<TextureShaderSettings>(*from.textureShaders->settings()));

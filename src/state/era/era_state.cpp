@@ -115,6 +115,9 @@ bool eraValue(Context &context, GLenum pname, GLint &value) {
   case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
     value = kMaxVertexArrayRangeElement;
     return hasRange;
+  case GL_POINT_SPRITE_R_MODE_NV:
+    value = GLint(context.era->sprites.rMode);
+    return offered.pointSprite;
   case GL_UNPACK_CLIENT_STORAGE_APPLE:
     value = client.clientStorage ? 1 : 0;
     return offered.clientStorage;

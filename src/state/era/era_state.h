@@ -6,6 +6,7 @@
 #include "state/era/fences.h"
 #include "state/era/hints.h"
 #include "state/era/offers.h"
+#include "state/era/point_sprites.h"
 #include "state/era/vertex_array_objects.h"
 #include "state/era/vertex_array_range.h"
 
@@ -46,6 +47,7 @@ struct EraState {
   EraClientState client;
   EraClientStack clientStack;
   VertexArrayObjects vertexArrays;
+  PointSprites sprites;
 };
 
 /// PushClientAttrib and PopClientAttrib, about the host's own.

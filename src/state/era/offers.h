@@ -14,8 +14,10 @@ struct EraOffers {
   bool multisampleFilterHint = false;
   bool transformHint = false;
   bool sgixShadow = false;
+  bool bumpMap = false;
   bool clientStorage = false;
   bool imaging = false;
+  bool pointSprite = false;
   bool textureRange = false;
   bool vertexArrayObject = false;
   bool vertexShader = false;

@@ -45,7 +45,7 @@ void Begin(Context &context, GLenum mode) {
   }
   if (software::mayDraw(context) && defer(context, mode))
     return;
-  if (context.attention && !beginDraw(context)) [[unlikely]]
+  if (context.attention && !beginDraw(context, mode)) [[unlikely]]
     return;
   ++*context.drawCounter;
   if (context.listMode)

@@ -12,6 +12,7 @@
 #include "state/imaging/imaging_state.h"
 #include "state/lists/issue_combiners.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/sprite_commands.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
@@ -81,6 +82,8 @@ void noteCapability(Context &context, Capability capability, bool enabled) {
     noteFixedFunctionCommand(context);
   else if (capability == Capability::ClipPlane)
     noteClipPlane(context, enabled);
+  else if (capability == Capability::PointSprite)
+    noteSpriteCommand(context);
 }
 
 /// Enable and Disable of a capability that is not the host's alone.

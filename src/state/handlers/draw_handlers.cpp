@@ -3,10 +3,12 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
+#include "state/era/point_sprites.h"
 #include "state/host_draw/application_glsl.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/sprite_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
@@ -75,13 +77,19 @@ bool beginWithoutVertexShader(Context &context) {
 
 namespace handlers {
 
-bool beginDraw(Context &context) { return begin(context, validate); }
-bool beginPixels(Context &context) { return begin(context, validatePixels); }
+bool beginDraw(Context &context, GLenum mode) {
+  issuePrimitiveMode(context, mode);
+  return begin(context, validate);
+}
+bool beginPixels(Context &context) {
+  issuePrimitiveMode(context, PointSprites::kNoPrimitive);
+  return begin(context, validatePixels);
+}
 
 bool beginRasterPos(Context &context) {
   if (context.vertexShaders && context.vertexShaders->effective) [[unlikely]]
     return beginWithoutVertexShader(context);
-  if (!beginDraw(context))
+  if (!beginDraw(context, PointSprites::kNoPrimitive))
     return false;
   // The raster position keeps each result of the vertex program, whatever the fragment program in
   // force reads of them now.

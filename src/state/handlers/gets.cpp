@@ -159,6 +159,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     return vertexShaderValue(context, pname, value);
   case GL_TRANSFORM_HINT_APPLE:
   case GL_MULTISAMPLE_FILTER_HINT_NV:
+  case GL_POINT_SPRITE_R_MODE_NV:
   case GL_VERTEX_ARRAY_RANGE_NV:
   case GL_VERTEX_ARRAY_RANGE_LENGTH_NV:
   case GL_VERTEX_ARRAY_RANGE_VALID_NV:
@@ -252,7 +253,7 @@ template <typename T> bool getCombinerColor(const Context &context, GLenum pname
 /// True, with it, for a scale or bias of HILO components or texture offset groups.
 template <typename T> bool getTransfer(const Context &context, GLenum pname, T *data) {
   const GLenum at = pname - GL_HI_SCALE_NV;
-  if (at > 11 || !context.textureShaders) [[likely]]
+  if (at > 11 || !hasTextureShaders(context)) [[likely]]
     return false;
   const ComponentTransfers &transfers = context.textureShaders->transfers;
   const GLfloat value = at < 6 ? transfers.scales[at] : transfers.biases[at - 6];

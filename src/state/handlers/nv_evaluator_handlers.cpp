@@ -184,7 +184,8 @@ bool takesMesh(Context &context, const Mesh &mesh) {
       return true;
     }
   }
-  if (context.attention && !handlers::beginDraw(context))
+  if (context.attention &&
+      !handlers::beginDraw(context, mesh.mode == GL_POINT ? GL_POINTS : GL_LINES))
     return true;
   if (context.softwareListens)
     software::hostWrites(context, mesh.dimension == 1 ? "glEvalMesh1" : "glEvalMesh2");

@@ -58,7 +58,7 @@ void BlitFramebuffer(Context &context, GLint srcX0, GLint srcY0, GLint srcX1, GL
 
 void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                 GLenum type, void *pixels) {
-  if (context.textureShaders && !context.insideBeginEnd &&
+  if (hasTextureShaders(context) && !context.insideBeginEnd &&
       (isComponentFormat(format) || isSignedPacked(type))) [[unlikely]]
     return raise(context, GL_INVALID_ENUM, "ReadPixels: a format or type of textures alone");
   if (context.imagesPixels && imagedReadPixels(context, x, y, width, height, format, type, pixels))

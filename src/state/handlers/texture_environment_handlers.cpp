@@ -1,5 +1,5 @@
-// TexEnv and GetTexEnv: the stages of NV_texture_shader, and the environments that their draws
-// depend on.
+// TexEnv and GetTexEnv: the stages of NV_texture_shader, ATI_envmap_bumpmap's environment, and
+// those that their draws depend on.
 #include <cmath>
 #include <type_traits>
 
@@ -9,8 +9,10 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/fixed_function.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/host_draw/variants/texture_shader_draw.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/sprite_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/texture_shader_commands.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -81,14 +83,60 @@ void noteEnvironmentCommand(Context &context) {
     noteFixedFunctionCommand(context);
 }
 
+/// A function of the host's for COMBINE_RGB; of another name it makes an error.
+bool isHostFunction(GLenum function) {
+  switch (function) {
+  case GL_REPLACE:
+  case GL_MODULATE:
+  case GL_ADD:
+  case GL_ADD_SIGNED:
+  case GL_INTERPOLATE:
+  case GL_SUBTRACT:
+  case GL_DOT3_RGB:
+  case GL_DOT3_RGBA:
+  case GL_MODULATE_ADD_ATI:
+  case GL_MODULATE_SIGNED_ADD_ATI:
+  case GL_MODULATE_SUBTRACT_ATI:
+    return true;
+  default:
+    return false;
+  }
+}
+
+/// True for what of ATI_envmap_bumpmap the host lacks.
+template <typename T> bool setBump(Context &context, GLenum pname, const T *params) {
+  using Kind = TextureShaderCommand::Kind;
+  if ((pname != GL_BUMP_TARGET_ATI && pname != GL_COMBINE_RGB) || !params || context.insideBeginEnd)
+    return false;
+  const bool bumps = pname == GL_COMBINE_RGB && params[0] == T(GL_BUMP_ENVMAP_ATI);
+  if (bumps || pname == GL_BUMP_TARGET_ATI) {
+    keepTextures(context).used = true;
+    issue(context, {.kind = bumps ? Kind::BumpMode : Kind::BumpTarget,
+                    .values = {bumps ? 1.0f : GLfloat(params[0])}});
+    return true;
+  }
+  const TextureShaderState *const shaders = context.textureShaders.get();
+  const bool mayBump =
+      shaders && (shaders->now().bumps != 0 || (context.listMode && shaders->used));
+  if (mayBump && params[0] > T(0) && isHostFunction(GLenum(params[0])))
+    issue(context, {.kind = Kind::BumpMode});
+  return false;
+}
+
 template <typename T, typename Host>
 void set(Context &context, GLenum target, GLenum pname, const T *params, bool scalar, Host host) {
+  if (target == GL_POINT_SPRITE && params && recordCoordReplace(context, pname, GLint(params[0])))
+    return;
+  if (target == GL_TEXTURE_ENV && hasBumpMaps(context) && setBump(context, pname, params))
+    return;
   if (!context.textureShaders) [[likely]]
     return host();
-  if (target == GL_TEXTURE_SHADER_NV)
-    return setShader(context, pname, params, scalar);
-  if (setMode(context, target, pname, params))
-    return;
+  if (hasTextureShaders(context)) {
+    if (target == GL_TEXTURE_SHADER_NV)
+      return setShader(context, pname, params, scalar);
+    if (setMode(context, target, pname, params))
+      return;
+  }
   host();
   if (pname != GL_TEXTURE_ENV_COLOR)
     noteEnvironmentCommand(context);
@@ -144,9 +192,30 @@ template <typename T> void getShader(Context &context, GLenum pname, T *params) 
   }
 }
 
+/// True, with it, for a value of ATI_envmap_bumpmap's.
+template <typename T> bool getBump(Context &context, GLenum pname, T *params) {
+  if (pname != GL_BUMP_TARGET_ATI && pname != GL_COMBINE_RGB)
+    return false;
+  const TextureShaderSettings fresh;
+  const TextureShaderSettings &now = context.textureShaders ? context.textureShaders->now() : fresh;
+  const GLuint unit = activeUnit(context);
+  if (unit >= now.bumpTargets.size())
+    return false;
+  if (pname == GL_COMBINE_RGB && (now.bumps >> unit & 1) == 0)
+    return false;
+  *params = T(pname == GL_COMBINE_RGB ? GLenum(GL_BUMP_ENVMAP_ATI)
+                                      : GLenum(GL_TEXTURE0 + now.bumpTargets[unit]));
+  return true;
+}
+
 template <typename T, typename Host>
 void get(Context &context, GLenum target, GLenum pname, T *params, Host host) {
-  if (context.textureShaders && params && !context.insideBeginEnd) {
+  if (target == GL_POINT_SPRITE)
+    releaseSprites(context);
+  if (target == GL_TEXTURE_ENV && params && !context.insideBeginEnd && hasBumpMaps(context) &&
+      getBump(context, pname, params))
+    return;
+  if (hasTextureShaders(context) && params && !context.insideBeginEnd) {
     if (target == GL_TEXTURE_SHADER_NV)
       return getShader(context, pname, params);
     const std::uint8_t none = context.textureShaders->now().environmentNone;

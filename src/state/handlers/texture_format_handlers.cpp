@@ -46,6 +46,8 @@ bool levelValue(Context &context, GLenum target, GLint level, GLenum pname, GLin
   const int row = sizeRow(pname);
   if (row < 0 && pname != GL_TEXTURE_INTERNAL_FORMAT)
     return false;
+  if (row >= 6 && !hasTextureShaders(context))
+    return false;
   const GLenum name = componentFormatOf(context, target, level);
   GLint width = 0;
   if (name != 0)
@@ -65,7 +67,7 @@ bool levelValue(Context &context, GLenum target, GLint level, GLenum pname, GLin
 
 /// True for a scale or bias of the extension's components.
 bool transfer(Context &context, GLenum pname, GLfloat param) {
-  if (!context.textureShaders || componentTransfer(pname) < 0) [[likely]]
+  if (!hasTextureShaders(context) || componentTransfer(pname) < 0) [[likely]]
     return false;
   if (!outsideBeginEnd(context, "PixelTransfer between Begin and End"))
     return true;

@@ -92,6 +92,11 @@ void giveComponents(Context &context, ComponentImage image, GLenum type, const v
 
 /// True if the command was the layer's: it has such components, or mixes them with colours.
 bool isComponents(Context &context, const ComponentImage &image, GLenum type, const void *pixels) {
+  if (image.format == GL_DUDV_ATI) {
+    if (!hasBumpMaps(context))
+      return false;
+    (void)keepTextures(context);
+  }
   if (!context.textureShaders || context.insideBeginEnd) [[likely]]
     return false;
   if (isComponentFormat(image.format)) {

@@ -88,7 +88,7 @@ template <typename T> void getRange(Context &context, GLenum target, GLenum pnam
 /// TEXTURE_BORDER_VALUES_NV is what the host has as a border colour that it does not clamp; its
 /// values are four, so that a command of one has no part in it.
 GLenum hostName(const Context &context, GLenum pname) {
-  return pname == GL_TEXTURE_BORDER_VALUES_NV && context.textureShaders
+  return pname == GL_TEXTURE_BORDER_VALUES_NV && hasTextureShaders(context)
              ? GLenum(GL_TEXTURE_BORDER_COLOR)
              : pname;
 }

@@ -17,6 +17,7 @@
 #include "state/host_draw/sampler_override.h"
 #include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/variants/combiner_draw.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/host_draw/variants/texture_shader_draw.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
@@ -80,6 +81,8 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kDepth;
   if (mayFollowCombinedDepths(context) || mayFollowTextures(context))
     bits |= attention::kDepth;
+  if (mayFollowSprites(context))
+    bits |= attention::kSprites;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
       bits |= attention::kState;
@@ -125,7 +128,7 @@ void install(Context &context, HostPart part) {
     software::engage(context);
   if (!context.linkedProgram)
     return releaseHostState(context);
-  if (context.linkedProgram->fragment.compiled)
+  if (context.linkedProgram->fragment.compiled || settings().alwaysFixedFunction)
     software::engage(context);
   context.hostAssembly->apply(context, *context.linkedProgram);
   if (context.linkedProgram->hostProgram == 0)
@@ -222,7 +225,9 @@ bool validate(Context &context) {
   if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
   followTextureChanges(context);
+  followSprites(context);
   refreshEffective(context, HostPart::Now);
+  applySprites(context);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {
     LinkedProgram &linkedProgram = *context.linkedProgram;

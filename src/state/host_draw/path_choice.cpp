@@ -15,6 +15,7 @@
 #include "state/host_draw/variants/clipped_variant.h"
 #include "state/host_draw/variants/combiner_draw.h"
 #include "state/host_draw/variants/depth_variants.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/host_draw/variants/texture_shader_draw.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
@@ -54,8 +55,8 @@ struct EffectivePrograms {
   const ProgramTarget *fragment = nullptr;
   bool ati = false;       ///< an ATI fragment shader is enabled, of either form, and no `fragment`
   bool combiners = false; ///< register combiners are enabled, and no `fragment`
-  /// Texture shaders are enabled, or fixed function has textures or environments that the host
-  /// lacks, and no `fragment`.
+  /// Texture shaders are enabled, or fixed function has textures, environments or sprites that the
+  /// host lacks, and no `fragment`.
   bool textureShaders = false;
   [[nodiscard]] bool none() const {
     return !vertex && !fragment && !ati && !combiners && !textureShaders;
@@ -73,7 +74,8 @@ EffectivePrograms enabledRows(Context &context) {
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
   rows.combiners = !rows.fragment && ifEnabled(Target::Combiners);
   rows.textureShaders =
-      !rows.fragment && (ifEnabled(Target::TextureShaders) || texturesNeedLayer(context));
+      !rows.fragment && (ifEnabled(Target::TextureShaders) || texturesNeedLayer(context) ||
+                         (spriteForm(context).units != 0 && !rows.ati && !rows.combiners));
   return rows;
 }
 
@@ -203,6 +205,8 @@ Path choosePath(Context &context, HostPart part) {
   ProgramPair pair;
   if (!takePrograms(context, rows, pair))
     return Path::InvalidProgram;
+  if (pair.fragment && pair.fragment->depths)
+    pair.fragment = pair.fragment->depths->ofSprites(*pair.fragment, spriteForm(context));
   if (!pair.vertex && !pair.fragment)
     return Path::NoProgram;
   // RasterPos looks then, as no shader of EXT_vertex_shader transforms the raster position.

@@ -12,6 +12,7 @@
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_groups.h"
@@ -45,6 +46,8 @@ void pushEnables(Context &context, GLbitfield mask) {
   }
   if (context.era && (mask & GL_HINT_BIT) != 0)
     entry.hints = context.era->hints;
+  if (context.era && (mask & GL_POINT_BIT) != 0)
+    entry.spriteMode = context.era->sprites.rMode;
   if ((mask & GL_TEXTURE_BIT) != 0)
     entry.textureRanges = saveTextureRanges(context);
   if (context.combiners) {
@@ -52,6 +55,7 @@ void pushEnables(Context &context, GLbitfield mask) {
     if ((mask & GL_TEXTURE_BIT) != 0)
       entry.combiners = context.combiners->settings();
   }
+  entry.hasTextures = (mask & GL_TEXTURE_BIT) != 0;
   if (context.textureShaders && (mask & GL_TEXTURE_BIT) != 0)
     entry.textureShaders = context.textureShaders->settings();
   if (context.textureShaders && (mask & GL_PIXEL_MODE_BIT) != 0)
@@ -80,9 +84,11 @@ void popCombiners(Context &context, const AttribStack::Entry &entry) {
   }
 }
 
-/// The same of texture shaders.
+/// The same of texture shaders. A context that had none yet had what is initial.
 void popTextureShaders(Context &context, const AttribStack::Entry &entry) {
   ProgramTarget &row = context.row(Target::TextureShaders);
+  if (entry.hasTextures && !entry.textureShaders)
+    context.textureShaders->restore(context, std::make_shared<TextureShaderSettings>());
   if (entry.textureShaders) {
     context.textureShaders->restore(context, entry.textureShaders);
     setEnabled(context, row, (entry.enabledTargets >> unsigned(row.target) & 1u) != 0);
@@ -111,6 +117,8 @@ void popEnables(Context &context) {
     context.nv->enabledMaps = entry.enabledMaps;
   if (popped && entry.hints && context.era)
     context.era->hints = *entry.hints;
+  if (popped && entry.spriteMode && context.era && context.era->offered.pointSprite)
+    setSpriteMode(context, *entry.spriteMode);
   if (popped && entry.textureRanges)
     restoreTextureRanges(context, *entry.textureRanges);
   if (popped && context.imagesPixels)
@@ -128,11 +136,13 @@ void popEnables(Context &context) {
 void pushAttrib(Context &context, GLbitfield mask) {
   if ((mask & GL_TEXTURE_BIT) != 0)
     releaseSamplers(context);
+  releaseSprites(context);
   context.host->PushAttrib(mask); // raises STACK_OVERFLOW where the layer's would overflow too
   pushEnables(context, mask);
 }
 
 void popAttrib(Context &context) {
+  releaseSprites(context);
   context.host->PopAttrib();
   // The host's own enables of the targets are neither the application's to save nor to restore.
   context.hostAssembly->restoreEnables(context);

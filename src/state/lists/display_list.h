@@ -63,6 +63,9 @@ struct Command {
     Imaging,        ///< bytes: an ImagingCommand, and what belongs to it
     TextureRange,   ///< target; name: of a parameter, and format: its value, or 0; else count: the
                     ///< length, bytes: the pointer
+    SpriteMode,     ///< target: POINT_SPRITE_R_MODE_NV's value
+    PrimitiveMode,  ///< target: that of the draws that come (lists/sprite_commands.h)
+    CoordReplace,   ///< target: pname, count: the value of TexEnv of POINT_SPRITE
     ComponentImage, ///< bytes: a ComponentImage, then its components as floats
   };
   Kind kind;

@@ -10,6 +10,7 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/use_program.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
@@ -24,6 +25,7 @@ namespace {
 
 /// What a list does is not known.
 void beforeHostLists(Context &context) {
+  releaseSprites(context);
   if (context.softwarePossible)
     context.software->hostDrawsList();
 }
@@ -168,6 +170,7 @@ std::size_t callListsBytes(GLsizei count, GLenum type) {
 }
 
 void callList(Context &context, GLuint name) {
+  notePrimitiveMode(context, PointSprites::kNoPrimitive); // of what it has before it says so
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   if (!list) {
     if (const std::shared_ptr<const DisplayList> early = earlyList(context, name)) {
@@ -218,6 +221,7 @@ void callLists(Context &context, GLsizei count, GLenum type, const void *lists) 
   const bool mayBeEarly = (context.software || isObserved(context)) && known.hasEarly();
   const bool allHosts = known.empty() && !mayBeEarly;
   if (allHosts || count < 0 || elementSize(type) == 0 || !lists) {
+    notePrimitiveMode(context, PointSprites::kNoPrimitive);
     if (!context.insideBeginEnd) {
       noteClipPlanesOfLists(context);
       beforeHostLists(context);

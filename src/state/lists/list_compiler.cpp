@@ -69,6 +69,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_open = m_begun = m_endsFirst = m_recording = m_pixels = false;
   m_geometry.reset();
   m_dirty = 0;
+  m_kind = Kind::None;
   m_arraysDirty = true;
   m_mode = std::uint16_t(mode);
   // A list that is executed too is the host's: its primitives are drawn once as they are compiled,
@@ -182,6 +183,8 @@ void ListCompiler::openSegment(Context &context) {
 
 void ListCompiler::record(Context &context, Command command) {
   noteProgramApiUse(context);
+  if (command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists)
+    m_kind = Kind::None;
   if (m_early)
     leaveEarly(context);
   const bool follows = m_keeps && !m_recording && m_segment == 0 && !m_geometry && !m_items.empty();

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "state/lists/display_list.h"
@@ -91,6 +92,12 @@ public:
   [[nodiscard]] bool takeArraysDirty(Context &context);
 
   [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
+  /// The host's draws so far in this list were of points, and are not from here on, or the other
+  /// way; true of the first.
+  [[nodiscard]] bool changesKind(bool points) {
+    const Kind kind = points ? Kind::Points : Kind::Others;
+    return std::exchange(m_kind, kind) != kind;
+  }
   /// The list's Begin or End, of the host's.
   void notePrimitive(Primitive primitive) {
     m_endsFirst = m_endsFirst || (primitive == Primitive::Closed && !m_begun);
@@ -161,6 +168,8 @@ private:
   software::ImmediateRecorder m_outside; ///< attributes outside of primitives, of an early list
   Arrays m_arrays{nullptr, nullptr};
   std::vector<Push> m_pushes;
+  enum class Kind : std::uint8_t { None, Points, Others };
+  Kind m_kind = Kind::None;
   std::uint16_t m_mode = 0;
 };
 

@@ -5,11 +5,13 @@
 #include <cstring>
 
 #include "host/handlers.h"
+#include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/era/texture_range.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/imaging/commands.h"
 #include "state/programs/combiners/combiner_commands.h"
 #include "state/programs/fragment_shaders.h"
@@ -191,6 +193,15 @@ void execute(Context &context, const Command &command) {
     return finishFence(context, FenceOf(command.target), command.name);
   case Command::Kind::Hint:
     return setEraHint(context, command.target, command.name);
+  case Command::Kind::SpriteMode:
+    if (context.era && context.era->offered.pointSprite)
+      setSpriteMode(context, command.target);
+    return;
+  case Command::Kind::PrimitiveMode:
+    return notePrimitiveMode(context, command.target);
+  case Command::Kind::CoordReplace:
+    releaseSprites(context);
+    return context.host->TexEnvi(GL_POINT_SPRITE, command.target, command.count);
   case Command::Kind::Imaging:
     return executeImaging(context, command);
   case Command::Kind::TextureRange:

@@ -6,6 +6,7 @@
 #include "state/core/control_hooks.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/path_choice.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/functions/compile_thread.h"
@@ -71,6 +72,7 @@ Outcome decideByPath(Context &context) { return judgePath(context); }
 Outcome decide(Context &context, GLenum mode, std::uint32_t count) {
   if (mode > GL_POLYGON)
     return Fallback::Vertices;
+  notePrimitiveMode(context, mode);
   if (const Outcome outcome = judgePath(context); !outcome.ok())
     return outcome;
   Pipeline &pipeline = pipelineOf(context);

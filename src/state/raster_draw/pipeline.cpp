@@ -18,6 +18,13 @@ using fp::ir::AttributeKind;
 namespace {
 /// Vectors of four pixels are rarely so empty that packing them pays.
 constexpr int kLeastPackedLanes = 8;
+
+using SpriteThird = swrast::RasterState::SpriteThird;
+/// Points drawn as sprites replace it.
+bool isSprite(const Mirror &mirror, const fp::ir::Attribute &attribute) {
+  return attribute.kind == AttributeKind::TexCoord && attribute.index < 8 &&
+         (mirror.spriteCoords >> attribute.index & 1) != 0;
+}
 } // namespace
 
 abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
@@ -43,6 +50,9 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
                                                        : abi::Interpolation::Perspective;
     shading.interpolation[i] = m_key.inputs[i];
     shading.inputComponents[i] = shape.inputs[i].components;
+    if (isSprite(mirror, shape.inputs[i].attribute) &&
+        mirror.raster.spriteThird != SpriteThird::Zero)
+      shading.inputComponents[i] = 0xF; // s, r and q of the vertex
   }
   if (m_key.coverage != abi::Coverage::Whole) {
     const abi::Interpolation how = m_key.coverage == abi::Coverage::Line && !affine
@@ -106,8 +116,7 @@ void Pipeline::fillRaster(const Mirror &mirror) {
                                                       : abi::Layout::None);
   const auto &inputs = m_program->functions->prepared()->shape().inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&
-        (mirror.spriteCoords >> inputs[i].attribute.index & 1) != 0)
+    if (isSprite(mirror, inputs[i].attribute))
       m_raster.spriteInputs |= 1u << i;
 }
 

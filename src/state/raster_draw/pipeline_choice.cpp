@@ -5,6 +5,7 @@
 #include "fp_compiler/ir/ir.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/pipeline.h"
 
@@ -29,6 +30,12 @@ bool anyFloat(const DrawTargets &targets) {
   return std::any_of(
       std::begin(targets.color), std::end(targets.color),
       [](const swrast::Image *image) { return image && abi::isFloat(image->format.layout); });
+}
+
+using SpriteThird = swrast::RasterState::SpriteThird;
+SpriteThird spriteThirdNow(const Context &context) {
+  const GLenum mode = spriteMode(context);
+  return mode == GL_S ? SpriteThird::S : mode == GL_R ? SpriteThird::R : SpriteThird::Zero;
 }
 
 /// Fixed function's fog, colour sum and some environments clamp where a fragment program's options
@@ -118,7 +125,9 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
 
 Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
   Mirror &mirror = context.software->mirror;
+  releaseSprites(context); // the application's are asked
   mirror.refresh(context.dirty);
+  mirror.raster.spriteThird = spriteThirdNow(context);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
   if (m_chosen || m_isMixed) {

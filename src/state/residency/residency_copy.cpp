@@ -66,20 +66,31 @@ bool copyInMemory(ResidentImages &images, PixelImage &to, const PixelImage &from
   return true;
 }
 
+bool hasShadow(const PixelImage *image) { return image && image->valid != Valid::Host; }
+
+/// The pixels of `from` as those of a texture; false where they would have to be converted.
+bool viewFor(const PixelImage &from, const PixelImage &to, abi::Format &view) {
+  if (to.base != GL_DEPTH_COMPONENT)
+    return viewAs(from.shadow.format, to.base, to.format, view);
+  view = to.format;
+  return from.shadow.format == to.format && from.depth == 1;
+}
+
 bool copyBetweenShadows(ResidentImages &images, const CopyToTexture &copy) {
   const Framebuffers &f = framebuffersOf(images);
-  PixelImage *const from = f.read;
   // Where the source is host-valid the host copies, and no pixel is moved.
-  if (!from || from->valid == Valid::Host)
-    return false;
-  const PixelModes &modes = pixelModes(images);
-  if (modes.transfers)
+  if (!hasShadow(f.read) && !hasShadow(f.readDepth))
     return false;
   PixelImage *const to = destination(images, copy);
   if (!to)
     return false;
+  const bool depths = to->base == GL_DEPTH_COMPONENT;
+  PixelImage *const from = depths ? f.readDepth : f.read;
+  const PixelModes &modes = pixelModes(images);
+  if (!hasShadow(from) || (depths ? modes.transfersDepth : modes.transfers))
+    return false;
   abi::Format view;
-  if (!viewAs(from->shadow.format, to->base, to->format, view))
+  if (!viewFor(*from, *to, view))
     return false;
   const Rect source = swrast::intersect({copy.x, copy.y, copy.width, copy.height},
                                         {0, 0, from->width, from->height});

@@ -75,6 +75,14 @@ void fill(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, Shape &sh
   makePointPlanes(draw.plan, point, shape.left, shape.bottom, shape.primitive);
 }
 
+/// Of the vertex's coordinates: whether they were divided does not matter.
+float thirdOf(const RasterState &state, const abi::Plane *vertex) {
+  using Third = RasterState::SpriteThird;
+  if (state.spriteThird == Third::Zero)
+    return 0.0f;
+  return vertex[state.spriteThird == Third::S ? 0 : 2].c / vertex[3].c;
+}
+
 } // namespace
 
 bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size,
@@ -105,9 +113,10 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
     const float toY = float(shape.bottom) + 0.5f - heightOf(state, at.window);
     const float up = state.spriteOriginLowerLeft ? step : -step;
     abi::Plane *const input = shape.primitive.inputs[i];
+    const float third = thirdOf(state, input) * scale;
     input[0] = {0.5f * scale + toX * step, step, 0};
     input[1] = {0.5f * scale + toY * up, 0, up};
-    input[2] = {0, 0, 0};
+    input[2] = {third, 0, 0};
     input[3] = {scale, 0, 0};
   }
   return true;

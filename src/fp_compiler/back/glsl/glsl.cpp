@@ -259,7 +259,7 @@ private:
 GlslShader emit(const ir::Program &given, const GlslHost &host, Numerics numerics) {
   ir::Program program = given;
   hoistRelative(program);
-  const Registers registers(program, numerics, host.alphaDepths);
+  const Registers registers(program, numerics, host);
   GlslShader shader;
   const std::string code = registers.locals() + invariantPosition(program) +
                            Body(program, registers, numerics).text() +

@@ -44,9 +44,9 @@ const char *samplerType(ir::TexTarget target) {
 
 } // namespace
 
-Registers::Registers(const ir::Program &program, Numerics numerics, std::uint32_t alphaDepths)
-    : m_numerics(numerics), m_alphaDepths(alphaDepths),
-      m_ofVertices(program.language == ir::Language::ArbVertex),
+Registers::Registers(const ir::Program &program, Numerics numerics, const GlslHost &host)
+    : m_numerics(numerics), m_alphaDepths(host.alphaDepths), m_spriteUnits(host.spriteUnits),
+      m_spriteS(host.spriteS), m_ofVertices(program.language == ir::Language::ArbVertex),
       m_uniformArray(program.language == ir::Language::ArbVertex ? "arb_vparam" : "arb_param"),
       m_arrays(program, m_uniformArray, m_uniforms), m_temporaries(program.temporaries.size()),
       m_attributes(program.attributes.size()), m_parameters(program.parameters.size()),
@@ -105,12 +105,24 @@ void Registers::nameUsed(const ir::Program &program, const ir::Operand &operand)
 void Registers::nameAttribute(const ir::Program &program, std::size_t index) {
   const ir::Attribute &attribute = program.attributes[index];
   m_attributes[index] = attributeText(program.language, attribute);
+  if (!m_ofVertices && attribute.kind == ir::AttributeKind::TexCoord && attribute.index < 8 &&
+      (m_spriteUnits >> attribute.index & 1u) != 0)
+    m_attributes[index] = spriteText(attribute.index);
   m_readsPosition |= attribute.kind == ir::AttributeKind::Position;
   if (attribute.kind == ir::AttributeKind::Generic && attribute.index != 0)
     m_generics.push_back({genericName(attribute.index), attribute.index});
   const bool color = attribute.kind == ir::AttributeKind::ColorPrimary ||
                      attribute.kind == ir::AttributeKind::ColorSecondary;
   makeLocal(m_attributes[index], "i" + std::to_string(index), color ? "arb_colour" : "arb_round");
+}
+
+/// NV_point_sprite, 3.3, with a mode other than ZERO.
+RegisterText Registers::spriteText(int index) {
+  const std::string number = std::to_string(index), local = "arb_sprite" + number,
+                    vertex = "gl_TexCoord[" + number + "]";
+  m_locals += "  vec4 " + local + " = vec4(gl_PointCoord, " + vertex + (m_spriteS ? ".s" : ".p") +
+              " / " + vertex + ".q, 1.0);\n";
+  return variable(local);
 }
 
 /// Under Fp24 only: what the name stands for, through \p function.

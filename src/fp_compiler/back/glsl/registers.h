@@ -6,6 +6,7 @@
 #include "fp_compiler/back/glsl/arrays.h"
 #include "fp_compiler/back/glsl/bindings.h"
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/emit.h"
 #include "fp_compiler/ir/ir.h"
 
 namespace arbiter::fp::glsl {
@@ -17,7 +18,7 @@ public:
   /// \param numerics that the program follows: under Fp24 everything from outside is read into a
   /// local of its own, rounded
   explicit Registers(const ir::Program &program, Numerics numerics = Numerics::Host,
-                     std::uint32_t alphaDepths = 0);
+                     const GlslHost &host = {});
 
   /// Requires: the operand is not relative.
   [[nodiscard]] const RegisterText &source(ir::File file, std::uint16_t index) const;
@@ -44,6 +45,7 @@ public:
 private:
   void nameUsed(const ir::Program &program, const ir::Operand &operand);
   void nameAttribute(const ir::Program &program, std::size_t index);
+  [[nodiscard]] RegisterText spriteText(int index);
   void nameParameter(std::size_t index, const ir::Parameter &parameter);
   void nameUniform(RegisterText &name, const ir::Parameter &parameter);
   void nameTemporaries(const ir::Program &program);
@@ -55,6 +57,8 @@ private:
 
   Numerics m_numerics;
   std::uint32_t m_alphaDepths;
+  std::uint8_t m_spriteUnits;
+  bool m_spriteS;
   bool m_ofVertices;
   std::string m_uniformArray; ///< "arb_param" or "arb_vparam"
   std::vector<GlslUniform> m_uniforms;

@@ -19,7 +19,7 @@ using fp::texture_shader::CombineSource;
 using fp::texture_shader::Environment;
 using fp::texture_shader::EnvironmentMode;
 
-/// Rows of CombineFunction, but for the last two.
+/// Rows of CombineFunction, but for the last three.
 constexpr GLenum kFunctions[] = {GL_REPLACE,
                                  GL_MODULATE,
                                  GL_ADD,
@@ -123,7 +123,10 @@ fp::texture_shader::Environments environmentsNow(Context &context) {
     if ((shaders.now().environmentNone >> unit & 1) != 0)
       continue;
     const UnitScope scope(*context.host, unsigned(unit));
-    environments[std::size_t(unit)] = environmentOf(*context.host);
+    Environment &environment = environments[std::size_t(unit)];
+    environment = environmentOf(*context.host);
+    if ((shaders.now().bumps >> unit & 1) != 0 && environment.mode == EnvironmentMode::Combine)
+      environment.color = {.function = CombineFunction::BumpEnvmap};
   }
   return environments;
 }

@@ -52,6 +52,15 @@ void askTextures(Context &context, State &state) {
   }
 }
 
+/// What of the environments bumps, of conventional texturing.
+void addBumps(const TextureShaderSettings &settings,
+              const fp::texture_shader::Environments &environments, State &state) {
+  for (std::size_t unit = 0; unit < state.units; ++unit)
+    if (environments[unit].mode == fp::texture_shader::EnvironmentMode::Combine &&
+        environments[unit].color.function == fp::texture_shader::CombineFunction::BumpEnvmap)
+      state.bumps[unit] = std::uint8_t(settings.bumpTargets[unit] + 1);
+}
+
 bool isEnabled(const Context &context) { return context.row(Target::TextureShaders).enabled; }
 
 /// The stages and what they sample; conventional ones where the enable is off.
@@ -95,7 +104,7 @@ const StateText *textNow(Context &context, bool combines) {
 
 std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const fp::GlslHost &host,
                                                          bool combines) {
-  TextureShaderState &shaders = *context.textureShaders;
+  TextureShaderState &shaders = keepTextures(context);
   fp::texture_shader::Key key;
   const StateText *const text = textNow(context, combines);
   const fp::nvparse::Text *const instead = text && text->replaced ? &*text->replaced : nullptr;
@@ -107,6 +116,8 @@ std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const
     key.combiners = instead ? *instead->combiners : context.combiners->state();
   } else {
     key.environments = environmentsNow(context);
+    if (key.shaders.conventional)
+      addBumps(shaders.now(), key.environments, key.shaders);
     key.colorSum = fixed.colorSum;
   }
   context.followsFixedFunction = true;
@@ -118,7 +129,8 @@ std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const
 bool texturesNeedLayer(Context &context) {
   if (!context.textureShaders || isEnabled(context))
     return false;
-  const std::uint8_t none = context.textureShaders->now().environmentNone;
+  const std::uint8_t none =
+      context.textureShaders->now().environmentNone | context.textureShaders->now().bumps;
   if (none == 0 && !context.group->textureFormats.any()) [[likely]]
     return false;
   const State state = stagesNow(context);

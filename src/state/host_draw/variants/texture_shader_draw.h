@@ -20,7 +20,7 @@ texturesEffective(Context &context, const fp::GlslHost &host, bool combines);
 
 /// Whether fixed function's fragments, or register combiners', are the layer's though
 /// TEXTURE_SHADER_NV is disabled: an enabled unit has a texture of a format of NV_texture_shader,
-/// or the environment NONE. Asks the host, once there were such.
+/// or an environment of the layer's. Asks the host, once there were such.
 [[nodiscard]] bool texturesNeedLayer(Context &context);
 
 /// Whether the next draw must look which textures are bound: consistency depends on them. After

@@ -16,7 +16,7 @@ constexpr Bits kRgba = {8, 8, 8, 8}, kRgb = {8, 8, 8}, kAlpha = {0, 0, 0, 8},
                kIntensity = {0, 0, 0, 0, 0, 8}, kHilo16 = {0, 0, 0, 0, 0, 0, 16, 16},
                kHilo8 = {0, 0, 0, 0, 0, 0, 8, 8}, kDsdt = {0, 0, 0, 0, 0, 0, 0, 0, 8, 8},
                kDsdtMag = {0, 0, 0, 0, 0, 0, 0, 0, 8, 8, 8},
-               kDsdtMagIntensity = {0, 0, 0, 0, 0, 8, 0, 0, 8, 8, 8};
+               kDsdtMagIntensity = {0, 0, 0, 0, 0, 8, 0, 0, 8, 8, 8}, kDudv = {};
 
 // Signed colours are the host's signed normalised ones, so that it converts pixels. Mixed ones have
 // none; 16 bits hold both kinds of eight. HILO components and offsets come as numbers that the
@@ -56,6 +56,8 @@ constexpr ComponentFormat kFormats[] = {
      GL_DSDT_MAG_VIB_NV, 1, kDsdtMagIntensity},
     {GL_DSDT8_MAG8_INTENSITY8_NV, Base::DsdtMagIntensity, Signs::Signed, GL_RGBA32F,
      GL_DSDT_MAG_VIB_NV, 1, kDsdtMagIntensity},
+    {GL_DUDV_ATI, Base::Dudv, Signs::Signed, GL_RG32F, GL_DUDV_ATI, 0, kDudv},
+    {GL_DU8DV8_ATI, Base::Dudv, Signs::Signed, GL_RG32F, GL_DUDV_ATI, 0, kDudv},
 };
 
 } // namespace
@@ -74,6 +76,7 @@ int componentsOf(GLenum format) {
   switch (format) {
   case GL_HILO_NV:
   case GL_DSDT_NV:
+  case GL_DUDV_ATI:
     return 2;
   case GL_DSDT_MAG_NV:
     return 3;

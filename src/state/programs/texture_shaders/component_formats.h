@@ -6,8 +6,8 @@
 
 #include "fp_compiler/texture_shader/state.h"
 
-/// The internal formats of NV_texture_shader and 3 (table 3.16), and what of the host's stands for
-/// each.
+/// The internal formats of NV_texture_shader and 3 (table 3.16) and of ATI_envmap_bumpmap, and what
+/// of the host's stands for each.
 namespace arbiter::state {
 
 struct ComponentFormat {
@@ -16,7 +16,7 @@ struct ComponentFormat {
   fp::texture_shader::Signs signs = fp::texture_shader::Signs::Unsigned;
   GLenum host = 0;     ///< its internal format there
   GLenum external = 0; ///< the one format of TexImage that goes with it; 0: those of colours
-  int extension = 1;   ///< 1, or 3: NV_texture_shader3
+  int extension = 1;   ///< 1, or 3: NV_texture_shader3; 0: ATI_envmap_bumpmap
   /// Bits of its components: red, green, blue, alpha, luminance, intensity, hi, lo, ds, dt,
   /// magnitude.
   std::array<std::uint8_t, 11> bits{};
@@ -27,7 +27,7 @@ struct ComponentFormat {
 
 /// Null for a name that is none of theirs, or of an extension behind the first `extensions`.
 [[nodiscard]] const ComponentFormat *componentFormat(GLenum name, int extensions = 3);
-/// HILO_NV, DSDT_NV, DSDT_MAG_NV or DSDT_MAG_VIB_NV: an external format.
+/// HILO_NV, DSDT_NV, DSDT_MAG_NV, DSDT_MAG_VIB_NV or DUDV_ATI: an external format.
 [[nodiscard]] bool isComponentFormat(GLenum format);
 [[nodiscard]] int componentsOf(GLenum format);
 /// UNSIGNED_INT_S8_S8_8_8_NV or UNSIGNED_INT_8_8_S8_S8_REV_NV.

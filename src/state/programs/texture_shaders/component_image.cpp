@@ -76,7 +76,10 @@ void convert(const ComponentTransfers &transfers, const ComponentFormat &format,
   const auto count = std::size_t(format.components());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Component to = componentOf(format, int(i % count));
-    const GLfloat wide = pixels[i] * transfers.scales[to.transfer] + transfers.biases[to.transfer];
+    const GLfloat wide =
+        format.base == Base::Dudv // no scale is of it
+            ? pixels[i]
+            : pixels[i] * transfers.scales[to.transfer] + transfers.biases[to.transfer];
     const GLfloat low = to.isSigned ? -1.0f : 0.0f;
     const GLfloat value = wide > low ? std::min(wide, 1.0f) : low; // a NaN is the least
     const double steps = double((1 << (to.isSigned ? to.bits - 1 : to.bits)) - 1);
@@ -201,8 +204,9 @@ ComponentImage componentImageOf(const std::string &bytes) {
 }
 
 void executeComponentImage(Context &context, const std::string &bytes) {
-  if (!context.textureShaders)
+  if (!mayKeepTextures(context))
     return raise(context, GL_INVALID_OPERATION, "a list's image of NV_texture_shader");
+  keepTextures(context);
   const ComponentImage image = componentImageOf(bytes);
   std::vector<GLfloat> pixels((bytes.size() - sizeof image) / sizeof(GLfloat));
   std::memcpy(pixels.data(), bytes.data() + sizeof image, pixels.size() * sizeof(GLfloat));

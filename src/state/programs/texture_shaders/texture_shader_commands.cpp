@@ -130,6 +130,40 @@ void mode(Context &context, TextureShaderState &shaders, bool none) {
       context, [](auto &settings) -> auto & { return settings.environmentNone; }, after);
 }
 
+// --- ATI_envmap_bumpmap ---
+
+void bumpMode(Context &context, TextureShaderState &shaders, bool bumps) {
+  const GLuint unit = activeUnit(context);
+  if (unit >= GLuint(shaders.units())) {
+    if (bumps)
+      raise(context, GL_INVALID_VALUE, "TexEnv: the active unit cannot have BUMP_ENVMAP_ATI");
+    return;
+  }
+  const std::uint8_t before = shaders.now().bumps;
+  const auto after = std::uint8_t(bumps ? before | 1u << unit : before & ~(1u << unit));
+  shaders.set(
+      context, [](auto &settings) -> auto & { return settings.bumps; }, after);
+}
+
+void bumpTarget(Context &context, TextureShaderState &shaders, GLenum name) {
+  const GLenum target = name - GL_TEXTURE0;
+  if (target >= 32)
+    return raise(context, GL_INVALID_ENUM, "TexEnv: BUMP_TARGET_ATI");
+  const GLuint unit = activeUnit(context);
+  if (target >= GLenum(shaders.units()) || unit >= GLuint(shaders.units()))
+    return raise(context, GL_INVALID_VALUE, "TexEnv: BUMP_TARGET_ATI: there is no such unit");
+  shaders.set(
+      context, [&](auto &settings) -> auto & { return settings.bumpTargets[unit]; },
+      std::uint8_t(target));
+}
+
+void bumpMatrix(Context &context, TextureShaderState &shaders, const Vec4 &matrix) {
+  const GLuint unit = activeUnit(context);
+  if (unit >= GLuint(shaders.units()))
+    return raise(context, GL_INVALID_OPERATION, "TexBumpParameter: the active unit has no texture");
+  shaders.setRow(context, int(unit), Row::Bump, matrix);
+}
+
 } // namespace
 
 GLuint activeUnit(const Context &context) {
@@ -170,6 +204,12 @@ void executeTextureShaderCommand(Context &context, const TextureShaderCommand &c
     return;
   case TextureShaderCommand::Kind::Mode:
     return mode(context, shaders, command.values[0] != 0.0f);
+  case TextureShaderCommand::Kind::BumpMode:
+    return bumpMode(context, shaders, command.values[0] != 0.0f);
+  case TextureShaderCommand::Kind::BumpTarget:
+    return bumpTarget(context, shaders, nameIn(command.values[0]));
+  case TextureShaderCommand::Kind::BumpMatrix:
+    return bumpMatrix(context, shaders, command.values);
   case TextureShaderCommand::Kind::Format:
     return noteImageFormat(context, GLenum(command.values[0]), GLint(command.values[1]),
                            command.pname);
@@ -186,8 +226,9 @@ std::string bytesOf(const TextureShaderCommand &command) {
 }
 
 void executeTextureShaderCommands(Context &context, const std::string &bytes) {
-  if (!context.textureShaders)
+  if (!mayKeepTextures(context))
     return raise(context, GL_INVALID_OPERATION, "a list's command of NV_texture_shader");
+  keepTextures(context);
   for (std::size_t at = 0; at + sizeof(TextureShaderCommand) <= bytes.size();
        at += sizeof(TextureShaderCommand)) {
     TextureShaderCommand command;

@@ -7,7 +7,8 @@
 
 #include "state/programs/program_object.h"
 
-/// The commands of NV_texture_shader, 2 and 3 that display lists hold, below the entry points.
+/// The commands of NV_texture_shader, 2 and 3 and of ATI_envmap_bumpmap that display lists hold,
+/// below the entry points.
 namespace arbiter::state {
 
 class Context;
@@ -19,7 +20,10 @@ struct TextureShaderCommand {
     Environment, ///< TexEnv of TEXTURE_SHADER_NV: pname, values
     Mode,        ///< TEXTURE_ENV_MODE of the active unit: values[0] is 1 for NONE, 0 for another
     Transfer,    ///< PixelTransfer of a component of the extension's: pname, values[0]
-    Format,      ///< an image got an internal format: pname, or 0; values: its target and level
+    BumpMode, ///< COMBINE_RGB of the active unit: values[0] is 1 for BUMP_ENVMAP_ATI, 0 for another
+    BumpTarget, ///< BUMP_TARGET_ATI of the active unit: values[0]
+    BumpMatrix, ///< TexBumpParameter of BUMP_ROT_MATRIX_ATI: values
+    Format,     ///< an image got an internal format: pname, or 0; values: its target and level
   };
   Kind kind = Kind::Environment;
   bool scalar = false; ///< TexEnvf and TexEnvi, which take no vectors

@@ -1,6 +1,9 @@
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
+#include <algorithm>
+
 #include "state/core/context.h"
+#include "state/era/era_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/state_text.h"
@@ -29,7 +32,8 @@ TextureShaderSettings &TextureShaderState::writable() {
 }
 
 void TextureShaderState::changed(Context &context) {
-  if (effective || m_settings->environmentNone != 0 || context.row(Target::TextureShaders).enabled)
+  if (effective || m_settings->environmentNone != 0 || m_settings->bumps != 0 ||
+      context.row(Target::TextureShaders).enabled)
     invalidateProgram(context);
 }
 
@@ -56,7 +60,7 @@ void TextureShaderState::setParameters(Context &context) {
     for (int index = 0; index < fp::combiners::kConstants; ++index)
       setEnv(context, index, context.combiners->constant(index));
   for (int unit = 0; unit < fp::texture_shader::kUnits; ++unit)
-    for (const Row row : {Row::Matrix, Row::ScaleBias, Row::Eye})
+    for (const Row row : {Row::Matrix, Row::ScaleBias, Row::Eye, Row::Bump})
       setEnv(context, fp::texture_shader::parameter(unit, row),
              m_settings->rows[std::size_t(unit)][std::size_t(row)]);
 }
@@ -74,15 +78,36 @@ std::shared_ptr<const CompiledProgram> TextureShaderState::programUnder(Context 
   });
 }
 
+bool mayKeepTextures(const Context &context) {
+  return context.textureShaders || hasBumpMaps(context) ||
+         (context.era && context.era->offered.pointSprite);
+}
+
+TextureShaderState &keepTextures(Context &context) {
+  if (!context.textureShaders) {
+    context.row(Target::TextureShaders).env.assign(fp::texture_shader::kParameters, Vec4{});
+    context.textureShaders =
+        std::make_unique<TextureShaderState>(0, std::min(context.caps.maxTextureUnits, 8));
+    context.textureShaders->setParameters(context);
+  }
+  return *context.textureShaders;
+}
+
+bool hasTextureShaders(const Context &context) {
+  return context.textureShaders && context.textureShaders->extensions() != 0;
+}
+
+bool hasBumpMaps(const Context &context) { return context.era && context.era->offered.bumpMap; }
+
 bool followsTextures(const Context &context) {
   const TextureShaderState *const shaders = context.textureShaders.get();
   return shaders && (shaders->effective || shaders->now().environmentNone != 0 ||
-                     context.group->textureFormats.any());
+                     shaders->now().bumps != 0 || context.group->textureFormats.any());
 }
 
 bool textureShaderValue(const Context &context, GLint &value) {
   value = context.row(Target::TextureShaders).enabled ? 1 : 0;
-  return context.textureShaders != nullptr;
+  return hasTextureShaders(context);
 }
 
 } // namespace arbiter::state

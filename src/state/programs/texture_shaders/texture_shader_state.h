@@ -19,11 +19,16 @@ class Context;
 /// which is a target's enable.
 struct TextureShaderSettings {
   std::array<fp::texture_shader::Stage, fp::texture_shader::kUnits> stages{};
-  /// Of each unit: matrix, scale and bias, eye vector (fp::texture_shader::Row).
-  std::array<std::array<Vec4, 3>, fp::texture_shader::kUnits> rows;
+  /// Of each unit by fp::texture_shader::Row: matrix, scale and bias, eye vector, bump matrix.
+  std::array<std::array<Vec4, fp::texture_shader::kRows>, fp::texture_shader::kUnits> rows;
   std::uint8_t environmentNone = 0; ///< units whose TEXTURE_ENV_MODE is NONE, one bit each
+  /// ATI_envmap_bumpmap: units whose COMBINE_RGB is BUMP_ENVMAP_ATI, and BUMP_TARGET_ATI of each.
+  std::uint8_t bumps = 0;
+  std::array<std::uint8_t, fp::texture_shader::kUnits> bumpTargets{};
 
-  TextureShaderSettings() { rows.fill({{{1, 0, 0, 1}, {1, 0, 0, 0}, {0, 0, -1, 0}}}); }
+  TextureShaderSettings() {
+    rows.fill({{{1, 0, 0, 1}, {1, 0, 0, 0}, {0, 0, -1, 0}, {1, 0, 0, 1}}});
+  }
 };
 
 /// The scales and biases of HILO components and texture offset groups (GL_PIXEL_MODE_BIT), in the
@@ -33,11 +38,12 @@ struct ComponentTransfers {
   std::array<GLfloat, 6> biases{};
 };
 
-/// A context's texture shaders. The settings are shared with the attribute stack and copied when
-/// they are next changed.
+/// A context's texture shaders, and what else of texturing the layer keeps in GL_TEXTURE_BIT. The
+/// settings are shared with the attribute stack and copied when they are next changed.
 class TextureShaderState {
 public:
-  /// \param extensions the first of the three that are offered
+  /// \param extensions the first of the three that are offered; 0: none, but ATI_envmap_bumpmap or
+  ///                   NV_point_sprite, whose draws are programs of conventional texturing
   /// \param units texture units
   TextureShaderState(int extensions, int units)
       : m_extensions(extensions), m_units(units),
@@ -98,6 +104,16 @@ private:
   StatePrograms<fp::texture_shader::Key> m_programs;
   NamedStatePrograms<fp::texture_shader::Key> m_named;
 };
+
+/// An extension is offered that keeps its state here. Other than texture shaders do they begin to
+/// with their first command.
+[[nodiscard]] bool mayKeepTextures(const Context &context);
+/// The context has its TextureShaderState from here on. Requires mayKeepTextures().
+TextureShaderState &keepTextures(Context &context);
+/// NV_texture_shader is offered.
+[[nodiscard]] bool hasTextureShaders(const Context &context);
+/// ATI_envmap_bumpmap is the layer's.
+[[nodiscard]] bool hasBumpMaps(const Context &context);
 
 /// Draws depend on which textures are bound and on what they are: their consistency chooses
 /// programs.

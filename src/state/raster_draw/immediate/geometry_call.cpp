@@ -40,7 +40,7 @@ void callVertices(const Context &context, GLuint list) {
 
 /// The host draws, after it was brought up to date.
 void drawOnHost(Context &context, const Geometry &geometry) {
-  if (context.attention && !handlers::beginDraw(context))
+  if (context.attention && !handlers::beginDraw(context, geometry.mode))
     return setCurrentValues(context, geometry.values, geometry.touched);
   const GLuint list = hostListOf(context, geometry);
   // Where the stack is full the last vertex's values stay.

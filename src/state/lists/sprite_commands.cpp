@@ -1,0 +1,42 @@
+#include "state/lists/sprite_commands.h"
+
+#include "state/core/context.h"
+#include "state/era/era_state.h"
+#include "state/host_draw/variants/point_sprites.h"
+#include "state/lists/list_compiler.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// A list is compiled in which the mode may matter.
+bool isInList(const Context &context) {
+  return context.listMode != 0 && !context.insideBeginEnd && context.era &&
+         context.era->sprites.used;
+}
+
+} // namespace
+
+void issuePrimitiveMode(Context &context, GLenum mode) {
+  if (context.listMode == 0)
+    return notePrimitiveMode(context, mode);
+  if (isInList(context) && context.list->changesKind(mode == GL_POINTS))
+    context.list->record(context, {.kind = Command::Kind::PrimitiveMode, .target = mode});
+}
+
+bool recordCoordReplace(Context &context, GLenum pname, GLint value) {
+  if (context.listMode == 0 && !context.insideBeginEnd)
+    releaseSprites(context);
+  if (!isInList(context))
+    return false;
+  context.list->record(
+      context, {.kind = Command::Kind::CoordReplace, .target = pname, .count = GLsizei(value)});
+  return true;
+}
+
+void noteSpriteCommand(Context &context) {
+  if (isInList(context))
+    context.list->cut(context);
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,27 @@
+#pragma once
+#include "../fixture.h"
+
+namespace api {
+
+class EraPointSprites : public ApiTest {
+protected:
+  void SetUp() override {
+    ApiTest::SetUp();
+    if (!epoxy_has_gl_extension("GL_NV_point_sprite"))
+      GTEST_SKIP() << "GL_NV_point_sprite is not offered here";
+  }
+};
+
+inline GLint rMode() {
+  GLint value = -1;
+  glGetIntegerv(GL_POINT_SPRITE_R_MODE_NV, &value);
+  return value;
+}
+
+inline GLint replaces() {
+  GLint value = -1;
+  glGetTexEnviv(GL_POINT_SPRITE_NV, GL_COORD_REPLACE_NV, &value);
+  return value;
+}
+
+} // namespace api
