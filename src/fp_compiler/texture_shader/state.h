@@ -113,12 +113,12 @@ struct State {
 [[nodiscard]] State essential(const State &state);
 
 /// The env parameters of a unit, behind those of register combiners: OFFSET_TEXTURE_MATRIX_NV (a1,
-/// a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV, and the rows of
-/// BUMP_ROT_MATRIX_ATI (r00, r01, r10, r11).
+/// a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV; and behind those
+/// of all units the rows of BUMP_ROT_MATRIX_ATI (r00, r01, r10, r11), which no text has.
 enum class Row : std::uint8_t { Matrix, ScaleBias, Eye, Bump };
 inline constexpr int kRows = 4;
 [[nodiscard]] constexpr int parameter(int unit, Row row) {
-  return combiners::kConstants + kRows * unit + int(row);
+  return combiners::kConstants + (row == Row::Bump ? 3 * kUnits + unit : 3 * unit + int(row));
 }
 inline constexpr int kParameters = combiners::kConstants + kRows * kUnits;
 

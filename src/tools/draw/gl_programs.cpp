@@ -8,6 +8,9 @@ namespace arbiter::tools {
 
 namespace {
 
+/// Of register combiners and texture shaders: those that texts have.
+constexpr int kStateParameters = fp::texture_shader::parameter(0, fp::texture_shader::Row::Bump);
+
 using fp::ir::Language;
 using scene::Setting;
 
@@ -43,12 +46,12 @@ std::optional<RenderError> parametersBeyond(const scene::ProgramFile &file, std:
   for (const scene::Parameter &parameter : file.panel.parameters) {
     const bool attrib = parameter.space == Setting::Attrib;
     if (isNvparse(file.language) && !attrib) {
-      const bool beyond = parameter.first + parameter.count > fp::texture_shader::kParameters;
+      const bool beyond = parameter.first + parameter.count > kStateParameters;
       if (parameter.space == Setting::Local && parameter.span.end != 0)
         return fault(parameter, "combiners and texture shaders have no local parameters");
       if (parameter.space == Setting::Env && beyond)
         return fault(parameter, "env " + std::to_string(parameter.first) + ": there are " +
-                                    std::to_string(fp::texture_shader::kParameters));
+                                    std::to_string(kStateParameters));
       continue;
     }
     if (file.language == Language::AtiFragment && !attrib) {

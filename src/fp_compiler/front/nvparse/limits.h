@@ -21,7 +21,7 @@ namespace arbiter::fp::nvparse {
                       (fragment.textureShaders != 0 ? 3 * fragment.textureUnits : 0);
   counts.attribs = 3 + fragment.textureUnits; // both colours, fog
   fragment.api = fragment.native = counts;
-  fragment.envParameters = texture_shader::kParameters;
+  fragment.envParameters = std::uint32_t(texture_shader::parameter(0, texture_shader::Row::Bump));
   fragment.localParameters = 0;
   fragment.nativeModel = NativeModel::Documented;
   return fragment;
