@@ -29,7 +29,7 @@ def judge(bare, layer):
 
 
 def main():
-    args = sides.seeded_arguments(__doc__, 30)
+    args = sides.seeded_arguments(__doc__, 20)
     bare, wrong, part = sides.compare(args, "rasterizer-fixed-states", judge, IN_FLOATS)
     if not sides.mostly_ours(args, part, 20):
         wrong.append("too many draws are the host's")
