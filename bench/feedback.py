@@ -20,7 +20,6 @@ examples:
   bench/feedback.py build-bench --part workloads --size 2048 --threads 1 --turns 31
 """
 
-import argparse
 import collections
 import json
 import pathlib
@@ -38,11 +37,7 @@ PARTS = {"workloads": workload_rows, "window": window_rows, "sizes": size_rows,
 
 
 def parse(argv):
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path, help="the build folder")
-    parser.add_argument("--layer", type=pathlib.Path,
-                        help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
+    parser = paced.layered_parser(__doc__)
     parser.add_argument("--part", action="append", choices=PARTS, help="may be repeated")
     parser.add_argument("--workload", action="append", metavar="TEXT",
                         help="only workloads whose name has TEXT; may be repeated")
@@ -53,13 +48,8 @@ def parse(argv):
                         "of workloads the mean alone has a bound then")
     parser.add_argument("--backend", default="auto", choices=("auto", "swrast", "host"))
     parser.add_argument("--turns", type=int, default=21, help="of each side of a row")
-    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the figures")
     parser.add_argument("--self-test", action="store_true", help="small and few: do the rows run?")
-    args = parser.parse_args(argv)
-    args.build = args.build.resolve()
-    args.layer = (args.layer or args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
-    if not args.layer.exists():
-        parser.error(f"the layer is not built: {args.layer}")
+    args = paced.parse_layered(parser, argv)
     if args.self_test:
         args.size, args.turns = 64, 3
         paced.REACH_PACE_S = 0.1

@@ -14,7 +14,6 @@ examples:
   bench/nv.py build-bench --backend swrast --pair LOOP --part frame --turns 51
 """
 
-import argparse
 import collections
 import json
 import pathlib
@@ -24,7 +23,7 @@ import tempfile
 
 from feedback import judge
 from machine import describe, heading
-from paced import TURN_MS, Client, environment, interval
+from paced import TURN_MS, Client, environment, interval, layered_parser, parse_layered
 
 MOST = 1.15  # NV / ARB
 APART = 0.001  # the part of the pixels that may be further apart than 2 of 255
@@ -33,23 +32,14 @@ FRAME = "nv-frame/"
 
 
 def parse(argv):
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path, help="the build folder")
-    parser.add_argument("--layer", type=pathlib.Path,
-                        help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
+    parser = layered_parser(__doc__)
     parser.add_argument("--backend", action="append", choices=("swrast", "host"), help="may be repeated")
     parser.add_argument("--part", action="append", choices=PARTS, help="may be repeated")
     parser.add_argument("--pair", action="append", metavar="TEXT",
                         help="only pairs whose name has TEXT; may be repeated")
     parser.add_argument("--turns", type=int, default=21, help="of each side of a pair")
-    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the figures")
     parser.add_argument("--self-test", action="store_true", help="few turns: do the rows run?")
-    args = parser.parse_args(argv)
-    args.build = args.build.resolve()
-    args.layer = (args.layer or args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
-    if not args.layer.exists():
-        parser.error(f"the layer is not built: {args.layer}")
+    args = parse_layered(parser, argv)
     args.turn_ms = TURN_MS
     if args.self_test:
         args.turns, args.turn_ms = 2, 2.0

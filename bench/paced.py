@@ -5,6 +5,7 @@ turn is as many frames as take about TURN_MS, calibrated for each side, so that 
 measured over a clock's tick.
 """
 
+import argparse
 import json
 import math
 import pathlib
@@ -27,6 +28,25 @@ def environment(layer=None, extra=None):
         env["LD_PRELOAD"] = str(layer)
     env.update(extra or {})
     return env
+
+
+def layered_parser(doc):
+    """The command line of a benchmark of a build with and without the layer: BUILD, --layer, --json."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path, help="the build folder")
+    parser.add_argument("--layer", type=pathlib.Path, help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
+    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the figures")
+    return parser
+
+
+def parse_layered(parser, argv):
+    """The arguments of layered_parser(), with the layer's place; ends where it is not built."""
+    args = parser.parse_args(argv)
+    args.build = args.build.resolve()
+    args.layer = (args.layer or args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
+    if not args.layer.exists():
+        parser.error(f"the layer is not built: {args.layer}")
+    return args
 
 
 class Client:

@@ -14,7 +14,6 @@ examples:
   bench/real.py build-bench --trace FILE --backend swrast
 """
 
-import argparse
 import json
 import math
 import pathlib
@@ -24,6 +23,7 @@ import tempfile
 
 import replays
 from machine import describe, heading
+from paced import layered_parser, parse_layered
 from replays import Side
 
 from cases import PrepareError
@@ -32,15 +32,11 @@ from x_server import XServer
 
 
 def parse(argv):
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path, help="the build folder")
+    parser = layered_parser(__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME",
                         help="programs of tests/real_programs_vs_host; without NAME and --trace all")
     parser.add_argument("--trace", type=pathlib.Path, action="append", default=[], metavar="FILE")
     parser.add_argument("--case", help="only cases whose name contains this")
-    parser.add_argument("--layer", type=pathlib.Path,
-                        help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
     parser.add_argument("--backend", default="auto", choices=("auto", "swrast", "host"))
     parser.add_argument("--fixed-function", choices=("always", "programs"),
                         help="whose draws without a program are (default: as the layer has it)")
@@ -51,11 +47,7 @@ def parse(argv):
                         help="of a longer trace only the first so many (default: %(default)s)")
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path(tempfile.gettempdir()) / "arbiter-real",
                         help="inputs and traces, kept between runs (default: %(default)s)")
-    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the figures")
-    args = parser.parse_args(argv)
-    args.layer = (args.layer or args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
-    if not args.layer.exists():
-        parser.error(f"the layer is not built: {args.layer}")
+    args = parse_layered(parser, argv)
     args.choice = Choice(args.names, args.trace, args.case, args.work, args.frames)
     if args.choice.unknown():
         parser.error(f"no program named {', '.join(args.choice.unknown())}; "

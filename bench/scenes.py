@@ -13,14 +13,12 @@ examples:
   bench/scenes.py build-bench --scene fur --turns 51 --backend host
 """
 
-import argparse
 import json
-import pathlib
 import sys
 
 from feedback import judge
 from machine import describe, heading
-from paced import TURN_MS, Client, environment, interval
+from paced import TURN_MS, Client, environment, interval, layered_parser, parse_layered
 
 # Of each scene the way that the bare host draws, and those of the layer that are set beside it.
 SCENES = {"fur": [("arb", ("arb", "combiners", "as-then"))],
@@ -32,21 +30,14 @@ WARM_MS = 3000  # machine code is made and tried meanwhile
 
 
 def parse(argv):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path, help="the build folder")
-    parser.add_argument("--layer", type=pathlib.Path, help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
+    parser = layered_parser(__doc__)
     parser.add_argument("--backend", default="auto", choices=("auto", "swrast", "host"))
     parser.add_argument("--scene", action="append", choices=sorted({*SCENES, *COMBINED}), help="may be repeated")
     parser.add_argument("--time", default="clock", choices=("clock", "processor"), help="what is counted")
     parser.add_argument("--size", type=int, default=512, help="of the picture")
     parser.add_argument("--turns", type=int, default=21, help="of each side of a row")
-    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the figures")
     parser.add_argument("--self-test", action="store_true", help="few turns: do the rows run?")
-    args = parser.parse_args(argv)
-    args.build = args.build.resolve()
-    args.layer = (args.layer or args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
-    if not args.layer.exists():
-        parser.error(f"the layer is not built: {args.layer}")
+    args = parse_layered(parser, argv)
     args.turn_ms, args.warm_ms = (2.0, 2.0) if args.self_test else (TURN_MS, WARM_MS)
     args.turns = 2 if args.self_test else args.turns
     return args

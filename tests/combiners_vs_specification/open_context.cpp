@@ -40,3 +40,19 @@ bool openContextWith(const char *extension) {
   std::fprintf(stderr, "%s is not announced\n", extension);
   return false;
 }
+
+void bindTarget(int size) {
+  GLuint framebuffer = 0, buffers[2] = {};
+  glGenFramebuffers(1, &framebuffer);
+  glGenRenderbuffers(2, buffers);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  constexpr GLenum kFormats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+  constexpr GLenum kPoints[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  for (int i = 0; i < 2; ++i) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    glRenderbufferStorage(GL_RENDERBUFFER, kFormats[i], size, size);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, kPoints[i], GL_RENDERBUFFER, buffers[i]);
+  }
+  glViewport(0, 0, size, size);
+  glDisable(GL_DITHER);
+}

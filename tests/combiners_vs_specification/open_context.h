@@ -6,5 +6,8 @@
 
 /// The same of a context that announces the extension; says on stderr why there is none.
 [[nodiscard]] bool openContextWith(const char *extension);
+/// Draws go to a framebuffer object of so many pixels a side, RGBA8 with 24 bits of depth,
+/// undithered.
+void bindTarget(int size);
 /// The status of a client that has nothing to test.
 inline constexpr int kSkipped = 77;

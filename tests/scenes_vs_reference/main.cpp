@@ -173,22 +173,6 @@ int pace(const std::string &name) {
 
 int pictureSize() { return g_size; }
 
-void bindTarget() {
-  GLuint framebuffer = 0, buffers[2] = {};
-  glGenFramebuffers(1, &framebuffer);
-  glGenRenderbuffers(2, buffers);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  constexpr GLenum kFormats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
-  constexpr GLenum kPoints[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-  for (int i = 0; i < 2; ++i) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-    glRenderbufferStorage(GL_RENDERBUFFER, kFormats[i], g_size, g_size);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, kPoints[i], GL_RENDERBUFFER, buffers[i]);
-  }
-  glViewport(0, 0, g_size, g_size);
-  glDisable(GL_DITHER);
-}
-
 int run(const std::vector<std::string> &arguments) {
   const std::string option = arguments.empty() ? "" : arguments[0];
   const bool paced = option == "--pace" && (arguments.size() == 2 || arguments.size() == 3);
@@ -200,7 +184,7 @@ int run(const std::vector<std::string> &arguments) {
     return kSkipped;
   if (paced && arguments.size() == 3)
     g_size = std::max(std::atoi(arguments[2].c_str()), 16);
-  bindTarget();
+  bindTarget(g_size);
   return paced ? pace(arguments[1]) : compareAll(arguments.empty() ? "" : arguments[1]);
 }
 

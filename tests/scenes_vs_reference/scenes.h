@@ -40,8 +40,6 @@ struct Scene {
 
 /// The picture's width and height.
 [[nodiscard]] int pictureSize();
-/// The framebuffer that scenes are drawn to is bound, with depths.
-void bindTarget();
 
 // --- Geometry ---
 

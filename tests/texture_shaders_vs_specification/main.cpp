@@ -39,19 +39,7 @@ struct Tally {
 };
 
 void makeTarget() {
-  GLuint framebuffer = 0, buffers[2] = {};
-  glGenFramebuffers(1, &framebuffer);
-  glGenRenderbuffers(2, buffers);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  constexpr GLenum kFormats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
-  constexpr GLenum kPoints[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-  for (int i = 0; i < 2; ++i) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-    glRenderbufferStorage(GL_RENDERBUFFER, kFormats[i], shaded::kSize, shaded::kSize);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, kPoints[i], GL_RENDERBUFFER, buffers[i]);
-  }
-  glViewport(0, 0, shaded::kSize, shaded::kSize);
-  glDisable(GL_DITHER);
+  bindTarget(shaded::kSize);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_ALWAYS);
   const auto &c = shaded::kClearColor;

@@ -212,6 +212,9 @@ private:
                    {result.read(), m_builder.constant(float(environment.alpha.scale))});
       return;
     }
+    // As NVIDIA, whose extensions these are beside. Fixed function alone is drawn as Mesa does,
+    // which applies ALPHA_SCALE here too: the text can be read in both ways (ARB_texture_env_dot3,
+    // issue 2).
     const float alpha = dotRgba ? rgb : float(environment.alpha.scale);
     m_builder.op(Opcode::Mul, m_color.sat(),
                  {result.read(), m_builder.constant(rgb, rgb, rgb, alpha)});

@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
-#include "state/era/era_state.h"
 #include "state/host_draw/linked_program.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/program_bind.h"
@@ -16,10 +14,6 @@ namespace arbiter::state {
 namespace {
 
 constexpr int kMostUnits = 8; ///< gl_TexCoord's that programs read
-
-PointSprites *spritesOf(const Context &context) {
-  return context.era && context.era->offered.pointSprite ? &context.era->sprites : nullptr;
-}
 
 GLenum polygonMode(const Context &context, std::size_t face) {
   GLint modes[2] = {GL_FILL, GL_FILL};
@@ -71,17 +65,6 @@ bool mayFollowSprites(const Context &context) {
   return sprites && sprites->rMode != GL_ZERO;
 }
 
-void notePrimitiveMode(Context &context, GLenum mode) {
-  PointSprites *const sprites = spritesOf(context);
-  if (sprites && sprites->used && context.listMode == 0) [[unlikely]]
-    sprites->drawn = mode;
-}
-
-GLenum spriteMode(const Context &context) {
-  const PointSprites *const sprites = spritesOf(context);
-  return sprites ? sprites->rMode : GLenum(GL_ZERO);
-}
-
 void followSprites(Context &context) {
   PointSprites *const sprites = spritesOf(context);
   if (!sprites || (sprites->rMode == GL_ZERO && sprites->form.units == 0)) [[likely]]
@@ -111,12 +94,9 @@ void applySprites(Context &context) {
   replaceCoordinates(context, more, GL_FALSE);
 }
 
-void releaseSprites(Context &context) {
-  PointSprites *const sprites = spritesOf(context);
-  if (!sprites || sprites->hidden == 0) [[likely]]
-    return;
-  replaceCoordinates(context, sprites->hidden, GL_TRUE);
-  sprites->hidden = 0;
+void showCoordinates(Context &context, PointSprites &sprites) {
+  replaceCoordinates(context, sprites.hidden, GL_TRUE);
+  sprites.hidden = 0;
 }
 
 void setSpriteMode(Context &context, GLenum mode) {

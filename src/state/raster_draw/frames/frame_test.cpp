@@ -255,5 +255,22 @@ TEST_F(Frame, AContextBeginsWithWhatTheLastOneLearnt) {
   EXPECT_TRUE(historyOfProcess().wholeFrames) << "nor one whose rasterizer is not chosen by it";
 }
 
+TEST_F(Frame, WhatIsEngagedLaterBeginsWithIt) {
+  for (const bool whole : {true, false}) {
+    clear(kBoth);
+    drawn();
+    if (!whole)
+      drawnByHost();
+    clear(kBoth);
+    context().software.reset();
+    context().softwareRefused = false;
+    context().offered = context().caps.onProcessor = true;
+    engage(context());
+    ASSERT_TRUE(context().software);
+    EXPECT_EQ(state().history.wholeFrames, whole) << "as the last frame of the process was";
+    EXPECT_EQ(state().history.backOff.statistics().trials, 0u);
+  }
+}
+
 } // namespace
 } // namespace arbiter::state::software
