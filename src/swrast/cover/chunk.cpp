@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "swrast/cover/small.h"
+#include "swrast/cover/coverage.h"
 
 namespace arbiter::swrast {
 namespace {

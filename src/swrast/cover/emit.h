@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "swrast/cover/coverage.h"
 #include "swrast/cover/flush_mode.h"
 #include "swrast/cover/packed.h"
-#include "swrast/cover/small.h"
 
 /// Shapes to spans and blocks, given to the shading function in batches.
 namespace arbiter::swrast {
@@ -14,7 +14,7 @@ class Emitter {
 public:
   Emitter(const RasterState &state, const Shading &shading)
       : m_state(state), m_shading(shading), m_blockSize{shading.blockWidth, shading.blockHeight},
-        m_cover(chooseCoverSmall()), m_packed(state, shading) {}
+        m_cover(chooseCoverKernels()), m_packed(state, shading) {}
   ~Emitter() { flush(); }
   Emitter(const Emitter &) = delete;
   Emitter &operator=(const Emitter &) = delete;
@@ -40,7 +40,10 @@ private:
 
   void rows(const Shape &shape, int left, int bottom, int right, int top);
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
-  void rectangleBlocks(int left, int bottom, int right, int top);
+  /// What lies in a part of one tile.
+  void tileBlocks(const Shape &shape, const Rect &part);
+  /// The same of a shape whose edges do not fit 32 bits.
+  void wideBlocks(const Shape &shape, const Rect &part);
   void span(int x, int y, int end);
   void stippledSpan(int x, int y, int end);
   /// Pixels of a block, row by row: a lane each.
@@ -53,7 +56,9 @@ private:
 
   void block(int x, int y, unsigned mask, BlockSize size);
   /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
-  void filterBlocks(const Rect &rect, const Bounds &bounds, BlockSize size);
+  void keepInside(const Rect &rect, const Bounds &bounds, BlockSize size);
+  /// Leaves `maskOf(block)` of the blocks that wait, and what the stipple leaves of that.
+  template <typename MaskOf> void filterBlocks(MaskOf maskOf, BlockSize size);
   [[nodiscard]] static unsigned insideMask(const Rect &rect, int x, int y, BlockSize size);
   [[nodiscard]] bool wantsRows(int width) const;
 
@@ -61,7 +66,7 @@ private:
   const RasterState &m_state;
   const Shading &m_shading;
   BlockSize m_blockSize; ///< of the shading function
-  CoverSmall m_cover;
+  const CoverKernels &m_cover;
   PackedShader m_packed;
   bool m_packs = false;
   const abi::Primitive *m_primitive = nullptr;
