@@ -26,10 +26,13 @@ public:
   }
   /// What of the shape lies in columns left to right and rows bottom to top.
   void shade(const Shape &shape, int left, int bottom, int right, int top);
+  /// What of it lies in the rectangle, which is of the tile that has begun. It may wait, so that it
+  /// stays where it is until the emitter's end.
+  void shadeInTile(const PlanePlan &plan, const Shape &shape, const Rect &rect);
   /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
   /// Planes are made only if a pixel is covered.
   void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
-  /// Shades the items that wait.
+  /// Shades the items that wait, but for those that wait for the tile's end.
   void flush();
   /// Pixels that were given to shading.
   [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
@@ -40,6 +43,9 @@ private:
 
   void rows(const Shape &shape, int left, int bottom, int right, int top);
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
+  /// Gives the shape to what packs pixels, if it covers few of those of its blocks. False: it was
+  /// not.
+  [[nodiscard]] bool pack(const PlanePlan &plan, const Shape &shape, const Rect &part);
   /// What lies in a part of one tile.
   void tileBlocks(const Shape &shape, const Rect &part);
   /// The same of a shape whose edges do not fit 32 bits.
@@ -82,10 +88,10 @@ private:
 };
 
 /// The covered columns of a shape row by row, upwards: where an edge crosses a row is followed by
-/// exact steps of quotient and remainder.
+/// exact steps of quotient and remainder. Edges that do not cross what is walked cost nothing.
 class RowWalker {
 public:
-  RowWalker(const Shape &shape, int left, int bottom, int right);
+  RowWalker(const Shape &shape, int left, int bottom, int right, int top);
   /// The next row; begin >= end where nothing is covered.
   void next(int &begin, int &end) {
     begin = m_left;
