@@ -16,13 +16,9 @@ struct TileTest {
 TileTest testTile(const Shape &shape, const Rect &tile) {
   TileTest result;
   for (int i = 0; i < shape.edgeCount; ++i) {
-    const Edge &edge = shape.edges[i];
-    const std::int64_t at = std::int64_t(edge.a) * tile.x + std::int64_t(edge.b) * tile.y + edge.c;
-    const std::int64_t alongX = std::int64_t(edge.a) * (tile.width - 1);
-    const std::int64_t alongY = std::int64_t(edge.b) * (tile.height - 1);
-    const std::int64_t zero = 0;
-    result.any = result.any && at + std::max(alongX, zero) + std::max(alongY, zero) >= 0;
-    result.all = result.all && at + std::min(alongX, zero) + std::min(alongY, zero) >= 0;
+    const EdgeOver edge(shape.edges[i], tile);
+    result.any = result.any && edge.some;
+    result.all = result.all && edge.all;
   }
   result.all = result.all && shape.left <= tile.x && shape.right >= tile.x + tile.width &&
                shape.bottom <= tile.y && shape.top >= tile.y + tile.height;

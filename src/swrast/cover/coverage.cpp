@@ -37,15 +37,11 @@ bool regionOf(const Shape &shape, const Rect &bounds, Region &region) {
   region.count = 0;
   for (int i = 0; i < shape.edgeCount; ++i) {
     const Edge &edge = shape.edges[i];
-    const std::int64_t at =
-        edge.a * std::int64_t(bounds.x) + edge.b * std::int64_t(bounds.y) + edge.c;
-    const std::int64_t alongX = edge.a * std::int64_t(bounds.width - 1);
-    const std::int64_t alongY = edge.b * std::int64_t(bounds.height - 1);
-    const std::int64_t zero = 0;
-    if (at + std::max(alongX, zero) + std::max(alongY, zero) < 0)
+    const EdgeOver over(edge, bounds);
+    if (!over.some)
       return false;
-    if (at + std::min(alongX, zero) + std::min(alongY, zero) < 0)
-      region.edges[region.count++] = {edge.a, edge.b, std::int32_t(at)};
+    if (!over.all)
+      region.edges[region.count++] = {edge.a, edge.b, std::int32_t(over.corner)};
   }
   return true;
 }

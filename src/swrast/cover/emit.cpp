@@ -30,11 +30,7 @@ RowWalker::RowWalker(const Shape &shape, int left, int bottom, int right, int to
   for (int i = 0; i < shape.edgeCount; ++i) {
     const Edge &edge = shape.edges[i];
     const std::int64_t value = std::int64_t(edge.b) * bottom + edge.c;
-    const std::int64_t alongX = std::int64_t(edge.a) * (right - 1 - left);
-    const std::int64_t alongY = std::int64_t(edge.b) * (top - 1 - bottom);
-    const std::int64_t zero = 0;
-    const std::int64_t corner = value + std::int64_t(edge.a) * left;
-    if (corner + std::min(alongX, zero) + std::min(alongY, zero) >= 0)
+    if (EdgeOver(edge, {left, bottom, right - left, top - bottom}).all)
       continue;
     if (edge.a == 0) {
       m_level[m_levels++] = {value, edge.b};

@@ -13,6 +13,20 @@ struct Edge {
   std::int64_t c = 0;
 };
 
+/// An edge over a rectangle of pixels, which is not empty.
+struct EdgeOver {
+  std::int64_t corner; ///< its value at the lower left pixel
+  bool some, all;      ///< whether there are pixels inside of it, and whether all are
+  EdgeOver(const Edge &edge, const Rect &pixels) {
+    const std::int64_t alongX = std::int64_t(edge.a) * (pixels.width - 1);
+    const std::int64_t alongY = std::int64_t(edge.b) * (pixels.height - 1);
+    const std::int64_t zero = 0;
+    corner = std::int64_t(edge.a) * pixels.x + std::int64_t(edge.b) * pixels.y + edge.c;
+    some = corner + std::max(alongX, zero) + std::max(alongY, zero) >= 0;
+    all = corner + std::min(alongX, zero) + std::min(alongY, zero) >= 0;
+  }
+};
+
 struct Bounds {
   std::int32_t left = 0, bottom = 0, right = 0, top = 0; ///< pixels, half open, clipped
   /// The pixel at which planes are exact: values round the same wherever the scissor cuts (rule 2
