@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "swrast/cover/small.h"
+#include "swrast/cover/coverage.h"
 
 namespace arbiter::swrast {
 namespace {
@@ -224,8 +224,7 @@ void Chunk::shade(std::size_t tile, const PlanePlan &plan, const WindowVertex *w
   for (std::uint32_t at = m_tiles[tile].first; at != kNone; at = m_links[at].next) {
     const Record &record = m_records[m_links[at].record];
     if (record.isShape) {
-      emitter.shade(m_shapes[record.vertex[0]], rect.x, rect.y, rect.x + rect.width,
-                    rect.y + rect.height);
+      emitter.shadeInTile(plan, m_shapes[record.vertex[0]], rect);
       continue;
     }
     for (int k = 0; k < 3; ++k) {

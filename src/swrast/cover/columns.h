@@ -120,11 +120,13 @@ inline void setColumnsOf(const PlanePlan &plan, const PackedTriangle *const *tri
   }
 }
 
-/// One triangle's planes, as planes.h makes them.
+/// One's planes, as planes.h makes them or as they are made.
 inline void setColumnOf(const PackedTriangle &each, int column, abi::PrimitiveColumns &to) {
-  abi::Primitive primitive;
-  makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
-             primitive);
+  abi::Primitive own;
+  if (!each.made)
+    makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
+               own);
+  const abi::Primitive &primitive = each.made ? *each.made : own;
   const auto copy = [&](std::size_t offset) {
     for (std::size_t word = 0; word < 3; ++word)
       __builtin_memcpy(&to.rows[offset / 4 + word][column],
@@ -154,11 +156,13 @@ void setColumns(const PackedTriangle *const *triangles, int count, abi::Primitiv
     set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, dy), &each.depth.dy);
   }
   for (int first = 0; first < count;) {
-    const PlanePlan *const plan = triangles[first]->plan;
+    // The plan of planes that are to be made together.
+    const auto planOf = [&](int k) { return triangles[k]->made ? nullptr : triangles[k]->plan; };
+    const PlanePlan *const plan = planOf(first);
     int end = first + 1;
-    while (end < count && triangles[end]->plan == plan)
+    while (end < count && planOf(end) == plan)
       ++end;
-    if (end - first >= kLeastRun)
+    if (plan && end - first >= kLeastRun)
       setColumnsOf(*plan, triangles + first, first, end - first, to);
     else
       for (int k = first; k < end; ++k)

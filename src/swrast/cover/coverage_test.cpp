@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <random>
 
-#include "swrast/cover/small.h"
+#include "swrast/cover/coverage.h"
+#include "swrast/cover/emit.h"
 #include "swrast/testing/canvas.h"
 #include "util/processor.h"
 
@@ -133,13 +135,19 @@ TEST(Rasterize, FansCoverEachPixelOnce) {
   }
 }
 
-TEST(Rasterize, SmallTrianglesAreTheSameOnAllInstructionSets) {
-  std::vector<CoverSmall> others;
+/// Those of this processor's instruction sets beyond the baseline.
+std::vector<const CoverKernels *> otherKernels() {
+  std::vector<const CoverKernels *> others;
 #if defined(__x86_64__) || defined(__i386__)
   if (vectors() >= Vectors::Avx2)
-    others.push_back(coverSmallAvx2);
+    others.push_back(&kCoverAvx2);
 #endif
-  others.push_back(chooseCoverSmall());
+  others.push_back(&chooseCoverKernels());
+  return others;
+}
+
+TEST(Rasterize, SmallTrianglesAreTheSameOnAllInstructionSets) {
+  const std::vector<const CoverKernels *> others = otherKernels();
   std::mt19937 random(11);
   std::uniform_int_distribution<std::int32_t> place(0, kSmallExtent - 1), origin(-8, 8);
   for (int round = 0; round < 3000; ++round) {
@@ -155,15 +163,134 @@ TEST(Rasterize, SmallTrianglesAreTheSameOnAllInstructionSets) {
       continue;
     for (const int lanes : {4, 8, 16}) {
       std::vector<abi::Block> expected(2048), blocks(2048);
-      const SmallCover cover = coverSmallBaseline(corner, area > 0, bounds, lanes, expected.data());
-      for (const CoverSmall other : others) {
-        const SmallCover same = other(corner, area > 0, bounds, lanes, blocks.data());
+      const Cover cover = kCoverBaseline.small(corner, area > 0, bounds, lanes, expected.data());
+      for (const CoverKernels *other : others) {
+        const Cover same = other->small(corner, area > 0, bounds, lanes, blocks.data());
         ASSERT_EQ(same.blocks, cover.blocks);
         ASSERT_EQ(same.pixels, cover.pixels);
         ASSERT_EQ(std::memcmp(blocks.data(), expected.data(), cover.blocks * sizeof(abi::Block)),
                   0);
       }
     }
+  }
+}
+
+/// A triangle of any size around a tile, some thin, some far larger than it.
+Shape shapeAround(std::mt19937 &random, int round, const Rect &tile) {
+  const std::int32_t reach = 64 << (round % 8); // pixels
+  std::uniform_int_distribution<std::int32_t> place(-reach * kSubpixels, reach * kSubpixels);
+  const std::int32_t unit = round % 2 ? 1 : 128; // often on centres
+  Shape shape;
+  for (;;) {
+    WindowVertex corner[3];
+    for (WindowVertex &v : corner) {
+      v.fixedX = (tile.x + 32) * kSubpixels + place(random) / unit * unit;
+      v.fixedY = (tile.y + 32) * kSubpixels + place(random) / unit * unit;
+    }
+    if (round % 5 == 0) { // a sliver
+      corner[2].fixedX = corner[1].fixedX + 300;
+      corner[2].fixedY = corner[1].fixedY - 200;
+    }
+    const std::int64_t area = areaOf(corner);
+    if (area != 0 && shapeOf({-32768, -32768, 65536, 65536}, corner, area, shape))
+      return shape;
+  }
+}
+
+bool isInside(const Shape &shape, int x, int y) {
+  return std::all_of(shape.edges, shape.edges + shape.edgeCount, [&](const Edge &edge) {
+    return std::int64_t(edge.a) * x + std::int64_t(edge.b) * y + edge.c >= 0;
+  });
+}
+
+TEST(Rasterize, RegionsAreExactOnAllInstructionSets) {
+  std::vector<const CoverKernels *> all = otherKernels();
+  all.push_back(&kCoverBaseline);
+  std::mt19937 random(13);
+  int covered = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const Rect tile = {64 * int(random() % 128), 64 * int(random() % 128), 64, 64};
+    const int left = int(random() % 32), bottom = int(random() % 32);
+    const Rect part = round % 3 == 0 ? tile
+                                     : Rect{tile.x + left, tile.y + bottom,
+                                            1 + int(random() % unsigned(64 - left)),
+                                            1 + int(random() % unsigned(64 - bottom))};
+    const Shape shape = shapeAround(random, round, tile);
+    ASSERT_TRUE(fitsRegions(shape));
+    std::vector<bool> expected(64 * 64);
+    unsigned pixels = 0;
+    for (int y = part.y; y < part.y + part.height; ++y)
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        const bool inside = isInside(shape, x, y);
+        expected[std::size_t((y & 63) * 64 + (x & 63))] = inside;
+        pixels += inside ? 1 : 0;
+      }
+    covered += pixels != 0 ? 1 : 0;
+    Region region;
+    if (!regionOf(shape, part, region)) {
+      ASSERT_EQ(pixels, 0u);
+      continue;
+    }
+    for (const int lanes : {4, 8, 16}) {
+      const int width = lanes == 4 ? 2 : 4;
+      for (const CoverKernels *kernels : all) {
+        std::vector<abi::Block> blocks(1025);
+        const Cover cover = kernels->region(region, lanes, blocks.data());
+        ASSERT_EQ(cover.pixels, pixels) << "round " << round;
+        std::vector<bool> seen(64 * 64);
+        for (std::uint32_t i = 0; i < cover.blocks; ++i) {
+          ASSERT_NE(blocks[i].mask, 0);
+          for (int lane = 0; lane < lanes; ++lane)
+            if (blocks[i].mask >> lane & 1) {
+              const int x = blocks[i].x + lane % width, y = blocks[i].y + lane / width;
+              ASSERT_TRUE(x >= tile.x && x < tile.x + 64 && y >= tile.y && y < tile.y + 64);
+              seen[std::size_t((y & 63) * 64 + (x & 63))] = true;
+            }
+        }
+        ASSERT_EQ(seen, expected) << "round " << round << ", " << lanes << " lanes";
+      }
+    }
+  }
+  EXPECT_GT(covered, 1000); // many of the shapes reach their tile
+}
+
+/// What the emitter makes of a large shape, stippled or not, and of one whose edges need 64 bits.
+TEST(Rasterize, LargeShapesAreShadedByBlocks) {
+  std::mt19937 random(17);
+  std::vector<std::uint8_t> stipple(128);
+  for (std::uint8_t &byte : stipple)
+    byte = std::uint8_t(random());
+  for (int round = 0; round < 240; ++round) {
+    Canvas canvas(150, 140);
+    canvas.useQuads(2 << (1 + round % 3));
+    const bool stippled = round / 3 % 2 != 0, wide = round % 8 == 7;
+    canvas.state.polygonStipple = stippled ? stipple.data() : nullptr;
+    Shape shape = shapeAround(random, round, {64, 64, 64, 64});
+    if (wide)
+      for (Edge &edge : shape.edges)
+        edge = {edge.a * 4096, edge.b * 4096, edge.c * 4096 - std::int64_t(random() % 4096)};
+    const Rect drawn =
+        intersect(canvas.state.clip,
+                  {shape.left, shape.bottom, shape.right - shape.left, shape.top - shape.bottom});
+    shape.stippled = stippled;
+    std::uint64_t pixels = 0;
+    {
+      Emitter emitter(canvas.state, canvas.shading);
+      emitter.shade(shape, 3, 5, 147, 133);
+      pixels = emitter.pixels();
+    }
+    std::uint64_t expected = 0;
+    for (int y = 0; y < canvas.height; ++y)
+      for (int x = 0; x < canvas.width; ++x) {
+        const bool isSet =
+            (stipple[std::size_t(4 * (y & 31) + (x & 31) / 8)] >> (7 - x % 8) & 1) != 0;
+        const bool isHere = x >= std::max(3, drawn.x) && x < std::min(147, drawn.x + drawn.width) &&
+                            y >= std::max(5, drawn.y) && y < std::min(133, drawn.y + drawn.height);
+        const unsigned count = isHere && isInside(shape, x, y) && (!stippled || isSet) ? 1 : 0;
+        ASSERT_EQ(canvas.at(x, y), count) << x << ", " << y << " in round " << round;
+        expected += count;
+      }
+    EXPECT_EQ(pixels, expected);
   }
 }
 

@@ -6,6 +6,9 @@ namespace {
 /// Shapes at least this many vectors wide are shaded by rows where there is a choice: the ends of
 /// narrower rows leave most lanes empty.
 constexpr int kRowVectors = 2;
+/// Shapes that cover no more of the 16 pixels of their blocks in a tile, in the middle, are packed:
+/// blocks cost less a vector, packed pixels fill theirs.
+constexpr std::uint32_t kMostPacked = 8;
 
 /// Bits set in the low 16. The processors that this is built for need not have an instruction.
 unsigned bitsOf(unsigned mask) {
@@ -22,11 +25,17 @@ std::int64_t floorDivide(std::int64_t value, std::int64_t divisor) {
 
 } // namespace
 
-RowWalker::RowWalker(const Shape &shape, int left, int bottom, int right)
+RowWalker::RowWalker(const Shape &shape, int left, int bottom, int right, int top)
     : m_left(left), m_right(right) {
   for (int i = 0; i < shape.edgeCount; ++i) {
     const Edge &edge = shape.edges[i];
     const std::int64_t value = std::int64_t(edge.b) * bottom + edge.c;
+    const std::int64_t alongX = std::int64_t(edge.a) * (right - 1 - left);
+    const std::int64_t alongY = std::int64_t(edge.b) * (top - 1 - bottom);
+    const std::int64_t zero = 0;
+    const std::int64_t corner = value + std::int64_t(edge.a) * left;
+    if (corner + std::min(alongX, zero) + std::min(alongY, zero) >= 0)
+      continue;
     if (edge.a == 0) {
       m_level[m_levels++] = {value, edge.b};
       continue;
@@ -75,6 +84,35 @@ void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top
   flush();
 }
 
+void Emitter::shadeInTile(const PlanePlan &plan, const Shape &shape, const Rect &rect) {
+  if (m_packs && shape.edgeCount != 0 && fitsRegions(shape)) {
+    const Rect own = {shape.left, shape.bottom, shape.right - shape.left, shape.top - shape.bottom};
+    const Rect part = intersect(own, rect);
+    if (part.empty() || pack(plan, shape, part))
+      return;
+  }
+  shade(shape, rect.x, rect.y, rect.x + rect.width, rect.y + rect.height);
+}
+
+bool Emitter::pack(const PlanePlan &plan, const Shape &shape, const Rect &part) {
+  Region region;
+  if (!regionOf(shape, part, region))
+    return true;
+  if (region.count == 0 && std::min(part.width, part.height) >= 2 * kPackedBlock.width)
+    return false; // a rectangle that fills most of its blocks
+  const Cover cover = m_cover.region(region, kPackedBlock.lanes(), m_blocks);
+  if (cover.pixels > kMostPacked * cover.blocks)
+    return false;
+  m_count = cover.blocks;
+  m_pixels += cover.pixels;
+  m_stippled = shape.stippled;
+  if (m_stippled)
+    filterBlocks([](const abi::Block &block) { return unsigned(block.mask); }, kPackedBlock);
+  m_packed.add(plan, shape, m_blocks, m_count);
+  m_count = 0;
+  return true;
+}
+
 void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect) {
   Bounds bounds;
   if (!setBounds(rect, triangle.corner, 3, bounds))
@@ -96,10 +134,10 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
     return;
   }
   const BlockSize size = m_packs ? kPackedBlock : m_blockSize;
-  const SmallCover cover = m_cover(triangle.corner, area > 0, bounds, size.lanes(), m_blocks);
+  const Cover cover = m_cover.small(triangle.corner, area > 0, bounds, size.lanes(), m_blocks);
   m_count = cover.blocks;
   m_pixels += cover.pixels;
-  filterBlocks(rect, bounds, size);
+  keepInside(rect, bounds, size);
   if (m_count == 0)
     return;
   if (m_packs) {
@@ -111,22 +149,28 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
   flush();
 }
 
-void Emitter::filterBlocks(const Rect &rect, const Bounds &bounds, BlockSize size) {
-  const int right = rect.x + rect.width, top = rect.y + rect.height;
-  const bool crosses = (bounds.left & -size.width) < rect.x ||
-                       (bounds.bottom & -size.height) < rect.y ||
-                       ((bounds.right + size.width - 1) & -size.width) > right ||
-                       ((bounds.top + size.height - 1) & -size.height) > top;
-  if (!crosses && !m_stippled)
-    return;
+template <typename MaskOf> void Emitter::filterBlocks(MaskOf maskOf, BlockSize size) {
   const std::uint32_t count = m_count;
   m_count = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Block item = m_blocks[i];
     m_pixels -= bitsOf(item.mask);
-    block(item.x, item.y, crosses ? item.mask & insideMask(rect, item.x, item.y, size) : item.mask,
-          size);
+    block(item.x, item.y, maskOf(item), size);
   }
+}
+
+void Emitter::keepInside(const Rect &rect, const Bounds &bounds, BlockSize size) {
+  const int right = rect.x + rect.width, top = rect.y + rect.height;
+  const bool crosses = (bounds.left & -size.width) < rect.x ||
+                       (bounds.bottom & -size.height) < rect.y ||
+                       ((bounds.right + size.width - 1) & -size.width) > right ||
+                       ((bounds.top + size.height - 1) & -size.height) > top;
+  if (crosses || m_stippled)
+    filterBlocks(
+        [&](const abi::Block &item) {
+          return crosses ? item.mask & insideMask(rect, item.x, item.y, size) : item.mask;
+        },
+        size);
 }
 
 unsigned Emitter::insideMask(const Rect &rect, int x, int y, BlockSize size) {
@@ -162,7 +206,7 @@ void Emitter::stippledSpan(int x, int y, int end) {
 }
 
 void Emitter::rows(const Shape &shape, int left, int bottom, int right, int top) {
-  RowWalker walker(shape, left, bottom, right);
+  RowWalker walker(shape, left, bottom, right, top);
   for (int y = bottom; y < top; ++y) {
     int begin = 0, end = 0;
     walker.next(begin, end);
@@ -192,49 +236,46 @@ void Emitter::block(int x, int y, unsigned mask, BlockSize size) {
   m_pixels += bitsOf(mask);
 }
 
-void Emitter::rectangleBlocks(int left, int bottom, int right, int top) {
-  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
-  const auto bits = [](int from, int to) { return (1u << to) - (1u << from); };
-  for (int y = bottom & ~(height - 1); y < top; y += height) {
-    const int firstRow = std::max(bottom - y, 0), lastRow = std::min(top - y, height);
-    for (int x = left & ~(width - 1); x < right; x += width) {
-      const unsigned row = bits(std::max(left - x, 0), std::min(right - x, width));
-      unsigned mask = 0;
-      for (int r = firstRow; r < lastRow; ++r)
-        mask |= row << (r * width);
-      block(x, y, mask, m_blockSize);
+void Emitter::blocks(const Shape &shape, int left, int bottom, int right, int top) {
+  const bool fits = fitsRegions(shape);
+  constexpr int kSide = Region::kSide;
+  for (int y = bottom & -kSide; y < top; y += kSide)
+    for (int x = left & -kSide; x < right; x += kSide) {
+      const Rect part = intersect({left, bottom, right - left, top - bottom}, {x, y, kSide, kSide});
+      if (fits)
+        tileBlocks(shape, part);
+      else
+        wideBlocks(shape, part);
     }
-  }
 }
 
-void Emitter::blocks(const Shape &shape, int left, int bottom, int right, int top) {
-  if (shape.edgeCount == 0)
-    return rectangleBlocks(left, bottom, right, top);
-  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
-  RowWalker walker(shape, left, bottom, right);
-  for (int y = bottom & ~(height - 1); y < top; y += height) {
-    // The rows of a row of blocks, and from them each block's mask.
-    int begin[4] = {}, end[4] = {};
-    int first = right, last = left;
-    for (int r = 0; r < height; ++r) {
-      if (y + r < bottom || y + r >= top)
-        continue;
-      walker.next(begin[r], end[r]);
-      if (begin[r] >= end[r])
-        continue;
-      first = std::min(first, begin[r]);
-      last = std::max(last, end[r]);
-    }
-    for (int x = first & ~(width - 1); x < last; x += width) {
-      unsigned mask = 0;
-      for (int r = 0; r < height; ++r) {
-        const int from = std::max(begin[r] - x, 0), to = std::min(end[r] - x, width);
-        if (from < to)
-          mask |= (((1u << to) - 1) & ~((1u << from) - 1)) << (r * width);
-      }
+void Emitter::tileBlocks(const Shape &shape, const Rect &part) {
+  Region region;
+  if (!regionOf(shape, part, region))
+    return;
+  flush();
+  const Cover cover = m_cover.region(region, m_blockSize.lanes(), m_blocks);
+  m_count = cover.blocks;
+  m_pixels += cover.pixels;
+  if (m_stippled)
+    filterBlocks([](const abi::Block &block) { return unsigned(block.mask); }, m_blockSize);
+}
+
+void Emitter::wideBlocks(const Shape &shape, const Rect &part) {
+  const auto isInside = [&](int x, int y) {
+    return std::all_of(shape.edges, shape.edges + shape.edgeCount, [&](const Edge &edge) {
+      return edge.a * std::int64_t(x) + edge.b * std::int64_t(y) + edge.c >= 0;
+    });
+  };
+  const int width = m_blockSize.width, height = m_blockSize.height;
+  for (int y = part.y & -height; y < part.y + part.height; y += height)
+    for (int x = part.x & -width; x < part.x + part.width; x += width) {
+      unsigned mask = insideMask(part, x, y, m_blockSize);
+      for (int i = 0; i < m_blockSize.lanes(); ++i)
+        if (!isInside(x + i % width, y + i / width))
+          mask &= ~(1u << i);
       block(x, y, mask, m_blockSize);
     }
-  }
 }
 
 } // namespace arbiter::swrast

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "swrast/cover/coverage.h"
 #include "swrast/cover/flush_mode.h"
 #include "swrast/cover/packed.h"
-#include "swrast/cover/small.h"
 
 /// Shapes to spans and blocks, given to the shading function in batches.
 namespace arbiter::swrast {
@@ -14,7 +14,7 @@ class Emitter {
 public:
   Emitter(const RasterState &state, const Shading &shading)
       : m_state(state), m_shading(shading), m_blockSize{shading.blockWidth, shading.blockHeight},
-        m_cover(chooseCoverSmall()), m_packed(state, shading) {}
+        m_cover(chooseCoverKernels()), m_packed(state, shading) {}
   ~Emitter() { flush(); }
   Emitter(const Emitter &) = delete;
   Emitter &operator=(const Emitter &) = delete;
@@ -26,10 +26,13 @@ public:
   }
   /// What of the shape lies in columns left to right and rows bottom to top.
   void shade(const Shape &shape, int left, int bottom, int right, int top);
+  /// What of it lies in the rectangle, which is of the tile that has begun. It may wait, so that it
+  /// stays where it is until the emitter's end.
+  void shadeInTile(const PlanePlan &plan, const Shape &shape, const Rect &rect);
   /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
   /// Planes are made only if a pixel is covered.
   void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
-  /// Shades the items that wait.
+  /// Shades the items that wait, but for those that wait for the tile's end.
   void flush();
   /// Pixels that were given to shading.
   [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
@@ -40,7 +43,13 @@ private:
 
   void rows(const Shape &shape, int left, int bottom, int right, int top);
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
-  void rectangleBlocks(int left, int bottom, int right, int top);
+  /// Gives the shape to what packs pixels, if it covers few of those of its blocks. False: it was
+  /// not.
+  [[nodiscard]] bool pack(const PlanePlan &plan, const Shape &shape, const Rect &part);
+  /// What lies in a part of one tile.
+  void tileBlocks(const Shape &shape, const Rect &part);
+  /// The same of a shape whose edges do not fit 32 bits.
+  void wideBlocks(const Shape &shape, const Rect &part);
   void span(int x, int y, int end);
   void stippledSpan(int x, int y, int end);
   /// Pixels of a block, row by row: a lane each.
@@ -53,7 +62,9 @@ private:
 
   void block(int x, int y, unsigned mask, BlockSize size);
   /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
-  void filterBlocks(const Rect &rect, const Bounds &bounds, BlockSize size);
+  void keepInside(const Rect &rect, const Bounds &bounds, BlockSize size);
+  /// Leaves `maskOf(block)` of the blocks that wait, and what the stipple leaves of that.
+  template <typename MaskOf> void filterBlocks(MaskOf maskOf, BlockSize size);
   [[nodiscard]] static unsigned insideMask(const Rect &rect, int x, int y, BlockSize size);
   [[nodiscard]] bool wantsRows(int width) const;
 
@@ -61,7 +72,7 @@ private:
   const RasterState &m_state;
   const Shading &m_shading;
   BlockSize m_blockSize; ///< of the shading function
-  CoverSmall m_cover;
+  const CoverKernels &m_cover;
   PackedShader m_packed;
   bool m_packs = false;
   const abi::Primitive *m_primitive = nullptr;
@@ -77,10 +88,10 @@ private:
 };
 
 /// The covered columns of a shape row by row, upwards: where an edge crosses a row is followed by
-/// exact steps of quotient and remainder.
+/// exact steps of quotient and remainder. Edges that do not cross what is walked cost nothing.
 class RowWalker {
 public:
-  RowWalker(const Shape &shape, int left, int bottom, int right);
+  RowWalker(const Shape &shape, int left, int bottom, int right, int top);
   /// The next row; begin >= end where nothing is covered.
   void next(int &begin, int &end) {
     begin = m_left;

@@ -40,31 +40,51 @@ bool PackedShader::begin(const Rect &tile) {
   return true;
 }
 
-void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
-                       const abi::Block *blocks, std::uint32_t count) {
+PackedTriangle &PackedShader::next() {
   if (m_pending == kMostPending || m_blocks > kMostBlocks)
     resolve();
+  return m_storage->pending[m_pending];
+}
+
+void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
+                       const abi::Block *blocks, std::uint32_t count) {
+  PackedTriangle &own = next();
+  own.gradients = gradientsOf(m_state, triangle.corner, origin.originX, origin.originY);
+  own.depth = makeDepthPlane(m_state, triangle, own.gradients, m_state.offsetFill);
+  own.plan = &plan;
+  own.made = nullptr;
+  own.triangle = triangle;
+  own.originX = origin.originX;
+  own.originY = origin.originY;
+  test(own, blocks, count);
+}
+
+void PackedShader::add(const PlanePlan &plan, const Shape &shape, const abi::Block *blocks,
+                       std::uint32_t count) {
+  PackedTriangle &own = next();
+  own.depth = shape.primitive.z;
+  own.plan = &plan;
+  own.made = &shape.primitive;
+  own.triangle.backFacing = shape.primitive.backFacing != 0;
+  own.originX = shape.primitive.originX;
+  own.originY = shape.primitive.originY;
+  test(own, blocks, count);
+}
+
+void PackedShader::test(PackedTriangle &next, const abi::Block *blocks, std::uint32_t count) {
   Storage &own = *m_storage;
-  PackedTriangle &next = own.pending[m_pending];
-  next.gradients = gradientsOf(m_state, triangle.corner, origin.originX, origin.originY);
-  next.depth = makeDepthPlane(m_state, triangle, next.gradients, m_state.offsetFill);
   abi::Block *const left = own.blocks + m_blocks;
-  const std::uint32_t seen = m_test(own.tile, next.depth, origin.originX, origin.originY,
-                                    m_owner + m_pending + 1, blocks, count, left);
-  if (seen == 0)
+  next.count = m_test(own.tile, next.depth, next.originX, next.originY, m_owner + m_pending + 1,
+                      blocks, count, left);
+  if (next.count == 0)
     return;
-  next.plan = &plan;
-  next.triangle = triangle;
-  next.originX = origin.originX;
-  next.originY = origin.originY;
-  next.count = seen;
   if (!m_shading.replaces) {
     list(next, 0, left);
     shade();
     return;
   }
   ++m_pending;
-  m_blocks += seen;
+  m_blocks += next.count;
 }
 
 void PackedShader::list(const PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks) {

@@ -4,10 +4,10 @@
 #include "swrast/setup/planes.h"
 #include "swrast/setup/shape.h"
 
-/// Small triangles by the pixel: the rasterizer tests depth itself, in a copy of the tile that
-/// stays in the processor's nearest cache, and hands the machine code full vectors of what is left
-/// to be seen. Where fragments replace what is there, a tile is shaded when all its triangles have
-/// been tested, so that a pixel is shaded once however many triangles lie over each other, and
+/// Small and thin primitives by the pixel: the rasterizer tests depth itself, in a copy of the tile
+/// that stays in the processor's nearest cache, and hands the machine code full vectors of what is
+/// left to be seen. Where fragments replace what is there, a tile is shaded when all its triangles
+/// have been tested, so that a pixel is shaded once however many triangles lie over each other, and
 /// pixels of several triangles fill a vector.
 namespace arbiter::swrast {
 
@@ -46,10 +46,11 @@ private:
 using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::Plane &z, int originX,
                                      int originY, std::uint32_t owner, const abi::Block *blocks,
                                      std::uint32_t count, abi::Block *out);
-/// A triangle that is shaded later, with what is left of it.
+/// A triangle or another shape that is shaded later, with what is left of it.
 struct PackedTriangle {
   const PlanePlan *plan;
-  Triangle triangle; ///< not clipped
+  const abi::Primitive *made; ///< its planes; null: they are made of the next two
+  Triangle triangle;          ///< not clipped
   Gradients gradients;
   abi::Plane depth;
   std::int32_t originX, originY; ///< the pixel that planes are exact at
@@ -94,12 +95,19 @@ public:
   /// \param blocks what of the triangle, which is not clipped, lies in the tile; of 4x4 pixels
   void add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
            const abi::Block *blocks, std::uint32_t count);
+  /// The same of a shape, whose primitive stays where it is until finish().
+  void add(const PlanePlan &plan, const Shape &shape, const abi::Block *blocks,
+           std::uint32_t count);
   void finish();
 
 private:
   struct Storage;
   [[nodiscard]] static Storage *storage();
   void resolve();
+  /// Room for one that waits.
+  [[nodiscard]] PackedTriangle &next();
+  /// Tests blocks of next(), whose depth and origin are set, and keeps it if some of it is seen.
+  void test(PackedTriangle &next, const abi::Block *blocks, std::uint32_t count);
   /// Puts a triangle's pixels behind those that wait.
   void list(const PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks);
   /// Shades the pixels that wait.

@@ -63,14 +63,18 @@ DepthTest g_test; ///< of the draw under way: shading functions are given no mor
 bool g_quads = false;
 int g_lanes = 16; ///< of the function of packed pixels
 
+std::uint32_t g_inBlocks = 0; ///< pixels
+
 void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
                   std::uint32_t count) {
   const auto *const blocks = static_cast<const abi::Block *>(items);
   for (std::uint32_t i = 0; i < count; ++i)
     for (int bit = 0; bit < 16; ++bit) {
       const int x = blocks[i].x + bit % 4, y = blocks[i].y + bit / 4;
-      if ((blocks[i].mask >> bit & 1) && testReference(g_test, *data, *primitive, x, y))
+      if ((blocks[i].mask >> bit & 1) && testReference(g_test, *data, *primitive, x, y)) {
         Canvas::shadePixel(data, primitive, x, y);
+        ++g_inBlocks;
+      }
     }
 }
 
@@ -167,9 +171,10 @@ Case randomCase(std::mt19937 &random, int round) {
   for (int i = 0; i < triangles; ++i) {
     // Some are larger than small ones may be, and wait for those before them.
     const float size = i % 40 == 39 ? 150.0f : i % 3 ? 9.0f : 40.0f;
+    const float thin = i % 80 == 39 ? 0.03f : 1.0f; // which are packed as well
     const float x = unit(random) * kWidth, y = unit(random) * kHeight;
     for (int k = 0; k < 3; ++k) {
-      what.x.push_back(std::clamp(x + size * (unit(random) - 0.5f), 0.0f, float(kWidth)));
+      what.x.push_back(std::clamp(x + size * thin * (unit(random) - 0.5f), 0.0f, float(kWidth)));
       what.y.push_back(std::clamp(y + size * (unit(random) - 0.5f), 0.0f, float(kHeight)));
       what.z.push_back(unit(random));
     }
@@ -179,7 +184,7 @@ Case randomCase(std::mt19937 &random, int round) {
 
 TEST(Packed, DrawsWhatBlocksDraw) {
   std::mt19937 random(1);
-  for (int round = 0; round < 120; ++round) {
+  for (int round = 0; round < 160; ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
     const Case what = randomCase(random, round);
     const Picture expected = drawn(what, false), got = drawn(what, true);
@@ -198,6 +203,34 @@ TEST(Packed, DrawsWhatBlocksDraw) {
     }
   }
   EXPECT_GT(g_several, 1000u) << "each vector had one triangle's pixels";
+}
+
+TEST(Packed, LargeThinShapesArePackedToo) {
+  std::mt19937 random(5);
+  Case what = randomCase(random, 0);
+  what.test = {abi::Layout::Depth24Stencil8, abi::Compare::Less, true};
+  what.replaces = true;
+  what.stippled = false;
+  what.clip = {0, 0, kWidth, kHeight};
+  what.x.clear();
+  what.y.clear();
+  what.z.clear();
+  for (int i = 0; i < 60; ++i) {
+    const float at = 3.0f + 2.4f * float(i);
+    for (const float y : {2.0f, 139.0f, 70.0f}) {
+      what.x.push_back(i % 2 ? y : std::min(at + (y == 70.0f ? 2.5f : 0.0f), float(kWidth)));
+      what.y.push_back(i % 2 ? std::min(at + (y == 70.0f ? 2.5f : 0.0f), float(kHeight)) : y);
+      what.z.push_back(0.5f);
+    }
+  }
+  g_inBlocks = 0;
+  const Picture expected = drawn(what, false);
+  EXPECT_GT(g_inBlocks, 0u);
+  g_inBlocks = 0;
+  const Picture got = drawn(what, true);
+  EXPECT_EQ(got.depth, expected.depth);
+  EXPECT_EQ(std::memcmp(got.values.data(), expected.values.data(), got.values.size() * 4), 0);
+  EXPECT_EQ(g_inBlocks, 0u);
 }
 
 /// A tile in the middle of a buffer, with its depth.
@@ -316,12 +349,19 @@ struct Group {
       each.originY = int(random() % 64);
       each.gradients = gradientsOf(RasterState(), each.triangle.corner, each.originX, each.originY);
       each.depth = {unit(random), unit(random), unit(random)};
+      each.made = nullptr;
+      if (k % 5 == 2) { // as a shape's
+        makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX,
+                   each.originY, made[k]);
+        each.made = &made[k];
+      }
       pointers[k] = &each;
     }
   }
   float values[kVertices];
   PlanePlan plans[2];
   PackedTriangle triangles[abi::PrimitiveColumns::kColumns];
+  abi::Primitive made[abi::PrimitiveColumns::kColumns];
   const PackedTriangle *pointers[abi::PrimitiveColumns::kColumns];
 };
 

@@ -12,8 +12,7 @@ namespace {
 
 /// Draws of more vertices are made by all threads as they come.
 constexpr std::uint32_t kMostVertices = 16384;
-/// Draws of so few triangles, if they are so large, are shaded in bands, whose rows are longer than
-/// a tile's.
+/// Draws of so few triangles may be shaded in bands, whose rows are longer than a tile's.
 constexpr std::uint32_t kFewTriangles = 32;
 constexpr std::uint64_t kLargePixels = 32768;
 /// Draws of more are set up by the threads that shade them.
@@ -27,6 +26,10 @@ constexpr std::uint64_t kAloneCost = 40'000;
 /// A batch waits no longer for the threads to be free.
 constexpr std::uint64_t kMostCost = 4'000'000;
 constexpr std::size_t kMostDraws = 2048;
+
+std::uint64_t areaOf(const Rect &rect) {
+  return std::uint64_t(rect.width) * std::uint64_t(rect.height);
+}
 
 } // namespace
 
@@ -76,6 +79,15 @@ bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology t
   return isAdded;
 }
 
+/// Of a draw that fills the better part of the picture, by rows, where nothing waits: a filter, or
+/// a step of a simulation. All threads shade it at once, and rows of bands are longer than those of
+/// tiles. What is less than that, or follows other draws, waits as they do: shaded at once, it
+/// would make all threads wait for each such draw.
+bool DrawQueue::fillsPicture(const Given &given, std::uint64_t pixels) const {
+  return given.shading.row && pixels >= kLargePixels && 2 * pixels >= areaOf(given.state.clip) &&
+         isEmpty();
+}
+
 std::optional<bool> DrawQueue::addRectangle(const Given &given) {
   Rectangle rectangle;
   if (!isPolygonal(given.topology) ||
@@ -85,7 +97,7 @@ std::optional<bool> DrawQueue::addRectangle(const Given &given) {
   const Rect &pixels = rectangle.pixels;
   if (pixels.empty())
     return true;
-  if (std::uint64_t(pixels.width) * std::uint64_t(pixels.height) >= kLargePixels)
+  if (fillsPicture(given, areaOf(pixels)))
     return false;
   Shape shape;
   if (!shapeOfRectangle(given.state, given.shading, given.topology, given.vertices, rectangle,
@@ -129,7 +141,7 @@ bool DrawQueue::addChecked(Given given) {
     }
     chunk.clear(TileGrid::of(draw.visible));
     chunk.setUp(draw, 0, triangles);
-    if (triangles <= kFewTriangles && chunk.area() >= kLargePixels)
+    if (triangles <= kFewTriangles && fillsPicture(given, chunk.area()))
       return false;
   } else if (!setUpStrokes(draw, chunk)) {
     return false;

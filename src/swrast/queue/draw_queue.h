@@ -27,8 +27,8 @@ public:
   DrawQueue(const DrawQueue &) = delete;
   DrawQueue &operator=(const DrawQueue &) = delete;
 
-  /// Adds what rasterize() would draw. False: it is to be drawn at once, after finish(): it is
-  /// large enough for all threads, or there is no memory.
+  /// Adds what rasterize() would draw. False: it is to be drawn at once, after finish(): it fills
+  /// the picture, or there is no memory.
   [[nodiscard]] bool add(const RasterState &state, const Shading &shading, Topology topology,
                          const Vertices &vertices, const std::uint32_t *indices,
                          std::uint32_t first, std::uint32_t count, const ShadingUse &use);
@@ -49,6 +49,8 @@ private:
     bool isSameState = false; ///< as the batch's last draw's
   };
   [[nodiscard]] bool addChecked(Given given);
+  /// \param pixels that a draw of a few triangles reaches, roughly
+  [[nodiscard]] bool fillsPicture(const Given &given, std::uint64_t pixels) const;
   /// What add() returns; none where the draw is no rectangle.
   [[nodiscard]] std::optional<bool> addRectangle(const Given &given);
   /// False: more than is kept.

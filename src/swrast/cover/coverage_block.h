@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "swrast/cover/small.h"
+#include "swrast/cover/coverage.h"
 
-/// The inside of small.h, compiled once for each instruction set: include it only where its
+/// The inside of coverage.h, compiled once for each instruction set: include it only where its
 /// functions are made. Nothing in here may be shared between those, hence the nameless namespace
 /// and no function of the standard library.
 namespace arbiter::swrast {
@@ -63,9 +63,9 @@ struct Int8Pair {
 template <int kWidth, typename Int>
 void setPlane(Int &to, std::int32_t c, std::int32_t a, std::int32_t b) {
   if constexpr (requires { to.high; }) {
-    constexpr int kLines = int(sizeof to.low / sizeof(std::int32_t)) / kWidth;
+    constexpr int kHalf = int(sizeof to.low / sizeof(std::int32_t));
     setPlane<kWidth>(to.low, c, a, b);
-    setPlane<kWidth>(to.high, c + b * kLines, a, b);
+    setPlane<kWidth>(to.high, c + a * (kHalf % kWidth) + b * (kHalf / kWidth), a, b);
   } else {
     Int column = {}, line = {};
     for (int i = 0; i < int(sizeof to / sizeof(std::int32_t)); ++i) {
@@ -82,6 +82,16 @@ using Block16 = Int8Pair;
 using Block16 = Int16;
 #endif
 
+/// \p to: the lanes of \p from and a number.
+template <typename Int> void setSum(Int &to, const Int &from, std::int32_t number) {
+  if constexpr (requires { to.high; }) {
+    to.low = from.low + number;
+    to.high = from.high + number;
+  } else {
+    to = from + number;
+  }
+}
+
 /// Bits set in the low 16.
 inline unsigned bitsOf(unsigned mask) {
 #if defined(__POPCNT__)
@@ -94,10 +104,11 @@ inline unsigned bitsOf(unsigned mask) {
 #endif
 }
 
-/// Edge functions at the pixels of a block, one a lane, moved from block to block by sums.
+/// Of a small triangle: edge functions at the pixels of a block, one a lane, moved from block to
+/// block by sums.
 template <typename Int, int kWidth, int kHeight>
-SmallCover cover(const WindowVertex corner[3], bool counterclockwise, const Bounds &bounds,
-                 abi::Block *blocks) {
+Cover cover(const WindowVertex corner[3], bool counterclockwise, const Bounds &bounds,
+            abi::Block *blocks) {
   constexpr int kLanes = kWidth * kHeight;
   static_assert(sizeof(Int) == kLanes * sizeof(std::int32_t));
   const std::int32_t firstX = bounds.left & -kWidth, firstY = bounds.bottom & -kHeight;
@@ -115,7 +126,7 @@ SmallCover cover(const WindowVertex corner[3], bool counterclockwise, const Boun
     setPlane<kWidth>(stepX[i], a * kWidth, 0, 0);
     setPlane<kWidth>(stepY[i], b * kHeight, 0, 0);
   }
-  SmallCover result;
+  Cover result;
   constexpr unsigned kAll = (1u << kLanes) - 1;
   for (std::int32_t y = firstY; y < bounds.top; y += kHeight) {
     Int at0 = start[0], at1 = start[1], at2 = start[2];
@@ -136,13 +147,99 @@ SmallCover cover(const WindowVertex corner[3], bool counterclockwise, const Boun
   return result;
 }
 
-inline SmallCover coverBlocks(const WindowVertex corner[3], bool counterclockwise,
+/// The bits of the columns [from, to) of a block, in each of its rows.
+template <int kWidth, int kHeight> unsigned columnsMask(std::int32_t from, std::int32_t to) {
+  const unsigned row =
+      ((1u << (to < kWidth ? to : kWidth)) - 1) & ~((1u << (from > 0 ? from : 0)) - 1);
+  unsigned mask = 0;
+  for (int i = 0; i < kHeight; ++i)
+    mask |= row << (i * kWidth);
+  return mask;
+}
+/// The bits of the rows [from, to) of a block.
+template <int kWidth, int kHeight> unsigned rowsMask(std::int32_t from, std::int32_t to) {
+  const std::int32_t first = from > 0 ? from : 0, last = to < kHeight ? to : kHeight;
+  return ((1u << (last * kWidth)) - 1) & ~((1u << (first * kWidth)) - 1);
+}
+
+/// Sixteen blocks of a row at a time: of which no pixel is inside, of which all are; between them
+/// the edge functions at the pixels, one a lane.
+template <typename Int, int kWidth, int kHeight>
+Cover coverRegion(const Region &region, abi::Block *blocks) {
+  constexpr int kLanes = kWidth * kHeight, kColumns = 16, kMost = Region::kMostEdges;
+  static_assert(sizeof(Int) == kLanes * sizeof(std::int32_t));
+  constexpr unsigned kAll = (1u << kLanes) - 1;
+  const auto least = [](std::int32_t value) { return value < 0 ? value : 0; };
+  const std::int32_t firstX = region.left & -kWidth, firstY = region.bottom & -kHeight;
+  const int count = region.count;
+  Block16 column[kMost]; // what a block's first pixel has more than that of the first block
+  Int pixel[kMost];      // what a pixel has more than its block's first
+  std::int32_t best[kMost], worst[kMost], start[kMost];
+  for (int i = 0; i < count; ++i) {
+    const Region::Edge &edge = region.edges[i];
+    setPlane<kColumns>(column[i], 0, edge.a * kWidth, 0);
+    setPlane<kWidth>(pixel[i], 0, edge.a, edge.b);
+    const std::int32_t alongX = edge.a * (kWidth - 1), alongY = edge.b * (kHeight - 1);
+    worst[i] = least(alongX) + least(alongY);
+    best[i] = alongX + alongY - worst[i];
+    start[i] = edge.c - edge.a * (region.left - firstX) - edge.b * (region.bottom - firstY);
+  }
+  Cover result;
+  for (std::int32_t y = firstY; y < region.top; y += kHeight) {
+    const unsigned rows = rowsMask<kWidth, kHeight>(region.bottom - y, region.top - y);
+    for (std::int32_t first = firstX; first < region.right; first += kColumns * kWidth) {
+      const int there = int(region.right - first + kWidth - 1) / kWidth;
+      const unsigned some = there < kColumns ? (1u << there) - 1 : 0xFFFF;
+      unsigned none = 0, notAll = 0;
+      for (int i = 0; i < count; ++i) {
+        const std::int32_t at = start[i] + region.edges[i].a * (first - firstX);
+        Block16 corners;
+        setSum(corners, column[i], at + best[i]);
+        none |= signs(corners);
+        setSum(corners, column[i], at + worst[i]);
+        notAll |= signs(corners);
+      }
+      for (unsigned rest = some & ~none; rest != 0; rest &= rest - 1) {
+        const int k = __builtin_ctz(rest);
+        const std::int32_t x = first + k * kWidth;
+        unsigned mask = rows;
+        if (notAll >> k & 1) {
+          unsigned outside = 0;
+          for (int i = 0; i < count; ++i) {
+            Int pixels;
+            setSum(pixels, pixel[i], start[i] + region.edges[i].a * (x - firstX));
+            outside |= signs(pixels);
+          }
+          mask &= ~outside & kAll;
+        }
+        if (x < region.left || x + kWidth > region.right)
+          mask &= columnsMask<kWidth, kHeight>(region.left - x, region.right - x);
+        blocks[result.blocks] = {std::int16_t(x), std::int16_t(y), std::uint16_t(mask), 0};
+        result.blocks += mask != 0 ? 1 : 0;
+        result.pixels += bitsOf(mask);
+      }
+    }
+    for (int i = 0; i < count; ++i)
+      start[i] += region.edges[i].b * kHeight;
+  }
+  return result;
+}
+
+inline Cover coverSmallBlocks(const WindowVertex corner[3], bool counterclockwise,
                               const Bounds &bounds, int lanes, abi::Block *blocks) {
   if (lanes == 16)
     return cover<Block16, 4, 4>(corner, counterclockwise, bounds, blocks);
   if (lanes == 8)
     return cover<Int8, 4, 2>(corner, counterclockwise, bounds, blocks);
   return cover<Int4, 2, 2>(corner, counterclockwise, bounds, blocks);
+}
+
+inline Cover coverRegionBlocks(const Region &region, int lanes, abi::Block *blocks) {
+  if (lanes == 16)
+    return coverRegion<Block16, 4, 4>(region, blocks);
+  if (lanes == 8)
+    return coverRegion<Int8, 4, 2>(region, blocks);
+  return coverRegion<Int4, 2, 2>(region, blocks);
 }
 
 } // namespace
