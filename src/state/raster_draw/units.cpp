@@ -17,22 +17,6 @@ bool isShadow(TexTarget target) {
          target == TexTarget::ShadowRect;
 }
 
-/// DEPTH_TEXTURE_MODE (ARB_depth_texture): how a depth, or the result of its comparison, becomes
-/// RGBA.
-abi::Swizzle depthSwizzle(GLenum mode) {
-  using abi::From;
-  switch (mode) {
-  case GL_INTENSITY:
-    return {From::C0, From::C0, From::C0, From::C0};
-  case GL_ALPHA:
-    return {From::Zero, From::Zero, From::Zero, From::C0};
-  case GL_RED:
-    return {From::C0, From::Zero, From::Zero, From::One};
-  default: // GL_LUMINANCE
-    return {From::C0, From::C0, From::C0, From::One};
-  }
-}
-
 TextureLevels levelsOf(const SamplerState &state) { return {state.baseLevel, state.maxLevel}; }
 
 /// The stored bytes that sRGB encodes: all but alpha.
@@ -93,6 +77,20 @@ abi::Dimension dimensionOf(TexTarget target) {
     return abi::Dimension::Rect;
   }
   return abi::Dimension::Tex2D;
+}
+
+abi::Swizzle depthSwizzle(GLenum mode) {
+  using abi::From;
+  switch (mode) {
+  case GL_INTENSITY:
+    return {From::C0, From::C0, From::C0, From::C0};
+  case GL_ALPHA:
+    return {From::Zero, From::Zero, From::Zero, From::C0};
+  case GL_RED:
+    return {From::C0, From::Zero, From::Zero, From::One};
+  default: // GL_LUMINANCE
+    return {From::C0, From::C0, From::C0, From::One};
+  }
 }
 
 void Units::refresh(Context &context, Mirror &mirror, const Samplers &samplers) {

@@ -16,6 +16,10 @@ namespace arbiter::state::software {
 /// The texture that a target samples; a SHADOW target's is the plain one's.
 [[nodiscard]] abi::Dimension dimensionOf(fp::ir::TexTarget target);
 
+/// DEPTH_TEXTURE_MODE (ARB_depth_texture): how a depth, or the result of its comparison, becomes
+/// RGBA.
+[[nodiscard]] abi::Swizzle depthSwizzle(GLenum mode);
+
 /// The textures that a program samples: what its code is compiled for, and what it is
 /// called with.
 class Units {

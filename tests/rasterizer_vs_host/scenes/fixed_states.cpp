@@ -1,18 +1,17 @@
 // Single draws of fixed function with every state of it by chance: rasterizer-fixed-states SEED
 // COUNT. Each seed is a few draws, each by state of its own: matrices, lights and materials, four
-// texture units of every target with generated coordinates and every environment, fog, colour sum.
-// Pictures are written as records; run_fixed_states.py compares them.
+// texture units of every target, of colours and of depths, compared or not, with generated
+// coordinates and every environment, fog, colour sum. Pictures are written as records;
+// run_fixed_states.py compares them.
 #include <cstdlib>
 
-#include "surface.h"
+#include "fixed_textures.h"
 
 namespace software {
 namespace {
 
 constexpr int kEdge = 64; // of the window, in pixels
 constexpr int kDraws = 8, kUnits = 4;
-constexpr GLenum kTargets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP,
-                               GL_TEXTURE_RECTANGLE};
 
 class Draws {
 public:
@@ -24,11 +23,14 @@ public:
     glDisable(GL_DITHER);
     glClearColor(0.25f, 0.5f, 0.125f, 0.5f);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (int unit = 0; unit < kUnits; ++unit)
-      makeTexture(unit);
+    for (int unit = 0; unit < kUnits; ++unit) {
+      glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+      m_textures[unit] = makeFixedTexture(m_random, m_hasLevels);
+    }
   }
   ~Draws() {
-    glDeleteTextures(kUnits, m_textures);
+    for (const FixedTexture &texture : m_textures)
+      glDeleteTextures(1, &texture.name);
     m_screen.destroy(m_context);
   }
   Draws(const Draws &) = delete;
@@ -74,47 +76,6 @@ private:
   };
   Four color() { return {{part(), part(), part(), part()}}; }
   Four around() { return {{part(-8), part(-8), part(-8), part(-8)}}; }
-
-  void makeTexture(int unit) {
-    const GLenum target = m_targets[unit] =
-        once(2) ? GLenum(GL_TEXTURE_2D) : m_random.pick(kTargets);
-    glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-    glGenTextures(1, &m_textures[unit]);
-    glBindTexture(target, m_textures[unit]);
-    constexpr GLint kFormats[] = {GL_RGBA,  GL_RGB,       GL_LUMINANCE,
-                                  GL_ALPHA, GL_INTENSITY, GL_LUMINANCE_ALPHA};
-    m_formats[unit] = m_random.pick(kFormats);
-    unsigned char texels[8 * 8 * 8 * 4];
-    for (unsigned char &texel : texels)
-      texel = static_cast<unsigned char>(m_random.bits());
-    const auto image = [&](GLenum at) {
-      if (at == GL_TEXTURE_1D)
-        glTexImage1D(at, 0, m_formats[unit], 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-      else if (at == GL_TEXTURE_3D)
-        glTexImage3D(at, 0, m_formats[unit], 8, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-      else
-        glTexImage2D(at, 0, m_formats[unit], 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     texels + 16 * (at % 6));
-    };
-    if (target == GL_TEXTURE_CUBE_MAP)
-      for (GLenum face = 0; face < 6; ++face)
-        image(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face);
-    else
-      image(target);
-    // Linear, as what lies next to a border between two texels is then nearly the same.
-    const bool levels = m_hasLevels && target != GL_TEXTURE_RECTANGLE;
-    if (levels)
-      glGenerateMipmap(target);
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, levels ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    constexpr GLint kWraps[] = {GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_REPEAT,
-                                GL_MIRRORED_REPEAT};
-    const int wraps = target == GL_TEXTURE_RECTANGLE ? 2 : 4;
-    glTexParameteri(target, GL_TEXTURE_WRAP_S, kWraps[m_random.below(wraps)]);
-    glTexParameteri(target, GL_TEXTURE_WRAP_T, kWraps[m_random.below(wraps)]);
-    glTexParameteri(target, GL_TEXTURE_WRAP_R, kWraps[m_random.below(wraps)]);
-    glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, color());
-  }
 
   /// Window coordinates are those of the vertices, whatever the matrices are: pixels' borders are
   /// the same on both sides.
@@ -189,12 +150,12 @@ private:
 
   void environment(int unit) {
     glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-    set(m_targets[unit], m_isOn[unit]);
-    // DECAL is defined for two formats alone (OpenGL 1.4, table 3.21).
-    const bool decal = m_formats[unit] == GL_RGB || m_formats[unit] == GL_RGBA;
+    set(m_textures[unit].target, m_isOn[unit]);
+    chooseComparison(m_random, m_textures[unit], m_hasLevels);
     constexpr GLint kModes[] = {GL_COMBINE, GL_COMBINE, GL_MODULATE, GL_REPLACE,
                                 GL_BLEND,   GL_ADD,     GL_DECAL};
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, kModes[m_random.below(decal ? 7 : 6)]);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+              kModes[m_random.below(m_textures[unit].hasDecal() ? 7 : 6)]);
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color());
     constexpr GLint kRgb[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,      GL_ADD_SIGNED,
                               GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
@@ -230,7 +191,8 @@ private:
     for (const GLenum coordinate : kCoordinates) {
       const int kinds = coordinate == GL_Q ? 2 : coordinate == GL_R ? 4 : 5;
       glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, kModes[m_random.below(kinds)]);
-      const float last = coordinate == GL_Q ? 1.0f : part();
+      // Never at a border between two texels.
+      const float last = coordinate == GL_Q ? 1.0f : part() + 0.01f;
       const float plane[4] = {part(-8) / 64, part(-8) / 64, part(-8) / 64, last};
       glTexGenfv(coordinate, GL_OBJECT_PLANE, plane);
       glTexGenfv(coordinate, GL_EYE_PLANE, plane);
@@ -271,7 +233,7 @@ private:
     glNormal3f(part(-8), part(-8), once(4) ? -1.0f : 1.0f);
     for (int unit = 0; unit < kUnits; ++unit) {
       // Rectangles have texels as coordinates.
-      const float size = m_targets[unit] == GL_TEXTURE_RECTANGLE ? 8.0f : 1.0f;
+      const float size = m_textures[unit].target == GL_TEXTURE_RECTANGLE ? 8.0f : 1.0f;
       // No two of one size, between which a cube's face would be chosen by chance.
       glMultiTexCoord4f(GL_TEXTURE0 + GLenum(unit), size * part(-8, 16) + 0.01f,
                         size * part(-8, 16) + 0.02f, size * part(-8, 16) + 0.03f,
@@ -312,9 +274,7 @@ private:
   GLXContext m_context;
   /// Textures have levels of detail, and environments multiply nothing by more than 1.
   bool m_hasLevels;
-  GLuint m_textures[kUnits] = {};
-  GLenum m_targets[kUnits] = {};
-  GLint m_formats[kUnits] = {};
+  FixedTexture m_textures[kUnits];
   bool m_isOn[kUnits] = {}, m_isLit = false, m_isFlat = false;
   float m_scale = 1, m_lift = 0;
   bool m_perspective = false, m_fog = false;

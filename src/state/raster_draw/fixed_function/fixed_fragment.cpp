@@ -1,5 +1,7 @@
 #include "state/raster_draw/fixed_function/fixed_fragment.h"
 
+#include <algorithm>
+
 #include "fp_compiler/ir/builder.h"
 
 namespace arbiter::state::software {
@@ -29,6 +31,10 @@ public:
     m_builder.op(Opcode::Mov, m_builder.color(), {m_color.read()});
     m_builder.options().fog = m_key.fog;
     m_builder.options().colorSum = m_key.colorSum != 0;
+    m_builder.options().shadow =
+        std::any_of(m_key.units.begin(), m_key.units.end(), [](const TextureUnitKey &unit) {
+          return unit.target >= fp::ir::TexTarget::Shadow1D;
+        });
     return m_builder.take();
   }
 

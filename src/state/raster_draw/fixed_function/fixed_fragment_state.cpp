@@ -94,14 +94,32 @@ bool queryEnvironment(const host::HostTable &host, TextureUnitKey &unit) {
   }
 }
 
-TexelKind kindOf(const abi::Format &format) {
+TexelKind kindOf(const abi::Swizzle &s) {
   using abi::From;
-  const auto &s = format.swizzle;
   if (s[3] == From::One)
     return TexelKind::Opaque;
   if (s[0] == From::Zero && s[1] == From::Zero && s[2] == From::Zero)
     return TexelKind::Alpha;
   return s[0] == s[3] ? TexelKind::Intensity : TexelKind::Translucent;
+}
+
+/// The target whose sample is compared; false: a target that fixed function compares by no
+/// component of its coordinate (OpenGL 1.4, 3.8.14: TEXTURE_3D and cube maps have no depths).
+bool makeShadow(fp::ir::TexTarget &target) {
+  using fp::ir::TexTarget;
+  switch (target) {
+  case TexTarget::Tex1D:
+    target = TexTarget::Shadow1D;
+    return true;
+  case TexTarget::Tex2D:
+    target = TexTarget::Shadow2D;
+    return true;
+  case TexTarget::Rect:
+    target = TexTarget::ShadowRect;
+    return true;
+  default:
+    return false;
+  }
 }
 
 /// COMBINE reads a unit that has no texture: undefined, and the host's to decide.
@@ -152,11 +170,13 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
       unit = {};
       continue;
     }
-    // The application's texture decides whether a depth is compared, and what it looks like; of
-    // components in another order an environment makes what the host does.
-    if (abi::isDepth(images->format.layout) || sampler.swizzle != SamplerState{}.swizzle)
+    // Of components in another order an environment makes what the host does.
+    if (sampler.swizzle != SamplerState{}.swizzle)
       return Fallback::NoFragmentProgram;
-    unit.kind = kindOf(images->format);
+    const bool isDepth = abi::isDepth(images->format.layout);
+    if (isDepth && sampler.compares && !makeShadow(unit.target))
+      return Fallback::NoFragmentProgram;
+    unit.kind = kindOf(isDepth ? depthSwizzle(sampler.depthMode) : images->format.swizzle);
   }
   for (const TextureUnitKey &unit : key.units)
     if (unit.environment == Environment::Combine &&

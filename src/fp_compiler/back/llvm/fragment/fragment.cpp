@@ -1,7 +1,9 @@
 #include "fp_compiler/back/llvm/fragment/fragment.h"
 
 #include "fp_compiler/back/llvm/fragment/fragment_bytes.h"
+#include "fp_compiler/back/llvm/fragment/fragment_discards.h"
 #include "fp_compiler/back/llvm/fragment/fragment_hooks.h"
+#include "fp_compiler/back/llvm/fragment/fragment_items.h"
 #include "fp_compiler/back/llvm/fragment/fragment_options.h"
 #include "fp_compiler/back/llvm/pixel/pixel_depth.h"
 
@@ -50,7 +52,8 @@ public:
     llvm::PHINode *const number = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
     number->addIncoming(begin, before);
     const bool packed = m_key.lanes == abi::Lanes::Packed;
-    const Item at = packed ? packedItem(number) : itemAt(number);
+    const Item at = packed ? packedItem(m_code, m_function, number, m_interpolator)
+                           : itemAt(m_code, m_function, number);
 
     // What belongs to the item goes before this branch.
     auto *const start = block("start");
@@ -89,11 +92,6 @@ public:
   }
 
 private:
-  /// A span, a block or a vector of packed pixels; `extent` is a count, a mask or the pixels.
-  struct Item {
-    Value *x, *y, *extent;
-  };
-
   llvm::BasicBlock *block(const char *name) {
     return llvm::BasicBlock::Create(m_code.context(), name, m_function);
   }
@@ -108,45 +106,6 @@ private:
     m_ir.CreateBr(m_places.item);
     m_spans.emplace(m_code, m_places, m_function->getArg(2), m_group, m_function->getArg(3));
   }
-  Value *itemPointer(Value *number, std::size_t bytes) {
-    Value *const offset =
-        m_ir.CreateMul(m_ir.CreateZExt(number, m_ir.getInt64Ty()), m_ir.getInt64(bytes));
-    return m_ir.CreateGEP(m_ir.getInt8Ty(), m_function->getArg(2), offset);
-  }
-
-  Item itemAt(Value *number) {
-    static_assert(sizeof(abi::Span) == sizeof(abi::Block));
-    Value *const pointer = itemPointer(number, sizeof(abi::Span));
-    const auto half = [&](std::size_t at) { return m_code.field(m_ir.getInt16Ty(), pointer, at); };
-    return {m_ir.CreateSExt(half(offsetof(abi::Span, x)), m_ir.getInt32Ty()),
-            m_ir.CreateSExt(half(offsetof(abi::Span, y)), m_ir.getInt32Ty()),
-            m_ir.CreateZExt(half(offsetof(abi::Span, count)), m_ir.getInt32Ty())};
-  }
-
-  /// Places of packed pixels count from the columns' base.
-  Item packedItem(Value *number) {
-    Value *const primitives = m_function->getArg(1);
-    Value *const raw = m_ir.CreateAlignedLoad(m_code.i32, itemPointer(number, sizeof(abi::Pixel)),
-                                              llvm::Align(sizeof(abi::Pixel)));
-    // Quads that follow each other, to the lanes of a block that their pixels have.
-    const int width = m_code.cpu.blockWidth();
-    llvm::SmallVector<int, 16> from;
-    for (int lane = 0; lane < m_code.lanes; ++lane) {
-      const int x = lane % width, y = lane / width;
-      from.push_back((y / 2 * (width / 2) + x / 2) * 4 + y % 2 * 2 + x % 2);
-    }
-    Value *const pixels = m_ir.CreateShuffleVector(raw, from);
-    m_interpolator.setColumns(byteOf(pixels, offsetof(abi::Pixel, column)));
-    return {m_code.field(m_ir.getInt32Ty(), primitives, offsetof(abi::PrimitiveColumns, baseX)),
-            m_code.field(m_ir.getInt32Ty(), primitives, offsetof(abi::PrimitiveColumns, baseY)),
-            pixels};
-  }
-  /// Of each lane's abi::Pixel, from the byte at \p offset.
-  Value *byteOf(Value *pixels, std::size_t offset) {
-    Value *const shifted = m_ir.CreateLShr(pixels, m_code.splat(int(8 * offset)));
-    return m_ir.CreateAnd(shifted, m_code.splat(0xFF));
-  }
-
   /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
   /// none wraps, and the edges before and behind them. Else all as it comes.
   void writeSpan(Value *count, Value *number, llvm::BasicBlock *next) {
@@ -203,7 +162,7 @@ private:
     m_tables.emplace(m_code, bytes, m_function->getArg(2), m_function->getArg(3), m_places,
                      [&](Value *texels) {
                        const FragmentColors fragment =
-                           colorsOf(SamplePath::Given, nullptr, PixelPlace{}, texels);
+                           colorsOf(m_program, SamplePath::Given, nullptr, PixelPlace{}, texels);
                        return m_pixels.pixelsOf(fragment, m_bytes.target);
                      });
   }
@@ -260,8 +219,8 @@ private:
     PixelPlace place;
     place.lanes = abi::Lanes::Packed;
     place.covered = m_ir.CreateICmpSGE(item.extent, m_code.splat(0));
-    place.dx = byteOf(item.extent, offsetof(abi::Pixel, x));
-    place.dy = byteOf(item.extent, offsetof(abi::Pixel, y));
+    place.dx = byteOf(m_code, item.extent, offsetof(abi::Pixel, x));
+    place.dy = byteOf(m_code, item.extent, offsetof(abi::Pixel, y));
     m_interpolator.setLanes(place.dx, place.dy);
     writePixels(SamplePath::General, nullptr, place);
     m_ir.CreateBr(next);
@@ -272,37 +231,61 @@ private:
       return writeBytes(*samples, place);
     // A fragment that nothing after the tests may discard is tested before its program.
     const jit::FragmentShape &shape = m_program.shape();
-    const bool early = m_depth.active() && !shape.kills && !shape.writesDepth &&
-                       m_key.coverage != abi::Coverage::Disc &&
-                       m_key.alphaTest == abi::Compare::Always;
+    const bool discards = shape.kills || m_key.coverage == abi::Coverage::Disc ||
+                          m_key.alphaTest != abi::Compare::Always;
+    const bool early = m_depth.active() && !shape.writesDepth && !discards;
+    auto *const rest = block("tested");
     Value *mask = nullptr;
-    llvm::BasicBlock *rest = nullptr;
     if (early) {
       mask = m_depth.test(place, m_interpolator.depth(), nullptr);
-      auto *const shaded = block("shaded");
-      rest = block("tested");
-      m_ir.CreateCondBr(m_ir.CreateOrReduce(mask), shaded, rest);
-      m_ir.SetInsertPoint(shaded);
+      leaveIfNone(mask, rest);
+    } else if (!shape.writesDepth) {
+      leaveWhereDiscarded(path, place, rest);
     }
-    const FragmentColors fragment = colorsOf(path, samples, place, nullptr);
-    if (fragment.alive)
-      mask = m_ir.CreateAnd(fragment.alive, mask ? mask : place.covered);
-    mask = m_pixels.alphaTested(place, fragment, mask);
+    const FragmentColors fragment = colorsOf(m_program, path, samples, place, nullptr);
+    mask = notDiscarded(place, fragment, mask);
     if (m_depth.active() && !early)
       mask = m_depth.test(place, fragment.depth ? fragment.depth : m_interpolator.depth(), mask);
     m_pixels.write(place, fragment, mask);
-    if (rest) {
-      m_ir.CreateBr(rest);
-      m_ir.SetInsertPoint(rest);
-    }
+    m_ir.CreateBr(rest);
+    m_ir.SetInsertPoint(rest);
+  }
+
+  Value *notDiscarded(const PixelPlace &place, const FragmentColors &fragment, Value *mask) {
+    if (fragment.alive)
+      mask = m_ir.CreateAnd(fragment.alive, mask ? mask : place.covered);
+    return m_pixels.alphaTested(place, fragment, mask);
+  }
+
+  void leaveIfNone(Value *mask, llvm::BasicBlock *rest) {
+    auto *const shaded = block("shaded");
+    m_ir.CreateCondBr(m_ir.CreateOrReduce(mask), shaded, rest);
+    m_ir.SetInsertPoint(shaded);
+  }
+
+  /// Fragments that are discarded leave no depth: the test comes last. But a vector of which none
+  /// can pass it, or none is kept by what discards, needs no colours. Nothing is written here, and
+  /// what is computed is found again by the passes.
+  void leaveWhereDiscarded(SamplePath path, const PixelPlace &place, llvm::BasicBlock *rest) {
+    Value *mask = m_depth.foresees() ? m_depth.mayPass(place, m_interpolator.depth()) : nullptr;
+    if (mask)
+      leaveIfNone(mask, rest);
+    if (path != SamplePath::General)
+      return; // consecutive texels are counted by the whole program's samples
+    const auto part = discardProgramOf(m_program, m_key);
+    if (!part)
+      return;
+    const FragmentColors fragment = colorsOf(*part, path, nullptr, place, nullptr);
+    leaveIfNone(notDiscarded(place, fragment, mask), rest);
   }
 
   /// The program over one vector of pixels, its options applied.
   /// \param given of SamplePath::Given, the texels
-  FragmentColors colorsOf(SamplePath path, const ConsecutiveSamples *samples,
-                          const PixelPlace &place, Value *given) {
-    const ir::Program &program = m_program.program();
-    FragmentHooks hooks(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
+  FragmentColors colorsOf(const jit::FragmentProgram &source, SamplePath path,
+                          const ConsecutiveSamples *samples, const PixelPlace &place,
+                          Value *given) {
+    const ir::Program &program = source.program();
+    FragmentHooks hooks(m_code, source, m_key, m_places, m_interpolator, m_function->getArg(0),
                         m_function->getArg(1), m_flow ? &*m_flow : nullptr, samples, path, place);
     hooks.give(given);
     const ProgramResults results = writeProgram(m_code, program, Numerics(m_key.numerics), hooks);

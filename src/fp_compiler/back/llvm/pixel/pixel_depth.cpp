@@ -85,16 +85,30 @@ template <typename Make> Value *DepthStencil::chosen(Make make) {
   return m_code.select(m_interpolator.backFacing(), make(m_key.back), front);
 }
 
+Value *DepthStencil::stored(const PixelPlace &place) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  if (m_key.layout == abi::Layout::Depth16)
+    return ir.CreateZExt(m_memory->load(place, ir.getInt16Ty(), 1), m_code.i32);
+  return m_memory->load(place, ir.getInt32Ty(), 1);
+}
+
+Value *DepthStencil::passesStored(Value *incoming, Value *old) {
+  if (m_key.layout == abi::Layout::Depth32F)
+    return passes(incoming, m_code.ir.CreateBitCast(old, m_code.f32));
+  const bool hasStencil = m_key.layout == abi::Layout::Depth24Stencil8;
+  return passes(incoming, hasStencil ? m_code.ir.CreateLShr(old, m_code.splat(8)) : old);
+}
+
+Value *DepthStencil::mayPass(const PixelPlace &place, Value *depth) {
+  return m_code.ir.CreateAnd(place.covered, passesStored(quantised(depth), stored(place)));
+}
+
 Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {
   llvm::IRBuilder<> &ir = m_code.ir;
   mask = mask ? mask : place.covered;
   const bool isHalf = m_key.layout == abi::Layout::Depth16;
   const bool hasStencil = m_key.layout == abi::Layout::Depth24Stencil8;
-  Value *old = m_memory->load(
-      place, isHalf ? ir.getInt16Ty() : static_cast<llvm::Type *>(ir.getInt32Ty()), 1);
-  if (isHalf)
-    old = ir.CreateZExt(old, m_code.i32);
-
+  Value *const old = stored(place);
   Value *const yes = llvm::Constant::getAllOnesValue(m_code.i1);
   Value *stencilPass = yes;
   Value *const stencil = hasStencil ? ir.CreateAnd(old, m_code.splat(255)) : nullptr;
@@ -112,12 +126,7 @@ Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {
   Value *depthBits = nullptr; ///< of the buffer's whole pixel, its stencil left out
   if (testsDepth()) {
     Value *const incoming = quantised(depth);
-    Value *stored = old;
-    if (m_key.layout == abi::Layout::Depth32F)
-      stored = ir.CreateBitCast(old, m_code.f32);
-    else if (hasStencil)
-      stored = ir.CreateLShr(old, m_code.splat(8));
-    depthPass = passes(incoming, stored);
+    depthPass = passesStored(incoming, old);
     depthBits = ir.CreateBitCast(incoming, m_code.i32);
     if (hasStencil)
       depthBits = ir.CreateShl(depthBits, m_code.splat(8));

@@ -22,6 +22,13 @@ public:
   /// \param mask lanes that have come here; null: all covered ones
   /// \return lanes that pass both tests
   [[nodiscard]] Value *test(const PixelPlace &place, Value *depth, Value *mask);
+  /// Whether a fragment that will not pass does nothing, and may be told before its program: there
+  /// is a test of depths, and stencil values do not change.
+  [[nodiscard]] bool foresees() const {
+    return testsDepth() && !testsStencil() && m_key.depthCompare != abi::Compare::Always;
+  }
+  /// Of the covered lanes those whose depth passes now. Nothing is written. Requires: foresees().
+  [[nodiscard]] Value *mayPass(const PixelPlace &place, Value *depth);
 
 private:
   [[nodiscard]] bool testsDepth() const {
@@ -30,6 +37,10 @@ private:
   [[nodiscard]] bool testsStencil() const {
     return m_key.layout == abi::Layout::Depth24Stencil8 && m_key.stencilTest;
   }
+  /// What the buffer has there, i32 a lane.
+  [[nodiscard]] Value *stored(const PixelPlace &place);
+  /// The lanes whose depth, as quantised() has it, passes against what stored() gives.
+  [[nodiscard]] Value *passesStored(Value *incoming, Value *old);
   /// Fragment depth as the buffer keeps it: i32, or floats of Depth32F.
   [[nodiscard]] Value *quantised(Value *depth);
   /// The lanes whose depth passes against the buffer's, both as quantised() has them.
