@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <dlfcn.h>
 #include <utility>
 
 namespace arbiter::differential {
@@ -168,6 +169,8 @@ float comparable(float value) {
   return std::fpclassify(value) == FP_SUBNORMAL && keepsDenormals() ? std::copysign(0.0f, value)
                                                                     : value;
 }
+
+bool layerInFront() { return dlsym(RTLD_DEFAULT, "__glx_Main") != nullptr; }
 
 std::string takeErrors() {
   std::string text;

@@ -54,6 +54,9 @@ inline constexpr float kUntouched = 777.0f;
 /// `value`, or the zero of its sign where it is a denormal and the host keeps those.
 [[nodiscard]] float comparable(float value);
 
+/// Whether the layer is preloaded: the host's vendor library alone is opened in a scope of its own.
+[[nodiscard]] bool layerInFront();
+
 /// GL errors since the last call, as text; empty if there were none.
 [[nodiscard]] std::string takeErrors();
 

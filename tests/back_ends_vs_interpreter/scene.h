@@ -28,7 +28,8 @@ void applyState(bool programMatrices);
 [[nodiscard]] unsigned textureTarget(fp::ir::TexTarget target);
 
 /// Texture objects on their units.
-void applyTextures();
+/// \param assembly programs are given as texts or ATI's calls, not as GLSL
+void applyTextures(bool assembly = false);
 /// \param target GL_FRAGMENT_PROGRAM_ARB or GL_VERTEX_PROGRAM_ARB
 void applyEnvParameters(unsigned target);
 /// For the program that is bound to the target.

@@ -4,6 +4,7 @@
 
 #include "fp_compiler/ir/reads.h"
 #include "fp_compiler/testing/random.h"
+#include "gl_host.h"
 #include "scene.h"
 
 namespace arbiter::differential {
@@ -122,11 +123,18 @@ Texel locate(const Sample &sample, const Size &size) {
   return {};
 }
 
+bool s_alphaDepths = true;
+
+/// Mesa takes ALPHA for RED where it believes that GLSL 1.30 or later reads the texture. Of an
+/// assembly program it reads that version from the memory of the program's instructions, where
+/// those of 32 bits have now this, now that.
+bool readsAlphaDepths(bool assembly) { return !assembly || sizeof(void *) > 4 || layerInFront(); }
+
 /// DEPTH_TEXTURE_MODE of each shadow target: all three are in use.
 GLenum depthMode(TexTarget target) {
   if (target == TexTarget::Shadow1D)
     return GL_INTENSITY;
-  return target == TexTarget::Shadow2D ? GL_LUMINANCE : GL_ALPHA;
+  return target == TexTarget::Shadow2D || !s_alphaDepths ? GL_LUMINANCE : GL_ALPHA;
 }
 
 Vec4 compared(TexTarget target, float reference, float depth) {
@@ -186,7 +194,8 @@ Vec4 sampleTexture(const Sample &sample) {
   return isShadow(sample.target) ? compared(sample.target, sample.coordinate[2], value[0]) : value;
 }
 
-void applyTextures() {
+void applyTextures(bool assembly) {
+  s_alphaDepths = readsAlphaDepths(assembly);
   for (std::size_t unit = 0; unit < fp::testing::kUnitTargets.size(); ++unit) {
     const TexTarget target = fp::testing::kUnitTargets[unit];
     const GLenum name = textureTarget(target);

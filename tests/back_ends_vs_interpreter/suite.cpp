@@ -36,7 +36,7 @@ public:
       return m_report;
     }
     applyState(m_backend.hasProgramMatrices());
-    applyTextures();
+    applyTextures(m_backend.hasProgramMatrices());
     if (const std::string errors = takeErrors(); !errors.empty())
       m_report.failures.push_back({0, "GL errors while the scene was set: " + errors});
     for (int i = 0; i < m_options.count; ++i)

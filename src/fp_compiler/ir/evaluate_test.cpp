@@ -1,11 +1,14 @@
 #include "fp_compiler/ir/evaluate.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/ir/validate.h"
 
 namespace arbiter::fp::ir {
@@ -238,6 +241,19 @@ TEST(Print, ListsTablesAndCode) {
                                 "  RCP t0.x, -t0.w\n"
                                 "  TXP o0, t0, texture[3], SHADOW2D\n"
                                 "  KIL t0\n");
+}
+
+Vec4 bits(Opcode op, Vec4 a, Vec4 b = {}, Vec4 c = {}) { return applyToBits(op, {a, b, c}); }
+
+/// Four bytes that are a signalling NaN as a float stay these four wherever they are carried.
+TEST(Semantics, PackedBytesOfANanStay) {
+  const Vec4 numbers = {1, 0, 0, 1}, less = {-1, -1, -1, -1};
+  const Vec4 packed = bits(Opcode::Pk4b, numbers);
+  EXPECT_EQ(std::bit_cast<std::uint32_t>(packed[0]), 0xFF8080FFu);
+  EXPECT_EQ(bits(Opcode::Up4b, packed), numbers);
+  EXPECT_EQ(bits(Opcode::Up4b, bits(Opcode::Mov, packed)), numbers);
+  EXPECT_EQ(bits(Opcode::Up4b, bits(Opcode::Cmp, less, packed)), numbers);
+  EXPECT_EQ(bits(Opcode::Up4b, bits(Opcode::Cmp, numbers, {}, packed)), numbers);
 }
 
 } // namespace

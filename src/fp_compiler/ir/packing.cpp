@@ -62,8 +62,9 @@ float floatOf(std::uint16_t half) {
   return std::bit_cast<float>(sign | ((size << 13) + 0x38000000));
 }
 
-float packed(Packing packing, const Vec4 &value) {
-  return std::bit_cast<float>(bitsOf(packing, value));
+Vec4 packed(Packing packing, const Vec4 &value) {
+  const std::uint32_t bits = bitsOf(packing, value);
+  return std::bit_cast<Vec4>(std::array{bits, bits, bits, bits});
 }
 
 Vec4 unpacked(Packing packing, float value) {

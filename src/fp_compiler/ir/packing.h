@@ -10,8 +10,9 @@ namespace arbiter::fp::ir {
 
 enum class Packing : std::uint8_t { Half2, Unsigned2, Signed4, Unsigned4 };
 
-/// The bits, as a float that may be a denormal or a NaN.
-[[nodiscard]] float packed(Packing packing, const Vec4 &value);
+/// The bits in each component, as a float that may be a denormal or a NaN. Not by a float's value:
+/// the registers that 32-bit x86 returns one in make another NaN of a signalling one.
+[[nodiscard]] Vec4 packed(Packing packing, const Vec4 &value);
 [[nodiscard]] Vec4 unpacked(Packing packing, float bits);
 
 /// To a 16-bit float's bits and back; from 65520 on the half is an infinity.

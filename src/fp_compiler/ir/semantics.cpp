@@ -294,13 +294,13 @@ Vec4 applyToBits(Opcode op, const Operands &operands) {
   const Vec4 &a = operands[0];
   switch (op) {
   case Opcode::Pk2h:
-    return all(packed(Packing::Half2, a));
+    return packed(Packing::Half2, a);
   case Opcode::Pk2us:
-    return all(packed(Packing::Unsigned2, a));
+    return packed(Packing::Unsigned2, a);
   case Opcode::Pk4b:
-    return all(packed(Packing::Signed4, a));
+    return packed(Packing::Signed4, a);
   case Opcode::Pk4ub:
-    return all(packed(Packing::Unsigned4, a));
+    return packed(Packing::Unsigned4, a);
   case Opcode::Up2h:
     return map(unpacked(Packing::Half2, a[0]), flushed);
   case Opcode::Up2us:
@@ -309,9 +309,13 @@ Vec4 applyToBits(Opcode op, const Operands &operands) {
     return unpacked(Packing::Signed4, a[0]);
   case Opcode::Up4ub:
     return unpacked(Packing::Unsigned4, a[0]);
-  case Opcode::Cmp:
-    return zip(a, operands[1], operands[2],
-               [](float x, float y, float z) { return flushed(x) < 0.0f ? y : z; });
+  case Opcode::Cmp: {
+    Vec4 chosen = operands[2]; // by no function that returns a float, as packed()
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      if (flushed(a[i]) < 0.0f)
+        chosen[i] = operands[1][i];
+    return chosen;
+  }
   default:
     return a;
   }
