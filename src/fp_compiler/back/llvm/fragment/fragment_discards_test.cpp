@@ -63,12 +63,12 @@ struct Discarding : Scene {
     std::memcpy(&there, depth.pixel(x, y), sizeof there);
     return there;
   }
-  [[nodiscard]] std::vector<std::uint8_t> drawn(const ir::Program &program, bool rows) {
+  [[nodiscard]] std::vector<std::uint8_t> drawn(const ir::Program &program, bool inRows) {
     setDepths();
     const std::vector<QuadInput> corners = {{0, 0, 1, 1}};
     const std::vector<std::array<float, 4>> locals = {{0, 0, 0, (kLeast + 0.5f) / 255}};
-    return rows ? draw(program, corners, wholeRows(), locals)
-                : drawBlocks(program, corners, locals);
+    return inRows ? draw(program, corners, wholeRows(), locals)
+                  : drawBlocks(program, corners, locals);
   }
 
   SceneTarget depth;
@@ -119,8 +119,9 @@ TEST_P(FragmentTest, DiscardsAreToldByLessThanTheWholeProgram) {
   const auto part = discardProgramOf(*whole, scene.key);
   ASSERT_TRUE(part);
   for (const ir::Instruction &instruction : part->program().code)
-    if (instruction.dst.file == ir::File::Output)
+    if (instruction.dst.file == ir::File::Output) {
       EXPECT_EQ(instruction.dst.mask, 8);
+    }
 
   const auto byKil = prepare(twoSamples(true));
   scene.key.alphaTest = abi::Compare::Always;
