@@ -220,7 +220,7 @@ void Chunk::shade(std::size_t tile, const PlanePlan &plan, const WindowVertex *w
   for (std::uint32_t at = m_tiles[tile].first; at != kNone; at = m_links[at].next) {
     const Record &record = m_records[m_links[at].record];
     if (record.isShape) {
-      emitter.shadeInTile(plan, m_shapes[record.vertex[0]], rect);
+      emitter.shadeInTile(m_shapes[record.vertex[0]], rect);
       continue;
     }
     for (int k = 0; k < 3; ++k) {

@@ -120,22 +120,31 @@ inline void setColumnsOf(const PlanePlan &plan, const PackedTriangle *const *tri
   }
 }
 
-/// One's planes, as planes.h makes them or as they are made.
+/// A plane of a primitive.
+inline void copyPlane(const abi::Primitive &from, std::size_t offset, int column,
+                      abi::PrimitiveColumns &to) {
+  for (std::size_t word = 0; word < 3; ++word)
+    __builtin_memcpy(&to.rows[offset / 4 + word][column],
+                     reinterpret_cast<const char *>(&from) + offset + 4 * word, 4);
+}
+
+/// One triangle's planes, as planes.h makes them.
 inline void setColumnOf(const PackedTriangle &each, int column, abi::PrimitiveColumns &to) {
-  abi::Primitive own;
-  if (!each.made)
-    makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
-               own);
-  const abi::Primitive &primitive = each.made ? *each.made : own;
-  const auto copy = [&](std::size_t offset) {
-    for (std::size_t word = 0; word < 3; ++word)
-      __builtin_memcpy(&to.rows[offset / 4 + word][column],
-                       reinterpret_cast<const char *>(&primitive) + offset + 4 * word, 4);
-  };
+  abi::Primitive primitive;
+  makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
+             primitive);
   if (each.plan->wantsW)
-    copy(offsetof(abi::Primitive, inverseW));
+    copyPlane(primitive, offsetof(abi::Primitive, inverseW), column, to);
   for (int i = 0; i < each.plan->count; ++i)
-    copy(offsetOf(each.plan->sources[i]));
+    copyPlane(primitive, offsetOf(each.plan->sources[i]), column, to);
+}
+
+/// Planes that are made. Those of components that nothing reads may be anything.
+inline void copyColumn(const PackedTriangle &each, int column, abi::PrimitiveColumns &to) {
+  copyPlane(*each.made, offsetof(abi::Primitive, inverseW), column, to);
+  for (std::size_t plane = 0; plane < std::size_t(4) * each.inputs; ++plane)
+    copyPlane(*each.made, offsetof(abi::Primitive, inputs) + plane * sizeof(abi::Plane), column,
+              to);
 }
 
 /// SetColumns
@@ -156,13 +165,16 @@ void setColumns(const PackedTriangle *const *triangles, int count, abi::Primitiv
     set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, dy), &each.depth.dy);
   }
   for (int first = 0; first < count;) {
-    // The plan of planes that are to be made together.
-    const auto planOf = [&](int k) { return triangles[k]->made ? nullptr : triangles[k]->plan; };
-    const PlanePlan *const plan = planOf(first);
+    if (triangles[first]->made) {
+      copyColumn(*triangles[first], first, to);
+      ++first;
+      continue;
+    }
+    const PlanePlan *const plan = triangles[first]->plan;
     int end = first + 1;
-    while (end < count && planOf(end) == plan)
+    while (end < count && !triangles[end]->made && triangles[end]->plan == plan)
       ++end;
-    if (plan && end - first >= kLeastRun)
+    if (end - first >= kLeastRun)
       setColumnsOf(*plan, triangles + first, first, end - first, to);
     else
       for (int k = first; k < end; ++k)

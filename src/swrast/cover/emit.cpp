@@ -80,17 +80,17 @@ void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top
   flush();
 }
 
-void Emitter::shadeInTile(const PlanePlan &plan, const Shape &shape, const Rect &rect) {
+void Emitter::shadeInTile(const Shape &shape, const Rect &rect) {
   if (m_packs && shape.edgeCount != 0 && fitsRegions(shape)) {
     const Rect own = {shape.left, shape.bottom, shape.right - shape.left, shape.top - shape.bottom};
     const Rect part = intersect(own, rect);
-    if (part.empty() || pack(plan, shape, part))
+    if (part.empty() || pack(shape, part))
       return;
   }
   shade(shape, rect.x, rect.y, rect.x + rect.width, rect.y + rect.height);
 }
 
-bool Emitter::pack(const PlanePlan &plan, const Shape &shape, const Rect &part) {
+bool Emitter::pack(const Shape &shape, const Rect &part) {
   Region region;
   if (!regionOf(shape, part, region))
     return true;
@@ -104,7 +104,7 @@ bool Emitter::pack(const PlanePlan &plan, const Shape &shape, const Rect &part) 
   m_stippled = shape.stippled;
   if (m_stippled)
     filterBlocks([](const abi::Block &block) { return unsigned(block.mask); }, kPackedBlock);
-  m_packed.add(plan, shape, m_blocks, m_count);
+  m_packed.add(shape, m_blocks, m_count);
   m_count = 0;
   return true;
 }

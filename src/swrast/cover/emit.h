@@ -28,7 +28,7 @@ public:
   void shade(const Shape &shape, int left, int bottom, int right, int top);
   /// What of it lies in the rectangle, which is of the tile that has begun. It may wait, so that it
   /// stays where it is until the emitter's end.
-  void shadeInTile(const PlanePlan &plan, const Shape &shape, const Rect &rect);
+  void shadeInTile(const Shape &shape, const Rect &rect);
   /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
   /// Planes are made only if a pixel is covered.
   void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
@@ -45,7 +45,7 @@ private:
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
   /// Gives the shape to what packs pixels, if it covers few of those of its blocks. False: it was
   /// not.
-  [[nodiscard]] bool pack(const PlanePlan &plan, const Shape &shape, const Rect &part);
+  [[nodiscard]] bool pack(const Shape &shape, const Rect &part);
   /// What lies in a part of one tile.
   void tileBlocks(const Shape &shape, const Rect &part);
   /// The same of a shape whose edges do not fit 32 bits.

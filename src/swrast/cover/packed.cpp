@@ -59,12 +59,11 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
   test(own, blocks, count);
 }
 
-void PackedShader::add(const PlanePlan &plan, const Shape &shape, const abi::Block *blocks,
-                       std::uint32_t count) {
+void PackedShader::add(const Shape &shape, const abi::Block *blocks, std::uint32_t count) {
   PackedTriangle &own = next();
   own.depth = shape.primitive.z;
-  own.plan = &plan;
   own.made = &shape.primitive;
+  own.inputs = m_shading.inputCount;
   own.triangle.backFacing = shape.primitive.backFacing != 0;
   own.originX = shape.primitive.originX;
   own.originY = shape.primitive.originY;

@@ -48,9 +48,10 @@ using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::Plane &z, int 
                                      std::uint32_t count, abi::Block *out);
 /// A triangle or another shape that is shaded later, with what is left of it.
 struct PackedTriangle {
+  const abi::Primitive *made; ///< its planes; null: they are made of the next three
+  std::uint32_t inputs;       ///< that `made` has
   const PlanePlan *plan;
-  const abi::Primitive *made; ///< its planes; null: they are made of the next two
-  Triangle triangle;          ///< not clipped
+  Triangle triangle; ///< not clipped
   Gradients gradients;
   abi::Plane depth;
   std::int32_t originX, originY; ///< the pixel that planes are exact at
@@ -96,8 +97,7 @@ public:
   void add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
            const abi::Block *blocks, std::uint32_t count);
   /// The same of a shape, whose primitive stays where it is until finish().
-  void add(const PlanePlan &plan, const Shape &shape, const abi::Block *blocks,
-           std::uint32_t count);
+  void add(const Shape &shape, const abi::Block *blocks, std::uint32_t count);
   void finish();
 
 private:

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "swrast/cover/packed.h"
+#include "swrast/queue/draw_queue.h"
 #include "swrast/testing/canvas.h"
 #include "util/processor.h"
 
@@ -119,7 +120,7 @@ struct Case {
 
 constexpr int kWidth = 157, kHeight = 141;
 
-Picture drawn(const Case &what, bool packed) {
+Picture drawn(const Case &what, bool packed, bool queued = false) {
   static const std::vector<std::uint8_t> stipple(128, 0xB6);
   g_test = what.test;
   g_quads = what.quads;
@@ -154,7 +155,15 @@ Picture drawn(const Case &what, bool packed) {
   WindowVertices vertices(canvas);
   for (std::size_t i = 0; i < what.x.size(); ++i)
     vertices.add(what.x[i], what.y[i], float(i / 3 * 10) + what.z[i], 1, 2 * what.z[i] - 1);
-  drawAll(canvas, Topology::Triangles, vertices);
+  if (queued) {
+    DrawQueue queue;
+    const ShadingUse use;
+    EXPECT_TRUE(queue.add(canvas.state, canvas.shading, Topology::Triangles, vertices.get(),
+                          nullptr, 0, std::uint32_t(what.x.size()), use));
+    queue.finish();
+  } else {
+    drawAll(canvas, Topology::Triangles, vertices);
+  }
   return {canvas.counts, canvas.values, depth};
 }
 
@@ -226,11 +235,13 @@ TEST(Packed, LargeThinShapesArePackedToo) {
   g_inBlocks = 0;
   const Picture expected = drawn(what, false);
   EXPECT_GT(g_inBlocks, 0u);
-  g_inBlocks = 0;
-  const Picture got = drawn(what, true);
-  EXPECT_EQ(got.depth, expected.depth);
-  EXPECT_EQ(std::memcmp(got.values.data(), expected.values.data(), got.values.size() * 4), 0);
-  EXPECT_EQ(g_inBlocks, 0u);
+  for (const bool queued : {false, true}) {
+    g_inBlocks = 0;
+    const Picture got = drawn(what, true, queued);
+    EXPECT_EQ(got.depth, expected.depth);
+    EXPECT_EQ(std::memcmp(got.values.data(), expected.values.data(), got.values.size() * 4), 0);
+    EXPECT_EQ(g_inBlocks, 0u);
+  }
 }
 
 /// A tile in the middle of a buffer, with its depth.
@@ -354,6 +365,7 @@ struct Group {
         makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX,
                    each.originY, made[k]);
         each.made = &made[k];
+        each.inputs = abi::kMaxInputs;
       }
       pointers[k] = &each;
     }
@@ -361,7 +373,7 @@ struct Group {
   float values[kVertices];
   PlanePlan plans[2];
   PackedTriangle triangles[abi::PrimitiveColumns::kColumns];
-  abi::Primitive made[abi::PrimitiveColumns::kColumns];
+  abi::Primitive made[abi::PrimitiveColumns::kColumns] = {};
   const PackedTriangle *pointers[abi::PrimitiveColumns::kColumns];
 };
 
