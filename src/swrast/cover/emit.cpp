@@ -80,6 +80,16 @@ void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top
   flush();
 }
 
+template <typename MaskOf> void Emitter::filterBlocks(MaskOf maskOf, BlockSize size) {
+  const std::uint32_t count = m_count;
+  m_count = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const abi::Block item = m_blocks[i];
+    m_pixels -= bitsOf(item.mask);
+    block(item.x, item.y, maskOf(item), size);
+  }
+}
+
 void Emitter::shadeInTile(const Shape &shape, const Rect &rect) {
   if (m_packs && shape.edgeCount != 0 && fitsRegions(shape)) {
     const Rect own = {shape.left, shape.bottom, shape.right - shape.left, shape.top - shape.bottom};
@@ -97,16 +107,29 @@ bool Emitter::pack(const Shape &shape, const Rect &part) {
   if (region.count == 0 && std::min(part.width, part.height) >= 2 * kPackedBlock.width)
     return false; // a rectangle that fills most of its blocks
   const Cover cover = m_cover.region(region, kPackedBlock.lanes(), m_blocks);
-  if (cover.pixels > kMostPacked * cover.blocks)
+  const bool isThin = cover.pixels <= kMostPacked * cover.blocks;
+  const bool alike = m_blockSize.lanes() == kPackedBlock.lanes();
+  if (!isThin && (!alike || wantsRows(shape.right - shape.left)))
     return false;
+  takeBlocks(shape, cover, kPackedBlock);
+  if (isThin) {
+    m_packed.add(shape, m_blocks, m_count);
+    m_count = 0;
+    return true;
+  }
+  m_packed.finish();
+  m_primitive = &shape.primitive;
+  m_isRow = false;
+  flush();
+  return true;
+}
+
+void Emitter::takeBlocks(const Shape &shape, const Cover &cover, BlockSize size) {
   m_count = cover.blocks;
   m_pixels += cover.pixels;
   m_stippled = shape.stippled;
   if (m_stippled)
-    filterBlocks([](const abi::Block &block) { return unsigned(block.mask); }, kPackedBlock);
-  m_packed.add(shape, m_blocks, m_count);
-  m_count = 0;
-  return true;
+    filterBlocks([](const abi::Block &block) { return unsigned(block.mask); }, size);
 }
 
 void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect) {
@@ -143,16 +166,6 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
   }
   planes();
   flush();
-}
-
-template <typename MaskOf> void Emitter::filterBlocks(MaskOf maskOf, BlockSize size) {
-  const std::uint32_t count = m_count;
-  m_count = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const abi::Block item = m_blocks[i];
-    m_pixels -= bitsOf(item.mask);
-    block(item.x, item.y, maskOf(item), size);
-  }
 }
 
 void Emitter::keepInside(const Rect &rect, const Bounds &bounds, BlockSize size) {
@@ -250,11 +263,7 @@ void Emitter::tileBlocks(const Shape &shape, const Rect &part) {
   if (!regionOf(shape, part, region))
     return;
   flush();
-  const Cover cover = m_cover.region(region, m_blockSize.lanes(), m_blocks);
-  m_count = cover.blocks;
-  m_pixels += cover.pixels;
-  if (m_stippled)
-    filterBlocks([](const abi::Block &block) { return unsigned(block.mask); }, m_blockSize);
+  takeBlocks(shape, m_cover.region(region, m_blockSize.lanes(), m_blocks), m_blockSize);
 }
 
 void Emitter::wideBlocks(const Shape &shape, const Rect &part) {

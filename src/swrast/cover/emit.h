@@ -43,8 +43,8 @@ private:
 
   void rows(const Shape &shape, int left, int bottom, int right, int top);
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
-  /// Gives the shape to what packs pixels, if it covers few of those of its blocks. False: it was
-  /// not.
+  /// Gives the shape to what packs pixels, if it covers few of those of its blocks, or shades the
+  /// blocks that were found. False: it is to be shaded otherwise.
   [[nodiscard]] bool pack(const Shape &shape, const Rect &part);
   /// What lies in a part of one tile.
   void tileBlocks(const Shape &shape, const Rect &part);
@@ -61,6 +61,8 @@ private:
   static constexpr BlockSize kPackedBlock = {4, 4};
 
   void block(int x, int y, unsigned mask, BlockSize size);
+  /// The blocks in m_blocks, less what the shape's stipple leaves out, wait.
+  void takeBlocks(const Shape &shape, const Cover &cover, BlockSize size);
   /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
   void keepInside(const Rect &rect, const Bounds &bounds, BlockSize size);
   /// Leaves `maskOf(block)` of the blocks that wait, and what the stipple leaves of that.

@@ -179,6 +179,32 @@ protected:
   void TearDown() override { setThreadCount(0); }
 };
 
+TEST_P(Queue, OnlyWhatFillsThePictureWhereNothingWaitsIsDoneAtOnce) {
+  const Image late = cleared(), now = cleared();
+  Scene queued(late), atOnce(now);
+  DrawQueue queue;
+  const Mesh whole = quad(0, 0, kSize, kSize), half = quad(0, 0, kSize, kSize / 2 - 30);
+  Mesh triangle;
+  triangle.add(3, 3);
+  triangle.add(kSize - 3, 10);
+  triangle.add(90, kSize - 10);
+  std::uint32_t number = 0;
+  const auto draw = [&](Topology topology, const Mesh &mesh) {
+    queued.setParameter(++number);
+    atOnce.setParameter(number);
+    drawAtOnce(atOnce, topology, mesh);
+    return drawBy(queue, queued, topology, mesh);
+  };
+  EXPECT_FALSE(draw(Topology::Quads, whole));
+  EXPECT_FALSE(draw(Topology::Triangles, triangle)); // by its bounds
+  EXPECT_TRUE(draw(Topology::Quads, half));
+  EXPECT_TRUE(draw(Topology::Quads, whole)); // another waits
+  EXPECT_TRUE(draw(Topology::Triangles, triangle));
+  queue.finish();
+  EXPECT_FALSE(draw(Topology::Quads, whole));
+  EXPECT_EQ(pixelsOf(late), pixelsOf(now));
+}
+
 TEST_P(Queue, DrawsAreThoseThatAreDoneAtOnce) {
   std::mt19937 random(7);
   for (int round = 0; round < 12; ++round) {
