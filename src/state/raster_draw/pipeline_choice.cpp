@@ -32,6 +32,13 @@ bool anyFloat(const DrawTargets &targets) {
       [](const swrast::Image *image) { return image && abi::isFloat(image->format.layout); });
 }
 
+/// Draws with this key test depth or stencil of these targets.
+bool testsAny(const abi::DepthStencilKey &depth, const DrawTargets &targets) {
+  return targets.depthStencil && targets.depthStencil->format.layout != abi::Layout::None &&
+         ((depth.depthTest != 0 && targets.depthBits != 0) ||
+          (depth.stencilTest != 0 && targets.stencilBits != 0));
+}
+
 using SpriteThird = swrast::RasterState::SpriteThird;
 SpriteThird spriteThirdNow(const Context &context) {
   const GLenum mode = spriteMode(context);
@@ -190,10 +197,16 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
                                                                 : Fallback::NotCompiled;
   if (!m_program->values)
     m_program->values = std::make_unique<ProgramValues>(prepared->program());
-  const char *reason = nullptr;
-  m_targets = context.software->residency.describeTargets(reason);
-  if (!m_targets)
-    return fallbackNamed(reason, Fallback::Target);
+  // A window that the host draws to and shows is measured by reads, anew in each frame: not for a
+  // draw that will be the host's whatever its size (makeKey()).
+  Residency &residency = context.software->residency;
+  m_targets = isMixed ? residency.targetsBefore() : nullptr;
+  if (!m_targets || !testsAny(depth, *m_targets)) {
+    const char *reason = nullptr;
+    m_targets = residency.describeTargets(reason);
+    if (!m_targets)
+      return fallbackNamed(reason, Fallback::Target);
+  }
   m_floatTarget = anyFloat(*m_targets);
   return {};
 }

@@ -119,6 +119,10 @@ public:
   /// we cannot draw to it (multisampled, a format that we lack, GL_FRONT_AND_BACK, incomplete),
   /// with `reason` a row of reasons.def.
   [[nodiscard]] const DrawTargets *describeTargets(const char *&reason);
+  /// What describeTargets() told last, where nothing has changed since but for the window's size,
+  /// which costs reads of the host's buffers to find out: enough for whether a draw tests depth.
+  /// Null where more has changed.
+  [[nodiscard]] const DrawTargets *targetsBefore();
   /// Moves on when what describeTargets() or acquireTexture() told is invalidated. While it stands,
   /// syncWithNeighbours() found nothing, and no command has marked dirty::kFramebuffer, they need
   /// not be called again.

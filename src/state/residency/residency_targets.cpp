@@ -39,6 +39,27 @@ bool acquire(ResidentImages &images, PixelImage &image, bool keep) {
   return true;
 }
 
+/// What is known of the draw framebuffer.
+const DrawTargets &tell(ResidentImages &images) {
+  const Framebuffers &f = images.framebuffers;
+  DrawTargets &targets = images.targets;
+  targets = {};
+  targets.width = f.width;
+  targets.height = f.height;
+  for (std::size_t i = 0; i < f.color.size(); ++i) {
+    if (!f.color[i])
+      continue;
+    targets.color[i] = &f.color[i]->shadow;
+    targets.slice[i] = f.slice[i];
+  }
+  targets.depthStencil = f.depthStencil ? &f.depthStencil->shadow : nullptr;
+  targets.depthBits = f.depthBits;
+  targets.stencilBits = f.stencilBits;
+  targets.isWindow = f.drawName == 0;
+  targets.doubleBuffered = targets.isWindow && images.doubleBuffered;
+  return targets;
+}
+
 } // namespace
 
 const DrawTargets *Residency::describeTargets(const char *&reason) {
@@ -50,26 +71,20 @@ const DrawTargets *Residency::describeTargets(const char *&reason) {
     reason = f.reason;
     return nullptr;
   }
-  DrawTargets &targets = images.targets;
-  targets = {};
-  targets.width = f.width;
-  targets.height = f.height;
-  for (std::size_t i = 0; i < f.color.size(); ++i) {
-    if (!f.color[i])
-      continue;
-    if (!restoreFormat(images, *f.color[i])) {
+  for (PixelImage *image : f.color)
+    if (image && !restoreFormat(images, *image)) {
       reason = "memory";
       return nullptr;
     }
-    targets.color[i] = &f.color[i]->shadow;
-    targets.slice[i] = f.slice[i];
-  }
-  targets.depthStencil = f.depthStencil ? &f.depthStencil->shadow : nullptr;
-  targets.depthBits = f.depthBits;
-  targets.stencilBits = f.stencilBits;
-  targets.isWindow = f.drawName == 0;
-  targets.doubleBuffered = targets.isWindow && images.doubleBuffered;
-  return &targets;
+  return &tell(images);
+}
+
+const DrawTargets *Residency::targetsBefore() {
+  ResidentImages &images = *m_images;
+  const Framebuffers &f = images.framebuffers;
+  const bool same = (images.hot.dirty & dirty::kFramebuffer) == 0 &&
+                    f.generation == images.objects.generation && !f.reason;
+  return same && f.drawName == 0 ? &tell(images) : nullptr;
 }
 
 bool Residency::targetsHeld(bool depthStencilUsed) {

@@ -227,5 +227,40 @@ TEST_F(Residency, PixelStoreIsFollowed) {
   }
 }
 
+int g_sizesAsked = 0;
+
+/// Where the host draws all, each frame would be measured anew.
+TEST_F(Residency, WhatIsKnownOfTargetsIsToldWithoutMeasuringTheWindow) {
+  EXPECT_EQ(residency().targetsBefore(), nullptr) << "they were never described";
+  Drawable drawable;
+  drawable.kind = Drawable::Kind::Pbuffer;
+  drawable.size = [](const Drawable &, int &width, int &height, bool) {
+    ++g_sizesAsked;
+    width = kWidth;
+    height = kHeight;
+    return true;
+  };
+  residency().enter(drawable);
+  const char *reason = nullptr;
+  ASSERT_NE(residency().describeTargets(reason), nullptr) << reason;
+  const int asked = g_sizesAsked;
+  EXPECT_GT(asked, 0);
+  residency().hostSwaps();
+  const DrawTargets *const before = residency().targetsBefore();
+  ASSERT_NE(before, nullptr);
+  EXPECT_EQ(g_sizesAsked, asked);
+  EXPECT_TRUE(before->isWindow);
+  EXPECT_GT(before->depthBits, 0);
+  ASSERT_NE(residency().describeTargets(reason), nullptr) << reason;
+  EXPECT_EQ(g_sizesAsked, asked + 1);
+
+  changed(dirty::kFramebuffer);
+  EXPECT_EQ(residency().targetsBefore(), nullptr) << "another framebuffer may be bound";
+  ASSERT_NE(residency().describeTargets(reason), nullptr) << reason;
+  residency().leave();
+  residency().enter(drawable);
+  EXPECT_EQ(residency().targetsBefore(), nullptr) << "the window may be another";
+}
+
 } // namespace
 } // namespace arbiter::state::software::residency_scene

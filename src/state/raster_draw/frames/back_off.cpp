@@ -27,13 +27,17 @@ float BackOff::median() {
   return m_times[kTrialFrames / 2];
 }
 
+bool BackOff::isHostFaster() const {
+  return m_hostTime * (m_triedMoving ? kFaster : 1 / kFaster) < m_softwareTime;
+}
+
 /// Both ways have been tried.
 void BackOff::decide() {
   const float host = m_hostTime;
   ++m_statistics.trials;
   m_statistics.lastSoftwareMilliseconds = double(m_softwareTime);
   m_statistics.lastHostMilliseconds = double(host);
-  const bool isHost = host < m_softwareTime * kFaster;
+  const bool isHost = isHostFaster();
   // The host is looked at again after as many frames each time: what it draws may be what changed.
   m_keep = !isHost && host > m_softwareTime * kClearlySlower && m_keep >= kKeepFrames
                ? std::min(4 * m_keep, kMostKeepFrames)
@@ -59,8 +63,10 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
     look(time);
     // After a trial that was won the next one waits, too.
     ++m_frames;
-    if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames)
+    if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames) {
+      m_triedMoving = m_moving >= kDoubtFrames;
       tryAgain();
+    }
     break;
   case Phase::TrySoftware:
   case Phase::TryHost:
@@ -75,7 +81,7 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
       enter(Phase::TryHost);
     } else if (m_phase == Phase::TryHost) {
       m_hostTime = median();
-      if (m_hostTime < m_softwareTime * kFaster)
+      if (isHostFaster())
         enter(Phase::Confirm);
       else
         decide();

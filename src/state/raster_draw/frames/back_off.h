@@ -44,7 +44,8 @@ private:
   static constexpr int kKeepFrames = 1000; ///< until the next trial
   /// The same after trials that the rasterizer won clearly, four times as long after each.
   static constexpr int kMostKeepFrames = 64'000;
-  /// The host is faster by more than what frames differ by chance.
+  /// What frames differ by through chance. Where images move the rasterizer is to be faster by more
+  /// than that, as the images cost memory, and the host's caches, too; otherwise the host.
   static constexpr float kFaster = 0.96f, kClearlySlower = 1.25f;
   /// Frames of so many times the time, or such a part of it, are others than were tried.
   static constexpr float kOther = 1.5f;
@@ -58,6 +59,7 @@ private:
   /// The median of the frames that were tried.
   [[nodiscard]] float median();
   void decide();
+  [[nodiscard]] bool isHostFaster() const;
   /// A frame of a side that was decided for took \p time.
   void look(float time);
   [[nodiscard]] bool isStale() const { return m_others >= kDoubtFrames && m_frames > m_patience; }
@@ -66,10 +68,11 @@ private:
 
   Phase m_phase = Phase::Software;
   bool m_forced = false;
-  int m_frames = 0;          ///< in this phase
-  int m_keep = kDoubtFrames; ///< frames until a doubt is followed by a trial
-  int m_moving = 0;          ///< frames in a row that moved images
-  int m_plain = 0;           ///< and that were plain
+  int m_frames = 0;           ///< in this phase
+  int m_keep = kDoubtFrames;  ///< frames until a doubt is followed by a trial
+  int m_moving = 0;           ///< frames in a row that moved images
+  int m_plain = 0;            ///< and that were plain
+  bool m_triedMoving = false; ///< the doubt was about frames that move images
   bool m_hasBefore = false;
   std::chrono::steady_clock::time_point m_before;
   float m_times[kTrialFrames] = {};

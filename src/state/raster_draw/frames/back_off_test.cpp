@@ -119,6 +119,26 @@ TEST(BackOff, PlainFramesThatAreEquallyFastAreTheRasterizers) {
   EXPECT_EQ(backOff.statistics().trials, 1u);
 }
 
+TEST(BackOff, MovingFramesThatAreEquallyFastAreTheHosts) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(200, true, 50, 51);
+  EXPECT_FALSE(backOff.engaged());
+  BackOff faster;
+  Frames others(faster);
+  others.run(200, true, 50, 56);
+  EXPECT_TRUE(faster.engaged());
+}
+
+/// What a frame moved is asked of the doubt, not of frames that the host drew since.
+TEST(BackOff, MovingFramesAreTheHostsAgainAfterAnotherTrial) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(3000, true, 50, 51);
+  EXPECT_FALSE(backOff.engaged());
+  EXPECT_GE(backOff.statistics().trials, 3u);
+}
+
 TEST(BackOff, TrialsThatTheRasterizerWinsClearlyBecomeRare) {
   BackOff backOff;
   Frames frames(backOff);
