@@ -65,6 +65,7 @@ void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heigh
       [[unlikely]]
     return;
   if (executes(context) && context.software) {
+    context.software->readsPixels = true;
     if (context.software->residency.readPixels(x, y, width, height, format, type, pixels))
       return;
     context.software->residency.synchronise("glReadPixels");

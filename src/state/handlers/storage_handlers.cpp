@@ -1,12 +1,14 @@
-// Commands after which objects have storage in common, and those that delete such objects: what the
-// other contexts of the group must know. So these come here in contexts too that are the host's
-// otherwise (`everywhere` in entry_points.toml), and in none at all.
+// Commands after which objects have storage in common, or in memory of the application's, and those
+// that delete such objects: what the other contexts of the group must know. So these come here in
+// contexts too that are the host's otherwise (`everywhere` in entry_points.toml), and in none at
+// all.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/vertices/buffer_copies.h"
 #include "state/share/neighbours.h"
 #include "state/share/share_group.h"
 
@@ -86,6 +88,12 @@ void RenderbufferStorageMultisample(Context &context, GLenum target, GLsizei sam
                                     GLenum internalformat, GLsizei width, GLsizei height) {
   renderbufferRedefined(context, "glRenderbufferStorageMultisample");
   context.host->RenderbufferStorageMultisample(target, samples, internalformat, width, height);
+}
+
+void BufferData(Context &context, GLenum target, GLsizeiptr size, const void *data, GLenum usage) {
+  if (target == GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD) [[unlikely]]
+    software::BufferCopies::stop();
+  context.host->BufferData(target, size, data, usage);
 }
 
 } // namespace arbiter::state::handlers

@@ -49,6 +49,10 @@ struct ContextState {
   /// The host drew something in this frame of which it is not known whether the rasterizer lacks
   /// it, as the engine or a program is still being made.
   bool unjudged = false;
+  /// The application has read pixels that were drawn, and may compare them with others: those of
+  /// textures with few bits, for one, are rounded otherwise by hosts, so that it is to be drawn by
+  /// one of the two from the start.
+  bool readsPixels = false;
   bool observed = false;     ///< a client looks at this frame, which says nothing for that reason
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
@@ -67,7 +71,7 @@ struct ContextState {
   /// waits for machine code. An application that makes programs in each frame would never be
   /// judged.
   [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
-    return history.unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
+    return !readsPixels && history.unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
   }
   static constexpr int kMostUnjudged = 2, kMostUnjudgedPlain = 20;
   /// Whether the rasterizer may test depth or stencil now.

@@ -13,14 +13,20 @@ namespace arbiter::state::software {
 /// has compiled, the next one draws with from its first frame on.
 template <typename Key> class FixedPrograms {
 public:
+  FixedPrograms() = default;
+  FixedPrograms(const FixedPrograms &) = delete;
+  FixedPrograms &operator=(const FixedPrograms &) = delete;
+
   /// The program of a context for `key`: the same object for the same key. Takes no lock where this
   /// context had it before. The reference stays good as long as *this does.
   template <typename Make>
   [[nodiscard]] const std::shared_ptr<const fp::ir::Program> &get(const Key &key, Make make) {
-    Program &program = m_programs[key];
-    if (!program)
-      program = ofProcess().get(key, make);
-    return program;
+    if (m_last && m_last->first == key) [[likely]]
+      return m_last->second;
+    m_last = &*m_programs.try_emplace(key).first;
+    if (!m_last->second)
+      m_last->second = ofProcess().get(key, make);
+    return m_last->second;
   }
 
 private:
@@ -54,6 +60,8 @@ private:
   }
 
   Map m_programs;
+  /// Of the last answer: what draws differ in, often as not, is no part of the key.
+  typename Map::value_type *m_last = nullptr;
 };
 
 } // namespace arbiter::state::software

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/handlers.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/residency/residency.h"
@@ -176,6 +177,14 @@ TEST_F(Frame, NotEachOfAnApplicationsFramesGoesUnjudged) {
   drawn();
   finishFrame(context());
   EXPECT_TRUE(state().mayGoUnjudged());
+}
+
+TEST_F(Frame, AnApplicationThatReadsPixelsWaitsForMachineCode) {
+  ASSERT_TRUE(state().mayGoUnjudged(true));
+  std::uint32_t pixel = 0;
+  handlers::ReadPixels(context(), 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+  EXPECT_FALSE(state().mayGoUnjudged(true)) << "the next picture may be compared with this one";
+  EXPECT_FALSE(state().mayGoUnjudged());
 }
 
 // A draw that is found out to be the host's only where it is tried: frames must not go by turns.

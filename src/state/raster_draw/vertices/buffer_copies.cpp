@@ -1,10 +1,19 @@
 #include "state/raster_draw/vertices/buffer_copies.h"
 
+#include <atomic>
 #include <new>
 
 #include "state/mirror/generation_counter.h"
 
 namespace arbiter::state::software {
+
+namespace {
+
+std::atomic<bool> g_stopped{false};
+
+} // namespace
+
+void BufferCopies::stop() { g_stopped.store(true, std::memory_order_relaxed); }
 
 BufferCopies::Contents BufferCopies::find(const GenerationCounter &clock, GLuint buffer) {
   const bool changed = (clock.changedSince(m_seen) & dirty::kBuffers) != 0;
@@ -21,7 +30,7 @@ BufferCopies::Contents BufferCopies::find(const GenerationCounter &clock, GLuint
 }
 
 void BufferCopies::drawnFrom(GLuint buffer, const Contents &contents) {
-  if (contents.bytes > kMostBytes)
+  if (contents.bytes > kMostBytes || g_stopped.load(std::memory_order_relaxed))
     return;
   try {
     // Copies are in use: none of them gives way to another.

@@ -22,6 +22,10 @@ public:
   [[nodiscard]] Contents find(const GenerationCounter &clock, GLuint buffer);
   /// The buffer is mapped for a draw. It is copied if it was drawn from before, unchanged since.
   void drawnFrom(GLuint buffer, const Contents &contents);
+  /// An application of this process gives the host memory of its own as a buffer
+  /// (AMD_pinned_memory), and writes to it without a command: from now on nothing is copied, in any
+  /// context.
+  static void stop();
 
 private:
   static constexpr std::size_t kMostBytes = 64 << 10; ///< of one
