@@ -73,8 +73,13 @@ EffectivePrograms enabledRows(Context &context) {
     rows.vertex = vertexShaderEffective(context);
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
   rows.combiners = !rows.fragment && ifEnabled(Target::Combiners);
+  // Those are of the texture shaders' text where they follow them.
+  const bool shaders =
+      ifEnabled(Target::TextureShaders) && !texturesSwitchedOff(context, rows.combiners);
+  if (rows.combiners && !shaders && combinersSwitchedOff(context))
+    rows.combiners = false;
   rows.textureShaders =
-      !rows.fragment && (ifEnabled(Target::TextureShaders) || texturesNeedLayer(context) ||
+      !rows.fragment && (shaders || texturesNeedLayer(context) ||
                          (spriteForm(context).units != 0 && !rows.ati && !rows.combiners));
   return rows;
 }
