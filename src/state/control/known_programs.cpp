@@ -2,8 +2,8 @@
 
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
-#include "state/programs/drawn_states.h"
 #include "state/programs/program_edits.h"
+#include "state/report/drawn_states.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state::remote {

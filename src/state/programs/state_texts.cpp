@@ -3,11 +3,11 @@
 #include <unordered_map>
 
 #include "state/core/context.h"
-#include "state/programs/drawn_states.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
 #include "state/report/capture.h"
+#include "state/report/drawn_states.h"
 
 namespace arbiter::state {
 

@@ -1,4 +1,4 @@
-#include "state/programs/drawn_states.h"
+#include "state/report/drawn_states.h"
 
 #include <utility>
 
