@@ -11,6 +11,8 @@ namespace arbiter::fp {
 
 /// What came of a program string: the checked program or its diagnostics, and its GLSL.
 struct Compilation {
+  /// A program with loops is there as the passes left it: what makes code of it runs them again,
+  /// and finds little to do.
   CheckResult check;
   /// Empty where the check failed, for ATI's languages, whose GLSL depends on the state that they
   /// are drawn under (fixed_function.h), and for vertex state programs, which draw nothing.

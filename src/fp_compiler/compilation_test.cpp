@@ -8,6 +8,7 @@
 
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/testing/inputs.h"
 #include "fp_compiler/testing/random.h"
 
 namespace arbiter::fp {
@@ -52,6 +53,30 @@ const char *const kTexts[] = {
     "!!ARBfp1.0\nMOV result.color, nothing;\nEND\n",
     "", // not a program at all
 };
+
+TEST(Compilation, LoopsAreFollowedOnce) {
+  const std::string text = "!!ARBfp1.0\nOPTION NV_fragment_program2;\nTEMP r, k;\nMOV k.x, 0.0;\n"
+                           "REP 9;\nMAD r, fragment.color, k.x, r;\nADDC k.x, k.x, 1.0;\n"
+                           "SUBC k.y, k.x, 3.0;\nBRK (GE.y);\nENDREP;\nMOV result.color, r;\nEND\n";
+  CompilationInput nv = input(LimitPolicy::Report);
+  nv.options.limits.nvOptions = 2;
+  const CheckResult checked = checkProgram(nv.language, text, nv.options);
+  ASSERT_TRUE(checked.ok()) << checked.errorString(text);
+  ASSERT_TRUE(ir::hasLoops(*checked.program));
+  const Compilation compiled = compile(nv, text);
+  EXPECT_FALSE(ir::hasLoops(*compiled.check.program));
+  EXPECT_EQ(compiled.check.counts, checked.counts) << "those of the text";
+  EXPECT_EQ(compiled.glsl.text, emitGlsl(*checked.program, nv.host).text);
+  for (const bool special : {false, true})
+    EXPECT_TRUE(
+        testing::same(testing::outcome(*checked.program, {3, Numerics::Host, special}),
+                      testing::outcome(*compiled.check.program, {3, Numerics::Host, special})));
+  const auto after = deserialise(serialise(compiled));
+  ASSERT_TRUE(after);
+  expectSame(compiled, *after, text);
+  nv.numerics = Numerics::Legacy; // another mode's passes are not the machine code's
+  EXPECT_TRUE(ir::hasLoops(*compile(nv, text).check.program));
+}
 
 TEST(Compilation, ComesBackAsItWas) {
   for (const char *text : kTexts) {

@@ -30,6 +30,23 @@ class Compile(Temporary):
         self.assertEqual(plain.stdout.count('MOV'), 2)
         self.assertEqual(passed.stdout.count('MOV'), 1)
 
+    def test_assembly_of_what_nvidias_languages_share_with_the_arbs(self):
+        text = ('!!ARBvp1.0\nOPTION NV_vertex_program2;\nTEMP r, k;\nMOV result.position, vertex.position;\n'
+                'MOV k.x, 2.0;\nagain:\nADD r, r, program.env[1];\nADDC k.x, k.x, -1.0;\n'
+                'BRA again (GT.x);\nMOV result.color, r;\nEND\n')
+        words = ('compile', '--profile', 'nv40', '--emit', 'assembly', '-')
+        result = arbiter(*words, text=text)
+        self.assertEqual((result.returncode, result.stdout), (1, ''))
+        self.assertIn('with -O there may be one', result.stderr)
+        result = arbiter(*words, '-O', text=text)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout.count('program.env[1]'), 1)
+        self.assertNotIn('OPTION', result.stdout)
+        again = arbiter('check', '-', text=result.stdout)
+        self.assertEqual(again.returncode, 0, again.stdout)
+        result = arbiter(*words, '-O', text=text.replace('ADDC', 'SEQ r, r, k;\nADDC'))
+        self.assertIn('no assembly text of the ARB says what this program does\n', result.stderr)
+
     def test_assembly_is_a_program_again(self):
         text = ('!!ARBvp1.0\nPARAM r[] = {program.env[0..1]}; ADDRESS i;\n'
                 'ARL i.x, vertex.attrib[3].w;\nMOV result.position, r[i.x + 1].yxzw;\nEND\n')

@@ -46,8 +46,6 @@ std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
   const fp::Numerics numerics = fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host);
   if (arguments.emit == "glsl")
     return fp::emitGlsl(program, {}, numerics).text;
-  if (arguments.optimise)
-    fp::optimise(program, fp::ir::numericsOf(program.language, numerics));
   return arguments.emit == "assembly" ? fp::emitAssembly(program) : fp::ir::print(program);
 }
 
@@ -68,8 +66,14 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
     complain(arguments.file + ": no assembly text says what an ATI shader does");
     return kExitUsage;
   }
-  if (arguments.emit == "assembly" && result.program->options.nv != fp::ir::NvOption::None) {
-    complain(arguments.file + ": no assembly text of the ARB says what NVIDIA's options do");
+  if (arguments.optimise && (arguments.emit == "ir" || arguments.emit == "assembly"))
+    fp::optimise(*result.program,
+                 fp::ir::numericsOf(
+                     language, fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host)));
+  if (arguments.emit == "assembly" && result.program->options.nv != fp::ir::NvOption::None &&
+      !fp::isOfArb(*result.program)) {
+    complain(arguments.file + ": no assembly text of the ARB says what this program does" +
+             (arguments.optimise ? "" : "; with -O there may be one"));
     return kExitUsage;
   }
   if (arguments.emit != "ir" && result.native.language == fp::ir::NativeLanguage::Vsp1) {

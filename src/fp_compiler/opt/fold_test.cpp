@@ -4,6 +4,7 @@
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/testing/pass_check.h"
+#include "fp_compiler/testing/nv_program.h"
 
 namespace arbiter::fp::opt {
 namespace {
@@ -99,6 +100,20 @@ TEST(FoldConstants, AVertexProgramHasNo24Bits) {
   b.op(Opcode::Mul, b.result(ir::OutputKind::Position), {b.constant(0x1p40f), b.constant(0x1p40f)});
   ir::Program program = b.take();
   EXPECT_TRUE(runChecked(foldConstants, program, "", Numerics::Fp24));
+}
+
+TEST(FoldConstants, BitsAreCopiedAsTheyAre) {
+  const std::string texts[] = {"MOV result.color, {1e-40, 1.0, 0.0, 0.0};",
+                               "CMP result.color, {-1.0, 1.0, 1.0, 1.0}, {1e-40, 1.0, 0.0, 0.0}, "
+                               "{-2e-40, -1e-41, 0.5, 1.0};"};
+  for (const std::string &text : texts)
+    for (const Numerics numerics : {Numerics::Host, Numerics::Legacy, Numerics::Fp24}) {
+      ir::Program program = testing::nvFragmentProgram(text);
+      (void)runChecked(foldConstants, program, text, numerics);
+      const ir::Vec4 color =
+          testing::outcome(program, {0, numerics}).results.at({ir::OutputKind::Color, 0});
+      EXPECT_EQ(color[0] != 0.0f, numerics != Numerics::Fp24) << text;
+    }
 }
 
 TEST(FoldConstants, RandomPrograms) { runOnRandomPrograms(foldConstants); }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "fp_compiler/ir/reads.h"
+#include "fp_compiler/ir/semantics.h"
+#include "fp_compiler/opt/bits.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/values.h"
 
@@ -22,8 +24,9 @@ bool isMinusZero(std::optional<float> value) {
 
 class Simplifier {
 public:
-  Simplifier(const ir::Program &program, Instruction &instruction, Numerics numerics)
-      : m_program(program), m_instruction(instruction), m_numerics(numerics) {}
+  Simplifier(const ir::Program &program, Instruction &instruction, Numerics numerics,
+             const HeldBits &bits)
+      : m_program(program), m_instruction(instruction), m_numerics(numerics), m_bits(bits) {}
 
   bool run() {
     switch (m_instruction.op) {
@@ -33,16 +36,16 @@ public:
     case Opcode::Mul:
       return product();
     case Opcode::Add: // x + 0 would turn -0 into 0
-      return minusZero(1) ? become(Opcode::Mov, {0}) : minusZero(0) && become(Opcode::Mov, {1});
+      return minusZero(1) ? becomeCopy(0) : minusZero(0) && becomeCopy(1);
     case Opcode::Sub:
-      return isPlusZero(constant(1)) && become(Opcode::Mov, {0});
+      return isPlusZero(constant(1)) && becomeCopy(0);
     case Opcode::Mad:
       return multiplyAdd();
     case Opcode::Cmp:
       return compare();
     case Opcode::Max:
     case Opcode::Min:
-      return same(0, 1) && become(Opcode::Mov, {0});
+      return same(0, 1) && becomeCopy(0);
     case Opcode::Pow:
       return constant(1) == 0.0f && becomeOne();
     case Opcode::Abs:
@@ -75,6 +78,11 @@ private:
     return true;
   }
 
+  /// Of arithmetic: a copy, but where that would bring more than the number. False then.
+  bool becomeCopy(int source) {
+    return !m_bits.mayBeIn(operand(source)) && become(Opcode::Mov, {source});
+  }
+
   void negate(int source) { m_instruction.src[std::size_t(source)].negate ^= 0xF; }
 
   bool becomeOne() {
@@ -91,7 +99,7 @@ private:
     for (const int source : {0, 1}) {
       const int other = 1 - source;
       const std::optional<float> factor = constant(source);
-      if (factor != 1.0f && factor != -1.0f)
+      if ((factor != 1.0f && factor != -1.0f) || m_bits.mayBeIn(operand(other)))
         continue;
       if (*factor < 0)
         negate(other);
@@ -141,6 +149,7 @@ private:
   const ir::Program &m_program;
   Instruction &m_instruction;
   const Numerics m_numerics;
+  const HeldBits &m_bits;
 };
 
 /// MOV t.xy, t: nothing moves.
@@ -171,8 +180,9 @@ bool isHarmless(const ir::Program &program, const Instruction &instruction, Nume
 
 bool simplify(ir::Program &program, Numerics numerics) {
   bool changed = false;
+  const HeldBits bits(program, ir::numericsOf(program.language, numerics));
   for (Instruction &instruction : program.code)
-    while (Simplifier(program, instruction, numerics).run())
+    while (Simplifier(program, instruction, numerics, bits).run())
       changed = true;
   const std::size_t removed = std::erase_if(program.code, [&](const Instruction &instruction) {
     return isIdle(instruction) || isHarmless(program, instruction, numerics);

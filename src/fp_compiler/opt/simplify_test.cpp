@@ -3,6 +3,7 @@
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/testing/pass_check.h"
+#include "fp_compiler/testing/nv_program.h"
 
 namespace arbiter::fp::opt {
 namespace {
@@ -91,6 +92,25 @@ TEST(Simplify, RemovesIdleMovesAndHarmlessKills) {
   EXPECT_TRUE(runChecked(simplify, program));
   ASSERT_EQ(program.code.size(), 3u);
   EXPECT_EQ(program.code[1].op, Opcode::Kil);
+}
+
+/// What is left of the last multiplication by one under NVIDIA's options.
+std::string product(const std::string &operand, Numerics numerics = Numerics::Host) {
+  ir::Program program =
+      testing::nvFragmentProgram("TEMP r, s;\nPK2H r, fragment.color;\nMOV s.y, r;\nMUL s.x, " +
+                                 operand + ", 1.0;\nUP2H result.color, s.x;");
+  runChecked(simplify, program, operand, numerics);
+  return std::string(ir::info(program.code[2].op).mnemonic);
+}
+
+TEST(Simplify, ACopyOfBitsIsNoProduct) {
+  EXPECT_EQ(product("fragment.color"), "MOV");
+  EXPECT_EQ(product("program.local[0]"), "MUL");
+  EXPECT_EQ(product("program.local[0]", Numerics::Fp24), "MOV") << "loaded as numbers";
+  EXPECT_EQ(product("r"), "MUL");
+  EXPECT_EQ(product("s.y"), "MUL");
+  EXPECT_EQ(product("{1e-40, 0.0, 0.0, 0.0}"), "MUL");
+  EXPECT_EQ(product("{0.25, 0.0, 0.0, 0.0}"), "MOV");
 }
 
 TEST(Simplify, RandomPrograms) { runOnRandomPrograms(simplify); }

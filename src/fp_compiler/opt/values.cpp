@@ -30,8 +30,12 @@ std::optional<float> constantAt(const ir::Program &program, const Operand &opera
     const ir::Parameter &parameter = program.parameters[operand.index];
     if (parameter.kind != ir::ParameterKind::Constant)
       return {};
-    value = ir::loaded(parameter.constant[std::size_t(select)],
-                       ir::numericsOf(program.language, numerics));
+    const float given = parameter.constant[std::size_t(select)];
+    const Numerics mode = ir::numericsOf(program.language, numerics);
+    if (program.options.nv != ir::NvOption::None && mode != Numerics::Fp24 &&
+        ir::flushed(given) != given)
+      return {};
+    value = ir::loaded(given, mode);
   }
   return operand.negate >> position & 1 ? -value : value;
 }

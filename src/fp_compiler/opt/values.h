@@ -9,7 +9,8 @@
 /// What passes ask about values.
 namespace arbiter::fp::opt {
 
-/// The number that one component of an operand is known to be, as an instruction reads it.
+/// The number that one component of an operand is known to be, as an instruction reads it: none
+/// for a denormal where MOV, SWZ and CMP would read its bits (bits.h).
 [[nodiscard]] std::optional<float>
 constantAt(const ir::Program &program, const ir::Operand &operand, int position, Numerics numerics);
 

@@ -40,28 +40,35 @@ std::uint8_t written(const ir::Program &program, std::size_t output) {
       mask |= ir::writeMask(instruction);
   return mask;
 }
-} // namespace
+/// Any function of the request will do, as long as it is bounded.
+ir::Vec4 texel(const ir::Sample &s) {
+  const float mix = s.coordinate[0] + 3 * s.coordinate[1] + 7 * s.coordinate[2] + 11 * s.bias +
+                    float(s.unit) + 5 * float(int(s.target));
+  const float wave = std::isfinite(mix) ? std::sin(mix) : 0.0f;
+  return {wave, wave * wave, -wave, 1 - wave};
+}
 
-Outcome outcome(const ir::Program &program, const Made &made) {
-  const auto valueOf = [&](std::string_view text, std::uint64_t pixel) {
-    return madeUp(text, pixel, made.special);
-  };
+std::vector<ir::Vec4> attributesOf(const ir::Program &program, const Made &made) {
   std::vector<ir::Vec4> attributes;
   for (const ir::Attribute &attribute : program.attributes)
-    attributes.push_back(valueOf(nameOf(attribute, program.language), made.pixel));
+    attributes.push_back(madeUp(nameOf(attribute, program.language), made.pixel, made.special));
+  return attributes;
+}
+
+ir::Inputs inputsOf(const Made &made, const std::vector<ir::Vec4> &attributes) {
   ir::Inputs inputs;
   inputs.attributes = attributes;
-  inputs.fogCoordinate = valueOf("fog", made.pixel)[0];
+  inputs.fogCoordinate = madeUp("fog", made.pixel, made.special)[0];
   inputs.numerics = made.numerics;
-  inputs.parameter = [&](const ir::Parameter &p) { return valueOf(ir::bindingText(p), 0); };
-  inputs.texture = [](const ir::Sample &s) {
-    // Any function of the request will do, as long as it is bounded.
-    const float mix = s.coordinate[0] + 3 * s.coordinate[1] + 7 * s.coordinate[2] + 11 * s.bias +
-                      float(s.unit) + 5 * float(int(s.target));
-    const float wave = std::isfinite(mix) ? std::sin(mix) : 0.0f;
-    return ir::Vec4{wave, wave * wave, -wave, 1 - wave};
+  inputs.parameter = [special = made.special](const ir::Parameter &p) {
+    return madeUp(ir::bindingText(p), 0, special);
   };
-  const ir::Evaluation evaluation = ir::evaluate(program, inputs);
+  inputs.texture = texel;
+  inputs.observer = made.observer;
+  return inputs;
+}
+
+Outcome outcomeOf(const ir::Program &program, const ir::Evaluation &evaluation) {
   Outcome result;
   result.killed = evaluation.killed;
   result.depth = evaluation.depth;
@@ -78,6 +85,28 @@ Outcome outcome(const ir::Program &program, const Made &made) {
     result.results[{output.kind, output.index}] = value;
   }
   return result;
+}
+} // namespace
+
+Outcome outcome(const ir::Program &program, const Made &made) {
+  const std::vector<ir::Vec4> attributes = attributesOf(program, made);
+  return outcomeOf(program, ir::evaluate(program, inputsOf(made, attributes)));
+}
+
+std::array<Outcome, 4> quadOutcome(const ir::Program &program, const Made &made) {
+  std::array<std::vector<ir::Vec4>, 4> attributes;
+  std::array<ir::Inputs, 4> inputs;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    Made one = made;
+    one.pixel += lane;
+    attributes[lane] = attributesOf(program, one);
+    inputs[lane] = inputsOf(one, attributes[lane]);
+  }
+  const std::array<ir::Evaluation, 4> evaluations = ir::evaluateQuad(program, inputs);
+  std::array<Outcome, 4> outcomes;
+  for (std::size_t lane = 0; lane < 4; ++lane)
+    outcomes[lane] = outcomeOf(program, evaluations[lane]);
+  return outcomes;
 }
 
 bool same(const Outcome &a, const Outcome &b) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -25,6 +27,8 @@ struct Made {
   /// One attribute or parameter component in four is one of kSpecials: an infinity, a NaN, an end
   /// of the range.
   bool special = false;
+  /// Sees each step, as Inputs::observer does; it may end the run by an exception.
+  std::function<void(const ir::Step &)> observer = {};
 };
 
 /// Runs a program on made-up attributes, parameters and texels that depend on \p made and on the
@@ -33,6 +37,8 @@ struct Made {
 [[nodiscard]] inline Outcome outcome(const ir::Program &program, std::uint64_t pixel) {
   return outcome(program, Made{pixel});
 }
+/// The same of four fragments that are neighbours: made.pixel and the three behind it.
+[[nodiscard]] std::array<Outcome, 4> quadOutcome(const ir::Program &program, const Made &made);
 
 /// Equal bit by bit, all NaNs being one.
 [[nodiscard]] bool same(const Outcome &a, const Outcome &b);

@@ -1,10 +1,35 @@
 #include "state/control/known_programs.h"
 
 #include "state/core/context.h"
+#include "state/host_draw/linked_program.h"
 #include "state/programs/program_edits.h"
+#include "state/report/drawn_states.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state::remote {
+
+namespace {
+
+/// The state that the context draws with, by its text's name; empty where it draws with none.
+std::string effectiveState(const Context &context) {
+  const CompiledProgram *const fragment =
+      context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
+  return fragment && isOfState(fragment->target) ? textFileName(fragment->target, fragment->hash)
+                                                 : std::string();
+}
+
+void addStates(const Context &context, std::map<std::string, KnownProgram> &programs) {
+  const std::string effective = effectiveState(context);
+  for (auto &[id, state] : DrawnStates::instance().all()) {
+    KnownProgram &program = programs[id];
+    program.id = id;
+    program.target = state->target;
+    program.compiled = state;
+    program.bound = program.effective = id == effective;
+  }
+}
+
+} // namespace
 
 std::map<std::string, KnownProgram> knownPrograms(Session &session, const Context &context) {
   std::map<std::string, KnownProgram> programs;
@@ -26,6 +51,7 @@ std::map<std::string, KnownProgram> knownPrograms(Session &session, const Contex
       program.bound |= bound;
       program.effective |= bound && row.enabled && !isSwitchedOff(context, row);
     }
+  addStates(context, programs);
   return programs;
 }
 

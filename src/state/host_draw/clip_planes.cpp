@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
@@ -106,10 +107,13 @@ void copyClipPlanes(const Context &from, Context &to) {
 }
 
 void noteClipPlanesOfLists(Context &context) {
-  // The host clips what its own vertex programs give.
-  if (listsEnablePlanes(context) && context.linkedProgram &&
-      !context.linkedProgram->vertexAssembly && context.linkedProgram->vertex.compiled &&
-      context.linkedProgram->vertex.compiled->clipped)
+  if (!listsEnablePlanes(context) || !context.linkedProgram)
+    return;
+  const CompiledProgram *const vertex = context.linkedProgram->vertex.compiled;
+  if (!vertex || !vertex->clipped || !vertex->program)
+    return;
+  // The host clips what its own vertex programs give, as those of the ARB are to be.
+  if (!context.linkedProgram->vertexAssembly || vertex->program->options.clipsByDistances())
     invalidateProgram(context);
 }
 

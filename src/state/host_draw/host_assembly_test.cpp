@@ -290,5 +290,58 @@ TEST(HostAssembly, WhatTheHostRefusesIsGlsl) {
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR));
 }
 
+/// Under NVIDIA's option: a loop of two turns, which are additions of two rows.
+constexpr char kCounted[] = "!!ARBvp1.0\nOPTION NV_vertex_program2;\nTEMP r, k;\nADDRESS a;\n"
+                            "PARAM c[4] = { program.env[0..3] };\nMOV k.x, 1.0;\nagain:\n"
+                            "ARL a.x, k.x;\nADD r, r, c[a.x + 2];\nADDC k.x, k.x, -1.0;\n"
+                            "BRA again (GE.x);\nMOV result.position, vertex.position;\n"
+                            "MOV result.color, r;\nEND\n";
+
+TEST(HostAssembly, AProgramOfNvidiasIsOneOfTheArbWhereItsCodeIs) {
+  FakeHost host;
+  const CurrentContext context(host);
+  context->row(Target::Vertex).limits.nvOptions = 2;
+  use(*context, kCounted, kVertex);
+  use(*context, kShading);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]);
+  ASSERT_EQ(host.assembly.size(), 1u);
+  const std::string text = host.assembly.begin()->second;
+  EXPECT_NE(text.find("program.env[3]"), std::string::npos) << text;
+  EXPECT_EQ(text.find("program.env[1]"), std::string::npos) << text;
+  EXPECT_EQ(text.find("ARL"), std::string::npos) << text;
+  EXPECT_EQ(host.count("CreateShader"), 1) << "of the fragments";
+  use(*context,
+      "!!ARBvp1.0\nOPTION NV_vertex_program2;\nTEMP r;\nMOV result.position, vertex.position;\n"
+      "MOVC r, vertex.color;\nMOV r (LT.x), 0.5;\nMOV result.color, r;\nEND\n",
+      kVertex);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_FALSE(host.targets[kVertex]) << "no text of the ARB's chooses";
+  EXPECT_EQ(host.assembly.size(), 1u);
+}
+
+TEST(HostAssembly, ClipPlanesClipNoProgramOfNvidias) {
+  FakeHost host;
+  const CurrentContext context(host);
+  context->row(Target::Vertex).limits.nvOptions = 2;
+  use(*context, kCounted, kVertex);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]);
+  host.enabled = {GL_CLIP_PLANE0};
+  handlers::Enable(*context, GL_CLIP_PLANE0);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_FALSE(host.targets[kVertex]) << "the host would clip what its assembly gives";
+  EXPECT_NE(host.currentProgram, 0u);
+  host.enabled = {};
+  handlers::Disable(*context, GL_CLIP_PLANE0);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]);
+  use(*context, kText, kVertex);
+  host.enabled = {GL_CLIP_PLANE0};
+  handlers::Enable(*context, GL_CLIP_PLANE0);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]) << "one of the ARB's is";
+}
+
 } // namespace
 } // namespace arbiter::state

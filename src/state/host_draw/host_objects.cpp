@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/back/assembly/assembly.h"
+#include "fp_compiler/emit.h"
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -86,23 +87,42 @@ GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLu
   return 0;
 }
 
-GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
-                    const std::vector<fp::ir::Output> &defined) {
-  // Their code has what no text of the ARB languages says.
-  if (compiled.program && compiled.program->options.nv != fp::ir::NvOption::None)
-    return 0;
-  const host::HostTable &host = *context.host;
-  const GLenum target = hostAssemblyTarget(compiled);
-  // The text of an ATI shader's form is assembly that was emitted already.
-  const bool emitted =
-      compiled.program && compiled.program->language == fp::ir::Language::AtiFragment;
+namespace {
+
+/// A program of NVIDIA's languages as an ARB text, where what is left of it after the passes is
+/// one: hosts make less of that than of GLSL, which they link with each fragment program. Empty
+/// where it is none, and of the form that clips by itself.
+std::string textOfNvidias(const CompiledProgram &compiled,
+                          const std::vector<fp::ir::Output> &defined) {
+  if (!isVertex(compiled) || !compiled.clipped)
+    return {};
+  fp::ir::Program program = withResults(*compiled.program, defined);
+  fp::optimise(program);
+  return fp::isOfArb(program) ? fp::emitAssembly(program) : std::string();
+}
+
+std::string assemblyText(const Context &context, const CompiledProgram &compiled,
+                         const std::vector<fp::ir::Output> &defined) {
+  if (!compiled.program || compiled.program->language == fp::ir::Language::AtiFragment)
+    return compiled.source(); // of an ATI shader's form: assembly that was emitted already
+  if (compiled.program->options.nv != fp::ir::NvOption::None)
+    return textOfNvidias(compiled, defined);
   // NVIDIA's driver has (0, 0, 0, 1) in components that nothing writes, and programs divide by that
   // w. Over a software host the rasterizer draws in turns with it, and both have zeros.
   const auto parts = context.caps.onProcessor ? fp::PartlyWritten::Zero : fp::PartlyWritten::Hosts;
-  const std::string text = !compiled.program || emitted ? compiled.source()
-                           : defined.empty()
-                               ? fp::emitAssembly(*compiled.program, parts)
-                               : fp::emitAssembly(withResults(*compiled.program, defined), parts);
+  return defined.empty() ? fp::emitAssembly(*compiled.program, parts)
+                         : fp::emitAssembly(withResults(*compiled.program, defined), parts);
+}
+
+} // namespace
+
+GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
+                    const std::vector<fp::ir::Output> &defined) {
+  const GLenum target = hostAssemblyTarget(compiled);
+  const std::string text = assemblyText(context, compiled, defined);
+  if (text.empty())
+    return 0;
+  const host::HostTable &host = *context.host;
   GLuint name = 0;
   HostErrorScope scope(*context.host, context.pendingError);
   host.GenProgramsARB(1, &name);

@@ -73,8 +73,13 @@ EffectivePrograms enabledRows(Context &context) {
     rows.vertex = vertexShaderEffective(context);
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
   rows.combiners = !rows.fragment && ifEnabled(Target::Combiners);
+  // Those are of the texture shaders' text where they follow them.
+  const bool shaders =
+      ifEnabled(Target::TextureShaders) && !texturesSwitchedOff(context, rows.combiners);
+  if (rows.combiners && !shaders && combinersSwitchedOff(context))
+    rows.combiners = false;
   rows.textureShaders =
-      !rows.fragment && (ifEnabled(Target::TextureShaders) || texturesNeedLayer(context) ||
+      !rows.fragment && (shaders || texturesNeedLayer(context) ||
                          (spriteForm(context).units != 0 && !rows.ati && !rows.combiners));
   return rows;
 }
@@ -151,8 +156,20 @@ bool mayWait(Context &context, const ProgramPair &pair) {
          (!pair.vertex || drawsVerticesByAssembly(context));
 }
 
+/// Hosts clip what their own vertex programs give by CLIP_PLANEs, which clip no program of NVIDIA's
+/// that gives a position of its own.
+bool isClippedByHost(Context &context, const CompiledProgram &vertex) {
+  return vertex.program && vertex.program->options.clipsByDistances() && clipPlanesMatter(context);
+}
+
+/// Both stages by the host's own assembly.
+bool applyAssembly(Context &context, const ProgramPair &pair) {
+  return !(pair.vertex && isClippedByHost(context, *pair.vertex)) &&
+         context.hostAssembly->apply(context, pair);
+}
+
 LinkedProgram *link(Context &context, const ProgramPair &pair) {
-  if (pair.vertex && !drawsVerticesByAssembly(context))
+  if (pair.vertex && (!drawsVerticesByAssembly(context) || isClippedByHost(context, *pair.vertex)))
     return linkGlsl(context, pair);
   LinkedProgram *const linkedProgram = context.linkedPrograms->get(context, pair);
   if (pair.vertex && !linkedProgram->vertexAssembly) // the host refuses it as assembly
@@ -214,9 +231,8 @@ Path choosePath(Context &context, HostPart part) {
   // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
   // function; no program of the layer's can be linked to the application's.
   if (program != 0 || pipeline != 0)
-    return context.hostAssembly->apply(context, pair) ? Path::HostAssembly
-                                                      : Path::ApplicationStageGlsl;
-  if (isTooLongForGlsl(context, pair) && context.hostAssembly->apply(context, pair))
+    return applyAssembly(context, pair) ? Path::HostAssembly : Path::ApplicationStageGlsl;
+  if (isTooLongForGlsl(context, pair) && applyAssembly(context, pair))
     return Path::HostAssembly;
   if (part == HostPart::WhenItDraws && mayWait(context, pair)) {
     context.linkedProgram = context.linkedPrograms->place(context, pair);

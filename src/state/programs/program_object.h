@@ -53,8 +53,9 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   bool underNativeLimits = false;
   fp::NativeInterface native; ///< of a program in one of NVIDIA's languages of their own
   fp::GlslShader glsl;
-  /// As it was checked: what the host's ARB path is given, and machine code is made of. Null of an
-  /// ATI shader; the forms that draws are made with have it, with targets, fog and colour sum.
+  /// As fp::Compilation has it: what the host's ARB path is given, and machine code is made of.
+  /// Null of an ATI shader; the forms that draws are made with have it, with targets, fog and
+  /// colour sum.
   std::shared_ptr<const fp::ir::Program> program;
   /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
   std::shared_ptr<const AtiVariants> ati;

@@ -7,6 +7,7 @@
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
 #include "state/report/capture.h"
+#include "state/report/drawn_states.h"
 
 namespace arbiter::state {
 
@@ -18,6 +19,23 @@ std::uint64_t folderGeneration() {
 }
 
 std::uint64_t editsGeneration() { return controlled() ? ProgramEdits::instance().generation() : 0; }
+
+/// Clients of control are told of a state, and of what stands in for it.
+void tellClients(Target target, const StateText &entry, const fp::CompileOptions &enforced) {
+  fp::CompileOptions options = enforced;
+  options.policy = fp::LimitPolicy::Report;
+  const fp::CheckResult checked = fp::checkProgram(infoOf(target).language, entry.text, options);
+  auto state = std::make_shared<CompiledProgram>();
+  state->target = target;
+  state->text = entry.text;
+  state->hash = entry.hash;
+  state->replacement = entry.replacement;
+  state->counts = checked.counts;
+  state->nativeCounts = checked.nativeCounts;
+  state->underNativeLimits = checked.underNativeLimits;
+  if (DrawnStates::instance().note(std::move(state)))
+    ProgramEdits::instance().noteLoad(textFileName(target, entry.hash));
+}
 
 /// Whether what stands in may be another since it was looked for.
 bool mayDiffer(Target target, const StateText &entry) {
@@ -38,6 +56,7 @@ public:
 
 private:
   static void look(const Context &context, Target target, StateText &entry);
+  static void replace(Target target, StateText &entry, const fp::CompileOptions &options);
 
   static constexpr std::size_t kMost = 4096;
   std::unordered_map<std::string, std::unique_ptr<StateText>> m_texts;
@@ -50,6 +69,12 @@ void KnownTexts::look(const Context &context, Target target, StateText &entry) {
   if (!replacing())
     return;
   const fp::CompileOptions options = compileOptions(context.row(target));
+  replace(target, entry, options);
+  if (controlled())
+    tellClients(target, entry, options);
+}
+
+void KnownTexts::replace(Target target, StateText &entry, const fp::CompileOptions &options) {
   const std::optional<Replacement> found = findReplacement(target, entry.hash, options);
   if (!found) {
     entry.replacement.clear();

@@ -266,9 +266,13 @@ TEST(Rasterize, LargeShapesAreShadedByBlocks) {
     const bool stippled = round / 3 % 2 != 0, wide = round % 8 == 7;
     canvas.state.polygonStipple = stippled ? stipple.data() : nullptr;
     Shape shape = shapeAround(random, round, {64, 64, 64, 64});
-    if (wide)
+    if (wide) {
+      constexpr std::int32_t kScale = 256; // what is left of 32 bits beside the longest edges
       for (Edge &edge : shape.edges)
-        edge = {edge.a * 4096, edge.b * 4096, edge.c * 4096 - std::int64_t(random() % 4096)};
+        edge = {edge.a * kScale, edge.b * kScale,
+                edge.c * kScale - std::int64_t(random() % kScale)};
+      ASSERT_FALSE(fitsRegions(shape)) << "round " << round;
+    }
     const Rect drawn =
         intersect(canvas.state.clip,
                   {shape.left, shape.bottom, shape.right - shape.left, shape.top - shape.bottom});

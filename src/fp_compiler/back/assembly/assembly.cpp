@@ -17,7 +17,7 @@ using ir::Select;
 namespace {
 constexpr const char *kLetters = "xyzw01";
 
-std::string options(const ir::Options &o) {
+std::string options(const ir::Options &o, bool vertex) {
   constexpr const char *kFog[] = {"", "ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear"};
   constexpr const char *kHint[] = {"", "ARB_precision_hint_fastest", "ARB_precision_hint_nicest"};
   std::string text;
@@ -27,7 +27,8 @@ std::string options(const ir::Options &o) {
   };
   option(o.fog != ir::FogMode::None, kFog[std::size_t(o.fog)]);
   option(o.precision != ir::Precision::Unspecified, kHint[std::size_t(o.precision)]);
-  option(o.shadow, "ARB_fragment_program_shadow");
+  // NV_vertex_program3 has it for samples, and no text of the ARB's has samples of vertices.
+  option(o.shadow && !vertex, "ARB_fragment_program_shadow");
   option(o.drawBuffers, "ARB_draw_buffers");
   option(o.originUpperLeft, "ARB_fragment_coord_origin_upper_left");
   option(o.pixelCenterInteger, "ARB_fragment_coord_pixel_center_integer");
@@ -63,8 +64,8 @@ public:
     for (const Instruction &instruction : m_program.code)
       statement(instruction);
     const bool vertex = m_program.language == ir::Language::ArbVertex;
-    return std::string(vertex ? "!!ARBvp1.0\n" : "!!ARBfp1.0\n") + options(m_program.options) +
-           m_names.declarations(m_scratch) + m_code + "END\n";
+    return std::string(vertex ? "!!ARBvp1.0\n" : "!!ARBfp1.0\n") +
+           options(m_program.options, vertex) + m_names.declarations(m_scratch) + m_code + "END\n";
   }
 
 private:

@@ -25,4 +25,10 @@ enum class PartlyWritten {
 [[nodiscard]] std::string emitAssembly(const ir::Program &program,
                                        PartlyWritten parts = PartlyWritten::Zero);
 
+/// True where the text of emitAssembly() is one of the ARB's language, whatever language the
+/// program was written in: it has no loops, and no opcodes, bindings or constants that only
+/// NVIDIA's have. Rows by address are none of them, as the ARB leaves undefined what lies beside an
+/// array.
+[[nodiscard]] bool isOfArb(const ir::Program &program);
+
 } // namespace arbiter::fp

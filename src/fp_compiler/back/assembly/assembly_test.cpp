@@ -11,6 +11,7 @@
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/testing/inputs.h"
 #include "fp_compiler/testing/random.h"
+#include "fp_compiler/testing/random_nv.h"
 
 namespace arbiter::fp {
 namespace {
@@ -151,6 +152,75 @@ TEST(Assembly, AddressesStartAtZero) {
   const std::string text = emitAssembly(b.program());
   EXPECT_NE(text.find("OPTION ARB_position_invariant;\n"), std::string::npos) << text;
   EXPECT_NE(text.find("ARL a0.x, {0, 0, 0, 0}.x;\nMOV result"), std::string::npos) << text;
+}
+
+/// A program under NVIDIA's options or in one of its languages, after the passes.
+ir::Program optimised(const std::string &text) {
+  CompileOptions options = {roomy(), LimitPolicy::Report};
+  options.limits.nvOptions = 2;
+  options.limits.clipPlanes = 6;
+  CheckResult checked = checkProgram(languageOfText(text).value(), text, options);
+  EXPECT_TRUE(checked.ok()) << checked.errorString(text) << text;
+  ir::Program program = std::move(checked.program.value());
+  optimise(program);
+  return program;
+}
+
+bool optionIsOfArb(const std::string &statements) {
+  return isOfArb(optimised("!!ARBvp1.0\nOPTION NV_vertex_program3;\nTEMP r;\n"
+                           "MOV result.position, vertex.position;\n" +
+                           statements + "\nEND\n"));
+}
+
+TEST(Assembly, WhatOfNvidiasLanguagesIsOfTheArb) {
+  EXPECT_TRUE(optionIsOfArb("MUL r, vertex.color, 2.0; SGT result.color, r, 1.0;"));
+  EXPECT_TRUE(optionIsOfArb("MOVC r.x, 1.0; BRA end (GT.x); MOV r, vertex.color;\nend:\n"
+                            "MOV result.color, r;"))
+      << "decided by constants";
+  EXPECT_TRUE(optionIsOfArb("ADDRESS A; PARAM c[3] = { program.env[0..2] }; ARL A.x, 1.0; "
+                            "MOV result.color, c[A.x];"));
+  EXPECT_FALSE(optionIsOfArb("MOVC r, vertex.color; MOV r (GT.x), 2.0; MOV result.color, r;"));
+  EXPECT_FALSE(optionIsOfArb("ADDRESS A; PARAM c[3] = { program.env[0..2] }; "
+                             "ARL A.x, vertex.color.x; MOV result.color, c[A.x];"));
+  EXPECT_FALSE(optionIsOfArb("TEX result.color, vertex.texcoord[0], texture[0], 2D;"));
+  EXPECT_FALSE(optionIsOfArb("MOV result.clip[2].x, vertex.color.x;"));
+  EXPECT_FALSE(optionIsOfArb("MUL_SAT result.color, vertex.color, 2.0;"));
+  EXPECT_FALSE(optionIsOfArb("XPD result.color, vertex.color, vertex.normal;")) << "w is 0";
+  EXPECT_FALSE(optionIsOfArb("SIN result.color, vertex.color.x;"));
+  EXPECT_FALSE(optionIsOfArb("SEQ result.color, vertex.color, 0.5;"));
+  const std::string shadow = emitAssembly(
+      optimised("!!ARBvp1.0\nOPTION NV_vertex_program3;\nOPTION ARB_fragment_program_shadow;\n"
+                "MOV result.position, vertex.position;\nEND\n"));
+  EXPECT_EQ(shadow.find("OPTION"), std::string::npos) << shadow;
+  const std::string native = "!!VP1.0\nMOV o[HPOS], v[OPOS];\nMUL o[COL0], v[NRML], v[2];\nEND";
+  EXPECT_TRUE(isOfArb(optimised(native)));
+  ir::Program both = optimised(native);
+  both.attributes.push_back({AttributeKind::Generic, 2});
+  EXPECT_FALSE(isOfArb(both)) << "the normal is the ARB's attribute 2";
+  ir::Program infinite = optimised("!!VP1.0\nMOV o[HPOS], v[OPOS];\nMOV o[COL0], c[1];\nEND");
+  EXPECT_TRUE(isOfArb(infinite));
+  for (ir::Parameter &row : infinite.parameters)
+    row.constant[1] = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(isOfArb(infinite)) << "no text spells it";
+  EXPECT_FALSE(isOfArb(optimised("!!ARBfp1.0\nOPTION NV_fragment_program;\n"
+                                 "DDX result.color, fragment.texcoord[0];\nEND")));
+}
+
+TEST(Assembly, NvidiasProgramsThatAreOfTheArbByTheirText) {
+  int vertices = 0, fragments = 0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const bool vertex = seed % 2 != 0;
+    const ir::Program program = optimised(
+        testing::randomNvProgram(seed, {.vertex = vertex, .textures = !vertex, .statements = 3}));
+    if (!isOfArb(program))
+      continue;
+    ++(vertex ? vertices : fragments);
+    expectRoundTrip(program, "seed " + std::to_string(seed));
+    if (::testing::Test::HasFailure())
+      return;
+  }
+  EXPECT_GT(vertices, 20);
+  EXPECT_GT(fragments, 20);
 }
 
 } // namespace

@@ -41,6 +41,7 @@ public:
   /// Registers and rows that are not the text's, and are not counted. Each fails, with an error at
   /// \p where, beyond what any program may have.
   std::uint16_t hiddenTemporary(std::string_view name, Span where);
+  [[nodiscard]] bool hasTemporaries() const { return !m_program.temporaries.empty(); }
   std::uint16_t hiddenConstant(const ir::Vec4 &value, Span where);
   std::uint16_t hiddenEnv(std::uint32_t index, Span where);
   /// Of four components: four registers of the IR that follow each other.

@@ -148,6 +148,28 @@ TEST(NvGrammar, KillTakesATestWithoutParentheses) {
          {kF1, "KIL @(LT.x);", "syntax"}});
 }
 
+/// What is written in terms of 0 and 1 reads no register, and the text may have declared none.
+TEST(NvGrammar, ProgramsWithoutTemporaries) {
+  judge({{kF1, "KIL TR;", ""},
+         {kF2, "KIL FL;", ""},
+         {kF2, "IF TR; KIL TR; ENDIF;", ""},
+         {kF2, "STR result.color, fragment.color, fragment.color;", ""},
+         {kF2, "SFL result.color, 1.0, 2.0;", ""},
+         {kF2, "REP 2; BRK (TR); ENDREP;", ""},
+         {kF2, "KIL TR; RET; MOV result.color, 1.0;", ""},
+         {kF2, "RET (FL); sub: RET;", ""},
+         {kV2, "STR result.position, vertex.position, vertex.position;", ""},
+         {kV3, "BRA end (TR); MOV result.color, 1.0; end:", ""}});
+  const std::string natives[] = {"!!FP1.0\nKIL TR;\nMOV o[COLR], f[WPOS];\nEND",
+                                 "!!FP1.0\nSTR o[COLR], f[WPOS], f[WPOS];\nEND",
+                                 "!!VP2.0\nSFL o[HPOS], v[OPOS], v[OPOS];\nEND"};
+  for (const std::string &native : natives) {
+    const CheckResult result = check(native, nvidia(2));
+    ASSERT_TRUE(result.ok()) << result.errorString(native);
+    EXPECT_TRUE(ir::validate(*result.program).empty()) << native;
+  }
+}
+
 TEST(NvGrammar, OperandsWithinBars) {
   judge({{kF1, "TEMP a; MOV a, -|-a.wzyx|;", ""},
          {kF1, "TEMP a; RCP a, |a.x|;", ""},

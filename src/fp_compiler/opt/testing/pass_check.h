@@ -38,6 +38,12 @@ inline bool runChecked(Pass pass, ir::Program &program, const std::string &conte
     const testing::Made made = {pixel, numerics, pixel >= 4};
     EXPECT_TRUE(testing::same(testing::outcome(before, made), testing::outcome(program, made)))
         << "meaning changed, pixel " << pixel << text;
+    if (before.language != ir::Language::ArbFragment)
+      continue;
+    const auto quad = testing::quadOutcome(before, made), now = testing::quadOutcome(program, made);
+    for (std::size_t lane = 0; lane < 4; ++lane)
+      EXPECT_TRUE(testing::same(quad[lane], now[lane]))
+          << "meaning changed, pixel " << pixel << ", neighbour " << lane << text;
   }
   EXPECT_EQ(changed, ir::print(before) != ir::print(program)) << text;
   ir::Program again = program;

@@ -11,6 +11,7 @@
 #include "state/host_draw/variants/fixed_function_now.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_edits.h"
 #include "state/programs/state_text.h"
 #include "state/programs/texture_changes.h"
 
@@ -99,7 +100,18 @@ Surroundings surroundingsNow(Context &context, const fp::combiners::State &state
   return around;
 }
 
+const StateText &textOf(const Context &context, const fp::combiners::State &state) {
+  return context.stateTexts->of(context, Target::Combiners, {.combiners = state});
+}
+
 } // namespace
+
+bool combinersSwitchedOff(Context &context) {
+  return context.stateTexts && controlled() && ProgramEdits::instance().anyOff() &&
+         ProgramEdits::instance().isOff(textFileName(
+             Target::Combiners,
+             textOf(context, fp::combiners::essential(context.combiners->state())).hash));
+}
 
 std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
                                                           const fp::GlslHost &host) {
@@ -107,7 +119,7 @@ std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
   fp::combiners::State state = fp::combiners::essential(combiners.state());
   const StateText *text = nullptr;
   if (context.stateTexts) {
-    text = &context.stateTexts->of(context, Target::Combiners, {.combiners = state});
+    text = &textOf(context, state);
     if (text->replaced)
       state = fp::combiners::essential(*text->replaced->combiners);
   }

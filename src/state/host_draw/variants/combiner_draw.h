@@ -15,6 +15,10 @@ struct CompiledProgram;
 [[nodiscard]] std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
                                                                         const fp::GlslHost &host);
 
+/// A client of control has switched off what the combiners are now, without texture shaders before
+/// them: draws are as if REGISTER_COMBINERS_NV were not enabled.
+[[nodiscard]] bool combinersSwitchedOff(Context &context);
+
 /// What draws now samples textures that might be depths, or cease to be: after what may have
 /// changed which are (noteTextureChange()), and always where other contexts may.
 [[nodiscard]] bool mayFollowCombinedDepths(const Context &context);

@@ -9,6 +9,7 @@
 #include "state/host_draw/variants/shader_textures.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_edits.h"
 #include "state/programs/state_text.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -61,7 +62,9 @@ void addBumps(const TextureShaderSettings &settings,
       state.bumps[unit] = std::uint8_t(settings.bumpTargets[unit] + 1);
 }
 
-bool isEnabled(const Context &context) { return context.row(Target::TextureShaders).enabled; }
+bool isEnabled(const Context &context) {
+  return context.row(Target::TextureShaders).enabled && !context.textureShaders->switchedOff;
+}
 
 /// The stages and what they sample; conventional ones where the enable is off.
 /// \param instead stages that stand in for the application's
@@ -88,25 +91,32 @@ bool isSpecial(const fp::texture_shader::Texture &texture) {
 }
 
 /// The text of the stages that are enabled, and of combiners behind them.
-const StateText *textNow(Context &context, bool combines) {
-  if (!context.stateTexts || !isEnabled(context))
-    return nullptr;
+const StateText &textOf(const Context &context, bool combines) {
   fp::nvparse::Text own;
   State &shaders = own.shaders.emplace();
   shaders.units = std::uint8_t(context.textureShaders->units());
   shaders.stages = context.textureShaders->now().stages;
   if (combines)
     own.combiners = fp::combiners::essential(context.combiners->state());
-  return &context.stateTexts->of(context, Target::TextureShaders, own);
+  return context.stateTexts->of(context, Target::TextureShaders, own);
 }
 
 } // namespace
+
+bool texturesSwitchedOff(Context &context, bool combines) {
+  bool &off = context.textureShaders->switchedOff;
+  off = context.stateTexts && controlled() && ProgramEdits::instance().anyOff() &&
+        ProgramEdits::instance().isOff(
+            textFileName(Target::TextureShaders, textOf(context, combines).hash));
+  return off;
+}
 
 std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const fp::GlslHost &host,
                                                          bool combines) {
   TextureShaderState &shaders = keepTextures(context);
   fp::texture_shader::Key key;
-  const StateText *const text = textNow(context, combines);
+  const StateText *const text =
+      context.stateTexts && isEnabled(context) ? &textOf(context, combines) : nullptr;
   const fp::nvparse::Text *const instead = text && text->replaced ? &*text->replaced : nullptr;
   key.shaders = stagesNow(context, instead ? &*instead->shaders : nullptr);
   const fp::FixedFunction fixed = fixedFunctionNow(context, 0);

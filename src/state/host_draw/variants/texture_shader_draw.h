@@ -18,6 +18,10 @@ struct CompiledProgram;
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
 texturesEffective(Context &context, const fp::GlslHost &host, bool combines);
 
+/// A client of control has switched off what texture shaders are now: draws are as if
+/// TEXTURE_SHADER_NV, which is enabled, were not. The functions below follow the last answer.
+[[nodiscard]] bool texturesSwitchedOff(Context &context, bool combines);
+
 /// Whether fixed function's fragments, or register combiners', are the layer's though
 /// TEXTURE_SHADER_NV is disabled: an enabled unit has a texture of a format of NV_texture_shader,
 /// or an environment of the layer's. Asks the host, once there were such.

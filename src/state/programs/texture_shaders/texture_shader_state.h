@@ -79,6 +79,9 @@ public:
 
   ComponentTransfers transfers;
 
+  /// TEXTURE_SHADER_NV is enabled, and a client of control has switched off what is drawn with.
+  bool switchedOff = false;
+
   /// A stage was set here once, or an image of their formats: lists are cut where textures change.
   bool used = false;
 

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fp_compiler/back/assembly/assembly.h"
+#include "fp_compiler/ir/reads.h"
+
+namespace arbiter::fp {
+
+using ir::AttributeKind;
+using ir::Instruction;
+using ir::Operand;
+
+namespace {
+bool isFinite(const ir::Vec4 &value) {
+  return std::all_of(value.begin(), value.end(), [](float each) { return std::isfinite(each); });
+}
+
+/// The number of the generic attribute that is the same register (ARB_vertex_program, table X.2.1).
+int numberOf(const ir::Attribute &attribute) {
+  switch (attribute.kind) {
+  case AttributeKind::Normal:
+    return 2;
+  case AttributeKind::ColorPrimary:
+    return 3;
+  case AttributeKind::ColorSecondary:
+    return 4;
+  case AttributeKind::FogCoord:
+    return 5;
+  case AttributeKind::TexCoord:
+    return 8 + attribute.index;
+  case AttributeKind::Generic:
+    return attribute.index;
+  case AttributeKind::Position:
+  case AttributeKind::Facing:
+    break;
+  }
+  return 0;
+}
+
+/// Components that the ARB leaves undefined, and this project does not.
+bool writesUndefined(const Instruction &instruction) {
+  if (!ir::info(instruction.op).has(ir::FixedMask))
+    return false;
+  return (instruction.dst.mask & (instruction.op == ir::Opcode::Scs ? 0xC : 0x8)) != 0;
+}
+
+/// No text binds a conventional attribute and the generic one of its number.
+bool bindsOneTwice(const ir::Program &program) {
+  for (const ir::Attribute &generic : program.attributes)
+    for (const ir::Attribute &other : program.attributes)
+      if (generic.kind == AttributeKind::Generic && other.kind != AttributeKind::Generic &&
+          numberOf(generic) == numberOf(other))
+        return true;
+  return false;
+}
+
+bool isOfArb(const ir::Program &program, const Operand &operand) {
+  if (operand.file == ir::File::Attribute)
+    return program.attributes[operand.index].kind != AttributeKind::Facing;
+  if (operand.file != ir::File::Parameter)
+    return true;
+  return !operand.relative && isFinite(program.parameters[operand.index].constant);
+}
+
+bool isOfArb(const ir::Program &program, const Instruction &instruction) {
+  const ir::OpInfo &row = ir::info(instruction.op);
+  const bool vertex = program.language == ir::Language::ArbVertex;
+  if (int(instruction.op) >= ir::kOpcodeCount ||
+      row.has(vertex ? ir::FragmentOnly : ir::VertexOnly) || (vertex && instruction.dst.saturate) ||
+      writesUndefined(instruction))
+    return false;
+  if (ir::writeMask(instruction) != 0 && instruction.dst.file == ir::File::Output) {
+    const ir::OutputKind kind = program.outputs[instruction.dst.index].kind;
+    if (kind == ir::OutputKind::ClipDistance || kind == ir::OutputKind::EnvParameter)
+      return false;
+  }
+  for (int i = 0; i < row.operandCount(); ++i)
+    if (!isOfArb(program, instruction.src[std::size_t(i)]))
+      return false;
+  return true;
+}
+} // namespace
+
+bool isOfArb(const ir::Program &program) {
+  if (program.language == ir::Language::AtiFragment || program.options.colorSum ||
+      (program.language == ir::Language::ArbVertex && bindsOneTwice(program)))
+    return false;
+  return std::all_of(program.code.begin(), program.code.end(),
+                     [&](const Instruction &instruction) { return isOfArb(program, instruction); });
+}
+
+} // namespace arbiter::fp
