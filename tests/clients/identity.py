@@ -82,14 +82,16 @@ def offered_by(profile):
             if whose in extensions_table.OURS and profile in profiles}
 
 
-def check_agreement(answers):
+def check_agreement(answers, bare):
+    """What was answered holds together; functions that the bare host lacks of its own extensions, as those
+    that come with a second extension, are the host's affair."""
     joined = (answers['extensions'] or '').split()
     expect(answers['count'] == len(answers['names']), 'GL_NUM_EXTENSIONS is not the count')
     expect(not joined or joined == answers['names'], 'the string and glGetStringi differ')
     expect(not answers['behind'] and answers['last_error'] == 0x501,
            'an index after the last is not GL_INVALID_VALUE')
-    expect(not answers['missing'],
-           f'announced, and GetProcAddress has no function: {answers["missing"]}')
+    missing = [name for name in answers['missing'] if name not in bare['missing']]
+    expect(not missing, f'announced, and GetProcAddress has no function: {missing}')
 
 
 def check_kind(options, kind):
@@ -97,13 +99,13 @@ def check_kind(options, kind):
     if bare is None:
         return False
     plain = ask(options, kind, [])
-    check_agreement(plain)
+    check_agreement(plain, bare)
     for name in ('vendor', 'renderer', 'version', 'shading'):
         expect(plain[name] == bare[name], f'{name} without --identity: {plain[name]}')
     works = set(plain['names'])
 
     card = ask(options, kind, ['--identity', 'profile', '--profile', 'r300'])
-    check_agreement(card)
+    check_agreement(card, bare)
     expect(card['vendor'] == 'ATI Technologies Inc.', card['vendor'])
     expect(card['renderer'] == 'RADEON 9700 Generic', card['renderer'])
     expect(card['version'].startswith('1.3.'), card['version'])
@@ -117,7 +119,7 @@ def check_kind(options, kind):
 
     for profile, vendor in (('nv30', 'NVIDIA Corporation'), ('i915', 'Tungsten Graphics, Inc')):
         other = ask(options, kind, ['--identity', 'profile', '--profile', profile])
-        check_agreement(other)
+        check_agreement(other, bare)
         # What the layer has under this card's profile, and not under the host's.
         own = {'GL_NV_fragment_program', 'GL_NV_fragment_program_option', 'GL_NV_vertex_program',
                'GL_NV_vertex_program1_1', 'GL_NV_vertex_program2',
@@ -132,12 +134,12 @@ def check_kind(options, kind):
            'profile host')
 
     old = ask(options, kind, ['--extensions-max-year', '2003'])
-    check_agreement(old)
+    check_agreement(old, bare)
     expect(old['version'] == bare['version'], 'a year changed the version')
     expect('GL_ARB_vertex_program' in old['names'] and 'GL_EXT_framebuffer_object' not in
            old['names'], f'up to 2003: {old["names"]}')
     short = ask(options, kind, ['--extensions-max-length', '1024'])
-    check_agreement(short)
+    check_agreement(short, bare)
     expect(900 < len(short['extensions']) <= 1024, f'{len(short["extensions"])} bytes of 1024')
     print(f'{kind}: {len(works)} extensions, {len(names)} as r300, {len(old["names"])} to 2003, '
           f'{len(short["names"])} in 1024 bytes')

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 namespace api {
 
@@ -59,6 +60,12 @@ GlContext::~GlContext() {
 
 void GlContext::makeCurrent() const {
   eglMakeCurrent(g_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context);
+}
+
+int mesaRelease() {
+  const auto *const version = reinterpret_cast<const char *>(glGetString(GL_VERSION));
+  const char *const mesa = version ? std::strstr(version, "Mesa ") : nullptr;
+  return mesa ? std::atoi(mesa + std::strlen("Mesa ")) : 0;
 }
 
 bool layered() { return std::getenv("API_TEST_LAYERED") != nullptr; }

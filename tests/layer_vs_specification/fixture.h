@@ -35,9 +35,16 @@ protected:
 /// True with the layer in front.
 bool layered();
 
+/// The host's Mesa by its first number; 0 where it is another GL.
+int mesaRelease();
+
 /// Skips a test whose expectation the bare host (Mesa 22.3.6) does not meet, with what it does.
 #define BARE_HOST_DIFFERS(what)                                                                    \
   if (!api::layered())                                                                             \
+  GTEST_SKIP() << "bare host: " << what
+/// Likewise, of Mesa alone and from that release on.
+#define BARE_MESA_DIFFERS(release, what)                                                           \
+  if (!api::layered() && api::mesaRelease() >= (release))                                          \
   GTEST_SKIP() << "bare host: " << what
 
 #define EXPECT_GL_ERROR(error, call)                                                               \

@@ -1,5 +1,6 @@
 // Every fix that is offered, made: it costs less, and the results are those that they were, on
 // inputs that the offer was not tried on and, where it is to be exact, by a second maker of inputs.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // `arbiter ctl`: what a script asks of a process that is controlled.
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <iostream>

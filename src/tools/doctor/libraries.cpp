@@ -1,5 +1,6 @@
 #include "tools/doctor/libraries.h"
 
+#include <algorithm>
 #include <elf.h>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,5 @@
 #include "tools/lsp/document.h"
+#include <algorithm>
 
 #include "fp_compiler/front/lexer.h"
 #include "tools/language.h"

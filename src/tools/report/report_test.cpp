@@ -1,4 +1,5 @@
 // What a report makes of a NativeReport, part by part: reports made by hand, as a model would.
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numeric>

@@ -9,6 +9,8 @@ namespace arbiter::builder {
 /// A number that is spelled as the text has it, not with a fixed count of digits. The wheel moves
 /// it only while it has the focus: a panel that is scrolled changes nothing.
 class NumberBox : public QDoubleSpinBox {
+  Q_OBJECT
+
 public:
   NumberBox(double low, double high, const QString &name) {
     setDecimals(9);

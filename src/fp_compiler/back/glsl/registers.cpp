@@ -204,6 +204,9 @@ void Registers::nameAddresses(const ir::Program &program) {
       m_locals += "  int a" + std::to_string(i) + " = 0;\n";
 }
 
+/// Is clipped whatever x, y and z are written beside it.
+constexpr const char *kNowhere = "vec4(0.0, 0.0, 0.0, -1.0)";
+
 /// Results of which something is written, but not everything, start at zero. One that is bound and
 /// never written is left out, as one that is not bound.
 void Registers::nameOutputs(const ir::Program &program) {
@@ -231,15 +234,24 @@ void Registers::nameOutputs(const ir::Program &program) {
     if (vertex && (wanted & written[i]) == 0)
       continue;
     main |= !vertex || output.kind == ir::OutputKind::Position;
+    // A position without w: outside of every volume. With a w of zero hosts clip or draw as they
+    // like.
+    const bool noPlace = output.kind == ir::OutputKind::Position && (written[i] & 8) == 0;
     if (missing)
-      m_locals += "  " + text.name + (text.scalar ? " = 0.0;\n" : " = vec4(0.0);\n");
+      m_locals += "  " + text.name +
+                  (text.scalar ? " = 0.0;\n"
+                   : noPlace   ? " = " + std::string(kNowhere) + ";\n"
+                               : " = vec4(0.0);\n");
   }
-  // Left undefined by the specification: zero, as everything undefined.
+  // Left undefined by the specification: zero, as everything undefined; and no position, nothing
+  // drawn.
   if (main || (vertex && program.options.positionInvariant))
     return;
-  const char *name = vertex                        ? "gl_Position"
-                     : program.options.drawBuffers ? "gl_FragData[0]"
-                                                   : "gl_FragColor";
+  if (vertex) {
+    m_locals += std::string("  gl_Position = ") + kNowhere + ";\n";
+    return;
+  }
+  const char *name = program.options.drawBuffers ? "gl_FragData[0]" : "gl_FragColor";
   m_locals += std::string("  ") + name + " = vec4(0.0);\n";
 }
 

@@ -83,9 +83,21 @@ TEST(EmitVertex, PartlyWrittenResultsAreZeroElsewhere) {
   b.result(OutputKind::TexCoord, 1);
   const std::string text = b.text();
   EXPECT_TRUE(contains(text, "gl_FrontColor = vec4(0.0);\n")) << text;
-  EXPECT_TRUE(contains(text, "gl_Position = vec4(0.0);\n")) << "hosts want it written";
+  EXPECT_TRUE(contains(text, "gl_Position = vec4(0.0, 0.0, 0.0, -1.0);\n"))
+      << "hosts want it written";
   EXPECT_FALSE(contains(text, "gl_FogFragCoord")) << "its x is never written";
   EXPECT_FALSE(contains(text, "gl_TexCoord")) << "bound, never written";
+}
+
+TEST(EmitVertex, APositionWithoutWIsOutsideOfTheVolume) {
+  const auto textOf = [](const char *mask) {
+    Vertex b;
+    b.op(Opcode::Mov, b.result(OutputKind::Position).mask(mask), {b.local(0)});
+    return b.text();
+  };
+  EXPECT_TRUE(contains(textOf("xyz"), "gl_Position = vec4(0.0, 0.0, 0.0, -1.0);\n"));
+  EXPECT_TRUE(contains(textOf("xw"), "gl_Position = vec4(0.0);\n")) << "y and z are zero";
+  EXPECT_FALSE(contains(textOf("xyzw"), "gl_Position = vec4(0.0"));
 }
 
 TEST(EmitVertex, PositionInvariantIsFixedFunctions) {
