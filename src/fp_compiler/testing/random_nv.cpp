@@ -273,8 +273,8 @@ private:
     else if (kind < 20 && m_options.textures)
       texture();
     else if (kind < 22)
-      line(m_random.chance(50) || m_options.wild ? "KIL " + condition() + ";"
-                                                 : "KIL " + operand(false) + ";");
+      line(m_random.chance(50) || m_options.wild || m_options.peer ? "KIL " + condition() + ";"
+                                                                   : "KIL " + operand(false) + ";");
     else if (kind < 38 && second() && m_depth < kMostDepth)
       block();
     else if (kind < 44 && second())

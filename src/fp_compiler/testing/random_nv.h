@@ -18,7 +18,7 @@ struct RandomNvOptions {
   /// Without what NVIDIA's driver does otherwise than the specifications say, or than others may:
   /// it rounds to half and fixed precision, which are the least that is asked for, PUSHA and POPA
   /// end its compiler or its draws, beyond an array and in registers that nothing wrote it reads
-  /// other memory, and it sets condition codes before it clamps.
+  /// other memory, it sets condition codes before it clamps, and KIL of a vector sets them too.
   bool peer = false;
   /// DDX and DDY also where fragments of a quad may have left the loop: undefined on hosts.
   bool loopDerivatives = false;
