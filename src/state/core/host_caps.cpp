@@ -60,6 +60,18 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
   }
 }
 
+/// The text has less fog than none of a fog coordinate below 0 (OpenGL 2.1, 3.10), as Mesa 25.0.7
+/// has; Mesa 22.3.6 has as much of it as of one above. \p version GL_VERSION
+bool foldsFogCoordinates(std::string_view version) {
+  constexpr std::string_view kMesa = "Mesa ";
+  constexpr int kFirstThatDoesNot = 24; // of those between the two
+  const std::size_t at = version.find(kMesa);
+  int release = 0;
+  return at != version.npos &&
+         std::sscanf(version.data() + at + kMesa.size(), "%d", &release) == 1 &&
+         release < kFirstThatDoesNot;
+}
+
 /// What no query tells but the name of the host's renderer.
 /// llvmpipe (Mesa 22.3.6) draws the same whatever limit above 1 a texture sets, where softpipe
 /// draws by it; tests/rasterizer_vs_host/run_anisotropy.py shows both.
@@ -68,6 +80,7 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   const auto names = [&](const char *part) { return name.find(part) != name.npos; };
   const bool llvmpipe = names("llvmpipe");
   caps.limitsAnisotropy = !llvmpipe;
+  caps.foldsFogCoordinates = foldsFogCoordinates(getString(host, GL_VERSION));
   caps.onProcessor = llvmpipe || names("softpipe") || names("Software Rasterizer");
 }
 

@@ -69,7 +69,9 @@ struct HostCaps {
   bool copyBuffer = false;      ///< COPY_READ_BUFFER, which may be bound without a trace
   GLfloat maxAnisotropy = 1;    ///< MAX_TEXTURE_MAX_ANISOTROPY
   bool limitsAnisotropy = true; ///< by a texture's own limit; else any above 1 is the greatest
-  bool onProcessor = false;     ///< it draws there, where the rasterizer is the faster one
+  /// Of a fog coordinate below 0 it takes the absolute value in fixed function.
+  bool foldsFogCoordinates = false;
+  bool onProcessor = false; ///< it draws there, where the rasterizer is the faster one
   GLint maxAttribStackDepth = 16;
   GLint maxTextureCoords = 0;
   GLint maxTextureImageUnits = 0;

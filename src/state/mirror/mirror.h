@@ -62,9 +62,16 @@ struct ArrayBindings {
 
 enum class TexGenMode : std::uint8_t { ObjectLinear, EyeLinear, Sphere, Reflection, Normal };
 
-/// What the fog of fixed-function vertices is of: the coordinate that they are given, |z| or z to
-/// the eye, or how far they are from it (OpenGL 2.1, 3.10; NV_fog_distance).
-enum class FogFrom : std::uint8_t { Coordinate, AbsoluteDepth, Depth, Distance };
+/// What the fog of fixed-function vertices is of: the coordinate that they are given, or how far
+/// that is from 0 (HostCaps::foldsFogCoordinates), |z| or z to the eye, or how far they are from it
+/// (OpenGL 2.1, 3.10; NV_fog_distance).
+enum class FogFrom : std::uint8_t {
+  Coordinate,
+  AbsoluteCoordinate,
+  AbsoluteDepth,
+  Depth,
+  Distance
+};
 
 /// State of fixed-function vertices, beside what its program reads as parameters (fixed_vertex.h).
 struct VertexState {

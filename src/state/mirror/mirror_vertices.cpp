@@ -132,7 +132,7 @@ void queryTransform(const HostCaps &caps, const HostQuery &query, VertexState &s
 
 FogFrom fogFrom(const HostQuery &query, const HostCaps &caps) {
   if (query.name(GL_FOG_COORDINATE_SOURCE) != GL_FRAGMENT_DEPTH)
-    return FogFrom::Coordinate;
+    return caps.foldsFogCoordinates ? FogFrom::AbsoluteCoordinate : FogFrom::Coordinate;
   switch (caps.fogDistance ? query.name(GL_FOG_DISTANCE_MODE_NV) : GL_EYE_PLANE_ABSOLUTE_NV) {
   case GL_EYE_RADIAL_NV:
     return FogFrom::Distance;

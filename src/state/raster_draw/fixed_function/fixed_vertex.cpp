@@ -216,9 +216,11 @@ void FixedWriter::fogCoord() {
     op(Opcode::Mul, to, {squared.swz("x"), root.read().swz("x")});
     break;
   }
-  case FogFrom::Coordinate:
-    // Of a coordinate below 0 the text has less fog than none; hosts have as much as of one above.
+  case FogFrom::AbsoluteCoordinate:
     op(Opcode::Abs, to, {attribute(Kind::FogCoord).swz("x")});
+    break;
+  case FogFrom::Coordinate:
+    op(Opcode::Mov, to, {attribute(Kind::FogCoord).swz("x")});
   }
 }
 

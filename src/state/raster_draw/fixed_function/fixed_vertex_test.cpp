@@ -180,6 +180,9 @@ std::vector<fp::ir::Vec4> attributesOf(const fp::ir::Program &program, const Ver
     case AttributeKind::TexCoord:
       values.push_back(vertex.texCoord);
       break;
+    case AttributeKind::FogCoord:
+      values.push_back({vertex.fogCoord, 0, 0, 1});
+      break;
     default:
       values.push_back({0, 0, 0, 1});
       break;
@@ -373,6 +376,24 @@ TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
   const fp::ir::Evaluation inClip = run(context, clipped, vertex);
   EXPECT_EQ(output(clipped, inClip, OutputKind::Position), (fp::ir::Vec4{1, 0, -3, 1}));
   EXPECT_NEAR(output(clipped, inClip, OutputKind::TexCoord, kClipDistanceOutput + 1)[1], 3.5, 1e-5);
+}
+
+TEST(FixedVertex, FogCoordinatesBelowZeroAreFoldedWhereTheHostFoldsThem) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
+  VertexNeeds needs;
+  needs.fogCoord = true;
+  Vertex vertex{};
+  vertex.position[3] = 1;
+  vertex.fogCoord = -2;
+  for (const auto &[from, wanted] :
+       {std::pair(FogFrom::Coordinate, -2.0f), std::pair(FogFrom::AbsoluteCoordinate, 2.0f)}) {
+    VertexState state;
+    state.fogFrom = from;
+    const fp::ir::Program program = makeFixedVertexProgram(fixedVertexKey(state, needs));
+    const fp::ir::Evaluation got = run(host.context(), program, vertex);
+    EXPECT_EQ(output(program, got, OutputKind::FogCoord)[0], wanted);
+  }
 }
 
 TEST(FixedVertex, ProgramsAreFoundAgain) {
