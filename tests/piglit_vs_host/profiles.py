@@ -26,7 +26,7 @@ NAMED = re.compile(
 # What every change runs: all of the fragment language and the program API; of the host's own
 # vertex parser and of the many objects that a name could collide with, only the parts next to it;
 # of fixed function what the rasterizer drew or answered otherwise once, with a test that takes its
-# context away in an exit handler.
+# context away in an exit handler, and buffers in memory of the application's own.
 QUICK = re.compile(
     r"^(asmparsertest@arbfp1\.0@"
     r"|spec@arb_fragment_program(_shadow)?@"
@@ -40,6 +40,7 @@ QUICK = re.compile(
     r"|spec@!opengl 1\.1@depthstencil-default_fb-clear$"
     r"|spec@arb_point_parameters@"
     r"|spec@nv_fog_distance@"
+    r"|spec@amd_pinned_memory@"
     r"|spec@amd_seamless_cubemap_per_texture@"
     r"|object namespace pollution@program )")
 

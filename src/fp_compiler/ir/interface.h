@@ -55,6 +55,26 @@ struct Attribute {
   bool operator==(const Attribute &) const = default;
 };
 
+/// The number of the generic attribute that is the same register as a conventional one
+/// (ARB_vertex_program, table X.2.1); 0 of the position, which is generic attribute 0, and of what
+/// is no conventional attribute of vertices.
+[[nodiscard]] constexpr unsigned genericNumberOf(const Attribute &attribute) {
+  switch (attribute.kind) {
+  case AttributeKind::Normal:
+    return 2;
+  case AttributeKind::ColorPrimary:
+    return 3;
+  case AttributeKind::ColorSecondary:
+    return 4;
+  case AttributeKind::FogCoord:
+    return 5;
+  case AttributeKind::TexCoord:
+    return 8u + attribute.index;
+  default:
+    return 0;
+  }
+}
+
 enum class OutputKind : std::uint8_t {
   Color, ///< result.color[index] of a fragment program
   Depth, ///< result.depth: its value is component z (index 2) of the register

@@ -15,28 +15,6 @@ bool isFinite(const ir::Vec4 &value) {
   return std::all_of(value.begin(), value.end(), [](float each) { return std::isfinite(each); });
 }
 
-/// The number of the generic attribute that is the same register (ARB_vertex_program, table X.2.1).
-int numberOf(const ir::Attribute &attribute) {
-  switch (attribute.kind) {
-  case AttributeKind::Normal:
-    return 2;
-  case AttributeKind::ColorPrimary:
-    return 3;
-  case AttributeKind::ColorSecondary:
-    return 4;
-  case AttributeKind::FogCoord:
-    return 5;
-  case AttributeKind::TexCoord:
-    return 8 + attribute.index;
-  case AttributeKind::Generic:
-    return attribute.index;
-  case AttributeKind::Position:
-  case AttributeKind::Facing:
-    break;
-  }
-  return 0;
-}
-
 /// Components that the ARB leaves undefined, and this project does not.
 bool writesUndefined(const Instruction &instruction) {
   if (!ir::info(instruction.op).has(ir::FixedMask))
@@ -49,7 +27,7 @@ bool bindsOneTwice(const ir::Program &program) {
   for (const ir::Attribute &generic : program.attributes)
     for (const ir::Attribute &other : program.attributes)
       if (generic.kind == AttributeKind::Generic && other.kind != AttributeKind::Generic &&
-          numberOf(generic) == numberOf(other))
+          generic.index == ir::genericNumberOf(other))
         return true;
   return false;
 }

@@ -16,24 +16,6 @@ using fp::ir::Operand;
 using fp::ir::Program;
 using fp::ir::Select;
 
-/// The number of v[n]; 0 of those that are the position, or generic already.
-unsigned numberOf(const Attribute &attribute) {
-  switch (attribute.kind) {
-  case AttributeKind::Normal:
-    return 2;
-  case AttributeKind::ColorPrimary:
-    return 3;
-  case AttributeKind::ColorSecondary:
-    return 4;
-  case AttributeKind::FogCoord:
-    return 5;
-  case AttributeKind::TexCoord:
-    return 8u + attribute.index;
-  default:
-    return 0;
-  }
-}
-
 /// Components that the attribute's conventional commands set; all of those without a difference.
 std::uint8_t conventionalMask(const Attribute &attribute) {
   switch (attribute.kind) {
@@ -68,7 +50,7 @@ std::uint16_t choose(Program &program, std::size_t attribute, std::vector<Instru
   const std::uint8_t mask = conventionalMask(program.attributes[attribute]);
   const std::size_t generic = program.attributes.size();
   program.attributes.push_back(
-      {AttributeKind::Generic, std::uint8_t(numberOf(program.attributes[attribute]))});
+      {AttributeKind::Generic, std::uint8_t(genericNumberOf(program.attributes[attribute]))});
   const std::uint16_t equal = addTemporary(program);
   const std::uint16_t value = addTemporary(program);
   const auto write = [&](Opcode op, std::uint16_t to, std::uint8_t components, Operand a, Operand b,
@@ -99,7 +81,7 @@ std::uint32_t readsBeyondConventional(const Program &program) {
         continue;
       const Attribute &attribute = program.attributes[operand.index];
       if ((fp::ir::registerMask(instruction, i) & ~conventionalMask(attribute)) != 0)
-        numbers |= 1u << numberOf(attribute);
+        numbers |= 1u << genericNumberOf(attribute);
     }
   return numbers;
 }
@@ -109,7 +91,7 @@ std::shared_ptr<const Program> withAttributes(const Program &program, std::uint3
   auto form = std::make_shared<Program>(program);
   std::vector<Instruction> before;
   for (std::size_t i = 0; i < program.attributes.size(); ++i) {
-    const unsigned number = numberOf(program.attributes[i]);
+    const unsigned number = genericNumberOf(program.attributes[i]);
     if (isSet(generic, number)) {
       form->attributes[i] = {AttributeKind::Generic, std::uint8_t(number)};
     } else if (isSet(either, number)) {

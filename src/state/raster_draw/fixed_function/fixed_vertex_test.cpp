@@ -396,6 +396,31 @@ TEST(FixedVertex, FogCoordinatesBelowZeroAreFoldedWhereTheHostFoldsThem) {
   }
 }
 
+/// HostCaps goes by the host's release, so the host is asked by a draw.
+TEST(FixedVertex, TheHostFoldsFogCoordinatesIfItsCapsSaySo) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
+  const GLfloat red[4] = {1, 0, 0, 1};
+  glFogi(GL_FOG_MODE, GL_LINEAR);
+  glFogf(GL_FOG_START, 0);
+  glFogf(GL_FOG_END, 4);
+  glFogfv(GL_FOG_COLOR, red);
+  glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+  glEnable(GL_FOG);
+  glColor3f(0, 1, 0);
+  const auto fogOf = [](GLfloat coordinate) {
+    glFogCoordf(coordinate);
+    glRectf(-1, -1, 1, 1);
+    std::array<std::uint8_t, 4> pixel{};
+    glReadPixels(8, 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+    return int(pixel[0]);
+  };
+  (void)fogOf(0); // Mesa 25 draws the first without fog
+  const int above = fogOf(2), below = fogOf(-2);
+  EXPECT_NEAR(above, 128, 2);
+  EXPECT_NEAR(below, host.context().caps.foldsFogCoordinates ? above : 0, 2);
+}
+
 TEST(FixedVertex, ProgramsAreFoundAgain) {
   FixedVertexPrograms programs;
   VertexState state;

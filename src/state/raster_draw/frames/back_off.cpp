@@ -63,21 +63,21 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
     look(time);
     // After a trial that was won the next one waits, too.
     ++m_frames;
-    if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames) {
-      m_triedMoving = m_moving >= kDoubtFrames;
+    if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames)
       tryAgain();
-    }
     break;
   case Phase::TrySoftware:
   case Phase::TryHost:
   case Phase::Confirm:
     // The first frame after a change of sides pays for the change.
+    m_moving += m_phase == Phase::TrySoftware && frame.moved ? 1 : 0;
     if (m_frames > 0 && measured)
       m_times[m_frames - 1] = time;
     if (++m_frames <= kTrialFrames)
       break;
     if (m_phase == Phase::TrySoftware) {
       m_softwareTime = median();
+      m_triedMoving = m_moving > kTrialFrames / 2;
       enter(Phase::TryHost);
     } else if (m_phase == Phase::TryHost) {
       m_hostTime = median();

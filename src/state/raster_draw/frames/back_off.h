@@ -72,7 +72,7 @@ private:
   int m_keep = kDoubtFrames;  ///< frames until a doubt is followed by a trial
   int m_moving = 0;           ///< frames in a row that moved images
   int m_plain = 0;            ///< and that were plain
-  bool m_triedMoving = false; ///< the doubt was about frames that move images
+  bool m_triedMoving = false; ///< most frames of the trial moved images
   bool m_hasBefore = false;
   std::chrono::steady_clock::time_point m_before;
   float m_times[kTrialFrames] = {};

@@ -130,7 +130,16 @@ TEST(BackOff, MovingFramesThatAreEquallyFastAreTheHosts) {
   EXPECT_TRUE(faster.engaged());
 }
 
-/// What a frame moved is asked of the doubt, not of frames that the host drew since.
+TEST(BackOff, FramesThatMoveNothingAnyMoreAreTriedAsSuch) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(200, true, 50, 51);
+  ASSERT_FALSE(backOff.engaged());
+  frames.run(1100, false, 50, 51, true);
+  EXPECT_TRUE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().trials, 2u);
+}
+
 TEST(BackOff, MovingFramesAreTheHostsAgainAfterAnotherTrial) {
   BackOff backOff;
   Frames frames(backOff);
