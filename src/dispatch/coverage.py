@@ -17,7 +17,7 @@ GL_XML = pathlib.Path("/usr/share/khronos-api/gl.xml")
 TITLES = {"own": "Arbiter's own", "draw": "Draws", "pixels": "Pixels", "validate": "Validated",
           "observe": "Observed", "guard": "Guarded", "handled": "Pixels that may be pending"}
 # How the rasterizer sees a command that is otherwise passed on; rows of [software] in reasons.toml.
-SOFTWARE_TITLES = {"record": "Vertices and attributes", "reads": "Reads pixels",
+SOFTWARE_TITLES = {"record": "Vertices and attributes", "reads": "Reads pixels", "waits": "Waits for pixels",
                    "draws": "Writes to the framebuffer", "dirty": "Changes state",
                    "unknown": "Unknown", "listed": "Compiled into lists", "harmless": "Harmless"}
 
@@ -113,7 +113,7 @@ def software_part(table, whys):
         groups.setdefault(", ".join(bit[1:] for bit in table.dirty[lead]) or "nothing", []).append(lead)
     for bits, leads in sorted(groups.items()):
         out.append(f"\n{SOFTWARE_TITLES['dirty']}, {bits}: " + ", ".join(f"`gl{n}`" for n in leads) + ".")
-    for way in ("record", "reads", "draws", "unknown", "listed"):
+    for way in ("record", "reads", "waits", "draws", "unknown", "listed"):
         out.append(f"\n{SOFTWARE_TITLES[way]}: " + ", ".join(f"`gl{n}`" for n in of_way[way]) + ".")
     out.append(f"\n{SOFTWARE_TITLES['harmless']}: all others.")
     return out

@@ -119,6 +119,19 @@ TEST_F(SoftwarePoints, WhatMovesTheRasterPositionIsNoted) {
   EXPECT_EQ(m_context->dirty, dirty::kRasterPosition);
 }
 
+/// Who reads pixels may compare them, though they were drawn by the host. Whoever only waits does
+/// not.
+TEST_F(SoftwarePoints, WhatReadsPixelsIsNoted) {
+  record(GL_POINTS);
+  state::software::stopRecording(*m_context);
+  m_context->insideBeginEnd = false;
+  entry<GLsync(GLenum, GLbitfield)>("glFenceSync")(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  EXPECT_FALSE(m_context->software->readsPixels);
+  entry<void(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, GLsizei, void *)>("glReadnPixels")(
+      0, 0, 0, 0, GL_RGBA, GL_FLOAT, 0, nullptr);
+  EXPECT_TRUE(m_context->software->readsPixels);
+}
+
 TEST_F(SoftwarePoints, AnUnknownCommandMakesEverythingOld) {
   entry<void(GLenum)>("glPixelTexGenSGIX")(0);
   EXPECT_EQ(m_context->dirty, dirty::kAll);

@@ -88,7 +88,8 @@ def thunk(table, command, way):
     bits = "dirty::kAll" if way == "unknown" else table.bits_of(command.name)
     if bits:
         lines += f"  hot->dirty |= {bits};\n"
-    before = {"reads": ("hot->hostIsBehind", "hostReads"), "draws": ("hot->softwareListens", "hostWrites"),
+    before = {"reads": ("hot->softwareListens", "hostReads"), "waits": ("hot->hostIsBehind", "hostWaits"),
+              "draws": ("hot->softwareListens", "hostWrites"),
               "unknown": ("hot->softwareListens", "hostDoesUnknown")}.get(way)
     if before:
         lines += (f"  if ({before[0]}) [[unlikely]]\n"

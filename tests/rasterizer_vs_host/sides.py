@@ -110,17 +110,18 @@ def software_statistics(path):
         return {}
 
 
-def bare_and_layer(command, layer, scratch, server_options=()):
+def bare_and_layer(command, layer, scratch, server_options=(), bare=None):
     """(the bare host's records, those under the layer with the back end swrast, its statistics), on an X
-    server each. `scratch`: a folder for caches and statistics."""
+    server each. `scratch`: a folder for caches and statistics. `bare`: the command on the bare host, where it
+    is another."""
     stats = pathlib.Path(scratch) / "stats.json"
     stats.unlink(missing_ok=True)
     both = {"XDG_CACHE_HOME": str(scratch)}
     answers = []
-    for env in (environment(extra=both),
-                environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)})):
+    for arguments, env in ((bare or command, environment(extra=both)),
+                           (command, environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)}))):
         with XServer(options=server_options) as display:
-            answers.append(run(command, {**env, "DISPLAY": display}))
+            answers.append(run(arguments, {**env, "DISPLAY": display}))
     return (*answers, software_statistics(stats))
 
 

@@ -10,6 +10,11 @@ class PrepareError(Exception):
     """A program's input could not be made; the text says which command failed and how."""
 
 
+# How recordings are compared (recordings/replay.py): with the rasterizer, and with the host as what draws.
+DRAWN = ("auto-late", "auto-cold", "auto-warm", "swrast", "r300")
+WAYS = (*DRAWN, "host", "programs")
+
+
 @dataclass(frozen=True)
 class Case:
     """One command whose last picture is compared between the bare host and the layer.
@@ -42,6 +47,11 @@ class Case:
     least_programs: int = 1  # fragment programs that must have been compiled by the layer
     refused: int = 0  # programs that the bare host refuses too
     statuses: tuple[int, ...] = (0,)  # exit statuses that are a success
+
+    def __post_init__(self):
+        unknown = set(self.ways_left_out) - set(WAYS)
+        if unknown:
+            raise ValueError(f"{self.name}: no way is named {', '.join(sorted(unknown))}")
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import cases
 import session
 from cases import Case
 from picture import Picture, PictureError
@@ -150,6 +151,14 @@ class Replayed(unittest.TestCase):
             taken = []
             problem, cut_off = replay._take_all(process, 3.0 if expected else 60.0, taken.append)
             self.assertEqual((cut_off, "cut off" in problem), (expected, expected))
+
+
+class Ways(unittest.TestCase):
+    def test_cases_leave_out_ways_that_there_are(self):
+        self.assertEqual({way.name for way in replay.ways(Path("layer.so"))}, set(cases.WAYS))
+        Case("c", ["c"], ways_left_out=cases.DRAWN)
+        with self.assertRaises(ValueError):
+            Case("c", ["c"], ways_left_out=("fixed",))
 
 
 class Traces(unittest.TestCase):

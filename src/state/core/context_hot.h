@@ -30,6 +30,8 @@ struct ContextHot {
   bool stagesAreLinked = false;
   /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
   std::uint16_t listMode = 0;
+  /// A list that the layer keeps is executed as it is compiled: nothing is the rasterizer's.
+  bool listIsExecuted = false;
   /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the
   /// entries that state owns go to the host as well, without a call into state.
   bool passThrough = false;

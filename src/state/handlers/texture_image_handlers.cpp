@@ -230,6 +230,7 @@ void GetTexImage(Context &context, GLenum target, GLint level, GLenum format, GL
   if (there == 0 && format != 0)
     return;
   if (executes(context) && context.software) {
+    context.software->readsPixels = true;
     if (context.software->residency.getTexImage(target, level, there, type, pixels))
       return;
     context.software->residency.synchronise("glGetTexImage");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
@@ -72,9 +73,8 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_kind = Kind::None;
   m_arraysDirty = true;
   m_mode = std::uint16_t(mode);
-  // A list that is executed too is the host's: its primitives are drawn once as they are compiled,
-  // and what it executes between them must see the host's own list.
-  m_keeps = mode == GL_COMPILE && software::keepsLists(context);
+  m_keeps = software::keepsLists(context);
+  context.listIsExecuted = executes();
   if (m_keeps) {
     context.softwareListens = true;
     return resume(context);
@@ -150,15 +150,26 @@ void ListCompiler::closeSegment(Context &context) {
 /// called.
 void ListCompiler::resume(Context &context) {
   context.trueHost = context.host;
-  if (!m_keeps) {
-    if (context.softwarePossible) // commands of the layer's ran: a copy may have been deferred
-      withinMemory(context, "NewList",
-                   [&] { context.software->residency.hostDoesAnything("glNewList"); });
+  const bool executes = m_mode == GL_COMPILE_AND_EXECUTE;
+  if ((!m_keeps || executes) && context.softwarePossible)
+    // Commands of the layer's ran: a copy may have been deferred.
+    withinMemory(context, "NewList",
+                 [&] { context.software->residency.hostDoesAnything("glNewList"); });
+  if (!m_keeps)
     return openSegment(context);
-  }
   m_dirty = std::exchange(context.dirty, 0);
   setMode(context, m_mode);
   context.host = &software::kRecordingHost;
+}
+
+/// What has changed since the list began is looked at, and what the command did that opens the
+/// segment stays the segment's.
+void ListCompiler::validateSegment(Context &context) {
+  const std::uint32_t ofSegment = context.dirty;
+  context.dirty |= m_dirty;
+  validateForList(context);
+  if (m_keeps)
+    m_dirty = std::exchange(context.dirty, ofSegment);
 }
 
 /// The host compiles; of a list that is kept in place of resume()'s table.
@@ -172,7 +183,7 @@ void ListCompiler::openSegment(Context &context) {
   withinMemory(context, "NewList", [&] {
     finishGeometry();
     if (m_mode == GL_COMPILE_AND_EXECUTE)
-      validateForList(context);
+      validateSegment(context);
     if (!m_items.empty())
       segment = context.group->lists.takeSegmentName(*context.host);
   });
@@ -187,7 +198,8 @@ void ListCompiler::record(Context &context, Command command) {
     m_kind = Kind::None;
   if (m_early)
     leaveEarly(context);
-  const bool follows = m_keeps && !m_recording && m_segment == 0 && !m_geometry && !m_items.empty();
+  const bool follows = m_keeps && m_mode == GL_COMPILE && !m_recording && m_segment == 0 &&
+                       !m_geometry && !m_items.empty();
   if (follows && join(m_items.back(), command, recordable(context.dirty)))
     return;
   makeRoom(m_items, 4 + m_pushes.size()); // a primitive, a segment, its pushes, the command
@@ -219,14 +231,43 @@ bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
     limitPrimitive(context);
   context.recorder = &m_recorder;
   ++*context.drawCounter;
+  context.insideBeginEnd = executes();
   return true;
 }
 
 void ListCompiler::endPrimitive(Context &context, bool fromArrays) {
   stopPrimitive(context);
-  if (!m_early)
-    return keepPrimitive(fromArrays);
-  endEarlyPrimitive(context, fromArrays);
+  if (m_early)
+    return endEarlyPrimitive(context, fromArrays);
+  if (executes() && !fromArrays)
+    executePrimitive(context);
+  keepPrimitive(fromArrays);
+}
+
+/// All components are sent: in Mesa 22.3.6 those that a shorter command leaves to be the defaults
+/// may be the ones of the primitive before.
+void ListCompiler::executePrimitive(Context &context) {
+  if (beginExecuted(context, m_recorder.mode())) {
+    software::sendOpen(*context.host, m_recorder);
+    context.host->End();
+  } else {
+    software::setAttributes(*context.host, m_recorder.values(), m_recorder.touched());
+  }
+  endExecuted(context);
+}
+
+bool ListCompiler::beginExecuted(Context &context, GLenum mode) {
+  context.host = context.trueHost;
+  setMode(context, 0);
+  context.dirty |= std::exchange(m_dirty, 0);
+  if (context.software)
+    context.software->hostDrawsAsCompiled();
+  return !context.attention || handlers::beginDraw(context, mode);
+}
+
+void ListCompiler::endExecuted(Context &context) {
+  context.dirty |= software::dirty::kCurrent;
+  resume(context);
 }
 
 void ListCompiler::keepPrimitive(bool fromArrays) {
@@ -239,6 +280,7 @@ void ListCompiler::keepPrimitive(bool fromArrays) {
 void ListCompiler::stopPrimitive(Context &context) {
   m_recording = false;
   context.recorder = nullptr;
+  context.insideBeginEnd = false;
   if (m_recorder.failed())
     raise(context, GL_OUT_OF_MEMORY, "NewList: no memory for the list's vertices");
 }
@@ -246,6 +288,8 @@ void ListCompiler::stopPrimitive(Context &context) {
 void ListCompiler::interruptPrimitive(Context &context) {
   if (m_early)
     return leaveEarly(context);
+  if (executes())
+    return givePrimitive(context);
   stopPrimitive(context);
   m_open = m_begun = true;
   withinMemory(context, "NewList", [&] {
@@ -264,6 +308,7 @@ void ListCompiler::givePrimitive(Context &context) {
   software::sendOpen(*context.host, m_recorder);
   notePixels();
   notePrimitive(Primitive::Open);
+  context.insideBeginEnd = executes();
 }
 
 bool ListCompiler::takeArraysDirty(Context &context) {
@@ -310,7 +355,7 @@ void ListCompiler::end(Context &context) {
   m_segment = 0;
   m_recorder = {};
   m_outside = {};
-  m_keeps = false;
+  m_keeps = context.listIsExecuted = false;
   context.softwareListens = context.softwarePossible;
   invalidateProgram(context);
   context.attention &= ~attention::kList;

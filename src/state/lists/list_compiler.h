@@ -21,7 +21,9 @@ class ListArrays;
 /// then ContextHot::host is the table that stands in for it (raster_draw/immediate/replay.h).
 ///
 /// Where the rasterizer may draw (raster_draw/context_state.h, keepsLists) primitives are kept from
-/// the host: its lists hold the state between them, and what each changes is noted.
+/// the host: its lists hold the state between them, and what each changes is noted. Of a list that
+/// is executed as it is compiled the host executes its parts as it compiles them, and draws the
+/// primitives outside of its lists; nothing is the rasterizer's until the list is called again.
 ///
 /// Before a share group makes its first program lists are the host's, whole. One that holds nothing
 /// but primitives and attributes is kept as well (`early`): the first other command makes it the
@@ -62,10 +64,13 @@ public:
     if (m_early)
       return leaveEarly(context);
     leavePrimitive(context);
-    openSegment(context);
+    if (m_segment == 0)
+      openSegment(context);
   }
   /// Before a command that is no part of a primitive that is recorded: it is an item up to here,
-  /// which leaves Begin/End open, and its rest is what comes.
+  /// which leaves Begin/End open, and its rest is what comes. Of a list that is executed too the
+  /// primitive is the host's from here on, as what would be between two of its lists is inside
+  /// Begin/End.
   void leavePrimitive(Context &context) {
     if (m_recording)
       interruptPrimitive(context);
@@ -80,6 +85,13 @@ public:
   [[nodiscard]] bool keeps() const { return m_keeps || m_early; }
   /// They are the host's too: it has been told of all that came, save what is recorded now.
   [[nodiscard]] bool isEarly() const { return m_early; }
+  /// What is kept is executed too.
+  [[nodiscard]] bool executes() const { return m_keeps && m_mode == GL_COMPILE_AND_EXECUTE; }
+  /// Before the host draws what is kept, outside of its lists. Requires: executes(), and no segment
+  /// is open, as behind a primitive that is kept.
+  /// \return false if a program is not valid; endExecuted() follows all the same
+  [[nodiscard]] bool beginExecuted(Context &context, GLenum mode);
+  void endExecuted(Context &context);
   /// A draw of so many vertices may be kept.
   [[nodiscard]] bool hasRoom(GLsizei count) const;
   /// The list is the host's alone from here on.
@@ -132,6 +144,7 @@ private:
 
   // A segment is a host list of consecutive commands that the host compiles.
   void openSegment(Context &context);
+  void validateSegment(Context &context);
   /// Ends the host's compilation, so that commands of the layer may run on the host.
   void closeSegment(Context &context);
   /// Compiles on after closeSegment().
@@ -140,6 +153,7 @@ private:
 
   // A primitive between Begin and End, which is recorded by the layer.
   void stopPrimitive(Context &context);
+  void executePrimitive(Context &context);
   /// Keeps the primitive's vertices so far as an item that leaves Begin/End open.
   void interruptPrimitive(Context &context);
   void keepPrimitive(bool fromArrays);

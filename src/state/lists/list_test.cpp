@@ -290,6 +290,55 @@ TEST(Lists, PrimitivesAreKeptFromTheHost) {
   EXPECT_TRUE(host.lists.empty()) << "what it was drawn with is deleted too";
 }
 
+TEST(Lists, PrimitivesThatAreExecutedTooAreDrawnOutsideOfTheHostsLists) {
+  FakeHost host;
+  KeepingContext context(host);
+  handlers::NewList(*context, 1, GL_COMPILE_AND_EXECUTE);
+  handlers::Begin(*context, GL_POINTS);
+  EXPECT_TRUE(context->insideBeginEnd);
+  ASSERT_NE(context->recorder, nullptr);
+  context->recorder->vertex(1, 2, 0, 1);
+  handlers::End(*context);
+  EXPECT_FALSE(context->insideBeginEnd);
+  EXPECT_EQ(host.count("Begin 0"), 1) << "drawn at once";
+  handlers::Enable(*context, GL_BLEND);
+  point(*context);
+  handlers::EndList(*context);
+  EXPECT_EQ(host.count("Begin 0"), 2);
+  EXPECT_EQ(std::count(host.recorded.begin(), host.recorded.end(), "Begin 0"), 0);
+  const auto list = context->group->lists.find(1);
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->items.size(), 3u);
+  EXPECT_EQ(list->items[0].geometry->count, 1u);
+  EXPECT_FALSE(list->items[1].effects.pixels);
+  EXPECT_EQ(list->items[1].effects.dirty, software::dirty::kPixelOps);
+  EXPECT_EQ(list->items[2].geometry->count, 1u);
+}
+
+TEST(Lists, APrimitiveThatIsExecutedAndInterruptedIsTheHosts) {
+  FakeHost host;
+  KeepingContext context(host);
+  handlers::NewList(*context, 1, GL_COMPILE_AND_EXECUTE);
+  handlers::Begin(*context, GL_LINES);
+  ASSERT_NE(context->recorder, nullptr);
+  context->recorder->vertex(1, 2, 0, 1);
+  handlers::Enable(*context, GL_BLEND); // an error, and the host's
+  EXPECT_TRUE(context->insideBeginEnd);
+  EXPECT_EQ(context->recorder, nullptr);
+  EXPECT_EQ(context->host, host.table());
+  handlers::BindProgramARB(*context, kFragment, 0);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR)) << "inside Begin/End";
+  handlers::End(*context);
+  EXPECT_FALSE(context->insideBeginEnd);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+  handlers::EndList(*context);
+  const auto list = context->group->lists.find(1);
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->items.size(), 1u);
+  EXPECT_EQ(list->items[0].hostList, 1u);
+  EXPECT_TRUE(list->items[0].effects.pixels);
+}
+
 TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   FakeHost host;
   const KeepingContext context(host);

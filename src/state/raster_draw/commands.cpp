@@ -44,6 +44,12 @@ bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat 
 }
 
 void hostReads(Context &context, const char *name) {
+  if (context.software)
+    context.software->readsPixels = true;
+  hostWaits(context, name);
+}
+
+void hostWaits(Context &context, const char *name) {
   withinMemory(context, name, [&] {
     if (!isHosts(context) && context.software)
       context.software->residency.synchronise(name);

@@ -23,6 +23,7 @@ namespace arbiter::state::software {
 // --- while a list is compiled, where nothing is the rasterizer's, they do nothing ---
 
 void hostReads(Context &context, const char *name);
+void hostWaits(Context &context, const char *name);
 void hostWrites(Context &context, const char *name);
 void hostDoesUnknown(Context &context, const char *name);
 

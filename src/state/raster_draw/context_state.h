@@ -65,7 +65,14 @@ struct ContextState {
   /// Before the host runs a list of its own, which may draw and do anything else.
   void hostDrawsList() {
     ++hostTurns;
+    fellBack(Fallback::List);
     residency.hostDoesAnything("glCallList");
+  }
+  /// Before a draw of the host's that a list keeps, which is executed as it is compiled.
+  void hostDrawsAsCompiled() {
+    fellBack(Fallback::List);
+    hostDrew = true;
+    hostDraws("glNewList");
   }
   /// Of a draw that the host can do as well: whether it may go without a judgement, so that nothing
   /// waits for machine code. An application that makes programs in each frame would never be

@@ -24,7 +24,7 @@ namespace {
 
 /// decideByPath(), as a part of the functions that each draw goes through.
 [[gnu::always_inline]] inline Outcome judgePath(Context &context) {
-  if (context.listMode != 0) [[unlikely]]
+  if (context.listMode != 0 || context.listIsExecuted) [[unlikely]]
     return Fallback::List;
   if (isObserved(context)) [[unlikely]]
     return observed(context);

@@ -144,9 +144,9 @@ void compileCommands(Scene &scene) {
   scene.compile("state between", [] {
     glPushMatrix();
     glScalef(0.5f, 0.5f, 1);
-    glDrawArrays(GL_QUADS, 0, 8);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 8);
     glTranslatef(0.9f, 0, 0);
-    glDrawArrays(GL_QUADS, 8, 8);
+    glDrawArrays(GL_TRIANGLE_STRIP, 8, 8);
     glPopMatrix();
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -191,7 +191,15 @@ void compileAll(Scene &scene) {
 
 enum class Order { ProgramsFirst, ListsFirst, NoPrograms };
 
-int run(Order order) {
+void setState(Order order) {
+  if (order != Order::NoPrograms)
+    glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  glEnable(GL_DEPTH_TEST);
+  glDisable(GL_DITHER);
+  glClearColor(0.1f, 0.2f, 0.3f, 1);
+}
+
+int run(Order order, Executed executed) {
   Screen screen;
   if (!screen.open())
     return 2;
@@ -201,6 +209,9 @@ int run(Order order) {
     makeTheProgram();
   Scene first, scene;
   compileAll(first); // libepoxy asks about the host where a function is first called, in a list too
+  scene.executed = executed;
+  if (executed != Executed::No)
+    setState(order);
   compileAll(scene);
   compileAgain(scene);
   compileParts(scene);
@@ -208,11 +219,7 @@ int run(Order order) {
   compileOpen(scene);
   if (order == Order::ListsFirst)
     makeTheProgram();
-  if (order != Order::NoPrograms)
-    glEnable(GL_FRAGMENT_PROGRAM_ARB);
-  glEnable(GL_DEPTH_TEST);
-  glDisable(GL_DITHER);
-  glClearColor(0.1f, 0.2f, 0.3f, 1);
+  setState(order);
   for (std::size_t i = 0; i < scene.lists.size(); ++i) {
     scene.call(scene.lists[i]);
     if (i % 4 == 3)
@@ -227,12 +234,16 @@ int run(Order order) {
 } // namespace software::list_scene
 
 int main(int argc, char **argv) {
+  using software::list_scene::Executed;
   using software::list_scene::Order;
   const std::pair<const char *, Order> orders[] = {{"programs-first", Order::ProgramsFirst},
                                                    {"lists-first", Order::ListsFirst},
                                                    {"no-programs", Order::NoPrograms}};
+  const std::pair<const char *, Executed> modes[] = {
+      {"compiled", Executed::No}, {"executed", Executed::AtOnce}, {"called", Executed::After}};
   for (const auto &[name, order] : orders)
-    if (argc == 2 && !std::strcmp(argv[1], name))
-      return software::list_scene::run(order);
+    for (const auto &[modeName, mode] : modes)
+      if (argc == 3 && !std::strcmp(argv[1], name) && !std::strcmp(argv[2], modeName))
+        return software::list_scene::run(order, mode);
   return 1;
 }

@@ -44,8 +44,18 @@ inline std::vector<Vertex> makeVertices(Random &random) {
   return vertices;
 }
 
+/// What happens to lists as they are compiled.
+enum class Executed {
+  No,
+  AtOnce, ///< GL_COMPILE_AND_EXECUTE
+  After, ///< called when they are compiled: what AtOnce should draw. Mesa 22.3.6 takes itself to be
+         ///< inside Begin/End behind a primitive of a list that it executes too, and refuses the
+         ///< rest.
+};
+
 /// Display lists, and the arrays that they are compiled from.
 struct Scene {
+  Executed executed = Executed::No;
   Random random{7};
   std::vector<Vertex> vertices = makeVertices(random);
   std::vector<GLushort> indices;
@@ -104,29 +114,42 @@ struct Scene {
   void compile(const std::string &name, const std::function<void()> &commands) {
     const std::vector<Vertex> before = vertices;
     const GLuint list = glGenLists(1);
-    glNewList(list, GL_COMPILE);
+    if (executed != Executed::No)
+      begin();
+    glNewList(list, executed == Executed::AtOnce ? GL_COMPILE_AND_EXECUTE : GL_COMPILE);
     commands();
     glEndList();
+    if (executed == Executed::After)
+      glCallList(list);
     const std::string errors = takeErrors();
+    if (executed != Executed::No)
+      look(name + " while compiled" + errors);
     std::memset(static_cast<void *>(vertices.data()), 0, sizeof(Vertex) * kVertices);
     vertices = before;
     none();
     lists.push_back({name + errors, list});
   }
   void call(const List &list) {
+    begin();
+    glCallList(list.list);
+    look(list.name + takeErrors());
+  }
+  /// What lists that set no attributes find.
+  static void begin() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glColor4f(0.3f, 0.9f, 0.5f, 1);
     glSecondaryColor3f(0.1f, 0.2f, 0);
     glTexCoord4f(0.7f, 0.1f, 0.4f, 1);
     glNormal3f(0, 0, 1);
     glEdgeFlag(GL_TRUE);
-    glCallList(list.list);
-    record(list.name + takeErrors(), readRgba(0, 0, kSize, kSize));
-    // What the list leaves behind.
+  }
+  /// What a list drew, and what it leaves behind.
+  static void look(const std::string &name) {
+    record(name, readRgba(0, 0, kSize, kSize));
     glBegin(GL_TRIANGLES);
     glVertex2f(-1, -1), glVertex2f(1, -1), glVertex2f(-1, 1);
     glEnd();
-    record(list.name + " after" + takeErrors(), readRgba(0, 0, kSize, kSize));
+    record(name + " after" + takeErrors(), readRgba(0, 0, kSize, kSize));
   }
 };
 

@@ -4,7 +4,7 @@ its own, and a scene's SoShaderProgram may hold texts in assembly.
 
 from pathlib import Path
 
-from cases import WITHOUT_ANISOTROPY, Case, Program, build_client
+from cases import DRAWN, WITHOUT_ANISOTROPY, Case, Program, build_client
 
 # Coin adds highlights in passes with a vertex program to passes without, and compares depths by LEQUAL: no two
 # implementations meet in the same pixels unless they compute depths alike. llvmpipe's do not meet mostly; those of
@@ -16,8 +16,7 @@ SOFTPIPE = {"GALLIUM_DRIVER": "softpipe", **WITHOUT_ANISOTROPY}
 class Coin(Program):
     def cases(self, work: Path) -> list[Case]:
         client = build_client(work, "coin.cpp", ["-lCoin", "-lGL", "-lX11"])
-        return [Case("coin", [str(client)], recorded=True, least_programs=2,
-                     ways_left_out=("auto-late", "auto-cold", "auto-warm", "swrast", "r300", "fixed")),
+        return [Case("coin", [str(client)], recorded=True, least_programs=2, ways_left_out=DRAWN),
                 Case("coin-softpipe", [str(client)], environment=SOFTPIPE, recorded=True, least_programs=2)]
 
 

@@ -4,7 +4,7 @@ shading, whose techniques are vertex and fragment programs in display lists.
 
 from pathlib import Path
 
-from cases import Case, Program, build_client
+from cases import DRAWN, Case, Program, build_client
 
 
 class OsgFx(Program):
@@ -12,10 +12,10 @@ class OsgFx(Program):
         client = build_client(work, "osgfx.cpp", [
             "-losgFX", "-losgViewer", "-losgGA", "-losgUtil", "-losgDB", "-losg", "-lOpenThreads",
             "-lGL"])
-        # `fixed`: the cartoon's program writes s of its texture coordinates and no q, by which fixed function
+        # The cartoon's program writes s of its texture coordinates and no q, by which fixed function
         # divides. Mesa has 0 there; of s/0 llvmpipe makes the first texel, softpipe and the rasterizer the last
         # one. (NVIDIA's driver has 1, which the programs count on: with q written all draw the same.)
-        return [Case("osgfx", [str(client)], recorded=True, ways_left_out=("fixed",))]
+        return [Case("osgfx", [str(client)], recorded=True, ways_left_out=DRAWN)]
 
 
 PROGRAM = OsgFx("osgfx", ("libopenscenegraph-dev", "g++", "apitrace", "xvfb", "libgl1-mesa-dri"),

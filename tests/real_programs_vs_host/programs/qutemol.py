@@ -8,9 +8,8 @@ from cases import DATA, Case, Program
 
 class QuteMol(Program):
     def cases(self, work: Path) -> list[Case]:
-        # `fixed`: its few frames are over before there is machine code, and such programs wait for none.
         return [Case("qutemol", ["qutemol", str(DATA / "molecule.pdb")], stop_after=10.0,
-                     recorded=True, least_programs=0, refused=2, ways_left_out=("fixed",))]
+                     recorded=True, least_programs=0, refused=2)]
 
 
 PROGRAM = QuteMol("qutemol", ("qutemol", "apitrace", "xvfb", "libgl1-mesa-dri"),

@@ -14,7 +14,7 @@ NAMES = (
 # Asks for NV_fragment_program2 and NV_vertex_program3. Mesa offers neither, so that the bare host draws nothing
 # of it: a profile that does draws what no frame here can be compared with.
 REFUSED = ("VertexTextures",)
-OFFERING = ("auto-late", "auto-cold", "auto-warm", "swrast", "host", "fixed")
+OFFERING = ("auto-late", "auto-cold", "auto-warm", "swrast", "host")
 # Shows how two triangles of one plane fight without an offset; who wins is a matter of the last bit.
 FIGHTS = ("PolygonOffsets",)
 SAMPLES = Path("/usr/lib/x86_64-linux-gnu/libwildmagic/SampleGraphics")

@@ -188,6 +188,11 @@ bool recordArrays(Context &context, const DrawCommand &command) {
     drawOnHost(*context.trueHost, command);
   arrays.addTo(context.list->recorder(), command);
   context.list->endPrimitive(context, true);
+  if (context.list->executes()) {
+    if (context.list->beginExecuted(context, command.mode))
+      drawOnHost(*context.host, command);
+    context.list->endExecuted(context);
+  }
   return true;
 }
 
