@@ -127,8 +127,8 @@ TEST_F(SoftwarePoints, WhatReadsPixelsIsNoted) {
   m_context->insideBeginEnd = false;
   entry<GLsync(GLenum, GLbitfield)>("glFenceSync")(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   EXPECT_FALSE(m_context->software->readsPixels);
-  entry<void(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, GLsizei, void *)>("glReadnPixels")(
-      0, 0, 0, 0, GL_RGBA, GL_FLOAT, 0, nullptr);
+  entry<void(GLuint, GLint, GLenum, GLenum, GLsizei, void *)>("glGetTextureImage")(
+      0, 0, GL_RGBA, GL_FLOAT, 0, nullptr);
   EXPECT_TRUE(m_context->software->readsPixels);
 }
 

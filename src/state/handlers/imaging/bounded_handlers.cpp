@@ -99,7 +99,7 @@ void ReadnPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heig
         imagedReadPixels(context, x, y, width, height, format, type, data))
       return;
   }
-  if (context.hostIsBehind)
+  if (context.softwareListens)
     software::hostReads(context, "glReadnPixels");
   context.host->ReadnPixels(x, y, width, height, format, type, bufSize, data);
 }
