@@ -144,7 +144,7 @@ class Traced(Stepping):
             self.assertEqual(raw.values(text=SHOWN, x=100, y=60)[0][:2], (100.5, 60.5))
             self.released(steps, raw)
             self.assertEqual(steps.output.seen[-2:], ['0 middle 255 255 0', '0 done'])
-        for scene in ('list', 'early'):
+        for scene in ('list', 'early', 'executed'):
             self.each(scene, look, ((), ('--backend', 'swrast')))
 
     def test_lists_of_anything_are_counted(self):
@@ -155,9 +155,7 @@ class Traced(Stepping):
             code, _, said = steps.until(self.client('trace', '5,5'), scene)
             self.assertEqual(code, 1)
             self.assertRegex(said, r'what [1-9]\d* calls of display lists draw is not known')
-        scene = 'executed'
-        self.each(scene, look)
-        for scene in ('list', 'early'):  # without the rasterizer nothing of them is kept
+        for scene in ('list', 'early', 'executed'):  # without the rasterizer nothing of them is kept
             self.each(scene, look, (('--backend', 'host'),))
 
     def test_lists_of_state_are_no_draws(self):
