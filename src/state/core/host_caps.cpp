@@ -80,6 +80,7 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   const auto names = [&](const char *part) { return name.find(part) != name.npos; };
   const bool llvmpipe = names("llvmpipe");
   caps.limitsAnisotropy = !llvmpipe;
+  caps.clampsNanToOne = llvmpipe;
   caps.foldsFogCoordinates = foldsFogCoordinates(getString(host, GL_VERSION));
   caps.onProcessor = llvmpipe || names("softpipe") || names("Software Rasterizer");
 }

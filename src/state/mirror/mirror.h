@@ -62,6 +62,11 @@ struct ArrayBindings {
 
 enum class TexGenMode : std::uint8_t { ObjectLinear, EyeLinear, Sphere, Reflection, Normal };
 
+/// How the colours of vertices are clamped to [0,1] (CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for
+/// fixed-point targets), and what a value that is no number becomes: the specification leaves that
+/// to the host (HostCaps::clampsNanToOne).
+enum class ColorClamp : std::uint8_t { None, NanIsZero, NanIsOne };
+
 /// What the fog of fixed-function vertices is of: the coordinate that they are given, or how far
 /// that is from 0 (HostCaps::foldsFogCoordinates), |z| or z to the eye, or how far they are from it
 /// (OpenGL 2.1, 3.10; NV_fog_distance).
@@ -87,7 +92,7 @@ struct VertexState {
   /// Of unit and coordinate (s, t, r, q): 0 off, else 1 + TexGenMode.
   std::array<std::array<std::uint8_t, 4>, 8> texGen{};
   FogFrom fogFrom = FogFrom::AbsoluteDepth;
-  bool clampColors = true; ///< CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point targets
+  ColorClamp clampColors = ColorClamp::NanIsZero;
   bool pointAttenuation = false;
   std::uint8_t clipPlanes = 0; ///< enabled, one bit each
   std::uint32_t version = 0;   ///< changes with the above

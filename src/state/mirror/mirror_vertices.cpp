@@ -157,7 +157,10 @@ void Mirror::refreshVertexState(bool floatTarget) {
                                     dirty::kFog | dirty::kRaster | dirty::kPixelOps;
   const std::uint32_t groups = clock.changedSince(vertexSeen) & kGroups;
   vertexSeen = clock.now();
-  const bool clamps = clampVertexColors && !(clampVertexFixedOnly && floatTarget);
+  const bool isClamped = clampVertexColors && !(clampVertexFixedOnly && floatTarget);
+  const ColorClamp clamps = !isClamped              ? ColorClamp::None
+                            : m_caps.clampsNanToOne ? ColorClamp::NanIsOne
+                                                    : ColorClamp::NanIsZero;
   if (groups == 0 && clamps == vertex.clampColors) [[likely]]
     return;
   const VertexState before = vertex;

@@ -198,7 +198,7 @@ constexpr Field kPixels[] = {
          EXPECT_EQ(m.pixelOps.clampColors, fragment != GL_FALSE);
          EXPECT_EQ(m.clampFixedOnly, fragment == GL_FIXED_ONLY);
          EXPECT_EQ(m.clampVertexColors, vertex != GL_FALSE);
-         EXPECT_EQ(m.vertex.clampColors, vertex != GL_FALSE);
+         EXPECT_EQ(m.vertex.clampColors != ColorClamp::None, vertex != GL_FALSE);
        };
      }},
 };

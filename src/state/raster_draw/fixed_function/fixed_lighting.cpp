@@ -149,15 +149,11 @@ void FixedWriter::addLight(const Side &side, const Ray &ray) {
 }
 
 void FixedWriter::storeSums(const Side &side) {
-  const auto store = [&](OutputKind kind, const Source &value) {
-    const Target to = m_builder.result(kind);
-    op(Opcode::Mov, m_key.clampColors ? to.sat() : to, {value});
-  };
   if (m_key.needs.primary)
-    store(side.back ? OutputKind::BackPrimary : OutputKind::FrontPrimary, side.primary.read());
+    storeColor(side.back ? OutputKind::BackPrimary : OutputKind::FrontPrimary, side.primary.read());
   if (m_key.needs.secondary)
-    store(side.back ? OutputKind::BackSecondary : OutputKind::FrontSecondary,
-          m_key.separateSpecular ? side.secondary.read() : constant(0, 0, 0, 0));
+    storeColor(side.back ? OutputKind::BackSecondary : OutputKind::FrontSecondary,
+               m_key.separateSpecular ? side.secondary.read() : constant(0, 0, 0, 0));
 }
 
 void FixedWriter::lit() {

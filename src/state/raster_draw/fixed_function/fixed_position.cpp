@@ -44,6 +44,23 @@ public:
     m_program.temporaries.push_back({name});
     return std::uint16_t(m_program.temporaries.size() - 1);
   }
+  struct Redirected {
+    std::uint16_t temporary;
+    std::uint8_t mask; ///< the components that are written
+  };
+  /// A new temporary that takes what the program writes to the output.
+  Redirected redirected(std::uint16_t output, const char *name) {
+    Redirected result{temporary(name), 0};
+    for (Instruction &instruction : m_program.code) {
+      fp::ir::Destination &to = instruction.dst;
+      if (to.file != File::Output || to.index != output)
+        continue;
+      to.file = File::Temporary;
+      to.index = result.temporary;
+      result.mask |= to.mask;
+    }
+    return result;
+  }
   static Operand operand(File file, std::uint16_t index) {
     Operand result;
     result.file = file;
@@ -89,6 +106,23 @@ void clampColors(Program &program) {
       instruction.dst.saturate = true;
 }
 
+/// The same where what is no number becomes 1, which saturation has as 0.
+void clampColorsToOne(Program &program) {
+  Appender append(program);
+  for (std::size_t output = 0; output < program.outputs.size(); ++output) {
+    if (!isColor(program.outputs[output].kind))
+      continue;
+    const auto [color, mask] = append.redirected(std::uint16_t(output), "color");
+    if (mask == 0)
+      continue;
+    const Operand value = Appender::operand(File::Temporary, color);
+    Operand one = value;
+    one.swizzle.fill(fp::ir::Select::One);
+    append.op(Opcode::Min, File::Output, std::uint16_t(output), mask, {value, one});
+    program.code.back().dst.saturate = true;
+  }
+}
+
 /// Of the position that is drawn, taken back through the projection, whatever wrote it: that of
 /// fixed function, of an invariant program and of one that computes the same itself are cut at the
 /// same bits. So hosts do it, in clip space, by planes taken through the projection; of programs
@@ -122,12 +156,7 @@ void clipPosition(Program &program, std::uint8_t planes) {
     return;
   const auto output = std::uint16_t(found - program.outputs.begin());
   Appender append(program);
-  const std::uint16_t position = append.temporary("position");
-  for (Instruction &instruction : program.code)
-    if (instruction.dst.file == File::Output && instruction.dst.index == output) {
-      instruction.dst.file = File::Temporary;
-      instruction.dst.index = position;
-    }
+  const std::uint16_t position = append.redirected(output, "position").temporary;
   const Operand value = Appender::operand(File::Temporary, position);
   append.op(Opcode::Mov, File::Output, output, 0xF, {value});
   addClipDistances(append, planes, position);
@@ -135,9 +164,11 @@ void clipPosition(Program &program, std::uint8_t planes) {
 
 } // namespace
 
-Program withFixedPosition(Program program, std::uint8_t clipPlanes, bool clampsColors) {
-  if (clampsColors)
+Program withFixedPosition(Program program, std::uint8_t clipPlanes, ColorClamp clamp) {
+  if (clamp == ColorClamp::NanIsZero)
     clampColors(program);
+  if (clamp == ColorClamp::NanIsOne)
+    clampColorsToOne(program);
   // Of NVIDIA's options: clipped by what it writes, or by the planes if they have its position.
   const bool ownDistances = program.options.clipsByDistances();
   if (program.options.positionInvariant)
@@ -149,8 +180,8 @@ Program withFixedPosition(Program program, std::uint8_t clipPlanes, bool clampsC
 
 const std::shared_ptr<const Program> &
 ExtendedPrograms::get(const std::shared_ptr<const Program> &program, std::uint8_t clipPlanes,
-                      bool clampsColors) {
-  const Key key = {program.get(), clipPlanes, clampsColors};
+                      ColorClamp clamp) {
+  const Key key = {program.get(), clipPlanes, clamp};
   const auto found = m_programs.find(key);
   if (found != m_programs.end()) [[likely]]
     return found->second.extended;
@@ -158,8 +189,7 @@ ExtendedPrograms::get(const std::shared_ptr<const Program> &program, std::uint8_
     sweep();
   Entry entry;
   entry.program = program;
-  entry.extended =
-      std::make_shared<const Program>(withFixedPosition(*program, clipPlanes, clampsColors));
+  entry.extended = std::make_shared<const Program>(withFixedPosition(*program, clipPlanes, clamp));
   return m_programs.emplace(key, std::move(entry)).first->second.extended;
 }
 

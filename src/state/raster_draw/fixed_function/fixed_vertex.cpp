@@ -33,7 +33,8 @@ FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs
     for (const std::uint8_t mode : key.texGen[unit])
       normals |= mode > 1 + int(TexGenMode::EyeLinear);
   }
-  key.clampColors = (needs.primary || needs.secondary) && state.clampColors;
+  if (needs.primary || needs.secondary)
+    key.clampColors = state.clampColors;
   if (state.lighting && (needs.primary || needs.secondary)) {
     key.lighting = 1;
     key.twoSided = state.twoSided;
@@ -164,15 +165,23 @@ void FixedWriter::position() {
          {state(StateItem::ClipPlane, plane), eye.read()});
 }
 
+void FixedWriter::storeColor(OutputKind kind, const Source &value) {
+  const Target to = m_builder.result(kind);
+  switch (m_key.clampColors) {
+  case ColorClamp::None:
+    return op(Opcode::Mov, to, {value});
+  case ColorClamp::NanIsZero:
+    return op(Opcode::Mov, to.sat(), {value});
+  case ColorClamp::NanIsOne:
+    return op(Opcode::Min, to.sat(), {value, constant(1, 1, 1, 1)});
+  }
+}
+
 void FixedWriter::unlit() {
-  const auto pass = [&](OutputKind kind, Kind from) {
-    const Target to = m_builder.result(kind);
-    op(Opcode::Mov, m_key.clampColors ? to.sat() : to, {attribute(from)});
-  };
   if (m_key.needs.primary)
-    pass(OutputKind::FrontPrimary, Kind::ColorPrimary);
+    storeColor(OutputKind::FrontPrimary, attribute(Kind::ColorPrimary));
   if (m_key.needs.secondary)
-    pass(OutputKind::FrontSecondary, Kind::ColorSecondary);
+    storeColor(OutputKind::FrontSecondary, attribute(Kind::ColorSecondary));
 }
 
 void FixedWriter::colors() {

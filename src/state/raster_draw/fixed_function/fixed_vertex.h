@@ -34,7 +34,7 @@ struct FixedVertexKey {
   FogFrom fogFrom = FogFrom::Coordinate;
   std::uint8_t pointAttenuation = 0;
   std::uint8_t lighting = 0, twoSided = 0, localViewer = 0, separateSpecular = 0;
-  std::uint8_t clampColors = 0;
+  ColorClamp clampColors = ColorClamp::None;
   std::uint8_t colorMaterialFace = 0, colorMaterialParts = 0;
   std::uint8_t normalize = 0, rescale = 0;
   std::uint8_t lights = 0, positional = 0, spots = 0, attenuated = 0;
@@ -51,7 +51,7 @@ struct FixedVertexKey {
 /// An application's vertex program with what fixed function adds: the position where it has
 /// ARB_position_invariant, clip distances, colours clamped to [0,1] (VertexState::clampColors).
 [[nodiscard]] fp::ir::Program withFixedPosition(fp::ir::Program program, std::uint8_t clipPlanes,
-                                                bool clampColors);
+                                                ColorClamp clamp);
 
 /// The programs that withFixedPosition() gave, so that an application that changes between programs
 /// finds them again.
@@ -59,19 +59,19 @@ class ExtendedPrograms {
 public:
   [[nodiscard]] const std::shared_ptr<const fp::ir::Program> &
   get(const std::shared_ptr<const fp::ir::Program> &program, std::uint8_t clipPlanes,
-      bool clampsColors);
+      ColorClamp clamp);
 
 private:
   struct Key {
     const fp::ir::Program *program;
     std::uint8_t clipPlanes;
-    bool clampsColors;
+    ColorClamp clamp;
     bool operator==(const Key &) const = default;
   };
   struct Hash {
     std::size_t operator()(const Key &key) const {
       return std::hash<const void *>()(key.program) * 31 +
-             (std::size_t(key.clipPlanes) << 1 | std::size_t(key.clampsColors));
+             (std::size_t(key.clipPlanes) << 2 | std::size_t(key.clamp));
     }
   };
   struct Entry {

@@ -358,7 +358,8 @@ TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
   b.op(fp::ir::Opcode::Mul, b.result(OutputKind::FrontPrimary),
        {b.attribute(AttributeKind::ColorPrimary), b.constant(2)});
   b.options().positionInvariant = true;
-  const fp::ir::Program whole = withFixedPosition(b.take(), mirror.vertex.clipPlanes, true);
+  const fp::ir::Program whole =
+      withFixedPosition(b.take(), mirror.vertex.clipPlanes, ColorClamp::NanIsZero);
   EXPECT_EQ(fp::ir::validate(whole), std::vector<std::string>{});
   EXPECT_FALSE(whole.options.positionInvariant);
   vertex.color = {0.25f, 0.75f, -1, 1};
@@ -371,7 +372,8 @@ TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
 
   fp::ir::Builder moved(fp::ir::Language::ArbVertex);
   moved.op(fp::ir::Opcode::Mov, moved.result(OutputKind::Position), {moved.constant(1, 0, -3, 1)});
-  const fp::ir::Program clipped = withFixedPosition(moved.take(), mirror.vertex.clipPlanes, false);
+  const fp::ir::Program clipped =
+      withFixedPosition(moved.take(), mirror.vertex.clipPlanes, ColorClamp::None);
   EXPECT_EQ(fp::ir::validate(clipped), std::vector<std::string>{});
   const fp::ir::Evaluation inClip = run(context, clipped, vertex);
   EXPECT_EQ(output(clipped, inClip, OutputKind::Position), (fp::ir::Vec4{1, 0, -3, 1}));

@@ -53,6 +53,8 @@ private:
   [[nodiscard]] Source normalized(const Source &vector);
   [[nodiscard]] Source square(const Source &vector); ///< in x, never 0
 
+  /// Clamped as the key says.
+  void storeColor(fp::ir::OutputKind kind, const Source &value);
   void unlit();
   [[nodiscard]] Source sphere(); ///< (s, t)
   [[nodiscard]] Source generated(int unit);
