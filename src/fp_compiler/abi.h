@@ -328,13 +328,26 @@ struct Plane {
   float c = 0, dx = 0, dy = 0;
 };
 
+/// Window depth over a primitive: a plane that begins at (0, originY), and polygon offset.
+struct DepthPlane {
+  float c = 0, dx = 0, dy = 0;
+  float offset = 0;
+  std::int32_t originY = 0;
+};
+/// Depth at the centre of pixel (x, y) by the steps of hosts, where each product and its sum are
+/// rounded once. What this and a fused multiplication differ in, once in 2^28 numbers, is that the
+/// double is rounded too.
+[[nodiscard]] inline float depthAt(const DepthPlane &z, std::int32_t x, std::int32_t y) {
+  const auto along = float(double(z.dx) * x + double(z.c));
+  return float(double(z.dy) * (y - z.originY) + double(along)) + z.offset;
+}
+
 /// A triangle, or a line or point made of such, ready to be shaded. Perspective inputs hold
 /// attribute/w; they are divided by the plane of 1/w.
 struct Primitive {
-  std::int32_t originX = 0, originY = 0; ///< a pixel that the planes are exact at
+  std::int32_t originX = 0, originY = 0; ///< a pixel that the other planes are exact at
   std::uint32_t backFacing = 0;          ///< stencil side
-  std::uint32_t reserved = 0;
-  Plane z;        ///< window depth, polygon offset included
+  DepthPlane z;
   Plane inverseW; ///< 1 / clip w
   Plane inputs[kMaxInputs][4];
 };

@@ -9,7 +9,8 @@ namespace arbiter {
 namespace {
 Vectors ofProcessor() {
 #if defined(__x86_64__) || defined(__i386__)
-  if (__builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx2"))
+  if (__builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx2") &&
+      __builtin_cpu_supports("fma"))
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? Vectors::Avx512
                                                                                    : Vectors::Avx2;
 #endif

@@ -131,8 +131,7 @@ inline void copyPlane(const abi::Primitive &from, std::size_t offset, int column
 /// One triangle's planes, as planes.h makes them.
 inline void setColumnOf(const PackedTriangle &each, int column, abi::PrimitiveColumns &to) {
   abi::Primitive primitive;
-  makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
-             primitive);
+  makePlanes(*each.plan, each.triangle, each.gradients, each.originX, each.originY, primitive);
   if (each.plan->wantsW)
     copyPlane(primitive, offsetof(abi::Primitive, inverseW), column, to);
   for (int i = 0; i < each.plan->count; ++i)
@@ -160,9 +159,14 @@ void setColumns(const PackedTriangle *const *triangles, int count, abi::Primitiv
     set(offsetof(abi::Primitive, originX), &each.originX);
     set(offsetof(abi::Primitive, originY), &each.originY);
     set(offsetof(abi::Primitive, backFacing), &backFacing);
-    set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, c), &each.depth.c);
-    set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, dx), &each.depth.dx);
-    set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, dy), &each.depth.dy);
+    const auto setDepth = [&](std::size_t offset, const void *word) {
+      set(offsetof(abi::Primitive, z) + offset, word);
+    };
+    setDepth(offsetof(abi::DepthPlane, c), &each.depth.c);
+    setDepth(offsetof(abi::DepthPlane, dx), &each.depth.dx);
+    setDepth(offsetof(abi::DepthPlane, dy), &each.depth.dy);
+    setDepth(offsetof(abi::DepthPlane, offset), &each.depth.offset);
+    setDepth(offsetof(abi::DepthPlane, originY), &each.depth.originY);
   }
   for (int first = 0; first < count;) {
     if (triangles[first]->made) {

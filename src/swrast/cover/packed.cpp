@@ -49,8 +49,7 @@ PackedTriangle &PackedShader::next() {
 void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
                        const abi::Block *blocks, std::uint32_t count) {
   PackedTriangle &own = next();
-  own.gradients = gradientsOf(m_state, triangle.corner, origin.originX, origin.originY);
-  own.depth = makeDepthPlane(m_state, triangle, own.gradients, m_state.offsetFill);
+  own.depth = makeDepthPlane(m_state, triangle, m_state.offsetFill);
   own.plan = &plan;
   own.made = nullptr;
   own.triangle = triangle;
@@ -73,8 +72,7 @@ void PackedShader::add(const Shape &shape, const abi::Block *blocks, std::uint32
 void PackedShader::test(PackedTriangle &next, const abi::Block *blocks, std::uint32_t count) {
   Storage &own = *m_storage;
   abi::Block *const left = own.blocks + m_blocks;
-  next.count = m_test(own.tile, next.depth, next.originX, next.originY, m_owner + m_pending + 1,
-                      blocks, count, left);
+  next.count = m_test(own.tile, next.depth, m_owner + m_pending + 1, blocks, count, left);
   if (next.count == 0)
     return;
   if (!m_shading.replaces) {
@@ -86,7 +84,7 @@ void PackedShader::test(PackedTriangle &next, const abi::Block *blocks, std::uin
   m_blocks += next.count;
 }
 
-void PackedShader::list(const PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks) {
+void PackedShader::list(PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks) {
   Storage &own = *m_storage;
   if (m_columns == m_shading.lanes || m_pixels + each.count * PackedTile::kLanes > kMostPixels)
     shade();
@@ -95,6 +93,8 @@ void PackedShader::list(const PackedTriangle &each, std::uint32_t owner, const a
                      own.pixels + m_pixels);
   if (pixels == 0)
     return;
+  if (!each.made) // only now: many a triangle is hidden by others
+    each.gradients = gradientsOf(m_state, each.triangle.corner, each.originX, each.originY);
   own.column[m_columns++] = &each;
   m_pixels += pixels;
 }
@@ -117,7 +117,7 @@ void PackedShader::shade() {
 void PackedShader::resolve() {
   const abi::Block *blocks = m_storage->blocks;
   for (std::uint32_t i = 0; i < m_pending; ++i) {
-    const PackedTriangle &each = m_storage->pending[i];
+    PackedTriangle &each = m_storage->pending[i];
     list(each, m_owner + i + 1, blocks);
     blocks += each.count;
   }

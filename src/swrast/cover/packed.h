@@ -43,18 +43,18 @@ private:
 /// Tests blocks of a triangle; what passes is written, owned by `owner`, and listed.
 /// \param out room for `count` and one more; may be `blocks`
 /// \return blocks of which something is left
-using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::Plane &z, int originX,
-                                     int originY, std::uint32_t owner, const abi::Block *blocks,
+using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::DepthPlane &z,
+                                     std::uint32_t owner, const abi::Block *blocks,
                                      std::uint32_t count, abi::Block *out);
 /// A triangle or another shape that is shaded later, with what is left of it.
 struct PackedTriangle {
   const abi::Primitive *made; ///< its planes; null: they are made of the next three
   std::uint32_t inputs;       ///< that `made` has
   const PlanePlan *plan;
-  Triangle triangle; ///< not clipped
-  Gradients gradients;
-  abi::Plane depth;
-  std::int32_t originX, originY; ///< the pixel that planes are exact at
+  Triangle triangle;   ///< not clipped
+  Gradients gradients; ///< once it is listed
+  abi::DepthPlane depth;
+  std::int32_t originX, originY; ///< the pixel that other planes are exact at
   std::uint32_t count;           ///< its blocks
 };
 
@@ -109,7 +109,7 @@ private:
   /// Tests blocks of next(), whose depth and origin are set, and keeps it if some of it is seen.
   void test(PackedTriangle &next, const abi::Block *blocks, std::uint32_t count);
   /// Puts a triangle's pixels behind those that wait.
-  void list(const PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks);
+  void list(PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks);
   /// Shades the pixels that wait.
   void shade();
 

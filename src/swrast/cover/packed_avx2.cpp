@@ -13,9 +13,9 @@ constexpr int kHalf = 8; // lanes
 /// Depth of two rows' pixels, clamped: the same steps in the same order as machine code has them.
 class DepthSteps {
 public:
-  DepthSteps(const PackedTile &tile, const abi::Plane &z, int originX, int originY)
-      : m_originX(originX), m_originY(originY), m_c(_mm256_set1_ps(z.c)),
-        m_dx(_mm256_set1_ps(z.dx)), m_dy(_mm256_set1_ps(z.dy)),
+  DepthSteps(const PackedTile &tile, const abi::DepthPlane &z)
+      : m_originY(z.originY), m_c(_mm256_set1_ps(z.c)), m_dx(_mm256_set1_ps(z.dx)),
+        m_dy(_mm256_set1_ps(z.dy)), m_offset(_mm256_set1_ps(z.offset)),
         m_minimum(_mm256_set1_ps(tile.minimum)), m_maximum(_mm256_set1_ps(tile.maximum)) {}
 
   [[nodiscard]] __m256 at(int x, int y) const {
@@ -24,15 +24,16 @@ public:
     const auto from = [](int start, __m256i lanes) {
       return _mm256_cvtepi32_ps(_mm256_add_epi32(_mm256_set1_epi32(start), lanes));
     };
-    const __m256 row = _mm256_add_ps(m_c, _mm256_mul_ps(m_dy, from(y - m_originY, line)));
-    const __m256 depth = _mm256_add_ps(row, _mm256_mul_ps(m_dx, from(x - m_originX, column)));
+    const __m256 along = _mm256_fmadd_ps(m_dx, from(x, column), m_c);
+    const __m256 plane = _mm256_fmadd_ps(m_dy, from(y - m_originY, line), along);
+    const __m256 depth = _mm256_add_ps(plane, m_offset);
     // Where it is not a number: the second operand.
     return _mm256_min_ps(_mm256_max_ps(depth, m_minimum), m_maximum);
   }
 
 private:
-  int m_originX, m_originY;
-  __m256 m_c, m_dx, m_dy, m_minimum, m_maximum;
+  int m_originY;
+  __m256 m_c, m_dx, m_dy, m_offset, m_minimum, m_maximum;
 };
 
 /// The processor's comparisons of floats in GL's order; the first and the last need none.
@@ -104,10 +105,9 @@ __m256i *vectorAt(void *lanes) { return static_cast<__m256i *>(lanes); }
 const __m256i *vectorAt(const void *lanes) { return static_cast<const __m256i *>(lanes); }
 
 template <abi::Layout kLayout, abi::Compare kCompare>
-std::uint32_t testBlocksBy(PackedTile &tile, const abi::Plane &z, int originX, int originY,
-                           std::uint32_t owner, const abi::Block *blocks, std::uint32_t count,
-                           abi::Block *out) {
-  const DepthSteps steps(tile, z, originX, originY);
+std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint32_t owner,
+                           const abi::Block *blocks, std::uint32_t count, abi::Block *out) {
+  const DepthSteps steps(tile, z);
   const __m256i owners = _mm256_set1_epi32(int(owner));
   std::uint32_t left = 0;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -11,9 +11,9 @@ namespace {
 /// Depth of a block's pixels, clamped: the same steps in the same order as machine code has them.
 class DepthSteps {
 public:
-  DepthSteps(const PackedTile &tile, const abi::Plane &z, int originX, int originY)
-      : m_originX(originX), m_originY(originY), m_c(_mm512_set1_ps(z.c)),
-        m_dx(_mm512_set1_ps(z.dx)), m_dy(_mm512_set1_ps(z.dy)),
+  DepthSteps(const PackedTile &tile, const abi::DepthPlane &z)
+      : m_originY(z.originY), m_c(_mm512_set1_ps(z.c)), m_dx(_mm512_set1_ps(z.dx)),
+        m_dy(_mm512_set1_ps(z.dy)), m_offset(_mm512_set1_ps(z.offset)),
         m_minimum(_mm512_set1_ps(tile.minimum)), m_maximum(_mm512_set1_ps(tile.maximum)) {}
 
   [[nodiscard]] __m512 at(int x, int y) const {
@@ -22,15 +22,16 @@ public:
     const auto from = [](int start, __m512i lanes) {
       return _mm512_cvtepi32_ps(_mm512_add_epi32(_mm512_set1_epi32(start), lanes));
     };
-    const __m512 row = _mm512_add_ps(m_c, _mm512_mul_ps(m_dy, from(y - m_originY, line)));
-    const __m512 depth = _mm512_add_ps(row, _mm512_mul_ps(m_dx, from(x - m_originX, column)));
+    const __m512 along = _mm512_fmadd_ps(m_dx, from(x, column), m_c);
+    const __m512 plane = _mm512_fmadd_ps(m_dy, from(y - m_originY, line), along);
+    const __m512 depth = _mm512_add_ps(plane, m_offset);
     // Where it is not a number: the second operand.
     return _mm512_min_ps(_mm512_max_ps(depth, m_minimum), m_maximum);
   }
 
 private:
-  int m_originX, m_originY;
-  __m512 m_c, m_dx, m_dy, m_minimum, m_maximum;
+  int m_originY;
+  __m512 m_c, m_dx, m_dy, m_offset, m_minimum, m_maximum;
 };
 
 /// The processor's comparisons in GL's order; the first and the last need none.
@@ -73,10 +74,9 @@ __mmask16 passing(__mmask16 mask, __m512 depth, __m512i old, __m512i &made) {
 }
 
 template <abi::Layout kLayout, abi::Compare kCompare>
-std::uint32_t testBlocksBy(PackedTile &tile, const abi::Plane &z, int originX, int originY,
-                           std::uint32_t owner, const abi::Block *blocks, std::uint32_t count,
-                           abi::Block *out) {
-  const DepthSteps steps(tile, z, originX, originY);
+std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint32_t owner,
+                           const abi::Block *blocks, std::uint32_t count, abi::Block *out) {
+  const DepthSteps steps(tile, z);
   const __m512i owners = _mm512_set1_epi32(int(owner));
   std::uint32_t left = 0;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -28,11 +28,10 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
   std::uint8_t *const place = data.depthStencil.base + y * data.depthStencil.rowStride + x * bytes;
   std::uint32_t pixel = 0;
   std::memcpy(&pixel, place, std::size_t(bytes));
-  const abi::Plane &z = primitive.z;
-  volatile const float alongY = z.dy * float(y - primitive.originY);
-  volatile const float row = z.c + alongY;
-  volatile const float alongX = z.dx * float(x - primitive.originX);
-  const float depth = std::min(std::max(row + alongX, data.depthMinimum), data.depthMaximum);
+  const abi::DepthPlane &z = primitive.z;
+  const float along = std::fma(z.dx, float(x), z.c);
+  const float plane = std::fma(z.dy, float(y - z.originY), along) + z.offset;
+  const float depth = std::min(std::max(plane, data.depthMinimum), data.depthMaximum);
   double incoming = depth, stored = 0;
   std::uint32_t made = 0;
   if (test.layout == abi::Layout::Depth32F) {
@@ -299,13 +298,14 @@ TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
         for (int x = 64; x < 128; x += 4)
           if (random() % 4 == 0)
             blocks.push_back({std::int16_t(x), std::int16_t(y), std::uint16_t(random()), 0});
-      abi::Plane z = {unit(random), unit(random) / 40, unit(random) / 40};
+      abi::DepthPlane z = {unit(random), unit(random) / 40, unit(random) / 40, unit(random) / 10,
+                           int(random() % 64)};
       if (owner == 5)
         z.dx = NAN;
       const auto count = std::uint32_t(blocks.size());
       const std::uint32_t n =
-          kPackedBaseline.test(test)(*a.tile, z, 66, 5, owner, blocks.data(), count, left.data());
-      ASSERT_EQ(best.test(test)(*b.tile, z, 66, 5, owner, blocks.data(), count, same.data()), n);
+          kPackedBaseline.test(test)(*a.tile, z, owner, blocks.data(), count, left.data());
+      ASSERT_EQ(best.test(test)(*b.tile, z, owner, blocks.data(), count, same.data()), n);
       ASSERT_EQ(std::memcmp(left.data(), same.data(), n * sizeof(abi::Block)), 0);
       for (const bool quads : {false, true})
         for (const std::uint32_t of : {0u, owner, owner - 1}) {
@@ -359,11 +359,10 @@ struct Group {
       each.originX = int(random() % 64);
       each.originY = int(random() % 64);
       each.gradients = gradientsOf(RasterState(), each.triangle.corner, each.originX, each.originY);
-      each.depth = {unit(random), unit(random), unit(random)};
+      each.depth = {unit(random), unit(random), unit(random), unit(random), int(random() % 64)};
       each.made = nullptr;
       if (k % 5 == 2) { // as a shape's
-        makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX,
-                   each.originY, made[k]);
+        makePlanes(*each.plan, each.triangle, each.gradients, each.originX, each.originY, made[k]);
         each.made = &made[k];
         each.inputs = abi::kMaxInputs;
       }
@@ -393,8 +392,8 @@ TEST(Packed, ColumnsAreThePlanesOfEachTriangle) {
       for (int k = 0; k < count; ++k) {
         const PackedTriangle &each = group.triangles[k];
         abi::Primitive expected = {};
-        makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX,
-                   each.originY, expected);
+        makePlanes(*each.plan, each.triangle, each.gradients, each.originX, each.originY, expected);
+        expected.z = each.depth;
         abi::Primitive got = columns->at(k);
         if (!each.plan->wantsW)
           got.inverseW = {};

@@ -140,9 +140,8 @@ bool testPixel(const PackedTile &tile, float depth, std::int32_t &pixel) {
   return pass;
 }
 
-std::uint32_t testBlocks(PackedTile &tile, const abi::Plane &z, int originX, int originY,
-                         std::uint32_t owner, const abi::Block *blocks, std::uint32_t count,
-                         abi::Block *out) {
+std::uint32_t testBlocks(PackedTile &tile, const abi::DepthPlane &z, std::uint32_t owner,
+                         const abi::Block *blocks, std::uint32_t count, abi::Block *out) {
   std::uint32_t left = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Block block = blocks[i];
@@ -152,9 +151,7 @@ std::uint32_t testBlocks(PackedTile &tile, const abi::Plane &z, int originX, int
     unsigned mask = 0;
     for (unsigned rest = block.mask; rest != 0; rest &= rest - 1) {
       const int lane = __builtin_ctz(rest);
-      const int x = block.x + lane % 4 - originX, y = block.y + lane / 4 - originY;
-      const float row = z.c + z.dy * float(y);
-      const float depth = row + z.dx * float(x);
+      const float depth = abi::depthAt(z, block.x + lane % 4, block.y + lane / 4);
       if (tile.test.layout != abi::Layout::None && !testPixel(tile, depth, tile.depth[at][lane]))
         continue;
       tile.owner[at][lane] = owner;

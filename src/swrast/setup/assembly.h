@@ -31,7 +31,8 @@ struct LineEnds {
 /// Triangle `i` of triangleCount(), wound as the primitive is. Quads and polygons are cut as hosts
 /// cut them, so that what is not flat looks the same: a quad from its first corner to the third,
 /// and in draws that are clipped or not filled, or where the first vertex provokes
-/// (`otherDiagonal`), from the second to the fourth.
+/// (`otherDiagonal`), from the second to the fourth. Of strips the halves of a quad change places
+/// instead, and not for the sake of the provoking vertex.
 [[nodiscard]] inline TriangleCorners triangleAt(Topology topology, std::uint32_t count,
                                                 std::uint32_t i, bool provokingIsFirst,
                                                 bool otherDiagonal) {
@@ -64,8 +65,8 @@ struct LineEnds {
     // The quad is a, a + 1, a + 3, a + 2.
     const std::uint32_t a = i / 2 * 2;
     const std::uint32_t provoking = provokingIsFirst ? a : a + 3;
-    return i & 1 ? TriangleCorners{{a, a + 1, a + 3}, provoking, 3}
-                 : TriangleCorners{{a + 2, a, a + 3}, provoking, 5};
+    return (i & 1) == (otherDiagonal ? 1u : 0u) ? TriangleCorners{{a, a + 1, a + 3}, provoking, 3}
+                                                : TriangleCorners{{a + 2, a, a + 3}, provoking, 5};
   }
   default:
     return {};

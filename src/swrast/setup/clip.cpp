@@ -8,20 +8,20 @@ namespace {
 
 /// Inside where the sum of products is not negative.
 struct Plane {
-  double x, y, z, w, constant;
+  float x, y, z, w, constant;
   int user; ///< a clip distance, or -1
 };
 
 /// w no smaller than this keeps 1/w and what it multiplies finite.
-double smallestW(const ClipVertex *vertex, int count) {
-  double largest = 0;
+float smallestW(const ClipVertex *vertex, int count) {
+  float largest = 0;
   for (int i = 0; i < count; ++i)
     largest = std::max(largest, std::fabs(vertex[i].position[3]));
-  return std::max(largest * 0x1p-20, 0x1p-100);
+  return std::max(largest * 0x1p-20f, 0x1p-100f);
 }
 
 /// In the order of hosts, so that what is cut twice is cut alike.
-int planesOf(const Viewport &viewport, double smallest, Plane planes[16]) {
+int planesOf(const Viewport &viewport, float smallest, Plane planes[16]) {
   int count = 0;
   planes[count++] = {-1, 0, 0, 1, 0, -1};
   planes[count++] = {1, 0, 0, 1, 0, -1};
@@ -38,26 +38,31 @@ int planesOf(const Viewport &viewport, double smallest, Plane planes[16]) {
   return count;
 }
 
-double distanceOf(const Plane &plane, const ClipVertex &vertex) {
+float distanceOf(const Plane &plane, const ClipVertex &vertex) {
   if (plane.user >= 0)
     return vertex.user[plane.user];
-  const double *const p = vertex.position;
+  const float *const p = vertex.position;
   return plane.x * p[0] + plane.y * p[1] + plane.z * p[2] + plane.w * p[3] + plane.constant;
 }
 
-/// Always from the inside to the outside, so that two triangles cut their common side alike.
-void between(const ClipVertex &inside, const ClipVertex &outside, double inner, double outer,
+/// Always from the end that is nearer to the plane, so that two triangles cut their common side
+/// alike, and in single precision, as hosts do it: depths are the same to the last bit then.
+void between(const ClipVertex &inside, const ClipVertex &outside, float inner, float outer,
              bool userPlanes, ClipVertex &result) {
-  const double ratio = inner / (inner - outer);
-  const double t = ratio > 0 ? ratio : 0; // a distance may be NaN, which is outside
-  const auto mix = [t](double a, double b) { return a + t * (b - a); };
+  // A distance may be NaN, which is outside.
+  const bool fromOutside = -outer < inner;
+  const ClipVertex &near = fromOutside ? outside : inside;
+  const ClipVertex &far = fromOutside ? inside : outside;
+  const float ratio = fromOutside ? outer / (outer - inner) : inner / (inner - outer);
+  const float t = ratio > 0 ? ratio : 0;
+  const auto mix = [t](float a, float b) { return a + t * (b - a); };
   for (int i = 0; i < 4; ++i)
-    result.position[i] = mix(inside.position[i], outside.position[i]);
+    result.position[i] = mix(near.position[i], far.position[i]);
   for (int i = 0; i < 3; ++i)
-    result.weight[i] = mix(inside.weight[i], outside.weight[i]);
+    result.weight[i] = near.weight[i] + double(t) * (far.weight[i] - near.weight[i]);
   if (userPlanes)
     for (int i = 0; i < 8; ++i)
-      result.user[i] = mix(inside.user[i], outside.user[i]);
+      result.user[i] = mix(near.user[i], far.user[i]);
   result.window.outcode = kOutW; // its window position is still to be made
   result.side = 0;
 }
@@ -78,9 +83,7 @@ void takeOriginal(const Viewport &viewport, const Vertices &vertices, std::uint3
 void finish(const Viewport &viewport, ClipVertex &vertex) {
   if (!(vertex.window.outcode & kOutW))
     return; // an original, to be placed as in its other triangles
-  const float clip[4] = {float(vertex.position[0]), float(vertex.position[1]),
-                         float(vertex.position[2]), float(vertex.position[3])};
-  toWindow(viewport, clip, vertex.window);
+  cutToWindow(viewport, vertex.position, vertex.window);
 }
 
 } // namespace
@@ -96,7 +99,7 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
   Plane planes[16];
   const int planeCount = planesOf(viewport, smallestW(in->vertex.data(), 3), planes);
   for (int p = 0; p < planeCount; ++p) {
-    double distance[20];
+    float distance[20];
     bool allInside = true;
     for (int i = 0; i < in->count; ++i) {
       distance[i] = distanceOf(planes[p], in->vertex[std::size_t(i)]);
@@ -153,7 +156,7 @@ bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uin
   Plane planes[16];
   const int planeCount = planesOf(viewport, smallestW(end, 2), planes);
   for (int p = 0; p < planeCount; ++p) {
-    const double first = distanceOf(planes[p], end[0]), second = distanceOf(planes[p], end[1]);
+    const float first = distanceOf(planes[p], end[0]), second = distanceOf(planes[p], end[1]);
     if (!(first >= 0) && !(second >= 0))
       return false;
     if (!(first >= 0))

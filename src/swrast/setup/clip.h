@@ -8,9 +8,9 @@ namespace arbiter::swrast {
 
 /// A corner of what clipping leaves.
 struct ClipVertex {
-  double position[4]; ///< in clip space
-  double weight[3];   ///< of the primitive's vertices
-  double user[8];     ///< clip distances
+  float position[4]; ///< in clip space
+  float user[8];     ///< clip distances
+  double weight[3];  ///< of the primitive's vertices
   WindowVertex window;
   int side; ///< what it is the first end of: a side of the triangle, kOnPlane + a plane,
             ///< kOnUserPlane

@@ -82,8 +82,10 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
   const bool clipped = draw.isClipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
   // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise. The
   // plain one does so too where it hands on the first vertex as the provoking one.
-  draw.otherDiagonal = draw.state.secondDiagonal || draw.state.polygonStipple != nullptr ||
-                       clipped || draw.state.provokingIsFirst;
+  const bool otherPath =
+      draw.state.secondDiagonal || draw.state.polygonStipple != nullptr || clipped;
+  draw.otherDiagonal =
+      otherPath || (draw.state.provokingIsFirst && draw.topology != Topology::QuadStrip);
   if (clipped)
     return; // a vertex that is outside has no place that bounds anything
   const std::int32_t left = pixelFrom(all.minX), bottom = pixelFrom(all.minY);

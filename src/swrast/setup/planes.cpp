@@ -33,11 +33,6 @@ Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3], in
 
 namespace {
 
-float offsetOf(const RasterState &state, const abi::Plane &z) {
-  const float slope = std::max(std::fabs(z.dx), std::fabs(z.dy));
-  return float(double(slope) * state.offsetFactor + state.depthResolution * state.offsetUnits);
-}
-
 constexpr float kMissing[4] = {0, 0, 0, 1};
 
 /// A value at each corner.
@@ -72,6 +67,35 @@ void makeInputs(const PlanePlan &plan, const Triangle &triangle, const Gradients
     fetch<kClipped>(source, triangle, f);
     primitive.inputs[source.input][source.component] = g.plane(f[0], f[1], f[2]);
   }
+}
+
+} // namespace
+
+namespace {
+
+/// The corners in the order of hosts: the provoking one is the first or the last, and of a piece of
+/// what was cut that is the centre of the fan. Of a triangle that is clockwise to them two change
+/// places, the provoking one stays.
+void asHostsWalk(const Triangle &triangle, bool provokingIsFirst, bool clockwise,
+                 const WindowVertex *v[3]) {
+  int provoking = provokingIsFirst ? 0 : 2; // of a quad's half without it the order is as it is
+  if (triangle.weight)
+    provoking = 0;
+  else
+    for (int k = 0; k < 3; ++k)
+      if (triangle.vertex[k] == triangle.provoking)
+        provoking = k;
+  const int first = provokingIsFirst ? provoking : (provoking + 1) % 3;
+  for (int k = 0; k < 3; ++k)
+    v[k] = &triangle.corner[(first + k) % 3];
+  if (clockwise)
+    std::swap(v[1], v[provokingIsFirst ? 2 : 0]);
+}
+
+/// Of a triangle without an area, whose slopes are those of `plane`.
+float depthOffsetOf(const RasterState &state, const abi::DepthPlane &plane) {
+  const float slope = std::max(std::fabs(plane.dx), std::fabs(plane.dy));
+  return float(state.depthResolution * state.offsetUnits) + slope * state.offsetFactor;
 }
 
 } // namespace
@@ -115,21 +139,51 @@ PlanePlan::PlanePlan(const Shading &shading, const Vertices &vertices)
   add(abi::Interpolation::Flat);
 }
 
-abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle, const Gradients &g,
-                          bool offset) {
+abi::DepthPlane makeDepthPlane(const RasterState &state, const Triangle &triangle, bool offset) {
   const WindowVertex *const corner = triangle.corner;
-  abi::Plane z = g.plane(corner[0].z, corner[1].z, corner[2].z);
-  if (offset)
-    z.c += offsetOf(state, z);
-  return z;
+  const float x1 = corner[1].x - corner[0].x, y1 = corner[1].y - corner[0].y;
+  const float x2 = corner[2].x - corner[0].x, y2 = corner[2].y - corner[0].y;
+  const WindowVertex *v[3];
+  asHostsWalk(triangle, state.provokingIsFirst, x1 * y2 - x2 * y1 > 0, v);
+  if (v[0]->z == v[1]->z && v[0]->z == v[2]->z) {
+    const abi::DepthPlane level = {v[0]->z, 0, 0};
+    return {level.c, 0, 0, offset ? depthOffsetOf(state, level) : 0.0f};
+  }
+  const float x01 = v[0]->x - v[1]->x, y01 = v[0]->y - v[1]->y, z01 = v[0]->z - v[1]->z;
+  const float x20 = v[2]->x - v[0]->x, y20 = v[2]->y - v[0]->y, z20 = v[2]->z - v[0]->z;
+  const float area = x01 * y20 - x20 * y01;
+  if (area == 0 || !std::isfinite(area)) {
+    abi::DepthPlane exact = depthPlaneOf(state, corner);
+    if (offset)
+      exact.offset = depthOffsetOf(state, exact);
+    return exact;
+  }
+  const float inverse = 1.0f / area;
+  const float dx = z01 * (y20 * inverse) - (y01 * inverse) * z20;
+  const float dy = z20 * (x01 * inverse) - (x20 * inverse) * z01;
+  const float c = v[0]->z - (dx * (v[0]->x - 0.5f) + dy * (v[0]->y - 0.5f));
+  float raised = 0;
+  if (offset) {
+    const float slopeX = std::fabs((y01 * z20 - z01 * y20) * inverse);
+    const float slopeY = std::fabs((z01 * x20 - x01 * z20) * inverse);
+    raised = std::max(slopeX, slopeY) * state.offsetFactor +
+             float(state.depthResolution * state.offsetUnits);
+  }
+  return {c, dx, state.upsideDownHeight != 0 ? -dy : dy, raised, depthOriginY(state)};
 }
 
-void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &g,
-                const abi::Plane &depth, int originX, int originY, abi::Primitive &primitive) {
+abi::DepthPlane depthPlaneOf(const RasterState &state, const WindowVertex corner[3]) {
+  const int originY = depthOriginY(state);
+  const abi::Plane plane =
+      gradientsOf(state, corner, 0, originY).plane(corner[0].z, corner[1].z, corner[2].z);
+  return {plane.c, plane.dx, plane.dy, 0, originY};
+}
+
+void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &g, int originX,
+                int originY, abi::Primitive &primitive) {
   primitive.originX = originX;
   primitive.originY = originY;
   primitive.backFacing = triangle.backFacing ? 1 : 0;
-  primitive.z = depth;
   const WindowVertex *const v = triangle.corner;
   if (plan.wantsW)
     primitive.inverseW = g.plane(v[0].inverseW, v[1].inverseW, v[2].inverseW);
@@ -180,11 +234,18 @@ void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, 
 
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive) {
+  if (plan.wantsDepth)
+    primitive.z = makeDepthPlane(state, triangle, offset);
   const Gradients g = gradientsOf(state, triangle.corner, originX, originY);
-  abi::Plane depth;
-  if (plan.wantsDepth || offset)
-    depth = makeDepthPlane(state, triangle, g, offset);
-  makePlanes(plan, triangle, g, depth, originX, originY, primitive);
+  makePlanes(plan, triangle, g, originX, originY, primitive);
+}
+
+void makeStrokePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
+                      int originX, int originY, abi::Primitive &primitive) {
+  if (plan.wantsDepth)
+    primitive.z = depthPlaneOf(state, triangle.corner);
+  const Gradients g = gradientsOf(state, triangle.corner, originX, originY);
+  makePlanes(plan, triangle, g, originX, originY, primitive);
 }
 
 } // namespace arbiter::swrast

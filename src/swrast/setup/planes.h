@@ -53,17 +53,29 @@ struct Gradients {
 /// originY), in window coordinates, and round off with the distance from it.
 [[nodiscard]] Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3],
                                     int originX, int originY);
-/// Window depth over the triangle.
+/// Where planes of depth begin (abi::DepthPlane): hosts' window coordinates do.
+[[nodiscard]] inline int depthOriginY(const RasterState &state) {
+  return state.upsideDownHeight != 0 ? state.upsideDownHeight - 1 : 0;
+}
+/// Window depth over a triangle by the very steps of llvmpipe (Mesa 22.3.6), in single precision
+/// and from the corner of the window: of two surfaces in one plane the same one is seen at each
+/// pixel, and what one of the two draws may be tested for equality by the other.
+/// The corners are in the order of the primitive.
 /// \param offset add polygon offset (3.5.5)
-[[nodiscard]] abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle,
-                                        const Gradients &gradients, bool offset);
-/// All planes of a triangle whose gradients and depth are known.
+[[nodiscard]] abi::DepthPlane makeDepthPlane(const RasterState &state, const Triangle &triangle,
+                                             bool offset);
+/// Depth without polygon offset, as exact as a plane of this origin can be.
+[[nodiscard]] abi::DepthPlane depthPlaneOf(const RasterState &state, const WindowVertex corner[3]);
+/// All planes but that of depth, of a triangle whose gradients are known.
 void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &gradients,
-                const abi::Plane &depth, int originX, int originY, abi::Primitive &primitive);
+                int originX, int originY, abi::Primitive &primitive);
 /// Gradients, depth and all planes of a triangle, exact at the centre of pixel (originX, originY):
 /// best one near the triangle. \param offset add polygon offset to depth (3.5.5)
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
+/// The same of a line, whose planes are those of a triangle of its ends and a third corner.
+void makeStrokePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
+                      int originX, int originY, abi::Primitive &primitive);
 /// Of a point: nothing varies, all is as at corner 0 of `point`, whose `weight` is not null.
 void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
                      abi::Primitive &primitive);

@@ -153,9 +153,9 @@ bool isAffineOver(const Rectangle &rectangle, const float *values) {
 bool shapeOfRectangle(const RasterState &state, const Shading &shading, Topology topology,
                       const Vertices &vertices, const Rectangle &rectangle, Shape &shape) {
   const WindowVertex *const corner = rectangle.corner;
-  const double depth = std::max({std::fabs(corner[0].z), std::fabs(corner[1].z),
-                                 std::fabs(corner[2].z), std::fabs(corner[3].z)});
-  if (!fits(double(corner[0].z) + corner[2].z, double(corner[1].z) + corner[3].z, depth))
+  // Of depths that vary each of the two triangles has a plane of its own, to the last bit.
+  const auto sameDepth = [&](const WindowVertex &other) { return other.z == corner[0].z; };
+  if (shading.readsDepth && !std::all_of(corner + 1, corner + 4, sameDepth))
     return false;
   const bool onePolygon = topology == Topology::Quads || topology == Topology::QuadStrip ||
                           topology == Topology::Polygon;

@@ -38,29 +38,33 @@ namespace arbiter::swrast {
   return !(all & kOutsideMask) && !(any & kOutNan) && triangle.provoking < draw.vertices.count;
 }
 
-/// What is left of a triangle that leaves the view volume, as one shape where it has no more sides
-/// than a shape has edges, else as triangles; calls `take(triangle, shape)` for each.
+/// The corners from the one on from which hosts walk around the primitive: the provoking one is the
+/// first or the last.
+inline void turnAsHostsWalk(const RasterState &state, Triangle &triangle) {
+  const int wanted = state.provokingIsFirst ? 0 : 2;
+  for (int i = 0; i < 2 && triangle.vertex[wanted] != triangle.provoking; ++i) {
+    std::rotate(triangle.vertex, triangle.vertex + 1, triangle.vertex + 3);
+    std::rotate(triangle.corner, triangle.corner + 1, triangle.corner + 3);
+  }
+}
+
+/// What is left of a triangle that leaves the view volume, as the fan that hosts make of it, so
+/// that each piece has the host's depths; calls `take(triangle, shape)` for each.
 template <typename Take> void clipAndTake(const Draw &draw, Triangle &triangle, Take take) {
   if (hasTwins(draw.vertices, triangle.vertex))
     return;
+  turnAsHostsWalk(draw.state, triangle);
   ClippedPolygon polygon;
   clipTriangle(draw.viewport, draw.vertices, triangle.vertex, triangle.corner, polygon);
   if (polygon.count < 3)
     return;
-  // The triangle of the fan that is largest says best how inputs vary.
-  WindowVertex corners[20];
-  std::int64_t area = 0, largest = 0;
-  int best = 1;
-  for (int i = 0; i < polygon.count; ++i)
-    corners[i] = polygon.vertex[std::size_t(i)].window;
+  const auto vertexAt = [&](int i) -> const ClipVertex & {
+    return polygon.vertex[std::size_t(i == polygon.count ? 0 : i)];
+  };
+  std::int64_t area = 0;
   for (int i = 1; i + 1 < polygon.count; ++i) {
-    const WindowVertex fan[3] = {corners[0], corners[i], corners[i + 1]};
-    const std::int64_t part = areaOf(fan);
-    area += part;
-    if (std::abs(part) > largest) {
-      largest = std::abs(part);
-      best = i;
-    }
+    const WindowVertex fan[3] = {vertexAt(0).window, vertexAt(i).window, vertexAt(i + 1).window};
+    area += areaOf(fan);
   }
   if (area == 0)
     return;
@@ -69,43 +73,28 @@ template <typename Take> void clipAndTake(const Draw &draw, Triangle &triangle, 
     return;
   double weight[3][3];
   triangle.weight = weight;
-  const auto corner = [&](int k, int from) {
-    const ClipVertex &vertex = polygon.vertex[std::size_t(from)];
-    triangle.corner[k] = vertex.window;
-    std::copy(vertex.weight, vertex.weight + 3, weight[k]);
-  };
-  Shape shape;
-  int edges = 0;
-  for (int i = 0; i < polygon.count; ++i) {
-    const ClipVertex &vertex = polygon.vertex[std::size_t(i)];
-    if (vertex.side >= kOnPlane && vertex.side < kOnPlane + kSidePlanes)
-      continue; // along the viewport's side: the bounds
-    const WindowVertex &to = corners[i + 1 == polygon.count ? 0 : i + 1];
-    if (corners[i].fixedX == to.fixedX && corners[i].fixedY == to.fixedY)
-      continue;
-    if (edges < 4) {
-      shape.edges[edges] = area > 0 ? edgeBetween(corners[i], to) : edgeBetween(to, corners[i]);
-    }
-    ++edges;
-  }
   const Rect clip = intersect(draw.state.clip, draw.viewport.pixels);
-  if (edges <= 4) {
-    if (!setBounds(clip, corners, polygon.count, shape))
-      return;
-    shape.edgeCount = edges;
-    corner(0, 0);
-    corner(1, best);
-    corner(2, best + 1);
-    take(static_cast<const Triangle &>(triangle), shape);
-    return;
-  }
   for (int i = 1; i + 1 < polygon.count; ++i) {
-    corner(0, 0);
-    corner(1, i);
-    corner(2, i + 1);
+    const int from[3] = {0, i, i + 1};
+    for (int k = 0; k < 3; ++k) {
+      triangle.corner[k] = vertexAt(from[k]).window;
+      std::copy(vertexAt(from[k]).weight, vertexAt(from[k]).weight + 3, weight[k]);
+    }
     const std::int64_t part = areaOf(triangle.corner);
-    if (part != 0 && shapeOf(clip, triangle.corner, part, shape))
-      take(static_cast<const Triangle &>(triangle), shape);
+    Shape shape;
+    if (part == 0 || !setBounds(clip, triangle.corner, 3, shape))
+      continue;
+    for (int k = 0; k < 3; ++k) {
+      const bool isDiagonal = (k == 0 && i > 1) || (k == 2 && i + 2 < polygon.count);
+      const int side = vertexAt(from[k]).side;
+      if (!isDiagonal && side >= kOnPlane && side < kOnPlane + kSidePlanes)
+        continue; // along the viewport's side: the bounds
+      const WindowVertex &a = triangle.corner[k], &b = triangle.corner[k == 2 ? 0 : k + 1];
+      if (a.fixedX == b.fixedX && a.fixedY == b.fixedY)
+        continue;
+      shape.edges[shape.edgeCount++] = part > 0 ? edgeBetween(a, b) : edgeBetween(b, a);
+    }
+    take(static_cast<const Triangle &>(triangle), shape);
   }
 }
 

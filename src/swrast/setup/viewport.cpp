@@ -78,6 +78,18 @@ void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &verte
   snapVertex(vertex, viewport.upsideDownHeight);
 }
 
+void cutToWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex) {
+  const float inverseW = 1.0f / clip[3];
+  const auto place = [&](int i) {
+    return clip[i] * inverseW * viewport.scale[i] + viewport.translate[i];
+  };
+  vertex.x = place(0);
+  vertex.y = place(1);
+  vertex.z = place(2);
+  vertex.inverseW = inverseW;
+  snapVertex(vertex, viewport.upsideDownHeight);
+}
+
 WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices, std::uint32_t index) {
   const float clip[4] = {vertices.position[0][index], vertices.position[1][index],
                          vertices.position[2][index], vertices.position[3][index]};

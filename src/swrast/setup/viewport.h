@@ -55,6 +55,8 @@ void snapVertex(WindowVertex &vertex, int upsideDownHeight);
 /// Sets the vertex's window coordinates from those in clip space: `clip` is x, y, z, w with w > 0.
 /// The outcode is left alone.
 void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex);
+/// The same of what cutting made: hosts round each step of it.
+void cutToWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex);
 /// Vertex \p index with its outcode; window coordinates are zeros where w or a value forbids them
 /// (kOutW, kOutNan).
 [[nodiscard]] WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices,

@@ -57,7 +57,7 @@ void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
   plane.weight = weight;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
-  makePlanes(draw.state, draw.plan, plane, false, shape.originX, shape.originY, shape.primitive);
+  makeStrokePlanes(draw.state, draw.plan, plane, shape.originX, shape.originY, shape.primitive);
   const Gradients gradients = gradientsOf(draw.state, plane.corner, shape.originX, shape.originY);
   const auto planeOf = [&](double a, double b, double c) {
     return gradients.plane(a * scale[0], b * scale[1], c * scale[2]);

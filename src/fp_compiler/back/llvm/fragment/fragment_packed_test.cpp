@@ -63,7 +63,7 @@ std::vector<abi::Primitive> primitivesLike(const abi::Primitive &first, int coun
     each.originX = 11 + k;
     each.originY = 2 * (k % 3);
     each.backFacing = unsigned(k) & 1;
-    each.z = {0.1f + step, 0.001f * step, 0.002f};
+    each.z = {0.1f + step, 0.001f * step, 0.002f, 0.01f * step, k % 4};
     each.inverseW = {1 + step, 0.002f + 0.01f * step, 0.01f * step};
     for (abi::Plane &plane : each.inputs[0]) {
       plane.c += step;

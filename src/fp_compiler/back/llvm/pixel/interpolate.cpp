@@ -153,7 +153,34 @@ Vec Interpolator::position(const ir::Options &options, unsigned needed) {
   return values;
 }
 
-Value *Interpolator::depth() { return plane(offsetof(abi::Primitive, z)); }
+Value *Interpolator::fused(Value *a, Value *b, Value *c) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  if (m_code.cpu.family != Cpu::Family::Sse41)
+    return ir.CreateIntrinsic(llvm::Intrinsic::fma, {a->getType()}, {a, b, c});
+  // A call of the library, lane by lane; doubles hold the product whole.
+  llvm::Type *const wide = llvm::VectorType::get(
+      ir.getDoubleTy(), llvm::cast<llvm::VectorType>(a->getType())->getElementCount());
+  const auto widened = [&](Value *value) { return ir.CreateFPExt(value, wide); };
+  Value *const sum = ir.CreateFAdd(ir.CreateFMul(widened(a), widened(b)), widened(c));
+  return ir.CreateFPTrunc(sum, a->getType());
+}
+
+Value *Interpolator::depth() {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  constexpr std::size_t kZ = offsetof(abi::Primitive, z);
+  constexpr std::size_t kOrigin = kZ + offsetof(abi::DepthPlane, originY);
+  Value *y = writeIn(m_code, m_places.item, [&] {
+    return m_columns ? ir.CreateSub(m_code.splat(m_y), integer(kOrigin))
+                     : m_code.splat(ir.CreateSub(m_y, scalarInteger(kOrigin)));
+  });
+  if (m_laneY)
+    y = ir.CreateAdd(y, m_laneY);
+  Value *const x = ir.CreateAdd(m_code.splat(m_x), m_laneX);
+  Value *const along = fused(number(kZ + offsetof(abi::DepthPlane, dx)), m_code.toFloat(x),
+                             number(kZ + offsetof(abi::DepthPlane, c)));
+  Value *const plane = fused(number(kZ + offsetof(abi::DepthPlane, dy)), m_code.toFloat(y), along);
+  return ir.CreateFAdd(plane, number(kZ + offsetof(abi::DepthPlane, offset)));
+}
 
 Value *Interpolator::backFacing() {
   return m_code.ir.CreateICmpNE(integer(offsetof(abi::Primitive, backFacing)), m_code.splat(0));

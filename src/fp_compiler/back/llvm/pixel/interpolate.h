@@ -42,7 +42,7 @@ public:
 
   [[nodiscard]] Vec input(int index, unsigned needed);
   [[nodiscard]] Vec position(const ir::Options &options, unsigned needed);
-  /// Window depth, as the plane gives it.
+  /// Window depth, as the plane gives it: abi::depthAt().
   [[nodiscard]] Value *depth();
   /// Where the primitive's back is seen, a mask.
   [[nodiscard]] Value *backFacing();
@@ -67,6 +67,8 @@ private:
   [[nodiscard]] Value *integer(std::size_t offset);
   [[nodiscard]] Value *inColumns(std::size_t offset);
   [[nodiscard]] Value *plane(std::size_t offset);
+  /// a * b + c, rounded once.
+  [[nodiscard]] Value *fused(Value *a, Value *b, Value *c);
   [[nodiscard]] Value *perspective();
 
   Code &m_code;

@@ -147,7 +147,8 @@ void fill(Draw &draw, Random &random) {
   primitive.originX = random.below(kWidth);
   primitive.originY = random.below(kHeight);
   primitive.backFacing = std::uint32_t(random.below(2));
-  primitive.z = {random.unit(), 0.01f * random.unit(), 0.02f * random.unit()};
+  primitive.z = {random.unit(), 0.01f * random.unit(), 0.02f * random.unit(), 0.01f * random.unit(),
+                 int(random.below(5))};
   primitive.inverseW = {1.0f + random.unit(), 0.01f * random.unit(), 0.01f * random.unit()};
   for (abi::Plane &plane : primitive.inputs[0])
     plane = {random.unit(), 0.03f * (random.unit() - 0.5f), 0.05f * (random.unit() - 0.5f)};
@@ -192,8 +193,7 @@ testing::ReferenceFragment fragmentAt(const Draw &draw, int x, int y) {
     }
     fragment.color[c] = value;
   }
-  fragment.depth =
-      draw.writesDepth ? fragment.color[2] : planeAt(draw.primitive, draw.primitive.z, x, y);
+  fragment.depth = draw.writesDepth ? fragment.color[2] : abi::depthAt(draw.primitive.z, x, y);
   return fragment;
 }
 
