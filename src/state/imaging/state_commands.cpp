@@ -134,16 +134,15 @@ void setFilterParameter(Context &context, const ImagingCommand &command) {
     return;
   }
   imaging::ScaleBias &filter = settings.filters[std::size_t(number)];
-  if (command.flag) // the others have four values
-    raise(context, GL_INVALID_ENUM, "ConvolutionParameter: pname");
-  else if (command.pname == GL_CONVOLUTION_BORDER_COLOR)
-    border.color = command.values;
-  else if (command.pname == GL_CONVOLUTION_FILTER_SCALE)
-    filter.scale = command.values;
-  else if (command.pname == GL_CONVOLUTION_FILTER_BIAS)
-    filter.bias = command.values;
-  else
-    raise(context, GL_INVALID_ENUM, "ConvolutionParameter: pname");
+  // A command of one value has none of those that have four.
+  imaging::Rgba *const to = command.flag                                   ? nullptr
+                            : command.pname == GL_CONVOLUTION_BORDER_COLOR ? &border.color
+                            : command.pname == GL_CONVOLUTION_FILTER_SCALE ? &filter.scale
+                            : command.pname == GL_CONVOLUTION_FILTER_BIAS  ? &filter.bias
+                                                                           : nullptr;
+  if (!to)
+    return raise(context, GL_INVALID_ENUM, "ConvolutionParameter: pname");
+  *to = command.values;
 }
 
 namespace {
