@@ -75,12 +75,14 @@ texture_shader::Environments defaultEnvironments(const texture_shader::State &sh
 
 /// The text's state, of textures that are 2D and colours where it does not say what they are, and
 /// without fog.
-ir::Program lowerNvparse(const nvparse::Text &text) {
+ir::Program lowerNvparse(const nvparse::Text &text, Numerics numerics) {
+  const bool fx9 = numerics == Numerics::Fx9;
   ir::Program program;
   if (text.shaders) {
     texture_shader::Key key;
     key.shaders = *text.shaders;
     key.combines = text.combiners.has_value();
+    key.fx9 = fx9;
     if (key.combines)
       key.combiners = *text.combiners;
     else
@@ -89,6 +91,7 @@ ir::Program lowerNvparse(const nvparse::Text &text) {
   } else {
     const combiners::State state = combiners::essential(*text.combiners);
     combiners::Surroundings around;
+    around.fx9 = fx9;
     const std::uint32_t read = combiners::texturesRead(state);
     for (std::size_t unit = 0; unit < around.texels.size(); ++unit) {
       around.targets[unit] = ir::TexTarget::Tex2D;
@@ -148,7 +151,7 @@ CheckResult checkNvparse(ir::Language language, std::string_view text,
   CheckResult result;
   result.diagnostics = std::move(parsed.diagnostics);
   if (parsed.text) {
-    result.program = lowerNvparse(*parsed.text);
+    result.program = lowerNvparse(*parsed.text, options.numerics);
     result.counts = result.nativeCounts = countNvparse(*parsed.text, *result.program);
     const Limits &limits = options.limits;
     result.underNativeLimits = result.counts.aluInstructions <= limits.generalCombiners ||

@@ -20,6 +20,7 @@ enum class LimitPolicy : std::uint8_t { Enforce, Report };
 struct CompileOptions {
   Limits limits;
   LimitPolicy policy = LimitPolicy::Enforce;
+  Numerics numerics = Numerics::Host; ///< of register combiners, whose code has them in it
 };
 
 /// The result of parse and check (no optimisation): what the API's queries and `arbiter check` say.

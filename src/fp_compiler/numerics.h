@@ -12,11 +12,19 @@ namespace arbiter::fp {
 ///         opcode that multiplies. The chips of the era did so, and programs rely on it.
 /// Fp24    Legacy on the R300's numbers: every value is a 24-bit float (below). Vertex programs
 ///         have no such unit and follow Legacy.
-enum class Numerics : std::uint8_t { Host, Legacy, Fp24 };
+/// Fx9     Legacy, but NVIDIA's register combiners hold whole numbers of 255ths in [-1,1]: "9-bit
+///         signed fixed-point" (NV_texture_shader, table of 3.8). Code that is made of them has the
+///         rounding in its instructions (combiners/values.h), and follows Legacy as any other.
+enum class Numerics : std::uint8_t { Host, Legacy, Fp24, Fx9 };
 
 /// The names of ARBITER_NUMERICS and of a profile, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 3> kNumericsNames = {"host", "legacy", "fp24"};
+inline constexpr std::array<std::string_view, 4> kNumericsNames = {"host", "legacy", "fp24", "fx9"};
 [[nodiscard]] std::optional<Numerics> numericsNamed(std::string_view name);
+
+/// What instructions follow in the mode: Fx9 is in none of them.
+[[nodiscard]] constexpr Numerics ofInstructions(Numerics asked) {
+  return asked == Numerics::Fx9 ? Numerics::Legacy : asked;
+}
 
 /// The 24-bit float of the R300: sign 1, exponent 7 (bias 63), mantissa 16, kept in an IEEE single
 /// that holds exactly that value.

@@ -24,6 +24,7 @@ constexpr CaptureTarget kTargets[] = {
     {"fragment", ".fp", fp::ir::Language::ArbFragment},
     {"vertex", ".vp", fp::ir::Language::ArbVertex},
     {"ati-fragment", ".atifs", fp::ir::Language::AtiFragment},
+    {"ati-fragment-api", ".atifs", fp::ir::Language::AtiFragment},
     {"combiners", ".nvrc", fp::ir::Language::Combiners},
     {"texture-shaders", ".nvts", fp::ir::Language::TextureShaders},
     {"vertex-state", ".vsp", fp::ir::Language::ArbVertex}, // by its header
@@ -71,6 +72,7 @@ void mergeProgram(const Json &json, std::uint64_t process, Programs &programs) {
   if (it == programs.end())
     return; // its text was removed: so be it
   CapturedProgram &program = it->second;
+  program.target = target; // of those that have files of that name
   program.recorded = true;
   program.loads += json.at("loads").get<std::uint64_t>();
   program.frames += json.at("frames").get<std::uint64_t>();

@@ -103,6 +103,14 @@ class Debug(Temporary):
         self.assertEqual((trace['numerics'], trace['second_numerics']), ('fp24', 'host'))
         self.assertTrue(trace['verdict']['equal'], trace['summary'])
 
+    def test_combiners_of_nine_bits(self):
+        document = self.path('nine.nvrc', '!!RC1.0\nconst0 = (0.21, 0.21, 0.21, 1);\n'
+                             '{ rgb { spare0 = const0 * const0; scale_by_four(); } }\nout.rgb = spare0;\n')
+        for numerics, picture in (('host', '2d2d2d00'), ('fx9', '2e2e2e00')):  # 44.98; 54 * 54 * 4 / 255 = 45.7
+            trace = self.trace(document, '--profile', 'host', '--numerics', numerics)
+            self.assertEqual((trace['numerics'], trace['verdict']['picture']), (numerics, picture))
+            self.assertTrue(trace['verdict']['equal'], trace['summary'])
+
     def test_breaks(self):
         document = self.path('nan.fp', '!!ARBfp1.0\n' + PANEL + 'TEMP a, b;\n'
                              'RCP a.x, fragment.texcoord[0].z;\nMUL a.y, a.x, 0.0;\n'

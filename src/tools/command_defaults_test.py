@@ -93,7 +93,7 @@ class Defaults(Temporary):
                         '[[program]]\ntitle = "B"\nmatch.name = "b"\nset.profile = "r3000"\n')
         result = arbiter('defaults', '--check', bad)
         self.assertEqual(result.returncode, 2)
-        self.assertIn(f'{bad}:6:12: numerics: expected host, legacy or fp24, not "fp25"', result.stderr)
+        self.assertIn(f'{bad}:6:12: numerics: expected host, legacy, fp24 or fx9, not "fp25"', result.stderr)
         self.assertIn(f'{bad}:11: no profile', result.stderr)
         self.assertIn('"B" has no source', result.stderr)
         self.assertIn('extensions_max_year = 2001', result.stdout, 'the rest is not shown')

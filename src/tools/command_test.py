@@ -83,6 +83,16 @@ class Compile(Temporary):
         self.assertEqual((missing.returncode, missing.stdout), (1, ''))
         self.assertIn('/nowhere/jit.so', missing.stderr)
 
+    def test_combiners_of_nine_bits(self):
+        text = '!!RC1.0\n{ rgb { spare0 = col0 * tex0; } }\nout.rgb = spare0;\n'
+        plain = arbiter('compile', '--emit', 'glsl', '--profile', 'nv20', '-', text=text)
+        self.assertEqual((plain.returncode, plain.stderr), (0, ''))
+        self.assertNotIn('floor(', plain.stdout)
+        for word, *emit in (('floor(', 'glsl'), ('FLR ', 'ir', '-O'), ('FLR ', 'assembly', '-O')):
+            rounded = arbiter('compile', '--emit', *emit, '--profile', 'nv20', '--numerics', 'fx9', '-', text=text)
+            self.assertEqual((rounded.returncode, rounded.stderr), (0, ''))
+            self.assertIn(word, rounded.stdout)
+
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')
         result = arbiter('compile', '-o', output, '-', text=GOOD)

@@ -56,6 +56,7 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
   const fp::ir::Language language = chooseLanguage(arguments.language, text);
   fp::CompileOptions options;
   options.limits = limitsOf(profile, language);
+  options.numerics = fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host);
   fp::CheckResult result = fp::checkProgram(language, text, options);
   const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
   for (const fp::Diagnostic &diagnostic : result.diagnostics)

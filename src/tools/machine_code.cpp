@@ -45,7 +45,7 @@ void fillSamplers(const std::vector<fp::jit::Sampler> &units,
 
 abi::FragmentKey plainKey(const fp::jit::FragmentShape &shape, fp::Numerics numerics) {
   abi::FragmentKey key{};
-  key.numerics = std::uint8_t(numerics);
+  key.numerics = std::uint8_t(fp::ofInstructions(numerics));
   key.inputs.fill(abi::Interpolation::Linear);
   for (std::size_t i = 0; i < key.targets.size(); ++i)
     if (shape.colorOutputs >> i & 1)

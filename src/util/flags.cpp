@@ -174,10 +174,10 @@ void readCpu(Reader &reader, Settings &result) {
 
 void readNumerics(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::Numerics);
-  if (value == "host" || value == "legacy" || value == "fp24")
+  if (value == "host" || value == "legacy" || value == "fp24" || value == "fx9")
     result.numerics = value;
   else if (!value.empty())
-    reader.warn(Env::Numerics, "expected host, legacy or fp24, not " + quoted(value));
+    reader.warn(Env::Numerics, "expected host, legacy, fp24 or fx9, not " + quoted(value));
 }
 
 /// A whole decimal number in a range; `fallback` where there is none, with a warning if it is bad.

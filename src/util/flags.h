@@ -45,7 +45,8 @@ struct Settings {
   std::string profile = "r300"; ///< name or path, unresolved: see fp_compiler/hw/profile.h
   bool enforceLimits = true;    ///< false: ARBITER_LIMITS=report
   bool identityOfProfile = false;
-  std::string numerics; ///< "host", "legacy", "fp24" (fp_compiler/numerics.h); empty: the profile's
+  std::string
+      numerics; ///< "host", "legacy", "fp24", "fx9" (fp_compiler/numerics.h); empty: the profile's
   Backend backend = Backend::Auto;
   bool alwaysFixedFunction = true; ///< false: ARBITER_FIXED_FUNCTION=programs
   std::uint32_t threads = 0;       ///< of the rasterizer; 0: one a processor

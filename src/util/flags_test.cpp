@@ -144,7 +144,7 @@ TEST(Settings, NumericsAreOneOfThreeOrTheProfiles) {
   EXPECT_EQ(bad.settings.numerics, "");
   ASSERT_EQ(bad.warnings.size(), 1u);
   EXPECT_EQ(bad.warnings[0],
-            "ARBITER_NUMERICS: expected host, legacy or fp24, not \"fp32\"; ignored");
+            "ARBITER_NUMERICS: expected host, legacy, fp24 or fx9, not \"fp32\"; ignored");
 }
 
 TEST(Settings, NumbersAreWholeAndInRange) {

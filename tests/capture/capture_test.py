@@ -4,7 +4,7 @@ run under piglit, and that an edited text is drawn, while the application runs t
 
 usage: capture_test.py ARBITER LIGHTING LIFE TICKER STATE_TICKER [unittest arguments]
 TICKER draws again and again and prints the colour that it finds; see ticker.cpp. STATE_TICKER does so
-by register combiners and texture shaders; see state_ticker.cpp.
+by register combiners, texture shaders, and a shader that ATI_fragment_shader's commands made; see state_ticker.cpp.
 """
 import contextlib
 import html.parser
@@ -292,24 +292,28 @@ class Replace(Folder):
 class States(Folder):
     """STATE_TICKER's state draws green."""
     KINDS = {
-        'combiners': ('.nvrc', b'!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n  }\n  alpha {\n',
+        'combiners': ('nv25', '.nvrc', b'!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n  }\n  alpha {\n',
                       b'!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n'),
-        'texture-shaders': ('.nvts', b'!!TS1.0\npass_through();\n!!RC1.0\n{\n  rgb {\n    spare0 = tex0;\n',
+        'texture-shaders': ('nv25', '.nvts', b'!!TS1.0\npass_through();\n!!RC1.0\n{\n  rgb {\n    spare0 = tex0;\n',
                             b'!!TS1.0\npass_through();\n!!RC1.0\nconst0 = (1, 0, 0, 1);\n'
                             b'{ rgb { spare0 = unsigned_invert(tex0); } }\nout.rgb = const0 * spare0;\n'),
+        'ati-fragment-api': ('r300', '.atifs',
+                             b'!!ATIfs1.0\nStartConstants;\n  CONSTANT c0 = program.env[0];\nEndConstants;\n',
+                             b'!!ATIfs1.0\nStartConstants; CONSTANT c0 = {1, 0, 0, 1}; EndConstants;\n'
+                             b'StartOutputPass;\nMOV r0, c0;\nEndPass;\n'),
     }
 
-    def capture(self, *command, code=0):
-        result = run(ARBITER, 'capture', '--profile', 'nv25', '-o', self.folder, '--', *command)
+    def capture(self, *command, code=0, card='nv25'):
+        result = run(ARBITER, 'capture', '--profile', card, '-o', self.folder, '--', *command)
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertEqual(result.stdout, '0 255 0\n')
         return json.loads((self.folder / 'index.json').read_text())
 
     def test_states_are_captured_and_replaced(self):
-        for kind, (extension, text, red) in self.KINDS.items():
+        for kind, (card, extension, text, red) in self.KINDS.items():
             with self.subTest(kind=kind):
                 self.folder = self.folder.parent / kind
-                index = self.capture(STATE_TICKER, kind, '3')
+                index = self.capture(STATE_TICKER, kind, '3', card=card)
                 program, = index['programs']
                 name = program['file']
                 self.assertTrue(name.endswith(extension))
@@ -319,15 +323,15 @@ class States(Folder):
                 self.assertFalse(list(self.folder.glob('*.shader_test')))
                 own = (self.folder / name).read_bytes()
                 self.assertTrue(own.startswith(text), own)
-                checked = run(ARBITER, 'check', '--profile', 'nv25', self.folder / name)
+                checked = run(ARBITER, 'check', '--profile', card, self.folder / name)
                 self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
-                with ticking(self.folder, kind, STATE_TICKER, '--profile', 'nv25') as (waits_for, _):
+                with ticking(self.folder, kind, STATE_TICKER, '--profile', card) as (waits_for, _):
                     self.assertTrue(waits_for(b'0 255 0'))
                     self.put(name, red)
                     self.assertTrue(waits_for(b'255 0 0'), 'the edit was not seen')
                     self.put(name, red + b'nothing();\n')
                     self.assertFalse(waits_for(b'0 255 0', 1), 'the last good text is lost')
-                    self.put(name, red.replace(b'(1, 0, 0, 1)', b'(1, 0, 1, 1)'))
+                    self.put(name, red.replace(b'1, 0, 0, 1', b'1, 0, 1, 1'))
                     self.assertTrue(waits_for(b'255 0 255'), 'a second edit was not seen')
                     (self.folder / name).unlink()
                     self.assertTrue(waits_for(b'0 255 0'), 'the own state is not back')

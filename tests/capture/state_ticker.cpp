@@ -1,8 +1,8 @@
-// As ticker.cpp, of register combiners and texture shaders: draws one green pixel again and again
-// by their state and prints its colour as "R G B" whenever it changed, and says so where a query
-// does not answer what was set.
+// As ticker.cpp, of register combiners and texture shaders, and of a shader that the commands of
+// ATI_fragment_shader made: draws one green pixel again and again by their state and prints its
+// colour as "R G B" whenever it changed, and says so where a query does not answer what was set.
 //
-//   state_ticker [KIND [FRAMES]]     KIND: combiners or texture-shaders
+//   state_ticker [KIND [FRAMES]]     KIND: combiners, texture-shaders or ati-fragment-api
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -36,19 +36,72 @@ bool isAsSet(GLenum from) {
   return GLenum(input) == from && stages == 1 && glGetError() == GL_NO_ERROR;
 }
 
-void tick(GLenum from, long frames) {
+/// The state of what draws: its constant is that of draws, or of none.
+struct Kind {
+  const char *name;
+  void (*set)();
+  void (*setConstant)(const GLfloat *color);
+  bool (*isAsSet)();
+};
+
+void setCombinerConstant(const GLfloat *color) {
+  glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color);
+}
+
+/// The context's first constant as colour.
+void setShader() {
+  glBindFragmentShaderATI(glGenFragmentShadersATI(1));
+  glBeginFragmentShaderATI();
+  glColorFragmentOp1ATI(GL_MOV_ATI, GL_REG_0_ATI, GL_NONE, GL_NONE, GL_CON_0_ATI, GL_NONE, GL_NONE);
+  glAlphaFragmentOp1ATI(GL_MOV_ATI, GL_REG_0_ATI, GL_NONE, GL_ONE, GL_NONE, GL_NONE);
+  glEndFragmentShaderATI();
+  glEnable(GL_FRAGMENT_SHADER_ATI);
+}
+
+void setShaderConstant(const GLfloat *color) {
+  glSetFragmentShaderConstantATI(GL_CON_0_ATI, color);
+}
+
+bool isShaderAsSet() {
+  GLint constants = 0;
+  glGetIntegerv(GL_NUM_FRAGMENT_CONSTANTS_ATI, &constants);
+  return constants == 8 && glIsEnabled(GL_FRAGMENT_SHADER_ATI) == GL_TRUE &&
+         glGetError() == GL_NO_ERROR;
+}
+
+const Kind kKinds[] = {
+    {"combiners", [] { setCombiners(GL_CONSTANT_COLOR0_NV); }, setCombinerConstant,
+     [] { return isAsSet(GL_CONSTANT_COLOR0_NV); }},
+    {"texture-shaders",
+     [] {
+       setCombiners(GL_TEXTURE0);
+       glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_PASS_THROUGH_NV);
+       glEnable(GL_TEXTURE_SHADER_NV);
+     },
+     setCombinerConstant, [] { return isAsSet(GL_TEXTURE0); }},
+    {"ati-fragment-api", setShader, setShaderConstant, isShaderAsSet},
+};
+
+bool offers(const Kind &kind) {
+  if (&kind == &kKinds[2])
+    return epoxy_has_gl_extension("GL_ATI_fragment_shader");
+  return epoxy_has_gl_extension("GL_NV_register_combiners") &&
+         (&kind == &kKinds[0] || epoxy_has_gl_extension("GL_NV_texture_shader"));
+}
+
+void tick(const Kind &kind, long frames) {
   std::array<unsigned char, 4> last{1, 2, 3, 4};
   for (long frame = 0; frame != frames; ++frame) {
     const GLfloat green[] = {0, 1, 0, 1}, other[] = {GLfloat(frame % 2), 0, 1, 1};
-    glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, green);
+    kind.setConstant(green);
     glMultiTexCoord4fv(GL_TEXTURE0, green);
     glRectf(-1, -1, 1, 1);
-    glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, other); // of no draw
+    kind.setConstant(other); // of no draw
     std::array<unsigned char, 4> colour{};
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, colour.data());
     if (colour != last)
       std::printf("%d %d %d\n", colour[0], colour[1], colour[2]);
-    if (!isAsSet(from))
+    if (!kind.isAsSet())
       std::puts("unlike what was set");
     std::fflush(stdout);
     last = colour;
@@ -60,19 +113,16 @@ void tick(GLenum from, long frames) {
 } // namespace
 
 int main(int argc, char **argv) {
-  const bool shaders = argc > 1 && std::strcmp(argv[1], "texture-shaders") == 0;
-  if (!makeContext() || !epoxy_has_gl_extension("GL_NV_register_combiners") ||
-      (shaders && !epoxy_has_gl_extension("GL_NV_texture_shader"))) {
+  const Kind *kind = kKinds;
+  for (const Kind &each : kKinds)
+    if (argc > 1 && std::strcmp(argv[1], each.name) == 0)
+      kind = &each;
+  if (!makeContext() || !offers(*kind)) {
     std::puts("no such context");
     return 1;
   }
   makeTarget();
-  const GLenum from = shaders ? GL_TEXTURE0 : GL_CONSTANT_COLOR0_NV;
-  setCombiners(from);
-  if (shaders) {
-    glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, GL_PASS_THROUGH_NV);
-    glEnable(GL_TEXTURE_SHADER_NV);
-  }
-  tick(from, argc > 2 ? std::atol(argv[2]) : -1);
+  kind->set();
+  tick(*kind, argc > 2 ? std::atol(argv[2]) : -1);
   return 0;
 }

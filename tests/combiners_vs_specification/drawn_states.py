@@ -20,8 +20,11 @@ def draw(args, client, backend, scratch):
     stats = pathlib.Path(scratch) / f"stats-{backend}.json"
     env = sides.environment(sides.layer_of(build), backend, {
         "XDG_CACHE_HOME": str(scratch), "ARBITER_STATS": str(stats), "ARBITER_PROFILE": args.profile})
-    result = subprocess.run([build / client, "--first", str(args.first), "--count", str(args.count)], env=env,
-                            capture_output=True, text=True, timeout=args.count * 5 + 60)
+    command = [build / client, "--first", str(args.first), "--count", str(args.count)]
+    if args.fx9:
+        env["ARBITER_NUMERICS"] = "fx9"
+        command.append("--fx9")
+    result = subprocess.run(command, env=env, capture_output=True, text=True, timeout=args.count * 5 + 60)
     lines = result.stdout.splitlines()
     try:
         report = json.loads(lines[-1])
@@ -46,8 +49,9 @@ def judge(backend, result, report, part, most_unjudged, least_drawn):
     return wrong
 
 
-def main(description, client, most_unjudged, least_drawn):
+def main(description, client, most_unjudged, least_drawn, has_fx9=False):
     """
+    has_fx9: the client can be asked for the integers of the numerics fx9
     client: its path in the build folder
     most_unjudged: of the cells, the part that may stay undecided
     least_drawn: of the draws, the part that the rasterizer draws where it is asked for
@@ -59,6 +63,10 @@ def main(description, client, most_unjudged, least_drawn):
     parser.add_argument("--backend", default="both", choices=("host", "swrast", "both"))
     parser.add_argument("--profile", default="host")
     parser.add_argument("--json", type=pathlib.Path)
+    if has_fx9:
+        parser.add_argument("--fx9", action="store_true")
+    else:
+        parser.set_defaults(fx9=False)
     args = parser.parse_args()
     failed, reports = 0, {}
     backends = ("host", "swrast") if args.backend == "both" else (args.backend,)

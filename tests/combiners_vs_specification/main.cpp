@@ -1,7 +1,7 @@
-// combiners [--first SEED] [--count N] [--unsigned] [--verbose]: draws with random states of
-// NV_register_combiners and 2, and compares each pixel with the equations of section 3.8.12, worked
-// out in double precision. Ends with one line of JSON: what was drawn, what differs, what was not
-// judged.
+// combiners [--first SEED] [--count N] [--unsigned] [--fx9] [--verbose]: draws with random states
+// of NV_register_combiners and 2, and compares each pixel with the equations of section 3.8.12,
+// worked out in double precision; with --fx9, which ARBITER_NUMERICS is to be, exactly, with
+// integers. Ends with one line of JSON: what was drawn, what differs, what was not judged.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,12 +19,14 @@ using namespace arbiter::fp;
 using combiners::Evaluated;
 
 constexpr double kTolerance = 1.0;     ///< of 255, between a byte that was drawn and the equations
+constexpr double kExactly = 0.01;      ///< the same of whole numbers of 255ths
 constexpr double kUndetermined = 1e-3; ///< distances of a mux from its other choice
 
 struct Options {
   Seeds seeds;
   bool verbose = false;
   bool isUnsigned = false; ///< no texels below zero
+  bool fx9 = false;        ///< by the integers of Numerics::Fx9
 };
 
 struct Tally {
@@ -119,7 +121,7 @@ void judge(std::uint64_t seed, const combined::Scene &scene, const Options &opti
     }
     const double distance = distanceOf(pixels, cell, expected.color);
     tally.worst = std::max(tally.worst, distance);
-    if (distance <= kTolerance)
+    if (distance <= (options.fx9 ? kExactly : kTolerance))
       continue;
     if (same || options.verbose)
       report(seed, scene, cell, distance, expected);
@@ -136,7 +138,7 @@ int run(const Options &options) {
   units = std::min(units, GLint(combiners::kTextures));
   stages = std::min(stages, GLint(combiners::kStages));
   makeTarget();
-  combined::Scene scene(units, !options.isUnsigned);
+  combined::Scene scene(units, !options.isUnsigned, options.fx9);
   Tally tally;
   for (std::uint64_t seed = options.seeds.first; seed < options.seeds.last(); ++seed) {
     testing::Random random(seed);
@@ -165,7 +167,8 @@ int main(int argc, char **argv) {
           argc, argv, "Draws random states of register combiners and judges each pixel.",
           options.seeds,
           {{"--verbose", "says what differs", options.verbose},
-           {"--unsigned", "no texels below zero", options.isUnsigned}}))
+           {"--unsigned", "no texels below zero", options.isUnsigned},
+           {"--fx9", "by the integers of the numerics fx9", options.fx9}}))
     return *status;
   if (!openContextWith("GL_NV_register_combiners2"))
     return kSkipped;

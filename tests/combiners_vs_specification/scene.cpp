@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cell_square.h"
+#include "fp_compiler/testing/evaluate_combiners_fx9.h"
 #include "issue.h"
 
 namespace combined {
@@ -16,17 +17,21 @@ namespace {
 constexpr GLenum kTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D,
                                GL_TEXTURE_CUBE_MAP};
 
-Color color(Random &random) {
+Color color(Random &random, bool fx9) {
   Color value;
-  for (double &c : value)
+  for (double &c : value) {
     c = double(random.real(0.0f, 1.0f));
+    if (fx9)
+      c = std::clamp((std::round(c * 255.0) + double(random.real(-0.4f, 0.4f))) / 255.0, 0.0, 1.0);
+  }
   return value;
 }
 
 } // namespace
 
-Scene::Scene(int units, bool negativeTexels)
-    : m_units(units), m_textures(makeTextures(negativeTexels)), m_cells(kCells * kCells) {}
+Scene::Scene(int units, bool negativeTexels, bool fx9)
+    : m_units(units), m_fx9(fx9), m_textures(makeTextures(negativeTexels)),
+      m_cells(kCells * kCells) {}
 
 /// Of each unit every target has a texture, and one or none is enabled.
 std::uint8_t Scene::bind(Random &random) {
@@ -51,7 +56,7 @@ std::uint8_t Scene::bind(Random &random) {
 void Scene::arrangeFog(Random &random) {
   constexpr GLenum kModes[] = {GL_NONE, GL_LINEAR, GL_EXP, GL_EXP2};
   m_fogMode = kModes[random.below(4)];
-  m_inputs.fog = color(random);
+  m_inputs.fog = color(random, m_fx9);
   m_inputs.fog[3] = 0.25; // is in no register
   m_density = double(random.real(0.25f, 2.0f));
   m_start = double(random.real(0.0f, 0.5f));
@@ -83,8 +88,8 @@ double Scene::fogFactor(double distance) const {
 
 void Scene::arrangeCells(Random &random) {
   for (Cell &cell : m_cells) {
-    cell.primary = color(random);
-    cell.secondary = color(random);
+    cell.primary = color(random, m_fx9);
+    cell.secondary = color(random, m_fx9);
     cell.secondary[3] = 1.0; // what SecondaryColor3 gives it
     cell.fog = random.real(0.0f, 2.0f);
     for (std::size_t unit = 0; unit < cell.r.size(); ++unit) {
@@ -101,7 +106,7 @@ void Scene::arrange(Random &random, arbiter::fp::testing::RandomCombinersOptions
   m_state = arbiter::fp::testing::randomCombiners(random, options);
   issue(m_state);
   for (Color &constant : m_inputs.constants)
-    constant = color(random);
+    constant = color(random, m_fx9);
   issueConstants(m_inputs, options.stages);
   arrangeFog(random);
   arrangeCells(random);
@@ -135,7 +140,8 @@ Evaluated Scene::evaluate(int cell) const {
     if (texture->compares)
       inputs.textures[unit].fill(double(of.r[unit]) <= texture->contents[3] ? 1.0 : 0.0);
   }
-  return arbiter::fp::combiners::evaluate(m_state, inputs);
+  return m_fx9 ? arbiter::fp::combiners::evaluateFx9(m_state, inputs)
+               : arbiter::fp::combiners::evaluate(m_state, inputs);
 }
 
 } // namespace combined

@@ -19,7 +19,8 @@ inline constexpr int kSize = kCells * kCellSize;
 class Scene {
 public:
   /// \param negativeTexels some texels are below zero
-  Scene(int units, bool negativeTexels);
+  /// \param fx9 of Numerics::Fx9: no color is where it is rounded to one number or another
+  Scene(int units, bool negativeTexels, bool fx9);
   /// A new state and new values for everything around it; GL is set to it.
   void arrange(arbiter::fp::testing::Random &random,
                arbiter::fp::testing::RandomCombinersOptions options);
@@ -42,6 +43,7 @@ private:
   [[nodiscard]] double fogFactor(double distance) const;
 
   int m_units;
+  bool m_fx9;
   std::vector<Texture> m_textures;
   std::array<const Texture *, arbiter::fp::combiners::kTextures> m_bound{};
   arbiter::fp::combiners::State m_state;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Register combiners and texture shaders of running clients, listed, shown, replaced and switched off as
-programs are: through `arbiter ctl`.
+"""Register combiners, texture shaders, and shaders that the commands of ATI_fragment_shader made, of running clients:
+listed, shown, replaced and switched off as programs are, through `arbiter ctl`.
 
 usage: states_test.py ARBITER STATE_TICKER PAINTER [unittest arguments]
 STATE_TICKER draws green by its state, and complains where its queries answer anything but that
@@ -11,22 +11,25 @@ import subprocess
 import controlled
 from controlled import ARBITER, PATIENCE, TICKER, Controlled
 
-CARD = ('--profile', 'nv25')
-# Of each kind: how its text's file is named, how its text begins, red in its place, and the colour without it:
-# fixed function's white, or combiners behind a unit that has no texture.
+# Of each kind: its card, how many objects hold it, how its text's file is named, how its text begins, red in its
+# place, and the colour without it: fixed function's white, or combiners behind a unit that has no texture.
 KINDS = {
-    'combiners': ('.nvrc', '!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n',
+    'combiners': ('nv25', 0, '.nvrc', '!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n',
                   '!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n', '255 255 255'),
-    'texture-shaders': ('.nvts', '!!TS1.0\npass_through();\n',
+    'texture-shaders': ('nv25', 0, '.nvts', '!!TS1.0\npass_through();\n',
                         '!!TS1.0\npass_through();\n!!RC1.0\nconst0 = (1, 0, 0, 1);\n'
                         '{ rgb { spare0 = unsigned_invert(tex0); } }\nout.rgb = const0 * spare0;\n', '0 0 0'),
+    'ati-fragment-api': ('r300', 1, '.atifs', '!!ATIfs1.0\nStartConstants;\n  CONSTANT c0 = program.env[0];\n',
+                         '!!ATIfs1.0\nStartConstants; CONSTANT c0 = {1, 0, 0, 1}; EndConstants;\n'
+                         'StartOutputPass;\nMOV r0, c0;\nEndPass;\n', '255 255 255'),
 }
 
 
 class States(Controlled):
     def each_kind(self):
-        for kind, (extension, begins, red, without) in KINDS.items():
-            with self.subTest(kind=kind), self.running(TICKER, kind, options=('--control', *CARD)) as output:
+        for kind, (card, objects, extension, begins, red, without) in KINDS.items():
+            self.card, self.objects = ('--profile', card), objects
+            with self.subTest(kind=kind), self.running(TICKER, kind, options=('--control', *self.card)) as output:
                 self.assertTrue(output.waits_for('0 255 0'))
                 row, = self.programs()
                 self.assertTrue(row['id'].endswith(extension), row)
@@ -37,12 +40,12 @@ class States(Controlled):
     def test_they_are_listed_and_shown(self):
         for row, output, begins, _, _ in self.each_kind():
             self.assertEqual([row[name] for name in ('objects', 'bound', 'effective', 'edited', 'enabled')],
-                             [0, True, True, False, True])
+                             [self.objects, True, True, False, True])
             self.assertEqual(row['counts']['alu_instructions'], 1)
             text = self.ctl('get', row['id']).stdout
             self.assertTrue(text.startswith(begins), text)
             (self.folder / row['id']).write_text(text)
-            checked = subprocess.run([ARBITER, 'check', *CARD, self.folder / row['id']], env=self.environment,
+            checked = subprocess.run([ARBITER, 'check', *self.card, self.folder / row['id']], env=self.environment,
                                      capture_output=True, timeout=PATIENCE)
             self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
             self.assertIn(row['id'], self.ctl('programs').stdout)
@@ -57,7 +60,7 @@ class States(Controlled):
                 self.assertTrue(output.waits_for('255 0 0'), 'the text is not drawn with')
                 now, = self.programs()
                 self.assertEqual((now['id'], now['edited'], now['effective']), (row['id'], True, True))
-                mine.write_text(red.replace('(1, 0, 0, 1)', '(1, 0, 1, 1)'))
+                mine.write_text(red.replace('1, 0, 0, 1', '1, 0, 1, 1'))
                 self.assertTrue(output.waits_for('255 0 255'), 'the changed file is not drawn with')
                 self.assertGreater(self.programs()[0]['draws'], 0)
             self.assertTrue(output.waits_for('0 255 0'), 'the own state is not back')
@@ -87,8 +90,8 @@ class States(Controlled):
                 self.assertTrue(output.waits_for('255 0 0'))
                 self.ctl('export', patches)
             self.assertEqual((patches / row['id']).read_text(), red)
-            result = subprocess.run([ARBITER, 'run', *CARD, '--replace', patches, '--', TICKER, row['target'], '1'],
-                                    env=self.environment, capture_output=True, timeout=PATIENCE)
+            command = [ARBITER, 'run', *self.card, '--replace', patches, '--', TICKER, row['target'], '1']
+            result = subprocess.run(command, env=self.environment, capture_output=True, timeout=PATIENCE)
             self.assertEqual(result.stdout, b'255 0 0\n')
 
 

@@ -30,7 +30,8 @@ public:
   /// \param textures what makes the texture registers; none: samples of the units' targets
   Lowering(ir::Builder &builder, const State &state, const Surroundings &surroundings,
            const InitialTexture &textures)
-      : m_state(state), m_around(surroundings), m_textures(textures), m_builder(builder) {}
+      : m_state(state), m_around(surroundings), m_textures(textures), m_builder(builder),
+        m_values(builder, surroundings.fx9) {}
 
   void run() {
     for (int i = 0; i < m_state.count; ++i)
@@ -61,7 +62,8 @@ private:
     std::optional<Contents> &known = m_constants[std::size_t(index)];
     if (!known) {
       const Source color = m_builder.env(index);
-      known = {{color, 0.0f, 1.0f, {}}, {color, 0.0f, 1.0f, {}}};
+      const Value value{color, 0.0f, 1.0f, {}};
+      known = {m_values.registered(Half::Rgb, value), m_values.registered(Half::Alpha, value)};
     }
     return *known;
   }
@@ -69,7 +71,7 @@ private:
   /// Table RC.1.
   Value initial(Register name, Half half) {
     const auto attribute = [&](ir::AttributeKind kind) {
-      return Value{m_builder.attribute(kind), -Value::kAny, Value::kAny, {}};
+      return m_values.registered(half, unknown(m_builder.attribute(kind)));
     };
     switch (name) {
     case Register::Primary:
@@ -77,7 +79,7 @@ private:
     case Register::Secondary:
       return attribute(ir::AttributeKind::ColorSecondary);
     case Register::Fog:
-      return half == Half::Rgb ? fogColor() : fogFactor();
+      return m_values.registered(half, half == Half::Rgb ? fogColor() : fogFactor());
     case Register::Spare0:
       return half == Half::Alpha ? texture(0).alpha : m_values.literal(0.0f);
     default:
@@ -96,11 +98,13 @@ private:
     return *known;
   }
 
+  static Value unknown(const Source &source) { return {source, -Value::kAny, Value::kAny, {}}; }
+
   Contents given(const std::optional<Source> &texture) {
     if (!texture)
       return {m_values.literal(0.0f), m_values.literal(0.0f)};
-    return {{*texture, -Value::kAny, Value::kAny, {}},
-            {texture->swz("w"), -Value::kAny, Value::kAny, {}}};
+    return {m_values.registered(Half::Rgb, unknown(*texture)),
+            m_values.registered(Half::Alpha, unknown(texture->swz("w")))};
   }
 
   /// Conventional texturing of the unit, and table RC.2.
@@ -127,7 +131,7 @@ private:
   Value fogColor() {
     ir::StateRef color;
     color.item = ir::StateItem::FogColor;
-    return {m_builder.state(color), -Value::kAny, Value::kAny, {}};
+    return unknown(m_builder.state(color));
   }
 
   /// OpenGL 1.4, section 3.10; one where fog is disabled. The state's parameters are the density,
@@ -203,7 +207,7 @@ private:
       Value cd = product(half, in(2), in(3), portion.cdDot);
       write(portion.cd, cd);
       if (portion.cdDot)
-        cd = clamped(half, cd);
+        cd = clamped(half, cd, m_values.oneOfProduct());
       return write(portion.sum, m_values.multiplyAdd(half, in(0), in(1), cd));
     }
     Value ab = sums || needsAb ? product(half, in(0), in(1), portion.abDot) : Value{};
@@ -214,9 +218,9 @@ private:
     if (!sums)
       return;
     if (portion.abDot)
-      ab = clamped(half, ab);
+      ab = clamped(half, ab, m_values.oneOfProduct());
     if (portion.cdDot)
-      cd = clamped(half, cd);
+      cd = clamped(half, cd, m_values.oneOfProduct());
     write(portion.sum, portion.mux
                            ? m_values.chosen(half, read(Register::Spare0, Half::Alpha), ab, cd)
                            : m_values.sum(half, ab, cd));
@@ -226,13 +230,14 @@ private:
     return dot ? m_values.dot(a, b) : m_values.product(half, a, b);
   }
 
-  Value clamped(Half half, const Value &value) {
-    return m_values.atMost(half, m_values.atLeast(half, value, -1.0f), 1.0f);
+  /// \param one of what the value is
+  Value clamped(Half half, const Value &value, float one) {
+    return m_values.atMost(half, m_values.atLeast(half, value, -one), one);
   }
 
   Value output(const Value &computed, Half half, const Portion &portion) {
-    const float scale = factor(portion.scale);
-    return clamped(half, m_values.scaled(half, computed, scale, portion.bias ? -0.5f * scale : 0));
+    return clamped(half, m_values.fromProduct(half, computed, factor(portion.scale), portion.bias),
+                   m_values.one());
   }
 
   // --- The final combiner (3.8.12.3) ---
@@ -246,16 +251,23 @@ private:
 
   void final() {
     if (isFinalInput(Register::ETimesF))
-      m_product = m_values.product(Half::Rgb, variable(Half::Rgb, m_state.finals[4]),
-                                   variable(Half::Rgb, m_state.finals[5]));
+      m_product =
+          m_values.fromProduct(Half::Rgb,
+                               m_values.product(Half::Rgb, variable(Half::Rgb, m_state.finals[4]),
+                                                variable(Half::Rgb, m_state.finals[5])),
+                               1.0f, false);
     if (isFinalInput(Register::Spare0PlusSecondary))
       m_sum = colorSum();
     const Value a = finalVariable(0), b = finalVariable(1), c = finalVariable(2),
                 d = finalVariable(3);
-    const Value color = m_values.atMost(
-        Half::Rgb, m_values.sum(Half::Rgb, m_values.blended(Half::Rgb, a, b, c), d), 1.0f);
+    const Value added = m_values.product(Half::Rgb, d, m_values.literal(m_values.one()));
+    const Value computed = m_values.fromProduct(
+        Half::Rgb, m_values.sum(Half::Rgb, m_values.blended(Half::Rgb, a, b, c), added), 1.0f,
+        false);
+    const Value color =
+        m_values.given(Half::Rgb, m_values.atMost(Half::Rgb, computed, m_values.one()));
     m_builder.op(Opcode::Mov, m_builder.color().mask("xyz"), {color.source});
-    const Value alpha = variable(Half::Alpha, m_state.finals[6]);
+    const Value alpha = m_values.given(Half::Alpha, variable(Half::Alpha, m_state.finals[6]));
     m_builder.op(Opcode::Mov, m_builder.color().mask("w"), {alpha.source});
   }
 
@@ -265,7 +277,7 @@ private:
     };
     const Value sum =
         m_values.sum(Half::Rgb, positive(Register::Spare0), positive(Register::Secondary));
-    return m_state.sumClamp ? m_values.atMost(Half::Rgb, sum, 1.0f) : sum;
+    return m_state.sumClamp ? m_values.atMost(Half::Rgb, sum, m_values.one()) : sum;
   }
 
   /// A to D, whose sources may be the pseudo-registers, with an alpha of zero.
@@ -282,7 +294,7 @@ private:
   const Surroundings &m_around;
   const InitialTexture &m_textures;
   ir::Builder &m_builder;
-  Values m_values{m_builder};
+  Values m_values;
   int m_stage = 0; ///< -1 in the final combiner
   std::array<std::array<std::optional<Value>, 2>, kRegisters> m_registers;
   std::array<std::optional<Contents>, kTextures> m_samples;

@@ -10,6 +10,7 @@
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
 #include "fp_compiler/testing/evaluate_combiners.h"
+#include "fp_compiler/testing/evaluate_combiners_fx9.h"
 #include "fp_compiler/testing/random_combiners.h"
 
 namespace arbiter::fp::combiners {
@@ -124,11 +125,13 @@ struct Fragment {
     }
   }
 
-  [[nodiscard]] ir::Evaluation run(const ir::Program &program) const {
+  [[nodiscard]] ir::Evaluation run(const ir::Program &program,
+                                   Numerics numerics = Numerics::Host) const {
     std::vector<ir::Vec4> attributes;
     for (const ir::Attribute &row : program.attributes)
       attributes.push_back(attribute(row));
     ir::Inputs given;
+    given.numerics = numerics;
     given.attributes = attributes;
     given.parameter = [this](const ir::Parameter &row) { return parameter(row); };
     given.texture = [this](const ir::Sample &sample) { return texel(sample); };
@@ -158,6 +161,32 @@ TEST(Combiners, RandomStatesGiveWhatTheEquationsGive) {
           << ir::print(program);
   }
   EXPECT_GT(judged, 11000);
+}
+
+/// Every step is exact, so that the two readings agree to the number, before the passes and behind
+/// them.
+TEST(Combiners, RandomStatesGiveTheIntegersOfNineBits) {
+  int judged = 0;
+  for (std::uint64_t seed = 0; seed < 12000; ++seed) {
+    Fragment fragment(seed);
+    fragment.around.fx9 = true;
+    const Evaluated expected = evaluateFx9(fragment.state, fragment.inputs);
+    if (expected.margin < 1e-3)
+      continue;
+    ++judged;
+    ir::Program program = lower(essential(fragment.state), fragment.around);
+    ASSERT_TRUE(ir::validate(program).empty()) << "seed " << seed << "\n" << ir::print(program);
+    for (const bool optimised : {false, true}) {
+      if (optimised)
+        optimise(program, Numerics::Fx9);
+      const ir::Evaluation result = fragment.run(program, Numerics::Fx9);
+      for (std::size_t c = 0; c < 4; ++c)
+        ASSERT_NEAR(double(result.outputs[0][c]), expected.color[c], 1e-6)
+            << "seed " << seed << ", component " << c << (optimised ? ", optimised" : "") << "\n"
+            << ir::print(program);
+    }
+  }
+  EXPECT_GT(judged, 9000);
 }
 
 TEST(Combiners, WhatIsSampledIsAmongTheTexturesThatAreRead) {

@@ -132,6 +132,7 @@ struct Surroundings {
   std::array<ir::TexTarget, kTextures> targets{}; ///< shadow targets compare
   std::array<Texel, kTextures> texels{};
   ir::FogMode fog = ir::FogMode::None; ///< FOG's mode where it is enabled
+  bool fx9 = false;                    ///< numbers are those of Numerics::Fx9
   bool operator==(const Surroundings &) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "fp_compiler/combiners/values.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace arbiter::fp::combiners {
 
@@ -123,18 +124,49 @@ Value Values::sum(Half half, const Value &a, const Value &b) {
               bounded(double(a.high) + double(b.high)));
 }
 
+Value Values::roundedDown(Half half, const Value &value) {
+  if (value.literal)
+    return literal(std::floor(*value.literal));
+  return emit(half, Opcode::Flr, {value.source}, std::floor(value.low), std::floor(value.high));
+}
+
+Value Values::registered(Half half, const Value &given) {
+  if (!m_fx9)
+    return given;
+  const Value inRange = atMost(half, atLeast(half, given, -1.0f), 1.0f);
+  return roundedDown(half, scaled(half, inRange, one(), 0.5f));
+}
+
+Value Values::fromProduct(Half half, const Value &product, float scale, bool biased) {
+  if (!m_fx9)
+    return scaled(half, product, scale, biased ? -oneHalf() * scale : 0.0f);
+  // What is rounded lies between two numbers in steps of 1 / 255, or half of those. A quarter of a
+  // step more decides nothing, but takes ties out of the reach of errors that the factor brings in.
+  const float quarter = 0.25f * std::min(scale, 1.0f) / one();
+  const float bias = biased ? -oneHalf() * scale : 0.0f;
+  return roundedDown(half, scaled(half, product, scale / one(), bias + 0.5f + quarter));
+}
+
+Value Values::given(Half half, const Value &value) {
+  return m_fx9 ? product(half, value, literal(1.0f / one())) : value;
+}
+
 Value Values::chosen(Half half, const Value &chooser, const Value &below, const Value &other) {
   if (chooser.literal)
-    return *chooser.literal < 0.5f ? below : other;
+    return *chooser.literal < oneHalf() ? below : other;
   // The difference of two floats has its exact sign.
   const Value distance =
-      emit(Half::Alpha, Opcode::Sub, {chooser.source.swz("w"), literal(0.5f).source}, -Value::kAny,
-           Value::kAny);
+      emit(Half::Alpha, Opcode::Sub, {chooser.source.swz("w"), literal(oneHalf()).source},
+           -Value::kAny, Value::kAny);
   return emit(half, Opcode::Cmp, {distance.source.swz("w"), below.source, other.source},
               std::min(below.low, other.low), std::max(below.high, other.high));
 }
 
 Value Values::blended(Half half, const Value &a, const Value &b, const Value &c) {
+  if (m_fx9) {
+    const Value difference = sum(half, b, negated(c));
+    return sum(half, product(half, a, difference), product(half, c, literal(one())));
+  }
   if (a.is(1.0f))
     return b;
   if (a.is(0.0f))
@@ -153,17 +185,17 @@ Value Values::mapped(Half half, const Value &value, Mapping mapping) {
   const Value positive = atLeast(half, value, 0.0f);
   switch (mapping) {
   case Mapping::UnsignedInvert: {
-    const Value unit = atMost(half, positive, 1.0f);
-    return unit.literal ? literal(1.0f - *unit.literal) : sum(half, literal(1.0f), negated(unit));
+    const Value unit = atMost(half, positive, one());
+    return unit.literal ? literal(one() - *unit.literal) : sum(half, literal(one()), negated(unit));
   }
   case Mapping::ExpandNormal:
-    return scaled(half, positive, 2.0f, -1.0f);
+    return scaled(half, positive, 2.0f, -one());
   case Mapping::ExpandNegate:
-    return scaled(half, positive, -2.0f, 1.0f);
+    return scaled(half, positive, -2.0f, one());
   case Mapping::HalfBiasNormal:
-    return sum(half, positive, literal(-0.5f));
+    return sum(half, positive, literal(-oneHalf()));
   case Mapping::HalfBiasNegate:
-    return sum(half, literal(0.5f), negated(positive));
+    return sum(half, literal(oneHalf()), negated(positive));
   default:
     return positive;
   }

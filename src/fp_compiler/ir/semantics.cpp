@@ -260,7 +260,7 @@ float saturated(float value) {
 
 Numerics numericsOf(Language language, Numerics asked) {
   const bool vertex = language == Language::ArbVertex;
-  return vertex && asked == Numerics::Fp24 ? Numerics::Legacy : asked;
+  return vertex && asked == Numerics::Fp24 ? Numerics::Legacy : ofInstructions(asked);
 }
 
 float held(float value, Numerics numerics) {

@@ -12,6 +12,7 @@ Key essential(const Key &key) {
   result.fog = key.fog;
   if (key.combines) {
     result.combiners = combiners::essential(key.combiners);
+    result.fx9 = key.fx9;
     return result;
   }
   result.environments = key.environments;
@@ -60,6 +61,7 @@ ir::Program lower(const Key &key) {
   if (key.combines) {
     combiners::Surroundings around;
     around.fog = key.fog;
+    around.fx9 = key.fx9;
     combiners::lower(builder, key.combiners, around,
                      [&](int unit) { return registerOf(stages, unit); });
   } else {

@@ -14,6 +14,7 @@ struct Key {
   Environments environments;
   ir::FogMode fog = ir::FogMode::None; ///< FOG's mode where it is enabled
   bool colorSum = false;
+  bool fx9 = false; ///< the combiners' numbers are those of Numerics::Fx9
   bool operator==(const Key &) const = default;
 };
 

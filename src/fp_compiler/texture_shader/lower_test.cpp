@@ -222,6 +222,12 @@ TEST(TextureShaders, GoBeforeCombinersToo) {
   EXPECT_NEAR(got.outputs[0][1], 1.0f, 1e-6f);
   EXPECT_NEAR(got.outputs[0][2], 0.0f, 1e-6f);
   EXPECT_NEAR(got.outputs[0][3], 0.5f, 1e-6f) << "spare0's alpha";
+  Key nine = key;
+  nine.fx9 = true;
+  EXPECT_FALSE(essential(key) == essential(nine));
+  const ir::Evaluation rounded = fragment.run(lower(essential(nine)));
+  EXPECT_NEAR(rounded.outputs[0][0], 64.0f / 255.0f, 1e-6f) << "63.75";
+  EXPECT_NEAR(rounded.outputs[0][3], 128.0f / 255.0f, 1e-6f) << "127.5";
 }
 
 } // namespace

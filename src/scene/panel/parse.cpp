@@ -19,14 +19,14 @@ bool readSize(Reader &reader) {
 
 bool readNumerics(Reader &reader) {
   Name &name = reader.panel().numerics;
-  if (!reader.name("host, legacy or fp24", name))
+  if (!reader.name("host, legacy, fp24 or fx9", name))
     return false;
   if (fp::numericsNamed(name.text))
     return true;
   const fp::Span span = name.span;
   name = {};
   return reader.warning(span, "panel-word", "these numerics are unknown and have no effect",
-                        "one of host, legacy, fp24");
+                        "one of host, legacy, fp24, fx9");
 }
 
 bool readProfile(Reader &reader) {

@@ -141,8 +141,7 @@ ObservedDraw DrawObserver::describe(const char *command) const {
   if (const CompiledProgram *const vertex = stages[0]->compiled)
     draw.vertex = textFileName(vertex->target, vertex->hash);
   draw.compiled = stages[1]->compiled;
-  if (draw.compiled && *infoOf(draw.compiled->target).extension != '\0' &&
-      !isOfState(draw.compiled->target))
+  if (draw.compiled && hasText(*draw.compiled) && !isOfState(draw.compiled->target))
     draw.fragment = textFileName(draw.compiled->target, draw.compiled->hash);
   return draw;
 }

@@ -36,7 +36,7 @@ std::map<std::string, KnownProgram> knownPrograms(Session &session, const Contex
   for (const std::shared_ptr<ShareGroup> &group : session.groups())
     for (const std::shared_ptr<ProgramObject> &object : group->objects()) {
       const std::shared_ptr<const CompiledProgram> compiled = group->compiledOf(*object);
-      if (!compiled || *infoOf(object->target).extension == '\0')
+      if (!compiled || !hasText(*compiled))
         continue;
       const std::string id = textFileName(object->target, compiled->hash);
       KnownProgram &program = programs[id];

@@ -21,8 +21,8 @@ struct KnownProgram {
   bool effective = false; ///< and enabled there, and not switched off
 };
 
-/// Of every share group that has drawn, by id, and the states that were drawn with. ATI shaders
-/// that have no text are none.
+/// Of every share group that has drawn, by id, and the states that were drawn with. Shaders that
+/// have no text are none.
 [[nodiscard]] std::map<std::string, KnownProgram> knownPrograms(Session &session,
                                                                 const Context &context);
 [[nodiscard]] std::optional<KnownProgram> findProgram(Session &session, const Context &context,

@@ -20,13 +20,13 @@ struct TargetInfo {
   GLenum name;
   fp::ir::Language language;
   const char *word;      ///< in statistics and logs
-  const char *extension; ///< of a text's file name; empty: has no text
+  const char *extension; ///< of a text's file name; empty: has no texts
 };
 inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_FRAGMENT_PROGRAM_ARB, fp::ir::Language::ArbFragment, "fragment", ".fp"},
     {GL_VERTEX_PROGRAM_ARB, fp::ir::Language::ArbVertex, "vertex", ".vp"},
     {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment", ".atifs"},
-    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ""},
+    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ".atifs"},
     {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
     {GL_REGISTER_COMBINERS_NV, fp::ir::Language::Combiners, "combiners", ".nvrc"},
     {GL_TEXTURE_SHADER_NV, fp::ir::Language::TextureShaders, "texture-shaders", ".nvts"},
@@ -49,6 +49,13 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
 /// Draws of the target depend on fixed-function state (host_draw/fixed_function.h).
 [[nodiscard]] constexpr bool followsFixedFunction(Target target) {
   return target == Target::AtiText || target == Target::AtiApi || isOfState(target);
+}
+
+/// It has a text, and so a name. A shader that commands made has one where something asks for it
+/// (program_load.h), others of no target or of all.
+[[nodiscard]] inline bool hasText(const CompiledProgram &compiled) {
+  return compiled.target == Target::AtiApi ? compiled.commands != nullptr
+                                           : *infoOf(compiled.target).extension != '\0';
 }
 
 /// The name of a text's file in a capture and in a folder of replacements: "<hash>.fp".

@@ -2,13 +2,10 @@
 // into display lists; the others are executed at once (5.4).
 #include <algorithm>
 
-#include "fp_compiler/ati/lower.h"
-#include "fp_compiler/ir/print.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/drop_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/ati_recorder.h"
@@ -17,8 +14,6 @@
 #include "state/programs/program_load.h"
 #include "state/report/statistics.h"
 #include "state/share/share_group.h"
-#include "util/flags.h"
-#include "util/log.h"
 
 namespace arbiter::state {
 
@@ -66,23 +61,6 @@ void operation(Context &context, const RawOperation &raw) {
           insidePair(context, raw.alpha ? "AlphaFragmentOp outside Begin/EndFragmentShader"
                                         : "ColorFragmentOp outside Begin/EndFragmentShader"))
     judge(context, recorder->operation(raw));
-}
-
-std::shared_ptr<const CompiledProgram> compileShader(const Context &context,
-                                                     const fp::ati::Shader &shader) {
-  auto compiled = std::make_shared<CompiledProgram>();
-  compiled->target = Target::AtiApi;
-  fp::ir::Program program =
-      fp::ati::lower(shader, {.registerRange = context.row(Target::AtiApi).limits.atiRegisterRange,
-                              .clampConstants = false});
-  const std::string listing = fp::ir::print(program);
-  compiled->hash = hashBytes(listing);
-  compiled->underNativeLimits = true;
-  if (debugFlag(DebugFlag::Ir))
-    logText(LogLevel::Debug, "state", toHex(compiled->hash), listing);
-  compiled->ati = std::make_shared<const AtiVariants>(std::move(program), glslHost(context.caps),
-                                                      context.numerics);
-  return compiled;
 }
 
 /// The bound shader becomes `compiled`, or undefined if that is null.
@@ -161,8 +139,10 @@ void EndFragmentShaderATI(Context &context) {
   const std::unique_ptr<AtiRecorder> recorder = std::move(context.atiRecorder);
   const AtiRecorder::Verdict verdict = recorder->end();
   const bool valid = verdict.error == GL_NO_ERROR;
-  auto compiled = valid ? compileShader(context, recorder->shader()) : nullptr;
+  auto compiled = valid ? compileFragmentShader(context, recorder->shader()) : nullptr;
   noteFragmentShader(context, *shaderRow(context).bound, compiled.get(), verdict.why);
+  if (compiled)
+    noteShaderText(context, *compiled);
   replaceShader(context, std::move(compiled));
   judge(context, verdict);
 }

@@ -33,6 +33,11 @@ void enable(Context &context, const ImagingCommand &command) {
 /// A table or a filter whose colours are the framebuffer's.
 void copy(Context &context, ImagingCommand command) {
   using Kind = ImagingCommand::Kind;
+  const GLenum error = command.kind == Kind::CopyTable      ? tableError(command)
+                       : command.kind == Kind::CopySubTable ? subTableError(context, command)
+                                                            : GLenum(GL_NO_ERROR);
+  if (error != GL_NO_ERROR)
+    return raise(context, error, "a copy into a colour table: target, internal format or size");
   const auto pixels = readFramebuffer(context, command.x, command.y, command.width, command.height);
   if (!pixels)
     return;

@@ -33,39 +33,55 @@ imaging::Filter filterFrom(GLenum format, GLsizei width, GLsizei height,
 
 } // namespace
 
+GLenum tableError(const ImagingCommand &command) {
+  bool proxy = false;
+  const int number = tableOf(command.target, proxy);
+  const bool copies = command.kind == ImagingCommand::Kind::CopyTable;
+  if (number < 0 || (proxy && copies) || !imaging::findFormat(command.pname))
+    return GL_INVALID_ENUM;
+  if (!isPower(command.width))
+    return GL_INVALID_VALUE;
+  return !proxy && command.width > ImagingState::kMostEntries ? GLenum(GL_TABLE_TOO_LARGE)
+                                                              : GLenum(GL_NO_ERROR);
+}
+
 void setColorTable(Context &context, const ImagingCommand &command,
                    const std::vector<imaging::Rgba> &colors) {
   ImagingState &state = *context.imaging;
+  if (const GLenum error = tableError(command); error != GL_NO_ERROR)
+    return raise(context, error, "ColorTable: target, internal format or width");
   bool proxy = false;
   const int number = tableOf(command.target, proxy);
-  if (number < 0 || !imaging::findFormat(command.pname))
-    return raise(context, GL_INVALID_ENUM, "ColorTable: target or internal format");
-  if (!isPower(command.width))
-    return raise(context, GL_INVALID_VALUE, "ColorTable: width is no power of two");
-  const bool tooLarge = command.width > ImagingState::kMostEntries;
   if (proxy) {
-    state.proxyTables[std::size_t(number)] =
-        tooLarge ? ProxyTable{0} : ProxyTable{command.pname, command.width};
+    state.proxyTables[std::size_t(number)] = command.width > ImagingState::kMostEntries
+                                                 ? ProxyTable{0}
+                                                 : ProxyTable{command.pname, command.width};
     return;
   }
-  if (tooLarge)
-    return raise(context, GL_TABLE_TOO_LARGE, "ColorTable: width");
   imaging::ColorTable &table = state.contents.tables[std::size_t(number)];
   table = {command.pname, std::vector<imaging::Rgba>(std::size_t(command.width))};
   table.set(0, scaled(state.settings.tables[std::size_t(number)], colors));
 }
 
-void setColorSubTable(Context &context, const ImagingCommand &command,
-                      const std::vector<imaging::Rgba> &colors) {
-  ImagingState &state = *context.imaging;
+GLenum subTableError(const Context &context, const ImagingCommand &command) {
   bool proxy = false;
   const int number = tableOf(command.target, proxy);
   if (number < 0 || proxy)
-    return raise(context, GL_INVALID_ENUM, "ColorSubTable: target");
+    return GL_INVALID_ENUM;
+  const auto &entries = context.imaging->contents.tables[std::size_t(number)].entries;
+  const bool inside = command.start >= 0 && command.width >= 0 &&
+                      std::size_t(command.start) + std::size_t(command.width) <= entries.size();
+  return inside ? GLenum(GL_NO_ERROR) : GLenum(GL_INVALID_VALUE);
+}
+
+void setColorSubTable(Context &context, const ImagingCommand &command,
+                      const std::vector<imaging::Rgba> &colors) {
+  ImagingState &state = *context.imaging;
+  if (const GLenum error = subTableError(context, command); error != GL_NO_ERROR)
+    return raise(context, error, "ColorSubTable: target, start or count");
+  bool proxy = false;
+  const int number = tableOf(command.target, proxy);
   imaging::ColorTable &table = state.contents.tables[std::size_t(number)];
-  if (command.start < 0 || command.width < 0 ||
-      std::size_t(command.start) + std::size_t(command.width) > table.entries.size())
-    return raise(context, GL_INVALID_VALUE, "ColorSubTable: start or count");
   table.set(std::size_t(command.start), scaled(state.settings.tables[std::size_t(number)], colors));
 }
 
@@ -118,16 +134,15 @@ void setFilterParameter(Context &context, const ImagingCommand &command) {
     return;
   }
   imaging::ScaleBias &filter = settings.filters[std::size_t(number)];
-  if (command.flag) // the others have four values
-    raise(context, GL_INVALID_ENUM, "ConvolutionParameter: pname");
-  else if (command.pname == GL_CONVOLUTION_BORDER_COLOR)
-    border.color = command.values;
-  else if (command.pname == GL_CONVOLUTION_FILTER_SCALE)
-    filter.scale = command.values;
-  else if (command.pname == GL_CONVOLUTION_FILTER_BIAS)
-    filter.bias = command.values;
-  else
-    raise(context, GL_INVALID_ENUM, "ConvolutionParameter: pname");
+  // A command of one value has none of those that have four.
+  imaging::Rgba *const to = command.flag                                   ? nullptr
+                            : command.pname == GL_CONVOLUTION_BORDER_COLOR ? &border.color
+                            : command.pname == GL_CONVOLUTION_FILTER_SCALE ? &filter.scale
+                            : command.pname == GL_CONVOLUTION_FILTER_BIAS  ? &filter.bias
+                                                                           : nullptr;
+  if (!to)
+    return raise(context, GL_INVALID_ENUM, "ConvolutionParameter: pname");
+  *to = command.values;
 }
 
 namespace {

@@ -141,11 +141,18 @@ std::optional<imaging::Pixels> unpackPixels(Context &context, const ImageInMemor
   return result;
 }
 
+bool arePixels(Context &context, GLenum format, GLenum type) {
+  return unpackPixels(context, {.dimensions = 1, .width = 0, .format = format, .type = type},
+                      nullptr)
+      .has_value();
+}
+
 bool packPixels(Context &context, const imaging::Pixels &pixels, GLenum format, GLenum type,
                 void *to) {
+  if (pixels.count() == 0)
+    return arePixels(context, format, type);
   bool packed = true;
-  if (pixels.count() != 0)
-    atOnce(context, [&] { packed = pack(context, pixels, format, type, to); });
+  atOnce(context, [&] { packed = pack(context, pixels, format, type, to); });
   return packed;
 }
 

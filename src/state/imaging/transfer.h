@@ -26,6 +26,9 @@ struct ImageInMemory {
 /// Up to the final expansion to RGBA (3.6.4). Empty after an error, which is raised.
 [[nodiscard]] std::optional<imaging::Pixels>
 unpackPixels(Context &context, const ImageInMemory &image, const void *pixels);
+/// That a format and a type go together, as unpackPixels() would find: of images that have no
+/// pixels, or too many.
+[[nodiscard]] bool arePixels(Context &context, GLenum format, GLenum type);
 /// Components as they are, without another conversion than to the type. False after an error, which
 /// is raised. Luminance is red: green and blue are 0 where it is asked for.
 [[nodiscard]] bool packPixels(Context &context, const imaging::Pixels &pixels, GLenum format,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "fp_compiler/ati/lower.h"
+#include "fp_compiler/front/ati/write.h"
 #include "fp_compiler/ir/print.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
@@ -203,6 +205,73 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   if (old)
     dropVariants(context, *old);
   return true;
+}
+
+// --- Shaders that the commands of ATI_fragment_shader made ---
+
+namespace {
+
+fp::CheckResult checkReported(const ProgramTarget &row, std::string_view text) {
+  fp::CompileOptions options = compileOptions(row);
+  options.policy = fp::LimitPolicy::Report;
+  return fp::checkProgram(row.info().language, text, options);
+}
+
+/// Its text, where something asks for one and it can be said so that the compiler takes it.
+void name(CompiledProgram &compiled, const ProgramTarget &row, const fp::ati::Shader &shader) {
+  if (!capturing() && !replacing())
+    return;
+  std::optional<std::string> text = fp::ati::write(shader);
+  if (!text)
+    return;
+  const fp::CheckResult own = checkReported(row, *text);
+  if (!own.ok())
+    return;
+  compiled.text = std::move(*text);
+  compiled.hash = hashBytes(compiled.text);
+  compiled.counts = own.counts;
+  compiled.nativeCounts = own.nativeCounts;
+  compiled.commands = std::make_shared<const fp::ati::Shader>(shader);
+}
+
+} // namespace
+
+std::shared_ptr<const CompiledProgram> compileFragmentShader(const Context &context,
+                                                             const fp::ati::Shader &shader) {
+  const ProgramTarget &row = context.row(Target::AtiApi);
+  auto compiled = std::make_shared<CompiledProgram>();
+  compiled->target = Target::AtiApi;
+  compiled->underNativeLimits = true;
+  name(*compiled, row, shader);
+  std::optional<Replacement> replacement;
+  if (compiled->commands && replacing())
+    replacement = findReplacement(Target::AtiApi, compiled->hash, compileOptions(row));
+  const bool replaced = replacement && replacement->result.ok();
+  if (replaced)
+    compiled->replacement = replacement->text;
+  fp::ir::Program program =
+      replaced ? std::move(*replacement->result.program)
+               : fp::ati::lower(shader, {.registerRange = row.limits.atiRegisterRange,
+                                         .clampConstants = false});
+  const std::string listing = fp::ir::print(program);
+  if (!compiled->commands)
+    compiled->hash = hashBytes(listing);
+  if (debugFlag(DebugFlag::Ir))
+    logText(LogLevel::Debug, "state", toHex(compiled->hash), listing);
+  compiled->ati = std::make_shared<const AtiVariants>(std::move(program), glslHost(context.caps),
+                                                      context.numerics);
+  return compiled;
+}
+
+void noteShaderText(const Context &context, const CompiledProgram &compiled) {
+  if (!compiled.commands)
+    return;
+  if (controlled())
+    ProgramEdits::instance().noteLoad(textFileName(compiled.target, compiled.hash));
+  if (capturing())
+    CaptureRecord::instance()->loaded(context.serial, compiled.target, compiled.text,
+                                      checkReported(context.row(Target::AtiApi), compiled.text), {},
+                                      &compiled);
 }
 
 void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,

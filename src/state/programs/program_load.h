@@ -8,7 +8,7 @@
 #include "state/core/context.h"
 #include "state/lists/display_list.h"
 
-/// A program's text on its way into a program object.
+/// A program's text, or a shader's commands, on their way into a program object.
 namespace arbiter::state {
 
 struct Replacement;
@@ -34,6 +34,15 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
 /// Records ProgramString, or the named one if `object` is not zero, in the list being compiled.
 void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,
                          GLuint object, GLenum format, GLsizei length, const void *string);
+/// What the commands of ATI_fragment_shader said, or what stands in for it. Where programs are
+/// captured, replaced or controlled a shader has a text of ATI_text_fragment_shader and is known by
+/// that, as programs are by theirs; unless that language has no words for it. The context's
+/// constants are program.env[0] to [7] there.
+[[nodiscard]] std::shared_ptr<const CompiledProgram>
+compileFragmentShader(const Context &context, const fp::ati::Shader &shader);
+/// EndFragmentShaderATI has defined it: the capture's record, and clients of control, hear of it,
+/// if it has a text.
+void noteShaderText(const Context &context, const CompiledProgram &compiled);
 /// What emitted GLSL may use of the host.
 [[nodiscard]] fp::GlslHost glslHost(const HostCaps &caps);
 

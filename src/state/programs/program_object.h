@@ -14,6 +14,10 @@
 #include "fp_compiler/native_interface.h"
 #include "util/hash.h"
 
+namespace arbiter::fp::ati {
+struct Shader;
+} // namespace arbiter::fp::ati
+
 namespace arbiter::state {
 
 using Vec4 = std::array<GLfloat, 4>;
@@ -59,6 +63,9 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   std::shared_ptr<const fp::ir::Program> program;
   /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
   std::shared_ptr<const AtiVariants> ati;
+  /// Of a shader of ATI_fragment_shader that has a text, and of its forms: what its commands said,
+  /// which `text` says too.
+  std::shared_ptr<const fp::ati::Shader> commands;
   /// Of a vertex program, whose `glsl` user clip planes do not clip: the form that they do. Null of
   /// that form itself.
   std::shared_ptr<const ClippedVariant> clipped;

@@ -69,9 +69,12 @@ void reload(Context &context, ProgramObject &object, const CompiledProgram &old)
     return;
   if (!replacement && !old.replaced())
     return;
-  const fp::Compilation own = compileText(context, row, old.text);
-  std::shared_ptr<const CompiledProgram> fresh =
-      compileProgram(context, object.target, old.text, own, replacement ? &*replacement : nullptr);
+  std::shared_ptr<const CompiledProgram> fresh;
+  if (old.commands)
+    fresh = compileFragmentShader(context, *old.commands);
+  else
+    fresh = compileProgram(context, object.target, old.text, compileText(context, row, old.text),
+                           replacement ? &*replacement : nullptr);
   if (!fresh) {
     logError("state", "%s is gone and the application's own text is not valid; the last one stays",
              textFileName(object.target, old.hash).c_str());

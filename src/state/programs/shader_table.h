@@ -2,6 +2,7 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <vector>
 
 #include <GL/gl.h>
 
@@ -46,6 +47,15 @@ public:
     m_objects.erase(it);
     object->deleted.store(true, std::memory_order_release);
     return object;
+  }
+
+  /// Every object, at this moment.
+  [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects() {
+    const std::lock_guard lock(m_mutex);
+    std::vector<std::shared_ptr<ProgramObject>> all;
+    for (const auto &[name, object] : m_objects)
+      all.push_back(object);
+    return all;
   }
 
 private:

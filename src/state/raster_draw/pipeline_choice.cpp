@@ -80,7 +80,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
   if (coverage != abi::Coverage::Whole && shape.inputs.size() == m_key.inputs.size())
     return Fallback::State; // no room for the input
   m_key.coverage = coverage;
-  m_key.numerics = std::uint8_t(context.numerics);
+  m_key.numerics = std::uint8_t(fp::ofInstructions(context.numerics));
   abi::DepthStencilKey &depth = m_key.depthStencil;
   depth.layout =
       m_targets->depthStencil ? m_targets->depthStencil->format.layout : abi::Layout::None;

@@ -136,7 +136,7 @@ void CaptureRecord::loaded(std::uint32_t context, Target target, std::string_vie
 void CaptureRecord::used(const ProgramUse &use) {
   const std::lock_guard lock(m_mutex);
   afterFork();
-  // A shader that was made by calls has no text, and no row.
+  // A shader that commands made, and that no text can say, has no row.
   const auto it = m_rows.find(textFileName(use.target, use.program->hash));
   if (it == m_rows.end())
     return;

@@ -75,8 +75,9 @@ std::shared_ptr<const CompiledProgram> ShareGroup::compiledOf(const ProgramObjec
 }
 
 std::vector<std::shared_ptr<ProgramObject>> ShareGroup::objects() {
+  std::vector<std::shared_ptr<ProgramObject>> all = fragmentShaders.objects();
   const std::lock_guard lock(m_mutex);
-  std::vector<std::shared_ptr<ProgramObject>> all(m_defaults.begin(), m_defaults.end());
+  all.insert(all.end(), m_defaults.begin(), m_defaults.end());
   for (const auto &[name, object] : m_objects)
     all.push_back(object);
   return all;

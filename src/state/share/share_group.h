@@ -47,7 +47,8 @@ public:
   [[nodiscard]] bool contains(GLuint name);
   /// A name that is unused and was not given before.
   [[nodiscard]] GLuint takeName();
-  /// Every object of the group, at this moment.
+  /// Every object of the group that may have a text, shaders of ATI_fragment_shader among them, at
+  /// this moment.
   [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects();
   void setCompiled(ProgramObject &object, std::shared_ptr<const CompiledProgram> compiled);
   [[nodiscard]] std::shared_ptr<const CompiledProgram> compiledOf(const ProgramObject &object);

@@ -105,7 +105,8 @@ private:
     if (!text)
       return refuse(text.error().message +
                     " (--against takes swrast, host, bare, fp24, or a program's file)");
-    auto checked = debug::checkText(m_arguments.against, text.value(), profile);
+    auto checked =
+        debug::checkText(m_arguments.against, text.value(), profile, m_session->numerics());
     if (!checked)
       return refuse(checked.error());
     m_reference = std::move(checked).value();

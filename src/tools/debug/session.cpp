@@ -27,10 +27,10 @@ std::string panelErrors(const scene::Document &document) {
 } // namespace
 
 Result<CheckedText, SessionError> checkText(std::string name, std::string text,
-                                            const fp::hw::Profile &profile) {
+                                            const fp::hw::Profile &profile, Numerics numerics) {
   const fp::ir::Language language = chooseLanguage("auto", text);
-  fp::CheckResult result =
-      fp::checkProgram(language, text, {limitsOf(profile, language), fp::LimitPolicy::Enforce});
+  fp::CheckResult result = fp::checkProgram(
+      language, text, {limitsOf(profile, language), fp::LimitPolicy::Enforce, numerics});
   if (!result.ok())
     return SessionError{SessionError::Kind::Invalid, fp::renderAll(name, text, result.diagnostics)};
   // What is read in the middle of a program is read by assembly of the ARB's, and by straight code.
@@ -52,12 +52,15 @@ std::optional<SessionError> Session::read(const SessionOptions &options) {
   if (!profile)
     return usage(profile.error().message);
   m_profile = profile.value();
+  const std::string &asked =
+      options.numerics.empty() ? m_document.panel().numerics.text : options.numerics;
+  m_numerics = fp::numericsNamed(asked).value_or(m_profile.numerics);
   const scene::Pass &pass = m_document.passes[std::size_t(options.pass) - 1];
   if (pass.fragment < 0)
     return usage(options.path + ": the pass has no fragment program to be looked into; a document "
                                 "is a fragment program that names its vertex program");
   const scene::ProgramFile &file = m_document.files[std::size_t(pass.fragment)];
-  auto checked = checkText(file.name, file.text, m_profile);
+  auto checked = checkText(file.name, file.text, m_profile, m_numerics);
   if (!checked)
     return checked.error();
   m_fragment = std::move(checked).value();
@@ -70,7 +73,7 @@ std::optional<SessionError> Session::readVertex() {
   if (m_pass.vertex < 0)
     return {};
   const scene::ProgramFile &file = m_document.files[std::size_t(m_pass.vertex)];
-  auto checked = checkText(file.name, file.text, m_profile);
+  auto checked = checkText(file.name, file.text, m_profile, m_numerics);
   if (!checked)
     return checked.error();
   m_vertex = std::move(checked).value();
@@ -78,10 +81,6 @@ std::optional<SessionError> Session::readVertex() {
 }
 
 std::optional<SessionError> Session::start(const SessionOptions &options) {
-  std::string numerics = options.numerics;
-  if (numerics.empty())
-    numerics = m_document.panel().numerics.text;
-  m_numerics = fp::numericsNamed(numerics).value_or(m_profile.numerics);
   const Backend backend = m_numerics == Numerics::Fp24 && options.backend == Backend::Swrast
                               ? Backend::Host // the rasterizer has no code for it
                               : options.backend;

@@ -41,7 +41,8 @@ struct CheckedText {
 };
 /// Errors: the compiler's, under the profile's limits.
 [[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
-                                                          const fp::hw::Profile &profile);
+                                                          const fp::hw::Profile &profile,
+                                                          fp::Numerics numerics);
 
 class Session {
 public:

@@ -108,7 +108,7 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
   verb.option("--profile", debug.profile, kProfileHelp);
   verb.option("--numerics", debug.numerics,
               "the arithmetic to show; fp24 and host beside each other")
-      .oneOf({"host", "legacy", "fp24"});
+      .oneOf({"host", "legacy", "fp24", "fx9"});
   verb.option("--library", debug.library, "the layer's library, where it is not beside us");
   verb.option("FILE", debug.document,
               "a document: a program text, or a folder with one; gallery:NAME; - is standard input")

@@ -14,8 +14,8 @@ void addLayer(Verb &verb, LayerArguments &layer) {
       .oneOf({"host", "profile"});
   verb.option("--numerics", layer.numerics,
               "how programs compute: as the host; legacy: 0 times infinity is 0; fp24: 24-bit "
-              "floats")
-      .oneOf({"host", "legacy", "fp24"});
+              "floats; fx9: 9-bit register combiners")
+      .oneOf({"host", "legacy", "fp24", "fx9"});
   verb.option("--backend", layer.backend,
               "who draws with programs: auto; the host; swrast, Arbiter's own rasterizer")
       .oneOf({"auto", "host", "swrast"});

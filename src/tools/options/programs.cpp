@@ -81,7 +81,7 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   verb.flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");
   verb.option("--numerics", compile.numerics,
               "glsl, llvm, machine, and the passes: for this arithmetic")
-      .oneOf({"host", "legacy", "fp24"})
+      .oneOf({"host", "legacy", "fp24", "fx9"})
       .showDefault();
   verb.option("-o,--output", compile.output, "file to write; - is standard output").showDefault();
   verb.option("FILE", compile.file, "a program text; - is standard input").required();

@@ -55,6 +55,10 @@ std::optional<Coordinates> coordinatesOf(std::string_view word) {
 
 std::optional<Scale> scaleOf(std::string_view word) { return lookUp<Scale>(kScales, word); }
 
+std::string_view name(Coordinates coordinates) { return kCoordinates[std::size_t(coordinates)]; }
+
+std::string_view name(Scale scale) { return kScales[std::size_t(scale)]; }
+
 std::uint8_t maskOf(std::string_view word) {
   std::uint8_t mask = 0;
   for (const char c : word) {

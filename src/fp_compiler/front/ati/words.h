@@ -19,6 +19,10 @@ namespace arbiter::fp::ati {
 /// Of "2x" to "eighth", without their dot; nothing for any other word. Never Scale::None.
 [[nodiscard]] std::optional<Scale> scaleOf(std::string_view word);
 
+/// The words of both: "str_dr", "4x"; that of Scale::None is empty.
+[[nodiscard]] std::string_view name(Coordinates coordinates);
+[[nodiscard]] std::string_view name(Scale scale);
+
 /// The write mask of "r", "rg" to "rgba": letters of rgba in order. Bit 0 is r; 0 for any other
 /// word.
 [[nodiscard]] std::uint8_t maskOf(std::string_view word);

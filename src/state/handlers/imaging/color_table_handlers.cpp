@@ -28,7 +28,10 @@ void give(Context &context, const ImagingCommand &command, GLenum format, GLenum
   if (!isColorFormat(format) || format == GL_COLOR_INDEX)
     return raise(context, GL_INVALID_ENUM, "ColorTable: format");
   std::vector<imaging::Rgba> colors;
-  if (command.width > 0 && command.width <= ImagingState::kMostEntries) {
+  if (command.width <= 0 || command.width > ImagingState::kMostEntries) {
+    if (!arePixels(context, format, type))
+      return;
+  } else {
     const auto image = unpackPixels(
         context, {.dimensions = 1, .width = command.width, .format = format, .type = type}, data);
     if (!image)
@@ -96,8 +99,13 @@ void ColorTable(Context &context, GLenum target, GLenum internalformat, GLsizei 
   const ImagingCommand command{
       .kind = Kind::Table, .target = target, .pname = internalformat, .width = width};
   bool proxy = false;
-  if (tableOf(target, proxy) >= 0 && proxy)
-    return executeImaging(context, command, {});
+  if (tableOf(target, proxy) >= 0 && proxy) { // at once, and of the memory nothing is read
+    if (!isColorFormat(format) || format == GL_COLOR_INDEX)
+      return raise(context, GL_INVALID_ENUM, "ColorTable: format");
+    if (arePixels(context, format, type))
+      executeImaging(context, command, {});
+    return;
+  }
   give(context, command, format, type, table);
 }
 

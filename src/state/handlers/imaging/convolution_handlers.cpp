@@ -30,7 +30,7 @@ bool read(Context &context, const ImageInMemory &image, const void *pixels,
     return false;
   }
   if (!isInRange(image.width) || !isInRange(image.height))
-    return true;
+    return arePixels(context, image.format, image.type);
   const auto read = unpackPixels(context, image, pixels);
   if (read)
     colors.insert(colors.end(), read->texels.begin(), read->texels.end());

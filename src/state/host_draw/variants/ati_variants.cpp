@@ -36,6 +36,7 @@ std::shared_ptr<const CompiledProgram> AtiVariants::under(const CompiledProgram 
     auto form = std::make_shared<CompiledProgram>();
     form->target = whole.target;
     form->hash = whole.hash;
+    form->commands = whole.commands;
     fp::ir::Program program = fp::withFixedFunction(m_program, seen);
     form->glsl = fp::emitGlsl(program, m_host, m_numerics);
     form->program = std::make_shared<const fp::ir::Program>(program);

@@ -91,6 +91,7 @@ Surroundings surroundingsNow(Context &context, const fp::combiners::State &state
   const fp::FixedFunction fixed = fixedFunctionNow(context, read);
   Surroundings around;
   around.fog = fixed.fog;
+  around.fx9 = context.numerics == fp::Numerics::Fx9;
   for (std::size_t unit = 0; unit < around.texels.size(); ++unit)
     if ((read >> unit & 1u) != 0 && (fixed.disabledUnits >> unit & 1u) == 0) {
       around.texels[unit] = Texel::Color;

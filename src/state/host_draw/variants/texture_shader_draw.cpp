@@ -124,6 +124,7 @@ std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const
   key.combines = instead ? instead->combiners.has_value() : combines;
   if (key.combines) {
     key.combiners = instead ? *instead->combiners : context.combiners->state();
+    key.fx9 = context.numerics == fp::Numerics::Fx9;
   } else {
     key.environments = environmentsNow(context);
     if (key.shaders.conventional)

@@ -80,7 +80,7 @@ public:
     if (program.language == ir::Language::ArbVertex || numerics == Numerics::Fp24 ||
         !hasCode(program))
       return nullptr;
-    return prepare<PreparedFragment>(program, numerics);
+    return prepare<PreparedFragment>(program, ir::numericsOf(program.language, numerics));
   }
 
   std::unique_ptr<jit::VertexProgram> prepareVertex(const ir::Program &program,
