@@ -69,10 +69,6 @@ void makeInputs(const PlanePlan &plan, const Triangle &triangle, const Gradients
   }
 }
 
-} // namespace
-
-namespace {
-
 /// The corners in the order of hosts: the provoking one is the first or the last, and of a piece of
 /// what was cut that is the centre of the fan. Of a triangle that is clockwise to them two change
 /// places, the provoking one stays.
