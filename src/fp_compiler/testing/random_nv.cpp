@@ -71,6 +71,9 @@ private:
     line(m_options.peer ? "ARL A, { 0.5, 1.5, 2.5, 3.5 };" : "ARL A, { 0.5, 1.5, 2.5, -0.5 };");
     if (m_options.peer)
       line("ARL B, { 0.5, 1.5, 2.5, 3.5 };");
+    if (m_options.peer && second()) // what an address or a condition leaves out is undefined there
+      for (int i = 0; i < 8; ++i)
+        line("MOV result.texcoord[" + number(i) + "], k;");
   }
 
   void results() {
@@ -168,7 +171,9 @@ private:
       operands += ", " + within(op, row.shapes[i] == 'S', i);
     bool saturates = false;
     const std::string word = row.mnemonic + suffix(row, saturates);
-    const std::string to = destination(op);
+    std::string to = destination(op);
+    while (m_options.peer && op == Opcode::X2d && operands.find(to.substr(0, 2)) != operands.npos)
+      to = destination(op); // later components read there what earlier ones have written
     line(word + " " + to + operands + ";");
     if (!m_options.wild && !saturates)
       clamp(to.substr(0, 2));
@@ -182,7 +187,9 @@ private:
   void packing() {
     constexpr const char *kKinds[] = {"2H", "2US", "4B", "4UB"};
     const std::string kind = kKinds[m_random.below(4)];
-    line("PK" + kind + " bits, " + operand(false) + ";");
+    // What has been computed is at times between two halves, and its last bit is another there.
+    const bool exact = m_options.peer && kind == "2H";
+    line("PK" + kind + " bits, " + (exact ? parameter() : operand(false)) + ";");
     if (m_random.chance(50))
       line("MOV bits" + std::string(m_random.chance(50) ? ".xz" : "") + " (" + condition() +
            "), bits;");
@@ -207,7 +214,8 @@ private:
       line("TXD " + destination() + ", " + at + ", " + operand(false) + ", " + operand(false) +
            unit);
     } else {
-      const char *const name = kind == 3 && second() ? "TXL " : kind == 4 ? "TXB " : "TEX ";
+      const bool biases = kind == 4 && !(m_options.peer && m_options.vertex);
+      const char *const name = kind == 3 && second() ? "TXL " : biases ? "TXB " : "TEX ";
       line(name + destination() + ", " + at + unit);
     }
   }
@@ -280,7 +288,7 @@ private:
     else if (kind < 44 && second())
       call();
     else if (kind < 47 && second() && m_inSubroutine)
-      line("RET (" + condition() + ");");
+      line("RET (" + jumpCondition() + ");");
     else
       arithmetic();
   }
@@ -336,7 +344,7 @@ private:
                           : "REP |c[" + number(m_random.below(8)) + "]|;");
     body();
     if (m_random.chance(60))
-      line("BRK (" + condition() + ");");
+      line("BRK (" + jumpCondition() + ");");
     if (m_random.chance(30))
       body();
     line(counts ? "ENDLOOP;" : "ENDREP;");
@@ -362,7 +370,13 @@ private:
       return;
     }
     m_open.push_back("label" + number(m_labels++));
-    line("BRA " + m_open.back() + (m_random.chance(85) ? " (" + condition() + ");" : ";"));
+    line("BRA " + m_open.back() + (m_random.chance(85) ? " (" + jumpCondition() + ");" : ";"));
+  }
+
+  /// Of BRA, BRK and RET: NVIDIA's driver takes none where several different components pass.
+  std::string jumpCondition() {
+    const std::string word = condition();
+    return m_options.peer ? word.substr(0, word.find('.')) + swizzle(true) : word;
   }
 
   /// Where branches arrive. A branch stays in its subroutine.

@@ -18,7 +18,10 @@ struct RandomNvOptions {
   /// Without what NVIDIA's driver does otherwise than the specifications say, or than others may:
   /// it rounds to half and fixed precision, which are the least that is asked for, PUSHA and POPA
   /// end its compiler or its draws, beyond an array and in registers that nothing wrote it reads
-  /// other memory, it sets condition codes before it clamps, and KIL of a vector sets them too.
+  /// other memory, it sets condition codes before it clamps, and KIL of a vector sets them too, it
+  /// clamps no SSG, does not take BRA, BRK and RET by any of several components, writes the X2D's
+  /// result while it reads, ignores the level of TXB in vertex programs, and leaves the rest of an
+  /// indexed result undefined (docs/nv_programs.md).
   bool peer = false;
   /// DDX and DDY also where fragments of a quad may have left the loop: undefined on hosts.
   bool loopDerivatives = false;

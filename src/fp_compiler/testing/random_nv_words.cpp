@@ -64,7 +64,7 @@ std::string NvWords::suffix(const OpInfo &op, bool &saturates) {
   if (sets)
     word += m_options.vertex && second() ? (m_random.chance(50) ? "C1" : "C") : "C";
   saturates = !op.has(ir::NoSaturate) && (!m_options.vertex || second()) && m_random.chance(20) &&
-              !(m_options.peer && sets);
+              !(m_options.peer && (sets || &op == &info(Opcode::Ssg)));
   if (saturates)
     word += !m_options.vertex && second() && m_random.chance(50) ? "_SSAT" : "_SAT";
   return word;
