@@ -161,7 +161,7 @@ def check_bad_files(place):
     place.put('bad/40.toml', entry('client', "profile = 'r3000'"))
     seen = place.run('client', 200, ARBITER_DEFAULTS=str(folder))
     expect(seen.returncode == 0 and int(seen.stdout) < 120, f'the rest does not hold: {seen}')
-    for text in (f'{folder}/10.toml:1:', f'{folder}/20.toml:5:12: numerics: expected host, legacy or fp24',
+    for text in (f'{folder}/10.toml:1:', f'{folder}/20.toml:5:12: numerics: expected host, legacy, fp24 or fx9',
                  f'{folder}/30.toml: not a regular file', f'{folder}/40.toml:5: no profile'):
         expect(text in seen.stderr, f'{text!r} is not in the log: {seen.stderr}')
     expect(len(place.defaults()['errors']) == 3, place.defaults())
