@@ -38,11 +38,13 @@ public:
   void addShape(const Shape &shape, std::uint32_t inputs, bool hides);
 
   [[nodiscard]] const TileGrid &grid() const { return m_grid; }
-  [[nodiscard]] std::uint32_t primitives() const { return std::uint32_t(m_records.size()); }
+  [[nodiscard]] std::uint32_t primitives() const {
+    return std::uint32_t(m_smallCount + m_shapeCount);
+  }
   /// Times that a primitive is looked at in a tile.
   [[nodiscard]] std::uint32_t links() const { return std::uint32_t(m_links.size()); }
-  /// There are records of vertices: what they name is read when tiles are shaded.
-  [[nodiscard]] bool readsVertices() const { return m_records.size() != m_shapeCount; }
+  /// Vertices are read when tiles are shaded.
+  [[nodiscard]] bool readsVertices() const { return m_smallCount != 0; }
   /// Pixels within the bounds of all primitives.
   [[nodiscard]] std::uint64_t area() const { return m_area; }
   /// Memory that it keeps for the next draw.
@@ -58,14 +60,10 @@ public:
 
 private:
   static constexpr std::uint32_t kNone = ~0u;
-  /// A small triangle as vertices; of another, `vertex[0]` is the number of its shape.
-  struct Record {
-    std::uint32_t vertex[3];
-    std::uint32_t provoking;
-    bool isShape, backFacing;
-  };
   struct Link {
-    std::uint32_t record, next;
+    static constexpr std::uint32_t kShape = 1u << 31;
+    std::uint32_t primitive; ///< the number of a small triangle, or kShape and that of a shape
+    std::uint32_t next;
   };
   struct List {
     std::uint32_t first = kNone, last = kNone;
@@ -74,15 +72,20 @@ private:
 
   template <Topology kTopology>
   void setUpAs(const Draw &draw, std::uint32_t first, std::uint32_t end);
-  void add(const Draw &draw, Triangle &triangle, bool clip);
+  /// Sets up the triangles that were collected, of which the places in the draw are known.
+  void addGroup(const Draw &draw, const SmallSetUp &with, const TriangleGroup &group,
+                const TriangleCorners *corners);
+  /// A triangle that is clipped or not small.
+  void addOther(const Draw &draw, const TriangleCorners &corners);
+  void linkSmall(std::uint32_t number);
   void makeShape(const Draw &draw, const Triangle &triangle, Shape &shape);
-  void link(int tileX, int tileY, bool covers);
+  void link(int tileX, int tileY, std::uint32_t primitive, bool covers);
 
   TileGrid m_grid;
-  std::vector<Record> m_records;
-  /// One that was shaded is used again as it is: what is read of a shape is written of each.
+  // What was used is used again as it is, as is what a shape has that the next one has not.
+  std::vector<SmallTriangle> m_small;
   std::vector<Shape> m_shapes;
-  std::size_t m_shapeCount = 0;
+  std::size_t m_smallCount = 0, m_shapeCount = 0;
   std::vector<Link> m_links;
   std::vector<List> m_tiles;
   std::uint64_t m_area = 0;

@@ -21,22 +21,60 @@ struct ColumnTerms {
   std::uint32_t vertex[3][kColumns], provoking[kColumns];
   bool backFacing[kColumns];
 
-  ColumnTerms(const PackedTriangle *const *triangles, int count) {
+  ColumnTerms(const RasterState &state, const PackedTriangle *const *triangles, int count) {
+    float x[3][kColumns], y[3][kColumns], w[3][kColumns];
+    std::int32_t originX[kColumns], originY[kColumns];
     for (int k = 0; k < kColumns; ++k) {
       const PackedTriangle &each = *triangles[k < count ? k : count - 1];
-      dx1[k] = each.gradients.dx1;
-      dx2[k] = each.gradients.dx2;
-      dy1[k] = each.gradients.dy1;
-      dy2[k] = each.gradients.dy2;
-      toX[k] = each.gradients.toX;
-      toY[k] = each.gradients.toY;
+      const SmallTriangle &small = *each.small;
       for (int i = 0; i < 3; ++i) {
-        inverseW[i][k] = each.triangle.corner[i].inverseW;
-        vertex[i][k] = each.triangle.vertex[i];
+        const WindowVertex &corner = each.window[small.vertex[i]];
+        vertex[i][k] = small.vertex[i];
+        x[i][k] = corner.x;
+        y[i][k] = corner.y;
+        w[i][k] = corner.inverseW;
       }
-      provoking[k] = each.triangle.provoking;
-      backFacing[k] = each.triangle.backFacing;
+      originX[k] = small.originX;
+      originY[k] = small.originY;
+      provoking[k] = small.provokingAndFace >> 1;
+      backFacing[k] = (small.provokingAndFace & 1) != 0;
     }
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < kColumns; ++k)
+        inverseW[i][k] = w[i][k];
+    // gradientsOf()
+    double area[kColumns];
+    const double sign = state.upsideDownHeight != 0 ? -1.0 : 1.0;
+    const double bottom = state.upsideDownHeight;
+    for (int k = 0; k < kColumns; ++k) {
+      const double x0 = x[0][k], y0 = y[0][k];
+      const double x1 = x[1][k] - x0, y1 = sign * (y[1][k] - y0);
+      const double x2 = x[2][k] - x0, y2 = sign * (y[2][k] - y0);
+      area[k] = x1 * y2 - x2 * y1;
+      const double inverse = 1.0 / area[k];
+      dx1[k] = y2 * inverse;
+      dx2[k] = -y1 * inverse;
+      dy1[k] = -x2 * inverse;
+      dy2[k] = x1 * inverse;
+      toX[k] = originX[k] + 0.5 - x0;
+      toY[k] = originY[k] + 0.5 - (sign < 0 ? bottom - y0 : y0);
+    }
+    for (int k = 0; k < kColumns; ++k)
+      if (__builtin_fabs(area[k]) < kThinArea)
+        setGradients(state, *triangles[k < count ? k : count - 1], k);
+  }
+
+  /// Of one that is thin.
+  void setGradients(const RasterState &state, const PackedTriangle &each, int k) {
+    const Triangle triangle = triangleOf(*each.small, each.window);
+    const Gradients gradients =
+        gradientsOf(state, triangle.corner, each.small->originX, each.small->originY);
+    dx1[k] = gradients.dx1;
+    dx2[k] = gradients.dx2;
+    dy1[k] = gradients.dy1;
+    dy2[k] = gradients.dy2;
+    toX[k] = gradients.toX;
+    toY[k] = gradients.toY;
   }
 
   /// A component of the vertices in \p index.
@@ -87,9 +125,10 @@ inline void storePlane(abi::PrimitiveColumns &to, std::size_t offset, int first,
 }
 
 /// Of triangles of one draw.
-inline void setColumnsOf(const PlanePlan &plan, const PackedTriangle *const *triangles, int first,
-                         int count, abi::PrimitiveColumns &to) {
-  const ColumnTerms terms(triangles, count);
+inline void setColumnsOf(const RasterState &state, const PlanePlan &plan,
+                         const PackedTriangle *const *triangles, int first, int count,
+                         abi::PrimitiveColumns &to) {
+  const ColumnTerms terms(state, triangles, count);
   float plane[3][kColumns];
   if (plan.wantsW) {
     terms.plane(terms.inverseW, plane);
@@ -97,9 +136,7 @@ inline void setColumnsOf(const PlanePlan &plan, const PackedTriangle *const *tri
   }
   for (int i = 0; i < plan.count; ++i) {
     const PlanePlan::Source &source = plan.sources[i];
-    const std::size_t offset =
-        offsetof(abi::Primitive, inputs) +
-        sizeof(abi::Plane) * (std::size_t(4) * source.input + source.component);
+    const std::size_t offset = offsetOf(source);
     if (i >= plan.flatFrom) {
       terms.fetch(source, terms.provoking, plane[0]);
       for (int k = 0; k < kColumns; ++k)
@@ -129,9 +166,13 @@ inline void copyPlane(const abi::Primitive &from, std::size_t offset, int column
 }
 
 /// One triangle's planes, as planes.h makes them.
-inline void setColumnOf(const PackedTriangle &each, int column, abi::PrimitiveColumns &to) {
+inline void setColumnOf(const RasterState &state, const PackedTriangle &each, int column,
+                        abi::PrimitiveColumns &to) {
+  const Triangle triangle = triangleOf(*each.small, each.window);
+  const int originX = each.small->originX, originY = each.small->originY;
+  const Gradients gradients = gradientsOf(state, triangle.corner, originX, originY);
   abi::Primitive primitive;
-  makePlanes(*each.plan, each.triangle, each.gradients, each.originX, each.originY, primitive);
+  makePlanes(*each.plan, triangle, gradients, originX, originY, primitive);
   if (each.plan->wantsW)
     copyPlane(primitive, offsetof(abi::Primitive, inverseW), column, to);
   for (int i = 0; i < each.plan->count; ++i)
@@ -147,7 +188,8 @@ inline void copyColumn(const PackedTriangle &each, int column, abi::PrimitiveCol
 }
 
 /// SetColumns
-void setColumns(const PackedTriangle *const *triangles, int count, abi::PrimitiveColumns &to) {
+void setColumns(const RasterState &state, const PackedTriangle *const *triangles, int count,
+                abi::PrimitiveColumns &to) {
   /// All lanes are computed for any number of triangles.
   constexpr int kLeastRun = 4;
   for (int k = 0; k < count; ++k) {
@@ -155,9 +197,12 @@ void setColumns(const PackedTriangle *const *triangles, int count, abi::Primitiv
     const auto set = [&](std::size_t offset, const void *word) {
       __builtin_memcpy(&to.rows[offset / 4][k], word, 4);
     };
-    const std::uint32_t backFacing = each.triangle.backFacing ? 1 : 0;
-    set(offsetof(abi::Primitive, originX), &each.originX);
-    set(offsetof(abi::Primitive, originY), &each.originY);
+    const std::int32_t originX = each.made ? each.made->originX : each.small->originX;
+    const std::int32_t originY = each.made ? each.made->originY : each.small->originY;
+    const std::uint32_t backFacing =
+        each.made ? each.made->backFacing : each.small->provokingAndFace & 1;
+    set(offsetof(abi::Primitive, originX), &originX);
+    set(offsetof(abi::Primitive, originY), &originY);
     set(offsetof(abi::Primitive, backFacing), &backFacing);
     const auto setDepth = [&](std::size_t offset, const void *word) {
       set(offsetof(abi::Primitive, z) + offset, word);
@@ -179,10 +224,10 @@ void setColumns(const PackedTriangle *const *triangles, int count, abi::Primitiv
     while (end < count && !triangles[end]->made && triangles[end]->plan == plan)
       ++end;
     if (end - first >= kLeastRun)
-      setColumnsOf(*plan, triangles + first, first, end - first, to);
+      setColumnsOf(state, *plan, triangles + first, first, end - first, to);
     else
       for (int k = first; k < end; ++k)
-        setColumnOf(*triangles[k], k, to);
+        setColumnOf(state, *triangles[k], k, to);
     first = end;
   }
 }

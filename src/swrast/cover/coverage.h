@@ -1,12 +1,9 @@
 #pragma once
 #include "swrast/setup/shape.h"
+#include "swrast/setup/small.h"
 
 /// Which pixels are covered, block by block.
 namespace arbiter::swrast {
-
-/// Triangles whose snapped corners are less than this apart, in x and in y: their edge functions
-/// fit 32 bits near them.
-inline constexpr std::int32_t kSmallExtent = 64 * kSubpixels;
 
 struct Cover {
   std::uint32_t blocks = 0, pixels = 0;
@@ -31,11 +28,11 @@ struct Region {
 [[nodiscard]] bool regionOf(const Shape &shape, const Rect &bounds, Region &region);
 
 /// Writes the blocks of which the triangle covers a pixel, rows upwards.
-/// \param bounds pixels; blocks that they begin or end in are tested whole
+/// \param part pixels of the triangle's bounds; blocks that they begin or end in are tested whole
 /// \param lanes 16 (blocks of 4x4 pixels), 8 (4x2) or 4 (2x2)
-/// \param blocks room for all blocks of the bounds and one more
-using CoverSmall = Cover (*)(const WindowVertex corner[3], bool counterclockwise,
-                             const Bounds &bounds, int lanes, abi::Block *blocks);
+/// \param blocks room for all blocks of the part and one more
+using CoverSmall = Cover (*)(const SmallTriangle &triangle, const Rect &part, int lanes,
+                             abi::Block *blocks);
 /// The same of a region, of which nothing beyond its bounds is covered.
 using CoverRegion = Cover (*)(const Region &region, int lanes, abi::Block *blocks);
 

@@ -107,30 +107,25 @@ inline unsigned bitsOf(unsigned mask) {
 /// Of a small triangle: edge functions at the pixels of a block, one a lane, moved from block to
 /// block by sums.
 template <typename Int, int kWidth, int kHeight>
-Cover cover(const WindowVertex corner[3], bool counterclockwise, const Bounds &bounds,
-            abi::Block *blocks) {
+Cover cover(const SmallTriangle &triangle, const Rect &part, abi::Block *blocks) {
   constexpr int kLanes = kWidth * kHeight;
   static_assert(sizeof(Int) == kLanes * sizeof(std::int32_t));
-  const std::int32_t firstX = bounds.left & -kWidth, firstY = bounds.bottom & -kHeight;
-  const std::int32_t originX = firstX * kSubpixels, originY = firstY * kSubpixels;
-  const int second = counterclockwise ? 1 : 2;
-  const int order[4] = {0, second, 3 - second, 0};
+  const std::int32_t firstX = part.x & -kWidth, firstY = part.y & -kHeight;
+  const std::int32_t right = part.x + part.width, top = part.y + part.height;
+  const std::int32_t fromX = firstX - triangle.originX, fromY = firstY - triangle.originY;
+  const std::int32_t a[3] = {triangle.a[0], triangle.a[1], -(triangle.a[0] + triangle.a[1])};
+  const std::int32_t b[3] = {triangle.b[0], triangle.b[1], -(triangle.b[0] + triangle.b[1])};
   Int start[3], stepX[3], stepY[3];
   for (int i = 0; i < 3; ++i) {
-    const WindowVertex &from = corner[order[i]], &to = corner[order[i + 1]];
-    const std::int32_t a = from.fixedY - to.fixedY, b = to.fixedX - from.fixedX;
-    std::int32_t c = -(a * (from.fixedX - originX) + b * (from.fixedY - originY));
-    if (!(a > 0 || (a == 0 && b > 0)))
-      --c; // as in edgeBetween()
-    setPlane<kWidth>(start[i], c >> kSubpixelBits, a, b);
-    setPlane<kWidth>(stepX[i], a * kWidth, 0, 0);
-    setPlane<kWidth>(stepY[i], b * kHeight, 0, 0);
+    setPlane<kWidth>(start[i], triangle.c[i] + a[i] * fromX + b[i] * fromY, a[i], b[i]);
+    setPlane<kWidth>(stepX[i], a[i] * kWidth, 0, 0);
+    setPlane<kWidth>(stepY[i], b[i] * kHeight, 0, 0);
   }
   Cover result;
   constexpr unsigned kAll = (1u << kLanes) - 1;
-  for (std::int32_t y = firstY; y < bounds.top; y += kHeight) {
+  for (std::int32_t y = firstY; y < top; y += kHeight) {
     Int at0 = start[0], at1 = start[1], at2 = start[2];
-    for (std::int32_t x = firstX; x < bounds.right; x += kWidth) {
+    for (std::int32_t x = firstX; x < right; x += kWidth) {
       const unsigned mask = ~signs(at0 | at1 | at2) & kAll;
       // Written in any case, kept if something is covered: cheaper than a branch that nothing
       // foretells.
@@ -225,13 +220,13 @@ Cover coverRegion(const Region &region, abi::Block *blocks) {
   return result;
 }
 
-inline Cover coverSmallBlocks(const WindowVertex corner[3], bool counterclockwise,
-                              const Bounds &bounds, int lanes, abi::Block *blocks) {
+inline Cover coverSmallBlocks(const SmallTriangle &triangle, const Rect &part, int lanes,
+                              abi::Block *blocks) {
   if (lanes == 16)
-    return cover<Block16, 4, 4>(corner, counterclockwise, bounds, blocks);
+    return cover<Block16, 4, 4>(triangle, part, blocks);
   if (lanes == 8)
-    return cover<Int8, 4, 2>(corner, counterclockwise, bounds, blocks);
-  return cover<Int4, 2, 2>(corner, counterclockwise, bounds, blocks);
+    return cover<Int8, 4, 2>(triangle, part, blocks);
+  return cover<Int4, 2, 2>(triangle, part, blocks);
 }
 
 inline Cover coverRegionBlocks(const Region &region, int lanes, abi::Block *blocks) {

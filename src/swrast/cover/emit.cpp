@@ -132,48 +132,48 @@ void Emitter::takeBlocks(const Shape &shape, const Cover &cover, BlockSize size)
     filterBlocks([](const abi::Block &block) { return unsigned(block.mask); }, size);
 }
 
-void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect) {
-  Bounds bounds;
-  if (!setBounds(rect, triangle.corner, 3, bounds))
+void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
+                         const SmallTriangle &small, const Rect &rect) {
+  const Rect part = intersect(
+      {small.left, small.bottom, small.right - small.left, small.top - small.bottom}, rect);
+  if (part.empty())
     return;
-  const std::int64_t area = areaOf(triangle.corner);
   m_primitive = &m_small;
   m_stippled = m_state.polygonStipple != nullptr;
-  m_isRow = !m_packs && wantsRows(bounds.right - bounds.left);
-  const auto planes = [&] {
-    makePlanes(m_state, plan, triangle, m_state.offsetFill, bounds.originX, bounds.originY,
-               m_small);
+  m_isRow = !m_packs && wantsRows(part.width);
+  const auto planes = [&](const Triangle &triangle) {
+    makePlanes(m_state, plan, triangle, m_state.offsetFill, small.originX, small.originY, m_small);
   };
   if (m_isRow) {
-    planes();
+    const Triangle triangle = triangleOf(small, window);
+    planes(triangle);
     Shape shape;
-    (void)shapeOf(rect, triangle.corner, area, shape);
+    (void)shapeOf(rect, triangle.corner, areaOf(triangle.corner), shape);
     rows(shape, shape.left, shape.bottom, shape.right, shape.top);
     flush();
     return;
   }
   const BlockSize size = m_packs ? kPackedBlock : m_blockSize;
-  const Cover cover = m_cover.small(triangle.corner, area > 0, bounds, size.lanes(), m_blocks);
+  const Cover cover = m_cover.small(small, part, size.lanes(), m_blocks);
   m_count = cover.blocks;
   m_pixels += cover.pixels;
-  keepInside(rect, bounds, size);
+  keepInside(rect, part, size);
   if (m_count == 0)
     return;
   if (m_packs) {
-    m_packed.add(plan, triangle, bounds, m_blocks, m_count);
+    m_packed.add(plan, window, small, m_blocks, m_count);
     m_count = 0;
     return;
   }
-  planes();
+  planes(triangleOf(small, window));
   flush();
 }
 
-void Emitter::keepInside(const Rect &rect, const Bounds &bounds, BlockSize size) {
+void Emitter::keepInside(const Rect &rect, const Rect &part, BlockSize size) {
   const int right = rect.x + rect.width, top = rect.y + rect.height;
-  const bool crosses = (bounds.left & -size.width) < rect.x ||
-                       (bounds.bottom & -size.height) < rect.y ||
-                       ((bounds.right + size.width - 1) & -size.width) > right ||
-                       ((bounds.top + size.height - 1) & -size.height) > top;
+  const bool crosses = (part.x & -size.width) < rect.x || (part.y & -size.height) < rect.y ||
+                       ((part.x + part.width + size.width - 1) & -size.width) > right ||
+                       ((part.y + part.height + size.height - 1) & -size.height) > top;
   if (crosses || m_stippled)
     filterBlocks(
         [&](const abi::Block &item) {

@@ -29,9 +29,10 @@ public:
   /// What of it lies in the rectangle, which is of the tile that has begun. It may wait, so that it
   /// stays where it is until the emitter's end.
   void shadeInTile(const Shape &shape, const Rect &rect);
-  /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
-  /// Planes are made only if a pixel is covered.
-  void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
+  /// What of a small triangle lies in the rectangle, which is of one tile. Planes are made only if
+  /// a pixel is covered. It stays where it is until the emitter's end, and its vertices do.
+  void shadeSmall(const PlanePlan &plan, const WindowVertex *window, const SmallTriangle &small,
+                  const Rect &rect);
   /// Shades the items that wait, but for those that wait for the tile's end.
   void flush();
   /// Pixels that were given to shading.
@@ -64,7 +65,7 @@ private:
   /// The blocks in m_blocks, less what the shape's stipple leaves out, wait.
   void takeBlocks(const Shape &shape, const Cover &cover, BlockSize size);
   /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
-  void keepInside(const Rect &rect, const Bounds &bounds, BlockSize size);
+  void keepInside(const Rect &rect, const Rect &part, BlockSize size);
   /// Leaves `maskOf(block)` of the blocks that wait, and what the stipple leaves of that.
   template <typename MaskOf> void filterBlocks(MaskOf maskOf, BlockSize size);
   [[nodiscard]] static unsigned insideMask(const Rect &rect, int x, int y, BlockSize size);

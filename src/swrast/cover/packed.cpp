@@ -32,7 +32,7 @@ bool PackedShader::begin(const Rect &tile) {
   constexpr int kSide = PackedTile::kSide;
   // All of the tile that there is, so that few blocks are cut.
   m_storage->tile.begin(intersect(m_state.clip, {tile.x & -kSide, tile.y & -kSide, kSide, kSide}),
-                        m_shading);
+                        m_shading, depthOriginY(m_state));
   m_test = m_kernels.test(m_shading.depth);
   m_storage->columns.baseX = tile.x & -kSide;
   m_storage->columns.baseY = tile.y & -kSide;
@@ -46,15 +46,14 @@ PackedTriangle &PackedShader::next() {
   return m_storage->pending[m_pending];
 }
 
-void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
-                       const abi::Block *blocks, std::uint32_t count) {
+void PackedShader::add(const PlanePlan &plan, const WindowVertex *window,
+                       const SmallTriangle &small, const abi::Block *blocks, std::uint32_t count) {
   PackedTriangle &own = next();
-  own.depth = makeDepthPlane(m_state, triangle, m_state.offsetFill);
-  own.plan = &plan;
+  own.depth = small.depthPlane(depthOriginY(m_state));
   own.made = nullptr;
-  own.triangle = triangle;
-  own.originX = origin.originX;
-  own.originY = origin.originY;
+  own.plan = &plan;
+  own.small = &small;
+  own.window = window;
   test(own, blocks, count);
 }
 
@@ -63,9 +62,6 @@ void PackedShader::add(const Shape &shape, const abi::Block *blocks, std::uint32
   own.depth = shape.primitive.z;
   own.made = &shape.primitive;
   own.inputs = m_shading.inputCount;
-  own.triangle.backFacing = shape.primitive.backFacing != 0;
-  own.originX = shape.primitive.originX;
-  own.originY = shape.primitive.originY;
   test(own, blocks, count);
 }
 
@@ -93,8 +89,6 @@ void PackedShader::list(PackedTriangle &each, std::uint32_t owner, const abi::Bl
                      own.pixels + m_pixels);
   if (pixels == 0)
     return;
-  if (!each.made) // only now: many a triangle is hidden by others
-    each.gradients = gradientsOf(m_state, each.triangle.corner, each.originX, each.originY);
   own.column[m_columns++] = &each;
   m_pixels += pixels;
 }
@@ -103,7 +97,7 @@ void PackedShader::shade() {
   if (m_pixels == 0)
     return;
   Storage &own = *m_storage;
-  m_kernels.columns(own.column, m_columns, own.columns);
+  m_kernels.columns(m_state, own.column, m_columns, own.columns);
   const auto lanes = std::uint32_t(m_shading.lanes);
   abi::Pixel padding = own.pixels[m_pixels - 1];
   padding.isHelper = abi::Pixel::kHelper;

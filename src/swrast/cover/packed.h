@@ -3,6 +3,7 @@
 
 #include "swrast/setup/planes.h"
 #include "swrast/setup/shape.h"
+#include "swrast/setup/small.h"
 
 /// Small and thin primitives by the pixel: the rasterizer tests depth itself, in a copy of the tile
 /// that stays in the processor's nearest cache, and hands the machine code full vectors of what is
@@ -16,9 +17,12 @@ struct PackedTile {
   static constexpr int kSide = 64, kBlocks = 256, kLanes = 16;
   alignas(64) std::int32_t depth[kBlocks][kLanes];  ///< a pixel of the depth buffer each
   alignas(64) std::uint32_t owner[kBlocks][kLanes]; ///< the triangle seen there; 0: none
-  std::uint16_t loaded[kBlocks / 16];               ///< bit a block: what is above is filled
-  Rect rect;                                        ///< what of the tile there is
-  abi::Target target;                               ///< the depth buffer
+  /// Window coordinates of the pixels of a column and of a row of blocks, y from where planes of
+  /// depth begin: what all triangles of the tile are tested with.
+  alignas(64) float xOf[kSide / 4][kLanes], yOf[kSide / 4][kLanes];
+  std::uint16_t loaded[kBlocks / 16]; ///< bit a block: what is above is filled
+  Rect rect;                          ///< what of the tile there is
+  abi::Target target;                 ///< the depth buffer
   DepthTest test;
   float minimum, maximum; ///< depth is clamped to
 
@@ -30,7 +34,8 @@ struct PackedTile {
   [[nodiscard, gnu::always_inline]] static inline int placeOf(const abi::Block &block) {
     return (block.y & (kSide - 1)) << 8 | (block.x & (kSide - 1));
   }
-  void begin(const Rect &tile, const Shading &shading);
+  /// \param depthOriginY of all planes of depth
+  void begin(const Rect &tile, const Shading &shading, int depthOriginY);
   /// Fills a block from the depth buffer; no triangle is seen in it.
   void load(int x, int y);
   /// Writes depth back, if it is written at all, and forgets all.
@@ -49,13 +54,12 @@ using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::DepthPlane &z,
 /// A triangle or another shape that is shaded later, with what is left of it.
 struct PackedTriangle {
   const abi::Primitive *made; ///< its planes; null: they are made of the next three
-  std::uint32_t inputs;       ///< that `made` has
   const PlanePlan *plan;
-  Triangle triangle;   ///< not clipped
-  Gradients gradients; ///< once it is listed
+  const SmallTriangle *small;
+  const WindowVertex *window; ///< of the draw
+  std::uint32_t inputs;       ///< that `made` has
+  std::uint32_t count;        ///< its blocks
   abi::DepthPlane depth;
-  std::int32_t originX, originY; ///< the pixel that other planes are exact at
-  std::uint32_t count;           ///< its blocks
 };
 
 /// The pixels of blocks, one behind the other, of a primitive in `column`: all of the masks, or if
@@ -65,8 +69,8 @@ using ListPixels = std::uint32_t (*)(const PackedTile &tile, std::uint32_t owner
                                      bool quads, const abi::Block *blocks, std::uint32_t count,
                                      abi::Pixel *out);
 /// What `count` triangles are shaded with, the first one's in column 0.
-using SetColumns = void (*)(const PackedTriangle *const *triangles, int count,
-                            abi::PrimitiveColumns &columns);
+using SetColumns = void (*)(const RasterState &state, const PackedTriangle *const *triangles,
+                            int count, abi::PrimitiveColumns &columns);
 struct PackedKernels {
   TestBlocks (*test)(const DepthTest &); ///< the one for a test
   ListPixels list;
@@ -92,11 +96,11 @@ public:
 
   /// \param tile what is drawn of a tile. False where there is no function, or no memory.
   [[nodiscard]] bool begin(const Rect &tile);
-  /// \param origin its origin is the pixel that the planes are exact at
-  /// \param blocks what of the triangle, which is not clipped, lies in the tile; of 4x4 pixels
-  void add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
+  /// What is named stays where it is until finish().
+  /// \param blocks what of the triangle lies in the tile; of 4x4 pixels
+  void add(const PlanePlan &plan, const WindowVertex *window, const SmallTriangle &small,
            const abi::Block *blocks, std::uint32_t count);
-  /// The same of a shape, whose primitive stays where it is until finish().
+  /// The same of a shape.
   void add(const Shape &shape, const abi::Block *blocks, std::uint32_t count);
   void finish();
 
@@ -106,7 +110,7 @@ private:
   void resolve();
   /// Room for one that waits.
   [[nodiscard]] PackedTriangle &next();
-  /// Tests blocks of next(), whose depth and origin are set, and keeps it if some of it is seen.
+  /// Tests blocks of next(), whose depth is set, and keeps it if some of it is seen.
   void test(PackedTriangle &next, const abi::Block *blocks, std::uint32_t count);
   /// Puts a triangle's pixels behind those that wait.
   void list(PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks);

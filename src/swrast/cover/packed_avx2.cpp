@@ -14,25 +14,22 @@ constexpr int kHalf = 8; // lanes
 class DepthSteps {
 public:
   DepthSteps(const PackedTile &tile, const abi::DepthPlane &z)
-      : m_originY(z.originY), m_c(_mm256_set1_ps(z.c)), m_dx(_mm256_set1_ps(z.dx)),
+      : m_tile(tile), m_c(_mm256_set1_ps(z.c)), m_dx(_mm256_set1_ps(z.dx)),
         m_dy(_mm256_set1_ps(z.dy)), m_offset(_mm256_set1_ps(z.offset)),
         m_minimum(_mm256_set1_ps(tile.minimum)), m_maximum(_mm256_set1_ps(tile.maximum)) {}
 
-  [[nodiscard]] __m256 at(int x, int y) const {
-    const __m256i column = _mm256_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3);
-    const __m256i line = _mm256_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1);
-    const auto from = [](int start, __m256i lanes) {
-      return _mm256_cvtepi32_ps(_mm256_add_epi32(_mm256_set1_epi32(start), lanes));
-    };
-    const __m256 along = _mm256_fmadd_ps(m_dx, from(x, column), m_c);
-    const __m256 plane = _mm256_fmadd_ps(m_dy, from(y - m_originY, line), along);
+  /// \param at the block's number
+  [[nodiscard]] __m256 at(unsigned at, int half) const {
+    const float *const y = m_tile.yOf[at >> 4] + kHalf * half;
+    const __m256 along = _mm256_fmadd_ps(m_dx, _mm256_load_ps(m_tile.xOf[at & 15]), m_c);
+    const __m256 plane = _mm256_fmadd_ps(m_dy, _mm256_load_ps(y), along);
     const __m256 depth = _mm256_add_ps(plane, m_offset);
     // Where it is not a number: the second operand.
     return _mm256_min_ps(_mm256_max_ps(depth, m_minimum), m_maximum);
   }
 
 private:
-  int m_originY;
+  const PackedTile &m_tile;
   __m256 m_c, m_dx, m_dy, m_offset, m_minimum, m_maximum;
 };
 
@@ -123,7 +120,7 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint
         __m256i *const depths = vectorAt(tile.depth[at] + kHalf * half);
         const __m256i old = _mm256_load_si256(depths);
         __m256i made;
-        lanes = passing<kLayout, kCompare>(lanes, steps.at(block.x, block.y + 2 * half), old, made);
+        lanes = passing<kLayout, kCompare>(lanes, steps.at(at, half), old, made);
         if (tile.test.write)
           _mm256_store_si256(depths, _mm256_blendv_epi8(old, made, lanes));
       }

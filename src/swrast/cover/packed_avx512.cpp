@@ -12,25 +12,21 @@ namespace {
 class DepthSteps {
 public:
   DepthSteps(const PackedTile &tile, const abi::DepthPlane &z)
-      : m_originY(z.originY), m_c(_mm512_set1_ps(z.c)), m_dx(_mm512_set1_ps(z.dx)),
+      : m_tile(tile), m_c(_mm512_set1_ps(z.c)), m_dx(_mm512_set1_ps(z.dx)),
         m_dy(_mm512_set1_ps(z.dy)), m_offset(_mm512_set1_ps(z.offset)),
         m_minimum(_mm512_set1_ps(tile.minimum)), m_maximum(_mm512_set1_ps(tile.maximum)) {}
 
-  [[nodiscard]] __m512 at(int x, int y) const {
-    const __m512i column = _mm512_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
-    const __m512i line = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
-    const auto from = [](int start, __m512i lanes) {
-      return _mm512_cvtepi32_ps(_mm512_add_epi32(_mm512_set1_epi32(start), lanes));
-    };
-    const __m512 along = _mm512_fmadd_ps(m_dx, from(x, column), m_c);
-    const __m512 plane = _mm512_fmadd_ps(m_dy, from(y - m_originY, line), along);
+  /// \param at the block's number
+  [[nodiscard]] __m512 at(unsigned at) const {
+    const __m512 along = _mm512_fmadd_ps(m_dx, _mm512_load_ps(m_tile.xOf[at & 15]), m_c);
+    const __m512 plane = _mm512_fmadd_ps(m_dy, _mm512_load_ps(m_tile.yOf[at >> 4]), along);
     const __m512 depth = _mm512_add_ps(plane, m_offset);
     // Where it is not a number: the second operand.
     return _mm512_min_ps(_mm512_max_ps(depth, m_minimum), m_maximum);
   }
 
 private:
-  int m_originY;
+  const PackedTile &m_tile;
   __m512 m_c, m_dx, m_dy, m_offset, m_minimum, m_maximum;
 };
 
@@ -78,24 +74,29 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint
                            const abi::Block *blocks, std::uint32_t count, abi::Block *out) {
   const DepthSteps steps(tile, z);
   const __m512i owners = _mm512_set1_epi32(int(owner));
+  const bool writes = tile.test.write;
   std::uint32_t left = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const abi::Block block = blocks[i];
-    const unsigned at = PackedTile::blockAt(block.x, block.y);
+    // As one word, which compilers take apart well.
+    std::uint64_t block = 0;
+    __builtin_memcpy(&block, &blocks[i], sizeof block);
+    const auto x = unsigned(block), y = unsigned(block >> 16);
+    const unsigned at = PackedTile::blockAt(int(x), int(y));
     if (__builtin_expect((tile.loaded[at >> 4] >> (at & 15) & 1) == 0, 0))
-      tile.load(block.x, block.y);
-    __mmask16 mask = block.mask;
+      tile.load(std::int16_t(x), std::int16_t(y));
+    auto mask = __mmask16(block >> 32);
     // Vectors are stored whole, as what is stored in part is slow to load again.
     if constexpr (kLayout != abi::Layout::None) {
       const __m512i old = _mm512_load_si512(tile.depth[at]);
       __m512i made;
-      mask = passing<kLayout, kCompare>(mask, steps.at(block.x, block.y), old, made);
-      if (tile.test.write)
+      mask = passing<kLayout, kCompare>(mask, steps.at(at), old, made);
+      if (writes)
         _mm512_store_si512(tile.depth[at], _mm512_mask_mov_epi32(old, mask, made));
     }
     const __m512i before = _mm512_load_si512(tile.owner[at]);
     _mm512_store_si512(tile.owner[at], _mm512_mask_mov_epi32(before, mask, owners));
-    out[left] = {block.x, block.y, std::uint16_t(mask), 0};
+    block = (block & 0xFFFFFFFFu) | std::uint64_t(mask) << 32;
+    __builtin_memcpy(&out[left], &block, sizeof block);
     left += mask != 0 ? 1 : 0;
   }
   return left;

@@ -245,7 +245,7 @@ TEST(Packed, LargeThinShapesArePackedToo) {
 
 /// A tile in the middle of a buffer, with its depth.
 struct Tile {
-  Tile(const DepthTest &test, const Rect &rect) : buffer(128 * 128) {
+  Tile(const DepthTest &test, const Rect &rect, int depthOriginY) : buffer(128 * 128) {
     std::mt19937 random(3);
     for (std::uint32_t &pixel : buffer) {
       const float value = float(random() % 4096) / 4095.0f;
@@ -260,7 +260,7 @@ struct Tile {
     Shading shading;
     shading.data = &data;
     shading.depth = test;
-    tile->begin(rect, shading);
+    tile->begin(rect, shading, depthOriginY);
   }
   std::vector<std::uint32_t> buffer;
   abi::FragmentData data;
@@ -291,7 +291,8 @@ TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
   for (int round = 0; round < 400; ++round) {
     const DepthTest test = {kLayouts[random() % 4], abi::Compare(random() % 8), random() % 2 != 0};
     const Rect rect = round % 2 ? Rect{64, 0, 64, 64} : Rect{71, 3, 50, 41};
-    Tile a(test, rect), b(test, rect);
+    const int originY = int(random() % 64);
+    Tile a(test, rect, originY), b(test, rect, originY);
     for (std::uint32_t owner = 1; owner < 12; ++owner) {
       std::vector<abi::Block> blocks, left(300), same(300);
       for (int y = 0; y < 64; y += 4)
@@ -299,7 +300,7 @@ TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
           if (random() % 4 == 0)
             blocks.push_back({std::int16_t(x), std::int16_t(y), std::uint16_t(random()), 0});
       abi::DepthPlane z = {unit(random), unit(random) / 40, unit(random) / 40, unit(random) / 10,
-                           int(random() % 64)};
+                           originY};
       if (owner == 5)
         z.dx = NAN;
       const auto count = std::uint32_t(blocks.size());
@@ -325,8 +326,14 @@ TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
 /// Triangles of several draws, with what their planes are made of.
 struct Group {
   static constexpr int kVertices = 60;
+  static constexpr int kWindow = 20; ///< of them with a position
   Group(std::mt19937 &random, int count) {
     std::uniform_real_distribution<float> unit(-1, 1);
+    state.upsideDownHeight = random() % 2 ? 64 : 0;
+    for (WindowVertex &vertex : window) {
+      vertex = {40 * unit(random), 40 * unit(random), 0, 1 + 0.5f * unit(random), 0, 0, 0};
+      snapVertex(vertex, state.upsideDownHeight);
+    }
     for (float &value : values)
       value = random() % 9 == 0 ? 0.5f : unit(random); // some planes are level
     for (PlanePlan &plan : plans) {
@@ -346,23 +353,23 @@ struct Group {
     std::size_t plan = 0;
     for (int k = 0; k < count; ++k) {
       PackedTriangle &each = triangles[k];
+      SmallTriangle &own = small[k];
       plan = random() % 6 == 0 ? (plan + 1) % 2 : plan;
       each.plan = &plans[plan];
-      for (int i = 0; i < 3; ++i) {
-        each.triangle.corner[i].x = 40 * unit(random);
-        each.triangle.corner[i].y = 40 * unit(random);
-        each.triangle.corner[i].inverseW = 1 + 0.5f * unit(random);
-        each.triangle.vertex[i] = std::uint32_t(random() % 20);
-      }
-      each.triangle.provoking = each.triangle.vertex[random() % 3];
-      each.triangle.backFacing = random() % 2 != 0;
-      each.originX = int(random() % 64);
-      each.originY = int(random() % 64);
-      each.gradients = gradientsOf(RasterState(), each.triangle.corner, each.originX, each.originY);
+      each.small = &own;
+      each.window = window;
+      for (std::uint32_t &vertex : own.vertex)
+        vertex = std::uint32_t(random() % kWindow);
+      if (k % 7 == 3) // thin
+        own.vertex[2] = own.vertex[1];
+      own.provokingAndFace = own.vertex[random() % 3] << 1 | (random() & 1);
+      own.originX = std::int16_t(random() % 64);
+      own.originY = std::int16_t(random() % 64);
       each.depth = {unit(random), unit(random), unit(random), unit(random), int(random() % 64)};
       each.made = nullptr;
       if (k % 5 == 2) { // as a shape's
-        makePlanes(*each.plan, each.triangle, each.gradients, each.originX, each.originY, made[k]);
+        makePlanes(state, *each.plan, triangleOf(own, window), false, own.originX, own.originY,
+                   made[k]);
         each.made = &made[k];
         each.inputs = abi::kMaxInputs;
       }
@@ -371,6 +378,9 @@ struct Group {
   }
   float values[kVertices];
   PlanePlan plans[2];
+  RasterState state;
+  WindowVertex window[kWindow];
+  SmallTriangle small[abi::PrimitiveColumns::kColumns];
   PackedTriangle triangles[abi::PrimitiveColumns::kColumns];
   abi::Primitive made[abi::PrimitiveColumns::kColumns] = {};
   const PackedTriangle *pointers[abi::PrimitiveColumns::kColumns];
@@ -388,11 +398,12 @@ TEST(Packed, ColumnsAreThePlanesOfEachTriangle) {
     for (const PackedKernels *const kernels : all) {
       auto columns = std::make_unique<abi::PrimitiveColumns>();
       std::memset(columns->rows, 0, sizeof columns->rows);
-      kernels->columns(group.pointers, count, *columns);
+      kernels->columns(group.state, group.pointers, count, *columns);
       for (int k = 0; k < count; ++k) {
         const PackedTriangle &each = group.triangles[k];
         abi::Primitive expected = {};
-        makePlanes(*each.plan, each.triangle, each.gradients, each.originX, each.originY, expected);
+        makePlanes(group.state, *each.plan, triangleOf(*each.small, each.window), false,
+                   each.small->originX, each.small->originY, expected);
         expected.z = each.depth;
         abi::Primitive got = columns->at(k);
         if (!each.plan->wantsW)

@@ -9,7 +9,7 @@
 /// The tile's copy of the depth buffer, and the kernels for any processor.
 namespace arbiter::swrast {
 
-void PackedTile::begin(const Rect &tile, const Shading &shading) {
+void PackedTile::begin(const Rect &tile, const Shading &shading, int depthOriginY) {
   std::fill(std::begin(loaded), std::end(loaded), std::uint16_t(0));
   rect = tile;
   target = shading.data->depthStencil;
@@ -18,6 +18,12 @@ void PackedTile::begin(const Rect &tile, const Shading &shading) {
   maximum = shading.data->depthMaximum;
   if (test.layout == abi::Layout::None)
     return;
+  const int left = tile.x & -kSide, bottom = (tile.y & -kSide) - depthOriginY;
+  for (int block = 0; block < kSide / 4; ++block)
+    for (int lane = 0; lane < kLanes; ++lane) {
+      xOf[block][lane] = float(left + 4 * block + lane % 4);
+      yOf[block][lane] = float(bottom + 4 * block + lane / 4);
+    }
   // Rows of a window are often whole pages apart, which processors do not foresee.
   constexpr int kLine = 64;
   const int bytes = rect.width * abi::bytesOf(test.layout);

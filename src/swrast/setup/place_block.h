@@ -2,10 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
+#include "swrast/setup/lanes.h"
 #include "swrast/setup/place.h"
 
 /// The inside of place.h, compiled once for each instruction set: include it only where its
@@ -14,31 +11,12 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Vertices of a block: what one vector holds, as wider ones are taken apart badly.
-#if defined(__AVX512F__)
-constexpr int kPlaced = 16;
-#elif defined(__AVX2__)
-constexpr int kPlaced = 8;
-#else
-constexpr int kPlaced = 4;
-#endif
-
-using Floats = float __attribute__((vector_size(4 * kPlaced)));
-using Ints = std::int32_t __attribute__((vector_size(4 * kPlaced)));
-using HalfFloats = float __attribute__((vector_size(2 * kPlaced)));
-using HalfInts = std::int32_t __attribute__((vector_size(2 * kPlaced)));
-using Doubles = double __attribute__((vector_size(4 * kPlaced)));
-using Longs = std::int64_t __attribute__((vector_size(4 * kPlaced)));
-
 /// Vertices of a block, one component a vector.
 struct PlacedBlock {
   Floats x, y, z, inverseW;
   Ints fixedX, fixedY, outcode;
 };
 
-template <typename Vector> Vector chosen(const Ints &mask, const Vector &yes, const Vector &no) {
-  return (Vector)(((Ints)yes & mask) | ((Ints)no & ~mask));
-}
 inline Ints coded(const Ints &mask, std::uint32_t code) { return mask & std::int32_t(code); }
 
 inline Ints outcodesOf(const Floats (&clip)[4], bool depthClamp) {
@@ -49,26 +27,6 @@ inline Ints outcodesOf(const Floats (&clip)[4], bool depthClamp) {
          coded(y > w, kOutTop) | coded(z < -w, near) | coded(z > w, far) | coded(~(w > 0), kOutW) |
          coded(~(sum - sum == 0), kOutNan);
 }
-
-/// In registers: what is stored in halves and loaded whole, or the other way, waits for the stores.
-template <int... lane> struct Lanes {
-  template <typename Whole> static auto low(const Whole &whole) {
-    return __builtin_shufflevector(whole, whole, lane...);
-  }
-  template <typename Whole> static auto high(const Whole &whole) {
-    return __builtin_shufflevector(whole, whole, (lane + kPlaced / 2)...);
-  }
-  template <typename Half> static auto joined(const Half &low, const Half &high) {
-    return __builtin_shufflevector(low, high, lane..., (lane + kPlaced / 2)...);
-  }
-};
-#if defined(__AVX512F__)
-using HalfLanes = Lanes<0, 1, 2, 3, 4, 5, 6, 7>;
-#elif defined(__AVX2__)
-using HalfLanes = Lanes<0, 1, 2, 3>;
-#else
-using HalfLanes = Lanes<0, 1>;
-#endif
 
 /// One rounding of the product and the sum together, as toWindow() has it.
 inline Floats scaled(const Floats &value, float scale, float translate) {
@@ -126,39 +84,6 @@ inline void placeBlock(const Viewport &viewport, const Floats (&clip)[4], Placed
   out.inverseW = chosen(placed, inverseW, Floats{});
 }
 
-/// Of each four lanes of two vectors those that the numbers name: 0 to 3 the first's, 4 to 7 the
-/// second's.
-template <int p0, int p1, int p2, int p3, typename Vector>
-Vector picked(const Vector &a, const Vector &b) {
-#if defined(__AVX512F__)
-  constexpr auto at = [](int quarter, int lane) {
-    return 4 * quarter + (lane < 4 ? lane : lane - 4 + kPlaced);
-  };
-  return __builtin_shufflevector(a, b, at(0, p0), at(0, p1), at(0, p2), at(0, p3), at(1, p0),
-                                 at(1, p1), at(1, p2), at(1, p3), at(2, p0), at(2, p1), at(2, p2),
-                                 at(2, p3), at(3, p0), at(3, p1), at(3, p2), at(3, p3));
-#elif defined(__AVX2__)
-  constexpr auto at = [](int quarter, int lane) {
-    return 4 * quarter + (lane < 4 ? lane : lane - 4 + kPlaced);
-  };
-  return __builtin_shufflevector(a, b, at(0, p0), at(0, p1), at(0, p2), at(0, p3), at(1, p0),
-                                 at(1, p1), at(1, p2), at(1, p3));
-#else
-  return __builtin_shufflevector(a, b, p0, p1, p2, p3);
-#endif
-}
-
-/// Of four vectors the first, second, third and fourth of each four vertices: afterwards quarter q
-/// of vector v holds all four values of vertex 4 q + v.
-template <typename Vector> void turn(Vector &a, Vector &b, Vector &c, Vector &d) {
-  const Vector abLow = picked<0, 4, 1, 5>(a, b), cdLow = picked<0, 4, 1, 5>(c, d);
-  const Vector abHigh = picked<2, 6, 3, 7>(a, b), cdHigh = picked<2, 6, 3, 7>(c, d);
-  a = picked<0, 1, 4, 5>(abLow, cdLow);
-  b = picked<2, 3, 6, 7>(abLow, cdLow);
-  c = picked<0, 1, 4, 5>(abHigh, cdHigh);
-  d = picked<2, 3, 6, 7>(abHigh, cdHigh);
-}
-
 /// Bounds lane by lane, so that blocks are added without looking across lanes.
 struct LaneBounds {
   Ints outcodes = Ints{}, minX = Ints{} + INT32_MAX, minY = Ints{} + INT32_MAX,
@@ -182,7 +107,7 @@ struct LaneBounds {
 inline void load(const Vertices &vertices, std::uint32_t at, int count, Floats (&clip)[4]) {
   for (int c = 0; c < 4; ++c) {
     const float *const from = vertices.position[c] + at;
-    if (count == kPlaced) {
+    if (count == kLanes) {
       __builtin_memcpy(&clip[c], from, sizeof clip[c]);
       continue;
     }
@@ -230,9 +155,9 @@ inline PlacedBounds placeAll(const Viewport &shared, const Vertices &vertices, s
   PlacedBounds all;
   LaneBounds lanes;
   std::uint32_t at = begin;
-  for (; end - at >= std::uint32_t(kPlaced); at += kPlaced)
-    placeSome(viewport, vertices, at, kPlaced, window, lanes);
-  lanes.addTo(all, kPlaced);
+  for (; end - at >= std::uint32_t(kLanes); at += kLanes)
+    placeSome(viewport, vertices, at, kLanes, window, lanes);
+  lanes.addTo(all, kLanes);
   if (at < end) {
     LaneBounds last;
     placeSome(viewport, vertices, at, int(end - at), window, last);

@@ -17,8 +17,8 @@ Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3], in
   }
   double area = x1 * y2 - x2 * y1;
   constexpr double kUnit = 1.0 / kSubpixels;
-  if (std::fabs(area) < kUnit * kUnit) {
-    // So thin that what was lost by snapping could turn it over: the snapped corners have an area.
+  if (std::fabs(area) < kThinArea) {
+    // The snapped corners have an area.
     x1 = (corner[1].fixedX - corner[0].fixedX) * kUnit;
     y1 = (corner[1].fixedY - corner[0].fixedY) * kUnit;
     x2 = (corner[2].fixedX - corner[0].fixedX) * kUnit;

@@ -34,6 +34,10 @@ struct PlanePlan {
   bool wantsDepth, wantsW;
 };
 
+/// Twice the area in pixels of a triangle so thin that what was lost by snapping could turn it
+/// over.
+inline constexpr double kThinArea = 1.0 / (kSubpixels * kSubpixels);
+
 /// The linear functions over a triangle: what a change of a value along its two sides adds per
 /// pixel.
 struct Gradients {

@@ -1,0 +1,89 @@
+#pragma once
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/// The widest vectors of an instruction set, and how they are turned: include it only where kernels
+/// are compiled once for each of them. Nothing in here may be shared between those, hence the
+/// nameless namespace and no function of the standard library.
+namespace arbiter::swrast {
+namespace {
+
+/// What one vector holds of 32 bits, as wider ones are taken apart badly.
+#if defined(__AVX512F__)
+constexpr int kLanes = 16;
+#elif defined(__AVX2__)
+constexpr int kLanes = 8;
+#else
+constexpr int kLanes = 4;
+#endif
+
+using Floats = float __attribute__((vector_size(4 * kLanes)));
+using Ints = std::int32_t __attribute__((vector_size(4 * kLanes)));
+using HalfFloats = float __attribute__((vector_size(2 * kLanes)));
+using HalfInts = std::int32_t __attribute__((vector_size(2 * kLanes)));
+using Doubles = double __attribute__((vector_size(4 * kLanes)));
+using Longs = std::int64_t __attribute__((vector_size(4 * kLanes)));
+
+/// \param mask all bits or none of a lane
+template <typename Vector> Vector chosen(const Ints &mask, const Vector &yes, const Vector &no) {
+  return mask ? yes : no;
+}
+
+/// In registers: what is stored in halves and loaded whole, or the other way, waits for the stores.
+template <int... lane> struct Lanes {
+  template <typename Whole> static auto low(const Whole &whole) {
+    return __builtin_shufflevector(whole, whole, lane...);
+  }
+  template <typename Whole> static auto high(const Whole &whole) {
+    return __builtin_shufflevector(whole, whole, (lane + kLanes / 2)...);
+  }
+  template <typename Half> static auto joined(const Half &low, const Half &high) {
+    return __builtin_shufflevector(low, high, lane..., (lane + kLanes / 2)...);
+  }
+};
+#if defined(__AVX512F__)
+using HalfLanes = Lanes<0, 1, 2, 3, 4, 5, 6, 7>;
+#elif defined(__AVX2__)
+using HalfLanes = Lanes<0, 1, 2, 3>;
+#else
+using HalfLanes = Lanes<0, 1>;
+#endif
+
+/// Of each four lanes of two vectors those that the numbers name: 0 to 3 the first's, 4 to 7 the
+/// second's.
+template <int p0, int p1, int p2, int p3, typename Vector>
+Vector picked(const Vector &a, const Vector &b) {
+#if defined(__AVX512F__)
+  constexpr auto at = [](int quarter, int lane) {
+    return 4 * quarter + (lane < 4 ? lane : lane - 4 + kLanes);
+  };
+  return __builtin_shufflevector(a, b, at(0, p0), at(0, p1), at(0, p2), at(0, p3), at(1, p0),
+                                 at(1, p1), at(1, p2), at(1, p3), at(2, p0), at(2, p1), at(2, p2),
+                                 at(2, p3), at(3, p0), at(3, p1), at(3, p2), at(3, p3));
+#elif defined(__AVX2__)
+  constexpr auto at = [](int quarter, int lane) {
+    return 4 * quarter + (lane < 4 ? lane : lane - 4 + kLanes);
+  };
+  return __builtin_shufflevector(a, b, at(0, p0), at(0, p1), at(0, p2), at(0, p3), at(1, p0),
+                                 at(1, p1), at(1, p2), at(1, p3));
+#else
+  return __builtin_shufflevector(a, b, p0, p1, p2, p3);
+#endif
+}
+
+/// Of four vectors the first, second, third and fourth of each four vertices: afterwards quarter q
+/// of vector v holds all four values of vertex 4 q + v.
+template <typename Vector> void turn(Vector &a, Vector &b, Vector &c, Vector &d) {
+  const Vector abLow = picked<0, 4, 1, 5>(a, b), cdLow = picked<0, 4, 1, 5>(c, d);
+  const Vector abHigh = picked<2, 6, 3, 7>(a, b), cdHigh = picked<2, 6, 3, 7>(c, d);
+  a = picked<0, 1, 4, 5>(abLow, cdLow);
+  b = picked<2, 3, 6, 7>(abLow, cdLow);
+  c = picked<0, 1, 4, 5>(abHigh, cdHigh);
+  d = picked<2, 3, 6, 7>(abHigh, cdHigh);
+}
+
+} // namespace
+} // namespace arbiter::swrast
