@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "swrast/cover/packed.h"
+#include "swrast/setup/lanes.h"
 
 /// The planes of up to sixteen triangles at a time, a lane each, compiled once for each instruction
 /// set: include it only where its kernels are made. Nothing in here may be shared between those,
@@ -13,13 +14,45 @@ namespace arbiter::swrast {
 namespace {
 
 constexpr int kColumns = abi::PrimitiveColumns::kColumns;
+constexpr int kDoubles = kLanes / 2; ///< doubles of a vector
+
+/// Numbers of a run of triangles as doubles, a vector behind the other.
+struct ColumnDoubles {
+  Doubles part[kColumns / kDoubles];
+};
+
+inline void widen(const float (&values)[kColumns], ColumnDoubles &to) {
+  for (int i = 0; i < kColumns / kDoubles; ++i) {
+    HalfFloats half;
+    __builtin_memcpy(&half, values + i * kDoubles, sizeof half);
+    to.part[i] = widened(half);
+  }
+}
+inline void widen(const std::int32_t (&values)[kColumns], ColumnDoubles &to) {
+  for (int i = 0; i < kColumns / kDoubles; ++i) {
+    HalfInts half;
+    __builtin_memcpy(&half, values + i * kDoubles, sizeof half);
+    to.part[i] = widened(half);
+  }
+}
+
+/// Element index[k] & mask of an array in lane k.
+inline void gather(const float *from, const std::uint32_t (&index)[kColumns], std::uint32_t mask,
+                   float (&values)[kColumns]) {
+#if defined(__AVX512F__)
+  const __m512i at = _mm512_and_si512(_mm512_loadu_si512(index), _mm512_set1_epi32(int(mask)));
+  _mm512_storeu_ps(values, _mm512_i32gather_ps(at, from, 4));
+#else
+  for (int k = 0; k < kColumns; ++k)
+    values[k] = from[index[k] & mask];
+#endif
+}
 
 /// What planes are made of, of a run of triangles of one draw; behind the last its fields again.
 struct ColumnTerms {
-  double dx1[kColumns], dx2[kColumns], dy1[kColumns], dy2[kColumns], toX[kColumns], toY[kColumns];
-  double inverseW[3][kColumns];
-  std::uint32_t vertex[3][kColumns], provoking[kColumns];
-  bool backFacing[kColumns];
+  ColumnDoubles dx1, dx2, dy1, dy2, toX, toY; ///< Gradients
+  ColumnDoubles inverseW[3];
+  std::uint32_t vertex[3][kColumns], provoking[kColumns], backFacing[kColumns];
 
   ColumnTerms(const RasterState &state, const PackedTriangle *const *triangles, int count) {
     float x[3][kColumns], y[3][kColumns], w[3][kColumns];
@@ -37,69 +70,89 @@ struct ColumnTerms {
       originX[k] = small.originX;
       originY[k] = small.originY;
       provoking[k] = small.provokingAndFace >> 1;
-      backFacing[k] = (small.provokingAndFace & 1) != 0;
+      backFacing[k] = small.provokingAndFace & 1;
     }
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < kColumns; ++k)
-        inverseW[i][k] = w[i][k];
-    // gradientsOf()
-    double area[kColumns];
-    const double sign = state.upsideDownHeight != 0 ? -1.0 : 1.0;
-    const double bottom = state.upsideDownHeight;
-    for (int k = 0; k < kColumns; ++k) {
-      const double x0 = x[0][k], y0 = y[0][k];
-      const double x1 = x[1][k] - x0, y1 = sign * (y[1][k] - y0);
-      const double x2 = x[2][k] - x0, y2 = sign * (y[2][k] - y0);
-      area[k] = x1 * y2 - x2 * y1;
-      const double inverse = 1.0 / area[k];
-      dx1[k] = y2 * inverse;
-      dx2[k] = -y1 * inverse;
-      dy1[k] = -x2 * inverse;
-      dy2[k] = x1 * inverse;
-      toX[k] = originX[k] + 0.5 - x0;
-      toY[k] = originY[k] + 0.5 - (sign < 0 ? bottom - y0 : y0);
+      widen(w[i], inverseW[i]);
+    ColumnDoubles wideX[3], wideY[3];
+    for (int i = 0; i < 3; ++i) {
+      widen(x[i], wideX[i]);
+      widen(y[i], wideY[i]);
     }
-    for (int k = 0; k < kColumns; ++k)
-      if (__builtin_fabs(area[k]) < kThinArea)
-        setGradients(state, *triangles[k < count ? k : count - 1], k);
+    widen(originX, toX);
+    widen(originY, toY);
+    for (int i = 0; i < kColumns / kDoubles; ++i) {
+      for (unsigned thin = lanesIn(setGradients(state, i, wideX, wideY)); thin != 0;
+           thin &= thin - 1) {
+        const int k = __builtin_ctz(thin), column = i * kDoubles + k;
+        setThin(state, *triangles[column < count ? column : count - 1], i, k);
+      }
+    }
   }
 
-  /// Of one that is thin.
-  void setGradients(const RasterState &state, const PackedTriangle &each, int k) {
+  /// gradientsOf() of a vector, whose origins are in toX and toY. \return those that are thin
+  Longs setGradients(const RasterState &state, int i, const ColumnDoubles (&x)[3],
+                     const ColumnDoubles (&y)[3]) {
+    const bool isUpsideDown = state.upsideDownHeight != 0;
+    const Doubles x0 = x[0].part[i], y0 = y[0].part[i];
+    const Doubles x1 = x[1].part[i] - x0, x2 = x[2].part[i] - x0;
+    Doubles y1 = y[1].part[i] - y0, y2 = y[2].part[i] - y0, bottom = y0;
+    if (isUpsideDown) {
+      y1 = -y1;
+      y2 = -y2;
+      bottom = double(state.upsideDownHeight) - y0;
+    }
+    const Doubles area = x1 * y2 - x2 * y1;
+    const Doubles inverse = 1.0 / area;
+    dx1.part[i] = y2 * inverse;
+    dx2.part[i] = -y1 * inverse;
+    dy1.part[i] = -x2 * inverse;
+    dy2.part[i] = x1 * inverse;
+    toX.part[i] = toX.part[i] + 0.5 - x0;
+    toY.part[i] = toY.part[i] + 0.5 - bottom;
+    return (area < kThinArea) & (area > -kThinArea);
+  }
+
+  void setThin(const RasterState &state, const PackedTriangle &each, int i, int k) {
     const Triangle triangle = triangleOf(*each.small, each.window);
     const Gradients gradients =
         gradientsOf(state, triangle.corner, each.small->originX, each.small->originY);
-    dx1[k] = gradients.dx1;
-    dx2[k] = gradients.dx2;
-    dy1[k] = gradients.dy1;
-    dy2[k] = gradients.dy2;
-    toX[k] = gradients.toX;
-    toY[k] = gradients.toY;
+    dx1.part[i][k] = gradients.dx1;
+    dx2.part[i][k] = gradients.dx2;
+    dy1.part[i][k] = gradients.dy1;
+    dy2.part[i][k] = gradients.dy2;
+    toX.part[i][k] = gradients.toX;
+    toY.part[i][k] = gradients.toY;
   }
 
   /// A component of the vertices in \p index.
-  void fetch(const PlanePlan::Source &source, const std::uint32_t *index, float *values) const {
-    const float *const front = source.values[0], *const back = source.values[1];
-    const std::uint32_t frontMask = source.mask[0], backMask = source.mask[1];
-    if (front == back && frontMask == backMask) {
-      for (int k = 0; k < kColumns; ++k)
-        values[k] = front[index[k] & frontMask];
+  void fetch(const PlanePlan::Source &source, const std::uint32_t (&index)[kColumns],
+             float (&values)[kColumns]) const {
+    gather(source.values[0], index, source.mask[0], values);
+    if (source.values[0] == source.values[1] && source.mask[0] == source.mask[1])
       return;
-    }
     for (int k = 0; k < kColumns; ++k)
-      values[k] = backFacing[k] ? back[index[k] & backMask] : front[index[k] & frontMask];
+      if (backFacing[k] != 0)
+        values[k] = source.values[1][index[k] & source.mask[1]];
   }
 
   /// Gradients::plane() of values at the corners.
-  void plane(const double (&f)[3][kColumns], float (&out)[3][kColumns]) const {
-    for (int k = 0; k < kColumns; ++k) {
-      const double f0 = f[0][k], d1 = f[1][k] - f0, d2 = f[2][k] - f0;
-      const double dx = d1 * dx1[k] + d2 * dx2[k], dy = d1 * dy1[k] + d2 * dy2[k];
-      const double c = f0 + dx * toX[k] + dy * toY[k], level = f0 + 0.0;
-      const bool isLevel = (d1 == 0) & (d2 == 0);
-      out[0][k] = float(isLevel ? level : c);
-      out[1][k] = float(isLevel ? 0.0 : dx);
-      out[2][k] = float(isLevel ? 0.0 : dy);
+  void plane(const ColumnDoubles (&f)[3], float (&out)[3][kColumns]) const {
+    for (int i = 0; i < kColumns / kDoubles; ++i) {
+      const Doubles f0 = f[0].part[i], d1 = f[1].part[i] - f0, d2 = f[2].part[i] - f0;
+      Doubles dx = d1 * dx1.part[i] + d2 * dx2.part[i];
+      Doubles dy = d1 * dy1.part[i] + d2 * dy2.part[i];
+      Doubles c = f0 + dx * toX.part[i] + dy * toY.part[i];
+      const Longs isLevel = (d1 == 0) & (d2 == 0);
+      const Doubles none{};
+      c = isLevel ? f0 + 0.0 : c;
+      dx = isLevel ? none : dx;
+      dy = isLevel ? none : dy;
+      const Doubles *const sums[3] = {&c, &dx, &dy};
+      for (int row = 0; row < 3; ++row) {
+        const HalfFloats half = narrowed(*sums[row]);
+        __builtin_memcpy(out[row] + i * kDoubles, &half, sizeof half);
+      }
     }
   }
 };
@@ -136,24 +189,23 @@ inline void setColumnsOf(const RasterState &state, const PlanePlan &plan,
   }
   for (int i = 0; i < plan.count; ++i) {
     const PlanePlan::Source &source = plan.sources[i];
-    const std::size_t offset = offsetOf(source);
     if (i >= plan.flatFrom) {
       terms.fetch(source, terms.provoking, plane[0]);
       for (int k = 0; k < kColumns; ++k)
         plane[1][k] = plane[2][k] = 0;
     } else {
-      float values[3][kColumns];
-      double f[3][kColumns];
-      for (int corner = 0; corner < 3; ++corner)
-        terms.fetch(source, terms.vertex[corner], values[corner]);
-      const bool perspective = i < plan.linearFrom;
-      for (int corner = 0; corner < 3; ++corner)
-        for (int k = 0; k < kColumns; ++k)
-          f[corner][k] = perspective ? values[corner][k] * terms.inverseW[corner][k]
-                                     : double(values[corner][k]);
+      ColumnDoubles f[3];
+      for (int corner = 0; corner < 3; ++corner) {
+        float values[kColumns];
+        terms.fetch(source, terms.vertex[corner], values);
+        widen(values, f[corner]);
+        if (i < plan.linearFrom)
+          for (int part = 0; part < kColumns / kDoubles; ++part)
+            f[corner].part[part] *= terms.inverseW[corner].part[part];
+      }
       terms.plane(f, plane);
     }
-    storePlane(to, offset, first, count, plane);
+    storePlane(to, offsetOf(source), first, count, plane);
   }
 }
 
@@ -191,7 +243,7 @@ inline void copyColumn(const PackedTriangle &each, int column, abi::PrimitiveCol
 void setColumns(const RasterState &state, const PackedTriangle *const *triangles, int count,
                 abi::PrimitiveColumns &to) {
   /// All lanes are computed for any number of triangles.
-  constexpr int kLeastRun = 4;
+  constexpr int kLeastRun = 2;
   for (int k = 0; k < count; ++k) {
     const PackedTriangle &each = *triangles[k];
     const auto set = [&](std::size_t offset, const void *word) {

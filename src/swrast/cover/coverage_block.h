@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "swrast/cover/coverage.h"
@@ -54,6 +55,7 @@ struct Int8Pair {
 [[maybe_unused]] inline Int8Pair operator|(const Int8Pair &a, const Int8Pair &b) {
   return {a.low | b.low, a.high | b.high};
 }
+[[maybe_unused]] inline Int8Pair operator~(const Int8Pair &a) { return {~a.low, ~a.high}; }
 [[maybe_unused]] inline Int8Pair &operator+=(Int8Pair &a, const Int8Pair &b) { return a = a + b; }
 [[maybe_unused]] inline unsigned signs(const Int8Pair &value) {
   return signs(value.low) | signs(value.high) << 8;
@@ -104,6 +106,17 @@ inline unsigned bitsOf(unsigned mask) {
 #endif
 }
 
+/// A block's first two fields as the lower half of its word.
+inline std::uint64_t wordOf(std::int32_t x, std::int32_t y) {
+  return (std::uint32_t(x) & 0xFFFF) | std::uint32_t(y) << 16;
+}
+/// As one word: what is stored field by field and loaded whole waits for the stores.
+inline void storeBlock(abi::Block &to, std::uint64_t place, unsigned mask) {
+  static_assert(sizeof to == sizeof place && offsetof(abi::Block, mask) == 4);
+  place |= std::uint64_t(mask) << 32;
+  __builtin_memcpy(&to, &place, sizeof place);
+}
+
 /// Of a small triangle: edge functions at the pixels of a block, one a lane, moved from block to
 /// block by sums.
 template <typename Int, int kWidth, int kHeight>
@@ -126,10 +139,10 @@ Cover cover(const SmallTriangle &triangle, const Rect &part, abi::Block *blocks)
   for (std::int32_t y = firstY; y < top; y += kHeight) {
     Int at0 = start[0], at1 = start[1], at2 = start[2];
     for (std::int32_t x = firstX; x < right; x += kWidth) {
-      const unsigned mask = ~signs(at0 | at1 | at2) & kAll;
+      const unsigned mask = signs(~(at0 | at1 | at2)) & kAll;
       // Written in any case, kept if something is covered: cheaper than a branch that nothing
       // foretells.
-      blocks[result.blocks] = {std::int16_t(x), std::int16_t(y), std::uint16_t(mask), 0};
+      storeBlock(blocks[result.blocks], wordOf(x, y), mask);
       result.blocks += mask != 0 ? 1 : 0;
       result.pixels += bitsOf(mask);
       at0 += stepX[0];
@@ -209,7 +222,7 @@ Cover coverRegion(const Region &region, abi::Block *blocks) {
         }
         if (x < region.left || x + kWidth > region.right)
           mask &= columnsMask<kWidth, kHeight>(region.left - x, region.right - x);
-        blocks[result.blocks] = {std::int16_t(x), std::int16_t(y), std::uint16_t(mask), 0};
+        storeBlock(blocks[result.blocks], wordOf(x, y), mask);
         result.blocks += mask != 0 ? 1 : 0;
         result.pixels += bitsOf(mask);
       }

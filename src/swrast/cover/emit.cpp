@@ -170,6 +170,10 @@ void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
 }
 
 void Emitter::keepInside(const Rect &rect, const Rect &part, BlockSize size) {
+  // What is cut where blocks begin and end cuts none of them.
+  constexpr int kWithin = 3;
+  if (((rect.x | rect.y | rect.width | rect.height) & kWithin) == 0 && !m_stippled)
+    return;
   const int right = rect.x + rect.width, top = rect.y + rect.height;
   const bool crosses = (part.x & -size.width) < rect.x || (part.y & -size.height) < rect.y ||
                        ((part.x + part.width + size.width - 1) & -size.width) > right ||

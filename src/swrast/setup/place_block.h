@@ -31,8 +31,7 @@ inline Ints outcodesOf(const Floats (&clip)[4], bool depthClamp) {
 /// One rounding of the product and the sum together, as toWindow() has it.
 inline Floats scaled(const Floats &value, float scale, float translate) {
   const auto half = [&](const HalfFloats &values) {
-    const Doubles wide = __builtin_convertvector(values, Doubles);
-    return __builtin_convertvector(wide * double(scale) + double(translate), HalfFloats);
+    return narrowed(widened(values) * double(scale) + double(translate));
   };
   return HalfLanes::joined(half(HalfLanes::low(value)), half(HalfLanes::high(value)));
 }

@@ -20,22 +20,6 @@ struct WindowCorner {
   Floats x, y, z;
 };
 
-/// Bit i: lane i is negative.
-inline unsigned lanesIn(const Ints &mask) {
-#if defined(__AVX512F__)
-  return unsigned(_mm512_movepi32_mask((__m512i)mask));
-#elif defined(__AVX2__)
-  return unsigned(_mm256_movemask_ps((__m256)mask));
-#elif defined(__SSE2__)
-  return unsigned(_mm_movemask_ps((__m128)mask));
-#else
-  unsigned lanes = 0;
-  for (int i = 0; i < kLanes; ++i)
-    lanes |= unsigned(mask[i] < 0) << i;
-  return lanes;
-#endif
-}
-
 /// 16 bytes of each of the vertices 4 q + \p v of a block: a quarter each.
 inline Ints quartersOf(const char *window, const std::uint32_t *vertex, int v) {
   const auto at = [&](int quarter) {
