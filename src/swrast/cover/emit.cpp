@@ -142,7 +142,9 @@ void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
   m_stippled = m_state.polygonStipple != nullptr;
   m_isRow = !m_packs && wantsRows(part.width);
   const auto planes = [&](const Triangle &triangle) {
-    makePlanes(m_state, plan, triangle, m_state.offsetFill, small.originX, small.originY, m_small);
+    const int x = small.originX, y = small.originY;
+    m_small.z = small.depthPlane(depthOriginY(m_state));
+    makePlanes(plan, triangle, gradientsOf(m_state, triangle.corner, x, y), x, y, m_small);
   };
   if (m_isRow) {
     const Triangle triangle = triangleOf(small, window);
