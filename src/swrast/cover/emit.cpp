@@ -61,6 +61,11 @@ bool Emitter::wantsRows(int width) const {
   return width >= kRowVectors * m_shading.lanes;
 }
 
+bool Emitter::wantsRowsOfSmall(int width) const {
+  constexpr int kLeastLanes = 8; // blocks of 2x2 are too many
+  return m_shading.lanes < kLeastLanes ? wantsRows(width) : m_shading.quad == nullptr;
+}
+
 void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top) {
   left = std::max(left, shape.left);
   right = std::min(right, shape.right);
@@ -140,7 +145,7 @@ void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
     return;
   m_primitive = &m_small;
   m_stippled = m_state.polygonStipple != nullptr;
-  m_isRow = !m_packs && wantsRows(part.width);
+  m_isRow = !m_packs && wantsRowsOfSmall(part.width);
   const auto planes = [&](const Triangle &triangle) {
     const int x = small.originX, y = small.originY;
     m_small.z = small.depthPlane(depthOriginY(m_state));

@@ -70,6 +70,8 @@ private:
   template <typename MaskOf> void filterBlocks(MaskOf maskOf, BlockSize size);
   [[nodiscard]] static unsigned insideMask(const Rect &rect, int x, int y, BlockSize size);
   [[nodiscard]] bool wantsRows(int width) const;
+  /// Of small triangles, which rows cut into pieces of less than a vector.
+  [[nodiscard]] bool wantsRowsOfSmall(int width) const;
 
   FlushMode m_mode;
   const RasterState &m_state;
