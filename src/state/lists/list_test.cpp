@@ -290,6 +290,30 @@ TEST(Lists, PrimitivesAreKeptFromTheHost) {
   EXPECT_TRUE(host.lists.empty()) << "what it was drawn with is deleted too";
 }
 
+TEST(Lists, WhatIsSetBehindTheLastVertexIsCurrentThoughTheHostDraws) {
+  for (const bool behind : {false, true}) {
+    FakeHost host;
+    KeepingContext context(host);
+    handlers::NewList(*context, 1, GL_COMPILE);
+    handlers::Begin(*context, GL_POINTS);
+    context->recorder->set(software::kColor, 1, 0, 0, 1);
+    context->recorder->vertex(1, 2, 0, 1);
+    if (behind)
+      context->recorder->set(software::kColor, 0, 1, 0, 1);
+    handlers::End(*context);
+    handlers::EndList(*context);
+    context.leaveToHost(host);
+    handlers::CallList(*context, 1);
+    const auto called =
+        std::find(host.calls.begin(), host.calls.end(), "CallList " + std::to_string(kTop));
+    ASSERT_NE(called, host.calls.end());
+    const auto after = std::count_if(called, host.calls.end(), [](const std::string &call) {
+      return call.starts_with("Color4fv");
+    });
+    EXPECT_EQ(after, behind ? 1 : 0);
+  }
+}
+
 TEST(Lists, PrimitivesThatAreExecutedTooAreDrawnOutsideOfTheHostsLists) {
   FakeHost host;
   KeepingContext context(host);

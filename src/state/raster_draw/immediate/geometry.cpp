@@ -39,6 +39,18 @@ void take(Geometry &to, const ImmediateRecorder &recorder) {
   }
 }
 
+/// Requires: take() was called with what is last in `geometry`.
+bool endsOtherwise(const Geometry &geometry) {
+  if (geometry.count == 0)
+    return geometry.touched != 0;
+  const float *const last = geometry.data.data() + geometry.data.size() - geometry.stride;
+  for (unsigned i = 1; i < geometry.slotCount; ++i)
+    if (const auto &value = geometry.values[geometry.slots[i]];
+        !std::equal(value.begin(), value.end(), last + 4 * i))
+      return true;
+  return false;
+}
+
 VertexSource sourceOf(const Geometry &geometry, const float *data) {
   VertexSource source;
   source.count = geometry.count;
@@ -68,6 +80,7 @@ std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder, bool fro
   geometry->data.assign(recorder.data(),
                         recorder.data() + std::size_t(geometry->count) * geometry->stride);
   take(*geometry, recorder);
+  geometry->endsOtherwise = !fromArrays && endsOtherwise(*geometry);
   return geometry;
 }
 
@@ -90,6 +103,7 @@ bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
                  recorder.data() + std::size_t(recorder.count()) * to.stride);
   to.count = whole + recorder.count();
   take(to, recorder);
+  to.endsOtherwise = !fromArrays && endsOtherwise(to);
   return true;
 }
 

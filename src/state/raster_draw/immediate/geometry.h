@@ -32,12 +32,13 @@ public:
   std::array<std::uint8_t, kSlots> slots{};
   /// From which vertex on each of them is set.
   std::array<std::uint32_t, kSlots> since{};
-  bool open = false;         ///< Begin without End
-  bool onlyValues = false;   ///< no primitive: attributes that were set outside of them
-  bool fromArrays = false;   ///< draws of arrays: current values stay what they are
-  bool uniform = true;       ///< all of them from the first vertex on
-  std::uint32_t touched = 0; ///< slots that were set, one bit each
-  CurrentValues values{};    ///< of these, as the primitives leave them behind
+  bool open = false;          ///< Begin without End
+  bool onlyValues = false;    ///< no primitive: attributes that were set outside of them
+  bool fromArrays = false;    ///< draws of arrays: current values stay what they are
+  bool uniform = true;        ///< all of them from the first vertex on
+  bool endsOtherwise = false; ///< a value was set behind the last vertex
+  std::uint32_t touched = 0;  ///< slots that were set, one bit each
+  CurrentValues values{};     ///< of these, as the primitives leave them behind
 
   /// The host's list that draws the same, which `make` makes when it is first asked for and gives
   /// the name of.

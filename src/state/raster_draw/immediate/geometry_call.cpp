@@ -53,6 +53,9 @@ void drawOnHost(Context &context, const Geometry &geometry) {
   if (restores)
     context.host->PopAttrib();
   context.dirty |= dirty::kCurrent;
+  // A list of Mesa 22.3.6 leaves those of its last vertex.
+  if (geometry.endsOtherwise)
+    setCurrentValues(context, geometry.values, geometry.touched);
 }
 
 /// As the application does: whose primitive it is shows when it is whole.
