@@ -52,7 +52,9 @@ private:
                                                   : "LONG TEMP r0;");
     line("TEMP r1, r2, r3, r4, guard, bits, turns;");
     line("PARAM c[8] = { program.local[0..7] };");
-    line("PARAM k = { 0.5, 0.25, 2.0, -1.0 };");
+    // What NVIDIA's compiler knows to be negative sets a condition code that it takes for a
+    // positive one where flow joins.
+    line(m_options.peer ? "PARAM k = program.local[7];" : "PARAM k = { 0.5, 0.25, 2.0, -1.0 };");
     if (m_options.wild) {
       line("PARAM large = { 0.0, 1e30, -1e30, 300.0 };");
       line("PARAM small = { 1e-40, -2.5e-30, 1e-20, -0.0 };");
@@ -225,8 +227,10 @@ private:
       return arithmetic();
     bool saturates = false;
     const std::string word = suffix(info(Opcode::Ddx), saturates);
-    line((m_random.chance(50) ? "DDX" : "DDY") + word + " " + destination() + ", " +
-         operand(false) + ";");
+    std::string to = destination();
+    if (m_options.peer && word.ends_with('C')) // a branch there, which splits the quad
+      to = to.substr(0, to.find(' '));
+    line((m_random.chance(50) ? "DDX" : "DDY") + word + " " + to + ", " + operand(false) + ";");
   }
 
   // Addresses --------------------------------------------------------------------------------
@@ -243,7 +247,7 @@ private:
     const std::string name = m_random.chance(50) ? "A" : "B";
     const std::string mask = m_random.chance(60) ? "" : m_random.chance(50) ? ".x" : ".yw";
     const std::string test = m_random.chance(25) ? " (" + condition() + ")" : "";
-    const std::string word = m_random.chance(25) ? "C " : " ";
+    const std::string word = m_random.chance(25) && updatesHere() ? "C " : " ";
     switch (m_random.below(m_options.peer ? 2 : second() ? 4 : 3)) {
     case 0:
       line("ARL" + word + name + mask + test + ", " + addressValue() + ";");
@@ -394,7 +398,6 @@ private:
   std::string m_text;
   int m_left = 0, m_depth = 0, m_loops = 0;
   int m_subroutines = 0, m_subroutine = 0, m_labels = 0;
-  bool m_inSubroutine = false;
   std::vector<std::string> m_open, m_placed; ///< labels of branches: to place, placed
 };
 } // namespace

@@ -20,8 +20,10 @@ struct RandomNvOptions {
   /// end its compiler or its draws, beyond an array and in registers that nothing wrote it reads
   /// other memory, it sets condition codes before it clamps, and KIL of a vector sets them too, it
   /// clamps no SSG, does not take BRA, BRK and RET by any of several components, writes the X2D's
-  /// result while it reads, ignores the level of TXB in vertex programs, and leaves the rest of an
-  /// indexed result undefined (docs/nv_programs.md).
+  /// result while it reads, ignores the level of TXB in vertex programs, leaves the rest of an
+  /// indexed result undefined, loses the sign of constants in condition codes, takes a condition
+  /// for what it was before a subroutine that sets it, and makes a branch of a derivative with one
+  /// (docs/nv_programs.md).
   bool peer = false;
   /// DDX and DDY also where fragments of a quad may have left the loop: undefined on hosts.
   bool loopDerivatives = false;

@@ -60,7 +60,7 @@ std::string NvWords::suffix(const OpInfo &op, bool &saturates) {
     word += m_options.peer                               ? "R"
             : op.has(ir::NoFixed) || m_random.chance(50) ? (m_random.chance(50) ? "R" : "H")
                                                          : "X";
-  const bool sets = !op.has(ir::NoCondition) && m_random.chance(40);
+  const bool sets = !op.has(ir::NoCondition) && m_random.chance(40) && updatesHere();
   if (sets)
     word += m_options.vertex && second() ? (m_random.chance(50) ? "C1" : "C") : "C";
   saturates = !op.has(ir::NoSaturate) && (!m_options.vertex || second()) && m_random.chance(20) &&

@@ -26,6 +26,8 @@ protected:
   /// Without signs and bars.
   static std::string bare(std::string value);
   std::string condition();
+  /// Whether an instruction may set a condition code where it stands.
+  [[nodiscard]] bool updatesHere() const { return !m_options.peer || !m_inSubroutine; }
   /// \param saturates set if the suffix is a _SAT or _SSAT
   std::string suffix(const ir::OpInfo &op, bool &saturates);
   /// \param op whose components, where some are undefined, are left out
@@ -34,6 +36,7 @@ protected:
   Random m_random;
   RandomNvOptions m_options;
   int m_counting = 0; ///< LOOPs around what is written
+  bool m_inSubroutine = false;
 
 private:
   static constexpr int kTemporaries = 5;

@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -154,24 +156,47 @@ inline std::string wholeText(const Language &language, const char *rows, std::st
   return text + statements + "\n" + result + "END\n";
 }
 
+/// The image of opcode_cases.def.
+/// \param x, y how the coordinate changes from a pixel to the next
+inline Vec4 sampled(const ir::Sample &sample, const Vec4 &x, const Vec4 &y) {
+  constexpr float kSize = 16, kLast = 4;
+  const float longest = std::max(std::hypot(x[0], x[1]), std::hypot(y[0], y[1])) * kSize;
+  const float lod = sample.lod ? *sample.lod : std::log2(longest) + sample.bias;
+  // Nearest level (OpenGL 2.1, 3.8.8): one half belongs to the lower.
+  const float level = std::clamp(std::ceil(lod + 0.5f) - 1, 0.0f, kLast);
+  const float size = std::ldexp(kSize, -int(level));
+  const auto texel = [&](std::size_t i) {
+    return std::floor((sample.coordinate[i] - std::floor(sample.coordinate[i])) * size);
+  };
+  return {texel(0), texel(1), level, 7};
+}
+
 /// Of the lower left pixel of four.
 inline ir::Evaluation evaluated(const ir::Program &program) {
   std::array<ir::Inputs, 4> given;
   std::array<std::vector<Vec4>, 4> attributes;
+  const bool vertex = program.language == ir::Language::ArbVertex;
+  std::array<Vec4, 4> asked = {}; // the coordinates of the four pixels, once all have been there
   for (std::size_t lane = 0; lane < 4; ++lane) {
     const auto x = float(lane & 1), y = float(lane >> 1);
     attributes[lane].assign(program.attributes.size(), {x, y, x, 1});
     given[lane].attributes = attributes[lane];
     given[lane].parameter = [](const ir::Parameter &parameter) { return rowOf(parameter.index); };
-    given[lane].texture = [](const ir::Sample &sample) {
-      const float level = sample.lod        ? *sample.lod
-                          : sample.gradient ? sample.gradient->x[0] + 10 * sample.gradient->y[1]
-                                            : 0.0f;
-      return Vec4{sample.coordinate[0], sample.coordinate[1], level, sample.bias};
+    given[lane].texture = [&asked, lane, vertex](const ir::Sample &sample) {
+      asked[lane] = sample.coordinate;
+      Vec4 along = {}, up = {}; // a vertex has none
+      for (std::size_t i = 0; i < 4 && !vertex; ++i) {
+        along[i] = asked[1][i] - asked[0][i];
+        up[i] = asked[2][i] - asked[0][i];
+      }
+      return sample.gradient ? sampled(sample, sample.gradient->x, sample.gradient->y)
+                             : sampled(sample, along, up);
     };
   }
-  return program.language == ir::Language::ArbVertex ? ir::evaluate(program, given[0])
-                                                     : ir::evaluateQuad(program, given)[0];
+  if (vertex)
+    return ir::evaluate(program, given[0]);
+  ir::evaluateQuad(program, given);
+  return ir::evaluateQuad(program, given)[0];
 }
 
 } // namespace arbiter::fp::nv::testing
