@@ -60,6 +60,20 @@ def read_commands(path):
     return commands
 
 
+def add_aliases(commands, added):
+    """Commands that are others' aliases though gl.xml does not say so: {name: the other}."""
+    for name, other in added.items():
+        for each in (name, other):
+            if each not in commands:
+                sys.exit(f"entry_points.toml: alias {each} is no command of gl.xml")
+        if commands[name].alias_of:
+            sys.exit(f"entry_points.toml: alias {name} is one of {commands[name].alias_of} by gl.xml")
+        signatures = [(commands[each].result, [kind for kind, _, _ in commands[each].params]) for each in (name, other)]
+        if signatures[0] != signatures[1]:
+            sys.exit(f"entry_points.toml: alias {name} has other arguments than {other}")
+        commands[name].alias_of = other
+
+
 def group_aliases(commands, exceptions):
     """Gives each command its alias group, root first; exceptions stand alone."""
     def root(name):
@@ -112,6 +126,7 @@ class Table:
             if not found:
                 sys.exit(f"entry_points.toml: alias exception {pattern} is no command of gl.xml")
             apart.update(found)
+        add_aliases(commands, config.get("alias", {}).get("added", {}))
         self.groups = group_aliases(commands, apart)
         self.action = {}
         for action in ACTIONS:

@@ -88,10 +88,15 @@ class Compile(Temporary):
         plain = arbiter('compile', '--emit', 'glsl', '--profile', 'nv20', '-', text=text)
         self.assertEqual((plain.returncode, plain.stderr), (0, ''))
         self.assertNotIn('floor(', plain.stdout)
-        for word, *emit in (('floor(', 'glsl'), ('FLR ', 'ir', '-O'), ('FLR ', 'assembly', '-O')):
+        for word, *emit in (('floor(', 'glsl'), ('FLR ', 'ir', '-O'), ('FLR ', 'assembly', '-O'),
+                            ('FLR ', 'ir'), ('FLR ', 'assembly')):
             rounded = arbiter('compile', '--emit', *emit, '--profile', 'nv20', '--numerics', 'fx9', '-', text=text)
             self.assertEqual((rounded.returncode, rounded.stderr), (0, ''))
             self.assertIn(word, rounded.stdout)
+        for numerics, given in (('legacy', text), ('fp24', text), ('fx9', GOOD)):  # nothing but the passes asks
+            refused = arbiter('compile', '--emit', 'ir', '--profile', 'nv20', '--numerics', numerics, '-', text=given)
+            self.assertEqual((refused.returncode, refused.stdout), (1, ''))
+            self.assertIn('--numerics has no effect with --emit ir but beside --optimise', refused.stderr)
 
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')

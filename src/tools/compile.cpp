@@ -54,6 +54,13 @@ std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
 int emitProgram(std::string_view text, const CompileArguments &arguments,
                 const fp::hw::Profile &profile, std::string &emitted) {
   const fp::ir::Language language = chooseLanguage(arguments.language, text);
+  const bool isIr = arguments.emit == "ir" || arguments.emit == "assembly";
+  if (isIr && arguments.numerics == "fx9" && !arguments.optimise && !fp::ir::isNvparse(language)) {
+    complain("--numerics has no effect with --emit " + arguments.emit +
+             " but beside --optimise, "
+             "or on register combiners");
+    return kExitUsage;
+  }
   fp::CompileOptions options;
   options.limits = limitsOf(profile, language);
   options.numerics = fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host);
@@ -67,7 +74,7 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
     complain(arguments.file + ": no assembly text says what an ATI shader does");
     return kExitUsage;
   }
-  if (arguments.optimise && (arguments.emit == "ir" || arguments.emit == "assembly"))
+  if (arguments.optimise && isIr)
     fp::optimise(*result.program,
                  fp::ir::numericsOf(
                      language, fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host)));

@@ -6,6 +6,7 @@
 #include "cell_square.h"
 #include "fp_compiler/testing/evaluate_combiners_fx9.h"
 #include "issue.h"
+#include "random_color.h"
 
 namespace combined {
 
@@ -16,16 +17,6 @@ namespace {
 
 constexpr GLenum kTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D,
                                GL_TEXTURE_CUBE_MAP};
-
-Color color(Random &random, bool fx9) {
-  Color value;
-  for (double &c : value) {
-    c = double(random.real(0.0f, 1.0f));
-    if (fx9)
-      c = std::clamp((std::round(c * 255.0) + double(random.real(-0.4f, 0.4f))) / 255.0, 0.0, 1.0);
-  }
-  return value;
-}
 
 } // namespace
 
@@ -56,7 +47,7 @@ std::uint8_t Scene::bind(Random &random) {
 void Scene::arrangeFog(Random &random) {
   constexpr GLenum kModes[] = {GL_NONE, GL_LINEAR, GL_EXP, GL_EXP2};
   m_fogMode = kModes[random.below(4)];
-  m_inputs.fog = color(random, m_fx9);
+  m_inputs.fog = randomColor(random, m_fx9);
   m_inputs.fog[3] = 0.25; // is in no register
   m_density = double(random.real(0.25f, 2.0f));
   m_start = double(random.real(0.0f, 0.5f));
@@ -88,8 +79,8 @@ double Scene::fogFactor(double distance) const {
 
 void Scene::arrangeCells(Random &random) {
   for (Cell &cell : m_cells) {
-    cell.primary = color(random, m_fx9);
-    cell.secondary = color(random, m_fx9);
+    cell.primary = randomColor(random, m_fx9);
+    cell.secondary = randomColor(random, m_fx9);
     cell.secondary[3] = 1.0; // what SecondaryColor3 gives it
     cell.fog = random.real(0.0f, 2.0f);
     for (std::size_t unit = 0; unit < cell.r.size(); ++unit) {
@@ -106,7 +97,7 @@ void Scene::arrange(Random &random, arbiter::fp::testing::RandomCombinersOptions
   m_state = arbiter::fp::testing::randomCombiners(random, options);
   issue(m_state);
   for (Color &constant : m_inputs.constants)
-    constant = color(random, m_fx9);
+    constant = randomColor(random, m_fx9);
   issueConstants(m_inputs, options.stages);
   arrangeFog(random);
   arrangeCells(random);

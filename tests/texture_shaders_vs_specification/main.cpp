@@ -1,7 +1,8 @@
-// texture_shaders [--first SEED] [--count N] [--peer] [--verbose]: draws with random stages of
-// NV_texture_shader, 2 and 3, before register combiners and before texture environments, and
-// compares each pixel with the specification's words, worked out in double precision. Ends with one
-// line of JSON: what was drawn, what differs, what was not judged.
+// texture_shaders [--first SEED] [--count N] [--peer] [--fx9] [--verbose]: draws with random stages
+// of NV_texture_shader, 2 and 3, before register combiners and before texture environments, and
+// compares each pixel with the specification's words, worked out in double precision; with --fx9,
+// which ARBITER_NUMERICS is to be, what random combiners make of them exactly, with integers. Ends
+// with one line of JSON: what was drawn, what differs, what was not judged.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,6 +22,7 @@ using texture_shader::Color;
 using texture_shader::Evaluated;
 
 constexpr double kTolerance = 1.0; ///< of 255, between a byte that was drawn and the specification
+constexpr double kExactly = 0.01;  ///< the same of whole numbers of 255ths
 constexpr double kDepthTolerance = 1e-4;
 /// Coordinates so near to another texel, in texels, and quotients so near to 0/0 may be either.
 constexpr double kUndetermined = 1e-3;
@@ -29,11 +31,12 @@ struct Options {
   Seeds seeds;
   bool verbose = false;
   bool peer = false; ///< the driver is NVIDIA's: what it does otherwise is left out
+  bool fx9 = false;  ///< combiners by the integers of Numerics::Fx9
 };
 
 struct Tally {
   int states = 0, different = 0;
-  long cells = 0, unjudged = 0, discarded = 0, depths = 0, stages = 0, inconsistent = 0;
+  long cells = 0, unjudged = 0, exact = 0, discarded = 0, depths = 0, stages = 0, inconsistent = 0;
   double worst = 0.0;
   std::array<long, texture_shader::kOperations> operations{}; ///< consistent stages of each
 };
@@ -110,24 +113,27 @@ void judge(std::uint64_t seed, const shaded::Scene &scene, const Options &option
     ++tally.cells;
     // NVIDIA's driver draws a fragment whose depth is out of range, and others otherwise.
     const bool undecided = options.peer && expected.replacesDepth;
-    if (expected.margin < kUndetermined || undecided) {
+    const auto &clear = shaded::kClearColor;
+    const shaded::Colored drawn = expected.discarded
+                                      ? shaded::Colored{{double(clear[0]), double(clear[1]),
+                                                         double(clear[2]), double(clear[3])}}
+                                      : scene.colorOf(cell, expected);
+    if (std::min(expected.margin, drawn.margin) < kUndetermined || undecided) {
       ++tally.unjudged;
       continue;
     }
     tally.discarded += expected.discarded ? 1 : 0;
     tally.depths += expected.replacesDepth && !expected.discarded ? 1 : 0;
-    const auto &clear = shaded::kClearColor;
-    const Color color = expected.discarded ? Color{double(clear[0]), double(clear[1]),
-                                                   double(clear[2]), double(clear[3])}
-                                           : scene.colorOf(cell, expected);
+    tally.exact += drawn.isExact ? 1 : 0;
     const double depth = expected.discarded ? double(shaded::kClearDepth) : expected.depth;
-    const double distance = distanceOf(
-        picture, cell, color, expected.discarded || expected.replacesDepth ? &depth : nullptr);
+    const double distance =
+        distanceOf(picture, cell, drawn.color,
+                   expected.discarded || expected.replacesDepth ? &depth : nullptr);
     tally.worst = std::max(tally.worst, distance);
-    if (distance <= kTolerance)
+    if (distance <= (drawn.isExact ? kExactly : kTolerance))
       continue;
     if (same || options.verbose)
-      report(seed, scene, cell, distance, expected, color);
+      report(seed, scene, cell, distance, expected, drawn.color);
     same = false;
   }
   ++tally.states;
@@ -157,7 +163,7 @@ int run(const Options &options) {
   glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
   units = std::min(units, GLint(texture_shader::kUnits));
   makeTarget();
-  shaded::Scene scene(options.peer);
+  shaded::Scene scene(options.peer, options.fx9);
   Tally tally;
   for (std::uint64_t seed = options.seeds.first; seed < options.seeds.last(); ++seed) {
     testing::Random random(seed);
@@ -175,13 +181,14 @@ int run(const Options &options) {
   long least = tally.stages;
   for (std::size_t i = 1; i < tally.operations.size(); ++i)
     least = std::min(least, tally.operations[i]);
-  std::printf("{\"renderer\": \"%s\", \"units\": %d, \"states\": %d, \"different\": %d, "
-              "\"cells\": %ld, \"unjudged\": %ld, \"discarded\": %ld, \"depths\": %ld, "
-              "\"stages\": %ld, \"inconsistent\": %ld, \"least_of_an_operation\": %ld, "
-              "\"worst_steps\": %.3f}\n",
-              reinterpret_cast<const char *>(glGetString(GL_RENDERER)), units, tally.states,
-              tally.different, tally.cells, tally.unjudged, tally.discarded, tally.depths,
-              tally.stages, tally.inconsistent, least, tally.worst);
+  std::printf(
+      "{\"renderer\": \"%s\", \"units\": %d, \"states\": %d, \"different\": %d, "
+      "\"cells\": %ld, \"unjudged\": %ld, \"exact\": %ld, \"discarded\": %ld, \"depths\": %ld, "
+      "\"stages\": %ld, \"inconsistent\": %ld, \"least_of_an_operation\": %ld, "
+      "\"worst_steps\": %.3f}\n",
+      reinterpret_cast<const char *>(glGetString(GL_RENDERER)), units, tally.states,
+      tally.different, tally.cells, tally.unjudged, tally.exact, tally.discarded, tally.depths,
+      tally.stages, tally.inconsistent, least, tally.worst);
   return tally.different == 0 ? 0 : 1;
 }
 
@@ -192,6 +199,7 @@ int main(int argc, char **argv) {
   if (const auto status = parseOptions(
           argc, argv, "Draws random texture shaders and judges each pixel.", options.seeds,
           {{"--verbose", "says what differs", options.verbose},
+           {"--fx9", "random combiners behind, by the integers of the numerics fx9", options.fx9},
            {"--peer", "leaves out what NVIDIA's driver does otherwise", options.peer}}))
     return *status;
   if (!openContextWith("GL_NV_texture_shader3"))

@@ -5,6 +5,10 @@
 #include <utility>
 
 #include "../combiners_vs_specification/cell_square.h"
+#include "../combiners_vs_specification/issue.h"
+#include "../combiners_vs_specification/random_color.h"
+#include "fp_compiler/testing/evaluate_combiners_fx9.h"
+#include "fp_compiler/testing/random_combiners.h"
 #include "fp_compiler/testing/random_texture_shaders.h"
 #include "fp_compiler/texture_shader/operations.h"
 #include "issue.h"
@@ -21,13 +25,6 @@ constexpr GLenum kTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGL
 
 /// Random numbers are of a grid that edges of texels are on.
 constexpr float kOffGrid = 0.0011f;
-
-Color color(Random &random) {
-  Color value;
-  for (double &c : value)
-    c = double(random.real(0.0f, 1.0f));
-  return value;
-}
 
 /// What ARB_texture_env_combine and NV_texture_env_combine4 alone have no name for becomes what
 /// they have: hosts without ATI_texture_env_combine3 lack its functions, and its sources but with
@@ -47,7 +44,8 @@ void withoutAtis(Environment &environment) {
 
 } // namespace
 
-Scene::Scene(bool peer) : m_peer(peer), m_textures(makeTextures(peer)), m_cells(kCells * kCells) {}
+Scene::Scene(bool peer, bool fx9)
+    : m_peer(peer), m_fx9(fx9), m_textures(makeTextures(peer)), m_cells(kCells * kCells) {}
 
 /// Conventional texturing: each unit has a target or none.
 void Scene::arrangeConventional(Random &random) {
@@ -129,11 +127,29 @@ void Scene::arrangeCoordinates(Random &random) {
     }
 }
 
+void Scene::arrangeCombiners(Random &random) {
+  GLint stages = 0;
+  glGetIntegerv(GL_MAX_GENERAL_COMBINERS_NV, &stages);
+  stages = std::min(stages, GLint(arbiter::fp::combiners::kStages));
+  m_combiners =
+      arbiter::fp::testing::randomCombiners(random, {.stages = stages, .units = m_state.units});
+  combined::issue(m_combiners);
+  for (Color &constant : m_combinerInputs.constants)
+    constant = randomColor(random, true);
+  combined::issueConstants(m_combinerInputs, stages);
+  Color &secondary = m_combinerInputs.secondary = randomColor(random, true);
+  secondary[3] = 1.0; // what SecondaryColor3 gives it
+  glSecondaryColor3dv(secondary.data());
+}
+
 void Scene::arrangeColoring(Random &random) {
   m_combines = random.chance(50);
   (m_combines ? glEnable : glDisable)(GL_REGISTER_COMBINERS_NV);
   m_shown = random.below(m_state.units);
-  showUnit(m_shown);
+  if (m_combines && m_fx9)
+    arrangeCombiners(random);
+  else
+    showUnit(m_shown);
   m_environments = arbiter::fp::testing::randomEnvironments(random, m_state.units);
   for (Environment &environment : m_environments)
     if (m_state.conventional && (environment.mode == EnvironmentMode::Combine ||
@@ -144,14 +160,14 @@ void Scene::arrangeColoring(Random &random) {
       withoutAtis(environment);
   issue(m_environments, m_state.units);
   for (std::size_t unit = 0; unit < m_state.units; ++unit) {
-    m_constants[unit] = color(random);
+    m_constants[unit] = randomColor(random, false);
     const Color &c = m_constants[unit];
     const GLfloat single[] = {GLfloat(c[0]), GLfloat(c[1]), GLfloat(c[2]), GLfloat(c[3])};
     glActiveTexture(GLenum(GL_TEXTURE0 + unit));
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, single);
   }
   for (Cell &cell : m_cells)
-    cell.primary = color(random);
+    cell.primary = randomColor(random, m_fx9);
 }
 
 void Scene::arrange(Random &random, int units) {
@@ -187,14 +203,23 @@ Evaluated Scene::evaluate(int cell) const {
   return arbiter::fp::texture_shader::evaluate(m_state, inputs);
 }
 
-Color Scene::colorOf(int cell, const Evaluated &evaluated) const {
+Colored Scene::colorOf(int cell, const Evaluated &evaluated) const {
+  const Color &primary = m_cells[std::size_t(cell)].primary;
   if (!m_combines)
-    return evaluateEnvironments(m_environments, evaluated.environment, evaluated.colors,
-                                m_constants, m_cells[std::size_t(cell)].primary);
+    return {evaluateEnvironments(m_environments, evaluated.environment, evaluated.colors,
+                                 m_constants, primary)};
+  if (m_fx9) {
+    arbiter::fp::combiners::Inputs inputs = m_combinerInputs;
+    inputs.primary = primary;
+    for (std::size_t unit = 0; unit < m_state.units; ++unit)
+      inputs.textures[unit] = registerOf(evaluated, int(unit));
+    const auto exact = arbiter::fp::combiners::evaluateFx9(m_combiners, inputs);
+    return {exact.color, true, exact.margin};
+  }
   Color color = registerOf(evaluated, m_shown);
   for (double &c : color)
     c = c * 0.5 + 0.5;
-  return color;
+  return {color};
 }
 
 } // namespace shaded

@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "fp_compiler/testing/evaluate_combiners.h"
 #include "fp_compiler/testing/evaluate_environments.h"
 #include "fp_compiler/testing/random.h"
 #include "textures.h"
@@ -19,11 +20,19 @@ inline constexpr int kSize = kCells * kCellSize;
 inline constexpr std::array<float, 4> kClearColor = {0.2f, 0.4f, 0.6f, 0.8f};
 inline constexpr float kClearDepth = 0.125f;
 
+/// What the framebuffer gets of a fragment, before it is clamped.
+struct Colored {
+  arbiter::fp::texture_shader::Color color{};
+  bool isExact = false; ///< of whole 255ths, and nothing else
+  double margin = 1.0;  ///< combiners::Evaluated::margin
+};
+
 class Scene {
 public:
   /// \param peer for a driver that transposes OFFSET_TEXTURE_MATRIX_NV and converts signed bytes in
   /// a way of its own (NVIDIA's, docs/texture_shaders.md)
-  explicit Scene(bool peer);
+  /// \param fx9 of Numerics::Fx9: register combiners of random states stand behind the stages
+  Scene(bool peer, bool fx9);
   /// New stages and new values for everything around them; GL is set to it.
   void arrange(arbiter::fp::testing::Random &random, int units);
   void draw() const;
@@ -31,9 +40,8 @@ public:
   [[nodiscard]] const arbiter::fp::texture_shader::State &state() const { return m_state; }
   [[nodiscard]] bool combines() const { return m_combines; }
   [[nodiscard]] arbiter::fp::texture_shader::Evaluated evaluate(int cell) const;
-  /// The colour that the framebuffer gets of a fragment, before it is clamped.
-  [[nodiscard]] arbiter::fp::texture_shader::Color
-  colorOf(int cell, const arbiter::fp::texture_shader::Evaluated &evaluated) const;
+  [[nodiscard]] Colored colorOf(int cell,
+                                const arbiter::fp::texture_shader::Evaluated &evaluated) const;
 
 private:
   struct Cell {
@@ -48,12 +56,16 @@ private:
   void arrangeCoordinates(arbiter::fp::testing::Random &random);
   void arrangeColoring(arbiter::fp::testing::Random &random);
 
-  bool m_peer;
+  void arrangeCombiners(arbiter::fp::testing::Random &random);
+
+  bool m_peer, m_fx9;
   std::vector<Texture> m_textures;
   arbiter::fp::texture_shader::State m_state;
   std::array<const Texture *, arbiter::fp::texture_shader::kUnits> m_bound{};
   bool m_combines = false;
   int m_shown = 0;
+  arbiter::fp::combiners::State m_combiners;         ///< with m_fx9
+  arbiter::fp::combiners::Inputs m_combinerInputs{}; ///< without primary colours and textures
   arbiter::fp::texture_shader::Environments m_environments;
   std::array<arbiter::fp::texture_shader::Color, arbiter::fp::texture_shader::kUnits> m_constants{};
   arbiter::fp::texture_shader::Inputs m_inputs; ///< without coordinates

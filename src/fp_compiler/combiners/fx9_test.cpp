@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "fp_compiler/combiners/lower.h"
@@ -68,6 +69,35 @@ TEST(Fx9, AProductIsRounded) {
     of.inputs.constants[0][0] = factor / 255.0;
     EXPECT_NEAR(of.red(), product, 1e-3) << factor;
   }
+}
+
+/// What one is the other factor of is a whole number already, and is not rounded again.
+TEST(Fx9, AProductWithOneIsNotRounded) {
+  const auto roundings = [](const Case &of) {
+    Surroundings around;
+    around.fx9 = true;
+    ir::Program program = lower(of.state, around);
+    optimise(program, Numerics::Fx9);
+    return std::count_if(program.code.begin(), program.code.end(),
+                         [](const auto &each) { return each.op == ir::Opcode::Flr; });
+  };
+  const Input one = {Register::Zero, Mapping::UnsignedInvert, Usage::Rgb};
+  Case of(101);
+  of.rgb().inputs[1] = one;
+  EXPECT_NEAR(of.red(), 101.0, 1e-3);
+  EXPECT_EQ(roundings(of), 1) << "the colour that is given";
+  of.rgb().inputs[2] = {Register::Constant0, Mapping::SignedIdentity, Usage::Rgb};
+  of.rgb().inputs[3] = one;
+  of.inputs.constants[0][0] = 50 / 255.0;
+  EXPECT_NEAR(of.red(), 151.0, 1e-3);
+  EXPECT_EQ(roundings(of), 2) << "the constant too";
+  of.rgb().scale = Scale::ByOneHalf;
+  EXPECT_NEAR(of.red(), 76.0, 1e-3) << "75.5";
+  EXPECT_EQ(roundings(of), 3) << "a half may be between";
+  of.rgb().inputs[3] = of.rgb().inputs[2];
+  of.rgb().scale = Scale::None;
+  EXPECT_NEAR(of.red(), 111.0, 1e-3) << "101 + 9.8";
+  EXPECT_EQ(roundings(of), 3);
 }
 
 /// A sum is rounded once: 0.392 + 0.392 of 10 * 10 / 255 are 1, each by itself 0.

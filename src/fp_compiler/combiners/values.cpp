@@ -92,12 +92,16 @@ Value Values::product(Half half, const Value &a, const Value &b) {
   if (b.is(-1.0f))
     return negated(a);
   const Range range = rangeOfProduct(a, b);
-  return emit(half, Opcode::Mul, {a.source, b.source}, range.low, range.high);
+  Value result = emit(half, Opcode::Mul, {a.source, b.source}, range.low, range.high);
+  if (m_fx9 && (b.is(one()) || b.is(-one())))
+    result.timesOne = b.is(one()) ? a.source : -a.source;
+  return result;
 }
 
 Value Values::multiplyAdd(Half half, const Value &a, const Value &b, const Value &c) {
   const auto trivial = [](const Value &v) { return v.is(0.0f) || v.is(1.0f) || v.is(-1.0f); };
-  if (trivial(a) || trivial(b) || c.is(0.0f) || (a.literal && b.literal))
+  const bool ofRegisters = c.timesOne && (a.is(one()) || b.is(one()));
+  if (trivial(a) || trivial(b) || c.is(0.0f) || (a.literal && b.literal) || ofRegisters)
     return sum(half, product(half, a, b), c);
   const Range range = rangeOfProduct(a, b);
   return emit(half, Opcode::Mad, {a.source, b.source, c.source},
@@ -120,8 +124,14 @@ Value Values::sum(Half half, const Value &a, const Value &b) {
     return b;
   if (b.is(0.0f))
     return a;
+  if (a.timesOne && b.timesOne)
+    return product(half, sum(half, registerOf(a), registerOf(b)), literal(one()));
   return emit(half, Opcode::Add, {a.source, b.source}, bounded(double(a.low) + double(b.low)),
               bounded(double(a.high) + double(b.high)));
+}
+
+Value Values::registerOf(const Value &product) const {
+  return {*product.timesOne, product.low / one(), product.high / one(), {}};
 }
 
 Value Values::roundedDown(Half half, const Value &value) {
@@ -140,10 +150,14 @@ Value Values::registered(Half half, const Value &given) {
 Value Values::fromProduct(Half half, const Value &product, float scale, bool biased) {
   if (!m_fx9)
     return scaled(half, product, scale, biased ? -oneHalf() * scale : 0.0f);
+  const float bias = biased ? -oneHalf() * scale : 0.0f;
+  if (product.timesOne && scale >= 1.0f)
+    return scaled(half, registerOf(product), scale, bias);
+  if (product.timesOne)
+    return roundedDown(half, scaled(half, registerOf(product), scale, bias + 0.5f));
   // What is rounded lies between two numbers in steps of 1 / 255, or half of those. A quarter of a
   // step more decides nothing, but takes ties out of the reach of errors that the factor brings in.
   const float quarter = 0.25f * std::min(scale, 1.0f) / one();
-  const float bias = biased ? -oneHalf() * scale : 0.0f;
   return roundedDown(half, scaled(half, product, scale / one(), bias + 0.5f + quarter));
 }
 
@@ -154,6 +168,9 @@ Value Values::given(Half half, const Value &value) {
 Value Values::chosen(Half half, const Value &chooser, const Value &below, const Value &other) {
   if (chooser.literal)
     return *chooser.literal < oneHalf() ? below : other;
+  if (below.timesOne && other.timesOne)
+    return product(half, chosen(half, chooser, registerOf(below), registerOf(other)),
+                   literal(one()));
   // The difference of two floats has its exact sign.
   const Value distance =
       emit(Half::Alpha, Opcode::Sub, {chooser.source.swz("w"), literal(oneHalf()).source},
@@ -163,14 +180,14 @@ Value Values::chosen(Half half, const Value &chooser, const Value &below, const 
 }
 
 Value Values::blended(Half half, const Value &a, const Value &b, const Value &c) {
+  if (a.is(one()))
+    return product(half, b, literal(one()));
+  if (a.is(0.0f))
+    return product(half, c, literal(one()));
   if (m_fx9) {
     const Value difference = sum(half, b, negated(c));
     return sum(half, product(half, a, difference), product(half, c, literal(one())));
   }
-  if (a.is(1.0f))
-    return b;
-  if (a.is(0.0f))
-    return c;
   const bool between = a.low >= 0.0f && a.high <= 1.0f;
   return emit(half, Opcode::Lrp, {a.source, b.source, c.source},
               between ? std::min(b.low, c.low) : -Value::kAny,

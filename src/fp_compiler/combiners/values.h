@@ -19,6 +19,9 @@ struct Value {
   float low = -kAny;
   float high = kAny;
   std::optional<float> literal; ///< of every component
+  /// By Numerics::Fx9, of a product: the register that one() is the other factor of. Nothing of it
+  /// is rounded where it becomes a register again.
+  std::optional<ir::Source> timesOne = {};
 
   [[nodiscard]] bool is(float number) const { return literal && *literal == number; }
 };
@@ -70,6 +73,8 @@ private:
   [[nodiscard]] Value emit(Half half, ir::Opcode opcode, std::initializer_list<ir::Source> operands,
                            float low, float high);
 
+  /// The register whose product with one() the value is.
+  [[nodiscard]] Value registerOf(const Value &product) const;
   [[nodiscard]] Value roundedDown(Half half, const Value &value);
 
   ir::Builder &m_builder;

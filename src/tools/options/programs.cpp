@@ -80,7 +80,7 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   addLanguage(verb, compile.language);
   verb.flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");
   verb.option("--numerics", compile.numerics,
-              "glsl, llvm, machine, and the passes: for this arithmetic")
+              "glsl, llvm, machine, the passes, and fx9 of combiners: for this arithmetic")
       .oneOf({"host", "legacy", "fp24", "fx9"})
       .showDefault();
   verb.option("-o,--output", compile.output, "file to write; - is standard output").showDefault();
