@@ -164,8 +164,12 @@ private:
   /// The register's value as a variable gets it, before the mapping.
   Value picked(const Input &input) {
     Value value = read(input.source, input.usage == Usage::Alpha ? Half::Alpha : Half::Rgb);
-    if (input.usage != Usage::Rgb)
-      value.source = value.source.swz(input.usage == Usage::Alpha ? "w" : "z");
+    if (input.usage != Usage::Rgb) {
+      const char *const component = input.usage == Usage::Alpha ? "w" : "z";
+      value.source = value.source.swz(component);
+      if (value.beneath)
+        value.beneath->source = value.beneath->source.swz(component);
+    }
     return value;
   }
 
@@ -232,7 +236,7 @@ private:
 
   /// \param one of what the value is
   Value clamped(Half half, const Value &value, float one) {
-    return m_values.atMost(half, m_values.atLeast(half, value, -one), one);
+    return m_values.clamped(half, value, -one, one);
   }
 
   Value output(const Value &computed, Half half, const Portion &portion) {

@@ -9,6 +9,7 @@
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
+#include "fp_compiler/opt/opt.h"
 #include "fp_compiler/testing/evaluate_combiners.h"
 #include "fp_compiler/testing/evaluate_combiners_fx9.h"
 #include "fp_compiler/testing/random_combiners.h"
@@ -259,6 +260,30 @@ TEST(Combiners, DotProductsInSums) {
   EXPECT_NEAR(evaluate(state, {}).color[0], 0.5, 1e-6); // (1 + 0) / 2
   state.finals[2].source = Register::Spare1;
   EXPECT_NEAR(evaluate(state, {}).color[0], 1.0, 1e-6); // 3 / 2, clamped
+}
+
+TEST(Combiners, ARegisterThatIsReadUnsignedIsClampedOnce) {
+  State state;
+  Portion &rgb = state.stages[0].rgb;
+  for (Input &input : rgb.inputs)
+    input = {Register::Texture0, Mapping::ExpandNormal, Usage::Rgb};
+  rgb.abDot = true;
+  rgb.ab = Register::Spare1;
+  state.finals[0] = {Register::Spare1, Mapping::UnsignedIdentity, Usage::Rgb};
+  state.finals[1] = {Register::Zero, Mapping::UnsignedInvert, Usage::Rgb}; // one
+  state.finals[2] = state.finals[3] = {Register::Zero, Mapping::UnsignedIdentity, Usage::Rgb};
+  Surroundings around;
+  around.texels[0] = Texel::Color;
+  around.targets[0] = ir::TexTarget::Tex2D;
+  ir::Program program = lower(state, around);
+  opt::run(program);
+  const auto count = [&](ir::Opcode opcode) {
+    return std::count_if(program.code.begin(), program.code.end(),
+                         [&](const ir::Instruction &each) { return each.op == opcode; });
+  };
+  EXPECT_EQ(count(ir::Opcode::Max), 3) << "the texture's, the register's, and of alpha";
+  EXPECT_EQ(count(ir::Opcode::Min), 2);
+  EXPECT_EQ(count(ir::Opcode::Lrp), 0);
 }
 
 TEST(Combiners, WhatIsNotReadMakesNoOtherProgram) {

@@ -53,6 +53,10 @@ Value Values::atLeast(Half half, const Value &value, float bound) {
     return literal(std::max(*value.literal, bound));
   if (value.low >= bound)
     return value;
+  if (value.beneath && bound <= value.high) {
+    const Value::Beneath &from = *value.beneath;
+    return clamped(half, {from.source, from.low, from.high, {}}, bound, value.high);
+  }
   return emit(half, Opcode::Max, {value.source, literal(bound).source}, bound,
               std::max(value.high, bound));
 }
@@ -64,6 +68,13 @@ Value Values::atMost(Half half, const Value &value, float bound) {
     return value;
   return emit(half, Opcode::Min, {value.source, literal(bound).source}, std::min(value.low, bound),
               bound);
+}
+
+Value Values::clamped(Half half, const Value &value, float low, float high) {
+  Value result = atMost(half, atLeast(half, value, low), high);
+  if (!value.literal && !value.beneath)
+    result.beneath = {value.source, value.low, value.high};
+  return result;
 }
 
 Value Values::negated(const Value &value) {
@@ -188,6 +199,8 @@ Value Values::blended(Half half, const Value &a, const Value &b, const Value &c)
     const Value difference = sum(half, b, negated(c));
     return sum(half, product(half, a, difference), product(half, c, literal(one())));
   }
+  if (c.is(0.0f))
+    return product(half, a, b);
   const bool between = a.low >= 0.0f && a.high <= 1.0f;
   return emit(half, Opcode::Lrp, {a.source, b.source, c.source},
               between ? std::min(b.low, c.low) : -Value::kAny,

@@ -23,6 +23,13 @@ struct Value {
   /// is rounded where it becomes a register again.
   std::optional<ir::Source> timesOne = {};
 
+  /// What it is a clamped copy of, to low and high: what is clamped again begins there.
+  struct Beneath {
+    ir::Source source;
+    float low, high;
+  };
+  std::optional<Beneath> beneath = {};
+
   [[nodiscard]] bool is(float number) const { return literal && *literal == number; }
 };
 
@@ -51,6 +58,7 @@ public:
   [[nodiscard]] Value literal(float number);
   [[nodiscard]] Value atLeast(Half half, const Value &value, float bound);
   [[nodiscard]] Value atMost(Half half, const Value &value, float bound);
+  [[nodiscard]] Value clamped(Half half, const Value &value, float low, float high);
   [[nodiscard]] Value negated(const Value &value);
   /// value * scale + bias
   [[nodiscard]] Value scaled(Half half, const Value &value, float scale, float bias);
