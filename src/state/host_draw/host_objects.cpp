@@ -97,7 +97,6 @@ std::string textOfNvidias(const Context &context, const CompiledProgram &compile
   if (!isVertex(compiled) || !compiled.clipped)
     return {};
   fp::ir::Program program = withResults(*compiled.program, defined);
-  fp::optimise(program);
   GLint parameters = 0, addresses = 0;
   const auto get = context.host->GetProgramivARB;
   get(GL_VERTEX_PROGRAM_ARB, GL_MAX_PROGRAM_PARAMETERS_ARB, &parameters);
