@@ -50,8 +50,11 @@ Compilation compile(const CompilationInput &input, std::string_view text) {
                      result.check.native.language != ir::NativeLanguage::Vsp1;
   if (!result.check.ok() || !draws)
     return result;
-  // To follow a loop takes longer than all else of a load that finds its code in a cache.
-  if (input.numerics == Numerics::Host && ir::hasLoops(*result.check.program))
+  // To follow a loop takes longer than all else of a load that finds its code in a cache; and what
+  // the passes leave of a program of NVIDIA's languages is asked for at each load.
+  const ir::Program &program = *result.check.program;
+  if (input.numerics == Numerics::Host &&
+      (program.options.nv != ir::NvOption::None || ir::hasLoops(program)))
     optimise(*result.check.program);
   result.glsl = emitGlsl(*result.check.program, input.host, input.numerics);
   return result;

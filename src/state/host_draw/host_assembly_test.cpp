@@ -320,6 +320,25 @@ TEST(HostAssembly, AProgramOfNvidiasIsOneOfTheArbWhereItsCodeIs) {
   EXPECT_EQ(host.assembly.size(), 1u);
 }
 
+TEST(HostAssembly, RowsByAddressOfNvidiasHaveZerosBesideThem) {
+  FakeHost host;
+  const CurrentContext context(host);
+  context->row(Target::Vertex).limits.nvOptions = 2;
+  const std::string text =
+      "!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS a;\n"
+      "PARAM c[4] = { program.env[0..3] };\nARL a.x, vertex.color.x;\n"
+      "MOV result.position, vertex.position;\nMOV result.color, c[a.x];\nEND\n";
+  use(*context, text.c_str(), kVertex);
+  use(*context, kShading);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]);
+  ASSERT_EQ(host.assembly.size(), 1u);
+  EXPECT_NE(host.assembly.begin()->second.find("c0[6] = { {0, 0, 0, 0}, program.env[0]"),
+            std::string::npos)
+      << host.assembly.begin()->second;
+  EXPECT_EQ(host.count("CreateShader"), 1) << "of the fragments";
+}
+
 TEST(HostAssembly, ClipPlanesClipNoProgramOfNvidias) {
   FakeHost host;
   const CurrentContext context(host);

@@ -92,13 +92,18 @@ namespace {
 /// A program of NVIDIA's languages as an ARB text, where what is left of it after the passes is
 /// one: hosts make less of that than of GLSL, which they link with each fragment program. Empty
 /// where it is none, and of the form that clips by itself.
-std::string textOfNvidias(const CompiledProgram &compiled,
+std::string textOfNvidias(const Context &context, const CompiledProgram &compiled,
                           const std::vector<fp::ir::Output> &defined) {
   if (!isVertex(compiled) || !compiled.clipped)
     return {};
   fp::ir::Program program = withResults(*compiled.program, defined);
-  fp::optimise(program);
-  return fp::isOfArb(program) ? fp::emitAssembly(program) : std::string();
+  GLint parameters = 0, addresses = 0;
+  const auto get = context.host->GetProgramivARB;
+  get(GL_VERTEX_PROGRAM_ARB, GL_MAX_PROGRAM_PARAMETERS_ARB, &parameters);
+  get(GL_VERTEX_PROGRAM_ARB, GL_MAX_PROGRAM_ADDRESS_REGISTERS_ARB, &addresses);
+  const bool isOfArb =
+      fp::defineAddresses(program, parameters, addresses) && fp::isOfArb(program, true);
+  return isOfArb ? fp::emitAssembly(program) : std::string();
 }
 
 std::string assemblyText(const Context &context, const CompiledProgram &compiled,
@@ -106,7 +111,7 @@ std::string assemblyText(const Context &context, const CompiledProgram &compiled
   if (!compiled.program || compiled.program->language == fp::ir::Language::AtiFragment)
     return compiled.source(); // of an ATI shader's form: assembly that was emitted already
   if (compiled.program->options.nv != fp::ir::NvOption::None)
-    return textOfNvidias(compiled, defined);
+    return textOfNvidias(context, compiled, defined);
   // NVIDIA's driver has (0, 0, 0, 1) in components that nothing writes, and programs divide by that
   // w. Over a software host the rasterizer draws in turns with it, and both have zeros.
   const auto parts = context.caps.onProcessor ? fp::PartlyWritten::Zero : fp::PartlyWritten::Hosts;

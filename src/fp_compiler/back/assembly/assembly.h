@@ -29,6 +29,15 @@ enum class PartlyWritten {
 /// program was written in: it has no loops, and no opcodes, bindings or constants that only
 /// NVIDIA's have. Rows by address are none of them, as the ARB leaves undefined what lies beside an
 /// array.
-[[nodiscard]] bool isOfArb(const ir::Program &program);
+/// \param addresses they are, for defineAddresses() has been there
+[[nodiscard]] bool isOfArb(const ir::Program &program, bool addresses = false);
+
+/// Has rows read by address as the ARB defines them, and what NVIDIA's languages have beyond: zeros
+/// lie beside the arrays, addresses are held to these, and 0 is loaded of what is no number by
+/// comparisons that it fails. False, and nothing is changed, where no text can say so.
+///
+/// \param mostParameters rows that a program may have
+/// \param mostAddresses address registers that it may have
+[[nodiscard]] bool defineAddresses(ir::Program &program, int mostParameters, int mostAddresses);
 
 } // namespace arbiter::fp

@@ -206,21 +206,118 @@ TEST(Assembly, WhatOfNvidiasLanguagesIsOfTheArb) {
                                  "DDX result.color, fragment.texcoord[0];\nEND")));
 }
 
+/// What a vertex with \p x in texture coordinate 2 has of the colour.
+ir::Vec4 colorAt(const ir::Program &program, float x) {
+  std::vector<ir::Vec4> attributes;
+  for (const ir::Attribute &attribute : program.attributes)
+    attributes.push_back(attribute.kind == AttributeKind::TexCoord ? ir::Vec4{x, 1, 2, 3}
+                                                                   : ir::Vec4{1, 1, 1, 1});
+  ir::Inputs inputs;
+  inputs.attributes = attributes;
+  inputs.parameter = [](const ir::Parameter &row) {
+    const auto n = float(row.index);
+    return ir::Vec4{n + 1, -n, n * n, 1};
+  };
+  const ir::Evaluation evaluation = ir::evaluate(program, inputs);
+  for (std::size_t i = 0; i < program.outputs.size(); ++i)
+    if (program.outputs[i].kind == OutputKind::FrontPrimary)
+      return evaluation.outputs[i];
+  ADD_FAILURE() << "no colour";
+  return {};
+}
+
+/// The text reads the same rows at every address.
+void expectSameRows(const std::string &text) {
+  const ir::Program program = optimised(text);
+  ir::Program made = program;
+  ASSERT_TRUE(defineAddresses(made, 1024, 4)) << text;
+  ASSERT_TRUE(isOfArb(made, true)) << ir::print(made);
+  const std::string assembly = emitAssembly(made);
+  const CheckResult checked =
+      checkProgram(ir::Language::ArbVertex, assembly, {roomy(), LimitPolicy::Report});
+  ASSERT_TRUE(checked.ok()) << checked.errorString(assembly) << assembly;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float x : {0.0f,
+                        -0.0f,
+                        0.75f,
+                        5.0f,
+                        -0.5f,
+                        -8.0f,
+                        -9.0f,
+                        -10.25f,
+                        -11.0f,
+                        -12.0f,
+                        84.0f,
+                        85.0f,
+                        86.5f,
+                        87.99f,
+                        88.0f,
+                        95.0f,
+                        96.0f,
+                        1e9f,
+                        -1e9f,
+                        1e38f,
+                        kInfinity,
+                        -kInfinity,
+                        std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_EQ(colorAt(program, x), colorAt(*checked.program, x)) << x << "\n" << assembly;
+}
+
+TEST(Assembly, RowsByAddressAreReadAsNvidiasLanguagesHaveThem) {
+  const std::string rows = "c[A0.x + 8]; ADD R0, R0, c[A0.x + 10]; ADD R0, R0, c[A0.x - 3];";
+  for (const char *const version : {"!!VP1.0\n", "!!VP1.1\n", "!!VP2.0\n"})
+    expectSameRows(version + ("MOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x; MOV R0, " + rows) +
+                   "MOV o[COL0], R0;\nEND\n");
+  const std::string option = "!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A;\nTEMP r;\n"
+                             "PARAM c[7] = { program.env[0..5], { 1, 2, 3, 4 } };\n"
+                             "MOV result.position, vertex.position;\n";
+  expectSameRows(option + "ARL A, vertex.texcoord[2]; MOV r, c[A.x]; ADD r, r, c[A.y + 2];\n"
+                          "MOV result.color, r;\nEND\n");
+}
+
+TEST(Assembly, WhatNoTextReadsByAddress) {
+  ir::Program many = optimised("!!VP1.0\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\n"
+                               "MOV o[COL0], c[A0.x + 8];\nEND\n");
+  const std::string before = ir::print(many);
+  EXPECT_FALSE(defineAddresses(many, 96, 4)) << "zeros beside 96 rows";
+  EXPECT_EQ(ir::print(many), before);
+  ir::Program far = optimised("!!VP1.0\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\n"
+                              "MUL o[COL0], v[COL0], c[A0.x + 63]; END\n");
+  EXPECT_FALSE(defineAddresses(far, 1024, 4)) << "64 stands in no text";
+  ir::Program two = optimised("!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A;\n"
+                              "PARAM c[4] = { program.env[0..3] }; ARL A, vertex.texcoord[2];\n"
+                              "MOV result.position, c[A.x]; MOV result.color, c[A.y];\nEND\n");
+  EXPECT_FALSE(defineAddresses(two, 1024, 1));
+  EXPECT_TRUE(defineAddresses(two, 1024, 2));
+  ir::Program added = optimised("!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A, B;\n"
+                                "PARAM c[4] = { program.env[0..3] };\n"
+                                "MOV result.position, vertex.position; ARL A, vertex.texcoord[2];\n"
+                                "ARA B, A; MOV result.color, c[B.x];\nEND\n");
+  EXPECT_FALSE(defineAddresses(added, 1024, 4) && isOfArb(added, true))
+      << "an address that is added";
+}
+
 TEST(Assembly, NvidiasProgramsThatAreOfTheArbByTheirText) {
-  int vertices = 0, fragments = 0;
+  int vertices = 0, fragments = 0, addressed = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     const bool vertex = seed % 2 != 0;
     const ir::Program program = optimised(
         testing::randomNvProgram(seed, {.vertex = vertex, .textures = !vertex, .statements = 3}));
-    if (!isOfArb(program))
+    ir::Program made = program;
+    if (!defineAddresses(made, 1024, 4) || !isOfArb(made, true))
       continue;
     ++(vertex ? vertices : fragments);
-    expectRoundTrip(program, "seed " + std::to_string(seed));
+    addressed += made.parameters.size() > program.parameters.size() ? 1 : 0;
+    expectRoundTrip(made, "seed " + std::to_string(seed));
+    for (std::uint64_t pixel = 0; pixel < 4; ++pixel)
+      EXPECT_TRUE(testing::same(testing::outcome(program, pixel), testing::outcome(made, pixel)))
+          << ir::print(program) << ir::print(made);
     if (::testing::Test::HasFailure())
       return;
   }
   EXPECT_GT(vertices, 20);
   EXPECT_GT(fragments, 20);
+  EXPECT_GT(addressed, 5);
 }
 
 } // namespace

@@ -32,15 +32,20 @@ bool bindsOneTwice(const ir::Program &program) {
   return false;
 }
 
-bool isOfArb(const ir::Program &program, const Operand &operand) {
+bool isOfArb(const ir::Program &program, const Operand &operand, bool addresses) {
   if (operand.file == ir::File::Attribute)
     return program.attributes[operand.index].kind != AttributeKind::Facing;
   if (operand.file != ir::File::Parameter)
     return true;
-  return !operand.relative && isFinite(program.parameters[operand.index].constant);
+  if (!operand.relative)
+    return isFinite(program.parameters[operand.index].constant);
+  const auto &rows = program.arrays[operand.index].rows;
+  return addresses && std::all_of(rows.begin(), rows.end(), [&](std::uint16_t row) {
+           return isFinite(program.parameters[row].constant);
+         });
 }
 
-bool isOfArb(const ir::Program &program, const Instruction &instruction) {
+bool isOfArb(const ir::Program &program, const Instruction &instruction, bool addresses) {
   const ir::OpInfo &row = ir::info(instruction.op);
   const bool vertex = program.language == ir::Language::ArbVertex;
   if (int(instruction.op) >= ir::kOpcodeCount ||
@@ -53,18 +58,19 @@ bool isOfArb(const ir::Program &program, const Instruction &instruction) {
       return false;
   }
   for (int i = 0; i < row.operandCount(); ++i)
-    if (!isOfArb(program, instruction.src[std::size_t(i)]))
+    if (!isOfArb(program, instruction.src[std::size_t(i)], addresses))
       return false;
   return true;
 }
 } // namespace
 
-bool isOfArb(const ir::Program &program) {
+bool isOfArb(const ir::Program &program, bool addresses) {
   if (program.language == ir::Language::AtiFragment || program.options.colorSum ||
       (program.language == ir::Language::ArbVertex && bindsOneTwice(program)))
     return false;
-  return std::all_of(program.code.begin(), program.code.end(),
-                     [&](const Instruction &instruction) { return isOfArb(program, instruction); });
+  return std::all_of(program.code.begin(), program.code.end(), [&](const Instruction &instruction) {
+    return isOfArb(program, instruction, addresses);
+  });
 }
 
 } // namespace arbiter::fp

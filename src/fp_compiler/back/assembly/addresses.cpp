@@ -1,0 +1,246 @@
+// Reads of rows by address as ARB_vertex_program defines them: within the array, by a number.
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "fp_compiler/back/assembly/assembly.h"
+#include "fp_compiler/ir/reads.h"
+
+namespace arbiter::fp {
+
+using ir::File;
+using ir::Instruction;
+using ir::Opcode;
+using ir::Operand;
+using ir::Select;
+
+namespace {
+/// The grammar's bounds of what is added to an address (ARB_vertex_program 2.14.2).
+constexpr int kLeastOffset = -64, kMostOffset = 63;
+/// MAX and MIN: !!VP2.0 holds addresses to what their registers have.
+constexpr int kMostSteps = 2;
+
+Operand temporary(std::size_t index) {
+  Operand operand;
+  operand.index = std::uint16_t(index);
+  return operand;
+}
+
+class Addresses {
+public:
+  Addresses(ir::Program &program, int mostParameters, int mostAddresses)
+      : m_program(program), m_most(mostParameters), m_mostAddresses(mostAddresses) {}
+
+  bool run() {
+    if (!measure())
+      return true; // nothing is read by an address
+    if (addresses() > m_mostAddresses || !enlarge())
+      return false;
+    const std::vector<Instruction> code = std::move(m_program.code);
+    m_program.code.clear();
+    m_low = constant(float(-m_last - 1));
+    m_high = constant(float(m_size - m_first));
+    for (std::size_t i = 0; i < code.size(); ++i)
+      write(code, i);
+    return true;
+  }
+
+private:
+  /// The offsets that are read at, and the longest array's size; false if there are none.
+  bool measure() {
+    bool any = false;
+    for (const Instruction &instruction : m_program.code)
+      for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i) {
+        const Operand &operand = instruction.src[std::size_t(i)];
+        if (!operand.relative)
+          continue;
+        m_first = any ? std::min(m_first, int(operand.offset)) : operand.offset;
+        m_last = any ? std::max(m_last, int(operand.offset)) : operand.offset;
+        m_size = std::max(m_size, int(m_program.arrays[operand.index].rows.size()));
+        any = true;
+      }
+    return any;
+  }
+
+  /// How many are loaded or read.
+  [[nodiscard]] int addresses() const {
+    std::set<std::size_t> used;
+    for (const Instruction &instruction : m_program.code) {
+      if (instruction.op == Opcode::Arl)
+        used.insert(instruction.dst.index);
+      for (const Operand &operand : instruction.src)
+        if (operand.relative)
+          used.insert(operand.address);
+    }
+    return int(used.size());
+  }
+
+  /// Zeros before and behind each array, as many as an address that is held to m_low and m_high
+  /// reaches. False where the text cannot say so.
+  bool enlarge() {
+    const int margin = m_last - m_first + 1, size = m_size + 2 * margin;
+    if (m_first + margin < kLeastOffset || m_last + margin > kMostOffset ||
+        size * int(m_program.arrays.size()) + int(m_program.parameters.size()) > m_most)
+      return false;
+    m_zero = constant(0.0f);
+    for (ir::ParameterArray &array : m_program.arrays) {
+      array.rows.insert(array.rows.begin(), std::size_t(margin), m_zero);
+      array.rows.resize(std::size_t(size), m_zero);
+    }
+    for (Instruction &instruction : m_program.code)
+      for (Operand &operand : instruction.src)
+        if (operand.relative)
+          operand.offset = std::int16_t(operand.offset + margin);
+    return true;
+  }
+
+  std::uint16_t constant(float value) {
+    ir::Parameter row;
+    row.kind = ir::ParameterKind::Constant;
+    row.constant = {value, value, value, value};
+    m_program.parameters.push_back(row);
+    return std::uint16_t(m_program.parameters.size() - 1);
+  }
+
+  static Operand parameter(std::uint16_t index) {
+    Operand operand;
+    operand.file = File::Parameter;
+    operand.index = index;
+    return operand;
+  }
+
+  std::uint16_t scratch() {
+    m_program.temporaries.emplace_back();
+    return std::uint16_t(m_program.temporaries.size() - 1);
+  }
+
+  void add(Opcode op, std::uint16_t to, std::uint8_t mask, const Operand &a, const Operand &b) {
+    Instruction instruction;
+    instruction.op = op;
+    instruction.dst.index = to;
+    instruction.dst.mask = mask;
+    instruction.src = {a, b, {}};
+    m_program.code.push_back(instruction);
+  }
+
+  /// Into the range that the enlarged arrays have rows for: MAX gives its second operand beside
+  /// what is no number (2.14.5.17).
+  void hold(std::uint16_t to, std::uint8_t mask, const Operand &value) {
+    add(Opcode::Max, to, mask, value, parameter(m_low));
+    add(Opcode::Min, to, mask, temporary(to), parameter(m_high));
+  }
+
+  void write(const std::vector<Instruction> &code, std::size_t at) {
+    Instruction instruction = code[at];
+    if (const Instruction *const choice = readerOf(code, at); choice && isZeroedNan(code, choice))
+      return; // SEQ of a zeroed NaN: nothing reads it any more
+    if (isZeroedNan(code, &code[at])) {
+      const Operand value = instruction.src[1];
+      const std::uint8_t mask = instruction.dst.mask;
+      const std::uint16_t number = scratch(), other = scratch(), held = scratch();
+      // One, but zero of what is no number.
+      add(Opcode::Slt, number, mask, value, parameter(m_zero));
+      add(Opcode::Sge, other, mask, value, parameter(m_zero));
+      add(Opcode::Add, number, mask, temporary(number), temporary(other));
+      hold(held, mask, value);
+      add(Opcode::Mul, instruction.dst.index, mask, temporary(held), temporary(number));
+      return;
+    }
+    if (instruction.op == Opcode::Arl) {
+      const std::uint16_t held = scratch();
+      hold(held, 1, instruction.src[0]);
+      instruction.src[0] = temporary(held);
+      instruction.src[0].swizzle = {Select::X, Select::X, Select::X, Select::X};
+    }
+    m_program.code.push_back(instruction);
+  }
+
+  static bool reads(const Instruction &instruction, std::uint16_t index) {
+    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i) {
+      const Operand &operand = instruction.src[std::size_t(i)];
+      if (operand.file == File::Temporary && operand.index == index)
+        return true;
+    }
+    return false;
+  }
+
+  static bool writes(const Instruction &instruction, std::uint16_t index) {
+    return ir::writeMask(instruction) != 0 && instruction.dst.file == File::Temporary &&
+           instruction.dst.index == index;
+  }
+
+  /// The one instruction that reads what the one at \p at, a SEQ, writes.
+  static const Instruction *readerOf(const std::vector<Instruction> &code, std::size_t at) {
+    const std::uint16_t index = code[at].dst.index;
+    if (code[at].op != Opcode::Seq || code[at].dst.file != File::Temporary)
+      return nullptr;
+    const Instruction *found = nullptr;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      if (i != at && writes(code[i], index))
+        return nullptr;
+      if (reads(code[i], index)) {
+        if (found || i < at)
+          return nullptr;
+        found = &code[i];
+      }
+    }
+    return found;
+  }
+
+  /// `SEQ f, v, v; CMP r, -f, v, 0;`, as the front end has addresses of NVIDIA's languages, where r
+  /// is what addresses are loaded from and nothing else.
+  bool isZeroedNan(const std::vector<Instruction> &code, const Instruction *choice) const {
+    if (choice->op != Opcode::Cmp || choice->dst.file != File::Temporary || choice->dst.saturate)
+      return false;
+    const Operand &flag = choice->src[0], &value = choice->src[1], &zero = choice->src[2];
+    if (flag.file != File::Temporary || flag.negate != 0xF || value.file != File::Temporary ||
+        value.negate != 0 || value.index == choice->dst.index)
+      return false;
+    const auto last =
+        std::find_if(std::make_reverse_iterator(code.begin() + (choice - code.data())), code.rend(),
+                     [&](const Instruction &each) {
+                       return writes(each, flag.index) || writes(each, value.index);
+                     });
+    if (last == code.rend() || last->op != Opcode::Seq || last->src[0] != last->src[1] ||
+        last->src[0].negate != 0 || last->src[0].file != File::Temporary ||
+        last->src[0].index != value.index || last->dst.index != flag.index ||
+        readerOf(code, std::size_t(&*last - code.data())) != choice)
+      return false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!(choice->dst.mask >> i & 1))
+        continue;
+      const auto from = std::size_t(flag.swizzle[i]);
+      if (from > 3 || !(last->dst.mask >> from & 1) ||
+          last->src[0].swizzle[from] != value.swizzle[i] || zero.swizzle[i] != Select::Zero)
+        return false;
+    }
+    return loadsOnly(code, choice->dst.index, kMostSteps);
+  }
+
+  /// Nothing reads the temporary but loads of addresses, straight or held to a range first: where a
+  /// value is held before that is all one.
+  bool loadsOnly(const std::vector<Instruction> &code, std::uint16_t index, int steps) const {
+    return std::all_of(code.begin(), code.end(), [&](const Instruction &each) {
+      if (each.op == Opcode::Arl || !reads(each, index))
+        return true;
+      const Operand &bound = each.src[1];
+      return (each.op == Opcode::Max || each.op == Opcode::Min) && steps > 0 &&
+             each.dst.file == File::Temporary && each.dst.index != index &&
+             bound.file == File::Parameter && !bound.relative &&
+             m_program.parameters[bound.index].kind == ir::ParameterKind::Constant &&
+             loadsOnly(code, each.dst.index, steps - 1);
+    });
+  }
+
+  ir::Program &m_program;
+  int m_most, m_mostAddresses;
+  int m_first = 0, m_last = 0, m_size = 0;
+  std::uint16_t m_zero = 0, m_low = 0, m_high = 0;
+};
+} // namespace
+
+bool defineAddresses(ir::Program &program, int mostParameters, int mostAddresses) {
+  return Addresses(program, mostParameters, mostAddresses).run();
+}
+
+} // namespace arbiter::fp
