@@ -81,9 +81,10 @@ Value *reciprocalRoot(Code &code, Value *magnitude) {
   Value *const y = ir.CreateIntrinsic(llvm::Intrinsic::x86_avx_rsqrt_ps_256, {}, {magnitude});
   Value *const error =
       multiplyAdd(code, ir.CreateFNeg(ir.CreateFMul(magnitude, y)), y, code.splat(1.0f));
-  Value *const terms =
-      ir.CreateFMul(error, multiplyAdd(code, error, code.splat(0.375f), code.splat(0.5f)));
-  return code.select(ir.CreateFCmpUNO(error, error), y, multiplyAdd(code, y, terms, y));
+  // In two factors, of which neither waits for the other.
+  Value *const correction = ir.CreateFMul(y, error);
+  Value *const terms = multiplyAdd(code, error, code.splat(0.375f), code.splat(0.5f));
+  return code.select(ir.CreateFCmpUNO(error, error), y, multiplyAdd(code, correction, terms, y));
 }
 
 } // namespace arbiter::fp::llvm_back::avx2

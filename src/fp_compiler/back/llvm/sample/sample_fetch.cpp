@@ -108,8 +108,52 @@ Value *packHalves(Code &code, Value *both, int which) {
       code.ir.CreateShuffleVector(code.ir.CreateBitCast(both, halves), from), code.i32);
 }
 
+/// Lanes [4 i, 4 i + 2) of two registers' worth of pairs where `second` is not set, else the two
+/// behind: what shuffles within parts of 128 bits bring into order.
+Value *loadPairs(Code &code, const ImageCode &image, Value *first, bool second) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *pairs =
+      llvm::PoisonValue::get(llvm::FixedVectorType::get(ir.getInt64Ty(), unsigned(code.lanes) / 2));
+  // All at once: an address takes a register of 64 bits, and the index may be negative.
+  Value *const indices =
+      ir.CreateSExt(first, llvm::FixedVectorType::get(ir.getInt64Ty(), unsigned(code.lanes)));
+  for (int i = 0; i < code.lanes / 2; ++i) {
+    const int lane = i / 2 * 4 + i % 2 + (second ? 2 : 0);
+    Value *const index = ir.CreateExtractElement(indices, std::uint64_t(lane));
+    Value *const pair = ir.CreateAlignedLoad(
+        ir.getInt64Ty(), ir.CreateGEP(ir.getInt32Ty(), image.base, index), llvm::Align(1));
+    pairs = ir.CreateInsertElement(pairs, pair, std::uint64_t(i));
+  }
+  return pairs;
+}
+
+/// Two neighbours of 32 bits with a load of 64, single loads: each pair's halves (a0, a1, b0, b1)
+/// become (a0, b0, a1, b1), and are then dealt out as words.
+TexelPair loadNeighbours(Code &code, const ImageCode &image, Value *first) {
+  llvm::IRBuilder<> &ir = code.ir;
+  auto *const halves = llvm::FixedVectorType::get(ir.getInt16Ty(), unsigned(code.lanes) * 2);
+  llvm::SmallVector<int, 16> mixed, low, high;
+  for (int i = 0; i < code.lanes / 2; ++i)
+    mixed.append({4 * i, 4 * i + 2, 4 * i + 1, 4 * i + 3});
+  for (int part = 0; part < code.lanes; part += 4)
+    for (const int from : {part, code.lanes + part})
+      for (const int pair : {from, from + 2}) {
+        low.push_back(pair);
+        high.push_back(pair + 1);
+      }
+  std::array<Value *, 2> words;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Value *const pairs = ir.CreateBitCast(loadPairs(code, image, first, i == 1), halves);
+    words[i] = ir.CreateBitCast(ir.CreateShuffleVector(pairs, mixed), code.i32);
+  }
+  return {ir.CreateShuffleVector(words[0], words[1], low),
+          ir.CreateShuffleVector(words[0], words[1], high)};
+}
+
 /// Two neighbours of 32 bits with one load of 64. Reads one texel beyond the last at most.
 TexelPair gatherNeighbours(Code &code, const ImageCode &image, Value *first) {
+  if (code.cpu.family == Cpu::Family::Avx2 || code.cpu.family == Cpu::Family::Sse41)
+    return loadNeighbours(code, image, first);
   Value *const both = gather(code, image, first, 0, code.ir.getInt64Ty());
   return {packHalves(code, both, 0), packHalves(code, both, 1)};
 }
