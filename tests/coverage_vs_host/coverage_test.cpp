@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -25,6 +26,24 @@ void expectSame(const Scene &scene, const std::string &what,
           << scene.width << "x" << scene.height;
     }
   }
+}
+
+/// Debian's Mesa of 32-bit x86 divides stippled lines in C, with x87's precision; that of 64 bits
+/// has single precision there.
+#ifdef __i386__
+constexpr bool kHostDividesByX87 = true;
+#else
+constexpr bool kHostDividesByX87 = false;
+#endif
+
+/// The same number for the same pixels of the rasterizer's, of both targets and of all sizes of
+/// blocks.
+std::uint64_t mixDrawn(std::uint64_t digest, const Scene &scene) {
+  for (const Target target : {Target::Window, Target::FramebufferObject})
+    for (const int lanes : {0, 4, 8, 16})
+      for (const auto count : drawByUs(scene, target, lanes))
+        digest = (digest ^ std::uint64_t(count)) * 0x100000001b3u; // FNV-1a's
+  return digest;
 }
 
 class Coverage : public testing::Test {
@@ -178,15 +197,22 @@ TEST_F(Coverage, ClippedLines) {
   }
 }
 
+// Whether the host agrees or not, all widths draw what the one draws that agrees with its host.
 TEST_F(Coverage, StippledLines) {
+  std::uint64_t drawn = 0xcbf29ce484222325u;
   for (int round = 0; round < 200; ++round) {
     Scene s = scene(round % 2 ? Topology::Lines : Topology::LineStrip);
     s.state.lineStipple = std::uint16_t(integer(0, 65535));
     s.state.lineStippleFactor = integer(1, 4);
     for (int i = 0; i < 6; ++i)
       s.add(place(0, s.width), place(0, s.height));
-    expectSame(s, "round " + std::to_string(round));
+    if (!kHostDividesByX87)
+      expectSame(s, "round " + std::to_string(round));
+    drawn = mixDrawn(drawn, s);
   }
+#if defined(__i386__) || defined(__x86_64__) // elsewhere compilers fuse what makes up the scenes
+  EXPECT_EQ(drawn, 16707656051603223225u);
+#endif
 }
 
 TEST_F(Coverage, Points) {
