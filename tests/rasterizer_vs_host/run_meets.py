@@ -27,11 +27,10 @@ WAYS = {"auto": ("auto", {"ARBITER_DEBUG": "steady"}),
         "swrast": ("swrast", {}), "host": ("host", {}),
         "host, legacy numerics": ("host", {"ARBITER_NUMERICS": "legacy"})}
 HOSTS = ("llvmpipe", "softpipe")
-# Debian's Mesa of 32-bit x86 computes with x87 what it does in C. It multiplies matrices there, so that the
-# parameters, which the client multiplies, meet the matrices of the host by luck, other luck in GLSL. Softpipe has
-# its vertices from there too: where a sum of products is rounded depends on the operations that it is made of.
+# Debian's Mesa of 32-bit x86 computes with x87 what it does in C. Softpipe has its vertices from there: where a sum of
+# products is rounded depends on the operations that it is made of, so that GLSL meets fixed function by luck.
 CUT_BY_X87 = os.environ.get("CUT_BY_X87") == "1"
-ALONE_BY_X87 = {"llvmpipe": {"parameters"}, "softpipe": {"parameters", "fixed", "invariant"}}
+ALONE_BY_X87 = {"llvmpipe": set(), "softpipe": {"fixed", "invariant"}}
 # Of the pixels that met, what may be missing under the layer: at edges the two rasterizers may cover others.
 LOST = 0.01
 # So few pixels say nothing by their rate.

@@ -36,12 +36,31 @@ glm::mat4 getProgramMatrix(const host::HostTable &host, GLuint index) {
   return matrix;
 }
 
+/// Each element rounded as hosts of the same width round it, so that passes by a product that an
+/// application had the host make meet those by ours: those of 32-bit x86 sum by x87.
+glm::mat4 productOf(const glm::mat4 &a, const glm::mat4 &b) {
+#if defined(__i386__)
+  using Sum = long double;
+#else
+  using Sum = float;
+#endif
+  glm::mat4 product;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) {
+      Sum sum = Sum(a[0][row]) * b[column][0];
+      for (int k = 1; k < 4; ++k)
+        sum += Sum(a[k][row]) * b[column][k];
+      product[column][row] = float(sum);
+    }
+  return product;
+}
+
 glm::mat4 plainMatrix(const host::HostTable &host, const StateRef &state) {
   switch (state.item) {
   case StateItem::MatrixProjection:
     return getMatrix(host, GL_PROJECTION_MATRIX);
   case StateItem::MatrixMvp:
-    return getMatrix(host, GL_PROJECTION_MATRIX) * getMatrix(host, GL_MODELVIEW_MATRIX);
+    return productOf(getMatrix(host, GL_PROJECTION_MATRIX), getMatrix(host, GL_MODELVIEW_MATRIX));
   case StateItem::MatrixTexture: {
     const UnitScope unit(host, state.index);
     return getMatrix(host, GL_TEXTURE_MATRIX);

@@ -157,14 +157,17 @@ private:
     glRotatef(180 * unit(), unit(), unit(), unit() + 2);
     glScalef(1 + unit() / 4, 1 + unit() / 4, 1 + unit() / 4);
     // The rows that a program by parameters reads are what the host multiplies.
-    float model[16], projection[16];
+    float model[16], product[16];
     glGetFloatv(GL_MODELVIEW_MATRIX, model);
-    glGetFloatv(GL_PROJECTION_MATRIX, projection);
-    m_rows = {};
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glMultMatrixf(model);
+    glGetFloatv(GL_PROJECTION_MATRIX, product);
+    glPopMatrix();
+    glMatrixMode(GL_MODELVIEW);
     for (int row = 0; row < 4; ++row)
       for (int column = 0; column < 4; ++column)
-        for (int k = 0; k < 4; ++k)
-          m_rows[std::size_t(row * 4 + column)] += projection[k * 4 + row] * model[column * 4 + k];
+        m_rows[std::size_t(row * 4 + column)] = product[column * 4 + row];
   }
 
   void state() {
