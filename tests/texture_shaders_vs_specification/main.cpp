@@ -1,8 +1,10 @@
-// texture_shaders [--first SEED] [--count N] [--peer] [--fx9] [--verbose]: draws with random stages
-// of NV_texture_shader, 2 and 3, before register combiners and before texture environments, and
-// compares each pixel with the specification's words, worked out in double precision; with --fx9,
-// which ARBITER_NUMERICS is to be, what random combiners make of them exactly, with integers. Ends
-// with one line of JSON: what was drawn, what differs, what was not judged.
+// texture_shaders [--first SEED] [--count N] [--peer] [--fx9] [--verbose] [--reduce]: draws with
+// random stages of NV_texture_shader, 2 and 3, before register combiners and before texture
+// environments, and compares each pixel with the specification's words, worked out in double
+// precision; with --fx9, which ARBITER_NUMERICS is to be, what random combiners make of them
+// exactly, with integers; with --reduce a state that differs is cut down to what it takes to
+// differ, and printed. Ends with one line of JSON: what was drawn, what differs, what was not
+// judged.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +15,7 @@
 #include "../combiners_vs_specification/client_options.h"
 #include "../combiners_vs_specification/open_context.h"
 #include "fp_compiler/texture_shader/operations.h"
+#include "reduce.h"
 #include "scene.h"
 
 namespace {
@@ -31,7 +34,8 @@ struct Options {
   Seeds seeds;
   bool verbose = false;
   bool peer = false; ///< the driver is NVIDIA's: what it does otherwise is left out
-  bool fx9 = false;  ///< combiners by the integers of Numerics::Fx9
+  bool reduce = false;
+  bool fx9 = false; ///< combiners by the integers of Numerics::Fx9
 };
 
 struct Tally {
@@ -57,6 +61,13 @@ struct Picture {
   void read() {
     glReadPixels(0, 0, shaded::kSize, shaded::kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     glReadPixels(0, 0, shaded::kSize, shaded::kSize, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  }
+
+  /// Where a cell's first pixel is in `pixels`.
+  static std::size_t at(int cell) {
+    return (std::size_t(cell / shaded::kCells) * shaded::kSize +
+            std::size_t(cell % shaded::kCells)) *
+           shaded::kCellSize * 4;
   }
 };
 
@@ -97,13 +108,50 @@ void report(std::uint64_t seed, const shaded::Scene &scene, int cell, double dis
   std::printf("\n");
 }
 
-void judge(std::uint64_t seed, const shaded::Scene &scene, const Options &options, Tally &tally) {
+/// One cell as the specification has it, and how far from that it is.
+struct Cell {
+  Evaluated expected;
+  shaded::Colored drawn; ///< that ought to be
+  bool judged = false;
+  double distance = 0.0;
+  bool same = true;
+};
+
+Cell look(const shaded::Scene &scene, const Options &options, const Picture &picture, int index) {
+  Cell cell;
+  const Evaluated &expected = cell.expected = scene.evaluate(index);
+  const auto &clear = shaded::kClearColor;
+  cell.drawn = expected.discarded ? shaded::Colored{{double(clear[0]), double(clear[1]),
+                                                     double(clear[2]), double(clear[3])}}
+                                  : scene.colorOf(index, expected);
+  // NVIDIA's driver draws a fragment whose depth is out of range.
+  cell.judged = std::min(expected.margin, cell.drawn.margin) >= kUndetermined &&
+                !(options.peer && expected.depthOutOfRange);
+  if (!cell.judged)
+    return cell;
+  const double depth = expected.discarded ? double(shaded::kClearDepth) : expected.depth;
+  cell.distance = distanceOf(picture, index, cell.drawn.color,
+                             expected.discarded || expected.replacesDepth ? &depth : nullptr);
+  cell.same = cell.distance <= (cell.drawn.isExact ? kExactly : kTolerance);
+  return cell;
+}
+
+Picture drawnBy(const shaded::Scene &scene) {
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  scene.draw();
   Picture picture;
   picture.read();
+  return picture;
+}
+
+/// \return no cell differs
+bool judge(std::uint64_t seed, const shaded::Scene &scene, const Options &options, Tally &tally) {
+  const Picture picture = drawnBy(scene);
   bool same = true;
-  for (int cell = 0; cell < shaded::kCells * shaded::kCells; ++cell) {
-    const Evaluated expected = scene.evaluate(cell);
-    if (cell == 0)
+  for (int index = 0; index < shaded::kCells * shaded::kCells; ++index) {
+    const Cell cell = look(scene, options, picture, index);
+    const Evaluated &expected = cell.expected;
+    if (index == 0)
       for (std::size_t unit = 0; unit < scene.state().units; ++unit) {
         ++tally.stages;
         tally.inconsistent += expected.consistent[unit] ? 0 : 1;
@@ -111,51 +159,77 @@ void judge(std::uint64_t seed, const shaded::Scene &scene, const Options &option
             expected.consistent[unit] ? 1 : 0;
       }
     ++tally.cells;
-    // NVIDIA's driver draws a fragment whose depth is out of range, and others otherwise.
-    const bool undecided = options.peer && expected.replacesDepth;
-    const auto &clear = shaded::kClearColor;
-    const shaded::Colored drawn = expected.discarded
-                                      ? shaded::Colored{{double(clear[0]), double(clear[1]),
-                                                         double(clear[2]), double(clear[3])}}
-                                      : scene.colorOf(cell, expected);
-    if (std::min(expected.margin, drawn.margin) < kUndetermined || undecided) {
+    if (!cell.judged) {
       ++tally.unjudged;
       continue;
     }
     tally.discarded += expected.discarded ? 1 : 0;
     tally.depths += expected.replacesDepth && !expected.discarded ? 1 : 0;
-    tally.exact += drawn.isExact ? 1 : 0;
-    const double depth = expected.discarded ? double(shaded::kClearDepth) : expected.depth;
-    const double distance =
-        distanceOf(picture, cell, drawn.color,
-                   expected.discarded || expected.replacesDepth ? &depth : nullptr);
-    tally.worst = std::max(tally.worst, distance);
-    if (distance <= (drawn.isExact ? kExactly : kTolerance))
-      continue;
-    if (same || options.verbose)
-      report(seed, scene, cell, distance, expected, drawn.color);
-    same = false;
+    tally.exact += cell.drawn.isExact ? 1 : 0;
+    tally.worst = std::max(tally.worst, cell.distance);
+    if (!cell.same && (same || options.verbose))
+      report(seed, scene, index, cell.distance, expected, cell.drawn.color);
+    same = same && cell.same;
   }
   ++tally.states;
-  tally.different += same ? 0 : 1;
+  return same;
 }
 
-/// SHADER_CONSISTENT_NV of every unit against the specification's rules.
-bool consistencyIsTold(std::uint64_t seed, const shaded::Scene &scene) {
+/// The first unit whose SHADER_CONSISTENT_NV is not as the specification's rules have it; -1: none.
+int otherwiseConsistent(const shaded::Scene &scene) {
   if (scene.state().conventional)
-    return true;
+    return -1;
   const Evaluated expected = scene.evaluate(0);
   for (unsigned unit = 0; unit < scene.state().units; ++unit) {
     GLint told = -1;
     glActiveTexture(GL_TEXTURE0 + unit);
     glGetTexEnviv(GL_TEXTURE_SHADER_NV, GL_SHADER_CONSISTENT_NV, &told);
-    if (told == GLint(expected.consistent[unit]))
-      continue;
-    std::printf("seed %llu, unit %u: SHADER_CONSISTENT_NV is %d\n",
-                static_cast<unsigned long long>(seed), unit, told);
-    return false;
+    if (told != GLint(expected.consistent[unit]))
+      return int(unit);
   }
-  return true;
+  return -1;
+}
+
+/// The first cell that differs; -1: none.
+int differentCell(const shaded::Scene &scene, const Options &options) {
+  const Picture picture = drawnBy(scene);
+  for (int index = 0; index < shaded::kCells * shaded::kCells; ++index)
+    if (!look(scene, options, picture, index).same)
+      return index;
+  return -1;
+}
+
+/// Cuts a state down as long as it differs in the way that it does, and prints what is left.
+void reduce(shaded::Scene &scene, const Options &options, bool byConsistency) {
+  const auto differs = [&] {
+    return byConsistency ? otherwiseConsistent(scene) >= 0 : differentCell(scene, options) >= 0;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int part = 0; part < shaded::partsOf(scene.kept().state); ++part) {
+      const shaded::Kept before = scene.kept();
+      shaded::Kept simpler = before;
+      if (!shaded::simplify(simpler, part))
+        continue;
+      scene.restore(simpler);
+      if (differs())
+        changed = true;
+      else
+        scene.restore(before);
+    }
+  }
+  const int index = std::max(0, differentCell(scene, options));
+  Picture picture;
+  picture.read();
+  const Cell cell = look(scene, options, picture, index);
+  const std::size_t at = picture.at(index);
+  std::printf("  cut down: cell %d is (%.4f %.4f %.4f %.4f), by the specification (%.4f %.4f %.4f "
+              "%.4f)%s\n",
+              index, picture.pixels[at] / 255.0, picture.pixels[at + 1] / 255.0,
+              picture.pixels[at + 2] / 255.0, picture.pixels[at + 3] / 255.0, cell.drawn.color[0],
+              cell.drawn.color[1], cell.drawn.color[2], cell.drawn.color[3],
+              cell.expected.discarded ? ", discarded" : "");
+  scene.describe(index);
 }
 
 int run(const Options &options) {
@@ -168,10 +242,14 @@ int run(const Options &options) {
   for (std::uint64_t seed = options.seeds.first; seed < options.seeds.last(); ++seed) {
     testing::Random random(seed);
     scene.arrange(random, units);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    scene.draw();
-    judge(seed, scene, options, tally);
-    tally.different += consistencyIsTold(seed, scene) ? 0 : 1;
+    const bool same = judge(seed, scene, options, tally);
+    const int unit = otherwiseConsistent(scene);
+    if (unit >= 0)
+      std::printf("seed %llu, unit %d: SHADER_CONSISTENT_NV is otherwise\n",
+                  static_cast<unsigned long long>(seed), unit);
+    tally.different += same && unit < 0 ? 0 : 1;
+    if (options.reduce && !(same && unit < 0))
+      reduce(scene, options, unit >= 0);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
       std::fprintf(stderr, "seed %llu: GL error 0x%04X\n", static_cast<unsigned long long>(seed),
                    error);
@@ -198,7 +276,8 @@ int main(int argc, char **argv) {
   Options options;
   if (const auto status = parseOptions(
           argc, argv, "Draws random texture shaders and judges each pixel.", options.seeds,
-          {{"--verbose", "says what differs", options.verbose},
+          {{"--reduce", "cuts states down that differ", options.reduce},
+           {"--verbose", "says what differs", options.verbose},
            {"--fx9", "random combiners behind, by the integers of the numerics fx9", options.fx9},
            {"--peer", "leaves out what NVIDIA's driver does otherwise", options.peer}}))
     return *status;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "../combiners_vs_specification/cell_square.h"
@@ -12,6 +13,7 @@
 #include "fp_compiler/testing/random_texture_shaders.h"
 #include "fp_compiler/texture_shader/operations.h"
 #include "issue.h"
+#include "peer.h"
 
 namespace shaded {
 
@@ -158,6 +160,8 @@ void Scene::arrangeColoring(Random &random) {
   if (!epoxy_has_gl_extension("GL_ATI_texture_env_combine3"))
     for (Environment &environment : m_environments)
       withoutAtis(environment);
+  if (m_peer)
+    leaveOut(m_state, m_environments);
   issue(m_environments, m_state.units);
   for (std::size_t unit = 0; unit < m_state.units; ++unit) {
     m_constants[unit] = randomColor(random, false);
@@ -174,6 +178,8 @@ void Scene::arrange(Random &random, int units) {
   m_state = arbiter::fp::testing::randomTextureShaders(random, units);
   if (random.chance(12))
     arrangeConventional(random);
+  if (m_peer)
+    leaveOut(m_state);
   issue(m_state);
   for (int unit = 0; unit < units; ++unit)
     bind(random, unit);
@@ -185,7 +191,26 @@ void Scene::arrange(Random &random, int units) {
   };
 }
 
+/// NVIDIA's driver draws texture shaders before environments with the environment colours of the
+/// last draw that was before combiners, or without texture shaders: this is one, out of sight.
+void Scene::makeConstantsCurrent() const {
+  glEnable(GL_REGISTER_COMBINERS_NV);
+  glBegin(GL_POINTS);
+  glVertex2f(2.0f, 2.0f);
+  glEnd();
+  glDisable(GL_REGISTER_COMBINERS_NV);
+}
+
+void Scene::restore(const Kept &kept) {
+  m_state = kept.state;
+  m_environments = kept.environments;
+  issue(m_state);
+  issue(m_environments, m_state.units);
+}
+
 void Scene::draw() const {
+  if (m_peer && !m_combines)
+    makeConstantsCurrent();
   glBegin(GL_QUADS);
   for (int i = 0; i < kCells * kCells; ++i) {
     const Cell &cell = m_cells[std::size_t(i)];
@@ -201,6 +226,25 @@ Evaluated Scene::evaluate(int cell) const {
   Inputs inputs = m_inputs;
   inputs.coordinates = m_cells[std::size_t(cell)].coordinates;
   return arbiter::fp::texture_shader::evaluate(m_state, inputs);
+}
+
+void Scene::describe(int cell) const {
+  const Evaluated evaluated = evaluate(cell);
+  shaded::describe(kept(), !m_combines, evaluated);
+  for (std::size_t unit = 0; unit < m_state.units; ++unit) {
+    const Color &c = m_cells[std::size_t(cell)].coordinates[unit], &k = m_constants[unit];
+    std::printf(
+        "    unit %zu: format 0x%04X, coordinates (%.4f %.4f %.4f %.4f), environment colour "
+        "(%.4f %.4f %.4f %.4f)\n",
+        unit, m_bound[unit] ? m_bound[unit]->format : 0, c[0], c[1], c[2], c[3], k[0], k[1], k[2],
+        k[3]);
+  }
+  const Color &primary = m_cells[std::size_t(cell)].primary;
+  std::printf("    primary colour (%.4f %.4f %.4f %.4f)", primary[0], primary[1], primary[2],
+              primary[3]);
+  if (m_combines)
+    std::printf(", combiners show unit %d", m_shown);
+  std::printf("\n");
 }
 
 Colored Scene::colorOf(int cell, const Evaluated &evaluated) const {

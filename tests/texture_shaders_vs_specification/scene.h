@@ -5,6 +5,7 @@
 #include "fp_compiler/testing/evaluate_combiners.h"
 #include "fp_compiler/testing/evaluate_environments.h"
 #include "fp_compiler/testing/random.h"
+#include "reduce.h"
 #include "textures.h"
 
 /// What random stages are drawn with: textures of every target and format, and an 8x8 grid of
@@ -29,13 +30,18 @@ struct Colored {
 
 class Scene {
 public:
-  /// \param peer for a driver that transposes OFFSET_TEXTURE_MATRIX_NV and converts signed bytes in
-  /// a way of its own (NVIDIA's, docs/texture_shaders.md)
+  /// \param peer for NVIDIA's driver: what it does otherwise (docs/texture_shaders.md) is left out
   /// \param fx9 of Numerics::Fx9: register combiners of random states stand behind the stages
   Scene(bool peer, bool fx9);
   /// New stages and new values for everything around them; GL is set to it.
   void arrange(arbiter::fp::testing::Random &random, int units);
   void draw() const;
+
+  [[nodiscard]] Kept kept() const { return {m_state, m_environments}; }
+  /// Stages and environments become these, in GL too, and all around them stays.
+  void restore(const Kept &kept);
+  /// Prints what there is, and what its units make of a cell.
+  void describe(int cell) const;
 
   [[nodiscard]] const arbiter::fp::texture_shader::State &state() const { return m_state; }
   [[nodiscard]] bool combines() const { return m_combines; }
@@ -44,6 +50,7 @@ public:
                                 const arbiter::fp::texture_shader::Evaluated &evaluated) const;
 
 private:
+  void makeConstantsCurrent() const;
   struct Cell {
     std::array<arbiter::fp::texture_shader::Color, arbiter::fp::texture_shader::kUnits>
         coordinates{};

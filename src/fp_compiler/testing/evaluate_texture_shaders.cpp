@@ -113,7 +113,8 @@ private:
     m_out.depth = value;
     const double low = std::min(m_inputs.near, m_inputs.far),
                  high = std::max(m_inputs.near, m_inputs.far);
-    m_out.discarded = m_out.discarded || value < low || value > high;
+    m_out.depthOutOfRange = value < low || value > high;
+    m_out.discarded = m_out.discarded || m_out.depthOutOfRange;
     noteMargin(std::min(std::abs(value - low), std::abs(value - high)));
     noteMargin(std::abs(denominator) / 20.0);
   }

@@ -36,6 +36,7 @@ struct Evaluated {
   std::array<Base, kUnits> environment{}; ///< what a texture environment takes it for; None: passes
   bool discarded = false;
   bool replacesDepth = false;
+  bool depthOutOfRange = false; ///< of the depth range, so that the fragment is discarded
   double depth = 0.0;
   double margin = 1.0; ///< the least of all accesses and comparisons
 };
