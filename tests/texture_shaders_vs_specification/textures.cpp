@@ -100,23 +100,23 @@ template <typename T> void append(std::vector<std::uint8_t> &bytes, T value) {
 }
 
 /// Random pixels of the format as they lie in memory; their values to `values`.
-/// \param ends signed bytes are -1 or 1
+/// \param peer signed bytes of floats are as NVIDIA's driver stores them
 std::vector<std::uint8_t> pixelsOf(Random &random, const Format &format, std::size_t count,
-                                   bool ends, std::vector<Color> &values) {
+                                   bool peer, std::vector<Color> &values) {
   std::vector<std::uint8_t> bytes;
   for (std::size_t i = 0; i < count; ++i) {
     Color value{};
     std::uint32_t word = 0;
     for (std::size_t c = 0; c < 4 && format.steps[c] != 0; ++c) {
       const int steps = std::abs(format.steps[c]);
-      int number =
+      const int number =
           format.steps[c] < 0 ? random.below(2 * steps + 1) - steps : random.below(steps + 1);
-      if (ends && format.steps[c] == -127)
-        number = number < 0 ? -steps : steps;
       value[c] = double(number) / steps;
       switch (format.type) {
       case GL_FLOAT:
         append(bytes, float(value[c]));
+        if (peer && format.steps[c] == -127)
+          value[c] = std::max(-1.0, std::floor(value[c] * 127.5) / 127.0);
         break;
       case GL_BYTE:
       case GL_UNSIGNED_BYTE:
@@ -137,10 +137,10 @@ std::vector<std::uint8_t> pixelsOf(Random &random, const Format &format, std::si
   return bytes;
 }
 
-void define(Random &random, Texture &texture, const Format &format, bool ends) {
+void define(Random &random, Texture &texture, const Format &format, bool peer) {
   const auto internal = GLint(format.internal);
   const auto pixels = [&](int count) {
-    return pixelsOf(random, format, std::size_t(count), ends, texture.texels);
+    return pixelsOf(random, format, std::size_t(count), peer, texture.texels);
   };
   switch (texture.target) {
   case GL_TEXTURE_1D:
@@ -217,7 +217,7 @@ Sampled Texture::at(const std::array<double, 3> &coordinate) const {
   return sampled;
 }
 
-std::vector<Texture> makeTextures(bool ends) {
+std::vector<Texture> makeTextures(bool peer) {
   Random random(18);
   std::vector<Texture> textures;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -227,7 +227,7 @@ std::vector<Texture> makeTextures(bool ends) {
       Texture texture = begin(target);
       texture.kind = {format.base, format.signs, false};
       texture.format = format.internal;
-      define(random, texture, format, ends);
+      define(random, texture, format, peer);
       textures.push_back(std::move(texture));
     }
     textures.push_back(begin(target)); // without an image

@@ -23,7 +23,7 @@ struct Texture {
 
 /// One of each target and internal format, made in the current context; signed ones and those of
 /// HILO components and texture offset groups by pixels of every kind.
-/// \param ends signed bytes are -1 or 1, which every way to convert them agrees about
-[[nodiscard]] std::vector<Texture> makeTextures(bool ends);
+/// \param peer signed bytes of floats are as NVIDIA's driver stores them
+[[nodiscard]] std::vector<Texture> makeTextures(bool peer);
 
 } // namespace shaded
