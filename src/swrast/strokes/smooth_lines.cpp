@@ -13,8 +13,9 @@ namespace {
 /// The line from end to end, and how far from its middle it still reaches a pixel's centre.
 struct Extent {
   Extent(const WindowVertex &a, const WindowVertex &b, float lineWidth)
-      : length(std::hypot(b.x - a.x, b.y - a.y)), alongX((b.x - a.x) / length),
-        alongY((b.y - a.y) / length),
+      : length(std::hypot(b.x - a.x, b.y - a.y)), // of no length: along x, as hosts have it
+        alongX(length > 0 ? (b.x - a.x) / length : 1),
+        alongY(length > 0 ? (b.y - a.y) / length : 0),
         // 1 of what is no number.
         halfWidth(0.5f * (lineWidth > 1 ? std::min(lineWidth, 8192.0f) : 1.0f) + 0.5f),
         halfLength(0.5f * length + 0.5f) {}
@@ -76,10 +77,7 @@ void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
 
 bool shapeOfSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                        const StrokeEnd &to, SmoothPart part, Shape &shape) {
-  const WindowVertex &a = from.window, &b = to.window;
-  if (a.x == b.x && a.y == b.y)
-    return false;
-  const Extent extent(a, b, draw.state.lineWidth);
+  const Extent extent(from.window, to.window, draw.state.lineWidth);
   const int height = draw.state.upsideDownHeight;
   const auto cornerOf = [&](const StrokeEnd &end, float outwards, float sideways) {
     return Corner{cornerAt(end.window, extent, outwards, sideways, height), sideways,

@@ -38,7 +38,7 @@ void shadeCovered(const abi::FragmentData *data, const abi::Primitive *primitive
     }
 }
 
-void draw(Canvas &canvas, const Line &line) {
+DrawStatistics draw(Canvas &canvas, const Line &line) {
   canvas.state.coverage = abi::Coverage::Line;
   canvas.state.lineWidth = line.width;
   canvas.shading.inputCount = 1;
@@ -47,7 +47,7 @@ void draw(Canvas &canvas, const Line &line) {
   WindowVertices vertices(canvas);
   vertices.add(line.x0, line.y0);
   vertices.add(line.x1, line.y1);
-  drawAll(canvas, Topology::Lines, vertices);
+  return drawAll(canvas, Topology::Lines, vertices);
 }
 
 double coveredBy(const Canvas &canvas) {
@@ -85,6 +85,15 @@ TEST(SmoothLines, CoverLessOfAPixelThanItIsLong) {
     Canvas canvas(16, 16);
     draw(canvas, {8.5 - length / 2, 8.5, 8.5 + length / 2, 8.5, 1});
     EXPECT_NEAR(canvas.valueAt(8, 8), length, 1e-3);
+  }
+}
+
+TEST(SmoothLines, OfNoLengthReachHalfAPixelAroundAndCoverNothing) {
+  for (const float width : {1.0f, 2.0f, 5.0f}) {
+    Canvas canvas(16, 16);
+    const DrawStatistics drawn = draw(canvas, {8.5, 8, 8.5, 8, width});
+    EXPECT_EQ(drawn.pixels, unsigned(width) + 1) << "its width and a half on each side";
+    EXPECT_EQ(coveredBy(canvas), 0);
   }
 }
 

@@ -204,8 +204,10 @@ void Strokes::addLines(const Draw &draw) {
     const WindowVertex &a = draw.window[index[0]], &b = draw.window[index[1]];
     if ((a.outcode & b.outcode & kOutsideMask) || ((a.outcode | b.outcode) & kOutNan))
       continue;
-    if (a.x == b.x && a.y == b.y && !((a.outcode | b.outcode) & kClipMask))
-      continue; // of no length: no pixel, and no step into the stipple
+    // Of no length: no pixel, and no step into the stipple; but half a pixel around a smooth one.
+    if (a.x == b.x && a.y == b.y && !((a.outcode | b.outcode) & kClipMask) &&
+        (draw.state.coverage != abi::Coverage::Line || draw.state.lineStippleFactor > 0))
+      continue;
     const Stroke stroke = {{index[0], index[1], index[1]}, draw.vertexAt(ends.provoking), false};
     if (!((a.outcode | b.outcode) & kClipMask)) {
       addLine(draw, stroke, {a, {1, 0, 0}}, {b, {0, 1, 0}});
