@@ -14,7 +14,6 @@ Ends with "N passed, N failed, 0 skipped".
 import array
 import functools
 import hashlib
-import os
 import re
 import sys
 
@@ -76,7 +75,7 @@ def main():
     args = sides.seeded_arguments(__doc__, 12)
     known = args.backend == "swrast" and multiplies_and_adds_in_one()
     bare, wrong, part = sides.compare(args, "rasterizer-depth-planes", functools.partial(
-        judge, cut_by_x87=os.environ.get("CUT_BY_X87") == "1",
+        judge, cut_by_x87=sides.HOST_HAS_X87,
         seeds=range(args.first, args.first + args.count) if known else ()))
     if args.backend == "swrast" and (not part.get("drawn", 0) or part.get("given_to_host", {})):
         wrong.append("draws of the host's")

@@ -137,10 +137,10 @@ def tolerance(label):
 
     A value that lies at the border of two steps of a coarse buffer may be rounded to either; of
     those of 5 and 6 bits the host rounds to 8 bits and cuts off, where the rasterizer rounds to the
-    nearest step. Where a host makes 0 of an alpha of a half in one bit (1 makes the term vanish; Mesa of 64
-    bits has that), what it takes from the buffer, multiplies and cuts off again is two steps off: 6 of 31 for
-    7.55, of which the rasterizer makes 8. The host blends buffers of 8 bits in integers, and rounds each product;
-    it filters
+    nearest step. Debian's Mesa of 32-bit x86 makes 0 of an alpha of a half in one bit, where 1, as that of 64
+    bits has it, makes the term vanish: what it takes from the buffer, multiplies and cuts off again is two
+    steps off, 6 of 31 for 7.55, of which the rasterizer makes 8. The host blends buffers of 8 bits in
+    integers, and rounds each product; it filters
     texels as bytes with weights of 8 bits and chooses levels by an approximate logarithm, which shows
     most where one bit of alpha makes neighbours differ by all there is; and where a depth and its
     reference are about the same a comparison may fall either way, the more so of 32 bits, of which the
@@ -152,7 +152,7 @@ def tolerance(label):
     steps = COARSE.get(to, 0)
     most = 1.01 / steps if steps else LEVEL
     alpha = 1.01 / COARSE_ALPHA[to] if to in COARSE_ALPHA else most
-    if label == "to rgb5_a1 by its own":
+    if sides.HOST_HAS_X87 and label == "to rgb5_a1 by its own":
         most *= 2
     if steps or to in COARSE_ALPHA:
         return most, alpha, 0.03 if steps == 15 else 1

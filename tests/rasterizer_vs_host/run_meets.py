@@ -9,7 +9,6 @@ Ends with "N passed, N failed, 0 skipped".
 """
 
 import argparse
-import os
 import pathlib
 import re
 import subprocess
@@ -27,9 +26,8 @@ WAYS = {"auto": ("auto", {"ARBITER_DEBUG": "steady"}),
         "swrast": ("swrast", {}), "host": ("host", {}),
         "host, legacy numerics": ("host", {"ARBITER_NUMERICS": "legacy"})}
 HOSTS = ("llvmpipe", "softpipe")
-# Debian's Mesa of 32-bit x86 computes with x87 what it does in C. Softpipe has its vertices from there: where a sum of
-# products is rounded depends on the operations that it is made of, so that GLSL meets fixed function by luck.
-CUT_BY_X87 = os.environ.get("CUT_BY_X87") == "1"
+# Where the host has x87 softpipe has its vertices from there: where a sum of products is rounded depends on the
+# operations that it is made of, so that GLSL meets fixed function by luck.
 ALONE_BY_X87 = {"llvmpipe": set(), "softpipe": {"fixed", "invariant"}}
 # Of the pixels that met, what may be missing under the layer: at edges the two rasterizers may cover others.
 LOST = 0.01
@@ -110,7 +108,7 @@ def main():
                 else:
                     legacy = "legacy" in way
                     wrong = judge(bare, layer, exact=way == "host", clips=not legacy,
-                                  alone=ALONE_BY_X87[host] if CUT_BY_X87 and legacy else set())
+                                  alone=ALONE_BY_X87[host] if sides.HOST_HAS_X87 and legacy else set())
                 if backend != "host" and not sides.software_statistics(stats).get("drawn"):
                     wrong.append("the rasterizer drew nothing")
                 tally.row(f"{host}, {way}: {args.count} scenes from seed {args.first}", wrong, 12)

@@ -37,7 +37,7 @@ glm::mat4 getProgramMatrix(const host::HostTable &host, GLuint index) {
 }
 
 /// Each element rounded as hosts of the same width round it, so that passes by a product that an
-/// application had the host make meet those by ours: those of 32-bit x86 sum by x87.
+/// application had the host make meet those by state.matrix.mvp: hosts of 32-bit x86 sum by x87.
 glm::mat4 productOf(const glm::mat4 &a, const glm::mat4 &b) {
 #if defined(__i386__)
   using Sum = long double;

@@ -126,8 +126,7 @@ void Chunk::addGroup(const Draw &draw, const SmallSetUp &with, const TriangleGro
                      const TriangleCorners *corners) {
   if (m_small.size() < m_smallCount + TriangleGroup::kMost)
     m_small.resize(std::max(2 * m_small.size(), m_smallCount + TriangleGroup::kMost));
-  static const SetUpSmall setUpSmall = chooseSetUpSmall();
-  const GroupSetUp made = setUpSmall(with, draw.window, group, m_small.data() + m_smallCount);
+  const GroupSetUp made = with.kernel(with, draw.window, group, m_small.data() + m_smallCount);
   for (unsigned rest = made.small | made.other; rest != 0; rest &= rest - 1) {
     const unsigned lane = rest & -rest;
     if (made.other & lane) {

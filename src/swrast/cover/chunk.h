@@ -82,7 +82,7 @@ private:
   void link(int tileX, int tileY, std::uint32_t primitive, bool covers);
 
   TileGrid m_grid;
-  // What was used is used again as it is, as is what a shape has that the next one has not.
+  // Elements behind the counts are those of earlier draws: written over, not made anew.
   std::vector<SmallTriangle> m_small;
   std::vector<Shape> m_shapes;
   std::size_t m_smallCount = 0, m_shapeCount = 0;

@@ -114,9 +114,7 @@ struct ColumnTerms {
   }
 
   void setThin(const RasterState &state, const PackedTriangle &each, int i, int k) {
-    const Triangle triangle = triangleOf(*each.small, each.window);
-    const Gradients gradients =
-        gradientsOf(state, triangle.corner, each.small->originX, each.small->originY);
+    const Gradients gradients = gradientsOf(state, *each.small, each.window);
     dx1.part[i][k] = gradients.dx1;
     dx2.part[i][k] = gradients.dx2;
     dy1.part[i][k] = gradients.dy1;
@@ -220,11 +218,8 @@ inline void copyPlane(const abi::Primitive &from, std::size_t offset, int column
 /// One triangle's planes, as planes.h makes them.
 inline void setColumnOf(const RasterState &state, const PackedTriangle &each, int column,
                         abi::PrimitiveColumns &to) {
-  const Triangle triangle = triangleOf(*each.small, each.window);
-  const int originX = each.small->originX, originY = each.small->originY;
-  const Gradients gradients = gradientsOf(state, triangle.corner, originX, originY);
   abi::Primitive primitive;
-  makePlanes(*each.plan, triangle, gradients, originX, originY, primitive);
+  makePlanes(state, *each.plan, *each.small, each.window, primitive);
   if (each.plan->wantsW)
     copyPlane(primitive, offsetof(abi::Primitive, inverseW), column, to);
   for (int i = 0; i < each.plan->count; ++i)

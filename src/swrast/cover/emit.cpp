@@ -146,14 +146,13 @@ void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
   m_primitive = &m_small;
   m_stippled = m_state.polygonStipple != nullptr;
   m_isRow = !m_packs && wantsRowsOfSmall(part.width);
-  const auto planes = [&](const Triangle &triangle) {
-    const int x = small.originX, y = small.originY;
+  const auto planes = [&] {
     m_small.z = small.depthPlane(depthOriginY(m_state));
-    makePlanes(plan, triangle, gradientsOf(m_state, triangle.corner, x, y), x, y, m_small);
+    makePlanes(m_state, plan, small, window, m_small);
   };
   if (m_isRow) {
     const Triangle triangle = triangleOf(small, window);
-    planes(triangle);
+    planes();
     Shape shape;
     (void)shapeOf(rect, triangle.corner, areaOf(triangle.corner), shape);
     rows(shape, shape.left, shape.bottom, shape.right, shape.top);
@@ -172,7 +171,7 @@ void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
     m_count = 0;
     return;
   }
-  planes(triangleOf(small, window));
+  planes();
   flush();
 }
 

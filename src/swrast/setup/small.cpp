@@ -5,19 +5,8 @@
 
 namespace arbiter::swrast {
 
-SmallSetUp::SmallSetUp(const RasterState &state, const Rect &visible)
-    : clip(visible), frontIsClockwise(state.frontIsClockwise), cullFront(state.cullFront),
-      cullBack(state.cullBack), provokingIsFirst(state.provokingIsFirst), offset(state.offsetFill),
-      offsetFactor(state.offsetFactor),
-      offsetConstant(float(state.depthResolution * state.offsetUnits)),
-      upsideDownHeight(state.upsideDownHeight) {}
-
-GroupSetUp setUpSmallBaseline(const SmallSetUp &with, const WindowVertex *window,
-                              const TriangleGroup &group, SmallTriangle *to) {
-  return setUpGroup(with, window, group, to);
-}
-
-SetUpSmall chooseSetUpSmall() {
+namespace {
+SetUpSmall chosenKernel() {
 #if defined(__x86_64__) || defined(__i386__)
   if (vectors() == Vectors::Avx512)
     return setUpSmallAvx512;
@@ -25,6 +14,19 @@ SetUpSmall chooseSetUpSmall() {
     return setUpSmallAvx2;
 #endif
   return setUpSmallBaseline;
+}
+} // namespace
+
+SmallSetUp::SmallSetUp(const RasterState &state, const Rect &visible)
+    : clip(visible), frontIsClockwise(state.frontIsClockwise), cullFront(state.cullFront),
+      cullBack(state.cullBack), provokingIsFirst(state.provokingIsFirst), offset(state.offsetFill),
+      offsetFactor(state.offsetFactor),
+      offsetConstant(float(state.depthResolution * state.offsetUnits)),
+      upsideDownHeight(state.upsideDownHeight), kernel(chosenKernel()) {}
+
+GroupSetUp setUpSmallBaseline(const SmallSetUp &with, const WindowVertex *window,
+                              const TriangleGroup &group, SmallTriangle *to) {
+  return setUpGroup(with, window, group, to);
 }
 
 Triangle triangleOf(const SmallTriangle &small, const WindowVertex *window) {
@@ -36,6 +38,18 @@ Triangle triangleOf(const SmallTriangle &small, const WindowVertex *window) {
   triangle.provoking = small.provoking();
   triangle.backFacing = small.isBackFacing();
   return triangle;
+}
+
+Gradients gradientsOf(const RasterState &state, const SmallTriangle &small,
+                      const WindowVertex *window) {
+  return gradientsOf(state, triangleOf(small, window).corner, small.originX, small.originY);
+}
+
+void makePlanes(const RasterState &state, const PlanePlan &plan, const SmallTriangle &small,
+                const WindowVertex *window, abi::Primitive &primitive) {
+  const Triangle triangle = triangleOf(small, window);
+  const Gradients gradients = gradientsOf(state, triangle.corner, small.originX, small.originY);
+  makePlanes(plan, triangle, gradients, small.originX, small.originY, primitive);
 }
 
 } // namespace arbiter::swrast

@@ -32,14 +32,23 @@ struct alignas(16) SmallTriangle {
 };
 static_assert(sizeof(SmallTriangle) == 64);
 
+struct SmallSetUp;
+struct TriangleGroup;
+struct GroupSetUp;
+/// Sets up a group. \param to room for TriangleGroup::kMost; the small ones, in order
+using SetUpSmall = GroupSetUp (*)(const SmallSetUp &with, const WindowVertex *window,
+                                  const TriangleGroup &group, SmallTriangle *to);
+
 /// What a draw's small triangles are set up with.
 struct SmallSetUp {
-  SmallSetUp(const RasterState &state, const Rect &clip);
+  /// \param visible pixels that the draw may reach, none beyond 32767
+  SmallSetUp(const RasterState &state, const Rect &visible);
   Rect clip; ///< pixels
   bool frontIsClockwise, cullFront, cullBack, provokingIsFirst;
   bool offset; ///< there is polygon offset
   float offsetFactor, offsetConstant;
   int upsideDownHeight;
+  SetUpSmall kernel; ///< the best that this processor runs
 };
 
 /// Triangles that are looked at together.
@@ -58,10 +67,6 @@ struct GroupSetUp {
   unsigned depthless = 0;
 };
 
-/// Sets up a group. \param to room for TriangleGroup::kMost; the small ones, in order
-using SetUpSmall = GroupSetUp (*)(const SmallSetUp &with, const WindowVertex *window,
-                                  const TriangleGroup &group, SmallTriangle *to);
-
 /// One for each instruction set that pays; all give the same to the bit: what setBounds(),
 /// edgeBetween() and makeDepthPlane() say.
 GroupSetUp setUpSmallBaseline(const SmallSetUp &with, const WindowVertex *window,
@@ -70,10 +75,14 @@ GroupSetUp setUpSmallAvx2(const SmallSetUp &with, const WindowVertex *window,
                           const TriangleGroup &group, SmallTriangle *to);
 GroupSetUp setUpSmallAvx512(const SmallSetUp &with, const WindowVertex *window,
                             const TriangleGroup &group, SmallTriangle *to);
-/// The best that this processor runs.
-[[nodiscard]] SetUpSmall chooseSetUpSmall();
 
 /// A small triangle with its corners, as planes are made of it.
 [[nodiscard]] Triangle triangleOf(const SmallTriangle &small, const WindowVertex *window);
+/// Its gradients from its origin.
+[[nodiscard]] Gradients gradientsOf(const RasterState &state, const SmallTriangle &small,
+                                    const WindowVertex *window);
+/// All of its planes but that of depth, which has been made.
+void makePlanes(const RasterState &state, const PlanePlan &plan, const SmallTriangle &small,
+                const WindowVertex *window, abi::Primitive &primitive);
 
 } // namespace arbiter::swrast

@@ -17,6 +17,8 @@ using ir::Select;
 namespace {
 /// The grammar's bounds of what is added to an address (ARB_vertex_program 2.14.2).
 constexpr int kLeastOffset = -64, kMostOffset = 63;
+/// Of the project's own: zero, and what addresses are held to.
+constexpr int kConstants = 3;
 /// MAX and MIN: !!VP2.0 holds addresses to what their registers have.
 constexpr int kMostSteps = 2;
 
@@ -80,7 +82,8 @@ private:
   bool enlarge() {
     const int margin = m_last - m_first + 1, size = m_size + 2 * margin;
     if (m_first + margin < kLeastOffset || m_last + margin > kMostOffset ||
-        size * int(m_program.arrays.size()) + int(m_program.parameters.size()) > m_most)
+        size * int(m_program.arrays.size()) + int(m_program.parameters.size()) + kConstants >
+            m_most)
       return false;
     m_zero = constant(0.0f);
     for (ir::ParameterArray &array : m_program.arrays) {

@@ -287,8 +287,14 @@ TEST(Assembly, WhatNoTextReadsByAddress) {
   ir::Program two = optimised("!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A;\n"
                               "PARAM c[4] = { program.env[0..3] }; ARL A, vertex.texcoord[2];\n"
                               "MOV result.position, c[A.x]; MOV result.color, c[A.y];\nEND\n");
+  ir::Program tight = two, scarce = two;
   EXPECT_FALSE(defineAddresses(two, 1024, 1));
   EXPECT_TRUE(defineAddresses(two, 1024, 2));
+  std::size_t rows = two.parameters.size();
+  for (const ir::ParameterArray &array : two.arrays)
+    rows += array.rows.size();
+  EXPECT_TRUE(defineAddresses(tight, int(rows), 2));
+  EXPECT_FALSE(defineAddresses(scarce, int(rows) - 1, 2)) << "the constants are rows too";
   ir::Program added = optimised("!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A, B;\n"
                                 "PARAM c[4] = { program.env[0..3] };\n"
                                 "MOV result.position, vertex.position; ARL A, vertex.texcoord[2];\n"
