@@ -34,6 +34,7 @@ struct ContextState {
   std::vector<float> listVertices; ///< of a primitive of a list, made whole: scratch memory
   bool openParts = false;          ///< of the primitive that is recorded: some have been drawn
   std::uint32_t held = 0; ///< primitives in the recorder that have ended (immediate/held.h)
+  std::vector<std::uint32_t> joinedIndices; ///< of them (immediate/joined.h): scratch memory
   /// Null before the first draw that is looked at. Who makes it (decision.cpp) knows how it is
   /// destroyed: all that uses it includes this header.
   std::unique_ptr<Pipeline, void (*)(Pipeline *)> pipeline{nullptr, nullptr};

@@ -9,6 +9,7 @@
 #include "state/host_draw/linked_program.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/immediate/joined.h"
 #include "swrast/setup/rectangle.h"
 
 namespace arbiter::state::software {
@@ -230,11 +231,13 @@ bool hasFlatInput(const swrast::Shading &shading) {
 } // namespace
 
 Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
-                            std::uint32_t count, bool affine, swrast::Topology topology) {
+                            std::uint32_t count, bool affine, const Joining &primitives) {
+  const swrast::Topology topology = primitives.topology;
   const swrast::Shading *shading = nullptr;
   if (const Outcome outcome = readyPixels(context, indices, count, affine, topology, shading);
       !outcome.ok())
     return outcome;
+  m_raster.provokingIsFirst = primitives.provokingIsFirst;
   m_raster.secondDiagonal = source.fromList || (m_raster.flatShade && hasFlatInput(*shading));
   swrast::DrawQueue &draws = context.software->draws;
   if (draws.add(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0, count,
@@ -254,7 +257,16 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
       !outcome.ok())
     return outcome;
   return rasterize(context, source, indices, count, swrast::isAffine(m_vertices.vertices()),
-                   m_topology);
+                   {m_topology, context.software->mirror.raster.provokingIsFirst});
+}
+
+Outcome Pipeline::shadeJoined(Context &context, const VertexSource &source,
+                              const IndexRange &indices, const Joining &joining) {
+  if (const Outcome outcome = transform(context, source, indices, 0, indices.count, false);
+      !outcome.ok())
+    return outcome;
+  return rasterize(context, source, indices, indices.count, swrast::isAffine(m_vertices.vertices()),
+                   joining);
 }
 
 Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
@@ -262,7 +274,8 @@ Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const 
   if (const Outcome outcome = transform(context, source, indices, first, count, true);
       !outcome.ok())
     return outcome;
-  return rasterize(context, source, indices, count, false, topology);
+  return rasterize(context, source, indices, count, false,
+                   {topology, context.software->mirror.raster.provokingIsFirst});
 }
 
 // --- Fragments that no vertices give: those of bitmaps ---

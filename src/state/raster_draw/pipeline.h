@@ -15,6 +15,7 @@
 namespace arbiter::state::software {
 
 struct DrawTargets;
+struct Joining;
 struct PlacedBits;
 class Mirror;
 
@@ -41,6 +42,9 @@ public:
   /// taken for affine, so that all parts have the functions of the first.
   Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, swrast::Topology topology);
+  /// The same of primitives that are joined (immediate/joined.h) by the indices.
+  Outcome shadeJoined(Context &context, const VertexSource &source, const IndexRange &indices,
+                      const Joining &joining);
   /// Chooses, and draws bits (bitmap.h) as fragments that have the current raster position's
   /// values.
   Outcome shadeBits(Context &context, const PlacedBits &bits);
@@ -73,7 +77,7 @@ private:
   Outcome transform(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, bool later);
   Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
-                    std::uint32_t count, bool affine, swrast::Topology topology);
+                    std::uint32_t count, bool affine, const Joining &primitives);
   /// The functions, the targets and what pixels are drawn with; nothing has been drawn before.
   Outcome readyPixels(Context &context, const IndexRange &indices, std::uint32_t count, bool affine,
                       swrast::Topology topology, const swrast::Shading *&shading);

@@ -7,6 +7,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/geometry.h"
+#include "state/raster_draw/immediate/joined.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/replay.h"
 
@@ -32,7 +33,9 @@ bool holdPrimitive(Context &context) {
     return false;
   const std::uint32_t size = independentVertices(recorder.mode());
   const std::uint32_t count = recorder.count();
-  if (size == 0 || count == 0 || count > kMostHeld || count % size != 0)
+  if (count == 0 || count > kMostHeld || (size != 0 && count % size != 0))
+    return false;
+  if (size == 0 && !joiningOf(state.mirror.raster, recorder.mode()))
     return false;
   recorder.limit(count, vertexOutside, &context);
   ++state.held;
@@ -47,9 +50,14 @@ bool reopenHeld(Context &context, GLenum mode) {
     drawHeld(context);
     return false;
   }
+  if (independentVertices(mode) == 0 && !openNext(context)) {
+    drawHeld(context);
+    return false;
+  }
   context.attention &= ~attention::kHeld;
   context.insideBeginEnd = true;
-  limitOpen(context);
+  if (independentVertices(mode) != 0)
+    limitOpen(context);
   return true;
 }
 

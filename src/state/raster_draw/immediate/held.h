@@ -7,7 +7,8 @@
 
 /// Primitives of Begin and End that follow one another, drawn as one: of some applications each
 /// triangle is a primitive. Points, lines, triangles and quads share no vertices, so several of a
-/// mode are one with all their vertices (OpenGL 2.1, 2.6.1). After End such a primitive is held:
+/// mode are one with all their vertices (OpenGL 2.1, 2.6.1); the others are joined by indices
+/// (joined.h). After End such a primitive is held:
 /// the recorder stays, attributes go to it, and another Begin of the mode opens it anew. Every
 /// other command has it drawn first (attention::kHeld), by its generated entry point, and so has
 /// what the window system is asked for.

@@ -1,6 +1,8 @@
 #include "state/raster_draw/immediate/primitive.h"
 
 #include <exception>
+#include <new>
+#include <span>
 
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -9,6 +11,8 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/draw.h"
+#include "state/raster_draw/immediate/held.h"
+#include "state/raster_draw/immediate/joined.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/large_draw.h"
 #include "state/raster_draw/pipeline.h"
@@ -21,6 +25,53 @@ namespace {
 void replayFor(Context &context, Fallback reason) {
   withinMemory(context, "End", [&] { giveToHost(context, reason); });
   replayToHost(context);
+}
+
+/// Primitives [0, starts().size()) of the recorder, or with `last` the last one too. Not ok:
+/// nothing has been drawn.
+Outcome drawJoined(Context &context, const VertexSource &source, bool last) {
+  ContextState &state = *context.software;
+  const ImmediateRecorder &recorder = state.recorder;
+  const std::span<const std::uint32_t> starts = recorder.starts();
+  const std::uint32_t end = last ? recorder.count() : starts.back();
+  const auto joining = joiningOf(state.mirror.raster, recorder.mode());
+  if (!joining)
+    return Fallback::State;
+  makeIndices(state.joinedIndices, recorder.mode(), last ? starts : starts.first(starts.size() - 1),
+              end);
+  if (state.joinedIndices.empty())
+    return {};
+  return pipelineOf(context).shadeJoined(
+      context, source,
+      {state.joinedIndices.data(), std::uint32_t(state.joinedIndices.size()), 0, end - 1},
+      *joining);
+}
+
+/// A primitive that was joined to others comes to have many vertices: those are drawn, and it goes
+/// on alone. Where that cannot be all are the host's, with the vertex at `position`.
+bool drawEarlier(void *owner, const float position[4]) {
+  auto &context = *static_cast<Context *>(owner);
+  ContextState &state = *context.software;
+  ImmediateRecorder &recorder = state.recorder;
+  stopRecording(context);
+  context.insideBeginEnd = false;
+  Outcome outcome = Fallback::Shared;
+  withinMemory(context, "glVertex", [&] {
+    if (state.residency.syncWithNeighbours())
+      outcome = outcomeOf(context, [&] { return drawJoined(context, recorder.end(), false); });
+  });
+  if (!outcome.ok()) {
+    replayFor(context, outcome.reason());
+    context.insideBeginEnd = true;
+    setAttribute(*context.host, kPosition, position);
+    return false;
+  }
+  recorder.forgetEarlier();
+  noteDrawn(context, state.held);
+  state.held = 0;
+  limitOpen(context);
+  startRecording(context);
+  return true;
 }
 
 /// More vertices are recorded than a draw has arrays for: what is full of parts is drawn. Where
@@ -71,6 +122,17 @@ void limitOpen(Context &context) {
     recorder.unlimit();
 }
 
+bool openNext(Context &context) {
+  ImmediateRecorder &recorder = context.software->recorder;
+  try {
+    recorder.next();
+  } catch (const std::bad_alloc &) {
+    return false;
+  }
+  recorder.limit(recorder.count() + kMostHeld, drawEarlier, &context);
+  return true;
+}
+
 bool beginPrimitive(Context &context, GLenum mode) {
   const Outcome outcome = outcomeOf(context, [&] { return decide(context, mode, 0); });
   if (!outcome.ok()) {
@@ -101,8 +163,10 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
   else if (count != 0)
     try {
       outcome = outcomeOf(context, [&] {
-        return state.openParts ? drawInParts(context, pipelineOf(context), source, {.count = count})
-                               : drawSource(context, source, count);
+        if (state.openParts)
+          return drawInParts(context, pipelineOf(context), source, {.count = count});
+        return state.recorder.starts().empty() ? drawSource(context, source, count)
+                                               : drawJoined(context, source, true);
       });
     } catch (const std::exception &) { // the attributes have been set whatever was drawn
       setCurrentValues(context, state.recorder.values(), state.recorder.touched());

@@ -15,6 +15,9 @@ namespace arbiter::state::software {
 [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
 /// The open primitive may be of as many vertices as its draw allows.
 void limitOpen(Context &context);
+/// Another primitive of the mode opens behind those that are held, in modes that are joined by
+/// indices. False: there is no memory for it, and nothing has changed.
+[[nodiscard]] bool openNext(Context &context);
 /// Draws what is recorded, with the primitives that were held before it (held.h). Raises
 /// OUT_OF_MEMORY where vertices found no memory.
 void endPrimitive(Context &context);

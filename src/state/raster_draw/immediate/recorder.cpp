@@ -15,6 +15,7 @@ void ImmediateRecorder::begin(GLenum mode, const CurrentValues &current) {
   m_stride = 4;
   m_slotCount = 1;
   m_slots[0] = kPosition;
+  m_starts.clear();
   m_most = kNoLimit;
   setEnd();
 }
@@ -42,6 +43,11 @@ void ImmediateRecorder::forget(std::uint32_t first, std::uint32_t count) {
     std::uint32_t &since = m_since[m_slots[i]];
     since = since > first ? std::max(since, first + count) - count : since;
   }
+}
+
+void ImmediateRecorder::forgetEarlier() {
+  forget(0, m_starts.back());
+  m_starts.clear();
 }
 
 bool ImmediateRecorder::reserve(std::size_t floats) {

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <GL/gl.h>
 
@@ -24,6 +26,17 @@ public:
   void unlimit() { limit(kNoLimit, nullptr, nullptr); }
   /// Leaves out vertices [first, first + count). The others are numbered anew.
   void forget(std::uint32_t first, std::uint32_t count);
+  /// Another primitive of the mode begins, of one whose vertices depend on each other (joined.h).
+  /// Throws std::bad_alloc, and then it does not.
+  void next() { m_starts.push_back(m_count); }
+  /// The first vertices of the primitives behind the first one, by number.
+  [[nodiscard]] std::span<const std::uint32_t> starts() const { return m_starts; }
+  /// Vertices of the last primitive.
+  [[nodiscard]] std::uint32_t lastCount() const {
+    return m_count - (m_starts.empty() ? 0 : m_starts.back());
+  }
+  /// Leaves out all primitives but the last. Requires: starts() is not empty.
+  void forgetEarlier();
   /// No more is recorded, and failed().
   void fail() { m_failed = true; }
   /// glColor, glTexCoord .. : all four components, defaults filled in.
@@ -104,6 +117,7 @@ private:
   unsigned m_slotCount = 1;
   std::uint8_t m_slots[kSlots] = {};
   std::uint32_t m_since[kSlots] = {};
+  std::vector<std::uint32_t> m_starts;
 };
 
 } // namespace arbiter::state::software

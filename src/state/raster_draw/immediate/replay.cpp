@@ -79,8 +79,17 @@ void setAttributes(const host::HostTable &host, const CurrentValues &values, std
 
 void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder) {
   host.Begin(recorder.mode());
-  for (std::uint32_t i = 0; i < recorder.count(); ++i)
-    recorder.read(i, [&](int slot, const float *value) { setAttribute(host, slot, value); });
+  std::uint32_t at = 0;
+  const auto sendTo = [&](std::uint32_t end) {
+    for (; at < end; ++at)
+      recorder.read(at, [&](int slot, const float *value) { setAttribute(host, slot, value); });
+  };
+  for (const std::uint32_t start : recorder.starts()) {
+    sendTo(start);
+    host.End();
+    host.Begin(recorder.mode());
+  }
+  sendTo(recorder.count());
   setAttributes(host, recorder.values(), recorder.touched());
 }
 
@@ -102,7 +111,7 @@ void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder) {
 
 void replayToHost(Context &context) {
   const ImmediateRecorder &recorder = context.software->recorder;
-  ++*context.drawCounter;
+  *context.drawCounter += 1 + recorder.starts().size();
   sendOpen(*context.host, recorder);
   context.software->mirror.noteCurrent(recorder.values(), recorder.touched());
 }

@@ -27,6 +27,7 @@ void stopRecording(Context &context);
 const host::HostTable *flushToHost();
 
 /// Begin, the vertices so far and what the attributes are now: each is sent from where it was set.
+/// Of several primitives the last is open.
 void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder);
 /// The whole primitive, as a list of the host's is to keep it: without components that are the
 /// defaults, which applications seldom give.

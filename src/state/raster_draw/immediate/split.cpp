@@ -15,7 +15,7 @@ namespace {
 
 bool endsHere(const ImmediateRecorder &recorder) {
   const std::uint32_t vertices = independentVertices(recorder.mode());
-  return recorder.count() == 0 || (vertices != 0 && recorder.count() % vertices == 0);
+  return recorder.lastCount() == 0 || (vertices != 0 && recorder.count() % vertices == 0);
 }
 
 } // namespace

@@ -1,0 +1,81 @@
+#include "state/raster_draw/immediate/joined.h"
+
+#include "swrast/setup/assembly.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using swrast::PolygonMode;
+using swrast::Topology;
+
+/// Requires: a mode that joiningOf() knows.
+Topology topologyOf(GLenum mode) {
+  switch (mode) {
+  case GL_LINE_STRIP:
+    return Topology::LineStrip;
+  case GL_LINE_LOOP:
+    return Topology::LineLoop;
+  case GL_TRIANGLE_STRIP:
+    return Topology::TriangleStrip;
+  case GL_TRIANGLE_FAN:
+    return Topology::TriangleFan;
+  default:
+    return Topology::Polygon;
+  }
+}
+
+} // namespace
+
+std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode) {
+  const bool filled = state.front == PolygonMode::Fill && state.back == PolygonMode::Fill;
+  switch (mode) {
+  case GL_LINE_STRIP:
+  case GL_LINE_LOOP:
+    if (state.lineStippleFactor != 0)
+      return std::nullopt;
+    return Joining{Topology::Lines, state.provokingIsFirst};
+  case GL_TRIANGLE_STRIP:
+  case GL_TRIANGLE_FAN:
+    // The last vertex of each triangle is its last corner; the first one may be any.
+    if (!filled || (state.flatShade && state.provokingIsFirst))
+      return std::nullopt;
+    return Joining{Topology::Triangles, false};
+  case GL_POLYGON:
+    // Its first vertex is the first corner of all its triangles.
+    if (!filled)
+      return std::nullopt;
+    return Joining{Topology::Triangles, true};
+  default:
+    return std::nullopt;
+  }
+}
+
+void appendIndices(std::vector<std::uint32_t> &indices, GLenum mode, std::uint32_t first,
+                   std::uint32_t count) {
+  const Topology topology = topologyOf(mode);
+  const std::uint32_t lines = swrast::lineCount(topology, count);
+  for (std::uint32_t i = 0; i < lines; ++i) {
+    const swrast::LineEnds line = swrast::lineAt(topology, count, i, false);
+    indices.insert(indices.end(), {first + line.end[0], first + line.end[1]});
+  }
+  const std::uint32_t triangles = swrast::triangleCount(topology, count);
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const swrast::TriangleCorners triangle = swrast::triangleAt(topology, count, i, false, false);
+    const std::uint32_t *const corner = triangle.corner;
+    indices.insert(indices.end(), {first + corner[0], first + corner[1], first + corner[2]});
+  }
+}
+
+void makeIndices(std::vector<std::uint32_t> &indices, GLenum mode,
+                 std::span<const std::uint32_t> starts, std::uint32_t end) {
+  indices.clear();
+  std::uint32_t first = 0;
+  for (const std::uint32_t start : starts) {
+    appendIndices(indices, mode, first, start - first);
+    first = start;
+  }
+  appendIndices(indices, mode, first, end - first);
+}
+
+} // namespace arbiter::state::software

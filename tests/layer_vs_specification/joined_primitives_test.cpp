@@ -1,0 +1,197 @@
+// Strips, fans, loops and polygons that follow one another may be drawn as one: the picture is that
+// of each drawn alone.
+#include <array>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "fixture.h"
+
+namespace api {
+namespace {
+
+constexpr int kSize = 32;
+using Picture = std::vector<GLubyte>;
+
+class JoinedPrimitives : public ApiTest {
+protected:
+  void SetUp() override {
+    ApiTest::SetUp();
+    glViewport(0, 0, kSize, kSize);
+    glEnable(GL_DEPTH_TEST);
+  }
+
+  static Picture drawn(const std::function<void()> &draw) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw();
+    Picture picture(4 * kSize * kSize);
+    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+    return picture;
+  }
+  static std::size_t lit(const Picture &picture) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.size(); i += 4)
+      count += picture[i] != 0 || picture[i + 1] != 0 || picture[i + 2] != 0 ? 1 : 0;
+    return count;
+  }
+};
+
+struct Vertex {
+  std::array<GLfloat, 4> position;
+  std::array<GLfloat, 3> color;
+};
+using Primitive = std::vector<Vertex>;
+
+/// Some reach out of the view. `hasW`: each vertex has one of its own; with none, inputs are
+/// affine, and with some, those of primitives without are rounded otherwise.
+Primitive somePrimitive(std::mt19937 &random, bool hasW) {
+  std::uniform_real_distribution<float> place(-1.3f, 1.3f), unit(0.1f, 1);
+  Primitive primitive(1 + random() % 8);
+  for (Vertex &vertex : primitive) {
+    const float w = hasW ? 0.5f + unit(random) : 1;
+    vertex.position = {place(random), place(random), place(random) * 0.8f, w};
+    vertex.color = {unit(random), unit(random), unit(random)};
+  }
+  return primitive;
+}
+
+void draw(GLenum mode, const std::vector<Primitive> &primitives, bool alone) {
+  for (const Primitive &primitive : primitives) {
+    glBegin(mode);
+    for (const Vertex &vertex : primitive) {
+      glColor3fv(vertex.color.data());
+      glVertex4fv(vertex.position.data());
+    }
+    glEnd();
+    if (alone)
+      (void)glGetError(); // any command that is none of a primitive
+  }
+}
+
+void chooseState(std::mt19937 &random) {
+  const auto oneIn = [&](unsigned count) { return random() % count == 0; };
+  const auto set = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
+  glShadeModel(oneIn(2) ? GL_FLAT : GL_SMOOTH);
+  if (epoxy_has_gl_extension("GL_ARB_provoking_vertex"))
+    glProvokingVertex(oneIn(3) ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
+  const GLenum front = oneIn(6) ? GL_LINE : GL_FILL, back = oneIn(6) ? GL_POINT : GL_FILL;
+  glPolygonMode(GL_FRONT, front);
+  glPolygonMode(GL_BACK, back);
+  glFrontFace(oneIn(2) ? GL_CW : GL_CCW);
+  set(GL_CULL_FACE, oneIn(3));
+  set(GL_LINE_STIPPLE, oneIn(3));
+  glLineStipple(2, 0x33C5);
+  set(GL_POLYGON_STIPPLE, oneIn(5));
+  glLineWidth(oneIn(3) ? 3 : 1);
+  // Polygons of which some are smooth lines are the host's, which may end for them.
+  set(GL_LINE_SMOOTH, oneIn(4) && front == back);
+  set(GL_BLEND, oneIn(2));
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE);
+  set(GL_POLYGON_OFFSET_FILL, oneIn(4));
+  glPolygonOffset(1, 2);
+}
+
+TEST_F(JoinedPrimitives, LookAsEachDrawnAlone) {
+  BARE_HOST_DIFFERS("stipples run on from one strip to the next");
+  std::array<GLubyte, 128> stipple{};
+  for (std::size_t i = 0; i < stipple.size(); ++i)
+    stipple[i] = GLubyte(i / 4 % 2 ? 0x5A : 0xC3);
+  glPolygonStipple(stipple.data());
+  std::size_t all = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    std::mt19937 random(seed);
+    constexpr GLenum kModes[] = {GL_LINE_STRIP,   GL_LINE_LOOP,  GL_TRIANGLE_STRIP,
+                                 GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON};
+    const GLenum mode = kModes[seed % 6];
+    chooseState(random);
+    std::vector<Primitive> primitives(2 + random() % 6);
+    for (Primitive &primitive : primitives)
+      primitive = somePrimitive(random, seed % 4 == 0);
+    const Picture alone = drawn([&] { draw(mode, primitives, true); });
+    const Picture joined = drawn([&] { draw(mode, primitives, false); });
+    EXPECT_EQ(alone, joined) << "seed " << seed;
+    all += lit(joined);
+  }
+  EXPECT_GT(all, 400u * kSize * kSize / 20);
+}
+
+/// A circle of so many sides around `x`, as a fan or a polygon.
+void circle(GLenum mode, float x, int sides, float radius) {
+  glBegin(mode);
+  for (int i = 0; i < sides; ++i) {
+    const float angle = 6.2831853f * float(i) / float(sides);
+    glColor3f(float(i) / float(sides), 1, 0.5f);
+    glVertex2f(x + radius * std::cos(angle), radius * std::sin(angle));
+  }
+  glEnd();
+}
+
+TEST_F(JoinedPrimitives, OneOfVeryManyVerticesFollowsSmallOnes) {
+  for (const GLenum mode : {GL_TRIANGLE_FAN, GL_LINE_LOOP, GL_POLYGON})
+    for (const int sides : {3000, 3100, 20'000, 300'000}) {
+      const auto all = [&](bool alone) {
+        for (const auto &[x, count] : {std::pair{-0.6f, 5}, {-0.2f, 7}, {0.4f, sides}, {0.1f, 6}}) {
+          circle(mode, x, count, count > 100 ? 0.5f : 0.3f);
+          if (alone)
+            (void)glGetError();
+        }
+      };
+      const Picture alone = drawn([&] { all(true); });
+      const Picture joined = drawn([&] { all(false); });
+      EXPECT_EQ(alone, joined) << "mode " << mode << ", " << sides << " sides";
+      EXPECT_GT(lit(joined), 50u);
+    }
+}
+
+TEST_F(JoinedPrimitives, AttributesOfTheFirstOneStayWithIt) {
+  // The second sets what the first did not: it has the value of before.
+  glColor3f(1, 0, 0);
+  const Picture picture = drawn([] {
+    for (const float left : {-1.0f, 0.0f}) {
+      glBegin(GL_POLYGON);
+      if (left == 0)
+        glColor3f(0, 1, 0);
+      glVertex2f(left, -1), glVertex2f(left + 1, -1), glVertex2f(left + 1, 1), glVertex2f(left, 1);
+      glEnd();
+    }
+  });
+  const auto at = [&](int x) { return &picture[std::size_t(4 * (kSize * kSize / 2 + x))]; };
+  EXPECT_EQ(at(8)[0], 255);
+  EXPECT_EQ(at(8)[1], 0);
+  EXPECT_EQ(at(24)[0], 0);
+  EXPECT_EQ(at(24)[1], 255);
+  GLfloat color[4] = {};
+  glGetFloatv(GL_CURRENT_COLOR, color);
+  EXPECT_EQ(color[1], 1);
+}
+
+TEST_F(JoinedPrimitives, MaterialsAndMistakesWithin) {
+  glEnable(GL_LIGHTING);
+  const GLfloat red[] = {1, 0, 0, 1}, green[] = {0, 1, 0, 1}, none[] = {0, 0, 0, 1};
+  glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, none);
+  GLenum error = GL_NO_ERROR;
+  const Picture picture = drawn([&] {
+    for (int i = 0; i < 4; ++i) {
+      const float left = -1 + 0.5f * float(i), right = left + 0.5f;
+      glBegin(GL_TRIANGLE_FAN);
+      glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, i % 2 ? red : green);
+      glVertex2f(left, -1), glVertex2f(right, -1);
+      if (i == 2)
+        glEnable(GL_BLEND); // an error within
+      glVertex2f(right, 1), glVertex2f(left, 1);
+      glEnd();
+    }
+    error = glGetError();
+  });
+  EXPECT_EQ(error, GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(glIsEnabled(GL_BLEND), GL_FALSE);
+  for (int i = 0; i < 4; ++i) {
+    const GLubyte *const pixel = &picture[std::size_t(4 * (kSize * kSize / 2 + 4 + 8 * i))];
+    EXPECT_EQ(pixel[0], i % 2 ? 255 : 0) << i;
+    EXPECT_EQ(pixel[1], i % 2 ? 0 : 255) << i;
+  }
+}
+
+} // namespace
+} // namespace api
