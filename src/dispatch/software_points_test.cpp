@@ -35,10 +35,12 @@ std::string number(float value) {
 
 void hostBegin(GLenum mode) { note("Begin " + std::to_string(mode)); }
 void hostEnd() { note("End"); }
-void hostVertex4fv(const GLfloat *v) { note("Vertex" + number(v[0]) + number(v[3])); }
-void hostColor4fv(const GLfloat *v) { note("Color" + number(v[0])); }
-void hostMultiTexCoord4fv(GLenum unit, const GLfloat *v) {
-  note("TexCoord " + std::to_string(unit - GL_TEXTURE0) + number(v[0]));
+void hostVertex2fv(const GLfloat *v) { note("Vertex2" + number(v[0]) + number(v[1])); }
+void hostVertex4fv(const GLfloat *v) { note("Vertex4" + number(v[0]) + number(v[3])); }
+void hostColor3fv(const GLfloat *v) { note("Color3" + number(v[0])); }
+void hostColor4fv(const GLfloat *v) { note("Color4" + number(v[0])); }
+void hostMultiTexCoord2fv(GLenum unit, const GLfloat *v) {
+  note("TexCoord2 " + std::to_string(unit - GL_TEXTURE0) + number(v[0]));
 }
 void hostBlendFunc(GLenum source, GLenum) { note("BlendFunc " + std::to_string(source)); }
 void hostEvalCoord1f(GLfloat u) { note("EvalCoord" + number(u)); }
@@ -68,9 +70,11 @@ protected:
     m_table.Begin = hostBegin;
     m_table.EvalCoord1f = hostEvalCoord1f;
     m_table.End = hostEnd;
+    m_table.Vertex2fv = hostVertex2fv;
     m_table.Vertex4fv = hostVertex4fv;
+    m_table.Color3fv = hostColor3fv;
     m_table.Color4fv = hostColor4fv;
-    m_table.MultiTexCoord4fv = hostMultiTexCoord4fv;
+    m_table.MultiTexCoord2fv = hostMultiTexCoord2fv;
     m_context = state::createContext(state::Provider::Egl, &m_table, nullptr);
     state::makeCurrent(m_context);
     m_context->dirty = 0;
@@ -177,7 +181,7 @@ TEST_F(SoftwarePoints, ACommandThatAPrimitiveCannotTakeGivesItToTheHost) {
   entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
   entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.25f, 0, 0);
   entry<void(GLfloat)>("glEvalCoord1f")(6);
-  const std::vector<std::string> wanted = {"Begin 1", "Vertex 1 1", "Color 0.25", "EvalCoord 6"};
+  const std::vector<std::string> wanted = {"Begin 1", "Vertex2 1 0", "Color3 0.25", "EvalCoord 6"};
   EXPECT_EQ(g_calls, wanted);
   EXPECT_EQ(m_context->recorder, nullptr);
   EXPECT_TRUE(m_context->insideBeginEnd);
@@ -189,13 +193,29 @@ TEST_F(SoftwarePoints, ACommandThatAPrimitiveCannotTakeGivesItToTheHost) {
   EXPECT_FALSE(m_context->insideBeginEnd);
 }
 
+/// Hosts compile vertex code for the components that they are given.
+TEST_F(SoftwarePoints, TheHostGetsAsManyComponentsAsThePrimitiveWasGiven) {
+  record(GL_LINES);
+  entry<void(GLenum, GLfloat, GLfloat)>("glMultiTexCoord2f")(GL_TEXTURE3, 7, 8);
+  entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.25f, 0, 0);
+  entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
+  entry<void(GLubyte, GLubyte, GLubyte, GLubyte)>("glColor4ub")(255, 0, 51, 255);
+  entry<void(GLfloat, GLfloat, GLfloat, GLfloat)>("glVertex4f")(2, 0, 0, 1);
+  entry<void(GLfloat)>("glEvalCoord1f")(6);
+  // The most of all vertices, as a vertex has one size.
+  const std::vector<std::string> wanted = {
+      "Begin 1",  "TexCoord2 3 7", "Color4 0.25", "Vertex4 1 1",   "TexCoord2 3 7",
+      "Color4 1", "Vertex4 2 1",   "Color4 1",    "TexCoord2 3 7", "EvalCoord 6"};
+  EXPECT_EQ(g_calls, wanted);
+}
+
 TEST_F(SoftwarePoints, ACommandOfTheLayersOwnDoesSoToo) {
   record(GL_POINTS);
   entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
   entry<GLenum()>("glGetError")(); // an error here, which the host raises
   ASSERT_EQ(g_calls.size(), 2u);
   EXPECT_EQ(g_calls[0], "Begin 0");
-  EXPECT_EQ(g_calls[1], "Vertex 1 1");
+  EXPECT_EQ(g_calls[1], "Vertex2 1 0");
   EXPECT_EQ(m_context->host, &m_table);
 }
 

@@ -39,7 +39,7 @@ def recorded(command):
     # Table 2.9 of OpenGL 2.1; `4Nub` and its kin say so by their names.
     normalized = kind not in "fd" and (what in NORMALIZED or n)
     values = [f"{'normalized' if normalized else 'GLfloat'}({value})" for value in values]
-    values = ", ".join(values + ["0.0f", "0.0f", "1.0f"][count - 1:])
+    values = ", ".join(values + ["0.0f", "0.0f", "1.0f"][count - 1:] + [str(count)])
     if what == "Vertex":
         return "true", f"hot->recorder->vertex({values})"
     if what == "MultiTexCoord":

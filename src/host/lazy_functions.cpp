@@ -22,7 +22,10 @@ void *find(const HostTable &table, std::size_t index) {
   const HostTable &host = table.instead ? *table.instead() : table;
   if (!host.lookup)
     return nullptr;
-  void *function = lazyFunction(host, index);
+  // Found before, through another table that stands in for this one: a primitive is recorded.
+  if (void *const function = lazyFunction(host, index))
+    return function;
+  void *function = nullptr;
   for (const char *name = lazyNames(index); *name && !function; name += std::strlen(name) + 1)
     function = host.lookup(name);
   if (!function)

@@ -40,7 +40,7 @@ void ListCompiler::recordOutsideAttributes(Context &context) {
 void ListCompiler::takeOutsideAttributes(Context &context) {
   if (m_outside.touched() == 0)
     return;
-  software::setAttributes(*context.trueHost, m_outside.values(), m_outside.touched());
+  software::setTouched(*context.trueHost, m_outside);
   auto geometry = software::geometryOf(m_outside);
   geometry->onlyValues = true;
   recordOutsideAttributes(context);
@@ -76,7 +76,7 @@ void ListCompiler::leaveEarly(Context &context) {
     software::sendOpen(*context.host, m_recorder);
     notePrimitive(Primitive::Open);
   } else {
-    software::setAttributes(*context.host, m_outside.values(), m_outside.touched());
+    software::setTouched(*context.host, m_outside);
   }
   m_outside.begin(GL_POINTS, {});
 }

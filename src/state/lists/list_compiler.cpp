@@ -251,7 +251,7 @@ void ListCompiler::executePrimitive(Context &context) {
     software::sendOpen(*context.host, m_recorder);
     context.host->End();
   } else {
-    software::setAttributes(*context.host, m_recorder.values(), m_recorder.touched());
+    software::setTouched(*context.host, m_recorder);
   }
   endExecuted(context);
 }

@@ -31,11 +31,11 @@ void hostDoesUnknown(Context &context, const char *name);
 
 /// A generic attribute; attribute 0 makes a vertex.
 inline void generic(ImmediateRecorder &recorder, GLuint index, GLfloat x, GLfloat y, GLfloat z,
-                    GLfloat w) {
+                    GLfloat w, unsigned given) {
   if (index == 0)
-    recorder.vertex(x, y, z, w);
+    recorder.vertex(x, y, z, w, given);
   else
-    recorder.set(kGeneric0 + int(index), x, y, z, w);
+    recorder.set(kGeneric0 + int(index), x, y, z, w, given);
 }
 
 } // namespace arbiter::state::software

@@ -30,6 +30,8 @@ bool isUniform(const ImmediateRecorder &recorder) {
 }
 
 void take(Geometry &to, const ImmediateRecorder &recorder) {
+  for (unsigned i = 0; i < recorder.slotCount(); ++i)
+    to.given[recorder.slot(i)] |= recorder.given()[recorder.slot(i)];
   if (to.fromArrays)
     return;
   to.touched |= recorder.touched();

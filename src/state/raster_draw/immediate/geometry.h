@@ -38,6 +38,7 @@ public:
   bool uniform = true;        ///< all of them from the first vertex on
   bool endsOtherwise = false; ///< a value was set behind the last vertex
   std::uint32_t touched = 0;  ///< slots that were set, one bit each
+  GivenComponents given{};    ///< of these and of the position
   CurrentValues values{};     ///< of these, as the primitives leave them behind
 
   /// The host's list that draws the same, which `make` makes when it is first asked for and gives
@@ -50,18 +51,20 @@ public:
   }
   /// That list, or 0.
   [[nodiscard]] GLuint madeHostList() const;
-  /// What is between Begin and End: calls `set(slot, const float value[4])` of each attribute as it
-  /// is set, and of kPosition for a vertex.
+  /// What is between Begin and End: calls `set(slot, const float value[4], components)` of each
+  /// attribute as it is set, and of kPosition for a vertex, with as many components as were given.
   template <typename Set> void read(Set &&set) const {
     for (std::uint32_t i = 0; i < count; ++i) {
       const float *const vertex = data.data() + std::size_t(i) * stride;
       for (unsigned slot = 1; slot < slotCount; ++slot)
         if (i >= since[slot])
-          set(int(slots[slot]), vertex + 4 * slot);
-      set(int(kPosition), vertex);
+          set(int(slots[slot]), vertex + 4 * slot, mostGiven(given, slots[slot]));
+      set(int(kPosition), vertex, mostGiven(given, kPosition));
     }
-    for (std::uint32_t left = touched; left != 0; left &= left - 1)
-      set(std::countr_zero(left), values[std::size_t(std::countr_zero(left))].data());
+    for (std::uint32_t left = touched; left != 0; left &= left - 1) {
+      const int slot = std::countr_zero(left);
+      set(slot, values[std::size_t(slot)].data(), mostGiven(given, slot));
+    }
   }
   /// The vertices, for as long as this lives. Where not `uniform`, attributes that were not set yet
   /// are undefined in it.

@@ -24,7 +24,9 @@ GLuint hostListOf(Context &context, const Geometry &geometry) {
     const GLuint name = context.group->lists.takeSegmentName(*context.host);
     context.host->NewList(name, GL_COMPILE);
     context.host->Begin(geometry.mode);
-    geometry.read([&](int slot, const float *value) { setAttribute(*context.host, slot, value); });
+    geometry.read([&](int slot, const float *value, int components) {
+      setAttribute(*context.host, slot, value, components);
+    });
     context.host->End();
     context.host->EndList();
     return name;
@@ -62,14 +64,16 @@ void drawOnHost(Context &context, const Geometry &geometry) {
 void beginPrimitive(Context &context, const Geometry &geometry) {
   handlers::Begin(context, geometry.mode);
   if (ImmediateRecorder *const to = context.recorder) {
-    return geometry.read([&](int slot, const float *v) {
+    return geometry.read([&](int slot, const float *v, int components) {
       if (slot == kPosition)
-        to->vertex(v[0], v[1], v[2], v[3]);
+        to->vertex(v[0], v[1], v[2], v[3], unsigned(components));
       else
-        to->set(slot, v[0], v[1], v[2], v[3]);
+        to->set(slot, v[0], v[1], v[2], v[3], unsigned(components));
     });
   }
-  geometry.read([&](int slot, const float *value) { setAttribute(*context.host, slot, value); });
+  geometry.read([&](int slot, const float *value, int components) {
+    setAttribute(*context.host, slot, value, components);
+  });
   context.dirty |= dirty::kCurrent;
 }
 

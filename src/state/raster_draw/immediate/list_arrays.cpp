@@ -92,6 +92,7 @@ struct Column {
   Convert convert = nullptr;
   const std::uint8_t *base = nullptr;
   std::size_t stride = 0;
+  unsigned components = 4;
 
   [[nodiscard]] std::array<float, 4> at(std::int64_t index) const {
     std::array<float, 4> value = {0, 0, 0, 1};
@@ -160,7 +161,8 @@ void ListArrays::addTo(ImmediateRecorder &recorder, const DrawCommand &command) 
     const int slot = std::countr_zero(left);
     const VertexSource::Array &array = m_source.source().arrays[std::size_t(slot)];
     columns[count++] = {slot, conversionOf(array, false),
-                        static_cast<const std::uint8_t *>(array.base), array.stride};
+                        static_cast<const std::uint8_t *>(array.base), array.stride,
+                        unsigned(array.components)};
   }
   // The lowest slot, the position, makes the vertex.
   for (GLsizei i = 0; i < command.count; ++i) {
@@ -170,10 +172,10 @@ void ListArrays::addTo(ImmediateRecorder &recorder, const DrawCommand &command) 
                                   : indexOf(command.indexType, m_source.indices(), std::size_t(i)));
     for (std::size_t c = count; c-- > 1;) {
       const std::array<float, 4> v = columns[c].at(index);
-      recorder.set(columns[c].slot, v[0], v[1], v[2], v[3]);
+      recorder.set(columns[c].slot, v[0], v[1], v[2], v[3], columns[c].components);
     }
     const std::array<float, 4> v = columns[0].at(index);
-    recorder.vertex(v[0], v[1], v[2], v[3]);
+    recorder.vertex(v[0], v[1], v[2], v[3], columns[0].components);
   }
 }
 

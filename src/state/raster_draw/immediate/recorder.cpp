@@ -15,6 +15,7 @@ void ImmediateRecorder::begin(GLenum mode, const CurrentValues &current) {
   m_stride = 4;
   m_slotCount = 1;
   m_slots[0] = kPosition;
+  m_given[kPosition] = 0;
   m_starts.clear();
   m_most = kNoLimit;
   setEnd();
@@ -76,6 +77,7 @@ bool ImmediateRecorder::makeRoom(float x, float y, float z, float w) {
 }
 
 void ImmediateRecorder::touch(int slot) {
+  m_given[std::size_t(slot)] = 0;
   const std::size_t stride = m_stride + 4;
   if (m_count != 0 && m_count * stride > m_capacity && !reserve(m_count * stride * 2)) {
     m_touched |= 1u << slot; // the current value is set all the same

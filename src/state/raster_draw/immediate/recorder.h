@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -13,6 +15,14 @@
 /// entry points of glVertex, glColor and their kin call set() and vertex() of ContextHot::recorder,
 /// and the host where there is none.
 namespace arbiter::state::software {
+
+/// How many components each slot was given with, as bits: 1 << components. The others are the
+/// defaults 0, 0, 1 (OpenGL 2.1, 2.7).
+using GivenComponents = std::array<std::uint8_t, kSlots>;
+/// The most that a slot was given with.
+[[nodiscard]] inline int mostGiven(const GivenComponents &given, int slot) {
+  return std::bit_width(unsigned(given[std::size_t(slot)])) - 1;
+}
 
 class ImmediateRecorder {
 public:
@@ -39,14 +49,16 @@ public:
   void forgetEarlier();
   /// No more is recorded, and failed().
   void fail() { m_failed = true; }
-  /// glColor, glTexCoord .. : all four components, defaults filled in.
-  void set(int slot, float x, float y, float z, float w) {
+  /// glColor, glTexCoord .. : all four components, defaults filled in behind those `given`.
+  void set(int slot, float x, float y, float z, float w, unsigned given = 4) {
     if ((m_touched >> slot & 1u) == 0) [[unlikely]]
       touch(slot);
+    m_given[std::size_t(slot)] |= std::uint8_t(1u << given);
     m_values[std::size_t(slot)] = {x, y, z, w};
   }
   /// glVertex, or glVertexAttrib of 0.
-  void vertex(float x, float y, float z, float w) {
+  void vertex(float x, float y, float z, float w, unsigned given = 4) {
+    m_given[kPosition] |= std::uint8_t(1u << given);
     if (m_next + m_stride > m_end && !makeRoom(x, y, z, w)) [[unlikely]]
       return;
     float *to = m_next;
@@ -68,6 +80,8 @@ public:
   /// told.
   [[nodiscard]] std::uint32_t touched() const { return m_touched; }
   [[nodiscard]] const CurrentValues &values() const { return m_values; }
+  /// Of the slots that were touched, and of the position.
+  [[nodiscard]] const GivenComponents &given() const { return m_given; }
   /// Vertex `index` of those recorded: calls `set(slot, const float value[4])` of each slot that
   /// was touched before it, and then of kPosition.
   template <typename Set> void read(std::uint32_t index, Set &&set) const {
@@ -117,6 +131,7 @@ private:
   unsigned m_slotCount = 1;
   std::uint8_t m_slots[kSlots] = {};
   std::uint32_t m_since[kSlots] = {};
+  GivenComponents m_given{};
   std::vector<std::uint32_t> m_starts;
 };
 

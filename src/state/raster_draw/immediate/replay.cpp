@@ -1,7 +1,6 @@
 #include "state/raster_draw/immediate/replay.h"
 
 #include <bit>
-#include <cmath>
 
 #include "state/core/context.h"
 #include "state/core/memory.h"
@@ -11,16 +10,24 @@
 
 namespace arbiter::state::software {
 
-/// The command that sets an attribute. Three components where the fourth is the default, so that
-/// the host's vertices stay small.
-void setAttribute(const host::HostTable &host, int slot, const float *v) {
+void setAttribute(const host::HostTable &host, int slot, const float *v, int components) {
+  // The table's functions, by how many components they take.
+  const auto take = [&](auto two, auto three, auto four) {
+    return (components == 2 ? two : components == 3 ? three : four)(v);
+  };
+  const auto takeIndexed = [&](auto index, auto one, auto two, auto three, auto four) {
+    return (components == 1   ? one
+            : components == 2 ? two
+            : components == 3 ? three
+                              : four)(index, v);
+  };
   switch (slot) {
   case kPosition:
-    return host.Vertex4fv(v);
+    return take(host.Vertex2fv, host.Vertex3fv, host.Vertex4fv);
   case kNormal:
     return host.Normal3fv(v);
   case kColor:
-    return host.Color4fv(v);
+    return components == 3 ? host.Color3fv(v) : host.Color4fv(v);
   case kSecondary:
     return host.SecondaryColor3fv(v);
   case kFogCoord:
@@ -29,8 +36,10 @@ void setAttribute(const host::HostTable &host, int slot, const float *v) {
     return host.EdgeFlag(v[0] != 0.0f ? GL_TRUE : GL_FALSE);
   default:
     if (slot >= kGeneric0)
-      return host.VertexAttrib4fv(GLuint(slot - kGeneric0), v);
-    return host.MultiTexCoord4fv(GLenum(GL_TEXTURE0 + slot - kTexCoord0), v);
+      return takeIndexed(GLuint(slot - kGeneric0), host.VertexAttrib1fv, host.VertexAttrib2fv,
+                         host.VertexAttrib3fv, host.VertexAttrib4fv);
+    return takeIndexed(GLenum(GL_TEXTURE0 + slot - kTexCoord0), host.MultiTexCoord1fv,
+                       host.MultiTexCoord2fv, host.MultiTexCoord3fv, host.MultiTexCoord4fv);
   }
 }
 
@@ -77,12 +86,22 @@ void setAttributes(const host::HostTable &host, const CurrentValues &values, std
   }
 }
 
+void setTouched(const host::HostTable &host, const ImmediateRecorder &recorder) {
+  for (std::uint32_t left = recorder.touched(); left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    setAttribute(host, slot, recorder.values()[std::size_t(slot)].data(),
+                 mostGiven(recorder.given(), slot));
+  }
+}
+
 void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder) {
   host.Begin(recorder.mode());
   std::uint32_t at = 0;
   const auto sendTo = [&](std::uint32_t end) {
     for (; at < end; ++at)
-      recorder.read(at, [&](int slot, const float *value) { setAttribute(host, slot, value); });
+      recorder.read(at, [&](int slot, const float *value) {
+        setAttribute(host, slot, value, mostGiven(recorder.given(), slot));
+      });
   };
   for (const std::uint32_t start : recorder.starts()) {
     sendTo(start);
@@ -90,22 +109,11 @@ void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder) {
     host.Begin(recorder.mode());
   }
   sendTo(recorder.count());
-  setAttributes(host, recorder.values(), recorder.touched());
+  setTouched(host, recorder);
 }
 
 void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder) {
-  const auto set = [&](int slot, const float *v) {
-    const bool isTexCoord = slot >= kTexCoord0 && slot < kGeneric0;
-    if (slot == kPosition && v[3] == 1.0f)
-      return host.Vertex3fv(v);
-    if (isTexCoord && v[3] == 1.0f && v[2] == 0.0f && !std::signbit(v[2]))
-      return host.MultiTexCoord2fv(GLenum(GL_TEXTURE0 + slot - kTexCoord0), v);
-    setAttribute(host, slot, v);
-  };
-  host.Begin(recorder.mode());
-  for (std::uint32_t i = 0; i < recorder.count(); ++i)
-    recorder.read(i, set);
-  setAttributes(host, recorder.values(), recorder.touched());
+  sendOpen(host, recorder);
   host.End();
 }
 

@@ -29,8 +29,7 @@ const host::HostTable *flushToHost();
 /// Begin, the vertices so far and what the attributes are now: each is sent from where it was set.
 /// Of several primitives the last is open.
 void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder);
-/// The whole primitive, as a list of the host's is to keep it: without components that are the
-/// defaults, which applications seldom give.
+/// The whole primitive.
 void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder);
 /// After stopRecording() and hostDraws(): opens the recorder's primitive on the host and sends all
 /// its vertices so far, each attribute from where it was set. What follows in the primitive is the
@@ -39,9 +38,12 @@ void replayToHost(Context &context);
 /// The host's current values become those that a primitive left behind (OpenGL 1.4, 2.7: an
 /// attribute set inside Begin/End stays set), and the mirror's with them.
 void setCurrentValues(Context &context, const CurrentValues &values, std::uint32_t touched);
-/// Sets one attribute, or makes a vertex (kPosition).
-void setAttribute(const host::HostTable &host, int slot, const float value[4]);
+/// Sets one attribute, or makes a vertex (kPosition). \param components as many of the four as the
+/// application gives: hosts compile vertex code for the components that they are given
+void setAttribute(const host::HostTable &host, int slot, const float value[4], int components = 4);
 /// Those of a mask.
 void setAttributes(const host::HostTable &host, const CurrentValues &values, std::uint32_t slots);
+/// Those that were touched.
+void setTouched(const host::HostTable &host, const ImmediateRecorder &recorder);
 
 } // namespace arbiter::state::software
