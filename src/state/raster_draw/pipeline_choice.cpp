@@ -16,8 +16,10 @@ namespace {
 /// GL's modes GL_POINTS to GL_POLYGON are 0 to 9, as Topology's.
 static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
 
-/// From so many vertices on primitives are taken to be small: 2x2 quads waste fewer lanes.
-constexpr std::uint32_t kManyVertices = 256;
+/// From so many vertices on primitives are taken to be small: 2x2 quads waste fewer lanes. So are
+/// those between Begin and End, of which it is not known yet how many follow each other.
+constexpr std::uint32_t kManyVertices = 32;
+constexpr bool isMany(std::uint32_t vertices) { return vertices == 0 || vertices >= kManyVertices; }
 
 /// The groups that decide about a choice, but for those that VertexState::version and
 /// Mirror::obstacle stand for.
@@ -125,7 +127,7 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
     basis.vertices = true;
     basis.vertexState = mirror.vertex.version;
     basis.mode = vertices->mode;
-    basis.many = vertices->count >= kManyVertices;
+    basis.many = isMany(vertices->count);
   }
   return basis;
 }
@@ -213,7 +215,7 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
 
 Outcome Pipeline::chooseVertices(Context &context, Mirror &mirror, const Kind &kind) {
   m_topology = swrast::Topology(kind.mode);
-  m_many = kind.count >= kManyVertices;
+  m_many = isMany(kind.count);
   if (const char *const obstacle = mirror.obstacleOf(m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const CompiledProgram *const vertexProgram =

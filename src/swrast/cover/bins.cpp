@@ -36,7 +36,7 @@ void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
                  DrawStatistics &statistics) {
   if (draw.visible.empty())
     return;
-  const TileGrid grid = TileGrid::of(draw.visible);
+  const TileGrid grid = TileGrid::of(draw.visible, draw.bounds);
   m_used = (count + Chunk::kTriangles - 1) / Chunk::kTriangles;
   if (m_parts.size() < m_used)
     m_parts.resize(m_used);

@@ -27,9 +27,10 @@ TileTest testTile(const Shape &shape, const Rect &tile) {
 
 } // namespace
 
-TileGrid TileGrid::of(const Rect &visible) {
+TileGrid TileGrid::of(const Rect &visible, const Rect &bounds) {
   TileGrid grid;
   grid.clip = visible;
+  grid.bounds = bounds;
   grid.left = visible.x >> kTileShift;
   grid.bottom = visible.y >> kTileShift;
   grid.columns = ((visible.x + visible.width - 1) >> kTileShift) - grid.left + 1;
@@ -200,12 +201,15 @@ void Chunk::setUp(const Draw &draw, std::uint32_t first, std::uint32_t end) {
 
 void Chunk::shade(std::size_t tile, const PlanePlan &plan, const WindowVertex *window,
                   const Rect &rect, Emitter &emitter) const {
+  // Seldom are blocks cut off by it, and then they need no look.
+  constexpr int kTile = TileGrid::kTile, kMask = -kTile;
+  const Rect bounds = intersect(m_grid.bounds, {rect.x & kMask, rect.y & kMask, kTile, kTile});
   for (std::uint32_t at = m_tiles[tile].first; at != kNone; at = m_links[at].next) {
     const std::uint32_t primitive = m_links[at].primitive;
     if (primitive & Link::kShape)
       emitter.shadeInTile(m_shapes[primitive & ~Link::kShape], rect);
     else
-      emitter.shadeSmall(plan, window, m_small[primitive], rect);
+      emitter.shadeSmall(plan, window, m_small[primitive], bounds);
   }
 }
 

@@ -11,11 +11,15 @@ namespace arbiter::swrast {
 /// The tiles that a draw may reach: those of pending clears, as a tile is one thread's.
 struct TileGrid {
   static constexpr int kTileShift = DeferredClear::kTileShift, kTile = 1 << kTileShift;
-  Rect clip;                                       ///< pixels
+  Rect clip; ///< pixels
+  /// What primitives are cut off by: `clip` lies within it, closer around them all. No part of them
+  /// lies between the two.
+  Rect bounds;
   int left = 0, bottom = 0, columns = 0, rows = 0; ///< in tiles
 
   /// \param visible not empty
-  [[nodiscard]] static TileGrid of(const Rect &visible);
+  [[nodiscard]] static TileGrid of(const Rect &visible) { return of(visible, visible); }
+  [[nodiscard]] static TileGrid of(const Rect &visible, const Rect &bounds);
   [[nodiscard]] std::size_t count() const { return std::size_t(columns) * std::size_t(rows); }
   /// What is drawn of a tile: its pixels within the clip rectangle.
   [[nodiscard]] Rect rect(int x, int y) const {

@@ -49,6 +49,39 @@ RowWalker::RowWalker(const Shape &shape, int left, int bottom, int right, int to
   }
 }
 
+/// An edge at a time, so that what is stepped stays in registers.
+template <typename Put> void RowWalker::follow(Walk &walk, int count, Put put) const {
+  const Walk by = walk;
+  const std::int64_t low = m_left, high = m_right;
+  std::int64_t quotient = by.quotient, remainder = by.remainder;
+  for (int row = 0; row < count; ++row) {
+    put(row, int(std::clamp(quotient, low, high)));
+    remainder += by.remainderStep;
+    const bool carry = remainder >= by.divisor;
+    quotient += by.quotientStep + (carry ? 1 : 0);
+    remainder -= carry ? by.divisor : 0;
+  }
+  walk.quotient = quotient;
+  walk.remainder = remainder;
+}
+
+void RowWalker::next(int *begin, int *end, int count) {
+  std::fill_n(begin, count, m_left);
+  std::fill_n(end, count, m_right);
+  for (int i = 0; i < m_lefts; ++i)
+    follow(m_walk[i], count,
+           [&](int row, int column) { begin[row] = std::max(begin[row], column); });
+  for (int i = 0; i < m_rights; ++i)
+    follow(m_walk[3 - i], count,
+           [&](int row, int column) { end[row] = std::min(end[row], column); });
+  for (int i = 0; i < m_levels; ++i)
+    for (int row = 0; row < count; ++row) {
+      if (m_level[i].value < 0)
+        end[row] = begin[row];
+      m_level[i].value += m_level[i].step;
+    }
+}
+
 void Emitter::flush() {
   if (m_count != 0)
     (m_isRow ? m_shading.row : m_shading.quad)(m_shading.data, m_primitive, m_spans, m_count);
@@ -226,15 +259,18 @@ void Emitter::stippledSpan(int x, int y, int end) {
 
 void Emitter::rows(const Shape &shape, int left, int bottom, int right, int top) {
   RowWalker walker(shape, left, bottom, right, top);
-  for (int y = bottom; y < top; ++y) {
-    int begin = 0, end = 0;
-    walker.next(begin, end);
-    if (begin >= end)
-      continue;
-    if (m_stippled)
-      stippledSpan(begin, y, end);
-    else
-      span(begin, y, end);
+  int begin[RowWalker::kRows], end[RowWalker::kRows];
+  for (int y = bottom; y < top; y += RowWalker::kRows) {
+    const int count = std::min(RowWalker::kRows, top - y);
+    walker.next(begin, end, count);
+    for (int row = 0; row < count; ++row) {
+      if (begin[row] >= end[row])
+        continue;
+      if (m_stippled)
+        stippledSpan(begin[row], y + row, end[row]);
+      else
+        span(begin[row], y + row, end[row]);
+    }
   }
 }
 

@@ -96,38 +96,23 @@ private:
 /// exact steps of quotient and remainder. Edges that do not cross what is walked cost nothing.
 class RowWalker {
 public:
+  static constexpr int kRows = 64; ///< at a time
+
   RowWalker(const Shape &shape, int left, int bottom, int right, int top);
-  /// The next row; begin >= end where nothing is covered.
-  void next(int &begin, int &end) {
-    begin = m_left;
-    end = m_right;
-    for (int i = 0; i < m_lefts; ++i)
-      begin = std::max(begin, m_walk[i].step(m_left, m_right));
-    for (int i = 0; i < m_rights; ++i)
-      end = std::min(end, m_walk[3 - i].step(m_left, m_right));
-    for (int i = 0; i < m_levels; ++i) {
-      if (m_level[i].value < 0)
-        end = begin;
-      m_level[i].value += m_level[i].step;
-    }
-  }
+  /// The next `count` rows, at most kRows; begin >= end where nothing is covered.
+  void next(int *begin, int *end, int count);
 
 private:
+  /// Of a left edge the first column that is covered, of a right one the first that is not.
   struct Walk {
     std::int64_t quotient, remainder, quotientStep, remainderStep, divisor;
-    int step(int low, int high) {
-      const std::int64_t now = quotient;
-      quotient += quotientStep;
-      remainder += remainderStep;
-      const bool carry = remainder >= divisor;
-      remainder -= carry ? divisor : 0;
-      quotient += carry ? 1 : 0;
-      return int(std::clamp(now, std::int64_t(low), std::int64_t(high)));
-    }
   };
   struct Level { ///< a horizontal edge
     std::int64_t value, step;
   };
+  /// Calls `put(row, column)`, with the column clamped to what is walked.
+  template <typename Put> void follow(Walk &walk, int count, Put put) const;
+
   Walk m_walk[4]; ///< left edges from the front, right ones from the back
   Level m_level[4];
   int m_lefts = 0, m_rights = 0, m_levels = 0, m_left, m_right;

@@ -139,7 +139,7 @@ bool DrawQueue::addChecked(Given given) {
       batch.addKept(given.state, given.shading, given.use, given.isSameState);
       return true;
     }
-    chunk.clear(TileGrid::of(draw.visible));
+    chunk.clear(TileGrid::of(draw.visible, draw.bounds));
     chunk.setUp(draw, 0, triangles);
     if (triangles <= kFewTriangles && fillsPicture(given, chunk.area()))
       return false;

@@ -56,10 +56,11 @@ void QueuedDraw::keep(const Draw &draw, std::uint32_t triangles) {
   m_otherDiagonal = draw.otherDiagonal;
   m_viewport = draw.viewport;
   m_visible = draw.visible;
+  m_bounds = draw.bounds;
   m_count = (triangles + kChunkTriangles - 1) / kChunkTriangles;
   if (m_chunks.size() < m_count)
     m_chunks.resize(m_count);
-  const TileGrid grid = TileGrid::of(m_visible);
+  const TileGrid grid = TileGrid::of(m_visible, m_bounds);
   for (std::uint32_t i = 0; i < m_count; ++i)
     m_chunks[i].clear(grid);
 }
@@ -94,6 +95,7 @@ void QueuedDraw::setUp(std::uint32_t chunk) {
                m_viewport,
                {},
                m_window.data(),
+               m_bounds,
                m_visible,
                m_otherDiagonal,
                false};

@@ -62,7 +62,7 @@ private:
   std::uint32_t m_first = 0, m_vertexCount = 0, m_allVertices = 0, m_triangles = 0;
   bool m_isIndexed = false, m_otherDiagonal = false;
   Viewport m_viewport;
-  Rect m_visible;
+  Rect m_bounds, m_visible;
 };
 
 } // namespace arbiter::swrast

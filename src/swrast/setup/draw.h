@@ -14,6 +14,7 @@ struct Draw {
   Viewport viewport;
   PlanePlan plan;
   const WindowVertex *window = nullptr; ///< of all vertices that the draw uses
+  Rect bounds;                          ///< scissor, target and viewport, intersected
   Rect visible;                         ///< pixels that the draw may reach
   bool otherDiagonal = false;           ///< of quads: see triangleAt()
   bool isClipped = false;               ///< a vertex that the draw uses lies outside

@@ -57,7 +57,7 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
                    std::vector<PlacedBounds> &bounds) {
   std::uint32_t begin = 0, end = 0;
   usedVertices(draw, begin, end);
-  draw.visible = intersect(draw.state.clip, draw.viewport.pixels);
+  draw.visible = draw.bounds = intersect(draw.state.clip, draw.viewport.pixels);
   if (window.size() < end)
     window.resize(end);
   draw.window = window.data();
