@@ -1,5 +1,7 @@
 #include "swrast/cover/emit.h"
 
+#include <cmath>
+
 namespace arbiter::swrast {
 namespace {
 
@@ -16,6 +18,21 @@ unsigned bitsOf(unsigned mask) {
   mask = (mask & 0x3333u) + ((mask >> 2) & 0x3333u);
   mask = (mask + (mask >> 4)) & 0x0F0Fu;
   return (mask + (mask >> 8)) & 0x1Fu;
+}
+
+/// Whether most pixels of the blocks of 4x4 that a triangle touches are its own, as far as its area
+/// and the way around it say: their pixels are about its own and two for each that the way crosses
+/// a column or a row by.
+bool fillsBlocks(const Shape &shape) {
+  if (shape.edgeCount != 3)
+    return false;
+  const Edge *const edges = shape.edges;
+  const double twiceArea =
+      std::abs(double(edges[0].a) * edges[1].b - double(edges[1].a) * edges[0].b);
+  double around = 0;
+  for (int i = 0; i < 3; ++i)
+    around += std::abs(double(edges[i].a)) + std::abs(double(edges[i].b));
+  return twiceArea > 4.0 * kSubpixels * around;
 }
 
 std::int64_t floorDivide(std::int64_t value, std::int64_t divisor) {
@@ -144,10 +161,13 @@ bool Emitter::pack(const Shape &shape, const Rect &part) {
     return true;
   if (region.count == 0 && std::min(part.width, part.height) >= 2 * kPackedBlock.width)
     return false; // a rectangle that fills most of its blocks
+  const bool isWide = wantsRows(shape.right - shape.left);
+  if (isWide && fillsBlocks(shape))
+    return false;
   const Cover cover = m_cover.region(region, kPackedBlock.lanes(), m_blocks);
   const bool isThin = cover.pixels <= kMostPacked * cover.blocks;
   const bool alike = m_blockSize.lanes() == kPackedBlock.lanes();
-  if (!isThin && (!alike || wantsRows(shape.right - shape.left)))
+  if (!isThin && (!alike || isWide))
     return false;
   takeBlocks(shape, cover, kPackedBlock);
   if (isThin) {
