@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "state/raster_draw/immediate/joined.h"
+
 namespace arbiter::state::software {
 
 std::uint32_t independentVertices(GLenum mode) {
@@ -86,24 +88,59 @@ std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder, bool fro
   return geometry;
 }
 
+namespace {
+
+/// Vertices in one draw of primitives that are joined by indices.
+constexpr std::uint32_t kMostJoined = 1u << 16;
+
+/// What is behind the last whole primitive makes none, and is left out.
+std::uint32_t wholeVertices(const Geometry &geometry, std::uint32_t size) {
+  return size == 0 ? geometry.count : geometry.count - geometry.count % size;
+}
+
+bool isDrawnAlike(const Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
+  // The order of the slots is that of their first use.
+  return recorder.mode() == to.mode && fromArrays == to.fromArrays && to.uniform &&
+         isUniform(recorder) && recorder.slotCount() == to.slotCount &&
+         std::equal(to.slots.begin(), to.slots.begin() + to.slotCount, recorder.slots());
+}
+
+/// For so many more elements, which are then added without memory.
+template <typename T> void makeRoom(std::vector<T> &elements, std::size_t more) {
+  if (elements.capacity() - elements.size() < more)
+    elements.reserve(std::max(elements.size() + more, 2 * elements.capacity()));
+}
+
+/// The recorder's vertices are the last of `to`, from `first` on: a primitive of their own.
+void join(Geometry &to, std::uint32_t first) {
+  if (to.starts.empty())
+    appendIndices(to.indices, to.mode, 0, first);
+  to.starts.push_back(first);
+  appendIndices(to.indices, to.mode, first, to.count - first);
+}
+
+} // namespace
+
 bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
   const std::uint32_t size = independentVertices(to.mode);
-  constexpr std::uint32_t kMost = 1u << 24;
-  if (size == 0 || recorder.mode() != to.mode || fromArrays != to.fromArrays || !to.uniform ||
-      !isUniform(recorder) || recorder.slotCount() != to.slotCount ||
-      to.count + recorder.count() > kMost)
+  const std::uint32_t most = size == 0 ? kMostJoined : 1u << 24;
+  if (!isDrawnAlike(to, recorder, fromArrays) || to.open || to.count == 0 ||
+      recorder.count() == 0 || to.count + recorder.count() > most)
     return false;
-  // The order of the slots is that of their first use.
-  if (!std::equal(to.slots.begin(), to.slots.begin() + to.slotCount, recorder.slots()))
-    return false;
-  const std::uint32_t whole = to.count - to.count % size; // the rest makes no primitive
-  const std::size_t floats = std::size_t(whole + recorder.count()) * to.stride;
-  if (to.data.capacity() < floats) // before anything changes, as there may be no memory
-    to.data.reserve(std::max(floats, 2 * to.data.capacity()));
+  const std::uint32_t whole = wholeVertices(to, size);
+  // Before anything changes, as there may be no memory.
+  makeRoom(to.data, std::size_t(recorder.count()) * to.stride);
+  if (size == 0) {
+    constexpr std::size_t kIndices = 3; // of a vertex at most
+    makeRoom(to.starts, 1);
+    makeRoom(to.indices, kIndices * ((to.starts.empty() ? whole : 0) + recorder.count()));
+  }
   to.data.resize(std::size_t(whole) * to.stride);
   to.data.insert(to.data.end(), recorder.data(),
                  recorder.data() + std::size_t(recorder.count()) * to.stride);
   to.count = whole + recorder.count();
+  if (size == 0)
+    join(to, whole);
   take(to, recorder);
   to.endsOtherwise = !fromArrays && endsOtherwise(to);
   return true;

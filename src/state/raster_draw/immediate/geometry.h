@@ -37,9 +37,12 @@ public:
   bool fromArrays = false;    ///< draws of arrays: current values stay what they are
   bool uniform = true;        ///< all of them from the first vertex on
   bool endsOtherwise = false; ///< a value was set behind the last vertex
-  std::uint32_t touched = 0;  ///< slots that were set, one bit each
-  GivenComponents given{};    ///< of these and of the position
-  CurrentValues values{};     ///< of these, as the primitives leave them behind
+  /// Where several primitives depend on their own vertices only (strips, fans, loops, polygons):
+  /// the first vertices of all but the first, and the indices that join them (joined.h).
+  std::vector<std::uint32_t> starts, indices;
+  std::uint32_t touched = 0; ///< slots that were set, one bit each
+  GivenComponents given{};   ///< of these and of the position
+  CurrentValues values{};    ///< of these, as the primitives leave them behind
 
   /// The host's list that draws the same, which `make` makes when it is first asked for and gives
   /// the name of.
@@ -53,8 +56,14 @@ public:
   [[nodiscard]] GLuint madeHostList() const;
   /// What is between Begin and End: calls `set(slot, const float value[4], components)` of each
   /// attribute as it is set, and of kPosition for a vertex, with as many components as were given.
-  template <typename Set> void read(Set &&set) const {
+  /// \param next called between one primitive and the next
+  template <typename Set, typename Next> void read(Set &&set, Next &&next) const {
+    std::size_t begun = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
+      if (begun < starts.size() && starts[begun] == i) {
+        next();
+        ++begun;
+      }
       const float *const vertex = data.data() + std::size_t(i) * stride;
       for (unsigned slot = 1; slot < slotCount; ++slot)
         if (i >= since[slot])

@@ -1,6 +1,7 @@
 #include "state/raster_draw/immediate/geometry_call.h"
 
 #include <algorithm>
+#include <new>
 
 #include "host/handlers.h"
 #include "state/core/context.h"
@@ -11,7 +12,9 @@
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/draw.h"
 #include "state/raster_draw/immediate/geometry.h"
+#include "state/raster_draw/immediate/joined.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/pipeline.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state::software {
@@ -24,9 +27,12 @@ GLuint hostListOf(Context &context, const Geometry &geometry) {
     const GLuint name = context.group->lists.takeSegmentName(*context.host);
     context.host->NewList(name, GL_COMPILE);
     context.host->Begin(geometry.mode);
-    geometry.read([&](int slot, const float *value, int components) {
-      setAttribute(*context.host, slot, value, components);
-    });
+    geometry.read([&](int slot, const float *value,
+                      int components) { setAttribute(*context.host, slot, value, components); },
+                  [&] {
+                    context.host->End();
+                    context.host->Begin(geometry.mode);
+                  });
     context.host->End();
     context.host->EndList();
     return name;
@@ -60,20 +66,23 @@ void drawOnHost(Context &context, const Geometry &geometry) {
     setCurrentValues(context, geometry.values, geometry.touched);
 }
 
-/// As the application does: whose primitive it is shows when it is whole.
+/// As the application does: whose primitive it is shows when it is whole. Requires: one, which is
+/// open.
 void beginPrimitive(Context &context, const Geometry &geometry) {
   handlers::Begin(context, geometry.mode);
   if (ImmediateRecorder *const to = context.recorder) {
-    return geometry.read([&](int slot, const float *v, int components) {
-      if (slot == kPosition)
-        to->vertex(v[0], v[1], v[2], v[3], unsigned(components));
-      else
-        to->set(slot, v[0], v[1], v[2], v[3], unsigned(components));
-    });
+    return geometry.read(
+        [&](int slot, const float *v, int components) {
+          if (slot == kPosition)
+            to->vertex(v[0], v[1], v[2], v[3], unsigned(components));
+          else
+            to->set(slot, v[0], v[1], v[2], v[3], unsigned(components));
+        },
+        [] {});
   }
-  geometry.read([&](int slot, const float *value, int components) {
-    setAttribute(*context.host, slot, value, components);
-  });
+  geometry.read([&](int slot, const float *value,
+                    int components) { setAttribute(*context.host, slot, value, components); },
+                [] {});
   context.dirty |= dirty::kCurrent;
 }
 
@@ -85,6 +94,30 @@ VertexSource completed(Context &context, const Geometry &geometry) {
   return geometry.source(state.mirror.current, state.listVertices);
 }
 
+/// Primitives that depend on their own vertices: joined, or one by one. Throws std::bad_alloc where
+/// that fails after the first.
+Outcome drawSeveral(Context &context, const Geometry &geometry, const VertexSource &source) {
+  Pipeline &pipeline = pipelineOf(context);
+  if (const auto joining = joiningOf(context.software->mirror.raster, geometry.mode, true)) {
+    if (geometry.indices.empty())
+      return {};
+    const IndexRange range = {geometry.indices.data(), std::uint32_t(geometry.indices.size()), 0,
+                              geometry.count - 1};
+    return pipeline.shadeJoined(context, source, range, *joining);
+  }
+  for (std::size_t i = 0; i <= geometry.starts.size(); ++i) {
+    const std::uint32_t first = i == 0 ? 0 : geometry.starts[i - 1];
+    const std::uint32_t end = i == geometry.starts.size() ? geometry.count : geometry.starts[i];
+    const Outcome outcome =
+        pipeline.shadePart(context, source, {}, first, end - first, pipeline.topology());
+    if (!outcome.ok() && i == 0)
+      return outcome;
+    if (!outcome.ok())
+      throw std::bad_alloc();
+  }
+  return {};
+}
+
 /// True: drawn. False: the host's, which has been brought up to date for it. Requires:
 /// usesRasterizer().
 bool drawGeometry(Context &context, const Geometry &geometry) {
@@ -94,7 +127,8 @@ bool drawGeometry(Context &context, const Geometry &geometry) {
                       return outcome;
                     const VertexSource source =
                         geometry.uniform ? geometry.source() : completed(context, geometry);
-                    return drawSource(context, source, geometry.count);
+                    return geometry.starts.empty() ? drawSource(context, source, geometry.count)
+                                                   : drawSeveral(context, geometry, source);
                   }));
 }
 

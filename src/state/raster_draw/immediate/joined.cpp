@@ -20,6 +20,8 @@ Topology topologyOf(GLenum mode) {
     return Topology::TriangleStrip;
   case GL_TRIANGLE_FAN:
     return Topology::TriangleFan;
+  case GL_QUAD_STRIP:
+    return Topology::QuadStrip;
   default:
     return Topology::Polygon;
   }
@@ -27,7 +29,7 @@ Topology topologyOf(GLenum mode) {
 
 } // namespace
 
-std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode) {
+std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode, bool fromList) {
   const bool filled = state.front == PolygonMode::Fill && state.back == PolygonMode::Fill;
   switch (mode) {
   case GL_LINE_STRIP:
@@ -39,6 +41,10 @@ std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode) 
   case GL_TRIANGLE_FAN:
     // The last vertex of each triangle is its last corner; the first one may be any.
     if (!filled || (state.flatShade && state.provokingIsFirst))
+      return std::nullopt;
+    return Joining{Topology::Triangles, false};
+  case GL_QUAD_STRIP:
+    if (!fromList || !filled || (state.flatShade && state.quadsProvokingIsFirst))
       return std::nullopt;
     return Joining{Topology::Triangles, false};
   case GL_POLYGON:
@@ -61,7 +67,8 @@ void appendIndices(std::vector<std::uint32_t> &indices, GLenum mode, std::uint32
   }
   const std::uint32_t triangles = swrast::triangleCount(topology, count);
   for (std::uint32_t i = 0; i < triangles; ++i) {
-    const swrast::TriangleCorners triangle = swrast::triangleAt(topology, count, i, false, false);
+    // Quad strips are of lists, and those take the other order of a quad's two triangles.
+    const swrast::TriangleCorners triangle = swrast::triangleAt(topology, count, i, false, true);
     const std::uint32_t *const corner = triangle.corner;
     indices.insert(indices.end(), {first + corner[0], first + corner[1], first + corner[2]});
   }

@@ -20,9 +20,10 @@ struct Joining {
 
 /// How primitives of `mode` are joined in the current state; nothing where that could be told from
 /// each drawn alone: unfilled polygons, whose sides are not those of their triangles, stipples that
-/// run along a strip, quad strips (whose triangles' order the draw's clipping decides), a provoking
-/// vertex that lies within the triangle.
-[[nodiscard]] std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode);
+/// run along a strip, a provoking vertex that lies within the triangle, and quad strips but of a
+/// list, as otherwise the draw's clipping decides about their triangles' order.
+[[nodiscard]] std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode,
+                                               bool fromList = false);
 /// Appends to `indices` those of one primitive of `mode`: vertices [first, first + count).
 void appendIndices(std::vector<std::uint32_t> &indices, GLenum mode, std::uint32_t first,
                    std::uint32_t count);
