@@ -100,7 +100,10 @@ void getVertexAttribiv(GLuint index, GLenum pname, GLint *value) {
 }
 void enableClientState(GLenum array) { fake().note(words("EnableClientState", {array})); }
 
-void getProgramLimit(GLenum, GLenum, GLint *value) { *value = fake().programLimit; }
+void getProgramLimit(GLenum, GLenum pname, GLint *value) {
+  const auto it = fake().programLimits.find(pname);
+  *value = it != fake().programLimits.end() ? it->second : fake().programLimit;
+}
 
 GLenum getError() {
   if (fake().lost)

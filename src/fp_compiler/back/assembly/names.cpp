@@ -1,5 +1,6 @@
 #include "fp_compiler/back/assembly/names.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "fp_compiler/ir/print.h"
@@ -75,6 +76,10 @@ void Names::use(const ir::Operand &operand) {
 
 std::string Names::declarations(int scratch) const {
   return temporaries(scratch) + list("ADDRESS", "a", m_addresses) + parameters();
+}
+
+int Names::temporaryCount() const {
+  return int(std::count(m_temporaries.begin(), m_temporaries.end(), true));
 }
 
 std::string Names::temporaries(int scratch) const {
