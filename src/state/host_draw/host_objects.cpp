@@ -10,6 +10,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/undefined_results.h"
 #include "util/log.h"
 
@@ -73,6 +74,8 @@ GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLu
   for (const GLuint shader : {vertex, fragment})
     if (shader != 0)
       host.AttachShader(program, shader);
+  if (stagesStandApart(context) && (vertex == 0 || fragment == 0))
+    host.ProgramParameteri(program, GL_PROGRAM_SEPARABLE, GL_TRUE);
   host.LinkProgram(program);
   for (const GLuint shader : {vertex, fragment})
     if (shader != 0)
