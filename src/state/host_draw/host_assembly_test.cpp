@@ -334,7 +334,7 @@ TEST(HostAssembly, RowsByAddressOfNvidiasHaveZerosBesideThem) {
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(host.targets[kVertex]);
   ASSERT_EQ(host.assembly.size(), 1u);
-  EXPECT_NE(host.assembly.begin()->second.find("c0[6] = { {0, 0, 0, 0}, program.env[0]"),
+  EXPECT_NE(host.assembly.begin()->second.find("c0[6] = { {0, 0, 0, 0}, program.env[0..3]"),
             std::string::npos)
       << host.assembly.begin()->second;
   EXPECT_EQ(host.count("CreateShader"), 1) << "of the fragments";

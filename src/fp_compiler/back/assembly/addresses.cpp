@@ -155,13 +155,27 @@ private:
       add(Opcode::Mul, instruction.dst.index, mask, temporary(held), temporary(number));
       return;
     }
-    if (instruction.op == Opcode::Arl) {
+    if (instruction.op == Opcode::Arl && !isHeld(code, at)) {
       const std::uint16_t held = scratch(0);
       hold(held, 1, instruction.src[0]);
       instruction.src[0] = temporary(held);
       instruction.src[0].swizzle = {Select::X, Select::X, Select::X, Select::X};
     }
     m_program.code.push_back(instruction);
+  }
+
+  /// The address is loaded from what write() makes of a zeroed NaN, which is held to the range
+  /// already, or 0.
+  bool isHeld(const std::vector<Instruction> &code, std::size_t at) const {
+    const Operand &source = code[at].src[0];
+    if (source.file != File::Temporary || source.negate != 0 || source.relative || m_last < -1 ||
+        m_first > m_size)
+      return false;
+    const std::uint8_t component = ir::registerMask(code[at], 0);
+    for (std::size_t i = at; i-- > 0;)
+      if (writes(code[i], source.index) && (ir::writeMask(code[i]) & component) != 0)
+        return isZeroedNan(code, i);
+    return false;
   }
 
   static bool writes(const Instruction &instruction, std::uint16_t index) {

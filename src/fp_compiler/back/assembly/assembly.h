@@ -20,11 +20,11 @@ struct AssemblyLimits {
 };
 
 /// The program as !!ARBvp1.0 or !!ARBfp1.0 text in one plain form, for a host's own parser: one
-/// list of temporaries, a PARAM a row, arrays as PARAM arrays, no aliases, no comments. Numbers are
-/// the shortest that give the same float. What this project defines and the specifications do not
-/// (registers that are read before they are written, results that are partly written) is written
-/// out, so that the host reads the text as the IR says; checkProgram() of it means the same
-/// program.
+/// list of temporaries, a PARAM a row, arrays as PARAM arrays with ranges, no aliases, no comments.
+/// Numbers are the shortest that give the same float. What this project defines and the
+/// specifications do not (registers that are read before they are written, results that are partly
+/// written) is written out, so that the host reads the text as the IR says; checkProgram() of it
+/// means the same program.
 ///
 /// \param parts what becomes of results of a vertex program that are partly written
 ///

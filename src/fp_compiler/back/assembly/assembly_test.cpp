@@ -1,5 +1,6 @@
 #include "fp_compiler/back/assembly/assembly.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -135,15 +136,14 @@ TEST(Assembly, VertexText) {
        {-Builder::element(array, a, -2).swz("x"), Builder::element(array, a).swz("wzyx")});
   b.op(Opcode::Mul, b.result(OutputKind::TexCoord, 3).mask("xy"),
        {row, b.attribute(AttributeKind::Normal)});
-  EXPECT_EQ(emitAssembly(b.program()),
-            "!!ARBvp1.0\n"
-            "ADDRESS a0;\n"
-            "PARAM c0[3] = { program.env[7], program.env[8], {1, 1, 1, 1} };\n"
-            "MOV result.texcoord[3].zw, {0, 0, 0, 0};\n"
-            "ARL a0.x, -vertex.attrib[5].z;\n"
-            "ADD result.position, -c0[a0.x-2].x, c0[a0.x].wzyx;\n"
-            "MUL result.texcoord[3].xy, c0[1], vertex.normal;\n"
-            "END\n");
+  EXPECT_EQ(emitAssembly(b.program()), "!!ARBvp1.0\n"
+                                       "ADDRESS a0;\n"
+                                       "PARAM c0[3] = { program.env[7..8], {1, 1, 1, 1} };\n"
+                                       "MOV result.texcoord[3].zw, {0, 0, 0, 0};\n"
+                                       "ARL a0.x, -vertex.attrib[5].z;\n"
+                                       "ADD result.position, -c0[a0.x-2].x, c0[a0.x].wzyx;\n"
+                                       "MUL result.texcoord[3].xy, c0[1], vertex.normal;\n"
+                                       "END\n");
 }
 
 TEST(Assembly, AddressesStartAtZero) {
@@ -271,6 +271,9 @@ TEST(Assembly, RowsByAddressAreReadAsNvidiasLanguagesHaveThem) {
   for (const char *const version : {"!!VP1.0\n", "!!VP1.1\n", "!!VP2.0\n"})
     expectSameRows(version + ("MOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x; MOV R0, " + rows) +
                    "MOV o[COL0], R0;\nEND\n");
+  // The row of address 0 lies before the array, so far that no row of the text stands for it.
+  expectSameRows("!!VP1.1\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\n"
+                 "MOV R0, c[A0.x - 3]; ADD R0, R0, c[A0.x - 4]; MOV o[COL0], R0;\nEND\n");
   // Several addresses, whose values go through the same temporaries.
   for (const char *const version : {"!!VP1.1\n", "!!VP2.0\n"})
     expectSameRows(version + ("MOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x; MOV R0, " + rows) +
@@ -348,6 +351,21 @@ TEST(Assembly, AddressesShareTheirTemporaries) {
   const std::size_t before = program.temporaries.size();
   ASSERT_TRUE(defineAddresses(program, kRoomy));
   EXPECT_EQ(program.temporaries.size(), before + 3) << "whatever the number of addresses";
+}
+
+TEST(Assembly, AddressesAreHeldAgainOnlyWhereZeroIsNotInTheirRange) {
+  const auto held = [](const std::string &row) {
+    ir::Program program =
+        optimised("!!VP1.1\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\nMOV R0, " + row +
+                  "; MOV o[COL0], R0;\nEND\n");
+    EXPECT_TRUE(defineAddresses(program, kRoomy));
+    const auto &code = program.code;
+    return std::count_if(code.begin(), code.end(),
+                         [](const auto &each) { return each.op == Opcode::Max; });
+  };
+  EXPECT_EQ(held("c[A0.x + 8]"), 1);
+  EXPECT_EQ(held("c[A0.x - 1]"), 1);
+  EXPECT_EQ(held("c[A0.x - 2]"), 2) << "row -2 is before the zeros that are there";
 }
 
 TEST(Assembly, NvidiasProgramsThatAreOfTheArbByTheirText) {

@@ -24,6 +24,37 @@ std::string bindingOf(const ir::Parameter &row) {
   return text + "}";
 }
 
+/// How many of the rows from \p first on are parameters of the application's that follow each
+/// other.
+std::size_t runLength(const ir::Program &program, const std::vector<std::uint16_t> &rows,
+                      std::size_t first) {
+  const ir::Parameter &begin = program.parameters[rows[first]];
+  if (begin.kind != ir::ParameterKind::Env && begin.kind != ir::ParameterKind::Local)
+    return 1;
+  std::size_t length = 1;
+  for (; first + length < rows.size(); ++length) {
+    const ir::Parameter &next = program.parameters[rows[first + length]];
+    if (next.kind != begin.kind || next.index != begin.index + length)
+      break;
+  }
+  return length;
+}
+
+/// The rows of an array. A range is one binding to a host, which reads many of them in each load.
+std::string bindingsOf(const ir::Program &program, const std::vector<std::uint16_t> &rows) {
+  std::string text;
+  for (std::size_t row = 0; row < rows.size();) {
+    const ir::Parameter &parameter = program.parameters[rows[row]];
+    const std::size_t length = runLength(program, rows, row);
+    std::string binding = bindingOf(parameter);
+    if (length > 1)
+      binding.insert(binding.size() - 1, ".." + std::to_string(parameter.index + length - 1));
+    text += (text.empty() ? "" : ", ") + binding;
+    row += length;
+  }
+  return text;
+}
+
 /// "TEMP t0, t1;\n" of the marked ones.
 std::string list(const char *statement, const char *prefix, const std::vector<bool> &used) {
   std::string text;
@@ -98,11 +129,9 @@ std::string Names::parameters() const {
   for (std::size_t i = 0; i < m_arrays.size(); ++i) {
     if (!m_arrays[i])
       continue;
-    std::string rows;
-    for (const std::uint16_t row : m_program.arrays[i].rows)
-      rows += (rows.empty() ? "" : ", ") + bindingOf(m_program.parameters[row]);
-    text += "PARAM " + numbered("c", i) + "[" + std::to_string(m_program.arrays[i].rows.size()) +
-            "] = { " + rows + " };\n";
+    const std::vector<std::uint16_t> &rows = m_program.arrays[i].rows;
+    text += "PARAM " + numbered("c", i) + "[" + std::to_string(rows.size()) + "] = { " +
+            bindingsOf(m_program, rows) + " };\n";
   }
   return text;
 }
