@@ -5,6 +5,10 @@ import sys
 from gl_commands import HEADING
 
 
+# What makes the layer's own names unknown, by the class of a parameter.
+GUARDS = {"program": "guardName", "shader": "guardName", "handle": "guardName", "program pipeline": "guardPipeline"}
+
+
 def handlers_header(table):
     out = [HEADING, "#pragma once\n", "#include <GL/gl.h>\n#include <GL/glext.h>\n\n",
            "namespace arbiter::state {\nclass Context;\n}\n\n",
@@ -20,9 +24,10 @@ def handlers_header(table):
            "bool beginRasterPos(Context &context);\n\n"
            "/// Makes the application's own program the host's current one again.\n"
            "void restoreApplicationProgram(Context &context);\n\n"
-           "/// `name` if the application may know it; for a program or shader object of the layer a "
-           "name that\n/// the host does not have, so that the host raises the error it should.\n"
-           "GLuint guardName(Context &context, GLuint name);\n\n"]
+           "/// `name` if the application may know it; for a program, shader or pipeline of the layer's "
+           "a name that\n/// the host does not have, so that the host raises the error it should.\n"
+           "GLuint guardName(Context &context, GLuint name);\n"
+           "GLuint guardPipeline(Context &context, GLuint name);\n\n"]
     for name in sorted(n for n, a in table.action.items() if a in ("own", "handled")):
         command = table.commands[name]
         out.append(f"{command.result} {name}({command.declare(['Context &context'])});\n")
@@ -107,11 +112,10 @@ def thunks(table, command, action, symbol):
                                f"    {call}\n    return;\n  }}\n{handled}")
         return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n{handled}"
     if action == "guard":
-        names = [n for t, n, kind in command.params
-                 if kind in ("program", "shader", "handle") and "*" not in t]
-        if not names:
-            sys.exit(f"entry_points.toml: [guard] {name} has no program or shader parameter")
-        lines = "".join(f"  {n} = handlers::guardName(here(), {n});\n" for n in names)
+        lines = "".join(f"  {n} = handlers::{GUARDS[kind]}(here(), {n});\n" for t, n, kind in command.params
+                        if kind in GUARDS and "*" not in t)
+        if not lines:
+            sys.exit(f"entry_points.toml: [guard] {name} has no program, shader or pipeline parameter")
         if dirty:
             lines += lead + dirty
         return "", lines + f"  {give}t_current->host->{name}({command.arguments()});\n"

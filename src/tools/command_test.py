@@ -54,7 +54,7 @@ class Compile(Temporary):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stdout,
                          '!!ARBvp1.0\nADDRESS a0;\n'
-                         'PARAM c0[2] = { program.env[0], program.env[1] };\n'
+                         'PARAM c0[2] = { program.env[0..1] };\n'
                          'ARL a0.x, vertex.attrib[3].w;\n'
                          'MOV result.position, c0[a0.x+1].yxzw;\nEND\n')
         again = arbiter('compile', '--emit', 'assembly', '-', text=result.stdout)

@@ -31,6 +31,7 @@ class StateTexts;
 struct EraState;
 struct ImagingState;
 class HostAssembly;
+class StagePipeline;
 class ListCompiler;
 class SamplerOverride;
 class ShareGroup;
@@ -163,6 +164,7 @@ public:
   std::unique_ptr<LinkedProgramCache> linkedPrograms;
   std::unique_ptr<SamplerOverride> samplerOverride;
   std::unique_ptr<HostAssembly> hostAssembly;
+  std::unique_ptr<StagePipeline> stagePipeline;
 
   AttribStack attribStack;
   /// The host's own table while `host` defers it: for a primitive that is recorded, or for a list

@@ -19,6 +19,7 @@
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
@@ -110,7 +111,8 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
     : provider(contextProvider), group(std::move(shareGroup)),
       linkedPrograms(std::make_unique<LinkedProgramCache>()),
       samplerOverride(std::make_unique<SamplerOverride>()),
-      hostAssembly(std::make_unique<HostAssembly>()), list(std::make_unique<ListCompiler>()) {
+      hostAssembly(std::make_unique<HostAssembly>()),
+      stagePipeline(std::make_unique<StagePipeline>()), list(std::make_unique<ListCompiler>()) {
   host = table;
   passThrough = true; // until it is first current
   drawCounter = &draws[std::size_t(Path::NotOffered)];

@@ -1,12 +1,16 @@
 // The application's own GLSL programs and pipelines, and the attribute stack: each may change who
 // shades.
+#include <algorithm>
+#include <vector>
+
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/host_draw/application_glsl.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"
+#include "state/host_draw/stages/application_glsl.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/use_program.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
@@ -64,14 +68,25 @@ GLuint CreateShaderProgramv(Context &context, GLenum type, GLsizei count,
 void BindProgramPipeline(Context &context, GLuint pipeline) {
   if (context.hostProgramIsOurs && !context.listMode)
     releaseHostState(context);
-  context.host->BindProgramPipeline(pipeline);
+  context.host->BindProgramPipeline(guardedPipeline(context, pipeline));
+  context.stagePipeline->lookAgain(context); // while a list is compiled
   context.pipelinesUsed = true;
   invalidateProgram(context);
 }
 
 void UseProgramStages(Context &context, GLuint pipeline, GLbitfield stages, GLuint program) {
-  context.host->UseProgramStages(pipeline, stages, guardName(context, program));
+  context.host->UseProgramStages(guardedPipeline(context, pipeline), stages,
+                                 guardName(context, program));
   invalidateProgram(context);
+}
+
+void DeleteProgramPipelines(Context &context, GLsizei count, const GLuint *pipelines) {
+  // The host passes over names that it does not know.
+  std::vector<GLuint> names(pipelines, pipelines + (pipelines ? std::max(count, 0) : 0));
+  for (GLuint &name : names)
+    name = guardedPipeline(context, name);
+  context.host->DeleteProgramPipelines(count, pipelines ? names.data() : nullptr);
+  invalidateProgram(context); // the one that was bound is no longer
 }
 
 void UseProgram(Context &context, GLuint program) {

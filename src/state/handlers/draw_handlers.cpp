@@ -4,9 +4,9 @@
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/era/point_sprites.h"
-#include "state/host_draw/application_glsl.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/host_assembly.h"
+#include "state/host_draw/stages/application_glsl.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/sprite_commands.h"
 #include "state/programs/program_bind.h"
@@ -129,6 +129,7 @@ void restoreApplicationProgram(Context &context) {
 }
 
 GLuint guardName(Context &context, GLuint name) { return guardedName(context, name); }
+GLuint guardPipeline(Context &context, GLuint name) { return guardedPipeline(context, name); }
 
 } // namespace handlers
 } // namespace arbiter::state

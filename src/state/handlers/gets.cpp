@@ -13,6 +13,7 @@
 #include "state/era/era_state.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/imaging/imaging_state.h"
 #include "state/imaging/queries.h"
 #include "state/lists/list_compiler.h"
@@ -210,6 +211,9 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
       return false;
     value = 0;
     return true;
+  case GL_PROGRAM_PIPELINE_BINDING: // as of a program
+    value = 0;
+    return context.stagePipeline->isBound();
   case GL_SAMPLER_BINDING:
     if (context.samplerOverride->active())
       releaseSamplers(context);

@@ -15,6 +15,7 @@
 #include "state/host_draw/native_inputs.h"
 #include "state/host_draw/path_choice.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/variants/combiner_draw.h"
 #include "state/host_draw/variants/point_sprites.h"
@@ -108,8 +109,20 @@ std::uint32_t stickyAttention(const Context &context) {
 void releaseHostProgram(Context &context) {
   if (!context.hostProgramIsOurs)
     return;
+  context.stagePipeline->release(context);
   context.host->UseProgram(0);
   context.hostProgramIsOurs = false;
+}
+
+/// The GLSL of the layer that draws from now on.
+void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
+  if (linkedProgram.vertexProgram != 0) {
+    context.stagePipeline->use(context, linkedProgram.vertexProgram, linkedProgram.hostProgram);
+  } else {
+    context.stagePipeline->release(context);
+    context.host->UseProgram(linkedProgram.hostProgram);
+  }
+  context.hostProgramIsOurs = true;
 }
 
 /// Chooses what is effective, and brings it into the host.
@@ -133,8 +146,7 @@ void install(Context &context, HostPart part) {
   context.hostAssembly->apply(context, *context.linkedProgram);
   if (context.linkedProgram->hostProgram == 0)
     return releaseHostProgram(context);
-  context.host->UseProgram(context.linkedProgram->hostProgram);
-  context.hostProgramIsOurs = true;
+  useHostPrograms(context, *context.linkedProgram);
 }
 
 /// What the host has not been given yet.
@@ -263,8 +275,7 @@ void refuseDraws(Context &context) {
   const LinkedProgram &mute = *context.linkedPrograms->get(context, {nullptr, s_mute});
   if (mute.hostProgram == 0)
     return;
-  context.host->UseProgram(mute.hostProgram);
-  context.hostProgramIsOurs = true;
+  useHostPrograms(context, mute);
 }
 
 void validateForList(Context &context) {
@@ -281,8 +292,10 @@ void afterHostList(Context &context) {
   GLint current = 0;
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
   // An earlier one of the layer's is, where the host waits for what is effective now.
-  if (context.hostProgramIsOurs && context.group->ownsHostProgram(GLuint(current)))
+  if (context.hostProgramIsOurs && (context.group->ownsHostProgram(GLuint(current)) ||
+                                    (current == 0 && context.stagePipeline->isBound())))
     return;
+  context.stagePipeline->release(context);
   context.hostProgramIsOurs = false;
   context.applicationProgram = GLuint(current);
   context.applicationProgramKnown = true;

@@ -2,6 +2,7 @@
 #include "state/host_draw/host_assembly.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -333,10 +334,63 @@ TEST(HostAssembly, RowsByAddressOfNvidiasHaveZerosBesideThem) {
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(host.targets[kVertex]);
   ASSERT_EQ(host.assembly.size(), 1u);
-  EXPECT_NE(host.assembly.begin()->second.find("c0[6] = { {0, 0, 0, 0}, program.env[0]"),
+  EXPECT_NE(host.assembly.begin()->second.find("c0[6] = { {0, 0, 0, 0}, program.env[0..3]"),
             std::string::npos)
       << host.assembly.begin()->second;
   EXPECT_EQ(host.count("CreateShader"), 1) << "of the fragments";
+}
+
+/// The instructions of a text, and the temporaries that it declares.
+std::pair<GLint, GLint> sizeOf(const std::string &text) {
+  std::istringstream lines(text);
+  GLint instructions = 0, temporaries = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("TEMP") == 0)
+      temporaries = GLint(std::count(line.begin(), line.end(), ',')) + 1;
+    else if (line.find("PARAM") != 0 && line.find(',') != std::string::npos)
+      ++instructions;
+  }
+  return {instructions, temporaries};
+}
+
+TEST(HostAssembly, ATextOfNvidiasThatIsTooMuchForTheHostIsGlsl) {
+  const std::string text = "!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS a;\nTEMP r;\n"
+                           "PARAM c[4] = { program.env[0..3] };\nARL a.x, vertex.color.x;\n"
+                           "MOV r, c[a.x];\nADD r, r, c[a.x + 1];\n"
+                           "MOV result.position, vertex.position;\nMOV result.color, r;\nEND\n";
+  struct Outcome {
+    std::string assembly; ///< empty: none was given to the host
+    int shaders = 0;
+  };
+  const auto under = [&](GLenum limit, GLint most) {
+    FakeHost host;
+    const CurrentContext context(host);
+    context->row(Target::Vertex).limits.nvOptions = 2;
+    host.programLimits[limit] = most;
+    use(*context, text, kVertex);
+    use(*context, kShading);
+    EXPECT_TRUE(draw(*context));
+    EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR));
+    EXPECT_EQ(host.targets[kVertex], !host.assembly.empty());
+    return Outcome{host.assembly.empty() ? "" : host.assembly.begin()->second,
+                   host.count("CreateShader")};
+  };
+  const std::string whole = under(GL_MAX_PROGRAM_TEMPORARIES_ARB, 64).assembly;
+  const auto [instructions, temporaries] = sizeOf(whole);
+  ASSERT_GT(temporaries, 1) << whole;
+  for (const auto &[limit, enough] : std::vector<std::pair<GLenum, GLint>>{
+           {GL_MAX_PROGRAM_TEMPORARIES_ARB, temporaries},
+           {GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB, temporaries},
+           {GL_MAX_PROGRAM_INSTRUCTIONS_ARB, instructions},
+           {GL_MAX_PROGRAM_NATIVE_INSTRUCTIONS_ARB, instructions}}) {
+    EXPECT_EQ(under(limit, enough).assembly, whole) << limit;
+    EXPECT_EQ(under(limit, enough).shaders, 1) << limit << ": of the fragments";
+    EXPECT_EQ(under(limit, enough - 1).assembly, "") << limit;
+    EXPECT_EQ(under(limit, enough - 1).shaders, 2) << limit;
+  }
+  EXPECT_EQ(under(GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB, 0).assembly, whole)
+      << "as hosts say that have no such limit";
+  EXPECT_EQ(under(GL_MAX_PROGRAM_NATIVE_PARAMETERS_ARB, 6).assembly, "");
 }
 
 TEST(HostAssembly, ClipPlanesClipNoProgramOfNvidias) {

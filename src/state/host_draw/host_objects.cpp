@@ -10,6 +10,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/undefined_results.h"
 #include "util/log.h"
 
@@ -73,6 +74,8 @@ GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLu
   for (const GLuint shader : {vertex, fragment})
     if (shader != 0)
       host.AttachShader(program, shader);
+  if (stagesStandApart(context) && (vertex == 0 || fragment == 0))
+    host.ProgramParameteri(program, GL_PROGRAM_SEPARABLE, GL_TRUE);
   host.LinkProgram(program);
   for (const GLuint shader : {vertex, fragment})
     if (shader != 0)
@@ -89,6 +92,22 @@ GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLu
 
 namespace {
 
+/// Of vertex programs: what its parser takes, and what it runs as they are meant to.
+fp::AssemblyLimits hostAssemblyLimits(const host::HostTable &host) {
+  const auto most = [&](GLenum limit, GLenum nativeLimit) {
+    GLint all = 0, native = 0;
+    host.GetProgramivARB(GL_VERTEX_PROGRAM_ARB, limit, &all);
+    host.GetProgramivARB(GL_VERTEX_PROGRAM_ARB, nativeLimit, &native);
+    return native > 0 ? std::min(all, native) : all;
+  };
+  return {
+      .instructions = most(GL_MAX_PROGRAM_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_NATIVE_INSTRUCTIONS_ARB),
+      .temporaries = most(GL_MAX_PROGRAM_TEMPORARIES_ARB, GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB),
+      .parameters = most(GL_MAX_PROGRAM_PARAMETERS_ARB, GL_MAX_PROGRAM_NATIVE_PARAMETERS_ARB),
+      .addresses =
+          most(GL_MAX_PROGRAM_ADDRESS_REGISTERS_ARB, GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB)};
+}
+
 /// A program of NVIDIA's languages as an ARB text, where what is left of it after the passes is
 /// one: hosts make less of that than of GLSL, which they link with each fragment program. Empty
 /// where it is none, and of the form that clips by itself.
@@ -97,13 +116,9 @@ std::string textOfNvidias(const Context &context, const CompiledProgram &compile
   if (!isVertex(compiled) || !compiled.clipped)
     return {};
   fp::ir::Program program = withResults(*compiled.program, defined);
-  GLint parameters = 0, addresses = 0;
-  const auto get = context.host->GetProgramivARB;
-  get(GL_VERTEX_PROGRAM_ARB, GL_MAX_PROGRAM_PARAMETERS_ARB, &parameters);
-  get(GL_VERTEX_PROGRAM_ARB, GL_MAX_PROGRAM_ADDRESS_REGISTERS_ARB, &addresses);
-  const bool isOfArb =
-      fp::defineAddresses(program, parameters, addresses) && fp::isOfArb(program, true);
-  return isOfArb ? fp::emitAssembly(program) : std::string();
+  const fp::AssemblyLimits most = hostAssemblyLimits(*context.host);
+  const bool isOfArb = fp::defineAddresses(program, most) && fp::isOfArb(program, true);
+  return isOfArb ? fp::emitAssembly(program, fp::PartlyWritten::Zero, most) : std::string();
 }
 
 std::string assemblyText(const Context &context, const CompiledProgram &compiled,

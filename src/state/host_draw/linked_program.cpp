@@ -8,6 +8,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/host_objects.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/undefined_results.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
@@ -52,29 +53,69 @@ bool isPlain(fp::ir::TexTarget target) {
          target != TexTarget::ShadowRect;
 }
 
-/// The host's program becomes current, and its uniforms are found.
-void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgram) {
-  context.host->UseProgram(linkedProgram.hostProgram);
+bool hasPlainSamplers(const CompiledProgram &compiled) {
+  return std::any_of(compiled.glsl.samplers.begin(), compiled.glsl.samplers.end(),
+                     [](const auto &sampler) { return isPlain(sampler.target); });
+}
+
+/// The host's program becomes current, and the uniforms of those of its stages that are given are
+/// found.
+void setUp(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
+           LinkedProgram &linkedProgram) {
+  context.stagePipeline->release(context);
+  context.host->UseProgram(hostProgram);
   context.hostProgramIsOurs = true;
-  for (LinkedProgramStage *stage : {&linkedProgram.vertex, &linkedProgram.fragment}) {
+  for (LinkedProgramStage *const stage : stages) {
     if (!stage->compiled)
       continue;
-    findParameters(context, linkedProgram.hostProgram, *stage);
-    setSamplers(context, linkedProgram.hostProgram, *stage->compiled);
+    findParameters(context, hostProgram, *stage);
+    setSamplers(context, hostProgram, *stage->compiled);
     linkedProgram.readsState |= stage->readsState;
+    linkedProgram.hasPlainSamplers |= hasPlainSamplers(*stage->compiled);
   }
-  for (const auto &compiled : {pair.vertex, pair.fragment})
-    if (compiled)
-      linkedProgram.hasPlainSamplers |=
-          std::any_of(compiled->glsl.samplers.begin(), compiled->glsl.samplers.end(),
-                      [](const auto &sampler) { return isPlain(sampler.target); });
+}
+
+/// The host's programs that are of this linked program alone.
+std::array<GLuint, 2> ownPrograms(const LinkedProgram &linkedProgram) {
+  return {linkedProgram.vertexAlone ? 0 : linkedProgram.vertexProgram,
+          linkedProgram.fragmentAlone ? 0 : linkedProgram.hostProgram};
 }
 
 void destroy(Context &context, const LinkedProgram &linkedProgram) {
-  if (linkedProgram.hostProgram == 0 || linkedProgram.fragmentAlone)
-    return;
-  context.group->removeHostProgram(linkedProgram.hostProgram);
-  context.host->DeleteProgram(linkedProgram.hostProgram); // where current, when it is no longer
+  for (const GLuint program : ownPrograms(linkedProgram)) {
+    if (program == 0)
+      continue;
+    context.stagePipeline->forget(context, program);
+    context.group->removeHostProgram(program);
+    context.host->DeleteProgram(program); // where current, when it is no longer
+  }
+}
+
+/// A host program that was just linked for `linkedProgram`: known as the layer's, and set up.
+void keep(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
+          LinkedProgram &linkedProgram) {
+  try {
+    context.group->addHostProgram(hostProgram);
+    setUp(context, hostProgram, stages, linkedProgram);
+  } catch (...) { // no memory
+    destroy(context, linkedProgram);
+    throw;
+  }
+}
+
+void takeVertices(LinkedProgram *alone, LinkedProgram &linkedProgram) {
+  linkedProgram.vertexAlone = alone;
+  linkedProgram.vertexProgram = alone->hostProgram;
+  linkedProgram.readsState |= alone->readsState;
+  linkedProgram.hasPlainSamplers |= alone->hasPlainSamplers;
+}
+
+void takeFragments(LinkedProgram *alone, LinkedProgram &linkedProgram) {
+  linkedProgram.fragmentAlone = alone;
+  linkedProgram.refused = alone->refused;
+  linkedProgram.hostProgram = alone->hostProgram;
+  linkedProgram.readsState |= alone->readsState;
+  linkedProgram.hasPlainSamplers |= alone->hasPlainSamplers;
 }
 
 } // namespace
@@ -134,14 +175,36 @@ bool LinkedProgramCache::buildOnAssembly(Context &context, const ProgramPair &pa
   if (!linkedProgram.vertexAssembly)
     return false;
   linkedProgram.readsState = capturing() && readsState(*pair.vertex);
-  if (!pair.fragment)
-    return true;
-  LinkedProgram *const alone = get(context, {nullptr, pair.fragment});
-  linkedProgram.fragmentAlone = alone;
-  linkedProgram.refused = alone->refused;
-  linkedProgram.hostProgram = alone->hostProgram;
-  linkedProgram.readsState |= alone->readsState;
-  linkedProgram.hasPlainSamplers = alone->hasPlainSamplers;
+  if (pair.fragment)
+    takeFragments(get(context, {nullptr, pair.fragment}), linkedProgram);
+  return true;
+}
+
+/// A vertex program that defines more results for this fragment program than it writes is of this
+/// pair alone; others are linked once for all of their pairs.
+bool LinkedProgramCache::buildApart(Context &context, const ProgramPair &pair,
+                                    LinkedProgram &linkedProgram) {
+  if (!context.stagePipeline->make(context))
+    return false;
+  LinkedProgram *const fragments = get(context, {nullptr, pair.fragment});
+  const std::string whole =
+      glslWithResults(*pair.vertex, missingResults(*pair.vertex, *pair.fragment));
+  if (whole.empty()) {
+    LinkedProgram *const vertices = get(context, {pair.vertex, nullptr});
+    if (vertices->hostProgram == 0)
+      return false;
+    takeVertices(vertices, linkedProgram);
+  } else {
+    const GLuint shader = compileShader(context, *pair.vertex, whole);
+    if (shader == 0)
+      return false;
+    linkedProgram.vertexProgram = linkProgram(context, {pair.vertex, nullptr}, shader, 0);
+    context.host->DeleteShader(shader);
+    if (linkedProgram.vertexProgram == 0)
+      return false;
+    keep(context, linkedProgram.vertexProgram, {&linkedProgram.vertex}, linkedProgram);
+  }
+  takeFragments(fragments, linkedProgram);
   return true;
 }
 
@@ -150,6 +213,9 @@ void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
   const HostErrorScope scope(*context.host, context.pendingError);
   if (pair.vertex && drawsVerticesByAssembly(context) &&
       buildOnAssembly(context, pair, linkedProgram))
+    return;
+  if (pair.vertex && pair.fragment && stagesStandApart(context) &&
+      buildApart(context, pair, linkedProgram))
     return;
   linkedProgram.refused = true; // until it is linked
   GLuint shaders[2] = {};
@@ -173,13 +239,8 @@ void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
   if (linkedProgram.hostProgram == 0)
     return;
   linkedProgram.refused = false;
-  try {
-    context.group->addHostProgram(linkedProgram.hostProgram);
-    setUp(context, pair, linkedProgram);
-  } catch (...) { // no memory
-    destroy(context, linkedProgram);
-    throw;
-  }
+  keep(context, linkedProgram.hostProgram, {&linkedProgram.vertex, &linkedProgram.fragment},
+       linkedProgram);
 }
 
 LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pair) {
@@ -263,8 +324,9 @@ void LinkedProgramCache::sweep(Context &context) {
 LinkedProgramCache::Names LinkedProgramCache::abandon() {
   Names names;
   for (const auto &[key, linkedProgram] : m_linkedPrograms)
-    if (linkedProgram->hostProgram != 0 && !linkedProgram->fragmentAlone)
-      names.programs.push_back(linkedProgram->hostProgram);
+    for (const GLuint program : ownPrograms(*linkedProgram))
+      if (program != 0)
+        names.programs.push_back(program);
   for (const auto &[compiled, objects] : m_objects) {
     if (objects.shader.value_or(0) != 0)
       names.shaders.push_back(*objects.shader);

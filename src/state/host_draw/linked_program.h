@@ -42,20 +42,28 @@ struct AssemblyProgram {
 /// A vertex program is the host's own ARB program where it can be: passes that compare depths for
 /// equality meet only where they do without the layer, and no GLSL computes a position as each
 /// host's own path does. Its fragment program is then linked alone, once for all of its pairs.
+/// Where it is GLSL the two are linked to each other, or each alone (stagesStandApart()).
 struct LinkedProgram {
   bool built = false;     ///< false: its programs are known, and the host has none of it
   bool refused = false;   ///< by the host
   GLuint hostProgram = 0; ///< of GLSL; 0: neither stage is GLSL, or the host refused it
+  /// Of a vertex stage of GLSL that meets its fragment stage, `hostProgram`, in a pipeline
+  /// (stage_pipeline.h); else 0.
+  GLuint vertexProgram = 0;
   LinkedProgramStage vertex;
   LinkedProgramStage fragment;
   AssemblyProgram *vertexAssembly = nullptr;
-  LinkedProgram *fragmentAlone = nullptr; ///< beside `vertexAssembly`: whose `hostProgram` it is
-  bool readsState = false;                ///< either stage does
+  LinkedProgram *vertexAlone = nullptr; ///< whose `vertexProgram` it is; null: its own, or 0
+  /// Whose `hostProgram` it is, beside `vertexAssembly` or `vertexProgram`.
+  LinkedProgram *fragmentAlone = nullptr;
+  bool readsState = false; ///< either stage does
   bool hasPlainSamplers = false;
 
   /// The stages that hold what the host was given: vertex, fragment.
   [[nodiscard]] std::array<LinkedProgramStage *, 2> stages() {
-    return {vertexAssembly ? &vertexAssembly->stage : &vertex,
+    return {vertexAssembly ? &vertexAssembly->stage
+            : vertexAlone  ? &vertexAlone->vertex
+                           : &vertex,
             fragmentAlone ? &fragmentAlone->fragment : &fragment};
   }
 };
@@ -116,6 +124,8 @@ private:
   void build(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgram);
   [[nodiscard]] bool buildOnAssembly(Context &context, const ProgramPair &pair,
                                      LinkedProgram &linkedProgram);
+  [[nodiscard]] bool buildApart(Context &context, const ProgramPair &pair,
+                                LinkedProgram &linkedProgram);
   void deleteObjects(Context &context, const HostObjects &objects);
   void sweep(Context &context);
 

@@ -3,12 +3,13 @@
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/application_glsl.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/native_inputs.h"
+#include "state/host_draw/stages/application_glsl.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
@@ -44,7 +45,7 @@ GLuint applicationProgram(Context &context) {
 
 GLuint applicationPipeline(Context &context) {
   GLint pipeline = 0;
-  if (context.pipelinesUsed)
+  if (context.pipelinesUsed && !context.stagePipeline->isBound())
     context.host->GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &pipeline);
   return GLuint(pipeline);
 }
@@ -143,8 +144,10 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
     }
     pair.vertex = pair.vertex->clipped->of(*pair.vertex, planes, depths);
   }
-  context.stagesAreLinked = context.stagesAreLinked || pair.fragment != nullptr;
-  return context.linkedPrograms->get(context, pair);
+  LinkedProgram *const linkedProgram = context.linkedPrograms->get(context, pair);
+  context.stagesAreLinked =
+      context.stagesAreLinked || (pair.fragment && linkedProgram->vertexProgram == 0);
+  return linkedProgram;
 }
 
 /// The rasterizer may draw with the pair as it is. Where the host draws for now each draw would

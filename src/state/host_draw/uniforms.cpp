@@ -33,15 +33,19 @@ Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Para
 
 namespace {
 
-void uploadStage(Context &context, LinkedProgramStage &stage) {
+/// \param program of the stage alone, where it stands apart; 0: the current one
+void uploadStage(Context &context, LinkedProgramStage &stage, GLuint program) {
   const ProgramTarget &row = context.row(stage.compiled->target);
   const auto &uniforms = stage.compiled->glsl.uniforms;
   std::size_t begin = 0; // of the run of changed values, as far as it goes
   std::size_t end = 0;
   const auto flush = [&] {
-    if (begin != end)
-      context.host->Uniform4fv(stage.locations[begin], GLsizei(end - begin),
-                               stage.uploaded[begin].data());
+    const GLfloat *const values = begin != end ? stage.uploaded[begin].data() : nullptr;
+    if (values && program != 0)
+      context.host->ProgramUniform4fv(program, stage.locations[begin], GLsizei(end - begin),
+                                      values);
+    else if (values)
+      context.host->Uniform4fv(stage.locations[begin], GLsizei(end - begin), values);
     begin = end = 0;
   };
   for (std::size_t i = 0; i < uniforms.size(); ++i) {
@@ -67,18 +71,19 @@ void uploadStage(Context &context, LinkedProgramStage &stage) {
 } // namespace
 
 void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention) {
-  const auto upload = [&](LinkedProgramStage &stage, std::uint32_t bits) {
+  const bool apart = linkedProgram.vertexProgram != 0;
+  const auto upload = [&](LinkedProgramStage &stage, GLuint program, std::uint32_t bits) {
     if (stage.readsState)
       bits |= attention::kState;
     if ((attention & bits) != 0 && !stage.locations.empty())
-      uploadStage(context, stage);
+      uploadStage(context, stage, apart ? program : 0);
   };
   if (!linkedProgram.vertexAssembly)
-    upload(linkedProgram.vertex, attention::kVertexParameters);
+    upload(*linkedProgram.stages()[0], linkedProgram.vertexProgram, attention::kVertexParameters);
   else if ((attention & (attention::kVertexParameters |
                          (linkedProgram.readsState ? attention::kState : 0u))) != 0)
     context.hostAssembly->uploadParameters(context);
-  upload(*linkedProgram.stages()[1], attention::kFragmentParameters);
+  upload(*linkedProgram.stages()[1], linkedProgram.hostProgram, attention::kFragmentParameters);
 }
 
 } // namespace arbiter::state

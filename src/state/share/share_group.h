@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "state/host_draw/linked_stages.h"
+#include "state/host_draw/stages/linked_stages.h"
 #include "state/lists/display_list.h"
 #include "state/programs/program_object.h"
 #include "state/programs/shader_table.h"

@@ -100,7 +100,10 @@ void getVertexAttribiv(GLuint index, GLenum pname, GLint *value) {
 }
 void enableClientState(GLenum array) { fake().note(words("EnableClientState", {array})); }
 
-void getProgramLimit(GLenum, GLenum, GLint *value) { *value = fake().programLimit; }
+void getProgramLimit(GLenum, GLenum pname, GLint *value) {
+  const auto it = fake().programLimits.find(pname);
+  *value = it != fake().programLimits.end() ? it->second : fake().programLimit;
+}
 
 GLenum getError() {
   if (fake().lost)
@@ -154,6 +157,26 @@ void useProgram(GLuint name) {
     fake().currentProgram = name;
 }
 
+void programParameteri(GLuint name, GLenum pname, GLint value) {
+  fake().note(words("ProgramParameteri", {name, pname, value}));
+}
+
+void genPipelines(GLsizei n, GLuint *names) {
+  for (GLsizei i = 0; i < n; ++i)
+    names[i] = fake().createFails ? 0 : ++fake().lastName;
+}
+void bindPipeline(GLuint name) {
+  fake().note(words("BindProgramPipeline", {name}));
+  fake().integers[GL_PROGRAM_PIPELINE_BINDING] = GLint(name);
+}
+void useStages(GLuint pipeline, GLbitfield stages, GLuint program) {
+  fake().note(words("UseProgramStages", {pipeline, stages, program}));
+}
+void deletePipelines(GLsizei count, const GLuint *names) {
+  for (GLsizei i = 0; i < count; ++i)
+    fake().note(words("DeleteProgramPipeline", {names[i]}));
+}
+
 /// arb_param[i] is at 10 + i, arb_vparam[i] at 500 + i, samplers at 0.
 GLint getUniformLocation(GLuint, const GLchar *name) {
   if (std::strncmp(name, "arb_vparam[", 11) == 0)
@@ -168,6 +191,9 @@ void uniform4fv(GLint location, GLsizei count, const GLfloat *values) {
   for (GLsizei i = 0; i < count; ++i)
     fake().uniforms[location + i].assign(values + std::ptrdiff_t(4) * i,
                                          values + std::ptrdiff_t(4) * i + 4);
+}
+void programUniform4fv(GLuint program, GLint location, GLsizei count, const GLfloat *) {
+  fake().note(words("ProgramUniform4fv", {program, location, count}));
 }
 void uniform1i(GLint location, GLint value) { fake().note(words("Uniform1i", {location, value})); }
 
@@ -303,6 +329,12 @@ const Row kRows[] = {
     ROW(GetProgramInfoLog, getLog),
     ROW(LinkProgram, linkProgram),
     ROW(UseProgram, useProgram),
+    ROW(ProgramParameteri, programParameteri),
+    ROW(GenProgramPipelines, genPipelines),
+    ROW(BindProgramPipeline, bindPipeline),
+    ROW(UseProgramStages, useStages),
+    ROW(DeleteProgramPipelines, deletePipelines),
+    ROW(ProgramUniform4fv, programUniform4fv),
     ROW(GetUniformLocation, getUniformLocation),
     ROW(Uniform4fv, uniform4fv),
     ROW(Uniform1i, uniform1i),

@@ -27,9 +27,10 @@ public:
   std::string shadingLanguage = "1.30";
   std::vector<std::string> extensions = {"GL_ARB_vertex_program", "GL_ARB_fragment_program",
                                          "GL_NV_fragment_program2"};
-  std::map<GLenum, GLint> integers; ///< further answers of GetIntegerv
-  GLint programLimit = 64;          ///< what GetProgramivARB answers
-  std::set<GLenum> enabled;         ///< what IsEnabled says; Enable and Disable leave it
+  std::map<GLenum, GLint> integers;      ///< further answers of GetIntegerv
+  GLint programLimit = 64;               ///< what GetProgramivARB answers
+  std::map<GLenum, GLint> programLimits; ///< and of single limits
+  std::set<GLenum> enabled;              ///< what IsEnabled says; Enable and Disable leave it
   std::map<GLenum, std::vector<GLfloat>> floats; ///< answers of GetFloatv: matrices, current values
 
   // --- How it fails ---

@@ -1,6 +1,7 @@
 // Reads of rows by address as ARB_vertex_program defines them: within the array, by a number.
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <optional>
 #include <set>
 
 #include "fp_compiler/back/assembly/assembly.h"
@@ -30,13 +31,12 @@ Operand temporary(std::size_t index) {
 
 class Addresses {
 public:
-  Addresses(ir::Program &program, int mostParameters, int mostAddresses)
-      : m_program(program), m_most(mostParameters), m_mostAddresses(mostAddresses) {}
+  Addresses(ir::Program &program, const AssemblyLimits &most) : m_program(program), m_most(most) {}
 
   bool run() {
     if (!measure())
       return true; // nothing is read by an address
-    if (addresses() > m_mostAddresses || !enlarge())
+    if (addresses() > m_most.addresses || !enlarge())
       return false;
     const std::vector<Instruction> code = std::move(m_program.code);
     m_program.code.clear();
@@ -83,7 +83,7 @@ private:
     const int margin = m_last - m_first + 1, size = m_size + 2 * margin;
     if (m_first + margin < kLeastOffset || m_last + margin > kMostOffset ||
         size * int(m_program.arrays.size()) + int(m_program.parameters.size()) + kConstants >
-            m_most)
+            m_most.parameters)
       return false;
     m_zero = constant(0.0f);
     for (ir::ParameterArray &array : m_program.arrays) {
@@ -112,9 +112,15 @@ private:
     return operand;
   }
 
-  std::uint16_t scratch() {
-    m_program.temporaries.emplace_back();
-    return std::uint16_t(m_program.temporaries.size() - 1);
+  /// One of the temporaries that are added. What is in one is read by the instructions right behind
+  /// it alone, so that all addresses share them.
+  std::uint16_t scratch(std::size_t which) {
+    std::optional<std::uint16_t> &known = m_scratch.at(which);
+    if (!known) {
+      m_program.temporaries.emplace_back();
+      known = std::uint16_t(m_program.temporaries.size() - 1);
+    }
+    return *known;
   }
 
   void add(Opcode op, std::uint16_t to, std::uint8_t mask, const Operand &a, const Operand &b) {
@@ -135,12 +141,12 @@ private:
 
   void write(const std::vector<Instruction> &code, std::size_t at) {
     Instruction instruction = code[at];
-    if (const Instruction *const choice = readerOf(code, at); choice && isZeroedNan(code, choice))
-      return; // SEQ of a zeroed NaN: nothing reads it any more
-    if (isZeroedNan(code, &code[at])) {
+    if (isFlagOfZeroedNan(code, at))
+      return; // nothing reads it any more
+    if (isZeroedNan(code, at)) {
       const Operand value = instruction.src[1];
       const std::uint8_t mask = instruction.dst.mask;
-      const std::uint16_t number = scratch(), other = scratch(), held = scratch();
+      const std::uint16_t held = scratch(0), number = scratch(1), other = scratch(2);
       // One, but zero of what is no number.
       add(Opcode::Slt, number, mask, value, parameter(m_zero));
       add(Opcode::Sge, other, mask, value, parameter(m_zero));
@@ -149,8 +155,8 @@ private:
       add(Opcode::Mul, instruction.dst.index, mask, temporary(held), temporary(number));
       return;
     }
-    if (instruction.op == Opcode::Arl) {
-      const std::uint16_t held = scratch();
+    if (instruction.op == Opcode::Arl && !isHeld(code, at)) {
+      const std::uint16_t held = scratch(0);
       hold(held, 1, instruction.src[0]);
       instruction.src[0] = temporary(held);
       instruction.src[0].swizzle = {Select::X, Select::X, Select::X, Select::X};
@@ -158,12 +164,17 @@ private:
     m_program.code.push_back(instruction);
   }
 
-  static bool reads(const Instruction &instruction, std::uint16_t index) {
-    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i) {
-      const Operand &operand = instruction.src[std::size_t(i)];
-      if (operand.file == File::Temporary && operand.index == index)
-        return true;
-    }
+  /// The address is loaded from what write() makes of a zeroed NaN, which is held to the range
+  /// already, or 0.
+  bool isHeld(const std::vector<Instruction> &code, std::size_t at) const {
+    const Operand &source = code[at].src[0];
+    if (source.file != File::Temporary || source.negate != 0 || source.relative || m_last < -1 ||
+        m_first > m_size)
+      return false;
+    const std::uint8_t component = ir::registerMask(code[at], 0);
+    for (std::size_t i = at; i-- > 0;)
+      if (writes(code[i], source.index) && (ir::writeMask(code[i]) & component) != 0)
+        return isZeroedNan(code, i);
     return false;
   }
 
@@ -172,78 +183,103 @@ private:
            instruction.dst.index == index;
   }
 
-  /// The one instruction that reads what the one at \p at, a SEQ, writes.
-  static const Instruction *readerOf(const std::vector<Instruction> &code, std::size_t at) {
-    const std::uint16_t index = code[at].dst.index;
-    if (code[at].op != Opcode::Seq || code[at].dst.file != File::Temporary)
-      return nullptr;
-    const Instruction *found = nullptr;
-    for (std::size_t i = 0; i < code.size(); ++i) {
-      if (i != at && writes(code[i], index))
-        return nullptr;
-      if (reads(code[i], index)) {
-        if (found || i < at)
-          return nullptr;
-        found = &code[i];
-      }
+  static bool reads(const Instruction &instruction, std::uint16_t index, std::uint8_t components) {
+    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i) {
+      const Operand &operand = instruction.src[std::size_t(i)];
+      if (operand.file == File::Temporary && operand.index == index &&
+          (ir::registerMask(instruction, i) & components) != 0)
+        return true;
     }
-    return found;
+    return false;
+  }
+
+  /// The instructions that read what the one at \p at writes to a temporary, up to where that is
+  /// written over: the temporary may be used again.
+  static std::vector<std::size_t> readersOf(const std::vector<Instruction> &code, std::size_t at) {
+    const std::uint16_t index = code[at].dst.index;
+    std::uint8_t components = ir::writeMask(code[at]);
+    std::vector<std::size_t> readers;
+    for (std::size_t i = at + 1; i < code.size() && components != 0; ++i) {
+      if (reads(code[i], index, components))
+        readers.push_back(i);
+      if (writes(code[i], index))
+        components &= std::uint8_t(~ir::writeMask(code[i]));
+    }
+    return readers;
+  }
+
+  /// A SEQ that is read as isZeroedNan() has it, and nowhere else.
+  bool isFlagOfZeroedNan(const std::vector<Instruction> &code, std::size_t at) const {
+    if (code[at].op != Opcode::Seq || code[at].dst.file != File::Temporary)
+      return false;
+    const std::vector<std::size_t> readers = readersOf(code, at);
+    return readers.size() == 1 && isZeroedNan(code, readers[0]);
   }
 
   /// `SEQ f, v, v; CMP r, -f, v, 0;`, as the front end has addresses of NVIDIA's languages, where r
   /// is what addresses are loaded from and nothing else.
-  bool isZeroedNan(const std::vector<Instruction> &code, const Instruction *choice) const {
-    if (choice->op != Opcode::Cmp || choice->dst.file != File::Temporary || choice->dst.saturate)
+  bool isZeroedNan(const std::vector<Instruction> &code, std::size_t at) const {
+    const Instruction &choice = code[at];
+    if (choice.op != Opcode::Cmp || choice.dst.file != File::Temporary || choice.dst.saturate)
       return false;
-    const Operand &flag = choice->src[0], &value = choice->src[1], &zero = choice->src[2];
+    const Operand &flag = choice.src[0], &value = choice.src[1], &zero = choice.src[2];
     if (flag.file != File::Temporary || flag.negate != 0xF || value.file != File::Temporary ||
-        value.negate != 0 || value.index == choice->dst.index)
+        value.negate != 0 || value.index == choice.dst.index || value.index == flag.index)
       return false;
-    const auto last =
-        std::find_if(std::make_reverse_iterator(code.begin() + (choice - code.data())), code.rend(),
-                     [&](const Instruction &each) {
-                       return writes(each, flag.index) || writes(each, value.index);
-                     });
-    if (last == code.rend() || last->op != Opcode::Seq || last->src[0] != last->src[1] ||
-        last->src[0].negate != 0 || last->src[0].file != File::Temporary ||
-        last->src[0].index != value.index || last->dst.index != flag.index ||
-        readerOf(code, std::size_t(&*last - code.data())) != choice)
+    std::size_t last = at;
+    while (last-- > 0)
+      if (writes(code[last], flag.index) || writes(code[last], value.index))
+        break;
+    if (last >= at || !isCompared(code[last], flag, value) ||
+        readersOf(code, last) != std::vector<std::size_t>{at})
       return false;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (!(choice->dst.mask >> i & 1))
+      if (!(choice.dst.mask >> i & 1))
         continue;
       const auto from = std::size_t(flag.swizzle[i]);
-      if (from > 3 || !(last->dst.mask >> from & 1) ||
-          last->src[0].swizzle[from] != value.swizzle[i] || zero.swizzle[i] != Select::Zero)
+      if (from > 3 || !(code[last].dst.mask >> from & 1) ||
+          code[last].src[0].swizzle[from] != value.swizzle[i] || zero.swizzle[i] != Select::Zero)
         return false;
     }
-    return loadsOnly(code, choice->dst.index, kMostSteps);
+    return loadsOnly(code, at, kMostSteps);
   }
 
-  /// Nothing reads the temporary but loads of addresses, straight or held to a range first: where a
-  /// value is held before that is all one.
-  bool loadsOnly(const std::vector<Instruction> &code, std::uint16_t index, int steps) const {
-    return std::all_of(code.begin(), code.end(), [&](const Instruction &each) {
-      if (each.op == Opcode::Arl || !reads(each, index))
+  /// `SEQ flag, value, value`
+  static bool isCompared(const Instruction &instruction, const Operand &flag,
+                         const Operand &value) {
+    const Operand &source = instruction.src[0];
+    return instruction.op == Opcode::Seq && source == instruction.src[1] && source.negate == 0 &&
+           source.file == File::Temporary && source.index == value.index &&
+           writes(instruction, flag.index);
+  }
+
+  /// What the instruction writes is read by nothing but loads of addresses, straight or held to a
+  /// range first: where a value is held before that is all one.
+  bool loadsOnly(const std::vector<Instruction> &code, std::size_t at, int steps) const {
+    const std::vector<std::size_t> readers = readersOf(code, at);
+    return std::all_of(readers.begin(), readers.end(), [&](std::size_t reader) {
+      const Instruction &each = code[reader];
+      if (each.op == Opcode::Arl)
         return true;
       const Operand &bound = each.src[1];
       return (each.op == Opcode::Max || each.op == Opcode::Min) && steps > 0 &&
-             each.dst.file == File::Temporary && each.dst.index != index &&
+             each.dst.file == File::Temporary && each.dst.index != code[at].dst.index &&
              bound.file == File::Parameter && !bound.relative &&
              m_program.parameters[bound.index].kind == ir::ParameterKind::Constant &&
-             loadsOnly(code, each.dst.index, steps - 1);
+             loadsOnly(code, reader, steps - 1);
     });
   }
 
   ir::Program &m_program;
-  int m_most, m_mostAddresses;
+  AssemblyLimits m_most;
   int m_first = 0, m_last = 0, m_size = 0;
   std::uint16_t m_zero = 0, m_low = 0, m_high = 0;
+  std::array<std::optional<std::uint16_t>, 3> m_scratch;
 };
 } // namespace
 
-bool defineAddresses(ir::Program &program, int mostParameters, int mostAddresses) {
-  return Addresses(program, mostParameters, mostAddresses).run();
+bool defineAddresses(ir::Program &program, const AssemblyLimits &most) {
+  return Addresses(program, most).run();
 }
 
 } // namespace arbiter::fp

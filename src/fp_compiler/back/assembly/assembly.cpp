@@ -68,15 +68,26 @@ public:
            options(m_program.options, vertex) + m_names.declarations(m_scratch) + m_code + "END\n";
   }
 
+  /// Of the text that run() has written.
+  [[nodiscard]] bool isWithin(const AssemblyLimits &most) const {
+    return m_instructions <= most.instructions &&
+           m_names.temporaryCount() + m_scratch <= most.temporaries;
+  }
+
 private:
+  void add(const std::string &instruction) {
+    m_code += instruction + ";\n";
+    ++m_instructions;
+  }
+
   /// What the specification leaves undefined, and this project does not.
   void zeros() {
     const std::vector<bool> temporaries = ir::readsUnwritten(m_program);
     for (std::size_t i = 0; i < temporaries.size(); ++i)
       if (temporaries[i])
-        m_code += "MOV t" + std::to_string(i) + ", {0, 0, 0, 0};\n";
+        add("MOV t" + std::to_string(i) + ", {0, 0, 0, 0}");
     for (const std::uint8_t address : addressesReadUnwritten())
-      m_code += "ARL a" + std::to_string(address) + ".x, {0, 0, 0, 0}.x;\n";
+      add("ARL a" + std::to_string(address) + ".x, {0, 0, 0, 0}.x");
     if (m_parts == PartlyWritten::Zero || m_program.language != ir::Language::ArbVertex)
       zeroResults();
   }
@@ -110,7 +121,7 @@ private:
       ir::Destination dst;
       dst.file = ir::File::Output;
       dst.index = std::uint16_t(i);
-      m_code += "MOV " + masked(m_names.destination(dst), missing) + ", {0, 0, 0, 0};\n";
+      add("MOV " + masked(m_names.destination(dst), missing) + ", {0, 0, 0, 0}");
     }
   }
 
@@ -128,7 +139,7 @@ private:
     if (isExtended(operand)) {
       const std::string name = "s" + std::to_string(scratch++);
       m_scratch = std::max(m_scratch, scratch);
-      m_code += "SWZ " + name + ", " + extended(operand) + ";\n";
+      add("SWZ " + name + ", " + extended(operand));
       return scalar ? name + ".x" : name;
     }
     std::string text = (operand.negate ? "-" : "") + m_names.source(operand);
@@ -162,19 +173,26 @@ private:
     if (row.has(ir::Texture))
       text += ", texture[" + std::to_string(instruction.unit) + "], " +
               ir::targetText(instruction.target);
-    m_code += text + ";\n";
+    add(text);
   }
 
   const ir::Program &m_program;
   assembly::Names m_names;
   PartlyWritten m_parts;
   std::string m_code;
-  int m_scratch = 0;
+  int m_scratch = 0, m_instructions = 0;
 };
 } // namespace
 
 std::string emitAssembly(const ir::Program &program, PartlyWritten parts) {
   return Writer(program, parts).run();
+}
+
+std::string emitAssembly(const ir::Program &program, PartlyWritten parts,
+                         const AssemblyLimits &most) {
+  Writer writer(program, parts);
+  std::string text = writer.run();
+  return writer.isWithin(most) ? text : std::string();
 }
 
 } // namespace arbiter::fp

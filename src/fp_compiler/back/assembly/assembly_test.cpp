@@ -1,5 +1,6 @@
 #include "fp_compiler/back/assembly/assembly.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -20,6 +21,9 @@ using ir::AttributeKind;
 using ir::Builder;
 using ir::Opcode;
 using ir::OutputKind;
+
+constexpr AssemblyLimits kRoomy = {
+    .instructions = 4096, .temporaries = 4096, .parameters = 1024, .addresses = 4};
 
 Limits roomy() {
   Limits limits;
@@ -132,15 +136,14 @@ TEST(Assembly, VertexText) {
        {-Builder::element(array, a, -2).swz("x"), Builder::element(array, a).swz("wzyx")});
   b.op(Opcode::Mul, b.result(OutputKind::TexCoord, 3).mask("xy"),
        {row, b.attribute(AttributeKind::Normal)});
-  EXPECT_EQ(emitAssembly(b.program()),
-            "!!ARBvp1.0\n"
-            "ADDRESS a0;\n"
-            "PARAM c0[3] = { program.env[7], program.env[8], {1, 1, 1, 1} };\n"
-            "MOV result.texcoord[3].zw, {0, 0, 0, 0};\n"
-            "ARL a0.x, -vertex.attrib[5].z;\n"
-            "ADD result.position, -c0[a0.x-2].x, c0[a0.x].wzyx;\n"
-            "MUL result.texcoord[3].xy, c0[1], vertex.normal;\n"
-            "END\n");
+  EXPECT_EQ(emitAssembly(b.program()), "!!ARBvp1.0\n"
+                                       "ADDRESS a0;\n"
+                                       "PARAM c0[3] = { program.env[7..8], {1, 1, 1, 1} };\n"
+                                       "MOV result.texcoord[3].zw, {0, 0, 0, 0};\n"
+                                       "ARL a0.x, -vertex.attrib[5].z;\n"
+                                       "ADD result.position, -c0[a0.x-2].x, c0[a0.x].wzyx;\n"
+                                       "MUL result.texcoord[3].xy, c0[1], vertex.normal;\n"
+                                       "END\n");
 }
 
 TEST(Assembly, AddressesStartAtZero) {
@@ -230,7 +233,7 @@ ir::Vec4 colorAt(const ir::Program &program, float x) {
 void expectSameRows(const std::string &text) {
   const ir::Program program = optimised(text);
   ir::Program made = program;
-  ASSERT_TRUE(defineAddresses(made, 1024, 4)) << text;
+  ASSERT_TRUE(defineAddresses(made, kRoomy)) << text;
   ASSERT_TRUE(isOfArb(made, true)) << ir::print(made);
   const std::string assembly = emitAssembly(made);
   const CheckResult checked =
@@ -268,6 +271,15 @@ TEST(Assembly, RowsByAddressAreReadAsNvidiasLanguagesHaveThem) {
   for (const char *const version : {"!!VP1.0\n", "!!VP1.1\n", "!!VP2.0\n"})
     expectSameRows(version + ("MOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x; MOV R0, " + rows) +
                    "MOV o[COL0], R0;\nEND\n");
+  // The row of address 0 lies before the array, so far that no row of the text stands for it.
+  expectSameRows("!!VP1.1\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\n"
+                 "MOV R0, c[A0.x - 3]; ADD R0, R0, c[A0.x - 4]; MOV o[COL0], R0;\nEND\n");
+  // Several addresses, whose values go through the same temporaries.
+  for (const char *const version : {"!!VP1.1\n", "!!VP2.0\n"})
+    expectSameRows(version + ("MOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x; MOV R0, " + rows) +
+                   "ARL A0.x, v[TEX2].z; MUL R0, R0, c[A0.x + 9]; ADD R0, R0, " + rows +
+                   "ADD R1, R0.x, -v[TEX2].x; ARL A0.x, R1.x; ADD R0, R0, c[A0.x];\n" +
+                   "MOV o[COL0], R0;\nEND\n");
   const std::string option = "!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A;\nTEMP r;\n"
                              "PARAM c[7] = { program.env[0..5], { 1, 2, 3, 4 } };\n"
                              "MOV result.position, vertex.position;\n";
@@ -279,28 +291,81 @@ TEST(Assembly, WhatNoTextReadsByAddress) {
   ir::Program many = optimised("!!VP1.0\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\n"
                                "MOV o[COL0], c[A0.x + 8];\nEND\n");
   const std::string before = ir::print(many);
-  EXPECT_FALSE(defineAddresses(many, 96, 4)) << "zeros beside 96 rows";
+  EXPECT_FALSE(defineAddresses(many, {.parameters = 96, .addresses = 4})) << "zeros beside 96 rows";
   EXPECT_EQ(ir::print(many), before);
   ir::Program far = optimised("!!VP1.0\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\n"
                               "MUL o[COL0], v[COL0], c[A0.x + 63]; END\n");
-  EXPECT_FALSE(defineAddresses(far, 1024, 4)) << "64 stands in no text";
+  EXPECT_FALSE(defineAddresses(far, kRoomy)) << "64 stands in no text";
   ir::Program two = optimised("!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A;\n"
                               "PARAM c[4] = { program.env[0..3] }; ARL A, vertex.texcoord[2];\n"
                               "MOV result.position, c[A.x]; MOV result.color, c[A.y];\nEND\n");
   ir::Program tight = two, scarce = two;
-  EXPECT_FALSE(defineAddresses(two, 1024, 1));
-  EXPECT_TRUE(defineAddresses(two, 1024, 2));
+  EXPECT_FALSE(defineAddresses(two, {.parameters = 1024, .addresses = 1}));
+  EXPECT_TRUE(defineAddresses(two, {.parameters = 1024, .addresses = 2}));
   std::size_t rows = two.parameters.size();
   for (const ir::ParameterArray &array : two.arrays)
     rows += array.rows.size();
-  EXPECT_TRUE(defineAddresses(tight, int(rows), 2));
-  EXPECT_FALSE(defineAddresses(scarce, int(rows) - 1, 2)) << "the constants are rows too";
+  EXPECT_TRUE(defineAddresses(tight, {.parameters = int(rows), .addresses = 2}));
+  EXPECT_FALSE(defineAddresses(scarce, {.parameters = int(rows) - 1, .addresses = 2}))
+      << "the constants are rows too";
   ir::Program added = optimised("!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A, B;\n"
                                 "PARAM c[4] = { program.env[0..3] };\n"
                                 "MOV result.position, vertex.position; ARL A, vertex.texcoord[2];\n"
                                 "ARA B, A; MOV result.color, c[B.x];\nEND\n");
-  EXPECT_FALSE(defineAddresses(added, 1024, 4) && isOfArb(added, true))
+  EXPECT_FALSE(defineAddresses(added, kRoomy) && isOfArb(added, true))
       << "an address that is added";
+}
+
+TEST(Assembly, TextsKeepToWhatAHostTakes) {
+  // Beside its own it has temporaries that addresses are held in, and one for SWZ.
+  ir::Program program = optimised(
+      "!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A;\nTEMP r, s, q;\n"
+      "PARAM c[4] = { program.env[0..3] };\nMOV result.position, vertex.position;\n"
+      "ARL A.x, vertex.texcoord[2].x; MUL r, c[A.x], vertex.color;\n"
+      "ARL A.x, vertex.texcoord[2].y; MUL s, c[A.x], vertex.normal;\n"
+      "MUL result.texcoord[0], r, s; SWZ q, s, x, y, -z, -w; ADD result.color, r, q;\nEND\n");
+  ASSERT_TRUE(defineAddresses(program, kRoomy));
+  const std::string text = emitAssembly(program, PartlyWritten::Zero, kRoomy);
+  const CheckResult checked =
+      checkProgram(ir::Language::ArbVertex, text, {roomy(), LimitPolicy::Report});
+  ASSERT_TRUE(checked.ok()) << checked.errorString(text) << text;
+  EXPECT_EQ(emitAssembly(program), text);
+  const AssemblyLimits enough = {.instructions = int(checked.counts.instructions),
+                                 .temporaries = int(checked.counts.temporaries)};
+  EXPECT_NE(text.find("SWZ s0"), std::string::npos) << text;
+  EXPECT_EQ(emitAssembly(program, PartlyWritten::Zero, enough), text);
+  AssemblyLimits scarce = enough;
+  --scarce.temporaries;
+  EXPECT_EQ(emitAssembly(program, PartlyWritten::Zero, scarce), "") << text;
+  scarce = enough;
+  --scarce.instructions;
+  EXPECT_EQ(emitAssembly(program, PartlyWritten::Zero, scarce), "") << text;
+}
+
+TEST(Assembly, AddressesShareTheirTemporaries) {
+  std::string text = "!!VP1.1\nMOV o[HPOS], v[OPOS]; MOV R0, v[COL0];\n";
+  for (int i = 0; i < 9; ++i)
+    text += "ARL A0.x, v[TEX" + std::to_string(i % 8) + "].x; MAD R0, c[A0.x + " +
+            std::to_string(i) + "], v[WGHT], R0;\n";
+  ir::Program program = optimised(text + "MOV o[COL0], R0;\nEND\n");
+  const std::size_t before = program.temporaries.size();
+  ASSERT_TRUE(defineAddresses(program, kRoomy));
+  EXPECT_EQ(program.temporaries.size(), before + 3) << "whatever the number of addresses";
+}
+
+TEST(Assembly, AddressesAreHeldAgainOnlyWhereZeroIsNotInTheirRange) {
+  const auto held = [](const std::string &row) {
+    ir::Program program =
+        optimised("!!VP1.1\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\nMOV R0, " + row +
+                  "; MOV o[COL0], R0;\nEND\n");
+    EXPECT_TRUE(defineAddresses(program, kRoomy));
+    const auto &code = program.code;
+    return std::count_if(code.begin(), code.end(),
+                         [](const auto &each) { return each.op == Opcode::Max; });
+  };
+  EXPECT_EQ(held("c[A0.x + 8]"), 1);
+  EXPECT_EQ(held("c[A0.x - 1]"), 1);
+  EXPECT_EQ(held("c[A0.x - 2]"), 2) << "row -2 is before the zeros that are there";
 }
 
 TEST(Assembly, NvidiasProgramsThatAreOfTheArbByTheirText) {
@@ -310,7 +375,7 @@ TEST(Assembly, NvidiasProgramsThatAreOfTheArbByTheirText) {
     const ir::Program program = optimised(
         testing::randomNvProgram(seed, {.vertex = vertex, .textures = !vertex, .statements = 3}));
     ir::Program made = program;
-    if (!defineAddresses(made, 1024, 4) || !isOfArb(made, true))
+    if (!defineAddresses(made, kRoomy) || !isOfArb(made, true))
       continue;
     ++(vertex ? vertices : fragments);
     addressed += made.parameters.size() > program.parameters.size() ? 1 : 0;

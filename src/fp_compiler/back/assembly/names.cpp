@@ -1,5 +1,6 @@
 #include "fp_compiler/back/assembly/names.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "fp_compiler/ir/print.h"
@@ -21,6 +22,37 @@ std::string bindingOf(const ir::Parameter &row) {
   for (std::size_t i = 0; i < 4; ++i)
     text += (i ? ", " : "") + numeral(row.constant[i]);
   return text + "}";
+}
+
+/// How many of the rows from \p first on are parameters of the application's that follow each
+/// other.
+std::size_t runLength(const ir::Program &program, const std::vector<std::uint16_t> &rows,
+                      std::size_t first) {
+  const ir::Parameter &begin = program.parameters[rows[first]];
+  if (begin.kind != ir::ParameterKind::Env && begin.kind != ir::ParameterKind::Local)
+    return 1;
+  std::size_t length = 1;
+  for (; first + length < rows.size(); ++length) {
+    const ir::Parameter &next = program.parameters[rows[first + length]];
+    if (next.kind != begin.kind || next.index != begin.index + length)
+      break;
+  }
+  return length;
+}
+
+/// The rows of an array. A range is one binding to a host, which reads many of them in each load.
+std::string bindingsOf(const ir::Program &program, const std::vector<std::uint16_t> &rows) {
+  std::string text;
+  for (std::size_t row = 0; row < rows.size();) {
+    const ir::Parameter &parameter = program.parameters[rows[row]];
+    const std::size_t length = runLength(program, rows, row);
+    std::string binding = bindingOf(parameter);
+    if (length > 1)
+      binding.insert(binding.size() - 1, ".." + std::to_string(parameter.index + length - 1));
+    text += (text.empty() ? "" : ", ") + binding;
+    row += length;
+  }
+  return text;
 }
 
 /// "TEMP t0, t1;\n" of the marked ones.
@@ -77,6 +109,10 @@ std::string Names::declarations(int scratch) const {
   return temporaries(scratch) + list("ADDRESS", "a", m_addresses) + parameters();
 }
 
+int Names::temporaryCount() const {
+  return int(std::count(m_temporaries.begin(), m_temporaries.end(), true));
+}
+
 std::string Names::temporaries(int scratch) const {
   std::string text = list("TEMP", "t", m_temporaries);
   const std::string more = list("TEMP", "s", std::vector<bool>(std::size_t(scratch), true));
@@ -93,11 +129,9 @@ std::string Names::parameters() const {
   for (std::size_t i = 0; i < m_arrays.size(); ++i) {
     if (!m_arrays[i])
       continue;
-    std::string rows;
-    for (const std::uint16_t row : m_program.arrays[i].rows)
-      rows += (rows.empty() ? "" : ", ") + bindingOf(m_program.parameters[row]);
-    text += "PARAM " + numbered("c", i) + "[" + std::to_string(m_program.arrays[i].rows.size()) +
-            "] = { " + rows + " };\n";
+    const std::vector<std::uint16_t> &rows = m_program.arrays[i].rows;
+    text += "PARAM " + numbered("c", i) + "[" + std::to_string(rows.size()) + "] = { " +
+            bindingsOf(m_program, rows) + " };\n";
   }
   return text;
 }

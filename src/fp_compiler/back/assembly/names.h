@@ -17,6 +17,8 @@ public:
   /// TEMP, ADDRESS and PARAM statements for what the code uses.
   /// \param scratch temporaries to declare besides, "s0" and on
   [[nodiscard]] std::string declarations(int scratch) const;
+  /// How many temporaries the code uses, beside those.
+  [[nodiscard]] int temporaryCount() const;
   /// "t3", "vertex.normal", "p2", "c0[1]", "c0[a0.x+3]"
   [[nodiscard]] std::string source(const ir::Operand &operand) const;
   /// "t3", "result.color", "a0"

@@ -3,7 +3,7 @@
 
 #include <GL/gl.h>
 
-#include "state/host_draw/linked_stages.h"
+#include "state/host_draw/stages/linked_stages.h"
 
 namespace arbiter::state {
 
@@ -12,6 +12,8 @@ class Context;
 /// A name of the application's for a program or shader as the host may be given it: where it is
 /// one of the layer's objects, a name that the host does not know.
 [[nodiscard]] GLuint guardedName(const Context &context, GLuint name);
+/// The same of program pipelines.
+[[nodiscard]] GLuint guardedPipeline(const Context &context, GLuint name);
 /// The stage of a shader of that type.
 [[nodiscard]] GlslStages stageOf(GLenum shaderType);
 /// The stages of the shaders that are attached to the program now; empty if there are none.

@@ -1,9 +1,10 @@
 // The application's own GLSL programs and pipelines: which stages they leave to ARB programs.
-#include "state/host_draw/application_glsl.h"
+#include "state/host_draw/stages/application_glsl.h"
 
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
 
@@ -13,10 +14,17 @@ GlslStages stageOf(GLenum shaderType) {
   return {shaderType == GL_VERTEX_SHADER, shaderType == GL_FRAGMENT_SHADER};
 }
 
+namespace {
+/// No host gives so high a name; it is unknown, as the layer's must seem.
+constexpr GLuint kUnknown = 0xFFFFFFF0u;
+} // namespace
+
 GLuint guardedName(const Context &context, GLuint name) {
-  // No host gives so high a name; as a program or shader it is unknown, as the layer's must seem.
-  constexpr GLuint kUnknown = 0xFFFFFFF0u;
   return context.group && context.group->ownsHostProgram(name) ? kUnknown : name;
+}
+
+GLuint guardedPipeline(const Context &context, GLuint name) {
+  return context.stagePipeline && context.stagePipeline->owns(name) ? kUnknown : name;
 }
 
 std::optional<GlslStages> attachedStages(Context &context, GLuint program) {
