@@ -75,7 +75,7 @@ compile "$tree/build"
 # it has none of 32 bits. A name ends at * for all that begin so.
 others=(
   'include_graph*' 'sub_rooms*' 'tally*' packages 'references*' editors 'real_*'
-  tools-options-valgrind tools-doctor 'report-*' control-page 'hardening*'
+  tools-options-valgrind tools-doctor merge-suites 'report-*' control-page 'hardening*'
 )
 meson introspect --tests "$tree/build" | python3 -c '
 import fnmatch, json, os, sys
