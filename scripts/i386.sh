@@ -70,11 +70,12 @@ configure "$tree/build" --cross-file "$tree/cross.ini" -Dtests=true -Ddemos=true
   -Dllvm=15 -Dosmesa_library="$sysroot/usr/lib/$triplet/libOSMesa.so.8" -Ddebug=false -Db_pch=true
 compile "$tree/build"
 
-# Not of the width: what reads sources, and what starts other programs of this machine in the layer's
-# place of a client. A name ends at * for all that begin so.
+# Not of the width: what reads sources, what starts other programs of this machine in the layer's
+# place of a client, and what asks which libraries the machine itself has installed, as the doctor does:
+# it has none of 32 bits. A name ends at * for all that begin so.
 others=(
   'include_graph*' 'sub_rooms*' 'tally*' packages 'references*' editors 'real_*'
-  tools-options-valgrind 'report-*' control-page 'hardening*'
+  tools-options-valgrind tools-doctor merge-suites 'report-*' control-page 'hardening*'
 )
 meson introspect --tests "$tree/build" | python3 -c '
 import fnmatch, json, os, sys

@@ -14,7 +14,7 @@ import sys
 CPLUSPLUS = re.compile(r"^(_Z|__cxa_|__gxx_|_Unwind_|__cxxabi)")
 OF_LIBC = {"__cxa_atexit", "__cxa_finalize", "__cxa_thread_atexit_impl"}
 # Weak, of the C++ library that is linked in: never called, or what ends the process in any case.
-HARMLESS = {"_ZGTtdlPv", "_ZGTtnam", "__cxa_pure_virtual"}
+HARMLESS = {"_ZGTtdlPv", "_ZGTtnaj", "_ZGTtnam", "__cxa_pure_virtual"}
 
 
 def symbols(library, *arguments):

@@ -49,7 +49,9 @@ Owner ownerOf(void *address) {
   };
   if (starts("libGLX_arbiter") || starts("libarbiter_"))
     return Owner::Layer;
-  for (const char *const libc : {"libc.so", "libGL.so", "libGLX.so", "libEGL.so", "libGLdispatch"})
+  // linux-gate: the kernel's own page, which code of 32 bits calls and returns from a handler by.
+  for (const char *const libc :
+       {"libc.so", "linux-gate.so", "libGL.so", "libGLX.so", "libEGL.so", "libGLdispatch"})
     if (starts(libc))
       return Owner::Libc;
   return Owner::Other;
