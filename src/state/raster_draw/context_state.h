@@ -21,6 +21,9 @@ namespace arbiter::state::software {
 
 class Pipeline;
 
+/// From so many vertices on a draw's primitives are taken to be small.
+inline constexpr std::uint32_t kManyVertices = 32;
+
 struct ContextState {
   explicit ContextState(Context &context);
   ~ContextState();
@@ -34,6 +37,10 @@ struct ContextState {
   std::vector<float> listVertices; ///< of a primitive of a list, made whole: scratch memory
   bool openParts = false;          ///< of the primitive that is recorded: some have been drawn
   std::uint32_t held = 0; ///< primitives in the recorder that have ended (immediate/held.h)
+  /// So many vertices were once recorded for one draw: of a primitive that begins it is not known
+  /// how many there will be, and functions for small ones would keep a first draw waiting for
+  /// nothing.
+  bool recordsMany = false;
   std::vector<std::uint32_t> joinedIndices; ///< of them (immediate/joined.h): scratch memory
   /// Null before the first draw that is looked at. Who makes it (decision.cpp) knows how it is
   /// destroyed: all that uses it includes this header.

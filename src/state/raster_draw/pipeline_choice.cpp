@@ -16,10 +16,10 @@ namespace {
 /// GL's modes GL_POINTS to GL_POLYGON are 0 to 9, as Topology's.
 static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
 
-/// From so many vertices on primitives are taken to be small: 2x2 quads waste fewer lanes. So are
-/// those between Begin and End, of which it is not known yet how many follow each other.
-constexpr std::uint32_t kManyVertices = 32;
-constexpr bool isMany(std::uint32_t vertices) { return vertices == 0 || vertices >= kManyVertices; }
+/// Primitives are taken to be small: 2x2 quads waste fewer lanes.
+bool isMany(const Context &context, std::uint32_t vertices) {
+  return vertices == 0 ? context.software->recordsMany : vertices >= kManyVertices;
+}
 
 /// The groups that decide about a choice, but for those that VertexState::version and
 /// Mirror::obstacle stand for.
@@ -127,7 +127,7 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
     basis.vertices = true;
     basis.vertexState = mirror.vertex.version;
     basis.mode = vertices->mode;
-    basis.many = isMany(vertices->count);
+    basis.many = isMany(context, vertices->count);
   }
   return basis;
 }
@@ -215,7 +215,7 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
 
 Outcome Pipeline::chooseVertices(Context &context, Mirror &mirror, const Kind &kind) {
   m_topology = swrast::Topology(kind.mode);
-  m_many = isMany(kind.count);
+  m_many = isMany(context, kind.count);
   if (const char *const obstacle = mirror.obstacleOf(m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const CompiledProgram *const vertexProgram =

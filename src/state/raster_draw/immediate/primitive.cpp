@@ -154,6 +154,7 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
   ContextState &state = *context.software;
   const VertexSource source = state.recorder.end();
   const std::uint32_t count = state.recorder.count();
+  state.recordsMany = state.recordsMany || count >= kManyVertices;
   state.held = 0;
   Outcome outcome;
   if (state.recorder.failed())
