@@ -1,8 +1,11 @@
 /// The entry points that exist for the rasterizer: what they note, what they record, and that a
 /// recorded primitive reaches the host whole when a command comes that it cannot take.
 #include <cstring>
+#include <new>
 #include <string>
 #include <vector>
+
+#include <sys/mman.h>
 
 #include <gtest/gtest.h>
 
@@ -247,6 +250,24 @@ TEST(Convert, FollowsTheTable) {
   EXPECT_EQ(normalized(GLushort(65535)), 1.0f);
   EXPECT_EQ(normalized(GLint(-2147483647 - 1)), -1.0f);
   EXPECT_EQ(normalized(GLuint(4294967295u)), 1.0f);
+}
+
+/// A list that is compiled has many such calls.
+TEST(LazyCall, ATableThatStandsInWritesNothingOnceTheFunctionIsKnown) {
+  using host::HostTable;
+  static HostTable *table = nullptr;
+  void *const pages =
+      mmap(nullptr, sizeof(HostTable), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(pages, MAP_FAILED);
+  table = new (pages) HostTable;
+  table->lookup = lookup;
+  void *const known = reinterpret_cast<void *>(hostBlendFunc);
+  table->lazy[0] = known;
+  ASSERT_EQ(mprotect(pages, sizeof(HostTable), PROT_READ), 0);
+  HostTable standsIn;
+  standsIn.instead = [] { return static_cast<const HostTable *>(table); };
+  EXPECT_EQ(host::LazyCall(standsIn, 0).function(), known);
+  munmap(pages, sizeof(HostTable));
 }
 
 } // namespace

@@ -15,6 +15,11 @@ namespace {
 
 constexpr int kSize = 32;
 using Picture = std::vector<GLubyte>;
+struct Vertex {
+  std::array<GLfloat, 4> position;
+  std::array<GLfloat, 3> color;
+};
+using Primitive = std::vector<Vertex>;
 
 /// Mesa 22.3.6 joins them too, but stipples run on from one strip to the next then.
 #define HOST_DIFFERS()                                                                             \
@@ -27,16 +32,23 @@ protected:
   void SetUp() override {
     ApiTest::SetUp();
     glViewport(0, 0, kSize, kSize);
-    glEnable(GL_DEPTH_TEST);
+    std::array<GLubyte, 128> stipple{};
+    for (std::size_t i = 0; i < stipple.size(); ++i)
+      stipple[i] = GLubyte(i / 4 % 2 ? 0x5A : 0xC3);
+    glPolygonStipple(stipple.data());
   }
 
   static Picture drawn(const std::function<void()> &draw) {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT);
     draw();
     Picture picture(4 * kSize * kSize);
     glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
     return picture;
   }
+  /// By chance: modes, states and primitives, which `draw` draws so that they are joined, and
+  /// alone.
+  using Draw = void (*)(GLenum mode, const std::vector<Primitive> &primitives, bool alone);
+  static void expectAlike(unsigned firstSeed, unsigned count, Draw draw);
   static std::size_t lit(const Picture &picture) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < picture.size(); i += 4)
@@ -47,12 +59,6 @@ protected:
 
 constexpr std::array<GLenum, 6> kModes = {GL_LINE_STRIP,   GL_LINE_LOOP,  GL_TRIANGLE_STRIP,
                                           GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON};
-
-struct Vertex {
-  std::array<GLfloat, 4> position;
-  std::array<GLfloat, 3> color;
-};
-using Primitive = std::vector<Vertex>;
 
 /// Some reach out of the view. `hasW`: each vertex has one of its own; with none, inputs are
 /// affine, and with some, those of primitives without are rounded otherwise.
@@ -103,14 +109,9 @@ void chooseState(std::mt19937 &random) {
   glPolygonOffset(1, 2);
 }
 
-TEST_F(JoinedPrimitives, LookAsEachDrawnAlone) {
-  HOST_DIFFERS();
-  std::array<GLubyte, 128> stipple{};
-  for (std::size_t i = 0; i < stipple.size(); ++i)
-    stipple[i] = GLubyte(i / 4 % 2 ? 0x5A : 0xC3);
-  glPolygonStipple(stipple.data());
+void JoinedPrimitives::expectAlike(unsigned firstSeed, unsigned count, Draw draw) {
   std::size_t all = 0;
-  for (unsigned seed = 0; seed < 400; ++seed) {
+  for (unsigned seed = firstSeed; seed < firstSeed + count; ++seed) {
     std::mt19937 random(seed);
     const GLenum mode = kModes[seed % kModes.size()];
     chooseState(random);
@@ -119,10 +120,15 @@ TEST_F(JoinedPrimitives, LookAsEachDrawnAlone) {
       primitive = somePrimitive(random, seed % 4 == 0);
     const Picture alone = drawn([&] { draw(mode, primitives, true); });
     const Picture joined = drawn([&] { draw(mode, primitives, false); });
-    EXPECT_EQ(alone, joined) << "seed " << seed;
+    ASSERT_EQ(alone, joined) << "seed " << seed;
     all += lit(joined);
   }
-  EXPECT_GT(all, 400u * kSize * kSize / 20);
+  EXPECT_GT(all, std::size_t(count) * kSize * kSize / 20);
+}
+
+TEST_F(JoinedPrimitives, LookAsEachDrawnAlone) {
+  HOST_DIFFERS();
+  expectAlike(0, 400, draw);
 }
 
 /// Calls lists of the primitives, one for all or one for each.
@@ -141,20 +147,7 @@ void drawListed(GLenum mode, const std::vector<Primitive> &primitives, bool alon
 
 TEST_F(JoinedPrimitives, OfAListLookAsThoseOfTheirOwnLists) {
   HOST_DIFFERS();
-  std::size_t all = 0;
-  for (unsigned seed = 1000; seed < 1300; ++seed) {
-    std::mt19937 random(seed);
-    const GLenum mode = kModes[seed % kModes.size()];
-    chooseState(random);
-    std::vector<Primitive> primitives(2 + random() % 6);
-    for (Primitive &primitive : primitives)
-      primitive = somePrimitive(random, seed % 4 == 0);
-    const Picture alone = drawn([&] { drawListed(mode, primitives, true); });
-    const Picture joined = drawn([&] { drawListed(mode, primitives, false); });
-    ASSERT_EQ(alone, joined) << "seed " << seed;
-    all += lit(joined);
-  }
-  EXPECT_GT(all, 300u * kSize * kSize / 20);
+  expectAlike(1000, 300, drawListed);
 }
 
 /// A circle of so many sides around `x`, as a fan or a polygon.

@@ -120,18 +120,18 @@ TEST_F(StagePipelines, TheApplicationSeesNone) {
   use(*m_context, choosing(), kVertex);
   use(*m_context, kShading);
   ASSERT_TRUE(drawsApart());
-  const GLuint ours = boundPipeline();
+  const GLuint pipeline = boundPipeline();
   GLint value = -1;
   handlers::GetIntegerv(*m_context, GL_PROGRAM_PIPELINE_BINDING, &value);
   EXPECT_EQ(value, 0);
   handlers::GetIntegerv(*m_context, GL_CURRENT_PROGRAM, &value);
   EXPECT_EQ(value, 0);
-  EXPECT_NE(handlers::guardPipeline(*m_context, ours), ours);
+  EXPECT_NE(handlers::guardPipeline(*m_context, pipeline), pipeline);
   EXPECT_EQ(handlers::guardPipeline(*m_context, 0), 0u);
-  EXPECT_EQ(handlers::guardPipeline(*m_context, ours + 1), ours + 1);
-  const GLuint names[] = {ours, 4711};
+  EXPECT_EQ(handlers::guardPipeline(*m_context, pipeline + 1), pipeline + 1);
+  const GLuint names[] = {pipeline, 4711};
   handlers::DeleteProgramPipelines(*m_context, 2, names);
-  EXPECT_EQ(m_host.count("DeleteProgramPipeline " + std::to_string(ours)), 0);
+  EXPECT_EQ(m_host.count("DeleteProgramPipeline " + std::to_string(pipeline)), 0);
   EXPECT_EQ(m_host.count("DeleteProgramPipeline 4711"), 1);
   handlers::DeleteProgramPipelines(*m_context, -1, nullptr); // the host raises the error
   ASSERT_TRUE(drawsApart());

@@ -4,30 +4,8 @@
 
 namespace arbiter::state::software {
 
-namespace {
-
 using swrast::PolygonMode;
 using swrast::Topology;
-
-/// Requires: a mode that joiningOf() knows.
-Topology topologyOf(GLenum mode) {
-  switch (mode) {
-  case GL_LINE_STRIP:
-    return Topology::LineStrip;
-  case GL_LINE_LOOP:
-    return Topology::LineLoop;
-  case GL_TRIANGLE_STRIP:
-    return Topology::TriangleStrip;
-  case GL_TRIANGLE_FAN:
-    return Topology::TriangleFan;
-  case GL_QUAD_STRIP:
-    return Topology::QuadStrip;
-  default:
-    return Topology::Polygon;
-  }
-}
-
-} // namespace
 
 std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode, bool fromList) {
   const bool filled = state.front == PolygonMode::Fill && state.back == PolygonMode::Fill;
@@ -59,7 +37,7 @@ std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode, 
 
 void appendIndices(std::vector<std::uint32_t> &indices, GLenum mode, std::uint32_t first,
                    std::uint32_t count) {
-  const Topology topology = topologyOf(mode);
+  const auto topology = Topology(mode);
   const std::uint32_t lines = swrast::lineCount(topology, count);
   for (std::uint32_t i = 0; i < lines; ++i) {
     const swrast::LineEnds line = swrast::lineAt(topology, count, i, false);
