@@ -112,6 +112,7 @@ class Table:
     action    {lead: way} of entry_points.toml; `handled` of software.toml is one too
     software  {lead: way} of software.toml, or "unknown", of those that have no action
     dirty     {lead: [bits of mirror/dirty_bits.h]} of those that have either
+    outside   those leads that are errors between Begin and End, and return nothing
     members   the leads in the host's table; lazy: those beside it, looked up when first called
     """
 
@@ -170,7 +171,7 @@ class Table:
 
     def _read_software(self, rows):
         self.draw_commands = {self._canonical(n): v for n, v in rows["draw_command"].items()}
-        self.software, self.dirty = {}, {}
+        self.software, self.dirty, self.outside = {}, {}, set()
         of_ways = {}
         for way in SOFTWARE_WAYS:
             found = of_ways[way] = set()
@@ -179,6 +180,8 @@ class Table:
                 for pattern in row["names"]:
                     leads = self._matches(pattern, row.get("except", []), way)
                     found |= leads
+                    if row.get("outside"):
+                        self.outside |= {n for n in leads if self.commands[n].result == "void"}
                     for lead in leads if way == "dirty" else ():
                         bits = self.dirty.setdefault(lead, [])
                         bits += [b for b in row["bits"] if b not in bits]

@@ -222,6 +222,29 @@ TEST_F(SoftwarePoints, ACommandOfTheLayersOwnDoesSoToo) {
   EXPECT_EQ(m_context->host, &m_table);
 }
 
+/// State set between Begin and End is an error (OpenGL 2.1, 2.6.3), and the primitive goes on.
+TEST_F(SoftwarePoints, AnErrorBetweenBeginAndEndLeavesThePrimitiveRecorded) {
+  record(GL_LINES);
+  entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
+  entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ONE, GL_ZERO);
+  entry<void(GLenum)>("glBegin")(GL_LINES);
+  EXPECT_TRUE(g_calls.empty()) << "neither the command nor the primitive went to the host";
+  EXPECT_EQ(m_context->pendingError, GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(m_context->dirty, 0u) << "no state has changed";
+  EXPECT_TRUE(m_context->insideBeginEnd);
+  EXPECT_EQ(m_context->recorder->count(), 1u);
+}
+
+TEST_F(SoftwarePoints, TheHostTellsOfTheErrorWhereItsMessagesAreListenedTo) {
+  m_fake.enabled.insert(GL_DEBUG_OUTPUT);
+  record(GL_LINES);
+  entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
+  entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ONE, GL_ZERO);
+  EXPECT_EQ(g_calls, (std::vector<std::string>{"Begin 1", "Vertex2 1 0", "BlendFunc 1"}));
+  EXPECT_EQ(m_context->pendingError, GLenum(GL_NO_ERROR));
+  EXPECT_EQ(m_context->recorder, nullptr);
+}
+
 TEST_F(SoftwarePoints, AVeryLongPrimitiveIsKeptWhole) {
   record(GL_POINTS);
   auto *const vertex = entry<void(GLfloat, GLfloat)>("glVertex2f");

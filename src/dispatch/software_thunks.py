@@ -74,7 +74,7 @@ def call(table, command, host="hot->host"):
 def thunk(table, command, way):
     """(functions of its own, body) of the entry point."""
     first, body = call(table, command, *(["answeringHost(*hot)"] if way == "current" else []))
-    held, look = draws_held(command, "gl" + command.name)
+    held, look = draws_held(table, command, "gl" + command.name)
     lines = "  ContextHot *const hot = t_current;\n"
     if way == "record":
         condition, statement = recorded(command)
@@ -109,6 +109,7 @@ def source(table):
 #include "host/host_table.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/immediate/held.h"
+#include "state/raster_draw/immediate/refused.h"
 #include "state/raster_draw/immediate/split.h"
 #include "state/mirror/dirty_bits.h"
 

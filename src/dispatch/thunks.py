@@ -156,14 +156,20 @@ PRIMITIVE = ("Begin", "End")
 ATTENTIVE = ("draw", "pixels", "validate")
 
 
-def draws_held(command, symbol, action=""):
+def draws_held(table, command, symbol, action=""):
     """A function that draws the primitive that is held (state/raster_draw/immediate/held.h) and then is
     the command, and the line of the entry point that calls it: apart, so that the way without it saves
-    no registers."""
+    no registers. A command that is an error between Begin and End is refused there, while a primitive
+    is recorded."""
     if command.name in PRIMITIVE or action in ATTENTIVE:
         return "", ""
     result, arguments = command.result, command.arguments()
     give = "" if result == "void" else "return "
+    if command.name in table.outside:
+        aside = (f"[[gnu::cold, gnu::noinline]] static void recorded_{symbol}({command.declare()}) {{\n"
+                 f"  if (!software::refuses(*t_current, \"{symbol}\"))\n    arbiter_{symbol}({arguments});\n}}\n")
+        return aside, ("  if (software::isRecorded(*t_current)) [[unlikely]]\n"
+                       f"    return recorded_{symbol}({arguments});\n")
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} held_{symbol}({command.declare()}) {{\n"
              f"  software::drawHeld(*t_current);\n  {give}arbiter_{symbol}({arguments});\n}}\n")
     return aside, f"  if (software::isHeld(*t_current)) [[unlikely]]\n    return held_{symbol}({arguments});\n"
@@ -178,7 +184,8 @@ def entry_points_source(table):
            '#include "state/core/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'
-           '#include "state/raster_draw/immediate/held.h"\n\n#define ARBITER_ENTRY '
+           '#include "state/raster_draw/immediate/held.h"\n'
+           '#include "state/raster_draw/immediate/refused.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"
            "using arbiter::state::t_current;\nnamespace software = arbiter::state::software;\n"
@@ -190,7 +197,7 @@ def entry_points_source(table):
         command = table.commands[name]
         root, *aliases = table.entry_names(name)
         aside, body = thunks(table, command, action, root)
-        held, look = draws_held(command, root, action)
+        held, look = draws_held(table, command, root, action)
         out.append(f"// {action}\n{aside}ARBITER_ENTRY {command.result} arbiter_{root}({command.declare()}) "
                    f'__asm__("{root}");\n{held}')
         out.append(f"{command.result} arbiter_{root}({command.declare()}) {{\n"

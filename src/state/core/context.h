@@ -65,6 +65,9 @@ inline constexpr std::uint32_t kDepth = 2048; ///< stays: the texts have a depth
 /// The primitive of a recorder has ended and is not drawn yet (raster_draw/immediate/held.h): every
 /// command but Begin and attributes has it drawn first.
 inline constexpr std::uint32_t kHeld = 4096;
+/// A primitive is recorded (raster_draw/immediate/replay.h): commands that are errors between Begin
+/// and End are refused.
+inline constexpr std::uint32_t kRecorded = 16384;
 inline constexpr std::uint32_t kSprites = 8192; ///< stays: points may need a form of their own
 } // namespace attention
 

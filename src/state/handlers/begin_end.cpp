@@ -11,6 +11,7 @@
 #include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/list_arrays.h"
 #include "state/raster_draw/immediate/primitive.h"
+#include "state/raster_draw/immediate/refused.h"
 #include "state/raster_draw/immediate/replay.h"
 
 namespace arbiter::state {
@@ -33,6 +34,8 @@ namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
   if (software::isHeld(context) && software::reopenHeld(context, mode))
+    return;
+  if (software::isRecorded(context) && software::refuses(context, "glBegin")) [[unlikely]]
     return;
   const ImmediateInputs inputs(context);
   if (context.mapsNamed) [[unlikely]]

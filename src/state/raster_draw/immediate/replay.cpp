@@ -47,11 +47,12 @@ void startRecording(Context &context) {
   context.trueHost = context.host;
   context.host = &kRecordingHost;
   context.recorder = &context.software->recorder;
+  context.attention |= attention::kRecorded;
   context.insideBeginEnd = true;
 }
 
 void stopRecording(Context &context) {
-  context.attention &= ~attention::kHeld;
+  context.attention &= ~(attention::kHeld | attention::kRecorded);
   context.host = context.trueHost;
   context.recorder = nullptr;
 }

@@ -7,8 +7,8 @@
 /// While it is recorded, ContextHot::host is kRecordingHost: what calls the host, an entry point
 /// or the state tracker, by that gives it the primitive as far as it is there, and from then on it
 /// is the host's. A list that is compiled defers the host in the same way (list_compiler.h). So
-/// commands that a recorded primitive cannot take need no code of their own, and those that are
-/// errors between Begin and End are judged by the host.
+/// commands that a recorded primitive cannot take need no code of their own. Those that are errors
+/// between Begin and End are judged by the host, but for the common ones (refused.h).
 namespace arbiter::state {
 class Context;
 }
