@@ -14,6 +14,8 @@ ATTRIBUTE = re.compile(r"(Vertex|Color|SecondaryColor|Normal|TexCoord|MultiTexCo
 
 # Legal between Begin and End (OpenGL 2.1, 2.6.3), without being an attribute of a vertex.
 SPLITS = re.compile(r"Material[fi]v?")
+# What a list that is compiled may keep of these: whether, and the values as an array.
+LISTED_MATERIALS = {"Materialf": ("pname == GL_SHININESS && ", "&param"), "Materialfv": ("", "params")}
 
 
 def leads(table):
@@ -83,8 +85,14 @@ def thunk(table, command, way):
         guard = "" if condition == "true" else f" && {condition}"
         lines += f"  if (hot->recorder{guard})\n    return {statement};\n"
     lines += look
+    if command.name in LISTED_MATERIALS:
+        condition, values = LISTED_MATERIALS[command.name]
+        lines += (f"  if (hot->listMode != 0 && {condition}arbiter::state::recordMaterial(here(), face, pname, "
+                  f"{values}))\n    return;\n")
     if SPLITS.fullmatch(command.name):
         lines += "  const software::PrimitiveSplit split(*hot);\n"
+    if command.name == "ColorMaterial":
+        lines += "  if (hot->softwareListens) [[unlikely]]\n    software::hostTakesColor(here());\n"
     bits = "dirty::kAll" if way == "unknown" else table.bits_of(command.name)
     if bits:
         lines += f"  hot->dirty |= {bits};\n"
@@ -107,6 +115,7 @@ def source(table):
 #include "dispatch/function_set.h"
 #include "host/lazy_functions.h"
 #include "host/host_table.h"
+#include "state/lists/state_commands.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/refused.h"

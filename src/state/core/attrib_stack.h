@@ -68,6 +68,10 @@ public:
     return true;
   }
 
+  /// Groups that the next pop restores.
+  [[nodiscard]] std::uint32_t restores() const {
+    return m_entries.empty() ? 0 : m_entries.back().dirty;
+  }
   [[nodiscard]] std::size_t depth() const { return m_entries.size(); }
   /// After a host list moved the host's stack alone: entries that we did not see hold no enables.
   void resize(std::size_t depth) { m_entries.resize(depth < m_maxDepth ? depth : m_maxDepth); }

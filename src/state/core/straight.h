@@ -29,7 +29,7 @@ namespace arbiter::state::straight {
   return context.textureShaders || context.combiners;
 }
 [[nodiscard]] inline bool BindTexture(Context &context, GLenum, GLuint) {
-  return !texturesChoose(context);
+  return !texturesChoose(context) && context.listMode == 0;
 }
 
 /// The layer has a part in MATRIXi_NV and COLOR, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array

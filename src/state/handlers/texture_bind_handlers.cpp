@@ -3,11 +3,14 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/lists/state_commands.h"
 #include "state/lists/texture_commands.h"
 
 namespace arbiter::state::handlers {
 
 void BindTexture(Context &context, GLenum target, GLuint texture) {
+  if (context.listMode != 0 && recordBindTexture(context, target, texture))
+    return;
   context.host->BindTexture(target, texture);
   noteTextureCommand(context);
 }

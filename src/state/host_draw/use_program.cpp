@@ -7,6 +7,7 @@
 #include "state/era/era_state.h"
 #include "state/era/texture_range.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/current_values.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
@@ -143,6 +144,8 @@ void pushAttrib(Context &context, GLbitfield mask) {
 
 void popAttrib(Context &context) {
   releaseSprites(context);
+  if (context.softwareListens && (context.attribStack.restores() & software::dirty::kCurrent) != 0)
+    settleCurrentValues(*context.host);
   context.host->PopAttrib();
   // The host's own enables of the targets are neither the application's to save nor to restore.
   context.hostAssembly->restoreEnables(context);

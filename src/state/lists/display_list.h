@@ -66,6 +66,7 @@ struct Command {
     SpriteMode,     ///< target: POINT_SPRITE_R_MODE_NV's value
     PrimitiveMode,  ///< target: that of the draws that come (lists/sprite_commands.h)
     CoordReplace,   ///< target: pname, count: the value of TexEnv of POINT_SPRITE
+    State,          ///< bytes: some StateCommands, in a row (lists/known_state.h)
     ComponentImage, ///< bytes: a ComponentImage, then its components as floats
   };
   Kind kind;

@@ -206,7 +206,8 @@ void callListIntoHost(Context &context, GLuint name) {
   for (const DisplayList::Item &item : list->items) {
     if (item.geometry)
       context.host->Begin(item.geometry->mode); // an error, as in callGeometry()
-    if (item.command && item.command->kind == Command::Kind::EvalPoint)
+    if (item.command && (item.command->kind == Command::Kind::EvalPoint ||
+                         item.command->kind == Command::Kind::State))
       execute(context, *item.command);
     if (item.hostList == 0)
       continue; // the layer's others are errors between Begin and End

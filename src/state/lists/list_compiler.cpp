@@ -37,7 +37,7 @@ bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) 
       command.target != infoOf(Target::VertexShader).name)
     bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
   else if (command.kind == Command::Kind::Combiners ||
-           command.kind == Command::Kind::TextureShaders)
+           command.kind == Command::Kind::TextureShaders || command.kind == Command::Kind::State)
     bytes += command.bytes;
   else
     return false;
@@ -69,6 +69,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_primitive = Primitive::AsBefore;
   m_open = m_begun = m_endsFirst = m_recording = m_pixels = false;
   m_geometry.reset();
+  m_known.forget();
   m_dirty = 0;
   m_kind = Kind::None;
   m_arraysDirty = true;
@@ -174,6 +175,7 @@ void ListCompiler::validateSegment(Context &context) {
 
 /// The host compiles; of a list that is kept in place of resume()'s table.
 void ListCompiler::openSegment(Context &context) {
+  m_known.forget();
   context.host = context.trueHost;
   context.recorder = nullptr;
   setMode(context, 0);
@@ -194,13 +196,12 @@ void ListCompiler::openSegment(Context &context) {
 
 void ListCompiler::record(Context &context, Command command) {
   noteProgramApiUse(context);
+  m_known.forget();
   if (command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists)
     m_kind = Kind::None;
   if (m_early)
     leaveEarly(context);
-  const bool follows = m_keeps && m_mode == GL_COMPILE && !m_recording && m_segment == 0 &&
-                       !m_geometry && !m_items.empty();
-  if (follows && join(m_items.back(), command, recordable(context.dirty)))
+  if (follows() && join(m_items.back(), command, recordable(context.dirty)))
     return;
   makeRoom(m_items, 4 + m_pushes.size()); // a primitive, a segment, its pushes, the command
   leavePrimitive(context);
@@ -213,6 +214,22 @@ void ListCompiler::record(Context &context, Command command) {
   m_items.push_back(std::move(item));
   if (m_mode == GL_COMPILE_AND_EXECUTE)
     withinMemory(context, "a command of a list", [&] { execute(context, reference); });
+  resume(context);
+}
+
+void ListCompiler::recordState(Context &context, const StateCommand &state, std::uint32_t dirty) {
+  if (!m_known.set(state))
+    return;
+  Command command{.kind = Command::Kind::State};
+  command.bytes.assign(reinterpret_cast<const char *>(&state), sizeof state);
+  if (follows() && join(m_items.back(), command, dirty))
+    return;
+  makeRoom(m_items, 2); // a primitive, the command
+  DisplayList::Item item;
+  item.effects.dirty = dirty;
+  item.command = std::make_unique<Command>(std::move(command)); // join() may change it
+  closeSegment(context);
+  m_items.push_back(std::move(item));
   resume(context);
 }
 
@@ -271,6 +288,8 @@ void ListCompiler::endExecuted(Context &context) {
 }
 
 void ListCompiler::keepPrimitive(bool fromArrays) {
+  if (fromArrays || (m_recorder.touched() >> software::kColor & 1u) != 0)
+    m_known.forgetMaterials();
   if (m_geometry && append(*m_geometry, m_recorder, fromArrays))
     return;
   finishGeometry();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "state/lists/display_list.h"
+#include "state/lists/known_state.h"
 #include "state/raster_draw/immediate/geometry.h"
 #include "state/raster_draw/immediate/recorder.h"
 
@@ -39,10 +40,19 @@ public:
   void record(Context &context, Command command);
   /// Runs `function` outside the host's list, between two segments, recording nothing.
   template <typename Function> void outside(Context &context, Function &&function) {
+    m_known.forget();
     closeSegment(context);
     function();
     resume(context);
   }
+
+  /// A command that only sets state may be kept: between primitives that are, and not of a list
+  /// that is executed too.
+  [[nodiscard]] bool keepsState() const {
+    return m_keeps && m_mode == GL_COMPILE && !m_recording && !m_open && m_segment == 0;
+  }
+  /// Keeps it, or leaves it out where the list has set the same. Requires: keepsState().
+  void recordState(Context &context, const StateCommand &command, std::uint32_t dirty);
 
   /// Ends a segment: when the list is called, what follows is a draw's look at the state again.
   void cut(Context &context) {
@@ -147,6 +157,11 @@ private:
   void validateSegment(Context &context);
   /// Ends the host's compilation, so that commands of the layer may run on the host.
   void closeSegment(Context &context);
+  /// The last item is what the list has last.
+  [[nodiscard]] bool follows() const {
+    return m_keeps && m_mode == GL_COMPILE && !m_recording && m_segment == 0 && !m_geometry &&
+           !m_items.empty();
+  }
   /// Compiles on after closeSegment().
   void resume(Context &context);
   void finishSegment();
@@ -182,6 +197,7 @@ private:
   software::ImmediateRecorder m_outside; ///< attributes outside of primitives, of an early list
   Arrays m_arrays{nullptr, nullptr};
   std::vector<Push> m_pushes;
+  KnownState m_known;
   enum class Kind : std::uint8_t { None, Points, Others };
   Kind m_kind = Kind::None;
   std::uint16_t m_mode = 0;

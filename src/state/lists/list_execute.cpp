@@ -13,6 +13,7 @@
 #include "state/host_draw/use_program.h"
 #include "state/host_draw/variants/point_sprites.h"
 #include "state/imaging/commands.h"
+#include "state/lists/state_commands.h"
 #include "state/programs/combiners/combiner_commands.h"
 #include "state/programs/fragment_shaders.h"
 #include "state/programs/nv/matrix_tracking.h"
@@ -155,6 +156,8 @@ void execute(Context &context, const Command &command) {
     return prepareEvaluation(context);
   if (command.kind == Command::Kind::EvalPoint)
     return evaluatePoint(context, pointOf(command));
+  if (command.kind == Command::Kind::State)
+    return executeStateCommands(context, command.bytes);
   const bool nested =
       command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists;
   if (!nested && !outsideBeginEnd(context, "a command of a list between Begin and End"))

@@ -9,13 +9,14 @@
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/current_context.h"
+#include "state/testing/keeping_context.h"
 
 namespace arbiter::state {
 namespace {
 
 using namespace testing;
 
-constexpr char kText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
+constexpr const char *kText = kKeepingText;
 constexpr GLuint kTop = DisplayListTable::kTop;
 std::string newList(GLuint name, GLenum mode = GL_COMPILE) {
   return "NewList " + std::to_string(name) + " " + std::to_string(mode);
@@ -238,25 +239,6 @@ TEST(Lists, FeedbackCopiesAreCountedWhenExecuted) {
   handlers::CopyMultiTexSubImage2DEXT(*context, GL_TEXTURE0, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
   EXPECT_EQ(context->feedback.copies(), 5u);
 }
-
-/// The rasterizer is there, so primitives are kept from the host.
-struct KeepingContext : CurrentContext {
-  explicit KeepingContext(FakeHost &host) : CurrentContext(host) {
-    Context &context = **this;
-    use(context, kText);
-    context.software = std::make_unique<software::ContextState>(context);
-    context.softwarePossible = context.softwareListens = true;
-    context.host->GetError();
-    host.calls.clear();
-  }
-  /// The rasterizer goes: the host draws.
-  void leaveToHost(FakeHost &host) {
-    Context &context = **this;
-    context.software = nullptr;
-    context.softwarePossible = context.softwareListens = false;
-    host.calls.clear();
-  }
-};
 
 void point(Context &context) {
   handlers::Begin(context, GL_POINTS);

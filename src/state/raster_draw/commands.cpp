@@ -2,6 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/memory.h"
+#include "state/host_draw/current_values.h"
 #include "state/host_draw/draw.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
@@ -54,6 +55,11 @@ void hostWaits(Context &context, const char *name) {
     if (!isHosts(context) && context.software)
       context.software->residency.synchronise(name);
   });
+}
+
+void hostTakesColor(Context &context) {
+  if (!isHosts(context))
+    settleCurrentValues(*context.host);
 }
 
 void hostWrites(Context &context, const char *name) {

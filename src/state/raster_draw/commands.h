@@ -24,6 +24,8 @@ namespace arbiter::state::software {
 
 void hostReads(Context &context, const char *name);
 void hostWaits(Context &context, const char *name);
+/// Before ColorMaterial (host_draw/current_values.h).
+void hostTakesColor(Context &context);
 void hostWrites(Context &context, const char *name);
 void hostDoesUnknown(Context &context, const char *name);
 

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -54,6 +55,12 @@ struct TextureImages {
   abi::TextureView view; ///< levels and levelCount only; valid until the texture changes
   swrast::Storage *const *storages = nullptr; ///< of view.levels, one each
   int imageCount = 0;                         ///< of both: faces times levels
+};
+
+/// What is known of a texture without its pixels.
+struct TextureFormat {
+  abi::Format format; ///< of a complete one
+  bool complete = false;
 };
 
 /// One of the copies from the read buffer to a texture: by sharing the shadow where it is whole, by
@@ -146,6 +153,9 @@ public:
   [[nodiscard]] const TextureImages *acquireTexture(GLuint name, abi::Dimension dimension,
                                                     TextureLevels range, bool mipmapped,
                                                     const char *&reason);
+  /// What acquireTexture() would say of the format, or that it would be null; moves no pixel.
+  [[nodiscard]] std::optional<TextureFormat> describeTexture(GLuint name, abi::Dimension dimension,
+                                                             TextureLevels range, bool mipmapped);
   /// False where acquireTexture() would refuse the texture's format; moves no pixel.
   [[nodiscard]] bool samplesTexture(GLuint name, abi::Dimension dimension, TextureLevels range);
 

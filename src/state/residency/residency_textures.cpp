@@ -55,28 +55,15 @@ public:
   bool gather(GLenum target, TextureLevels range, bool mipmapped, const char *&reason) {
     TextureImages &view = m_texture.view;
     view = {};
-    const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
-    const GLenum first = faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
-    PixelImage *const base = baseLevel(m_images, m_texture, target, range);
-    if (!base)
-      return true; // incomplete
-    if (base->base == 0) {
+    if (!find(target, range, mipmapped)) {
       reason = "texture";
       return false;
     }
-    int levels = 1;
-    if (mipmapped) {
-      const auto largest = unsigned(std::max({base->width, base->height, base->depth}));
-      levels = std::min(int(std::bit_width(largest)), range.max - range.base + 1);
-    }
-    levels = std::min(levels, abi::kMaxLevels - range.base);
-    for (int level = 0; level < levels; ++level)
-      for (int face = 0; face < faces; ++face) {
-        PixelImage *const image =
-            levelOf(m_images, m_texture, first + GLenum(face), range.base + level);
-        if (!image || !fits(*image, *base, level, faces == 6))
-          return true; // incomplete
-      }
+    if (!m_base)
+      return true;
+    const int faces = m_faces, levels = m_levels;
+    const GLenum first = m_first;
+    const PixelImage *const base = m_base;
     if (!valid(first, faces, range.base, levels, *base, reason))
       return false;
     for (int level = 0; level < levels; ++level)
@@ -99,6 +86,33 @@ public:
     view.imageCount = faces * levels;
     return true;
   }
+
+  /// Which levels there are. False: a format that we lack.
+  bool find(GLenum target, TextureLevels range, bool mipmapped) {
+    m_faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+    m_first = m_faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
+    PixelImage *const base = baseLevel(m_images, m_texture, target, range);
+    if (!base || base->base == 0)
+      return !base;
+    m_levels = 1;
+    if (mipmapped) {
+      const auto largest = unsigned(std::max({base->width, base->height, base->depth}));
+      m_levels = std::min(int(std::bit_width(largest)), range.max - range.base + 1);
+    }
+    m_levels = std::min(m_levels, abi::kMaxLevels - range.base);
+    for (int level = 0; level < m_levels; ++level)
+      for (int face = 0; face < m_faces; ++face) {
+        PixelImage *const image =
+            levelOf(m_images, m_texture, m_first + GLenum(face), range.base + level);
+        if (!image || !fits(*image, *base, level, m_faces == 6))
+          return true;
+      }
+    m_base = base;
+    return true;
+  }
+  /// After find(): the first level, of which the others have the format; null of an incomplete
+  /// texture.
+  [[nodiscard]] const PixelImage *base() const { return m_base; }
 
 private:
   static bool fits(const PixelImage &image, const PixelImage &base, int level, bool cube) {
@@ -146,6 +160,9 @@ private:
 
   ResidentImages &m_images;
   Texture &m_texture;
+  const PixelImage *m_base = nullptr;
+  int m_faces = 1, m_levels = 1;
+  GLenum m_first = 0;
 };
 
 } // namespace
@@ -164,6 +181,19 @@ const TextureImages *Residency::acquireTexture(GLuint name, abi::Dimension dimen
     return nullptr;
   texture.view.dimension = dimension;
   return &texture.view;
+}
+
+std::optional<TextureFormat> Residency::describeTexture(GLuint name, abi::Dimension dimension,
+                                                        TextureLevels range, bool mipmapped) {
+  ResidentImages &images = *m_images;
+  const GLenum target = targetOf(dimension);
+  if (!isNamedAsBound(images, name))
+    return std::nullopt;
+  Completeness completeness(images, textureOf(images.objects, target, name));
+  if (!completeness.find(target, range, mipmapped))
+    return std::nullopt;
+  const PixelImage *const base = completeness.base();
+  return base ? TextureFormat{base->shadow.format, true} : TextureFormat{};
 }
 
 bool Residency::samplesTexture(GLuint name, abi::Dimension dimension, TextureLevels range) {

@@ -281,6 +281,10 @@ GLboolean isEnabled(GLenum cap) {
   fake().note(words("IsEnabled", {cap}));
   return fake().enabled.count(cap) != 0;
 }
+void bindTexture(GLenum target, GLuint name) { fake().note(words("BindTexture", {target, name})); }
+void materialfv(GLenum face, GLenum pname, const GLfloat *) {
+  fake().note(words("Materialfv", {face, pname}));
+}
 void activeTexture(GLenum unit) { fake().note(words("ActiveTexture", {unit})); }
 void disable(GLenum cap) {
   fake().note(words("Disable", {cap}));
@@ -357,6 +361,8 @@ const Row kRows[] = {
     ROW(Enable, enable),
     ROW(IsEnabled, isEnabled),
     ROW(ActiveTexture, activeTexture),
+    ROW(BindTexture, bindTexture),
+    ROW(Materialfv, materialfv),
     ROW(Disable, disable),
     ROW(BindAttribLocation, bindAttribLocation),
     ROW(GetAttachedShaders, getAttachedShaders),

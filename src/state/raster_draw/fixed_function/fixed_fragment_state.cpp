@@ -160,23 +160,22 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
       mirror.refreshSamplers({&use, 1});
     }
     const SamplerState &sampler = mirror.samplers[i][std::size_t(use.dimension)];
-    const char *reason = nullptr;
-    const TextureImages *const images = context.software->residency.acquireTexture(
+    const auto texture = context.software->residency.describeTexture(
         sampler.texture, use.dimension, {sampler.baseLevel, sampler.maxLevel},
-        sampler.key.mip != abi::MipFilter::None, reason);
-    if (!images)
-      return fallbackNamed(reason, Fallback::Texture);
-    if (!images->complete) {
+        sampler.key.mip != abi::MipFilter::None);
+    if (!texture)
+      return Fallback::Texture;
+    if (!texture->complete) {
       unit = {};
       continue;
     }
     // Of components in another order an environment makes what the host does.
     if (sampler.swizzle != SamplerState{}.swizzle)
       return Fallback::NoFragmentProgram;
-    const bool isDepth = abi::isDepth(images->format.layout);
+    const bool isDepth = abi::isDepth(texture->format.layout);
     if (isDepth && sampler.compares && !makeShadow(unit.target))
       return Fallback::NoFragmentProgram;
-    unit.kind = kindOf(isDepth ? depthSwizzle(sampler.depthMode) : images->format.swizzle);
+    unit.kind = kindOf(isDepth ? depthSwizzle(sampler.depthMode) : texture->format.swizzle);
   }
   for (const TextureUnitKey &unit : key.units)
     if (unit.environment == Environment::Combine &&

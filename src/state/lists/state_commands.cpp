@@ -1,0 +1,52 @@
+#include "state/lists/state_commands.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/memory.h"
+#include "state/lists/list_compiler.h"
+#include "state/mirror/dirty_bits.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// True: the command is kept.
+bool record(Context &context, const StateCommand &command, std::uint32_t dirty) {
+  if (!command.isValid() || !context.list->keepsState())
+    return false;
+  withinMemory(context, "a command of a list",
+               [&] { context.list->recordState(context, command, dirty); });
+  return true;
+}
+
+} // namespace
+
+bool recordMaterial(Context &context, GLenum face, GLenum pname, const GLfloat *values) {
+  const int count = materialValues(pname);
+  if (count == 0 || !values)
+    return false;
+  StateCommand command{.target = face, .pname = pname};
+  std::copy_n(values, count, command.values.begin());
+  return record(context, command, software::dirty::kLighting | software::dirty::kProgramState);
+}
+
+bool recordBindTexture(Context &context, GLenum target, GLuint texture) {
+  return record(context, {.target = target, .texture = texture}, software::dirty::kTextureBindings);
+}
+
+void executeStateCommands(Context &context, const std::string &bytes) {
+  StateCommand command;
+  for (std::size_t at = 0; at < bytes.size(); at += sizeof command) {
+    std::memcpy(&command, bytes.data() + at, sizeof command);
+    if (command.pname == 0)
+      handlers::BindTexture(context, command.target, command.texture);
+    else
+      context.host->Materialfv(command.target, command.pname, command.values.data());
+  }
+}
+
+} // namespace arbiter::state

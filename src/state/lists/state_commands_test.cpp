@@ -1,0 +1,163 @@
+// State that a list sets between primitives that are kept.
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/handlers.h"
+#include "state/lists/known_state.h"
+#include "state/lists/list_compiler.h"
+#include "state/lists/state_commands.h"
+#include "state/mirror/dirty_bits.h"
+#include "state/testing/keeping_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr std::array<GLfloat, 4> kRed = {1, 0, 0, 1}, kGreen = {0, 1, 0, 1};
+
+void point(Context &context, bool colored = false) {
+  handlers::Begin(context, GL_POINTS);
+  if (colored)
+    context.recorder->set(software::kColor, 1, 0, 0, 1);
+  context.recorder->vertex(1, 2, 0, 1);
+  handlers::End(context);
+}
+
+class StateCommands : public ::testing::Test {
+protected:
+  /// As the entry point does. True: the layer keeps it, or has left it out.
+  bool material(const std::array<GLfloat, 4> &value, GLenum pname = GL_DIFFUSE,
+                GLenum face = GL_FRONT) {
+    return recordMaterial(*m_context, face, pname, value.data());
+  }
+  void texture(GLuint name) { handlers::BindTexture(*m_context, GL_TEXTURE_2D, name); }
+  const std::vector<DisplayList::Item> &compiled(const std::function<void()> &commands) {
+    handlers::NewList(*m_context, 1, GL_COMPILE);
+    commands();
+    handlers::EndList(*m_context);
+    m_list = m_context->group->lists.find(1);
+    return m_list->items;
+  }
+  static std::size_t commandsOf(const DisplayList::Item &item) {
+    return item.command ? item.command->bytes.size() / sizeof(StateCommand) : 0;
+  }
+
+  FakeHost m_host;
+  KeepingContext m_context{m_host};
+  std::shared_ptr<const DisplayList> m_list;
+};
+
+TEST_F(StateCommands, WhatIsSetAlreadyIsLeftOutAndPrimitivesAreOne) {
+  const auto &items = compiled([&] {
+    for (int i = 0; i < 5; ++i) {
+      EXPECT_TRUE(material(kRed));
+      EXPECT_TRUE(material({27.8f}, GL_SHININESS));
+      texture(2);
+      point(*m_context);
+    }
+  });
+  ASSERT_EQ(items.size(), 2u);
+  EXPECT_EQ(commandsOf(items[0]), 3u) << "a run of them is an item";
+  using namespace software::dirty;
+  EXPECT_EQ(items[0].effects.dirty, kLighting | kProgramState | kTextureBindings);
+  EXPECT_EQ(items[1].geometry->count, 5u);
+  EXPECT_EQ(m_host.count("NewList"), 1) << "the name alone, and no list for each run";
+}
+
+TEST_F(StateCommands, WhatChangesIsKept) {
+  const auto &items = compiled([&] {
+    for (const auto &value : {kRed, kGreen, kGreen}) {
+      EXPECT_TRUE(material(value));
+      texture(2);
+      point(*m_context);
+    }
+  });
+  ASSERT_EQ(items.size(), 4u);
+  EXPECT_EQ(commandsOf(items[0]), 2u);
+  EXPECT_EQ(commandsOf(items[2]), 1u) << "the texture is bound";
+  EXPECT_EQ(items[3].geometry->count, 2u);
+}
+
+/// FRONT_AND_BACK and AMBIENT_AND_DIFFUSE are several.
+TEST_F(StateCommands, FacesAndParametersOverlap) {
+  KnownState known;
+  const auto sets = [&](GLenum face, GLenum pname, const std::array<GLfloat, 4> &value) {
+    return known.set({.target = face, .pname = pname, .values = value});
+  };
+  EXPECT_TRUE(sets(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, kRed));
+  for (const GLenum face : {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK})
+    for (const GLenum pname : {GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE})
+      EXPECT_FALSE(sets(face, pname, kRed));
+  EXPECT_TRUE(sets(GL_FRONT, GL_SPECULAR, kRed));
+  EXPECT_TRUE(sets(GL_BACK, GL_DIFFUSE, kGreen));
+  EXPECT_FALSE(sets(GL_FRONT, GL_DIFFUSE, kRed));
+  EXPECT_TRUE(sets(GL_FRONT_AND_BACK, GL_DIFFUSE, kRed)) << "the back's is another";
+}
+
+/// Enable(COLOR_MATERIAL) makes colours materials, a list that is called or popped attributes may
+/// set anything.
+TEST_F(StateCommands, OtherCommandsMayHaveSetIt) {
+  const auto twice = [&](const std::function<void()> &between) {
+    const auto &items = compiled([&] {
+      EXPECT_TRUE(material(kRed));
+      point(*m_context);
+      between();
+      point(*m_context);
+      EXPECT_TRUE(material(kRed));
+      point(*m_context);
+    });
+    std::size_t commands = 0;
+    for (const DisplayList::Item &item : items)
+      commands += item.command && item.command->kind == Command::Kind::State ? 1 : 0;
+    return commands;
+  };
+  EXPECT_EQ(twice([] {}), 1u);
+  EXPECT_EQ(twice([&] { handlers::Enable(*m_context, GL_BLEND); }), 2u);
+  EXPECT_EQ(twice([&] { handlers::CallList(*m_context, 7); }), 2u);
+  EXPECT_EQ(twice([&] { point(*m_context, true); }), 2u);
+}
+
+TEST_F(StateCommands, WhatMayBeAnErrorIsTheHosts) {
+  handlers::NewList(*m_context, 1, GL_COMPILE);
+  EXPECT_FALSE(material({129}, GL_SHININESS));
+  EXPECT_FALSE(material(kRed, GL_COLOR_INDEXES));
+  EXPECT_FALSE(material(kRed, GL_DIFFUSE, GL_LEFT));
+  EXPECT_FALSE(recordBindTexture(*m_context, GL_TEXTURE_2D_ARRAY, 1));
+  handlers::Begin(*m_context, GL_POINTS);
+  EXPECT_FALSE(material(kRed)) << "within a primitive";
+  handlers::End(*m_context);
+  handlers::Enable(*m_context, GL_BLEND);
+  EXPECT_FALSE(material(kRed)) << "within a run of commands that the host compiles";
+  handlers::EndList(*m_context);
+  handlers::NewList(*m_context, 1, GL_COMPILE_AND_EXECUTE);
+  EXPECT_FALSE(material(kRed)) << "and it is executed";
+  handlers::EndList(*m_context);
+}
+
+TEST_F(StateCommands, TheyAreExecutedInTheirOrder) {
+  compiled([&] {
+    EXPECT_TRUE(material(kRed));
+    texture(2);
+    point(*m_context);
+    texture(3);
+  });
+  m_context.leaveToHost(m_host);
+  m_context->dirty = 0;
+  handlers::CallList(*m_context, 1);
+  std::vector<std::string> seen;
+  for (const std::string &call : m_host.calls)
+    if (call.starts_with("Materialfv") || call.starts_with("BindTexture") ||
+        call.starts_with("CallList"))
+      seen.push_back(call.substr(0, call.find(' ')));
+  EXPECT_EQ(seen,
+            (std::vector<std::string>{"Materialfv", "BindTexture", "CallList", "BindTexture"}));
+  EXPECT_NE(m_context->dirty & software::dirty::kLighting, 0u);
+}
+
+} // namespace
+} // namespace arbiter::state

@@ -1,0 +1,30 @@
+#pragma once
+#include <memory>
+
+#include "state/raster_draw/context_state.h"
+#include "state/testing/current_context.h"
+
+namespace arbiter::state::testing {
+
+inline constexpr char kKeepingText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
+
+/// The rasterizer is there, so primitives are kept from the host.
+struct KeepingContext : CurrentContext {
+  explicit KeepingContext(FakeHost &host) : CurrentContext(host) {
+    Context &context = **this;
+    use(context, kKeepingText);
+    context.software = std::make_unique<software::ContextState>(context);
+    context.softwarePossible = context.softwareListens = true;
+    context.host->GetError();
+    host.calls.clear();
+  }
+  /// The rasterizer goes: the host draws.
+  void leaveToHost(FakeHost &host) {
+    Context &context = **this;
+    context.software = nullptr;
+    context.softwarePossible = context.softwareListens = false;
+    host.calls.clear();
+  }
+};
+
+} // namespace arbiter::state::testing
