@@ -4,8 +4,8 @@
 Each recording (tests/real_programs_vs_host/recordings says where they come from) is cut behind its last
 swap and replayed by glretrace, its last frame looped. `bare` and `layered` are milliseconds of that frame,
 `faster` is bare by layered, `cpu` the same of processor time. `cold` is the time to the end of the first
-frame with empty caches, the host's too, `warm` with what the last start left, and `b. cold` and `b. warm`
-the same of the bare host. `hosts` is the share of draws that are left to the host, with the reasons below.
+frame with empty caches, the host's too, `warm` with what a start left that replayed all of it, and `b. cold`
+and `b. warm` the same of the bare host. `hosts` is the share of draws that are left to the host, with the reasons below.
 A recording without a swap is replayed as a whole.
 
 examples:
@@ -66,7 +66,7 @@ def measure(recording, args, scratch):
     if traces:
         whole, first = traces
         row["kind"] = "frame"
-        firsts = replays.first_frames(recording, first, [bare, layered], run, args.turns)
+        firsts = replays.first_frames(recording, whole, first, [bare, layered], run, args.turns)
         row["first"] = {"bare_cold": firsts[0][0], "cold": firsts[1][0],
                         "bare_warm": firsts[0][1], "warm": firsts[1][1]}
         sides = replays.steady(recording, whole, [bare, layered], run, args.seconds, args.turns)

@@ -137,14 +137,17 @@ def steady(recording, trace, sides, folder, seconds, turns):
     return found
 
 
-def first_frames(recording, trace, sides, folder, turns):
-    """Milliseconds to the end of the first frame, medians: (with empty caches, with what the last start left) of
-    each side, which take turns. The host has caches too."""
+def first_frames(recording, whole, first, sides, folder, turns):
+    """Milliseconds to the end of the first frame, medians: (with empty caches, with what a start left that
+    replayed the whole recording) of each side, which take turns. The host has caches too."""
     times = [([], []) for _ in sides]
     for _ in range(turns):
         for side, (cold, warm) in zip(sides, times):
             shutil.rmtree(side.cache, ignore_errors=True)
-            cold.append(1000 * replay(recording, trace, side, folder).seconds)
+            cold.append(1000 * replay(recording, first, side, folder).seconds)
+    for side in sides:
+        replay(recording, whole, side, folder, SETTLE)
+    for _ in range(turns):
         for side, (cold, warm) in zip(sides, times):
-            warm.append(1000 * replay(recording, trace, side, folder).seconds)
+            warm.append(1000 * replay(recording, first, side, folder).seconds)
     return [(statistics.median(cold), statistics.median(warm)) for cold, warm in times]

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Frames whose depths must meet, with a draw in the middle that the rasterizer lacks: under `auto` they
-settle on one rasterizer, and are not drawn by the two in turns; the pictures stay the bare host's.
+settle on one rasterizer, and are not drawn by the two in turns; the pictures stay the bare host's. A program
+whose frames were the rasterizer's as a whole begins with it when it starts again.
 
   run_steady.py --build build [--frames N]
 
@@ -16,6 +17,7 @@ import sides
 
 DRAWS = 12  # a frame
 FIRST = 8  # frames until machine code is there
+STARTS = 4  # again: on a busy machine one may not wait long enough for the machine code on disk
 # How many draws of all frames may be the rasterizer's: (least, most).
 BOUNDS = {
     "whole": lambda frames: ((frames - FIRST) * DRAWS, frames * DRAWS),
@@ -29,6 +31,17 @@ def judge(kind, part, frames):
     least, most = BOUNDS[kind](frames)
     drawn = part.get("drawn", 0)
     return "" if least <= drawn <= most else f"not {least} to {most}"
+
+
+def starts_again(command, environment, stats, bare, draws):
+    """What is wrong with the starts after the first one, as text."""
+    drawn = []
+    for _ in range(STARTS):
+        wrong = "; ".join(sides.differences(bare, sides.run(command, environment)))
+        drawn.append(sides.software_statistics(stats).get("drawn", 0))
+        if wrong or drawn[-1] == draws:
+            return wrong
+    return f"starts after it drew {drawn} of {draws}"
 
 
 def main():
@@ -47,9 +60,12 @@ def main():
                 stats = pathlib.Path(scratch) / "stats.json"
                 layer = {**show, "XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats)}
                 bare = sides.run(command, sides.environment(extra=show))
-                layered = sides.run(command, sides.environment(sides.layer_of(build), "auto", layer))
+                environment = sides.environment(sides.layer_of(build), "auto", layer)
+                layered = sides.run(command, environment)
                 part = sides.software_statistics(stats)
-            wrong = "; ".join(sides.differences(bare, layered)) or judge(kind, part, args.frames)
+                wrong = "; ".join(sides.differences(bare, layered)) or judge(kind, part, args.frames)
+                if kind == "whole" and not wrong:
+                    wrong = starts_again(command, environment, stats, bare, args.frames * DRAWS)
             print(f"{'FAIL' if wrong else 'pass'} {kind}: the rasterizer drew {part.get('drawn')} of "
                   f"{args.frames * DRAWS}, the host {part.get('given_to_host')}; {wrong}")
             failed += bool(wrong)

@@ -290,6 +290,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     software::becomesCurrent(*context, drawable ? *drawable : software::Drawable{});
   if (context && !context->initialised) {
     initialiseWhole(*context);
+    software::expect(*context);
     noteProgress(*context);
     beginWatching();
   } else if (context && context->group->hasGarbage() && !context->listMode)

@@ -4,6 +4,7 @@
 #include "state/core/context.h"
 #include "state/core/exit_notice.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/functions/start_note.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
 
@@ -30,6 +31,11 @@ bool keepsLists(const Context &context) {
 bool keepsEarlyLists(const Context &context) {
   return !context.software && !context.softwareRefused && context.frames < kEarlyFrames &&
          isPossible(context);
+}
+
+void expect(const Context &context) {
+  if (isPossible(context))
+    startEngineAsBefore();
 }
 
 void engage(Context &context) {

@@ -86,7 +86,8 @@ struct ContextState {
   /// waits for machine code. An application that makes programs in each frame would never be
   /// judged.
   [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
-    return !readsPixels && history.unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
+    return !readsPixels && !history.waitsForCode &&
+           history.unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
   }
   static constexpr int kMostUnjudged = 2, kMostUnjudgedPlain = 20;
   /// Whether the rasterizer may test depth or stencil now.
@@ -107,6 +108,8 @@ struct ContextState {
 /// effective, or, unless ARBITER_FIXED_FUNCTION is programs, at the first draw of fixed function.
 /// Until then the rasterizer costs nothing.
 void engage(Context &context);
+/// When the context first becomes current: what its draws will need may be made aside.
+void expect(const Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
 /// be where a fragment program of the layer's becomes effective, and programs are made already.
 /// Clients of control look into lists that are kept, and into no others.

@@ -4,6 +4,7 @@
 
 #include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/functions/start_note.h"
 
 namespace arbiter::state::software {
 
@@ -35,7 +36,10 @@ void judge(Context &context, bool moved) {
   const bool plain = state.drawsPlain && !state.hostDrew && state.hostTurns == 0;
   // A frame in which nothing was drawn says nothing about the next one.
   const bool drew = workOf(state) != state.workSeen;
+  if (drew && !state.steady)
+    noteFrame(state.hostTurns == 0);
   if (drew) {
+    state.history.waitsForCode = false;
     // Nor does one that the host drew before anything could be said of it.
     if (state.hostTurns != 0 || !state.unjudged)
       state.history.wholeFrames =

@@ -2,6 +2,8 @@
 
 #include <mutex>
 
+#include "state/raster_draw/functions/start_note.h"
+
 namespace arbiter::state::software {
 
 namespace {
@@ -11,7 +13,14 @@ namespace {
 struct {
   std::mutex mutex;
   FrameHistory history;
+  bool kept = false; ///< a frame has ended
 } g_last;
+
+FrameHistory historyOfLastStart() {
+  FrameHistory history;
+  history.wholeFrames = history.waitsForCode = lastStart() == LastStart::WholeFrames;
+  return history;
+}
 
 } // namespace
 
@@ -19,6 +28,8 @@ FrameHistory historyOfProcess() {
   const std::unique_lock lock(g_last.mutex, std::try_to_lock);
   if (!lock.owns_lock())
     return {};
+  if (!g_last.kept)
+    return historyOfLastStart();
   FrameHistory history = g_last.history;
   history.backOff.forgetStatistics();
   return history;
@@ -26,8 +37,10 @@ FrameHistory historyOfProcess() {
 
 void keepHistory(const FrameHistory &history) {
   const std::unique_lock lock(g_last.mutex, std::try_to_lock);
-  if (lock.owns_lock())
-    g_last.history = history;
+  if (!lock.owns_lock())
+    return;
+  g_last.history = history;
+  g_last.kept = true;
 }
 
 } // namespace arbiter::state::software

@@ -11,10 +11,13 @@ struct FrameHistory {
   bool wholeFrames =
       false;              ///< the last frames had no turn of the host, as many as `trials` asks for
   int unjudgedFrames = 0; ///< in a row
+  /// The first frame of a program that ran before: its machine code is on disk, and waited for.
+  bool waitsForCode = false;
 };
 
 /// The history that a context begins with: that of the context of this process whose frame ended
-/// last, or an empty one. Applications that make a context for each view, document or even frame
+/// last, or, of the first one, what the program's last start tells (functions/start_note.h).
+/// Applications that make a context for each view, document or even frame
 /// would never be drawn by what their frames are; an application of several kinds of contexts has
 /// one frame of each judged by another's.
 [[nodiscard]] FrameHistory historyOfProcess();

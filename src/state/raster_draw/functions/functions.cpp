@@ -6,6 +6,7 @@
 #include "fp_compiler/ir/ir.h"
 #include "state/raster_draw/functions/compile_thread.h"
 #include "state/raster_draw/functions/pixel_cost.h"
+#include "state/raster_draw/functions/start_note.h"
 #include "util/cache/cache_store.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -156,10 +157,12 @@ fp::jit::Engine *engine() {
     }
     std::string reason;
     std::unique_ptr<fp::jit::Engine> made = fp::jit::makeEngine(options, reason);
-    if (made)
+    if (made) {
       logInfo("software", "rasterizer: %s", made->target().c_str());
-    else
+      compileLater(noteEngine);
+    } else {
       logWarn("software", "no rasterizer, the host draws: %s", reason.c_str());
+    }
     g_engineKnown.store(true, std::memory_order_release);
     return made.release(); // its code may run until the process is gone
   }();

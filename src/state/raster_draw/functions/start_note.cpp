@@ -1,0 +1,99 @@
+#include "state/raster_draw/functions/start_note.h"
+
+#include <array>
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include <unistd.h>
+
+#include "state/raster_draw/functions/compile_thread.h"
+#include "state/raster_draw/functions/functions.h"
+#include "util/cache/cache_store.h"
+#include "util/flags.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// So many whole frames in a row are noted again after one that was not.
+constexpr int kWholeAgain = 64;
+/// An application of frames of many kinds does not write all the time.
+constexpr int kMostNotes = 8;
+
+struct Note {
+  CacheStore store;
+  std::string key;
+};
+
+std::optional<Note> openNote() {
+  const std::string folder = settings().cache ? cacheFolder() : std::string();
+  std::array<char, 4096> path{};
+  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size());
+  if (folder.empty() || length <= 0)
+    return std::nullopt;
+  return Note{{folder + "/code", std::uint64_t(settings().cacheMaxMegabytes) << 20},
+              "start of " + std::string(path.data(), std::size_t(length))};
+}
+
+LastStart readNote() {
+  const std::optional<Note> note = openNote();
+  const std::optional<std::string> value = note ? note->store.find(note->key) : std::nullopt;
+  if (!value)
+    return LastStart::Unknown;
+  return *value == "whole frames" ? LastStart::WholeFrames : LastStart::Engine;
+}
+
+/// What is on disk, or will be.
+std::atomic<LastStart> g_noted{LastStart::Unknown};
+std::atomic<int> g_notes{0};
+std::atomic<int> g_wholeInRow{kWholeAgain}; ///< frames
+
+/// Behind what is being compiled: whoever finds the note finds the code.
+void write(LastStart noted) {
+  if (g_noted.exchange(noted, std::memory_order_relaxed) == noted ||
+      g_notes.fetch_add(1, std::memory_order_relaxed) >= kMostNotes)
+    return;
+  compileLater([noted] {
+    if (const std::optional<Note> note = openNote())
+      note->store.store(note->key,
+                        noted == LastStart::WholeFrames ? "whole frames" : "engine used");
+  });
+}
+
+} // namespace
+
+LastStart lastStart() {
+  static const LastStart s_last = [] {
+    const LastStart read = readNote();
+    g_noted.store(read, std::memory_order_relaxed);
+    return read;
+  }();
+  return s_last;
+}
+
+void startEngineAsBefore() {
+  static std::atomic<bool> s_asked{false};
+  if (!settings().cache || s_asked.exchange(true, std::memory_order_relaxed))
+    return;
+  compileLater([] {
+    if (lastStart() != LastStart::Unknown)
+      static_cast<void>(engine());
+  });
+}
+
+void noteEngine() {
+  if (lastStart() == LastStart::Unknown)
+    write(LastStart::Engine);
+}
+
+void noteFrame(bool whole) {
+  static_cast<void>(lastStart());
+  int inRow = g_wholeInRow.load(std::memory_order_relaxed);
+  inRow = !whole ? 0 : inRow < kWholeAgain ? inRow + 1 : inRow;
+  g_wholeInRow.store(inRow, std::memory_order_relaxed);
+  if (!whole || inRow == kWholeAgain)
+    write(whole ? LastStart::WholeFrames : LastStart::Engine);
+}
+
+} // namespace arbiter::state::software
