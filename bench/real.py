@@ -4,8 +4,9 @@
 Each recording (tests/real_programs_vs_host/recordings says where they come from) is cut behind its last
 swap and replayed by glretrace, its last frame looped. `bare` and `layered` are milliseconds of that frame,
 `faster` is bare by layered, `cpu` the same of processor time. `cold` is the time to the end of the first
-frame with empty caches, the host's too, `warm` with what a start left that replayed all, and `b. cold`
-and `b. warm` the same of the bare host. `hosts` is the share of draws that are left to the host, with the reasons below.
+frame with empty caches, the host's too, `warm` with what a start left that replayed all, and
+`b. cold` and `b. warm` the same of the bare host. `hosts` is the share of draws that are left to the host,
+with the reasons below.
 A recording without a swap is replayed as a whole.
 
 examples:

@@ -4,6 +4,7 @@
 
 #include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/functions/compile_thread.h"
 #include "state/raster_draw/functions/start_note.h"
 
 namespace arbiter::state::software {
@@ -39,6 +40,7 @@ void judge(Context &context, bool moved) {
   if (drew && !state.steady)
     noteFrame(state.hostTurns == 0);
   if (drew) {
+    frameEndsForCompiler();
     state.history.waitsForCode = false;
     // Nor does one that the host drew before anything could be said of it.
     if (state.hostTurns != 0 || !state.unjudged)

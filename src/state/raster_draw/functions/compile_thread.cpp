@@ -3,6 +3,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <iterator>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -22,10 +23,14 @@ namespace {
 constexpr std::size_t kStack = std::size_t(16) << 20;
 /// Longer than a draw waits that can do without (functions.cpp).
 constexpr std::chrono::milliseconds kLate{60};
+/// What waits for the end of the first frame waits no longer, as a frame may never end.
+constexpr std::chrono::milliseconds kLongestFrame{500};
+
+std::atomic<bool> g_frameEnded{false};
 
 class Compiler {
 public:
-  bool add(std::function<void()> task) {
+  bool add(std::function<void()> task, When when) {
     const std::lock_guard lock(m_mutex);
     if (!m_started)
       m_started = startThread(
@@ -33,13 +38,25 @@ public:
           this);
     if (!m_started)
       return false;
-    m_tasks.push_back(std::move(task));
+    if (when == When::AfterFrame && !m_released) {
+      if (m_patient.empty())
+        m_deadline = std::chrono::steady_clock::now() + kLongestFrame;
+      m_patient.push_back(std::move(task));
+    } else {
+      m_tasks.push_back(std::move(task));
+    }
     m_wake.notify_one();
     return true;
   }
 
+  void release() {
+    const std::lock_guard lock(m_mutex);
+    releaseLocked();
+  }
+
   void await(std::optional<std::chrono::milliseconds> atMost) {
     std::unique_lock lock(m_mutex);
+    releaseLocked();
     const auto idle = [this] { return m_tasks.empty() && !m_busy; };
     if (!m_started)
       return;
@@ -50,11 +67,24 @@ public:
   }
 
 private:
+  void releaseLocked() {
+    m_released = true;
+    m_tasks.insert(m_tasks.end(), std::make_move_iterator(m_patient.begin()),
+                   std::make_move_iterator(m_patient.end()));
+    m_patient.clear();
+    m_wake.notify_one();
+  }
+
   [[noreturn]] void run() {
     std::unique_lock lock(m_mutex);
     for (;;) {
-      if (m_tasks.empty()) {
+      if (m_tasks.empty() && m_patient.empty()) {
         m_wake.wait(lock);
+        continue;
+      }
+      if (m_tasks.empty()) {
+        if (m_wake.wait_until(lock, m_deadline) == std::cv_status::timeout && !m_patient.empty())
+          releaseLocked();
         continue;
       }
       const std::function<void()> task = std::move(m_tasks.front());
@@ -76,6 +106,9 @@ private:
   std::mutex m_mutex;
   std::condition_variable m_wake, m_idle;
   std::deque<std::function<void()>> m_tasks;
+  std::deque<std::function<void()>> m_patient; ///< of the first frame, for after it
+  std::chrono::steady_clock::time_point m_deadline;
+  bool m_released = g_frameEnded.load(); ///< nothing is patient any more
   bool m_started = false;
   bool m_busy = false; ///< a task is run, without the lock
 };
@@ -101,10 +134,18 @@ Compiler *compiler() {
 
 } // namespace
 
-bool compileLater(std::function<void()> task) {
+bool compileLater(std::function<void()> task, When when) {
   const NoCancel scope;
   Compiler *const own = compiler();
-  return own && own->add(std::move(task));
+  return own && own->add(std::move(task), when);
+}
+
+void frameEndsForCompiler() {
+  if (g_frameEnded.load(std::memory_order_relaxed) || g_frameEnded.exchange(true))
+    return;
+  const NoCancel scope;
+  if (Compiler *const own = g_compiler.load(std::memory_order_acquire))
+    own->release();
 }
 
 void awaitCompiler(std::optional<std::chrono::milliseconds> atMost) {

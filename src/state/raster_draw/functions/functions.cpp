@@ -41,7 +41,8 @@ constexpr std::chrono::milliseconds kWorthWaiting{50};
 /// floating-point environment that LLVM is not made for. Where there is no such thread what was
 /// asked for stays in the making, and the host draws.
 template <typename Task> void run(Wait wait, Task task) {
-  if (compileLater(std::move(task)) && wait != Wait::Not)
+  const When when = wait == Wait::Not ? When::AfterFrame : When::Soon;
+  if (compileLater(std::move(task), when) && wait != Wait::Not)
     awaitCompiler(wait == Wait::UntilDone ? std::nullopt : std::optional(kWorthWaiting));
 }
 
@@ -173,7 +174,8 @@ bool awaitsEngine() {
   static std::atomic<bool> s_asked{false};
   if (g_engineKnown.load(std::memory_order_acquire))
     return false;
-  return s_asked.exchange(true) || compileLater([] { static_cast<void>(engine()); });
+  return s_asked.exchange(true) ||
+         compileLater([] { static_cast<void>(engine()); }, When::AfterFrame);
 }
 
 void FragmentFunctions::prepare() {
