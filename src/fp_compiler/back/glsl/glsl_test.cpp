@@ -93,7 +93,7 @@ TEST(EmitGlsl, GuardsOnlyWhereNeeded) {
   b.op(Opcode::Pow, b.color().mask("y"), {b.local(0).swz("x"), b.local(0).swz("y")});
   const std::string text = textOf(b);
   EXPECT_TRUE(contains(text, "gl_FragColor.x = pow(t0.x, 2.5);")) << text;
-  EXPECT_TRUE(contains(text, "(arb_param[0].x > 0.0 && arb_param[0].y != 0.0 ? pow(")) << text;
+  EXPECT_TRUE(contains(text, "(arb_param[0].y != 0.0 && arb_param[0].x > 0.0 ? pow(")) << text;
   EXPECT_TRUE(validates(text));
 }
 
