@@ -66,6 +66,10 @@ struct GlslHost {
   /// GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding: integers, and the bits of a float, which
   /// Numerics::Fp24 is written in.
   bool bitEncoding = true;
+  /// Fixed function's fog coordinate by FRAGMENT_DEPTH is what lies before the eye below 0, not its
+  /// distance: the fog options of fragment programs take its absolute value, as the host's own
+  /// programs do.
+  bool negativeFogDistances = false;
 };
 
 /// The mode that a host can be given: Fp24 is Legacy where it lacks what that needs.

@@ -72,7 +72,7 @@ bool foldsFogCoordinates(std::string_view version) {
          release < kFirstThatDoesNot;
 }
 
-/// What no query tells but the name of the host's renderer.
+/// What no query tells but the names of the host's renderer and of who made it.
 /// llvmpipe (Mesa 22.3.6) draws the same whatever limit above 1 a texture sets, where softpipe
 /// draws by it; tests/rasterizer_vs_host/run_anisotropy.py shows both.
 void queryRenderer(const host::HostTable &host, HostCaps &caps) {
@@ -82,6 +82,12 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   caps.limitsAnisotropy = !llvmpipe;
   caps.clampsNanToOne = llvmpipe;
   caps.foldsFogCoordinates = foldsFogCoordinates(getString(host, GL_VERSION));
+  // Seen of NVIDIA's driver (580.159): coordinates in GLSL and in ARB_fragment_program, whose fog
+  // options are right; and that planes clip what is GLSL, and of its own programs the
+  // position-invariant ones.
+  const bool nvidia = std::string_view(getString(host, GL_VENDOR)).starts_with("NVIDIA");
+  caps.negativeFogDistances = nvidia;
+  caps.planesClipPrograms = !nvidia;
   caps.onProcessor = llvmpipe || names("softpipe") || names("Software Rasterizer");
 }
 

@@ -85,6 +85,10 @@ struct HostCaps {
   GLint maxVertexAttribs = 16;
   GLint maxClipPlanes = 6;
   GLint maxFragmentUniformComponents = 0;
+  /// A fragment shader's fog coordinate by FRAGMENT_DEPTH is z to the eye, which is below 0.
+  bool negativeFogDistances = false;
+  /// Planes clip what its own vertex programs give, in clip space.
+  bool planesClipPrograms = true;
   std::vector<std::string> extensions;
 
   [[nodiscard]] bool has(const char *extension) const;

@@ -52,6 +52,11 @@ void invalidateClipPlanes(Context &context) {
 
 } // namespace
 
+bool assemblyClipsOtherwise(const Context &context, const CompiledProgram &vertex) {
+  return writesClipDistances(vertex) ||
+         (vertex.target == Target::VertexShader && !context.caps.planesClipPrograms);
+}
+
 bool clipPlanesMatter(Context &context) {
   if (listsEnablePlanes(context))
     return true;
@@ -113,7 +118,7 @@ void noteClipPlanesOfLists(Context &context) {
   if (!vertex || !vertex->clipped || !vertex->program)
     return;
   // The host clips what its own vertex programs give, as those of the ARB are to be.
-  if (!context.linkedProgram->vertexAssembly || vertex->program->options.clipsByDistances())
+  if (!context.linkedProgram->vertexAssembly || assemblyClipsOtherwise(context, *vertex))
     invalidateProgram(context);
 }
 

@@ -8,7 +8,12 @@
 namespace arbiter::state {
 
 class Context;
+struct CompiledProgram;
 
+/// Whether planes do not clip the program as they are to while it is the host's own assembly: one
+/// of NVIDIA's that gives a position of its own, which they are not to clip; and a shader of
+/// EXT_vertex_shader where the host's programs escape them.
+[[nodiscard]] bool assemblyClipsOtherwise(const Context &context, const CompiledProgram &vertex);
 /// Whether a vertex program has to be drawn in its clipped form now. Asks the host after a change,
 /// once, and only in a context that has used planes.
 [[nodiscard]] bool clipPlanesMatter(Context &context);

@@ -6,6 +6,8 @@
 
 #include "state/core/lifecycle.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/clipped_variant.h"
+#include "state/share/share_group.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {
@@ -144,6 +146,32 @@ TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
   handlers::DeleteProgramsARB(*context, 1, &name);
   EXPECT_EQ(context->linkedPrograms->size(), 0u);
   EXPECT_TRUE(host.shaders.empty());
+}
+
+TEST(ClipPlanes, TheFormThatClipsIsGlslBesideAssemblyToo) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  ASSERT_TRUE(draw(*context));
+  ASSERT_TRUE(context->linkedProgram->vertexAssembly);
+  const auto whole = context->group->compiledOf(*context->row(Target::Vertex).bound);
+  const LinkedProgram *const clipped =
+      context->linkedPrograms->get(*context, {whole->clipped->of(*whole, 0), nullptr});
+  EXPECT_FALSE(clipped->vertexAssembly);
+  EXPECT_NE(clipped->hostProgram, 0u);
+  EXPECT_FALSE(clipped->refused);
+}
+
+TEST(ClipPlanes, ShadersThatEscapeThemAsAssemblyAreClippedAsGlsl) {
+  FakeHost host;
+  const CurrentContext context(host);
+  CompiledProgram shader;
+  shader.target = Target::VertexShader;
+  EXPECT_FALSE(assemblyClipsOtherwise(*context, shader));
+  context->caps.planesClipPrograms = false;
+  EXPECT_TRUE(assemblyClipsOtherwise(*context, shader));
+  shader.target = Target::Vertex;
+  EXPECT_FALSE(assemblyClipsOtherwise(*context, shader)) << "as the bare host has them";
 }
 
 TEST(ClipPlanes, AProgramOfNvidiasOptionsIsClippedByWhatItWrites) {

@@ -110,10 +110,10 @@ fp::AssemblyLimits hostAssemblyLimits(const host::HostTable &host) {
 
 /// A program of NVIDIA's languages as an ARB text, where what is left of it after the passes is
 /// one: hosts make less of that than of GLSL, which they link with each fragment program. Empty
-/// where it is none, and of the form that clips by itself.
+/// where it is none.
 std::string textOfNvidias(const Context &context, const CompiledProgram &compiled,
                           const std::vector<fp::ir::Output> &defined) {
-  if (!isVertex(compiled) || !compiled.clipped)
+  if (!isVertex(compiled))
     return {};
   fp::ir::Program program = withResults(*compiled.program, defined);
   const fp::AssemblyLimits most = hostAssemblyLimits(*context.host);
@@ -123,6 +123,8 @@ std::string textOfNvidias(const Context &context, const CompiledProgram &compile
 
 std::string assemblyText(const Context &context, const CompiledProgram &compiled,
                          const std::vector<fp::ir::Output> &defined) {
+  if (isVertex(compiled) && !compiled.clipped)
+    return {}; // the form that clips by itself, where the host's own would not be clipped so
   if (!compiled.program || compiled.program->language == fp::ir::Language::AtiFragment)
     return compiled.source(); // of an ATI shader's form: assembly that was emitted already
   if (compiled.program->options.nv != fp::ir::NvOption::None)

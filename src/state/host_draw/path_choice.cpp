@@ -159,20 +159,20 @@ bool mayWait(Context &context, const ProgramPair &pair) {
          (!pair.vertex || drawsVerticesByAssembly(context));
 }
 
-/// Hosts clip what their own vertex programs give by CLIP_PLANEs, which clip no program of NVIDIA's
-/// that gives a position of its own.
-bool isClippedByHost(Context &context, const CompiledProgram &vertex) {
-  return vertex.program && vertex.program->options.clipsByDistances() && clipPlanesMatter(context);
+/// Planes are enabled that the host's own assembly would not heed as the program is to.
+bool isClippedOtherwise(Context &context, const CompiledProgram &vertex) {
+  return assemblyClipsOtherwise(context, vertex) && clipPlanesMatter(context);
 }
 
 /// Both stages by the host's own assembly.
 bool applyAssembly(Context &context, const ProgramPair &pair) {
-  return !(pair.vertex && isClippedByHost(context, *pair.vertex)) &&
+  return !(pair.vertex && isClippedOtherwise(context, *pair.vertex)) &&
          context.hostAssembly->apply(context, pair);
 }
 
 LinkedProgram *link(Context &context, const ProgramPair &pair) {
-  if (pair.vertex && (!drawsVerticesByAssembly(context) || isClippedByHost(context, *pair.vertex)))
+  if (pair.vertex &&
+      (!drawsVerticesByAssembly(context) || isClippedOtherwise(context, *pair.vertex)))
     return linkGlsl(context, pair);
   LinkedProgram *const linkedProgram = context.linkedPrograms->get(context, pair);
   if (pair.vertex && !linkedProgram->vertexAssembly) // the host refuses it as assembly
@@ -211,8 +211,6 @@ Path choosePath(Context &context, HostPart part) {
     theirs = stagesOf(context, program);
   else if (pipeline != 0)
     theirs = stagesOfPipeline(context, pipeline);
-  if (pipeline != 0 && theirs.none())
-    return Path::ApplicationPipeline; // an empty pipeline: the host's to judge
   if (theirs.vertex)
     rows.vertex = nullptr;
   if (theirs.fragment) {
@@ -232,9 +230,12 @@ Path choosePath(Context &context, HostPart part) {
   // RasterPos looks then, as no shader of EXT_vertex_shader transforms the raster position.
   context.stagesAreLinked = pair.vertex && pair.vertex->target == Target::VertexShader;
   // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
-  // function; no program of the layer's can be linked to the application's.
+  // function; no program of the layer's can be linked to the application's. A pipeline of no stages
+  // is the host's to judge: Mesa draws nothing with it, NVIDIA's driver by the ARB programs.
   if (program != 0 || pipeline != 0)
-    return applyAssembly(context, pair) ? Path::HostAssembly : Path::ApplicationStageGlsl;
+    return applyAssembly(context, pair) ? Path::HostAssembly
+           : theirs.none()              ? Path::ApplicationPipeline
+                                        : Path::ApplicationStageGlsl;
   if (isTooLongForGlsl(context, pair) && applyAssembly(context, pair))
     return Path::HostAssembly;
   if (part == HostPart::WhenItDraws && mayWait(context, pair)) {

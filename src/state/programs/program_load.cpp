@@ -85,6 +85,7 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   host.fragCoordConventions = caps.fragCoordConventions;
   host.drawBuffers = caps.drawBuffers;
   host.bitEncoding = caps.bitEncoding;
+  host.negativeFogDistances = caps.negativeFogDistances;
   host.clipPlanes = false; // the clipped form of a program is made when it is needed
   return host;
 }

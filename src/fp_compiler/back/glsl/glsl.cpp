@@ -69,26 +69,32 @@ std::string preamble(const ir::Program &program, const Registers &registers, con
   return text + ") varying vec4 gl_FragCoord;\n";
 }
 
+/// What fog is of: not of less than no distance where fixed function has them below 0.
+std::string fogDistance(const GlslHost &host) {
+  return host.negativeFogDistances ? "abs(gl_FogFragCoord)" : "gl_FogFragCoord";
+}
+
 /// The fog options of 3.11.4.5.1: the blend of section 3.10 on the clamped colour. FOG's
 /// enable and mode do not matter.
-std::string fogFactor(ir::FogMode mode, Numerics numerics) {
+std::string fogFactor(ir::FogMode mode, Numerics numerics, const std::string &distance) {
   const bool host = numerics == Numerics::Host;
   switch (mode) {
   case ir::FogMode::None:
     return "";
   case ir::FogMode::Exp: // e^-dc = 2^(-dc / ln 2)
-    return host ? "exp2(gl_Fog.density * gl_FogFragCoord * -1.442695041)"
-                : "exp2(arb_mul(gl_Fog.density * -1.442695041, gl_FogFragCoord))";
-  case ir::FogMode::Exp2:
-    return host ? "exp2(gl_Fog.density * gl_FogFragCoord * gl_Fog.density * gl_FogFragCoord * "
-                  "-1.442695041)"
-                : "exp2(arb_mul(gl_Fog.density, gl_FogFragCoord) * "
-                  "arb_mul(gl_Fog.density, gl_FogFragCoord) * -1.442695041)";
+    return host ? "exp2(gl_Fog.density * " + distance + " * -1.442695041)"
+                : "exp2(arb_mul(gl_Fog.density * -1.442695041, " + distance + "))";
+  case ir::FogMode::Exp2: {
+    const std::string product = "arb_mul(gl_Fog.density, " + distance + ")";
+    return host ? "exp2(gl_Fog.density * " + distance + " * gl_Fog.density * " + distance +
+                      " * -1.442695041)"
+                : "exp2(" + product + " * " + product + " * -1.442695041)";
+  }
   case ir::FogMode::Linear:
     // (e - c) / (e - s) as one multiplication and one addition, without a division a fragment;
     // hosts compute their own fog so, and where the form differs so does the last bit of the
     // colour.
-    return "gl_Fog.end * gl_Fog.scale - gl_FogFragCoord * gl_Fog.scale";
+    return "gl_Fog.end * gl_Fog.scale - " + distance + " * gl_Fog.scale";
   }
   return "";
 }
@@ -103,12 +109,11 @@ std::string fogFactor24(ir::FogMode mode) {
   return factor;
 }
 
-std::string fogLocals24(ir::FogMode mode) {
+std::string fogLocals24(ir::FogMode mode, const std::string &distance) {
   const char *const row = mode == ir::FogMode::Linear ? "-gl_Fog.scale"
                           : mode == ir::FogMode::Exp  ? "gl_Fog.density * 1.442695041"
                                                       : "gl_Fog.density * 1.201122409";
-  return std::string("  float arb_fogscaled = arb_round(arb_mul(arb_round(gl_FogFragCoord), "
-                     "arb_truncate(") +
+  return "  float arb_fogscaled = arb_round(arb_mul(arb_round(" + distance + "), arb_truncate(" +
          row + ")));\n  vec3 arb_fogcolor = arb_truncate(gl_Fog.color.rgb);\n";
 }
 
@@ -136,14 +141,16 @@ std::string colorSum(const ir::Program &program, const Registers &registers, Num
   });
 }
 
-std::string fog(const ir::Program &program, const Registers &registers, Numerics numerics) {
+std::string fog(const ir::Program &program, const Registers &registers, const GlslHost &host,
+                Numerics numerics) {
   const ir::FogMode mode = program.options.fog;
   if (mode == ir::FogMode::None)
     return "";
   const bool rounds = numerics == Numerics::Fp24;
-  std::string text = rounds ? fogLocals24(mode) : "";
-  text += "  float arb_fog = clamp(" + (rounds ? fogFactor24(mode) : fogFactor(mode, numerics)) +
-          ", 0.0, 1.0);\n";
+  const std::string distance = fogDistance(host);
+  std::string text = rounds ? fogLocals24(mode, distance) : "";
+  text += "  float arb_fog = clamp(" +
+          (rounds ? fogFactor24(mode) : fogFactor(mode, numerics, distance)) + ", 0.0, 1.0);\n";
   return text + forEachColor(program, registers, [rounds](const std::string &color) {
            const std::string blend =
                rounds ? "arb_round(arb_round(arb_fog * " + color + ".rgb) + " +
@@ -264,7 +271,7 @@ GlslShader emit(const ir::Program &given, const GlslHost &host, Numerics numeric
   const std::string code = registers.locals() + invariantPosition(program) +
                            Body(program, registers, numerics).text() +
                            colorSum(program, registers, numerics) +
-                           fog(program, registers, numerics) + clipVertex(program, host);
+                           fog(program, registers, host, numerics) + clipVertex(program, host);
   shader.text = preamble(program, registers, host, numerics) + registers.declarations() +
                 helpers(program, numerics, code) + "void main() {\n" + code + "}\n";
   shader.uniforms = registers.uniforms();

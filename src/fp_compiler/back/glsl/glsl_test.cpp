@@ -93,8 +93,7 @@ TEST(EmitGlsl, GuardsOnlyWhereNeeded) {
   b.op(Opcode::Pow, b.color().mask("y"), {b.local(0).swz("x"), b.local(0).swz("y")});
   const std::string text = textOf(b);
   EXPECT_TRUE(contains(text, "gl_FragColor.x = pow(t0.x, 2.5);")) << text;
-  EXPECT_TRUE(contains(text, "(arb_param[0].y == 0.0 ? 1.0 : (arb_param[0].x > 0.0 ? pow("))
-      << text;
+  EXPECT_TRUE(contains(text, "(arb_param[0].y != 0.0 && arb_param[0].x > 0.0 ? pow(")) << text;
   EXPECT_TRUE(validates(text));
 }
 
@@ -207,6 +206,25 @@ TEST(EmitGlsl, ColorSumIsBetweenTheClampAndTheFog) {
   const std::string text = textOf(b);
   EXPECT_LT(text.find(sum), text.find("arb_fog")) << text;
   EXPECT_TRUE(validates(text));
+}
+
+TEST(EmitGlsl, FogIsOfDistancesWhereTheHostHasThemBelowZero) {
+  GlslHost host;
+  host.negativeFogDistances = true;
+  for (const Numerics numerics : {Numerics::Host, Numerics::Legacy, Numerics::Fp24})
+    for (const ir::FogMode mode : {ir::FogMode::Exp, ir::FogMode::Exp2, ir::FogMode::Linear}) {
+      Builder b;
+      b.options().fog = mode;
+      b.op(Opcode::Mov, b.color(), {b.attribute(AttributeKind::FogCoord)});
+      const std::string text = emit(b.program(), host, numerics).text;
+      EXPECT_TRUE(contains(text, "abs(gl_FogFragCoord)")) << text;
+      EXPECT_TRUE(contains(text, "(gl_FogFragCoord, 0.0")) << "the program's own: " << text;
+      EXPECT_TRUE(numerics == Numerics::Fp24 || validates(text)) << "Fp24 needs extensions";
+    }
+  // Register combiners have a fog factor of their own.
+  Builder b(ir::Language::Combiners);
+  b.op(Opcode::Mov, b.color(), {b.attribute(AttributeKind::FogCoord)});
+  EXPECT_TRUE(contains(emit(b.program(), host).text, "(abs(gl_FogFragCoord), 0.0"));
 }
 
 TEST(EmitGlsl, LinearFogHasNoDivision) {

@@ -46,7 +46,8 @@ const char *samplerType(ir::TexTarget target) {
 
 Registers::Registers(const ir::Program &program, Numerics numerics, const GlslHost &host)
     : m_numerics(numerics), m_alphaDepths(host.alphaDepths), m_spriteUnits(host.spriteUnits),
-      m_spriteS(host.spriteS), m_ofVertices(program.language == ir::Language::ArbVertex),
+      m_negativeFogDistances(host.negativeFogDistances), m_spriteS(host.spriteS),
+      m_ofVertices(program.language == ir::Language::ArbVertex),
       m_uniformArray(program.language == ir::Language::ArbVertex ? "arb_vparam" : "arb_param"),
       m_arrays(program, m_uniformArray, m_uniforms), m_temporaries(program.temporaries.size()),
       m_attributes(program.attributes.size()), m_parameters(program.parameters.size()),
@@ -108,6 +109,10 @@ void Registers::nameAttribute(const ir::Program &program, std::size_t index) {
   if (!m_ofVertices && attribute.kind == ir::AttributeKind::TexCoord && attribute.index < 8 &&
       (m_spriteUnits >> attribute.index & 1u) != 0)
     m_attributes[index] = spriteText(attribute.index);
+  // Of these languages fog alone reads it. ARB's programs are given it as the host has it.
+  if (m_negativeFogDistances && ir::isNvparse(program.language) &&
+      attribute.kind == ir::AttributeKind::FogCoord)
+    m_attributes[index].components[0] = "abs(" + m_attributes[index].components[0] + ")";
   m_readsPosition |= attribute.kind == ir::AttributeKind::Position;
   if (attribute.kind == ir::AttributeKind::Generic && attribute.index != 0)
     m_generics.push_back({genericName(attribute.index), attribute.index});

@@ -58,6 +58,7 @@ private:
   Numerics m_numerics;
   std::uint32_t m_alphaDepths;
   std::uint8_t m_spriteUnits;
+  bool m_negativeFogDistances;
   bool m_spriteS;
   bool m_ofVertices;
   std::string m_uniformArray; ///< "arb_param" or "arb_vparam"

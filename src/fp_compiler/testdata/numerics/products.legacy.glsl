@@ -20,7 +20,7 @@ void main() {
   t0.xyz = arb_mul(arb_param[0].xyz, t1.xyz) + arb_mul((1.0 - arb_param[0].xyz), gl_TexCoord[0].xyz);
   t1.xyz = (arb_mul(t0.yzx, arb_param[0].zxy) - arb_mul(t0.zxy, arb_param[0].yzx));
   t1.w = (arb_param[0].y == 0.0 || 1.0 == 1.0 ? 1.0 : (1.0 > 0.0 ? pow(1.0, arb_param[0].y) : 0.0));
-  t0.xyz = vec3(1.0, max(t1.x, 0.0), (t1.x > 0.0 ? (clamp(t1.w, -127.99999, 127.99999) == 0.0 ? 1.0 : (t1.y > 0.0 ? pow(t1.y, clamp(t1.w, -127.99999, 127.99999)) : 0.0)) : 0.0));
+  t0.xyz = vec3(1.0, max(t1.x, 0.0), (t1.x > 0.0 ? (clamp(t1.w, -127.99999, 127.99999) != 0.0 && t1.y > 0.0 ? pow(t1.y, clamp(t1.w, -127.99999, 127.99999)) : float(clamp(t1.w, -127.99999, 127.99999) == 0.0)) : 0.0));
   t0.w = 1.0 / t1.x;
   gl_FragColor = arb_mul(t0, t1);
 }

@@ -12,7 +12,7 @@ void main() {
   t1 = vec4(1.0, t0.y * 0.0, t0.z, 0.0);
   t0.xy = floor(t1.xy);
   t0.zw = fract(t1.zw);
-  t1.xzw = vec3(1.0, (t0.x > 0.0 ? (clamp(t0.w, -127.99999, 127.99999) == 0.0 ? 1.0 : (t0.y > 0.0 ? pow(t0.y, clamp(t0.w, -127.99999, 127.99999)) : 0.0)) : 0.0), 1.0);
+  t1.xzw = vec3(1.0, (t0.x > 0.0 ? (clamp(t0.w, -127.99999, 127.99999) != 0.0 && t0.y > 0.0 ? pow(t0.y, clamp(t0.w, -127.99999, 127.99999)) : float(clamp(t0.w, -127.99999, 127.99999) == 0.0)) : 0.0), 1.0);
   t1.xzw = mix(t0.xzw, t1.xzw, t0.xzw);
   t1.xzw = t0.xzw * t1.xzw + t0.xzw;
   t0.w = max(t1.w, t0.w);

@@ -41,7 +41,7 @@ void main() {
   t0.y = fract(t2.y);
   t0.zw = floor(t2.zw);
   t1.xy = fract(t0.zw);
-  t1.xyz = vec3(1.0, max(t1.x, 0.0), (t1.x > 0.0 ? (clamp(t1.w, -127.99999, 127.99999) == 0.0 ? 1.0 : (t1.y > 0.0 ? pow(t1.y, clamp(t1.w, -127.99999, 127.99999)) : 0.0)) : 0.0));
+  t1.xyz = vec3(1.0, max(t1.x, 0.0), (t1.x > 0.0 ? (clamp(t1.w, -127.99999, 127.99999) != 0.0 && t1.y > 0.0 ? pow(t1.y, clamp(t1.w, -127.99999, 127.99999)) : float(clamp(t1.w, -127.99999, 127.99999) == 0.0)) : 0.0));
   t1.w = arb_log(t0.y).w;
   t3 = arb_array0(a0 - 1);
   t2 = t0 * t3 + t1;
@@ -50,7 +50,7 @@ void main() {
   t2.zw = min(t2.zw, t3.zw);
   t0.x = t2.w;
   t0 = t0 * t2;
-  t1.x = (t2.y == 0.0 ? 1.0 : (t0.x > 0.0 ? pow(t0.x, t2.y) : 0.0));
+  t1.x = (t2.y != 0.0 && t0.x > 0.0 ? pow(t0.x, t2.y) : float(t2.y == 0.0));
   t1.y = 1.0 / t2.z;
   t1.z = inversesqrt(abs(t2.w));
   t2 = vec4(greaterThanEqual(t0, t1));

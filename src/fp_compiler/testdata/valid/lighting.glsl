@@ -24,7 +24,7 @@ void main() {
   t3.x = dot(t0.xyz, t1.xyz);
   t3.y = dot(t0.xyz, t2.xyz);
   t3.w = s5.x;
-  t3.yz = vec2(max(t3.x, 0.0), (t3.x > 0.0 ? (clamp(t3.w, -127.99999, 127.99999) == 0.0 ? 1.0 : (t3.y > 0.0 ? pow(t3.y, clamp(t3.w, -127.99999, 127.99999)) : 0.0)) : 0.0));
+  t3.yz = vec2(max(t3.x, 0.0), (t3.x > 0.0 ? (clamp(t3.w, -127.99999, 127.99999) != 0.0 && t3.y > 0.0 ? pow(t3.y, clamp(t3.w, -127.99999, 127.99999)) : float(clamp(t3.w, -127.99999, 127.99999) == 0.0)) : 0.0));
   t4 = texture2D(arb_tex0, gl_TexCoord[0].xy);
   t1.xyz = t3.yyy * s1.xyz + gl_LightModel.ambient.xyz;
   t1.xyz = t1.xyz * t4.xyz;

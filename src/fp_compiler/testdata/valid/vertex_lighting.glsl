@@ -21,7 +21,7 @@ void main() {
   t1.x = arb_sum(t0.xyz * gl_LightSource[0].position.xyz);
   t1.y = arb_sum(t0.xyz * s8.xyz);
   t1.w = s9.x;
-  t2.yz = vec2(max(t1.x, 0.0), (t1.x > 0.0 ? (clamp(t1.w, -127.99999, 127.99999) == 0.0 ? 1.0 : (t1.y > 0.0 ? pow(t1.y, clamp(t1.w, -127.99999, 127.99999)) : 0.0)) : 0.0));
+  t2.yz = vec2(max(t1.x, 0.0), (t1.x > 0.0 ? (clamp(t1.w, -127.99999, 127.99999) != 0.0 && t1.y > 0.0 ? pow(t1.y, clamp(t1.w, -127.99999, 127.99999)) : float(clamp(t1.w, -127.99999, 127.99999) == 0.0)) : 0.0));
   t0.xyz = t2.yyy * s10.xyz + s11.xyz;
   gl_FrontColor.xyz = t2.zzz * s12.xyz + t0.xyz;
   gl_FrontColor.w = gl_FrontMaterial.diffuse.w;
