@@ -15,7 +15,7 @@ FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, de
           nvOptions, model, rectangles, combiners, stageConstants, textureShaders)
 FP_FIELDS(CompileOptions, limits, policy, numerics)
 FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes, clipDistances, alphaDepths,
-          spriteUnits, spriteS, bitEncoding)
+          spriteUnits, spriteS, bitEncoding, negativeFogDistances)
 FP_FIELDS(GlslSampler, uniform, unit, target)
 FP_FIELDS(GlslUniform, parameter)
 FP_FIELDS(GlslAttribute, name, index)
