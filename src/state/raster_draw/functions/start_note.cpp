@@ -1,15 +1,13 @@
 #include "state/raster_draw/functions/start_note.h"
 
-#include <array>
 #include <atomic>
 #include <optional>
 #include <string>
 
-#include <unistd.h>
-
 #include "state/raster_draw/functions/compile_thread.h"
 #include "state/raster_draw/functions/functions.h"
 #include "util/cache/cache_store.h"
+#include "util/defaults/program.h"
 #include "util/flags.h"
 
 namespace arbiter::state::software {
@@ -28,12 +26,13 @@ struct Note {
 
 std::optional<Note> openNote() {
   const std::string folder = settings().cache ? cacheFolder() : std::string();
-  std::array<char, 4096> path{};
-  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size());
-  if (folder.empty() || length <= 0)
+  if (folder.empty())
+    return std::nullopt;
+  const defaults::Program program = defaults::programOf(defaults::ownFacts());
+  if (program.path.empty())
     return std::nullopt;
   return Note{{folder + "/code", std::uint64_t(settings().cacheMaxMegabytes) << 20},
-              "start of " + std::string(path.data(), std::size_t(length))};
+              "start of " + program.file() + " " + program.windows};
 }
 
 LastStart readNote() {
