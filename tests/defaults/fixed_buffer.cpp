@@ -5,7 +5,8 @@
 //   FIXED_BUFFER_BYTES=N client [WORDS...]
 //
 // Prints "GL_EXTENSIONS: " and the string with a newline into N bytes, as the engines do that print
-// it to their consoles. Its words are for those who look at its command line.
+// it to their consoles; without the variable it ends before it knows of any GL. Its words are for
+// those who look at its command line.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
@@ -37,8 +38,10 @@ char *buffer(std::size_t bytes) {
 
 int main() {
   const char *const size = std::getenv("FIXED_BUFFER_BYTES");
+  if (!size)
+    return 0;
   void *const egl = dlopen("libEGL.so.1", RTLD_NOW);
-  if (!size || !egl)
+  if (!egl)
     return 77;
   const auto display = function<decltype(&eglGetPlatformDisplay)>(egl, "eglGetPlatformDisplay")(
       EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);

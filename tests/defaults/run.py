@@ -165,8 +165,8 @@ def check_bad_files(place):
                  f'{folder}/30.toml: not a regular file', f'{folder}/40.toml:5: no profile'):
         expect(text in seen.stderr, f'{text!r} is not in the log: {seen.stderr}')
     expect(len(place.defaults()['errors']) == 3, place.defaults())
-    # A process that has nothing to do with GL reads none of it.
-    idle = subprocess.run(['true'], capture_output=True, text=True, check=False,
+    # A process that has nothing to do with GL reads none of it. The client, as it has the layer's width.
+    idle = subprocess.run([place.options.client], capture_output=True, text=True, check=False,
                           env=plain(LD_PRELOAD=place.options.library, ARBITER_DEFAULTS=str(folder),
                                     ARBITER_LOG='debug'))
     expect((idle.returncode, idle.stderr) == (0, ''), idle)
