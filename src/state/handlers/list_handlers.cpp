@@ -4,6 +4,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/core/memory.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
@@ -75,7 +76,12 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
   callLists(context, n, type, lists);
 }
 
-GLuint GenLists(Context &context, GLsizei range) {
+namespace {
+
+/// An application that wants more names fills them.
+constexpr GLsizei kMostKnownEmpty = 4096;
+
+GLuint generateLists(Context &context, GLsizei range) {
   DisplayListTable &lists = context.group->lists;
   if (context.insideBeginEnd || range <= 0 || !lists.hasSegments())
     return context.host->GenLists(range);
@@ -84,6 +90,15 @@ GLuint GenLists(Context &context, GLsizei range) {
     context.list->outside(context, [&] { first = lists.generate(*context.host, range); });
   else
     first = lists.generate(*context.host, range);
+  return first;
+}
+
+} // namespace
+
+GLuint GenLists(Context &context, GLsizei range) {
+  const GLuint first = generateLists(context, range);
+  if (first != 0 && range <= kMostKnownEmpty && software::keepsLists(context))
+    withinMemory(context, "GenLists", [&] { context.group->lists.noteEmpty(first, range); });
   return first;
 }
 

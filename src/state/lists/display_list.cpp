@@ -34,6 +34,14 @@ void DisplayListTable::replace(const host::HostTable &host, GLuint name,
     giveBackSegments(host, *old, name);
 }
 
+void DisplayListTable::noteEmpty(GLuint first, GLsizei count) {
+  const auto empty = std::make_shared<const DisplayList>();
+  const std::lock_guard lock(m_mutex);
+  for (GLuint name = first; name - first < GLuint(count); ++name)
+    m_lists.try_emplace(name, empty);
+  m_count.store(m_lists.size(), std::memory_order_release);
+}
+
 void DisplayListTable::giveBackSegments(const host::HostTable &host, const DisplayList &list,
                                         GLuint name) {
   for (const DisplayList::Item &item : list.items) {

@@ -131,6 +131,10 @@ public:
   /// GenLists in place of the host's: `count` free names in a row from the bottom, which the host
   /// is made to know as empty lists. 0 if there are none. No list is being compiled.
   [[nodiscard]] GLuint generate(const host::HostTable &host, GLsizei count);
+  /// GenLists has made lists of these names, which are empty (OpenGL 2.1, 5.4) and known to be
+  /// until they are compiled or deleted. Throws std::bad_alloc, and then those of some are not
+  /// known.
+  void noteEmpty(GLuint first, GLsizei count);
   /// The names of [first, first + count) that have a list of the layer's.
   [[nodiscard]] std::vector<GLuint> namesIn(GLuint first, GLsizei count);
   /// The segments whose names are in [first, first + count).

@@ -362,6 +362,23 @@ TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   EXPECT_FALSE(list->items[1].effects.pixels);
 }
 
+/// The host would draw what it is not known not to have.
+TEST(Lists, ThoseOfGenListsAreEmptyUntilTheyAreCompiled) {
+  FakeHost host;
+  const KeepingContext context(host);
+  context->group->lists.noteEmpty(5, 3);
+  handlers::NewList(*context, 6, GL_COMPILE);
+  point(*context);
+  handlers::EndList(*context);
+  host.calls.clear();
+  handlers::CallList(*context, 5);
+  EXPECT_EQ(host.count("CallList"), 0);
+  EXPECT_EQ(context->group->lists.find(6)->items.size(), 1u);
+  handlers::DeleteLists(*context, 5, 1);
+  handlers::CallList(*context, 5);
+  EXPECT_EQ(host.count("CallList 5"), 1) << "the host's to say, as of any name";
+}
+
 TEST(Lists, RectanglesArePrimitives) {
   FakeHost host;
   const KeepingContext context(host);
