@@ -153,8 +153,14 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
   const Outcome outcome = chooseAnew(context, mirror, vertices);
   m_chosen = outcome.ok();
   m_isMixed = !outcome.ok() && outcome.reason() == Fallback::Mixed;
-  if (m_wait == Wait::Not && !outcome.ok() && outcome.reason() == Fallback::Compiling)
-    context.software->unjudged = true;
+  if (!outcome.ok() && outcome.reason() == Fallback::Compiling) {
+    ContextState &state = *context.software;
+    if (m_wait == Wait::Not || m_wait == Wait::ForDisk)
+      state.unjudged = true;
+    // What the last start left is not all of it: the rest of the frame does not wait.
+    if (m_wait == Wait::ForDisk)
+      state.history.waitsForCode = false;
+  }
   if (m_chosen || m_isMixed) {
     m_basis = basisOf(context, mirror, vertices);
     m_seen = mirror.clock.now();
@@ -176,11 +182,13 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *verti
 Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
   const ContextState &state = *context.software;
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
-  const bool isMixed = !state.mayTestDepth() && (depth.depthTest != 0 || depth.stencilTest != 0);
+  const bool testsDepths = depth.depthTest != 0 || depth.stencilTest != 0;
+  const bool isMixed = testsDepths && !state.mayTestDepth();
   const bool isPlain = state.drawsPlain && !context.linkedProgram;
-  m_wait = state.steady                                           ? Wait::UntilDone
-           : (isMixed || isPlain) && state.mayGoUnjudged(isPlain) ? Wait::Not
-                                                                  : Wait::Briefly;
+  m_wait = state.steady                                             ? Wait::UntilDone
+           : (isMixed || isPlain) && state.mayGoUnjudged(isPlain)   ? Wait::Not
+           : (testsDepths || isPlain) && state.history.waitsForCode ? Wait::ForDisk
+                                                                    : Wait::Briefly;
   if (context.numerics == fp::Numerics::Fp24)
     return Fallback::NotCompiled;
   if (m_wait == Wait::Not && awaitsEngine())

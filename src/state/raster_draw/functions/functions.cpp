@@ -36,14 +36,20 @@ private:
 /// function rather than for the host's. What takes longer than this is left to the compiling
 /// thread, and the host draws meanwhile.
 constexpr std::chrono::milliseconds kWorthWaiting{50};
+/// Code that is on disk is there in half a millisecond.
+constexpr std::chrono::milliseconds kWorthReading{8};
 
 /// On the compiling thread, as the application's may have a small stack, or an operator new or a
 /// floating-point environment that LLVM is not made for. Where there is no such thread what was
 /// asked for stays in the making, and the host draws.
 template <typename Task> void run(Wait wait, Task task) {
   const When when = wait == Wait::Not ? When::AfterFrame : When::Soon;
-  if (compileLater(std::move(task), when) && wait != Wait::Not)
-    awaitCompiler(wait == Wait::UntilDone ? std::nullopt : std::optional(kWorthWaiting));
+  if (!compileLater(std::move(task), when) || wait == Wait::Not)
+    return;
+  if (wait == Wait::UntilDone)
+    awaitCompiler(std::nullopt);
+  else
+    awaitCompiler(wait == Wait::ForDisk ? kWorthReading : kWorthWaiting);
 }
 
 template <typename Code> void note(const Code &code, const char *what, const std::string &reason) {

@@ -34,9 +34,10 @@ template <typename Function> struct FunctionSlot {
   std::unique_ptr<fp::jit::Code<Function>> code;
 };
 
-/// Whether a caller waits: not at all, as the host draws this time whatever there is; for a while;
-/// or until all is compiled (ARBITER_BACKEND=swrast).
-enum class Wait : std::uint8_t { Not, Briefly, UntilDone };
+/// Whether a caller waits: not at all, as the host draws this time whatever there is; as long as
+/// reading the disk takes, as the code should be there; for a while; or until all is compiled
+/// (ARBITER_BACKEND=swrast).
+enum class Wait : std::uint8_t { Not, ForDisk, Briefly, UntilDone };
 
 /// The functions of one program by key.
 template <typename Key, typename Function> class FunctionSlots {

@@ -6,6 +6,7 @@
 
 #include "state/raster_draw/functions/compile_thread.h"
 #include "state/raster_draw/functions/functions.h"
+#include "util/build_id.h"
 #include "util/cache/cache_store.h"
 #include "util/defaults/program.h"
 #include "util/flags.h"
@@ -32,7 +33,7 @@ std::optional<Note> openNote() {
   if (program.path.empty())
     return std::nullopt;
   return Note{{folder + "/code", std::uint64_t(settings().cacheMaxMegabytes) << 20},
-              "start of " + program.file() + " " + program.windows};
+              buildId() + " start of " + program.file() + " " + program.windows};
 }
 
 LastStart readNote() {

@@ -8,8 +8,8 @@
 /// has its engine made while it starts, and its first frame drawn by the code that it left.
 namespace arbiter::state::software {
 
-/// Of the same program (util/defaults/program.h). How it was, not a promise: what turns out
-/// otherwise costs time.
+/// Of the same program (util/defaults/program.h) and build, whose code alone is on disk. How it
+/// was, not a promise: what turns out otherwise costs time.
 enum class LastStart : std::uint8_t {
   Unknown,
   Engine,      ///< the engine was used
