@@ -158,10 +158,7 @@ private:
   /// Ends the host's compilation, so that commands of the layer may run on the host.
   void closeSegment(Context &context);
   /// The last item is what the list has last.
-  [[nodiscard]] bool follows() const {
-    return m_keeps && m_mode == GL_COMPILE && !m_recording && m_segment == 0 && !m_geometry &&
-           !m_items.empty();
-  }
+  [[nodiscard]] bool follows() const { return keepsState() && !m_geometry && !m_items.empty(); }
   /// Compiles on after closeSegment().
   void resume(Context &context);
   void finishSegment();

@@ -11,8 +11,8 @@ namespace arbiter::state {
 
 class Context;
 
-/// While a list is compiled. False: the command is to be given to whoever compiles, as it may be an
-/// error, or is within something that is the host's.
+/// While a list is compiled. False: the command is the host's to compile, as it may be an error, or
+/// is within something that is the host's.
 [[nodiscard]] bool recordMaterial(Context &context, GLenum face, GLenum pname,
                                   const GLfloat *values);
 [[nodiscard]] bool recordBindTexture(Context &context, GLenum target, GLuint texture);

@@ -37,15 +37,16 @@ void judge(Context &context, bool moved) {
   const bool plain = state.drawsPlain && !state.hostDrew && state.hostTurns == 0;
   // A frame in which nothing was drawn says nothing about the next one.
   const bool drew = workOf(state) != state.workSeen;
-  if (drew && !state.steady)
-    noteFrame(state.hostTurns == 0);
   if (drew) {
     frameEndsForCompiler();
     state.history.waitsForCode = false;
     // Nor does one that the host drew before anything could be said of it.
-    if (state.hostTurns != 0 || !state.unjudged)
+    if (state.hostTurns != 0 || !state.unjudged) {
       state.history.wholeFrames =
           state.history.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
+      if (!state.steady)
+        noteFrame(state.hostTurns == 0);
+    }
     state.history.unjudgedFrames = state.unjudged ? state.history.unjudgedFrames + 1 : 0;
     state.unjudged = false;
     state.hostTurns = 0;

@@ -49,7 +49,7 @@ std::atomic<LastStart> g_noted{LastStart::Unknown};
 std::atomic<int> g_notes{0};
 std::atomic<int> g_wholeInRow{kWholeAgain}; ///< frames
 
-/// Behind what is being compiled: whoever finds the note finds the code.
+/// Behind what is being compiled: a start that finds the note finds the code.
 void write(LastStart noted) {
   if (g_noted.exchange(noted, std::memory_order_relaxed) == noted ||
       g_notes.fetch_add(1, std::memory_order_relaxed) >= kMostNotes)

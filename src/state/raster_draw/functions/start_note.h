@@ -3,9 +3,9 @@
 
 /// What a program leaves for its next start, beside the machine code on disk (ARBITER_CACHE). The
 /// first frame would go to the host, as the engine is not there (LLVM is relocated and initialised
-/// for some milliseconds) and nobody knows whether the rasterizer can draw it as a whole; the host
-/// then compiles, or at least translates, what will not be used again. A program that ran before
-/// has its engine made while it starts, and its first frame drawn by the code that it left.
+/// for some milliseconds) and it is not known whether the rasterizer can draw it as a whole; the
+/// host then compiles, or at least translates, what will not be used again. A program that ran
+/// before has its engine made while it starts, and its first frame drawn by the code that it left.
 namespace arbiter::state::software {
 
 /// Of the same program (util/defaults/program.h) and build, whose code alone is on disk. How it
@@ -23,7 +23,7 @@ enum class LastStart : std::uint8_t {
 void startEngineAsBefore();
 /// The engine is there.
 void noteEngine();
-/// A frame ended that was looked at. \param whole it had no turn of the host
+/// A frame ended that was judged. \param whole it had no turn of the host
 void noteFrame(bool whole);
 
 } // namespace arbiter::state::software
