@@ -70,6 +70,11 @@ int mesaRelease() {
 
 bool layered() { return std::getenv("API_TEST_LAYERED") != nullptr; }
 
+bool rasterizerDrawsAll() {
+  const char *const backend = std::getenv("ARBITER_BACKEND");
+  return layered() && backend && std::strcmp(backend, "swrast") == 0;
+}
+
 } // namespace api
 
 int main(int argc, char **argv) {

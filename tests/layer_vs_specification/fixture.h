@@ -35,6 +35,9 @@ protected:
 /// True with the layer in front.
 bool layered();
 
+/// The layer's rasterizer draws every frame, and the host none (ARBITER_BACKEND=swrast).
+bool rasterizerDrawsAll();
+
 /// The host's Mesa by its first number; 0 where it is another GL.
 int mesaRelease();
 

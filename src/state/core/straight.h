@@ -5,6 +5,7 @@
 #include "state/era/sgix_shadow.h"
 #include "state/era/texture_range.h"
 #include "state/era/vertex_array_range.h"
+#include "state/raster_draw/context_state.h"
 
 /// The commands that are called most of those that the layer has a part in, and mostly are the
 /// host's alone. Each function is asked by the entry point of its name, in line and with the
@@ -32,9 +33,21 @@ namespace arbiter::state::straight {
   return !texturesChoose(context) && context.listMode == 0;
 }
 
+/// Where it is not known to be the matrix that is current already.
+inline void noteMatrixMode(Context &context, GLenum mode) {
+  using software::dirty::kMatrixMode;
+  const bool stays = mode == GL_MODELVIEW && context.listMode == 0 && context.software &&
+                     (context.dirty & kMatrixMode) == 0 &&
+                     context.software->mirror.clock.currentMatrix() ==
+                         software::GenerationCounter::CurrentMatrix::Modelview;
+  if (!stays)
+    context.dirty |= kMatrixMode;
+}
+
 /// The layer has a part in MATRIXi_NV and COLOR, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array
 /// ranges.
 [[nodiscard]] inline bool MatrixMode(Context &context, GLenum mode) {
+  noteMatrixMode(context, mode);
   return mode - GL_MATRIX0_NV >= 8u && mode != GL_COLOR && !context.imagesPixels;
 }
 [[nodiscard]] inline bool EnableClientState(Context &, GLenum array) {

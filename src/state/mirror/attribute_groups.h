@@ -33,7 +33,8 @@ namespace arbiter::state::software {
       {GL_ACCUM_BUFFER_BIT, 0},
       {GL_STENCIL_BUFFER_BIT, kPixelOps},
       {GL_VIEWPORT_BIT, kViewport},
-      {GL_TRANSFORM_BIT, kTransform | kRaster | kViewport}, // DEPTH_CLAMP, CLIP_ORIGIN
+      // DEPTH_CLAMP, CLIP_ORIGIN
+      {GL_TRANSFORM_BIT, kTransform | kMatrixMode | kRaster | kViewport},
       {GL_ENABLE_BIT, kEnables},
       {GL_COLOR_BUFFER_BIT, kPixelOps | kFramebuffer | kRaster}, // DRAW_BUFFER, clamps
       {GL_HINT_BIT, kRaster},

@@ -3,7 +3,7 @@
 
 /// What of the host's state may have changed since the mirror last asked for it. Entry points that
 /// change state set bits in ContextHot::dirty and go on to the host; a draw asks for the groups
-/// whose bits are set, and for no others. The rows of entry_points.toml name these bits.
+/// whose bits are set, and for no others. The rows of software.toml name these bits.
 namespace arbiter::state::software::dirty {
 inline constexpr std::uint32_t kTextureBindings = 1u << 0; ///< which texture, unit, sampler object
 inline constexpr std::uint32_t kTextureParameters =
@@ -15,7 +15,8 @@ inline constexpr std::uint32_t kRaster =
     1u << 4; ///< cull, front face, modes, offset, shade model, points, lines, stipples, provoking
 inline constexpr std::uint32_t kPixelOps =
     1u << 5; ///< alpha, blend, depth, stencil, logic, masks, clamp, dither, multisample
-inline constexpr std::uint32_t kTransform = 1u << 6; ///< matrices, normalise, rescale, clip planes
+inline constexpr std::uint32_t kTransform =
+    1u << 6; ///< matrices, also the modelview matrix; normalise, rescale, clip planes
 inline constexpr std::uint32_t kLighting =
     1u << 7; ///< lights, materials, light model, colour material
 inline constexpr std::uint32_t kTexGen = 1u << 8;   ///< texgen, point sprite
@@ -29,6 +30,10 @@ inline constexpr std::uint32_t kProgramState =
     1u << 14;                                       ///< any state that a program's parameters name
 inline constexpr std::uint32_t kBuffers = 1u << 15; ///< what buffer objects hold
 inline constexpr std::uint32_t kRasterPosition = 1u << 16; ///< with the values that go with it
-inline constexpr int kGroups = 17;
+inline constexpr std::uint32_t kModelview = 1u << 17;      ///< the modelview matrix, and no other
+inline constexpr int kGroups = 18;
+// No groups of their own: GenerationCounter::take() says which one they come to.
+inline constexpr std::uint32_t kMatrix = 1u << 18;     ///< the matrix that MATRIX_MODE names
+inline constexpr std::uint32_t kMatrixMode = 1u << 19; ///< which one that is
 inline constexpr std::uint32_t kAll = ~0u;
 } // namespace arbiter::state::software::dirty

@@ -13,6 +13,8 @@ class GenerationCounter {
 public:
   /// Bits that stay in the context: they are residency's.
   static constexpr std::uint32_t kNotOurs = dirty::kFramebuffer | dirty::kPixelStore;
+  /// Which matrix commands change, as the host said: known until one may have chosen another.
+  enum class CurrentMatrix : std::uint8_t { Unknown, Modelview, Other };
 
   /// Called before anything is read; costs a test where nothing changed.
   /// \param dirty ContextHot::dirty
@@ -21,8 +23,11 @@ public:
     if (bits == 0) [[likely]]
       return;
     dirty &= kNotOurs;
-    mark(bits);
+    mark(bits | matrixGroups(bits));
   }
+  [[nodiscard]] CurrentMatrix currentMatrix() const { return m_matrix; }
+  /// Nothing was marked since the host was asked.
+  void setCurrentMatrix(CurrentMatrix matrix) { m_matrix = matrix; }
   /// Groups that the layer itself has changed.
   void mark(std::uint32_t bits) {
     ++m_now;
@@ -45,8 +50,17 @@ public:
 
 private:
   static constexpr std::uint32_t kGroups = (1u << dirty::kGroups) - 1;
+  /// The group that changes of the current matrix are of.
+  std::uint32_t matrixGroups(std::uint32_t bits) {
+    if ((bits & dirty::kMatrixMode) != 0)
+      m_matrix = CurrentMatrix::Unknown;
+    if ((bits & dirty::kMatrix) == 0)
+      return 0;
+    return m_matrix == CurrentMatrix::Modelview ? dirty::kModelview : dirty::kTransform;
+  }
   std::uint64_t m_now = 1;
   std::uint32_t m_latest = kGroups; ///< what the last mark() named
+  CurrentMatrix m_matrix = CurrentMatrix::Unknown;
   std::array<std::uint64_t, dirty::kGroups> m_changed = [] {
     std::array<std::uint64_t, dirty::kGroups> times;
     times.fill(1);

@@ -10,6 +10,8 @@ namespace arbiter::state::software {
 
 namespace {
 
+using CurrentMatrix = GenerationCounter::CurrentMatrix;
+
 void queryViewport(const HostQuery &query, Mirror &mirror) {
   swrast::RasterState &raster = mirror.raster;
   GLfloat range[2] = {0, 1};
@@ -124,11 +126,14 @@ void queryFog(const HostQuery &query, Mirror &mirror) {
 
 void Mirror::refresh(std::uint32_t &dirty) {
   clock.take(dirty);
+  const HostQuery query{m_host};
+  if (clock.currentMatrix() == CurrentMatrix::Unknown) [[unlikely]]
+    clock.setCurrentMatrix(query.name(GL_MATRIX_MODE) == GL_MODELVIEW ? CurrentMatrix::Modelview
+                                                                      : CurrentMatrix::Other);
   const std::uint32_t groups = clock.changedSince(seen);
   if (groups == 0) [[likely]]
     return;
   seen = clock.now();
-  const HostQuery query{m_host};
   if ((groups & dirty::kViewport) != 0)
     queryViewport(query, *this);
   if ((groups & dirty::kRaster) != 0) {

@@ -62,8 +62,9 @@ std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::DepthRange:
     return dirty::kViewport;
   case StateItem::MatrixModelview:
-  case StateItem::MatrixProjection:
   case StateItem::MatrixMvp:
+    return dirty::kTransform | dirty::kModelview;
+  case StateItem::MatrixProjection:
   case StateItem::MatrixTexture:
   case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:

@@ -154,6 +154,8 @@ void Chunk::setUpAs(const Draw &draw, std::uint32_t first, std::uint32_t end) {
   for (std::uint32_t i = first; i < end; ++i) {
     TriangleCorners &own = corners[group.count];
     own = triangleAt(kTopology, draw.count, i, provokingIsFirst, draw.otherDiagonal);
+    if (kTopology == Topology::Triangles && draw.provokingAt != 0)
+      own.provoking = draw.provokingAt + i;
     bool isThere = true;
     const auto vertexAt = [&](std::uint32_t place) {
       const std::uint32_t vertex = draw.vertexAt(place);

@@ -74,11 +74,23 @@ void Batch::sort(const TileGrid &grid, std::uint32_t chunk, IsEmpty isEmpty) {
 void Batch::add(const RasterState &state, const Shading &shading, const ShadingUse &use,
                 bool isSameState) {
   QueuedDraw &draw = *m_draws[m_drawCount];
-  const Chunk &chunk = draw.chunk(0);
   makeRoom(draw);
   takeState(draw, state, shading, use, isSameState);
+  addSetUp(draw);
+}
+
+void Batch::addLike() {
+  QueuedDraw &draw = *m_draws[m_drawCount];
+  makeRoom(draw);
+  draw.setState(lastState());
+  addSetUp(draw);
+}
+
+void Batch::addSetUp(QueuedDraw &draw) {
+  const Chunk &chunk = draw.chunk(0);
   sort(chunk.grid(), 0, [&](std::uint32_t tile) { return chunk.isEmpty(tile); });
-  m_cost += kDrawCost + kLinkCost * chunk.links() + shading.pixelCost * chunk.area();
+  m_cost +=
+      kDrawCost + kLinkCost * chunk.links() + draw.state()->shading().pixelCost * chunk.area();
   ++m_drawCount;
 }
 

@@ -27,6 +27,10 @@ public:
   /// Adds next(), which was kept to be set up later.
   void addKept(const RasterState &state, const Shading &shading, const ShadingUse &use,
                bool isSameState);
+  /// Adds next(), which is set up and drawn with what the last draw is.
+  void addLike();
+  /// What the last draw is drawn with. Requires: there is one.
+  [[nodiscard]] const QueuedState &lastState() const { return *m_states[m_stateCount - 1]; }
   /// The last draw is drawn with the same.
   [[nodiscard]] bool isLast(const RasterState &state, const Shading &shading,
                             const ShadingUse &use) const {
@@ -71,6 +75,8 @@ private:
   void mark(const ShadingUse &use);
   template <typename IsEmpty> void sort(const TileGrid &grid, std::uint32_t chunk, IsEmpty isEmpty);
   void makeRoom(const QueuedDraw &draw);
+  /// The draw has its state, and there is room.
+  void addSetUp(QueuedDraw &draw);
   void setUpAll();
   void freeLargest();
 

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "swrast/jump_guard.h"
+#include "swrast/rasterize.h"
 #include "swrast/setup/place_draw.h"
 #include "swrast/setup/rectangle.h"
 
@@ -83,12 +84,12 @@ bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology t
 /// a step of a simulation. All threads shade it at once, and rows of bands are longer than those of
 /// tiles. What is less than that, or follows other draws, waits as they do: shaded at once, it
 /// would make all threads wait for each such draw.
-bool DrawQueue::fillsPicture(const Given &given, std::uint64_t pixels) const {
+bool DrawQueue::fillsPicture(const GivenDraw &given, std::uint64_t pixels) const {
   return given.shading.row && pixels >= kLargePixels && 2 * pixels >= areaOf(given.state.clip) &&
          isEmpty();
 }
 
-std::optional<bool> DrawQueue::addRectangle(const Given &given) {
+std::optional<bool> DrawQueue::addRectangle(const GivenDraw &given) {
   Rectangle rectangle;
   if (!isPolygonal(given.topology) ||
       !findRectangle(given.state, given.topology, given.vertices, given.indices, given.first,
@@ -103,6 +104,7 @@ std::optional<bool> DrawQueue::addRectangle(const Given &given) {
   if (!shapeOfRectangle(given.state, given.shading, given.topology, given.vertices, rectangle,
                         shape))
     return std::nullopt;
+  closeJoined();
   Chunk &chunk = filling().next().begin();
   chunk.clear(TileGrid::of(pixels));
   chunk.addShape(shape, given.shading.inputCount, given.shading.opaque && !shape.stippled);
@@ -110,10 +112,11 @@ std::optional<bool> DrawQueue::addRectangle(const Given &given) {
   return true;
 }
 
-bool DrawQueue::addChecked(Given given) {
+bool DrawQueue::addChecked(GivenDraw given) {
   given.count = drawnCount(given.state, given.shading, given.vertices, given.indices, given.first,
                            given.count);
-  if (given.count == 0)
+  const Sight sight = given.count != 0 ? sightOf(given) : Sight::None;
+  if (sight == Sight::None)
     return true;
   if (m_isSpoilt)
     giveUp();
@@ -124,6 +127,11 @@ bool DrawQueue::addChecked(Given given) {
   }
   if (const std::optional<bool> isAdded = addRectangle(given))
     return *isAdded;
+  if (given.isSameState && sight == Sight::Whole) {
+    joinDraw(given);
+    return true;
+  }
+  closeJoined();
   Batch &batch = filling();
   QueuedDraw &queued = batch.next();
   Draw draw = drawOf(given.state, given.shading, given.topology, given.vertices, given.indices,
@@ -152,6 +160,54 @@ bool DrawQueue::addChecked(Given given) {
     queued.keepInputs(draw.plan, given.vertices.count);
   batch.add(given.state, given.shading, given.use, given.isSameState);
   return true;
+}
+
+void DrawQueue::joinDraw(const GivenDraw &given) {
+  if (m_joined.add(given))
+    return;
+  closeJoined();
+  (void)m_joined.add(given);
+}
+
+void DrawQueue::closeJoined() {
+  if (m_joined.isEmpty()) [[likely]]
+    return;
+  try {
+    addJoined();
+  } catch (const std::bad_alloc &) {
+    drawJoinedAtOnce();
+  }
+  m_joined.clear();
+}
+
+void DrawQueue::addJoined() {
+  Batch &batch = filling();
+  QueuedDraw &queued = batch.next();
+  const QueuedState &state = batch.lastState();
+  Draw draw = drawOf(state.raster(), state.shading(), Topology::Triangles, m_joined.vertices(),
+                     m_joined.indices(), 0, m_joined.count());
+  draw.provokingAt = JoinedDraws::kProvokingAt;
+  placeVertices(draw, queued.window(), m_bounds);
+  if (draw.visible.empty())
+    return;
+  Chunk &chunk = queued.begin();
+  chunk.clear(TileGrid::of(draw.visible, draw.bounds));
+  chunk.setUp(draw, 0, m_joined.count() / 3);
+  if (chunk.primitives() == 0)
+    return;
+  if (chunk.readsVertices())
+    queued.keepInputs(draw.plan, m_joined.vertices().count);
+  batch.addLike();
+}
+
+/// There is no memory to let them wait. A provoking vertex may be another one then.
+void DrawQueue::drawJoinedAtOnce() {
+  joinRunning();
+  const QueuedState &state = filling().lastState();
+  const std::shared_ptr<const void> functions = state.functions();
+  shadeHere(filling());
+  (void)rasterize(state.raster(), state.shading(), Topology::Triangles, m_joined.vertices(),
+                  m_joined.indices(), 0, m_joined.count());
 }
 
 bool DrawQueue::setUpStrokes(const Draw &draw, Chunk &chunk) {
@@ -193,6 +249,7 @@ void DrawQueue::shadeHere(Batch &batch) {
 }
 
 void DrawQueue::postFilling() {
+  closeJoined();
   joinRunning();
   Batch &batch = filling();
   if (batch.isEmpty())
@@ -209,6 +266,7 @@ void DrawQueue::giveUp() {
   awaitPosted(); // where the jump came before it was known what was posted
   joinRunning();
   filling().reset();
+  m_joined.clear();
   // Its lists may be half made.
   m_batches[m_filling] = std::make_unique<Batch>(*this);
 }
@@ -224,6 +282,7 @@ void DrawQueue::finish() {
   alone([this] {
     if (m_isSpoilt)
       return giveUp();
+    closeJoined();
     joinRunning();
     if (!filling().isEmpty())
       shadeHere(filling());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "swrast/queue/batch.h"
+#include "swrast/queue/joined_draws.h"
 #include "swrast/setup/place.h"
 #include "swrast/strokes/strokes.h"
 #include "swrast/threads.h"
@@ -37,24 +38,19 @@ public:
   [[nodiscard]] bool isEmpty() const { return m_batches[0]->isEmpty() && m_batches[1]->isEmpty(); }
 
 private:
-  /// What rasterize() is called with.
-  struct Given {
-    const RasterState &state;
-    const Shading &shading;
-    Topology topology;
-    const Vertices &vertices;
-    const std::uint32_t *indices;
-    std::uint32_t first, count;
-    const ShadingUse &use;
-    bool isSameState = false; ///< as the batch's last draw's
-  };
-  [[nodiscard]] bool addChecked(Given given);
+  [[nodiscard]] bool addChecked(GivenDraw given);
   /// \param pixels that a draw of a few triangles reaches, roughly
-  [[nodiscard]] bool fillsPicture(const Given &given, std::uint64_t pixels) const;
+  [[nodiscard]] bool fillsPicture(const GivenDraw &given, std::uint64_t pixels) const;
   /// What add() returns; none where the draw is no rectangle.
-  [[nodiscard]] std::optional<bool> addRectangle(const Given &given);
+  [[nodiscard]] std::optional<bool> addRectangle(const GivenDraw &given);
   /// False: more than is kept.
   [[nodiscard]] bool setUpStrokes(const Draw &draw, Chunk &chunk);
+  /// Joins the draw with those before it.
+  void joinDraw(const GivenDraw &given);
+  /// What is joined becomes a draw of the batch: before anything else of the batch's is touched.
+  void closeJoined();
+  void addJoined();
+  void drawJoinedAtOnce();
   void joinRunning();
   void postFilling();
   void shadeHere(Batch &batch);
@@ -70,6 +66,7 @@ private:
   bool m_isOpen = false; ///< a call is at it: one of a handler that interrupted that finds it so
   /// A jump left a call: what was added is given up.
   bool m_isSpoilt = false;
+  JoinedDraws m_joined; ///< with the state of the last draw of filling()
   Strokes m_strokes;
   std::vector<PlacedBounds> m_bounds;
 };

@@ -35,6 +35,8 @@ public:
   /// Nothing is kept alive any more.
   void release() { m_functions.reset(); }
 
+  /// Keeps the machine code.
+  [[nodiscard]] std::shared_ptr<const void> functions() const { return m_functions; }
   [[nodiscard]] const RasterState &raster() const { return m_raster; }
   [[nodiscard]] const Shading &shading() const { return m_shading; }
 

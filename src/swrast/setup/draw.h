@@ -18,6 +18,9 @@ struct Draw {
   Rect visible;                         ///< pixels that the draw may reach
   bool otherDiagonal = false;           ///< of quads: see triangleAt()
   bool isClipped = false;               ///< a vertex that the draw uses lies outside
+  /// Of Triangles by indices: the place of the first one's provoking vertex, which those of the
+  /// others follow; 0: as the state has it.
+  std::uint32_t provokingAt = 0;
 
   [[nodiscard]] std::uint32_t vertexAt(std::uint32_t place) const {
     return indices ? indices[place] : first + place;
