@@ -12,10 +12,13 @@
 /// heap.
 namespace {
 std::atomic<std::uint64_t> g_allocations{0};
-}
+std::atomic<int> g_untilFailure{0}; ///< the next one but so many fails; 0: none
+} // namespace
 // Not inlined: where one of a pair is, the compiler takes the two for strangers.
 [[gnu::noinline]] void *operator new(std::size_t size) {
   g_allocations.fetch_add(1, std::memory_order_relaxed);
+  if (g_untilFailure.load(std::memory_order_relaxed) != 0 && --g_untilFailure == 0)
+    throw std::bad_alloc();
   if (void *const memory = std::malloc(size ? size : 1))
     return memory;
   throw std::bad_alloc();
@@ -93,6 +96,31 @@ TEST_P(Allocation, FramesOfDrawsThatWaitTakeNone) {
     ASSERT_TRUE(queue.isEmpty());
   }
   EXPECT_EQ(g_allocations.load(), before);
+}
+
+TEST_P(Allocation, WhatIsJoinedIsDrawnWhereMemoryRunsOut) {
+  int failed = 0;
+  for (int at = 1; at < 12; ++at) {
+    Canvas canvas(200, 200);
+    DrawQueue queue;
+    for (int y = 10; y < 180; y += 20)
+      for (int x = 10; x < 180; x += 20) {
+        WindowVertices vertices(canvas);
+        vertices.add(x, y);
+        vertices.add(x + 10.5, y + 1);
+        vertices.add(x, y + 10);
+        ASSERT_TRUE(queue.add(canvas.state, canvas.shading, Topology::Triangles, vertices.get(),
+                              nullptr, 0, 3, ShadingUse()));
+      }
+    g_untilFailure = at;
+    queue.finish();
+    failed += g_untilFailure == 0 ? 1 : 0;
+    g_untilFailure = 0;
+    for (int y = 10; y < 180; y += 20)
+      for (int x = 10; x < 180; x += 20)
+        ASSERT_EQ(canvas.at(x + 2, y + 3), 1u) << x << ", " << y << ", allocation " << at;
+  }
+  EXPECT_GT(failed, 3);
 }
 
 TEST_P(Allocation, FeedbackBetweenTwoImagesTakesNone) {

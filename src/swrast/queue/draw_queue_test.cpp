@@ -86,6 +86,47 @@ TEST_P(Queue, DrawsAreThoseThatAreDoneAtOnce) {
   }
 }
 
+TEST_P(Queue, SmallDrawsOfOneStateAreThoseThatAreDoneAtOnce) {
+  constexpr Topology kTopologies[] = {Topology::Triangles,   Topology::TriangleStrip,
+                                      Topology::TriangleFan, Topology::Quads,
+                                      Topology::QuadStrip,   Topology::Polygon};
+  std::mt19937 random(5);
+  for (int round = 0; round < 8; ++round) {
+    Image late = cleared(), now = cleared();
+    Scene queued(late), direct(now);
+    DrawQueue queue;
+    for (int i = 0; i < 1500; ++i) {
+      const Topology topology = kTopologies[random() % 6];
+      const Mesh mesh = meshOf(random, 1 + int(random() % 12), 9);
+      // Some draw what others name, and vertices that are not there.
+      std::vector<std::uint32_t> indices(random() % 3 == 0 ? 3 + random() % 9 : 0);
+      for (std::uint32_t &index : indices)
+        index = std::uint32_t(random() % (mesh.count() + (random() % 8 == 0 ? 1 : 0)));
+      const std::uint32_t *const named = indices.empty() ? nullptr : indices.data();
+      const std::uint32_t count = named ? std::uint32_t(indices.size()) : mesh.count();
+      if (random() % 100 == 0) { // another state, now and then
+        const std::uint32_t parameter = random(), kind = random() % 4;
+        for (Scene *const scene : {&queued, &direct}) {
+          scene->setParameter(parameter);
+          scene->state.cullBack = kind == 1;
+          scene->state.provokingIsFirst = kind == 2;
+          scene->state.clip = {kind == 3 ? 30 : 0, 0, 150, kSize};
+        }
+      }
+      if (!queue.add(queued.state, queued.shading, topology, mesh.get(), named, 0, count,
+                     queued.use)) {
+        queue.finish();
+        (void)rasterize(queued.state, queued.shading, topology, mesh.get(), named, 0, count);
+      }
+      (void)rasterize(direct.state, direct.shading, topology, mesh.get(), named, 0, count);
+      if (i % 400 == 399)
+        queue.post();
+    }
+    ASSERT_EQ(pixelsOf(late), pixelsOf(now)) << "round " << round;
+    EXPECT_TRUE(queue.isEmpty()) << "the pixels were asked for";
+  }
+}
+
 TEST_P(Queue, WhatIsChangedAfterwardsChangesNothing) {
   Image image = cleared(), texture = cleared();
   Scene scene(image);
