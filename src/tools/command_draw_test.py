@@ -214,7 +214,8 @@ class Layered(Draw):
             seen = json.loads(stats.read_text())
             header = (ROOT / 'include' / 'GL' / 'arbiter.h').read_text()
             self.assertIn(f'ARBITER_STATS_SCHEMA {seen["schema"]}\n', header)
-            self.assertEqual(seen['draws']['host_glsl'] + seen['draws']['rasterizer'], 1)
+            drawn = [seen['draws'][path] for path in ('host_glsl', 'host_assembly', 'rasterizer')]
+            self.assertEqual(sum(drawn), 1)
             checked = json.loads(arbiter('check', '--json', '-', text=text).stdout)['files'][0]
             loaded = seen['programs'][0]
             self.assertEqual(loaded['hash'], checked['hash'])

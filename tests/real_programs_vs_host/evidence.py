@@ -65,7 +65,7 @@ def summarise(stats: list[dict]) -> dict:
     return {
         "programs": sum(1 for p in programs if not p.get("error")),
         "failed_programs": sum(1 for p in programs if p.get("error")),
-        "draws_glsl": draws("host_glsl") + draws("rasterizer"),
+        "draws_programs": draws("host_glsl") + draws("host_assembly") + draws("rasterizer"),
         "draws_rasterizer": draws("rasterizer"),
         "draws_recorded": draws("recorded"),
         "draws_untouched": draws("host_untouched"),
@@ -82,7 +82,7 @@ def problems(summary: dict, least_programs: int, refused: int = 0) -> list[str]:
                      f"{least_programs} expected")
     if summary["failed_programs"] > refused:
         found.append(f"{summary['failed_programs']} fragment programs refused")
-    if least_programs and not summary["draws_glsl"] and not summary["draws_recorded"]:
+    if least_programs and not summary["draws_programs"] and not summary["draws_recorded"]:
         found.append("no draw through a compiled program")
     if summary["draws_dropped"] and not refused:
         found.append(f"{summary['draws_dropped']} draws dropped: {summary['reasons']}")

@@ -163,7 +163,7 @@ def _problem(case: Case, outcome: session.Outcome) -> str:
 
 def _print(row: dict) -> dict:
     figures = (f"max {row['maximum']:3} mean {row['mean']:.4f}" if "maximum" in row else "")
-    counts = (f"programs {row['programs']:2} draws {row['draws_glsl']:5}"
+    counts = (f"programs {row['programs']:2} draws {row['draws_programs']:5}"
               if "programs" in row else "")
     print(f"{row['verdict']:4} {row['case']:20} {row['mode']:6} {figures:20} {counts:26} "
           f"{row['reason']}", flush=True)

@@ -85,7 +85,7 @@ class Evidence(unittest.TestCase):
         stats = [{}, {"programs": [good, {"target": "vertex"}], "draws": {"host_glsl": 3}},
                  {"programs": [good], "draws": {"host_glsl": 1, "reasons": {"no-program": 2}}}]
         summary = evidence.summarise(stats)
-        self.assertEqual((summary["programs"], summary["draws_glsl"]), (2, 4))
+        self.assertEqual((summary["programs"], summary["draws_programs"]), (2, 4))
         self.assertEqual(summary["reasons"], {"no-program": 2})
         self.assertEqual(evidence.problems(summary, 2), [])
         self.assertEqual(len(evidence.problems(summary, 3)), 1)

@@ -10,6 +10,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
+#include "state/host_draw/fragment_assembly.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/native_inputs.h"
@@ -239,6 +240,10 @@ bool validate(Context &context) {
   followTextureChanges(context);
   followSprites(context);
   refreshEffective(context, HostPart::Now);
+  if (context.linkedProgram && context.linkedProgram->fragmentAssembly && assemblyIsOver(context)) {
+    invalidateProgram(context);
+    refreshEffective(context, HostPart::Now);
+  }
   applySprites(context);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {

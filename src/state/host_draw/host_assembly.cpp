@@ -107,7 +107,7 @@ bool HostAssembly::apply(Context &context, const ProgramPair &pair) {
 void HostAssembly::apply(Context &context, const LinkedProgram &linkedProgram) {
   if (m_refuses)
     release(context);
-  applyStages(context, {linkedProgram.vertexAssembly, nullptr});
+  applyStages(context, {linkedProgram.vertexAssembly, linkedProgram.fragmentAssembly});
 }
 
 bool HostAssembly::refuse(Context &context) {

@@ -26,7 +26,7 @@ public:
   /// that has none is disabled. False, with nothing enabled, if the host refuses one. Raises no
   /// error.
   [[nodiscard]] bool apply(Context &context, const ProgramPair &pair);
-  /// The vertex stage of `linkedProgram`, if it is assembly; nothing else stays enabled.
+  /// The stages of `linkedProgram` that are assembly; nothing else stays enabled.
   void apply(Context &context, const LinkedProgram &linkedProgram);
   /// Gives the host the env and local values that the enabled programs read, as far as they
   /// changed.

@@ -168,16 +168,26 @@ LinkedProgramCache::assemblyOf(Context &context,
 }
 
 bool LinkedProgramCache::buildOnAssembly(Context &context, const ProgramPair &pair,
-                                         LinkedProgram &linkedProgram) {
+                                         Fragments fragments, LinkedProgram &linkedProgram) {
   linkedProgram.vertexAssembly =
       pair.fragment ? assemblyOf(context, pair.vertex, missingResults(*pair.vertex, *pair.fragment))
                     : assemblyOf(context, pair.vertex);
   if (!linkedProgram.vertexAssembly)
     return false;
   linkedProgram.readsState = capturing() && readsState(*pair.vertex);
-  if (pair.fragment)
+  const bool isTaken = fragments == Fragments::Assembly &&
+                       takeFragmentAssembly(context, pair.fragment, linkedProgram);
+  if (pair.fragment && !isTaken)
     takeFragments(get(context, {nullptr, pair.fragment}), linkedProgram);
   return true;
+}
+
+bool LinkedProgramCache::takeFragmentAssembly(
+    Context &context, const std::shared_ptr<const CompiledProgram> &fragment,
+    LinkedProgram &linkedProgram) {
+  linkedProgram.fragmentAssembly = assemblyOf(context, fragment);
+  linkedProgram.readsState |= capturing() && readsState(*fragment);
+  return linkedProgram.fragmentAssembly != nullptr;
 }
 
 /// A vertex program that defines more results for this fragment program than it writes is of this
@@ -208,11 +218,14 @@ bool LinkedProgramCache::buildApart(Context &context, const ProgramPair &pair,
   return true;
 }
 
-void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
+void LinkedProgramCache::build(Context &context, const ProgramPair &pair, Fragments fragments,
                                LinkedProgram &linkedProgram) {
   const HostErrorScope scope(*context.host, context.pendingError);
   if (pair.vertex && drawsVerticesByAssembly(context) &&
-      buildOnAssembly(context, pair, linkedProgram))
+      buildOnAssembly(context, pair, fragments, linkedProgram))
+    return;
+  if (!pair.vertex && fragments == Fragments::Assembly &&
+      takeFragmentAssembly(context, pair.fragment, linkedProgram))
     return;
   if (pair.vertex && pair.fragment && stagesStandApart(context) &&
       buildApart(context, pair, linkedProgram))
@@ -243,8 +256,9 @@ void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
        linkedProgram);
 }
 
-LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pair) {
-  const Key key = {pair.vertex.get(), pair.fragment.get()};
+LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pair,
+                                         Fragments fragments) {
+  const Key key = {pair.vertex.get(), pair.fragment.get(), fragments};
   const auto it = m_linkedPrograms.find(key);
   if (it != m_linkedPrograms.end())
     return it->second.get();
@@ -259,19 +273,26 @@ LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pa
   return m_linkedPrograms.emplace(key, std::move(made)).first->second.get();
 }
 
-LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair) {
-  LinkedProgram *const linkedProgram = place(context, pair);
+LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair,
+                                       Fragments fragments) {
+  LinkedProgram *const linkedProgram = place(context, pair, fragments);
   if (linkedProgram->built)
     return linkedProgram;
   try {
-    build(context, pair, *linkedProgram);
+    build(context, pair, fragments, *linkedProgram);
   } catch (...) { // no memory: it stays as it was placed
     *linkedProgram = {.vertex = {.compiled = pair.vertex.get()},
                       .fragment = {.compiled = pair.fragment.get()}};
     throw;
   }
   linkedProgram->built = true;
+  linkedProgram->frame = context.frames;
   return linkedProgram;
+}
+
+const LinkedProgram *LinkedProgramCache::find(const ProgramPair &pair, Fragments fragments) const {
+  const auto found = m_linkedPrograms.find({pair.vertex.get(), pair.fragment.get(), fragments});
+  return found != m_linkedPrograms.end() ? found->second.get() : nullptr;
 }
 
 void LinkedProgramCache::deleteObjects(Context &context, const HostObjects &objects) {

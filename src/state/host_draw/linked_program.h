@@ -41,7 +41,8 @@ struct AssemblyProgram {
 ///
 /// A vertex program is the host's own ARB program where it can be: passes that compare depths for
 /// equality meet only where they do without the layer, and no GLSL computes a position as each
-/// host's own path does. Its fragment program is then linked alone, once for all of its pairs.
+/// host's own path does. Its fragment program is then linked alone, once for all of its pairs, or
+/// is the host's own as well (fragment_assembly.h).
 /// Where it is GLSL the two are linked to each other, or each alone (stagesStandApart()).
 struct LinkedProgram {
   bool built = false;     ///< false: its programs are known, and the host has none of it
@@ -53,6 +54,9 @@ struct LinkedProgram {
   LinkedProgramStage vertex;
   LinkedProgramStage fragment;
   AssemblyProgram *vertexAssembly = nullptr;
+  /// Beside `vertexAssembly`, or fixed-function vertices (fragment_assembly.h).
+  AssemblyProgram *fragmentAssembly = nullptr;
+  std::uint64_t frame = 0;              ///< Context::frames when it was built
   LinkedProgram *vertexAlone = nullptr; ///< whose `vertexProgram` it is; null: its own, or 0
   /// Whose `hostProgram` it is, beside `vertexAssembly` or `vertexProgram`.
   LinkedProgram *fragmentAlone = nullptr;
@@ -64,7 +68,9 @@ struct LinkedProgram {
     return {vertexAssembly ? &vertexAssembly->stage
             : vertexAlone  ? &vertexAlone->vertex
                            : &vertex,
-            fragmentAlone ? &fragmentAlone->fragment : &fragment};
+            fragmentAssembly ? &fragmentAssembly->stage
+            : fragmentAlone  ? &fragmentAlone->fragment
+                             : &fragment};
   }
 };
 
@@ -72,12 +78,19 @@ struct LinkedProgram {
 /// each program is compiled once, however many it is paired with.
 class LinkedProgramCache {
 public:
+  /// What the host has of the fragment program; GLSL where it refuses it as assembly, or has the
+  /// vertex program as GLSL, which assembly does not meet.
+  enum class Fragments : std::uint8_t { Glsl, Assembly };
   /// The linked program of `pair`, of which one program at least is not null; built at the first
   /// call, in which case the host links, and compiles what it has not compiled yet. Raises no
   /// error.
-  [[nodiscard]] LinkedProgram *get(Context &context, const ProgramPair &pair);
+  [[nodiscard]] LinkedProgram *get(Context &context, const ProgramPair &pair,
+                                   Fragments fragments = Fragments::Glsl);
   /// The same, which the host is not asked for: it may not be built yet.
-  [[nodiscard]] LinkedProgram *place(Context &context, const ProgramPair &pair);
+  [[nodiscard]] LinkedProgram *place(Context &context, const ProgramPair &pair,
+                                     Fragments fragments = Fragments::Glsl);
+  /// The same, if there is one; else null.
+  [[nodiscard]] const LinkedProgram *find(const ProgramPair &pair, Fragments fragments) const;
   /// The program as the host's own ARB path has it, from the text of what our compiler checked,
   /// within our limits; loaded at the first call. Each in an object of its own, for a host may not
   /// survive one that is specified again and again. Null if the host refuses it. Raises no error.
@@ -104,12 +117,13 @@ private:
   struct Key {
     const CompiledProgram *vertex;
     const CompiledProgram *fragment;
+    Fragments fragments;
     bool operator==(const Key &) const = default;
   };
   struct KeyHash {
     std::size_t operator()(const Key &key) const {
       const std::hash<const void *> hash;
-      return hash(key.vertex) * 31 + hash(key.fragment);
+      return (hash(key.vertex) * 31 + hash(key.fragment)) * 2 + std::size_t(key.fragments);
     }
   };
   /// What the host has of one program; both only where it is drawn with in both ways.
@@ -121,9 +135,13 @@ private:
   [[nodiscard]] HostObjects &objectsOf(const std::shared_ptr<const CompiledProgram> &compiled);
   [[nodiscard]] GLuint shaderOf(Context &context,
                                 const std::shared_ptr<const CompiledProgram> &compiled);
-  void build(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgram);
-  [[nodiscard]] bool buildOnAssembly(Context &context, const ProgramPair &pair,
+  void build(Context &context, const ProgramPair &pair, Fragments fragments,
+             LinkedProgram &linkedProgram);
+  [[nodiscard]] bool buildOnAssembly(Context &context, const ProgramPair &pair, Fragments fragments,
                                      LinkedProgram &linkedProgram);
+  [[nodiscard]] bool takeFragmentAssembly(Context &context,
+                                          const std::shared_ptr<const CompiledProgram> &fragment,
+                                          LinkedProgram &linkedProgram);
   [[nodiscard]] bool buildApart(Context &context, const ProgramPair &pair,
                                 LinkedProgram &linkedProgram);
   void deleteObjects(Context &context, const HostObjects &objects);

@@ -5,6 +5,7 @@
 #include "state/core/context.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
+#include "state/host_draw/fragment_assembly.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/native_inputs.h"
@@ -144,7 +145,8 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
     }
     pair.vertex = pair.vertex->clipped->of(*pair.vertex, planes, depths);
   }
-  LinkedProgram *const linkedProgram = context.linkedPrograms->get(context, pair);
+  LinkedProgram *const linkedProgram =
+      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair)); // as link() asked
   context.stagesAreLinked =
       context.stagesAreLinked || (pair.fragment && linkedProgram->vertexProgram == 0);
   return linkedProgram;
@@ -174,7 +176,8 @@ LinkedProgram *link(Context &context, const ProgramPair &pair) {
   if (pair.vertex &&
       (!drawsVerticesByAssembly(context) || isClippedOtherwise(context, *pair.vertex)))
     return linkGlsl(context, pair);
-  LinkedProgram *const linkedProgram = context.linkedPrograms->get(context, pair);
+  LinkedProgram *const linkedProgram =
+      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair));
   if (pair.vertex && !linkedProgram->vertexAssembly) // the host refuses it as assembly
     return linkGlsl(context, pair);
   return linkedProgram;
@@ -239,7 +242,8 @@ Path choosePath(Context &context, HostPart part) {
   if (isTooLongForGlsl(context, pair) && applyAssembly(context, pair))
     return Path::HostAssembly;
   if (part == HostPart::WhenItDraws && mayWait(context, pair)) {
-    context.linkedProgram = context.linkedPrograms->place(context, pair);
+    context.linkedProgram =
+        context.linkedPrograms->place(context, pair, fragmentsOf(context, pair));
     context.hostPartWaits = true;
     return Path::HostGlsl;
   }

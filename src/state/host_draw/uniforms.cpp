@@ -78,12 +78,19 @@ void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint3
     if ((attention & bits) != 0 && !stage.locations.empty())
       uploadStage(context, stage, apart ? program : 0);
   };
-  if (!linkedProgram.vertexAssembly)
+  std::uint32_t assembly = 0; // bits of the stages that are
+  if (linkedProgram.vertexAssembly)
+    assembly |= attention::kVertexParameters;
+  else
     upload(*linkedProgram.stages()[0], linkedProgram.vertexProgram, attention::kVertexParameters);
-  else if ((attention & (attention::kVertexParameters |
-                         (linkedProgram.readsState ? attention::kState : 0u))) != 0)
+  if (linkedProgram.fragmentAssembly)
+    assembly |= attention::kFragmentParameters;
+  else
+    upload(*linkedProgram.stages()[1], linkedProgram.hostProgram, attention::kFragmentParameters);
+  if (assembly != 0 && linkedProgram.readsState)
+    assembly |= attention::kState;
+  if ((attention & assembly) != 0)
     context.hostAssembly->uploadParameters(context);
-  upload(*linkedProgram.stages()[1], linkedProgram.hostProgram, attention::kFragmentParameters);
 }
 
 } // namespace arbiter::state

@@ -100,10 +100,12 @@ TEST_F(StagePipelines, OtherProgramsTakeItsPlace) {
     ASSERT_TRUE(draw(*m_context));
     EXPECT_EQ(boundPipeline(), 0u);
     EXPECT_TRUE(m_host.targets[kVertex]);
-    EXPECT_NE(m_host.currentProgram, 0u);
+    EXPECT_TRUE(m_host.targets[kFragment]) << "assembly as well";
+    EXPECT_EQ(m_host.currentProgram, 0u);
     handlers::BindProgramARB(*m_context, kVertex, chooses);
     ASSERT_TRUE(drawsApart());
     EXPECT_FALSE(m_host.targets[kVertex]);
+    EXPECT_FALSE(m_host.targets[kFragment]);
   }
   EXPECT_EQ(m_host.count("LinkProgram"), 2);
   handlers::Disable(*m_context, kFragment);

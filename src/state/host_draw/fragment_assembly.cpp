@@ -1,0 +1,66 @@
+#include "state/host_draw/fragment_assembly.h"
+
+#include <algorithm>
+
+#include "fp_compiler/ir/ir.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/control_hooks.h"
+#include "state/report/capture.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using Fragments = LinkedProgramCache::Fragments;
+
+bool isPlain(const CompiledProgram &compiled) {
+  constexpr std::size_t kMost = 256; // instructions; of longer ones GLSL is the better known way
+  const fp::ir::Program *const program = compiled.program.get();
+  if (compiled.target != Target::Fragment || !program ||
+      program->language != fp::ir::Language::ArbFragment || program->code.size() > kMost)
+    return false;
+  fp::ir::Options options = program->options;
+  options.precision = fp::ir::Precision::Unspecified;
+  return options == fp::ir::Options();
+}
+
+bool readsColors(const CompiledProgram &compiled) {
+  const auto &inputs = compiled.program->attributes;
+  return std::any_of(inputs.begin(), inputs.end(), [](const fp::ir::Attribute &input) {
+    return input.kind == fp::ir::AttributeKind::ColorPrimary ||
+           input.kind == fp::ir::AttributeKind::ColorSecondary;
+  });
+}
+
+} // namespace
+
+Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
+  const ShareGroup &group = *context.group;
+  if (!pair.fragment || !context.softwarePossible || !context.caps.onProcessor ||
+      !context.caps.fragmentProgram || context.numerics != fp::Numerics::Host ||
+      group.compareModeUsed.load(std::memory_order_relaxed) ||
+      group.alphaDepthsUsed.load(std::memory_order_relaxed) || controlHooks() || capturing())
+    return Fragments::Glsl;
+  if (!isPlain(*pair.fragment))
+    return Fragments::Glsl;
+  const LinkedProgram *const before = context.linkedPrograms->find(pair, Fragments::Assembly);
+  return before && before->built && before->frame != context.frames ? Fragments::Glsl
+                                                                    : Fragments::Assembly;
+}
+
+bool assemblyIsOver(Context &context) {
+  LinkedProgram &linkedProgram = *context.linkedProgram;
+  if (linkedProgram.frame != context.frames)
+    return true;
+  GLint model = GL_SMOOTH;
+  if (readsColors(*linkedProgram.fragment.compiled))
+    context.host->GetIntegerv(GL_SHADE_MODEL, &model);
+  if (model != GL_FLAT)
+    return false;
+  linkedProgram.frame = ~std::uint64_t(0);
+  return true;
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,146 @@
+// Fragment programs as the host's own where the rasterizer draws: which, and which are GLSL there.
+#include "state/host_draw/fragment_assembly.h"
+
+#include <gtest/gtest.h>
+
+#include "state/core/lifecycle.h"
+#include "state/host_draw/linked_program.h"
+#include "state/raster_draw/context_state.h"
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr char kVertices[] =
+    "!!ARBvp1.0\nMOV result.position, vertex.position;\nMOV result.color, vertex.color;\nEND\n";
+constexpr char kShading[] =
+    "!!ARBfp1.0\nMUL result.color, fragment.color, program.local[2];\nEND\n";
+constexpr char kReading[] = "!!ARBfp1.0\nMOV result.color, fragment.texcoord[1];\nEND\n";
+constexpr char kFog[] =
+    "!!ARBfp1.0\nOPTION ARB_fog_linear;\nMOV result.color, fragment.color;\nEND\n";
+
+class FragmentAssembly : public ::testing::Test {
+protected:
+  FragmentAssembly() : m_context(m_host) {
+    m_context->caps.onProcessor = true;
+    m_context->software = std::make_unique<software::ContextState>(*m_context);
+    m_context->softwarePossible = m_context->softwareListens = true;
+  }
+  /// The next draw's fragments are the host's own program, and it links nothing.
+  [[nodiscard]] bool drawsByAssembly() {
+    const int links = m_host.count("LinkProgram");
+    return draw(*m_context) && m_host.targets[kFragment] && m_host.currentProgram == 0 &&
+           m_host.count("LinkProgram") == links;
+  }
+  [[nodiscard]] bool drawsByGlsl() {
+    return draw(*m_context) && !m_host.targets[kFragment] && m_host.currentProgram != 0;
+  }
+
+  FakeHost m_host;
+  CurrentContext m_context;
+};
+
+TEST_F(FragmentAssembly, APlainProgramIsBesideEitherVertices) {
+  use(*m_context, kShading);
+  EXPECT_TRUE(drawsByAssembly());
+  EXPECT_FALSE(m_host.targets[kVertex]);
+  use(*m_context, kVertices, kVertex);
+  EXPECT_TRUE(drawsByAssembly());
+  EXPECT_TRUE(m_host.targets[kVertex]);
+  EXPECT_EQ(m_host.assembly.size(), 2u) << "each is loaded once";
+  handlers::Disable(*m_context, kFragment);
+  ASSERT_TRUE(draw(*m_context));
+  EXPECT_FALSE(m_host.targets[kFragment]);
+  EXPECT_TRUE(m_host.targets[kVertex]);
+}
+
+TEST_F(FragmentAssembly, ItsParametersAreSentAsTheyChange) {
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  const std::string call = "ProgramLocalParameter4fv " + std::to_string(kFragment) + " 2";
+  for (int i = 1; i < 4; ++i) {
+    handlers::ProgramLocalParameter4fARB(*m_context, kFragment, 2, GLfloat(i), 0, 0, 1);
+    ASSERT_TRUE(drawsByAssembly());
+    EXPECT_EQ(m_host.count(call), i);
+    ASSERT_TRUE(drawsByAssembly());
+    EXPECT_EQ(m_host.count(call), i) << "nothing changed";
+  }
+}
+
+TEST_F(FragmentAssembly, OptionsLongTextsAndOtherHostsAreGlsl) {
+  use(*m_context, kFog);
+  EXPECT_TRUE(drawsByGlsl());
+  fp::ResourceCounts &api = m_context->row(Target::Fragment).limits.api;
+  api.instructions = api.aluInstructions = 1024;
+  std::string text = "!!ARBfp1.0\nTEMP r;\nMOV r, fragment.color;\n";
+  for (int i = 0; i < 260; ++i)
+    text += "MAD r, r, fragment.texcoord[" + std::to_string(i % 8) + "], program.local[" +
+            std::to_string(i % 24) + "];\n";
+  use(*m_context, text + "MOV result.color, r;\nEND\n");
+  EXPECT_TRUE(drawsByGlsl());
+  m_context->caps.onProcessor = false;
+  use(*m_context, kShading);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(FragmentAssembly, WhatTheHostRefusesIsGlsl) {
+  m_host.refusesAssembly = true;
+  use(*m_context, kShading);
+  EXPECT_TRUE(drawsByGlsl());
+  EXPECT_TRUE(drawsByGlsl());
+  EXPECT_EQ(m_host.count("LinkProgram"), 1);
+  EXPECT_EQ(m_host.error, GLenum(GL_NO_ERROR));
+}
+
+TEST_F(FragmentAssembly, ItIsGlslWhereTheHostDrawsWithItInALaterFrame) {
+  const GLuint name = use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  ASSERT_TRUE(drawsByAssembly());
+  ++m_context->frames;
+  EXPECT_TRUE(drawsByGlsl());
+  use(*m_context, kReading);
+  EXPECT_TRUE(drawsByAssembly()) << "another one, whose first frame this is";
+  handlers::BindProgramARB(*m_context, kFragment, name);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(FragmentAssembly, FlatColoursAreGlsl) {
+  m_host.integers[GL_SHADE_MODEL] = GL_FLAT;
+  const GLuint name = use(*m_context, kShading);
+  EXPECT_TRUE(drawsByGlsl());
+  use(*m_context, kReading);
+  EXPECT_TRUE(drawsByAssembly()) << "it reads none";
+  m_host.integers[GL_SHADE_MODEL] = GL_SMOOTH;
+  handlers::BindProgramARB(*m_context, kFragment, name);
+  EXPECT_TRUE(drawsByGlsl()) << "it is there";
+}
+
+TEST_F(FragmentAssembly, ATextureThatComparesMakesItGlsl) {
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  handlers::TexParameteri(*m_context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
+                          GL_COMPARE_R_TO_TEXTURE);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(FragmentAssembly, ADepthTextureOfAlphaMakesItGlsl) {
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  handlers::TexParameteri(*m_context, GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(FragmentAssembly, AProgramThatIsDeletedLeavesNothing) {
+  const GLuint name = use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  handlers::DeleteProgramsARB(*m_context, 1, &name);
+  EXPECT_TRUE(m_host.assembly.empty());
+  handlers::Disable(*m_context, kFragment);
+  ASSERT_TRUE(draw(*m_context));
+  EXPECT_FALSE(m_host.targets[kFragment]);
+}
+
+} // namespace
+} // namespace arbiter::state
