@@ -148,24 +148,42 @@ bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]) {
   return same(index[0], index[1]) || same(index[1], index[2]) || same(index[2], index[0]);
 }
 
+/// Each end moves along the whole line, by the greatest share that a plane wants, as hosts have it.
 bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[2],
               const WindowVertex corner[2], ClipVertex end[2]) {
-  const bool userPlanes = viewport.userPlanes != 0;
+  ClipVertex original[2];
   for (int i = 0; i < 2; ++i)
-    takeOriginal(viewport, vertices, index[i], corner[i], i, end[i]);
+    takeOriginal(viewport, vertices, index[i], corner[i], i, original[i]);
   Plane planes[16];
-  const int planeCount = planesOf(viewport, smallestW(end, 2), planes);
+  const int planeCount = planesOf(viewport, smallestW(original, 2), planes);
+  float share[2] = {0, 0};
   for (int p = 0; p < planeCount; ++p) {
-    const float first = distanceOf(planes[p], end[0]), second = distanceOf(planes[p], end[1]);
-    if (!(first >= 0) && !(second >= 0))
+    const float distance[2] = {distanceOf(planes[p], original[0]),
+                               distanceOf(planes[p], original[1])};
+    if (!(distance[0] >= 0) && !(distance[1] >= 0))
       return false;
-    if (!(first >= 0))
-      between(end[1], ClipVertex(end[0]), second, first, userPlanes, end[0]);
-    else if (!(second >= 0))
-      between(end[0], ClipVertex(end[1]), first, second, userPlanes, end[1]);
+    for (int i = 0; i < 2; ++i) {
+      if (distance[i] >= 0)
+        continue;
+      const float wanted = distance[i] / (distance[i] - distance[1 - i]);
+      if (!(wanted <= 1)) // of no number
+        return false;
+      share[i] = std::max(share[i], wanted);
+    }
+    if (share[0] + share[1] >= 1)
+      return false;
   }
-  finish(viewport, end[0]);
-  finish(viewport, end[1]);
+  for (int i = 0; i < 2; ++i) {
+    const ClipVertex &own = original[i], &other = original[1 - i];
+    end[i] = own;
+    if (share[i] == 0)
+      continue;
+    for (int c = 0; c < 4; ++c)
+      end[i].position[c] = own.position[c] + share[i] * (other.position[c] - own.position[c]);
+    for (int c = 0; c < 3; ++c)
+      end[i].weight[c] = own.weight[c] + double(share[i]) * (other.weight[c] - own.weight[c]);
+    cutToWindow(viewport, end[i].position, end[i].window);
+  }
   return true;
 }
 

@@ -168,6 +168,26 @@ abi::DepthPlane makeDepthPlane(const RasterState &state, const Triangle &triangl
   return {c, dx, state.upsideDownHeight != 0 ? -dy : dy, raised, depthOriginY(state)};
 }
 
+abi::DepthPlane makeLineDepthPlane(const RasterState &state, const WindowVertex &from,
+                                   const WindowVertex &to) {
+  float alongX = from.x - to.x, alongY = from.y - to.y;
+  const float inverse = 1.0f / (alongX * alongX + alongY * alongY);
+  // As if depth varied along the greater direction alone.
+  if (std::fabs(alongX) >= std::fabs(alongY)) {
+    const float slope = alongY / alongX;
+    alongX *= 1.0f + slope * slope;
+    alongY = 0;
+  } else {
+    const float slope = alongX / alongY;
+    alongY *= 1.0f + slope * slope;
+    alongX = 0;
+  }
+  const float rise = from.z - to.z;
+  const float dx = rise * alongX * inverse, dy = rise * alongY * inverse;
+  const float c = from.z - (dx * (from.x - 0.5f) + dy * (from.y - 0.5f));
+  return {c, dx, state.upsideDownHeight != 0 ? -dy : dy, 0, depthOriginY(state)};
+}
+
 abi::DepthPlane depthPlaneOf(const RasterState &state, const WindowVertex corner[3]) {
   const int originY = depthOriginY(state);
   const abi::Plane plane =
@@ -237,9 +257,10 @@ void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle 
 }
 
 void makeStrokePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
-                      int originX, int originY, abi::Primitive &primitive) {
+                      const abi::DepthPlane &depth, int originX, int originY,
+                      abi::Primitive &primitive) {
   if (plan.wantsDepth)
-    primitive.z = depthPlaneOf(state, triangle.corner);
+    primitive.z = depth;
   const Gradients g = gradientsOf(state, triangle.corner, originX, originY);
   makePlanes(plan, triangle, g, originX, originY, primitive);
 }

@@ -68,6 +68,9 @@ struct Gradients {
 /// \param offset add polygon offset (3.5.5)
 [[nodiscard]] abi::DepthPlane makeDepthPlane(const RasterState &state, const Triangle &triangle,
                                              bool offset);
+/// The same along a line, by the steps of llvmpipe's lines that are not smooth.
+[[nodiscard]] abi::DepthPlane makeLineDepthPlane(const RasterState &state, const WindowVertex &from,
+                                                 const WindowVertex &to);
 /// Depth without polygon offset, as exact as a plane of this origin can be.
 [[nodiscard]] abi::DepthPlane depthPlaneOf(const RasterState &state, const WindowVertex corner[3]);
 /// All planes but that of depth, of a triangle whose gradients are known.
@@ -77,9 +80,11 @@ void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients
 /// best one near the triangle. \param offset add polygon offset to depth (3.5.5)
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
-/// The same of a line, whose planes are those of a triangle of its ends and a third corner.
+/// The same of a line, whose planes are those of a triangle of its ends and a third corner, but for
+/// that of depth.
 void makeStrokePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
-                      int originX, int originY, abi::Primitive &primitive);
+                      const abi::DepthPlane &depth, int originX, int originY,
+                      abi::Primitive &primitive);
 /// Of a point: nothing varies, all is as at corner 0 of `point`, whose `weight` is not null.
 void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
                      abi::Primitive &primitive);

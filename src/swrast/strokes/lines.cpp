@@ -148,7 +148,8 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   plane.weight = weight;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
-  makeStrokePlanes(draw.state, draw.plan, plane, shape.originX, shape.originY, shape.primitive);
+  makeStrokePlanes(draw.state, draw.plan, plane, makeLineDepthPlane(draw.state, a, b),
+                   shape.originX, shape.originY, shape.primitive);
   return true;
 }
 

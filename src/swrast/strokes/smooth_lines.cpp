@@ -10,17 +10,20 @@
 namespace arbiter::swrast {
 namespace {
 
-/// The line from end to end, and how far from its middle it still reaches a pixel's centre.
+/// The line from end to end, and how far from its middle it still reaches a pixel's centre: by the
+/// host's steps, an angle and its sine, as depths are equal only over equal corners. Of no length:
+/// along x.
 struct Extent {
   Extent(const WindowVertex &a, const WindowVertex &b, float lineWidth)
-      : length(std::hypot(b.x - a.x, b.y - a.y)), // of no length: along x, as hosts have it
-        alongX(length > 0 ? (b.x - a.x) / length : 1),
-        alongY(length > 0 ? (b.y - a.y) / length : 0),
+      : length(lengthOf(b.x - a.x, b.y - a.y)), angle(std::atan2(b.y - a.y, b.x - a.x)),
+        alongX(std::cos(angle)), alongY(std::sin(angle)),
         // 1 of what is no number.
         halfWidth(0.5f * (lineWidth > 1 ? std::min(lineWidth, 8192.0f) : 1.0f) + 0.5f),
         halfLength(0.5f * length + 0.5f) {}
 
-  float length, alongX, alongY; ///< in host's window coordinates
+  static float lengthOf(float x, float y) { return std::sqrt(x * x + y * y); }
+
+  float length, angle, alongX, alongY; ///< in host's window coordinates
   float halfWidth, halfLength;
 };
 
@@ -42,6 +45,19 @@ struct Corner {
   const StrokeEnd *end;
 };
 
+/// Depth over a triangle of the two that hosts make of the rectangle: they begin with its second
+/// corner.
+abi::DepthPlane depthOf(const RasterState &state, const Corner *const corner[3]) {
+  Triangle triangle;
+  constexpr int kOrder[3] = {1, 0, 2};
+  for (int k = 0; k < 3; ++k) {
+    triangle.corner[k] = corner[kOrder[k]]->window;
+    triangle.vertex[k] = std::uint32_t(k);
+  }
+  triangle.provoking = state.provokingIsFirst ? 0 : 2;
+  return makeDepthPlane(state, triangle, false);
+}
+
 /// All planes of the triangle, the input of abi::Coverage::Line among them.
 void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
                const Corner *const corner[3], Shape &shape) {
@@ -58,7 +74,8 @@ void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
   plane.weight = weight;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
-  makeStrokePlanes(draw.state, draw.plan, plane, shape.originX, shape.originY, shape.primitive);
+  makeStrokePlanes(draw.state, draw.plan, plane, depthOf(draw.state, corner), shape.originX,
+                   shape.originY, shape.primitive);
   const Gradients gradients = gradientsOf(draw.state, plane.corner, shape.originX, shape.originY);
   const auto planeOf = [&](double a, double b, double c) {
     return gradients.plane(a * scale[0], b * scale[1], c * scale[2]);

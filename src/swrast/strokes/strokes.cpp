@@ -156,7 +156,8 @@ void Strokes::addSmoothLine(const Draw &draw, const Stroke &stroke, const Stroke
     if (shapeOfSmoothLine(draw, stroke, from, to, part, nextShape()))
       keepShape(draw);
   };
-  if (from.window.inverseW == to.window.inverseW)
+  const bool isLevel = !draw.plan.wantsDepth || from.window.z == to.window.z;
+  if (isLevel && from.window.inverseW == to.window.inverseW)
     return add(SmoothPart::Whole);
   add(SmoothPart::First);
   add(SmoothPart::Second);

@@ -23,7 +23,7 @@ struct Stroke {
 /// One line without stipple. False if it covers nothing.
 [[nodiscard]] bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                                const StrokeEnd &to, Shape &shape);
-/// What of a smooth line is one shape: all, or where its ends have different w either triangle.
+/// What of a smooth line is one shape: all, or where its ends differ in w or depth either triangle.
 enum class SmoothPart : std::uint8_t { Whole, First, Second };
 /// The same of a smooth line, or a part of it (abi::Coverage::Line).
 [[nodiscard]] bool shapeOfSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,

@@ -1,6 +1,7 @@
-// Depths of slanting surfaces: rasterizer-depth_planes SEED COUNT. Each seed is one primitive after
-// another of each kind, at random corners and by random transforms, in the window and in a
-// framebuffer object, each with and without polygon offset and by either provoking vertex. Writes
+// Depths of slanting surfaces and lines: rasterizer-depth_planes SEED COUNT. Each seed is one
+// primitive after another of each kind, at random corners and by random transforms, in the window
+// and in a framebuffer object, each with and without polygon offset and by either provoking vertex,
+// lines of random widths. Writes
 // the depths of each as records, all 24 bits of them. run_depth_planes.py compares.
 #include <array>
 #include <cstdlib>
@@ -18,35 +19,54 @@ struct Kind {
   const char *name;
   GLenum mode;
   int corners;
+  bool smooth = false;
 };
-constexpr Kind kKinds[] = {{"triangles", GL_TRIANGLES, 6},   {"strip", GL_TRIANGLE_STRIP, 6},
-                           {"fan", GL_TRIANGLE_FAN, 6},      {"quads", GL_QUADS, 4},
-                           {"quad strip", GL_QUAD_STRIP, 6}, {"polygon", GL_POLYGON, 5}};
+constexpr Kind kKinds[] = {{"triangles", GL_TRIANGLES, 6},
+                           {"strip", GL_TRIANGLE_STRIP, 6},
+                           {"fan", GL_TRIANGLE_FAN, 6},
+                           {"quads", GL_QUADS, 4},
+                           {"quad strip", GL_QUAD_STRIP, 6},
+                           {"polygon", GL_POLYGON, 5},
+                           {"lines", GL_LINES, 12},
+                           {"line strip", GL_LINE_STRIP, 5},
+                           {"line loop", GL_LINE_LOOP, 4},
+                           {"smooth lines", GL_LINES, 12, true},
+                           {"smooth line loop", GL_LINE_LOOP, 5, true}};
 
 class Scene {
 public:
   Scene(std::uint64_t seed, bool cut) : m_random(seed), m_reach(cut ? 2.5f : 1.0f) {}
 
-  void draw(const std::string &name) {
+  /// Smooth ones alone, or the others alone.
+  void draw(const std::string &name, bool smooth) {
     glViewport(0, 0, kWidth, kHeight);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
+    (smooth ? glEnable : glDisable)(GL_LINE_SMOOTH);
     for (const Kind &kind : kKinds) {
-      glProvokingVertex(m_random.once(2) ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
-      const bool raised = m_random.once(3);
+      if (kind.smooth != smooth)
+        continue;
+      const bool isFirst = m_random.once(2);
+      glProvokingVertex(isFirst ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
+      const bool raised = !smooth && m_random.once(3);
       (raised ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
       glPolygonOffset(real(-2, 2), real(-3000, 3000));
       const char *const way = transform();
+      if (isLines(kind))
+        glLineWidth(m_random.once(2) ? 1 : real(1, 5));
       const bool arrays = m_random.once(2);
       primitive(kind, arrays);
       record(name + " " + kind.name + " " + way + (raised ? " offset" : "") +
-                 (arrays ? " arrays" : ""),
+                 (arrays ? " arrays" : "") + (isFirst ? " first" : ""),
              depths());
     }
     record(name + " errors" + takeErrors(), {});
   }
 
 private:
+  static bool isLines(const Kind &kind) {
+    return kind.mode >= GL_LINES && kind.mode <= GL_LINE_STRIP;
+  }
   float real(float low, float high) {
     return low + (high - low) * float(m_random.below(1 << 20)) / float(1 << 20);
   }
@@ -113,12 +133,17 @@ private:
   float m_reach, m_size = 1;
 };
 
-/// 24 bits of depth and 8 of stencil, as the window has them.
-void makeObject() {
-  GLuint framebuffer = 0, buffers[2] = {};
-  glGenFramebuffers(1, &framebuffer);
+/// The window, or a framebuffer object of 24 bits of depth and 8 of stencil, as it has them.
+void useTarget(const std::string &name) {
+  static GLuint s_framebuffer = 0;
+  if (name == "window")
+    return glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (s_framebuffer != 0)
+    return glBindFramebuffer(GL_FRAMEBUFFER, s_framebuffer);
+  GLuint buffers[2] = {};
+  glGenFramebuffers(1, &s_framebuffer);
   glGenRenderbuffers(2, buffers);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, s_framebuffer);
   const std::array<std::pair<GLenum, GLenum>, 2> parts = {
       {{GL_RGBA8, GL_COLOR_ATTACHMENT0}, {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT}}};
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -140,13 +165,15 @@ int main(int argc, char **argv) {
     return 1;
   screen.makeCurrent(screen.makeWindow(kWidth, kHeight), screen.makeContext());
   const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
-  for (const char *const target : {"window", "object"}) {
-    if (std::string(target) == "object")
-      makeObject();
-    for (int seed = first; seed < first + count; ++seed)
-      for (const bool cut : {false, true})
-        Scene(std::uint64_t(2 * seed + cut), cut)
-            .draw(std::string(target) + (cut ? " cut" : "") + " seed " + std::to_string(seed));
-  }
+  // Mesa 22.3.6 has other polygon offsets once a context has drawn smooth lines, and raises these.
+  for (const bool smooth : {false, true})
+    for (const char *const target : {"window", "object"}) {
+      useTarget(target);
+      for (int seed = first; seed < first + count; ++seed)
+        for (const bool cut : {false, true})
+          Scene(std::uint64_t(2 * seed + cut), cut)
+              .draw(std::string(target) + (cut ? " cut" : "") + " seed " + std::to_string(seed),
+                    smooth);
+    }
   return 0;
 }
