@@ -89,6 +89,10 @@ def thunk(table, command, way):
         condition, values = LISTED_MATERIALS[command.name]
         lines += (f"  if (hot->listMode != 0 && {condition}arbiter::state::recordMaterial(here(), face, pname, "
                   f"{values}))\n    return;\n")
+        lines += (f"  if (hot->recorder && {condition}software::setsMaterialAgain(*hot, face, pname, {values})) "
+                  f"[[unlikely]]\n    return;\n")
+    elif SPLITS.fullmatch(command.name):
+        lines += "  if (hot->recorder) [[unlikely]]\n    software::forgetMaterials(*hot);\n"
     if SPLITS.fullmatch(command.name):
         lines += "  const software::PrimitiveSplit split(*hot);\n"
     if command.name == "ColorMaterial":
@@ -119,6 +123,7 @@ def source(table):
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/refused.h"
+#include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/split.h"
 #include "state/mirror/dirty_bits.h"
 

@@ -1,5 +1,6 @@
 // Strips, fans, loops and polygons that follow one another may be drawn as one: the picture is that
 // of each drawn alone.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -225,6 +226,60 @@ TEST_F(JoinedPrimitives, MaterialsAndMistakesWithin) {
     EXPECT_EQ(pixel[0], i % 2 ? 255 : 0) << i;
     EXPECT_EQ(pixel[1], i % 2 ? 0 : 255) << i;
   }
+}
+
+/// Quads whose vertices each come with the materials, as some programs give them: `again` leaves
+/// out none of them, else those alone that change something are given.
+void drawQuads(std::mt19937 &random, bool again, bool follows) {
+  std::array<GLfloat, 4> diffuse{}, given{-1, 0, 0, 0};
+  for (int quad = 0; quad < 6; ++quad) {
+    const float left = -1 + 0.3f * float(quad);
+    glBegin(GL_QUADS);
+    for (int vertex = 0; vertex < 4; ++vertex) {
+      if (vertex == 0 || random() % 4 == 0) {
+        diffuse = {float(random() % 8) / 7, float(random() % 8) / 7, 0.5f, 1};
+      }
+      const bool isNew = diffuse != given;
+      if (again || isNew || follows)
+        glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, diffuse.data());
+      given = diffuse;
+      if (random() % 5 == 0) { // by another command, and back
+        glMaterialiv(GL_FRONT, GL_EMISSION, std::array<GLint, 4>{1 << 30, 0, 0, 0}.data());
+        glMaterialf(GL_FRONT, GL_SHININESS, 128.5f); // an error
+        glMaterialfv(GL_FRONT, GL_EMISSION, std::array<GLfloat, 4>{0, 0, 0.25f, 1}.data());
+      }
+      if (follows)
+        glColor3f(0.25f * float(vertex), 1, float(random() % 2));
+      glNormal3f(0, 0, 1);
+      glVertex2f(left + (vertex == 1 || vertex == 2 ? 0.25f : 0), vertex < 2 ? -0.8f : 0.8f);
+    }
+    glEnd();
+  }
+}
+
+TEST_F(JoinedPrimitives, MaterialsThatAreGivenAgainChangeNothing) {
+  if (layered() && !rasterizerDrawsAll())
+    GTEST_SKIP() << "the host may draw one of the two pictures";
+  glEnable(GL_LIGHTING);
+  glEnable(GL_LIGHT0);
+  std::size_t all = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    (seed % 3 == 0 ? glEnable : glDisable)(GL_COLOR_MATERIAL);
+    glMaterialfv(GL_FRONT, GL_EMISSION, std::array<GLfloat, 4>{0, 0, 0.25f, 1}.data());
+    Picture picture[2];
+    for (const bool again : {false, true}) {
+      std::mt19937 random(seed);
+      picture[again ? 1 : 0] = drawn([&] { drawQuads(random, again, seed % 3 == 0); });
+      while (glGetError() != GL_NO_ERROR) {
+      }
+    }
+    int most = 0; // where a vertex changes the material the host draws the quad
+    for (std::size_t i = 0; i < picture[0].size(); ++i)
+      most = std::max(most, std::abs(picture[0][i] - picture[1][i]));
+    ASSERT_LE(most, 1) << "seed " << seed;
+    all += lit(picture[1]);
+  }
+  EXPECT_GT(all, std::size_t(60) * kSize * kSize / 3);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "state/host_draw/native_inputs.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"
+#include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/list_arrays.h"
@@ -33,6 +34,8 @@ bool defer(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
+  if (context.software && (context.attention & attention::kRecorded) == 0)
+    context.software->materials.begin();
   if (software::isHeld(context) && software::reopenHeld(context, mode))
     return;
   if (software::isRecorded(context) && software::refuses(context, "glBegin")) [[unlikely]]

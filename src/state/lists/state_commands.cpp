@@ -31,7 +31,7 @@ bool recordMaterial(Context &context, GLenum face, GLenum pname, const GLfloat *
     return false;
   StateCommand command{.target = face, .pname = pname};
   std::copy_n(values, count, command.values.begin());
-  return record(context, command, software::dirty::kLighting | software::dirty::kProgramState);
+  return record(context, command, software::dirty::kMaterial | software::dirty::kProgramState);
 }
 
 bool recordBindTexture(Context &context, GLenum target, GLuint texture) {

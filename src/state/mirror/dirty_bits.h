@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kPixelOps =
 inline constexpr std::uint32_t kTransform =
     1u << 6; ///< matrices, also the modelview matrix; normalise, rescale, clip planes
 inline constexpr std::uint32_t kLighting =
-    1u << 7; ///< lights, materials, light model, colour material
+    1u << 7; ///< lights, light model, colour material; materials with all these
 inline constexpr std::uint32_t kTexGen = 1u << 8;   ///< texgen, point sprite
 inline constexpr std::uint32_t kArrays = 1u << 9;   ///< pointers, enables, buffer bindings, VAO
 inline constexpr std::uint32_t kCurrent = 1u << 10; ///< current vertex attributes
@@ -31,9 +31,10 @@ inline constexpr std::uint32_t kProgramState =
 inline constexpr std::uint32_t kBuffers = 1u << 15; ///< what buffer objects hold
 inline constexpr std::uint32_t kRasterPosition = 1u << 16; ///< with the values that go with it
 inline constexpr std::uint32_t kModelview = 1u << 17;      ///< the modelview matrix, and no other
-inline constexpr int kGroups = 18;
+inline constexpr std::uint32_t kMaterial = 1u << 18; ///< materials' values
+inline constexpr int kGroups = 19;
 // No groups of their own: GenerationCounter::take() says which one they come to.
-inline constexpr std::uint32_t kMatrix = 1u << 18;     ///< the matrix that MATRIX_MODE names
-inline constexpr std::uint32_t kMatrixMode = 1u << 19; ///< which one that is
+inline constexpr std::uint32_t kMatrix = 1u << 19;     ///< the matrix that MATRIX_MODE names
+inline constexpr std::uint32_t kMatrixMode = 1u << 20; ///< which one that is
 inline constexpr std::uint32_t kAll = ~0u;
 } // namespace arbiter::state::software::dirty

@@ -43,8 +43,10 @@ std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::LightProdAmbient:
   case StateItem::LightProdDiffuse:
   case StateItem::LightProdSpecular:
-    return dirty::kLighting | dirty::kCurrent; // COLOR_MATERIAL follows the colour
+    // COLOR_MATERIAL follows the colour.
+    return dirty::kLighting | dirty::kMaterial | dirty::kCurrent;
   case StateItem::MaterialShininess:
+    return dirty::kLighting | dirty::kMaterial;
   case StateItem::LightAmbient:
   case StateItem::LightDiffuse:
   case StateItem::LightSpecular:

@@ -130,9 +130,19 @@ TEST(ProgramValues, EveryRowOfStateIsTheHostsAfterItsGroupChanged) {
   ProgramValues values(b.program());
   testing::Numbers n(7);
   GenerationCounter clock;
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 36; ++round) {
     const GLfloat any[4] = {n.real(0, 1), n.real(0, 1), n.real(0, 1), 1};
-    switch (round % 7) {
+    switch (round % 9) {
+    case 7:
+      glMatrixMode(GL_MODELVIEW);
+      glRotatef(20, any[0], any[1], any[2]);
+      context.dirty |= dirty::kModelview;
+      break;
+    case 8:
+      glMaterialfv(GL_FRONT_AND_BACK, n.chance(50) ? GL_DIFFUSE : GL_EMISSION, any);
+      glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 40 * any[0]);
+      context.dirty |= dirty::kMaterial;
+      break;
     case 0:
       glMatrixMode(n.chance(50) ? GL_MODELVIEW : GL_PROJECTION);
       glRotatef(20, any[0], any[1], any[2]);
