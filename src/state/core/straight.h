@@ -100,6 +100,24 @@ ARBITER_EVALUATES(EvalPoint2)
   return isHostsMesh(context);
 }
 
+/// Where a draw goes straight to the host a primitive does, vertex by vertex.
+[[nodiscard]] inline bool Begin(Context &context, GLenum mode) {
+  if (context.attention != 0 || context.softwarePossible || context.mapsNamed ||
+      context.listMode != 0)
+    return false;
+  ++*context.drawCounter;
+  if (mode <= GL_POLYGON)
+    context.insideBeginEnd = true;
+  return true;
+}
+/// No primitive of the rasterizer's ends, nor one of a list's.
+[[nodiscard]] inline bool End(Context &context) {
+  if (context.attention != 0 || context.softwarePossible || context.listMode != 0)
+    return false;
+  context.insideBeginEnd = false;
+  return true;
+}
+
 /// Names of APPLE_vertex_array_object's are the layer's.
 [[nodiscard]] inline bool BindVertexArray(Context &context, GLuint) {
   return !context.era || !context.era->vertexArrays.any();

@@ -41,6 +41,40 @@ TEST(Straight, AnEnableOfTheHostsIsWhatTheHandlerMakesOfIt) {
   }
 }
 
+TEST(Straight, APrimitiveOfTheHostsIsWhatTheHandlersMakeOfIt) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND");
+  EXPECT_FALSE(straight::Begin(*context, GL_POINTS)) << "the program is not the host's yet";
+  ASSERT_TRUE(draw(*context));
+  ASSERT_EQ(context->attention, 0u);
+  // Modes beyond POLYGON open nothing.
+  for (GLenum mode = 0; mode < 20; ++mode) {
+    const std::uint64_t before = drawsBy(*context, Path::HostGlsl);
+    ASSERT_TRUE(straight::Begin(*context, mode)) << mode;
+    const bool inside = context->insideBeginEnd;
+    ASSERT_TRUE(straight::End(*context));
+    ASSERT_FALSE(context->insideBeginEnd);
+    ASSERT_EQ(drawsBy(*context, Path::HostGlsl), before + 1);
+    handlers::Begin(*context, mode);
+    ASSERT_EQ(context->insideBeginEnd, inside) << mode;
+    handlers::End(*context);
+    ASSERT_EQ(drawsBy(*context, Path::HostGlsl), before + 2);
+  }
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 0, 0, 0);
+  EXPECT_FALSE(straight::Begin(*context, GL_POINTS)) << "a parameter waits";
+  ASSERT_TRUE(draw(*context));
+  context->mapsNamed = true;
+  EXPECT_FALSE(straight::Begin(*context, GL_POINTS)) << "it may evaluate";
+  context->mapsNamed = false;
+  context->softwarePossible = true;
+  EXPECT_FALSE(straight::Begin(*context, GL_POINTS) || straight::End(*context));
+  context->softwarePossible = false;
+  handlers::NewList(*context, 1, GL_COMPILE);
+  EXPECT_FALSE(straight::Begin(*context, GL_POINTS) || straight::End(*context));
+  handlers::EndList(*context);
+}
+
 TEST(Straight, WhatIsDirtyAlreadyStaysSo) {
   FakeHost host;
   const CurrentContext context(host);

@@ -84,6 +84,8 @@ void noteCapability(Context &context, Capability capability, bool enabled) {
     noteClipPlane(context, enabled);
   else if (capability == Capability::PointSprite)
     noteSpriteCommand(context);
+  else if (capability == Capability::ProgramTarget)
+    context.dirty |= software::dirty::kQueries; // a driver's own extension (mirror_obstacles.cpp)
 }
 
 /// Enable and Disable of a capability that is not the host's alone.

@@ -78,6 +78,8 @@ bool beginWithoutVertexShader(Context &context) {
 namespace handlers {
 
 bool beginDraw(Context &context, GLenum mode) {
+  if (sendParametersAlone(context)) // each of many small draws has its own
+    return true;
   issuePrimitiveMode(context, mode);
   return begin(context, validate);
 }

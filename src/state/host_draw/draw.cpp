@@ -119,11 +119,10 @@ void releaseHostProgram(Context &context) {
 void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
   if (linkedProgram.vertexProgram != 0) {
     context.stagePipeline->use(context, linkedProgram.vertexProgram, linkedProgram.hostProgram);
+    context.hostProgramIsOurs = true;
   } else {
-    context.stagePipeline->release(context);
-    context.host->UseProgram(linkedProgram.hostProgram);
+    context.stagePipeline->useAlone(context, linkedProgram.hostProgram);
   }
-  context.hostProgramIsOurs = true;
 }
 
 /// Chooses what is effective, and brings it into the host.
@@ -233,6 +232,25 @@ bool validatePrograms(Context &context) {
   return !isDropped(context.path);
 }
 
+bool sendParametersAlone(Context &context) {
+  if ((context.attention & ~attention::kParameters) != 0 || context.listMode != 0 ||
+      context.insideBeginEnd || context.passThrough ||
+      context.group->contexts.load(std::memory_order_relaxed) != 1)
+    return false;
+  // Its invariants are looked for in their symbols.
+  if (context.vertexShaders && context.vertexShaders->effective)
+    return false;
+  // validatePrograms() leaves these as they are, and parameters to be sent.
+  if (context.samplerOverride->active() || !spritesAreTheHosts(context))
+    return false;
+  if (context.linkedProgram)
+    uploadParameters(context, *context.linkedProgram, context.attention);
+  else if (context.path == Path::HostAssembly)
+    context.hostAssembly->uploadParameters(context);
+  context.attention = 0;
+  return true;
+}
+
 bool validate(Context &context) {
   refreshInputs(context);
   if (mayFollowAlphaDepths(context)) [[unlikely]]
@@ -296,6 +314,7 @@ void afterHostList(Context &context) {
     return;
   GLint current = 0;
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
+  context.stagePipeline->forgetCurrent();
   // An earlier one of the layer's is, where the host waits for what is effective now.
   if (context.hostProgramIsOurs && (context.group->ownsHostProgram(GLuint(current)) ||
                                     (current == 0 && context.stagePipeline->isBound())))

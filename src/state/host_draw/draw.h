@@ -6,6 +6,10 @@ namespace arbiter::state {
 /// Decides which path draws take and binds what it needs, raising no error. False if draws are
 /// errors now.
 bool validate(Context &context);
+/// What validate() comes to where nothing but env and local values may have changed since the last
+/// draw: without them the draw would go straight to the host. False: it is another case, and
+/// nothing is done.
+[[nodiscard]] bool sendParametersAlone(Context &context);
 /// The part of validate() that a draw of the rasterizer's needs: what is effective. What only the
 /// host needs, uniforms and sampler bindings, is left for the validate() before its next draw.
 bool validatePrograms(Context &context);

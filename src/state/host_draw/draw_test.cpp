@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "state/host_draw/linked_program.h"
+#include "state/programs/program_bind.h"
 #include "state/testing/current_context.h"
 
 namespace {
@@ -79,6 +80,53 @@ TEST(Draw, ChangedParametersGoInRuns) {
   EXPECT_TRUE(host.calls.empty()) << "the same value was sent again";
 }
 
+TEST(Draw, AParameterAloneIsSentAndNothingElseIsLookedAt) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kFour);
+  ASSERT_TRUE(draw(*context));
+  const std::uint64_t selections = context->selections;
+  for (int i = 1; i < 4; ++i) {
+    handlers::ProgramEnvParameter4fARB(*context, kFragment, 5, GLfloat(i), 0, 0, 0);
+    EXPECT_EQ(context->attention, attention::kFragmentParameters);
+    host.calls.clear();
+    ASSERT_TRUE(draw(*context));
+    ASSERT_EQ(host.calls.size(), 1u) << host.calls.front();
+    EXPECT_EQ(host.count("Uniform4fv"), 1);
+    EXPECT_EQ(context->attention, 0u);
+  }
+  EXPECT_EQ(context->selections, selections);
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 4u);
+}
+
+TEST(Draw, AParameterIsNotSentBetweenBeginAndEnd) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kFour);
+  ASSERT_TRUE(draw(*context));
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 5, 1, 0, 0, 0);
+  context->insideBeginEnd = true;
+  host.calls.clear();
+  EXPECT_TRUE(draw(*context)) << "the host's error to raise";
+  EXPECT_TRUE(host.calls.empty()) << host.calls.front();
+  context->insideBeginEnd = false;
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Uniform4fv"), 1) << "it waited";
+}
+
+TEST(Draw, AParameterHidesNoContextThatHasJoinedTheGroup) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kFour);
+  ASSERT_TRUE(draw(*context));
+  Context *const second = createContext(Provider::Egl, host.table(), &*context);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 5, 1, 0, 0, 0);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Uniform4fv"), 1);
+  EXPECT_EQ(context->attention, attention::kShared) << "from now on each draw looks";
+  destroyContext(second);
+}
+
 TEST(Draw, TheHostProgramIsHidden) {
   FakeHost host;
   const CurrentContext context(host);
@@ -97,6 +145,52 @@ TEST(Draw, TheHostProgramIsHidden) {
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(host.currentProgram, linked);
   EXPECT_EQ(host.count("LinkProgram"), 1) << "it was built again";
+}
+
+TEST(Draw, AProgramThatIsCurrentIsNotMadeSoAgain) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint first = use(*context, kThree);
+  ASSERT_TRUE(draw(*context));
+  handlers::Disable(*context, kFragment); // as a program does behind each draw of its own
+  handlers::Enable(*context, kFragment);
+  host.calls.clear();
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("UseProgram"), 0);
+  const GLuint linked = host.currentProgram;
+  use(*context, kFour);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_NE(host.currentProgram, linked);
+  handlers::BindProgramARB(*context, kFragment, first);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.currentProgram, linked);
+  // Fixed function between them.
+  handlers::Disable(*context, kFragment);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.currentProgram, 0u);
+  handlers::Enable(*context, kFragment);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.currentProgram, linked);
+}
+
+TEST(Draw, WhatAHostsListMadeCurrentIsMadeSoNoLonger) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint first = use(*context, kThree);
+  ASSERT_TRUE(draw(*context));
+  const GLuint linked = host.currentProgram;
+  use(*context, kFour);
+  ASSERT_TRUE(draw(*context));
+  const GLuint other = host.currentProgram;
+  handlers::BindProgramARB(*context, kFragment, first);
+  ASSERT_TRUE(draw(*context));
+  context->group->hostListsChangeProgram = true;
+  host.currentProgram = other; // the list had it from its time
+  host.integers[GL_CURRENT_PROGRAM] = GLint(other);
+  afterHostList(*context);
+  invalidateProgram(*context);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.currentProgram, linked);
 }
 
 TEST(Draw, AUseProgramThatFailsLeavesTheApplicationsProgram) {

@@ -1,13 +1,12 @@
 #include "state/host_draw/host_assembly.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
-#include "state/report/capture.h"
+#include "state/programs/program_edits.h"
 
 namespace arbiter::state {
 
@@ -15,12 +14,6 @@ namespace {
 
 /// The host's targets, in the order of HostAssembly's stages.
 constexpr GLenum kHostTargets[] = {GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB};
-
-/// Bits, not values: a NaN would be sent for ever, and -0 never.
-bool same(const Vec4 &a, const Vec4 &b) {
-  return std::bit_cast<std::array<std::uint32_t, 4>>(a) ==
-         std::bit_cast<std::array<std::uint32_t, 4>>(b);
-}
 
 /// Values of consecutive parameters that lie in memory in a row: one call of the host's, where it
 /// takes several.
@@ -137,29 +130,30 @@ void HostAssembly::bindAgain(Context &context, GLenum target) const {
 }
 
 void HostAssembly::uploadStage(Context &context, std::size_t stage) {
-  LinkedProgramStage &program = m_active[stage]->stage;
-  const ProgramTarget &row = context.row(program.compiled->target);
-  const auto &uniforms = program.compiled->glsl.uniforms;
+  AssemblyProgram &program = *m_active[stage];
+  std::vector<Vec4> &uploaded = program.stage.uploaded;
+  const ProgramTarget &row = context.row(program.stage.compiled->target);
   ParameterRun run{context, kHostTargets[stage]};
-  for (std::size_t i = 0; i < uniforms.size(); ++i) {
-    const fp::ir::Parameter &parameter = uniforms[i].parameter;
-    const bool env = parameter.kind == fp::ir::ParameterKind::Env;
-    const bool local = parameter.kind == fp::ir::ParameterKind::Local;
-    // Constants and state are the host's to read; a capture shows them.
-    if (!env && !local && !capturing())
-      continue;
-    const Vec4 value = currentValue(context, row, parameter);
-    if (env && parameter.index >= m_env[stage].size()) {
-      run.send();                                       // growing moves what it points to
-      m_env[stage].resize(parameter.index + 1, Vec4{}); // the host's initial values
+  const bool held = anyHeld();
+  for (const GivenParameter &given : program.given) {
+    const bool env = given.kind == fp::ir::ParameterKind::Env;
+    const bool local = given.kind == fp::ir::ParameterKind::Local;
+    const Vec4 value =
+        held || (!env && !local)
+            ? currentValue(context, row,
+                           program.stage.compiled->glsl.uniforms[given.place].parameter)
+            : givenValue(row, env, given.index);
+    if (env && given.index >= m_env[stage].size()) {
+      run.send();                                   // growing moves what it points to
+      m_env[stage].resize(given.index + 1, Vec4{}); // the host's initial values
     }
-    Vec4 &held = env ? m_env[stage][parameter.index] : program.uploaded[i];
-    const bool changed = !same(value, held);
-    held = value;
+    Vec4 &sent = env ? m_env[stage][given.index] : uploaded[given.place];
+    const bool changed = !sameBits(value, sent);
+    sent = value;
     if (env)
-      program.uploaded[i] = value; // what a capture shows
+      uploaded[given.place] = value; // what a capture shows
     if (changed && (env || local))
-      run.add(env, parameter.index, held);
+      run.add(env, given.index, sent);
   }
   run.send();
 }

@@ -119,6 +119,7 @@ TEST(HostAssembly, ParametersGoAsFarAsTheyChanged) {
   handlers::ProgramLocalParameter4fARB(*context, kVertex, 1, 5, 0, 0, 0);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(sent(host), (Calls{"ProgramLocalParameter4fv " + kVertexName + " 1 5"}));
+  EXPECT_EQ(host.calls.size(), 1u) << "nothing else is asked";
 }
 
 // A palette of matrices: one call for what changed in a row, where the host takes several.

@@ -62,9 +62,7 @@ bool hasPlainSamplers(const CompiledProgram &compiled) {
 /// found.
 void setUp(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
            LinkedProgram &linkedProgram) {
-  context.stagePipeline->release(context);
-  context.host->UseProgram(hostProgram);
-  context.hostProgramIsOurs = true;
+  context.stagePipeline->useAlone(context, hostProgram);
   for (LinkedProgramStage *const stage : stages) {
     if (!stage->compiled)
       continue;
@@ -160,6 +158,14 @@ LinkedProgramCache::assemblyOf(Context &context,
   auto made = std::make_unique<AssemblyProgram>();
   made->stage.compiled = compiled.get();
   made->stage.uploaded.assign(compiled->glsl.uniforms.size(), Vec4{}); // the host's initial ones
+  const auto &uniforms = compiled->glsl.uniforms;
+  for (std::size_t i = 0; i < uniforms.size(); ++i) {
+    using fp::ir::ParameterKind;
+    const fp::ir::Parameter &parameter = uniforms[i].parameter;
+    if (parameter.kind == ParameterKind::Env || parameter.kind == ParameterKind::Local ||
+        capturing())
+      made->given.push_back({parameter.kind, parameter.index, std::uint32_t(i)});
+  }
   made->defined = defined;
   all.reserve(all.size() + 1); // its place first
   made->name = loadAssembly(context, *compiled, defined);

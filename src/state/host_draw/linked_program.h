@@ -1,17 +1,19 @@
 #pragma once
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "state/core/target.h"
 #include "state/programs/program_object.h"
 
 namespace arbiter::state {
 
 class Context;
-struct ProgramTarget;
 
 /// The programs that shade a draw, one a stage; null where fixed function does.
 struct ProgramPair {
@@ -27,11 +29,21 @@ struct LinkedProgramStage {
   bool readsState = false;                   ///< has uniforms of kind State
 };
 
+/// A parameter of a program's, beside what a draw looks at else.
+struct GivenParameter {
+  fp::ir::ParameterKind kind = fp::ir::ParameterKind::Env;
+  std::uint32_t index = 0; ///< of the env or local values
+  std::uint32_t place = 0; ///< in GlslShader::uniforms
+};
+
 /// A program as an object of the host's own ARB path. Env values are the target's, not the
 /// program's: of those `uploaded` holds what the last draw read.
 struct AssemblyProgram {
   GLuint name = 0; ///< 0: the host refused it
   LinkedProgramStage stage;
+  /// Those that the host is given: env and local ones. Where draws are captured the others too,
+  /// which are the host's to read, and a capture shows them.
+  std::vector<GivenParameter> given;
   std::vector<fp::ir::Output> defined; ///< beside those that it writes (undefined_results.h)
 };
 
@@ -163,6 +175,23 @@ void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint3
 /// The value that a parameter has now; `row`: the effective program's.
 [[nodiscard]] Vec4 currentValue(Context &context, const ProgramTarget &row,
                                 const fp::ir::Parameter &parameter);
+/// What the application gave an env or local parameter.
+[[nodiscard]] inline Vec4 givenValue(const ProgramTarget &row, bool env, std::size_t index) {
+  if (env)
+    return index < row.env.size() ? row.env[index] : Vec4{};
+  return index < row.bound->locals.size() ? row.bound->locals[index].load() : Vec4{};
+}
+/// The value of one that is no row of state, while no client of control holds any.
+[[nodiscard]] inline Vec4 ownValue(const ProgramTarget &row, const fp::ir::Parameter &parameter) {
+  return parameter.kind == fp::ir::ParameterKind::Constant
+             ? parameter.constant
+             : givenValue(row, parameter.kind == fp::ir::ParameterKind::Env, parameter.index);
+}
+/// Bits, not values: a NaN would be sent for ever, and -0 never.
+[[nodiscard]] inline bool sameBits(const Vec4 &a, const Vec4 &b) {
+  using Halves = std::array<std::uint64_t, 2>;
+  return std::bit_cast<Halves>(a) == std::bit_cast<Halves>(b);
+}
 
 /// The value of one row of GL state (3.11.3.2), from the host.
 void fetchState(Context &context, const fp::ir::StateRef &state, GLfloat value[4]);

@@ -1,6 +1,4 @@
 // uploadParameters: what the effective programs read, as far as it changed.
-#include <bit>
-
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/host_assembly.h"
@@ -10,24 +8,15 @@
 namespace arbiter::state {
 
 Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Parameter &parameter) {
-  Vec4 value{};
   if (anyHeld()) [[unlikely]]
     if (const bool env = parameter.kind == fp::ir::ParameterKind::Env;
         env || parameter.kind == fp::ir::ParameterKind::Local)
       if (const auto held = findHeld(context, row, env, parameter.index))
         return *held;
-  switch (parameter.kind) {
-  case fp::ir::ParameterKind::Constant:
-    return parameter.constant;
-  case fp::ir::ParameterKind::Env:
-    return parameter.index < row.env.size() ? row.env[parameter.index] : value;
-  case fp::ir::ParameterKind::Local:
-    return parameter.index < row.bound->locals.size() ? row.bound->locals[parameter.index].load()
-                                                      : value;
-  case fp::ir::ParameterKind::State:
-    fetchState(context, parameter.state, value.data());
-    return value;
-  }
+  if (parameter.kind != fp::ir::ParameterKind::State)
+    return ownValue(row, parameter);
+  Vec4 value{};
+  fetchState(context, parameter.state, value.data());
   return value;
 }
 
@@ -37,6 +26,7 @@ namespace {
 void uploadStage(Context &context, LinkedProgramStage &stage, GLuint program) {
   const ProgramTarget &row = context.row(stage.compiled->target);
   const auto &uniforms = stage.compiled->glsl.uniforms;
+  const bool held = anyHeld();
   std::size_t begin = 0; // of the run of changed values, as far as it goes
   std::size_t end = 0;
   const auto flush = [&] {
@@ -51,10 +41,11 @@ void uploadStage(Context &context, LinkedProgramStage &stage, GLuint program) {
   for (std::size_t i = 0; i < uniforms.size(); ++i) {
     if (stage.locations[i] < 0)
       continue;
-    const Vec4 value = currentValue(context, row, uniforms[i].parameter);
-    // Bits, not values: a NaN would be sent for ever, and -0 never.
-    if (std::bit_cast<std::array<std::uint32_t, 4>>(value) ==
-        std::bit_cast<std::array<std::uint32_t, 4>>(stage.uploaded[i]))
+    const fp::ir::Parameter &parameter = uniforms[i].parameter;
+    const Vec4 value = held || parameter.kind == fp::ir::ParameterKind::State
+                           ? currentValue(context, row, parameter)
+                           : ownValue(row, parameter);
+    if (sameBits(value, stage.uploaded[i]))
       continue;
     stage.uploaded[i] = value;
     const bool joins =

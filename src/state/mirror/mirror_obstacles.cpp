@@ -31,6 +31,25 @@ constexpr Cap kCaps[] = {
     {&HostCaps::srgbFramebuffer, GL_FRAMEBUFFER_SRGB, "FRAMEBUFFER_SRGB"},
 };
 
+/// What shades in a GPU's driver and the rasterizer has only where the layer offers it: there the
+/// host's enable is never set.
+struct DriversCap {
+  const char *extension;
+  GLenum cap;
+  const char *name;
+};
+constexpr DriversCap kDriversCaps[] = {
+    {"GL_NV_register_combiners", GL_REGISTER_COMBINERS_NV, "the host's REGISTER_COMBINERS_NV"},
+    {"GL_NV_texture_shader", GL_TEXTURE_SHADER_NV, "the host's TEXTURE_SHADER_NV"},
+    {"GL_NV_fragment_program", GL_FRAGMENT_PROGRAM_NV, "the host's FRAGMENT_PROGRAM_NV"},
+};
+
+/// Points of the host's NV_point_sprite, whose third coordinate is one of the other two.
+bool spritesHaveThird(const HostCaps &caps, const HostQuery &query) {
+  return caps.has("GL_NV_point_sprite") && query.enabled(GL_POINT_SPRITE) &&
+         query.name(GL_POINT_SPRITE_R_MODE_NV) != GL_ZERO;
+}
+
 bool clipControlled(const HostCaps &caps, const HostQuery &query) {
   return caps.clipControl && (query.name(GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
                               query.name(GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE);
@@ -54,6 +73,13 @@ void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror
   for (const Cap &cap : kCaps)
     if (caps.*cap.offered && query.enabled(cap.cap))
       note("state", cap.name);
+  if (!caps.onProcessor) { // no such host has them
+    for (const DriversCap &cap : kDriversCaps)
+      if (caps.has(cap.extension) && query.enabled(cap.cap))
+        note("state", cap.name);
+    if (spritesHaveThird(caps, query))
+      note("state", "the host's POINT_SPRITE_R_MODE_NV");
+  }
   if (clipControlled(caps, query))
     note("state", "CLIP_ORIGIN or CLIP_DEPTH_MODE");
   if (mirror.blendLacking)

@@ -28,6 +28,16 @@ void StagePipeline::use(Context &context, GLuint vertex, GLuint fragment) {
   context.host->UseProgram(0); // a current program goes before the pipeline
   if (!std::exchange(m_isBound, true))
     context.host->BindProgramPipeline(m_name);
+  m_current = 0;
+}
+
+void StagePipeline::useAlone(Context &context, GLuint program) {
+  release(context);
+  if (context.hostProgramIsOurs && m_current == program)
+    return;
+  context.host->UseProgram(program);
+  context.hostProgramIsOurs = true;
+  m_current = program;
 }
 
 void StagePipeline::release(Context &context) {
@@ -46,6 +56,8 @@ void StagePipeline::lookAgain(Context &context) {
 void StagePipeline::forget(Context &context, GLuint program) {
   if (program == 0)
     return;
+  if (m_current == program)
+    m_current = 0;
   // A later program may have the name, and the host keeps what a pipeline holds.
   if (m_vertex == program)
     setStage(context, GL_VERTEX_SHADER_BIT, m_vertex, 0);

@@ -36,6 +36,11 @@ void followSprites(Context &context);
 }
 /// The form that the effective program is chosen for.
 [[nodiscard]] SpriteForm spriteForm(const Context &context);
+/// No form of the layer's is in force, nor a unit's COORD_REPLACE hidden from the host.
+[[nodiscard]] inline bool spritesAreTheHosts(const Context &context) {
+  const PointSprites *const sprites = spritesOf(context);
+  return !sprites || (sprites->form.units == 0 && sprites->hidden == 0);
+}
 /// After the choice: the host's COORD_REPLACE is what the program of the draw needs.
 void applySprites(Context &context);
 
