@@ -1,5 +1,8 @@
 #include "scene.h"
 
+#include <cstdio>
+#include <cstring>
+
 #include <GL/osmesa.h>
 
 #include <GL/gl.h>
@@ -74,6 +77,14 @@ void bindObject(int width, int height) {
   }
 }
 
+bool makeCurrent(std::uint8_t *pixels, int width, int height) {
+  static const OSMesaContext context = [] {
+    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, 0};
+    return OSMesaCreateContextAttribs(attributes, nullptr);
+  }();
+  return context && OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, width, height);
+}
+
 } // namespace
 
 void Scene::add(double x, double y, double w, double z) {
@@ -81,14 +92,23 @@ void Scene::add(double x, double y, double w, double z) {
       {float((x / width * 2 - 1) * w), float((y / height * 2 - 1) * w), float(z * w), float(w)});
 }
 
-Counts drawByHost(const Scene &scene, Target target) {
-  static const OSMesaContext context = [] {
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, 0};
-    return OSMesaCreateContextAttribs(attributes, nullptr);
+bool hostCutsLinesAsEdges() {
+  static const bool cuts = [] {
+    std::uint8_t pixel[4];
+    int year = 0, number = 0;
+    if (!makeCurrent(pixel, 1, 1))
+      return false;
+    const auto *const version = reinterpret_cast<const char *>(glGetString(GL_VERSION));
+    const char *const mesa = std::strstr(version, "Mesa ");
+    return mesa && std::sscanf(mesa, "Mesa %d.%d", &year, &number) == 2 &&
+           100 * year + number >= 2302;
   }();
+  return cuts;
+}
+
+Counts drawByHost(const Scene &scene, Target target) {
   std::vector<std::uint8_t> pixels(std::size_t(scene.width) * std::size_t(scene.height) * 4);
-  if (!context ||
-      !OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, scene.width, scene.height))
+  if (!makeCurrent(pixels.data(), scene.width, scene.height))
     return {};
   if (target == Target::FramebufferObject)
     bindObject(scene.width, scene.height);
