@@ -75,6 +75,9 @@ struct RasterState {
   float offsetFactor = 0, offsetUnits = 0;
   double depthResolution = 1.0 / 16777215.0; ///< r of polygon offset
   float lineWidth = 1, pointSize = 1;
+  /// Ends of lines that lie on pixels' centres are cut, and all are snapped, as polygons' edges are
+  /// (llvmpipe from Mesa 23.2 on); else each by a rule of its own.
+  bool lineEndsAsEdges = false;
   /// What is not Whole is drawn by lines, or by points, alone; the last input is its own.
   abi::Coverage coverage = abi::Coverage::Whole;
   float pointSizeMinimum = 1, pointSizeMaximum = 255;

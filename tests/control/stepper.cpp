@@ -322,6 +322,8 @@ void pester(Worker &worker, int number) {
 } // namespace
 
 int main() {
+  // Reading apart from stdin: exit() waits for its lock in glibc 2.41, which a read would hold.
+  std::ios_base::sync_with_stdio(false);
   XInitThreads();
   struct sigaction action = {};
   action.sa_handler = handle; // without SA_RESTART: waits are interrupted

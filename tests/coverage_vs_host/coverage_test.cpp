@@ -12,9 +12,10 @@ using swrast::Topology;
 
 /// The host's pixels and the rasterizer's, by rows and by blocks of every size, of a window and of
 /// an object.
-void expectSame(const Scene &scene, const std::string &what,
+void expectSame(Scene scene, const std::string &what,
                 std::initializer_list<Target> targets = {Target::Window,
                                                          Target::FramebufferObject}) {
+  scene.state.lineEndsAsEdges = hostCutsLinesAsEdges();
   for (const Target target : targets) {
     const Counts host = drawByHost(scene, target);
     ASSERT_FALSE(host.empty()) << "no OSMesa context";

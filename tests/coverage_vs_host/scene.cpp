@@ -1,5 +1,8 @@
 #include "scene.h"
 
+#include <cstdio>
+#include <cstring>
+
 #include <GL/osmesa.h>
 
 #include <GL/gl.h>
@@ -52,19 +55,34 @@ template <typename Function> Function lookUp(const char *name) {
   return reinterpret_cast<Function>(OSMesaGetProcAddress(name));
 }
 
-/// A framebuffer object with a renderbuffer of that size, bound.
+/// A framebuffer object with renderbuffers of that size, bound. One of depths is among them:
+/// without, llvmpipe clips nothing at the sides of the view volume where it knows the colours'
+/// format (Mesa 22.3.6 BGRA, 25.0.7 RGBA too), and what is cut lies elsewhere by a part of a
+/// sub-pixel.
 void bindObject(int width, int height) {
-  static GLuint names[2];
-  if (names[0] == 0) {
-    lookUp<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &names[0]);
-    lookUp<PFNGLGENRENDERBUFFERSPROC>("glGenRenderbuffers")(1, &names[1]);
+  static GLuint object, buffers[2];
+  constexpr GLenum kFormats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+  constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  if (object == 0) {
+    lookUp<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &object);
+    lookUp<PFNGLGENRENDERBUFFERSPROC>("glGenRenderbuffers")(2, buffers);
   }
-  lookUp<PFNGLBINDRENDERBUFFERPROC>("glBindRenderbuffer")(GL_RENDERBUFFER, names[1]);
-  lookUp<PFNGLRENDERBUFFERSTORAGEPROC>("glRenderbufferStorage")(GL_RENDERBUFFER, GL_RGBA8, width,
-                                                                height);
-  lookUp<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, names[0]);
-  lookUp<PFNGLFRAMEBUFFERRENDERBUFFERPROC>("glFramebufferRenderbuffer")(
-      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, names[1]);
+  lookUp<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, object);
+  for (int i = 0; i < 2; ++i) {
+    lookUp<PFNGLBINDRENDERBUFFERPROC>("glBindRenderbuffer")(GL_RENDERBUFFER, buffers[i]);
+    lookUp<PFNGLRENDERBUFFERSTORAGEPROC>("glRenderbufferStorage")(GL_RENDERBUFFER, kFormats[i],
+                                                                  width, height);
+    lookUp<PFNGLFRAMEBUFFERRENDERBUFFERPROC>("glFramebufferRenderbuffer")(
+        GL_FRAMEBUFFER, kAttachments[i], GL_RENDERBUFFER, buffers[i]);
+  }
+}
+
+bool makeCurrent(std::uint8_t *pixels, int width, int height) {
+  static const OSMesaContext context = [] {
+    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, 0};
+    return OSMesaCreateContextAttribs(attributes, nullptr);
+  }();
+  return context && OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, width, height);
 }
 
 } // namespace
@@ -74,14 +92,23 @@ void Scene::add(double x, double y, double w, double z) {
       {float((x / width * 2 - 1) * w), float((y / height * 2 - 1) * w), float(z * w), float(w)});
 }
 
-Counts drawByHost(const Scene &scene, Target target) {
-  static const OSMesaContext context = [] {
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, 0};
-    return OSMesaCreateContextAttribs(attributes, nullptr);
+bool hostCutsLinesAsEdges() {
+  static const bool cuts = [] {
+    std::uint8_t pixel[4];
+    int year = 0, number = 0;
+    if (!makeCurrent(pixel, 1, 1))
+      return false;
+    const auto *const version = reinterpret_cast<const char *>(glGetString(GL_VERSION));
+    const char *const mesa = std::strstr(version, "Mesa ");
+    return mesa && std::sscanf(mesa, "Mesa %d.%d", &year, &number) == 2 &&
+           100 * year + number >= 2302;
   }();
+  return cuts;
+}
+
+Counts drawByHost(const Scene &scene, Target target) {
   std::vector<std::uint8_t> pixels(std::size_t(scene.width) * std::size_t(scene.height) * 4);
-  if (!context ||
-      !OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, scene.width, scene.height))
+  if (!makeCurrent(pixels.data(), scene.width, scene.height))
     return {};
   if (target == Target::FramebufferObject)
     bindObject(scene.width, scene.height);

@@ -25,6 +25,8 @@ struct Scene {
 using Counts = std::vector<std::uint32_t>;
 /// Hosts keep windows upside down, and framebuffer objects not.
 enum class Target { Window, FramebufferObject };
+/// RasterState::lineEndsAsEdges of the host: llvmpipe's lines are others from Mesa 23.2 on.
+[[nodiscard]] bool hostCutsLinesAsEdges();
 /// Empty where there is no OSMesa context.
 [[nodiscard]] Counts drawByHost(const Scene &scene, Target target);
 /// `lanes`: of quad blocks; 0: rows.

@@ -13,10 +13,12 @@ FORTIFIABLE = {'memcpy', 'memmove', 'memset', 'strcpy', 'strcat', 'strncpy', 'st
 # What the start-up files import of themselves.
 OF_START_UP = {'__cxa_finalize', '__gmon_start__', '_ITM_deregisterTMCloneTable',
                '_ITM_registerTMCloneTable', '__libc_start_main'}
-# Single pointers that may be written, and who has them so.
+# Single pointers that may be written, and who has them so; and what is none, but a number like an address.
 WRITABLE_POINTERS = {
     '_ZN10__cxxabiv119__terminate_handlerE': 'std::set_terminate of the C++ library writes it',
     '_ZN10__cxxabiv120__unexpected_handlerE': 'std::set_unexpected of the C++ library writes it',
+    '_ZN7arbiter12_GLOBAL__N_115g_standardErrorE': 'an inode, which may be where a program at a fixed address lies',
+    '_ZN7arbiter12_GLOBAL__N_16g_fileE': 'likewise, of the log',
     'DW.ref.__gxx_personality_v0': "the compiler's own, for the unwinder; it is not relro in GCC 12",
 }
 # Files with much of others' in them: of their code only what they export is held to landing pads, of

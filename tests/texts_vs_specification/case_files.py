@@ -13,6 +13,7 @@ accept or refuse; REASON is the specification's section or rule. A WORD is one o
     show RESULT          the result of a vertex program that is shown (texts.cpp); else its colour
     bare accept: WHY     the bare host's verdict is another one, and why that is no fault of the layer
     bare refuse: WHY
+    bare rounds from Mesa N.M: WHY   of `exact`, the bare host's path in Mesa N.M and later only about the same
     bare draws: WHY      what the bare host draws depends on memory that it never wrote: not compared
 
 @{A;B;C} in a text or in the words stands for one case each with A, B and C, every combination of
@@ -44,6 +45,7 @@ class Case:
     bare_accepted: bool = None
     bare_reason: str = ''
     bare_varies: bool = False
+    bare_rounds_from: tuple = None
 
 
 def pieces(text):
@@ -95,6 +97,9 @@ def with_words(case, words):
             verdict, case.bare_reason = word[5:].split(': ', 1)
             if verdict == 'draws':
                 case.bare_varies = True
+            elif verdict.startswith('rounds from Mesa '):
+                year, number = verdict.split()[-1].split('.')
+                case.bare_rounds_from = int(year), int(number)
             else:
                 case.bare_accepted = {'accept': True, 'refuse': False}[verdict]
         else:

@@ -37,13 +37,18 @@ class Files(unittest.TestCase):
         [case] = self.read('=== n | accept | r | bare draws: why\n!!ARBfp1.0\nEND\n')
         self.assertEqual((case.bare_varies, case.bare_accepted, case.bare_reason), (True, None, 'why'))
 
+    def test_a_host_that_rounds(self):
+        [case] = self.read('=== n | accept | r | exact | bare rounds from Mesa 23.1: why\n!!ARBfp1.0\nEND\n')
+        self.assertEqual((case.exact, case.bare_rounds_from, case.bare_reason), (True, (23, 1), 'why'))
+
     def test_the_header_is_the_stage_elsewhere(self):
         [case] = self.read('=== n | accept | r\n!!ARBvp1.0\nEND\n', 'x.cases')
         self.assertEqual(case.stage, 'vertex')
 
     def test_malformed(self):
         for text in ('x\n', '=== n | maybe | r\n', '=== n | accept\n', '=== n | accept | r | what\n',
-                     '=== n | accept | r\n@{\n', '=== n | accept | r | bare no: x\n'):
+                     '=== n | accept | r\n@{\n', '=== n | accept | r | bare no: x\n',
+                     '=== n | accept | r | bare rounds from Mesa 23: x\n'):
             with self.assertRaises(Malformed, msg=text):
                 self.read(text)
 

@@ -4,7 +4,8 @@
 // A line of LIST is "NAME STAGE SHOWN": FOLDER/NAME.txt is loaded as a program of STAGE (fragment,
 // vertex). The answer is a line "NAME POSITION", where POSITION is -1 for a text that is accepted,
 // after which FOLDER/NAME.raw has what was drawn: the floats of both colour buffers and of the
-// depth buffer. Before a text is loaded its name is written, so that a crash has one.
+// depth buffer. The first line is "version" and GL_VERSION. Before a text is loaded its name is
+// written, so that a crash has one.
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -158,6 +159,7 @@ int main(int argc, char **argv) {
     std::fputs("texts: no float framebuffer on this host\n", stderr);
     return 77;
   }
+  std::printf("version %s\n", reinterpret_cast<const char *>(glGetString(GL_VERSION)));
   std::string name, stage, shown;
   while (std::cin >> name >> stage >> shown) {
     std::printf("%s ", name.c_str());

@@ -60,16 +60,16 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
   }
 }
 
-/// The text has less fog than none of a fog coordinate below 0 (OpenGL 2.1, 3.10), as Mesa 25.0.7
-/// has; Mesa 22.3.6 has as much of it as of one above. \p version GL_VERSION
-bool foldsFogCoordinates(std::string_view version) {
+/// Mesa's release as 100 times its year and its number in it, 2302 of "… Mesa 23.2.1"; 0 of other
+/// drivers. \p version GL_VERSION
+int mesaRelease(std::string_view version) {
   constexpr std::string_view kMesa = "Mesa ";
-  constexpr int kFirstThatDoesNot = 24; // of those between the two
   const std::size_t at = version.find(kMesa);
-  int release = 0;
-  return at != version.npos &&
-         std::sscanf(version.data() + at + kMesa.size(), "%d", &release) == 1 &&
-         release < kFirstThatDoesNot;
+  int year = 0, number = 0;
+  if (at == version.npos ||
+      std::sscanf(version.data() + at + kMesa.size(), "%d.%d", &year, &number) != 2)
+    return 0;
+  return 100 * year + number;
 }
 
 /// What no query tells but the names of the host's renderer and of who made it.
@@ -81,7 +81,12 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   const bool llvmpipe = names("llvmpipe");
   caps.limitsAnisotropy = !llvmpipe;
   caps.clampsNanToOne = llvmpipe;
-  caps.foldsFogCoordinates = foldsFogCoordinates(getString(host, GL_VERSION));
+  // The text has less fog than none of a fog coordinate below 0 (OpenGL 2.1, 3.10), as Mesa has
+  // from 23.2 on; before, as much of it as of one above. With it came the cut of lines' ends.
+  constexpr int kFogAndLines = 2302;
+  const int mesa = mesaRelease(getString(host, GL_VERSION));
+  caps.foldsFogCoordinates = mesa > 0 && mesa < kFogAndLines;
+  caps.lineEndsAsEdges = llvmpipe && mesa >= kFogAndLines;
   // Seen of NVIDIA's driver (580.159): coordinates in GLSL and in ARB_fragment_program, whose fog
   // options are right; and that planes clip what is GLSL, and of its own programs the
   // position-invariant ones.

@@ -71,6 +71,7 @@ struct HostCaps {
   bool limitsAnisotropy = true; ///< by a texture's own limit; else any above 1 is the greatest
   /// Of a fog coordinate below 0 it takes the absolute value in fixed function.
   bool foldsFogCoordinates = false;
+  bool lineEndsAsEdges = false; ///< swrast::RasterState
   /// What is no number counts as 1 where it clamps the colours of vertices; else as 0.
   bool clampsNanToOne = false;
   bool onProcessor = false; ///< it draws there, where the rasterizer is the faster one

@@ -70,8 +70,9 @@ void queryPolygons(const HostCaps &caps, const HostQuery &query, Mirror &mirror)
   }
 }
 
-void queryLinesAndPoints(const HostQuery &query, Mirror &mirror) {
+void queryLinesAndPoints(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   swrast::RasterState &raster = mirror.raster;
+  raster.lineEndsAsEdges = caps.lineEndsAsEdges;
   raster.lineWidth = query.number(GL_LINE_WIDTH);
   mirror.smoothLines = query.enabled(GL_LINE_SMOOTH);
   raster.lineStippleFactor = 0;
@@ -138,7 +139,7 @@ void Mirror::refresh(std::uint32_t &dirty) {
     queryViewport(query, *this);
   if ((groups & dirty::kRaster) != 0) {
     queryPolygons(m_caps, query, *this);
-    queryLinesAndPoints(query, *this);
+    queryLinesAndPoints(m_caps, query, *this);
   }
   if ((groups & (dirty::kViewport | dirty::kRaster)) != 0)
     limitDepths(*this);

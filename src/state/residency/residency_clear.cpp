@@ -16,7 +16,7 @@ struct ClearState {
   float color[4] = {};
   unsigned colorMask = 0xF;
   bool depthMask = true;
-  float depth = 1;
+  double depth = 1;
   std::uint8_t stencilMask = 0xFF, stencil = 0;
 };
 
@@ -41,7 +41,7 @@ ClearState clearState(const ResidentImages &images, const Framebuffers &f, GLbit
     GLboolean write = GL_TRUE;
     host.GetBooleanv(GL_DEPTH_WRITEMASK, &write);
     state.depthMask = write != GL_FALSE;
-    host.GetFloatv(GL_DEPTH_CLEAR_VALUE, &state.depth);
+    host.GetDoublev(GL_DEPTH_CLEAR_VALUE, &state.depth);
   }
   if ((mask & GL_STENCIL_BUFFER_BIT) != 0) {
     GLint write = 0, value = 0;

@@ -1,6 +1,7 @@
 // Pixels between the host and the shadows.
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <new>
 
 #include "state/residency/residency_host.h"
@@ -184,6 +185,24 @@ void readBuffer(ResidentImages &images, const PixelImage &image, const Image &to
   images.hot.host->ReadPixels(0, 0, image.width, image.height, gl.format, gl.type, rows.data);
 }
 
+/// Depths of 24 bits alone go to the host as 32 (glFormatOf()), of which hosts take the upper 24
+/// (Mesa 22.3.6), or 2^24-1 times what they are of 2^32-1, cut off (25.0.7): the same where the
+/// lower 8 are one more than the upper ones. In an image without stencil they are nobody's.
+void fillLowerBits(Image &image) {
+  if (!swrast::makeWritable(image, true))
+    throw std::bad_alloc();
+  for (int z = 0; z < image.depth; ++z)
+    for (int y = 0; y < image.height; ++y) {
+      std::uint8_t *const row = image.pixel(0, y, z);
+      for (std::ptrdiff_t x = 0; x < image.width; ++x) {
+        std::uint32_t word;
+        std::memcpy(&word, row + 4 * x, sizeof word);
+        word = (word & ~0xFFu) | std::min((word >> 24) + 1, 0xFFu);
+        std::memcpy(row + 4 * x, &word, sizeof word);
+      }
+    }
+}
+
 /// An image as the host can be told of it: the shadow itself, or its copy in another order.
 Image plain(const PixelImage &image, bool topRowFirst, GlFormat &gl) {
   const Image &shadow = image.shadow;
@@ -328,6 +347,9 @@ bool download(ResidentImages &images, PixelImage &image) {
 void upload(ResidentImages &images, PixelImage &image) {
   const NoCancel scope;
   HostErrorScope errors = errorScope(images);
+  if (image.base == GL_DEPTH_COMPONENT && !image.shadow.empty() &&
+      image.shadow.format.layout == abi::Layout::Depth24Stencil8)
+    fillLowerBits(image.shadow);
   if (image.place.kind == Place::Kind::Texture) {
     // One that a neighbour deleted or gave another size is the neighbour's.
     if (!textureExists(images, image.place.name))

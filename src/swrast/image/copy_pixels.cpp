@@ -1,6 +1,7 @@
 #include "swrast/image/copy_pixels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "swrast/image/pixel_values.h"
@@ -154,11 +155,17 @@ void fill(Image &image, const Rect &rect, const float rgba[4], unsigned writeMas
   clearPixels(image, rect, pattern);
 }
 
-void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthValue,
+void fillDepthStencil(Image &image, const Rect &rect, bool depth, double depthValue,
                       std::uint8_t stencilMask, std::uint8_t stencilValue) {
   if (rect.empty() || image.empty())
     return;
-  const double z = depthValue > 0 ? (depthValue < 1 ? double(depthValue) : 1.0) : 0.0;
+  const double z = depthValue > 0 ? std::min(depthValue, 1.0) : 0.0;
+  const bool isWhole = rect.x <= 0 && rect.y <= 0 &&
+                       std::int64_t(rect.x) + rect.width >= image.width &&
+                       std::int64_t(rect.y) + rect.height >= image.height;
+  const auto stepsOf = [&](float most) {
+    return std::uint32_t(isWhole ? std::lrint(z * double(most)) : std::lrint(float(z) * most));
+  };
   const auto clear = [&](auto value, auto mask) {
     if (mask == 0)
       return;
@@ -172,12 +179,12 @@ void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthVal
   const std::uint32_t all = depth ? 0xFFFFFFFFu : 0;
   switch (image.format.layout) {
   case Layout::Depth16:
-    return clear(std::uint16_t(z * 65535.0 + 0.5), std::uint16_t(all));
+    return clear(std::uint16_t(stepsOf(65535.0f)), std::uint16_t(all));
   case Layout::Depth24Stencil8:
-    return clear((std::uint32_t(z * 16777215.0 + 0.5) << 8) | stencilValue,
-                 (all & 0xFFFFFF00u) | stencilMask);
+    return clear((stepsOf(16777215.0f) << 8) | stencilValue, (all & 0xFFFFFF00u) | stencilMask);
   case Layout::Depth32:
-    return clear(std::uint32_t(z * 4294967295.0 + 0.5), all);
+    return clear(isWhole ? std::uint32_t(std::llrint(z * 4294967295.0)) : abi::depth32Of(float(z)),
+                 all);
   case Layout::Depth32F:
     return clear(float(z), all);
   default:

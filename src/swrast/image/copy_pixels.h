@@ -13,8 +13,10 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
 /// Every pixel of `rect` becomes `rgba`, components outside `writeMask` kept. Float targets are not
 /// clamped.
 void fill(Image &image, const Rect &rect, const float rgba[4], unsigned writeMask = 0xF);
-/// The same of a depth or depth-stencil image; false flags leave a part as it is.
-void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthValue,
+/// The same of a depth or depth-stencil image; false flags leave a part as it is. A whole image
+/// gets what the double is in its steps, a part of one what its float would be as a fragment's
+/// depth: so do hosts, which clear a part by drawing it.
+void fillDepthStencil(Image &image, const Rect &rect, bool depth, double depthValue,
                       std::uint8_t stencilMask, std::uint8_t stencilValue);
 
 } // namespace arbiter::swrast

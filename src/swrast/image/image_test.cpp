@@ -280,6 +280,13 @@ TEST(Image, DepthAndStencilFills) {
   EXPECT_EQ(at(1, 1), 0x800000A0u);
   fillDepthStencil(image, {1, 1, 3, 3}, false, 0, 0xFF, 0x11);
   EXPECT_EQ(at(3, 3), 0x80000011u);
+  // 5033164.5 steps as a double and as a float's product, which are 5033164.7 of the float as a
+  // double.
+  fillDepthStencil(image, {0, 0, 5, 5}, true, 0.3, 0, 0);
+  EXPECT_EQ(at(0, 0) >> 8, 5033164u);
+  fillDepthStencil(image, {0, 0, 5, 5}, true, 1, 0, 0);
+  fillDepthStencil(image, {1, 1, 3, 3}, true, 0.3, 0, 0);
+  EXPECT_EQ(at(1, 1) >> 8, 5033164u);
   Image depth16 = makeImage({Layout::Depth16, abi::kRgba}, 3, 3);
   fillDepthStencil(depth16, {0, 0, 3, 3}, true, 2.0f, 0, 0);
   EXPECT_EQ(bytesAt(depth16, 2, 2), (std::vector<int>{255, 255}));

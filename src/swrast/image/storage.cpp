@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t kGuardBytes = 64; ///< that may be read before and behind
 constexpr std::size_t kHugePage = std::size_t(2) << 20;
+/// Two cache lines, which processors fetch in pairs: more than any object of the layer's has, by
+/// which safety/guarded_memory.cpp tells images from those.
+constexpr std::size_t kBlockAlignment = 128;
 constexpr std::size_t kPoolBlocks = 8;
 constexpr std::size_t kPoolBytes = std::size_t(16) << 20; ///< beyond as much as is in use
 constexpr std::uint64_t kLargestBytes = std::min(std::uint64_t(1) << 40, Storage::kMostBytes);
@@ -43,7 +46,7 @@ std::uint8_t *allocate(std::size_t bytes) {
   const std::size_t size = blockBytes(bytes);
   const bool huge = size >= 2 * kHugePage;
   void *block = nullptr;
-  if (posix_memalign(&block, huge ? kHugePage : 64, size) != 0)
+  if (posix_memalign(&block, huge ? kHugePage : kBlockAlignment, size) != 0)
     return nullptr;
   // Large pages save most of the address translation of a walk over an image; a kernel that has
   // none says so, and that is no harm.

@@ -8,9 +8,10 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Ties go away from zero, unlike those of triangles: so do the host's.
-std::int32_t snap(float value) {
-  return std::int32_t(std::lround((value - 0.5f) * float(kSubpixels)));
+/// Ties go away from zero, unlike those of triangles: so do the host's, but for those whose ends
+/// are edges' (RasterState::lineEndsAsEdges).
+std::int32_t rounded(float value, bool toEven) {
+  return std::int32_t(toEven ? std::lrint(value) : std::lround(value));
 }
 float fraction(float value) { return value - std::floor(value); }
 
@@ -31,8 +32,10 @@ bool same(float a, float b, bool alongY) {
 /// In the host's own window coordinates: ties fall by them, whichever way up they are.
 class LineCaps {
 public:
-  LineCaps(const WindowVertex &start, const WindowVertex &finish, bool yMajor)
-      : m_yMajor(yMajor), m_start(endOf(start)), m_finish(endOf(finish)) {
+  LineCaps(const WindowVertex &start, const WindowVertex &finish, bool yMajor,
+           const RasterState &state)
+      : m_yMajor(yMajor), m_asEdges(state.lineEndsAsEdges),
+        m_upsideDown(state.upsideDownHeight != 0), m_start(endOf(start)), m_finish(endOf(finish)) {
     m_travel = m_finish.major - m_start.major;
     m_rise = m_finish.minor - m_start.minor;
     m_slope = m_rise / m_travel;
@@ -51,14 +54,24 @@ public:
   [[nodiscard]] float slope() const { return m_slope; }
 
 private:
+  /// Is the centre of an end's pixel on the side that the line travels to, by the rule of edges?
+  [[nodiscard]] bool isAhead(float from) const {
+    if (from != 0)
+      return (from < 0) == (m_travel > 0);
+    return (m_travel > 0) != (m_yMajor && m_upsideDown);
+  }
   /// Would a cap at the end itself leave the centre of the end's pixel to the line?
   [[nodiscard]] bool startCovers() const {
     const float from = m_start.fromMajor;
+    if (m_asEdges)
+      return isAhead(from);
     if (m_yMajor)
       return m_travel > 0 ? from < 0 : from >= 0;
     return m_travel > 0 ? from <= 0 : from > 0;
   }
   [[nodiscard]] bool finishCovers() const {
+    if (m_asEdges)
+      return !isAhead(m_finish.fromMajor);
     return m_travel > 0 ? m_finish.fromMajor >= 0 : m_finish.fromMajor <= 0;
   }
   [[nodiscard]] float back(const End &end) const {
@@ -91,7 +104,7 @@ private:
     return at < 1 && (m_yMajor ? at >= 0 : at > 0);
   }
 
-  bool m_yMajor;
+  bool m_yMajor, m_asEdges, m_upsideDown;
   End m_start, m_finish;
   float m_travel, m_rise, m_slope;
 };
@@ -104,10 +117,14 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   if (a.x == b.x && a.y == b.y)
     return false;
   const bool yMajor = std::fabs(b.x - a.x) < std::fabs(b.y - a.y);
-  const LineCaps caps(a, b, yMajor);
+  const LineCaps caps(a, b, yMajor, draw.state);
   const float wanted = draw.state.lineWidth;
   const float width = wanted > 1 ? std::min(wanted, 8192.0f) : 1.0f; // 1 of what is no number
-  const int half = int(width + 0.5f) * kSubpixels / 2;
+  const bool toEven = draw.state.lineEndsAsEdges;
+  const int half = rounded(width, toEven) * kSubpixels / 2;
+  const auto snap = [toEven](float value) {
+    return rounded((value - 0.5f) * float(kSubpixels), toEven);
+  };
   WindowVertex corner[4]{}; // the start's two, the finish's two
   const auto place = [&](const WindowVertex &end, float offset, WindowVertex &low,
                          WindowVertex &high) {

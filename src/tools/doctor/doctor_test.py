@@ -284,6 +284,18 @@ class Doctor(Temporary):
         self.assertEqual(self.obstacles(found), {'old_driver'})
         self.assertIn('1.5', found['old_driver']['what'])
 
+    def test_a_driver_that_hangs_and_blocks_signals(self):
+        """It is given up after 20 s."""
+        driver = self.compile('hangs.so', '#include <csignal>\n#include <unistd.h>\n'
+                              'extern "C" int __egl_Main() { sigset_t all; sigfillset(&all);\n'
+                              'sigprocmask(SIG_BLOCK, &all, nullptr); for (;;) sleep(1000); }\n', '-shared', '-fPIC')
+        vendor = self.path('hangs.json', json.dumps({'file_format_version': '1.0.0',
+                                                     'ICD': {'library_path': str(driver)}}))
+        done = arbiter('doctor', '--library', LAYER, '--', self.compile('gl', GL_CALL, '-lGL'),
+                       EGL_PLATFORM='surfaceless', __EGL_VENDOR_LIBRARY_FILENAMES=str(vendor))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('its version is not known here', done.stdout)
+
     def test_a_run_that_is_reached(self):
         game = self.compile('game', CLIENT, '-lEGL')
         found = self.ask(game, options=('--run',))

@@ -1,10 +1,12 @@
-#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <epoxy/gl.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <string>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,7 +18,29 @@ namespace arbiter::tools::doctor {
 
 namespace {
 
-constexpr unsigned kSeconds = 20; // a driver that hangs
+constexpr std::chrono::seconds kPatience{20}; // for a driver that hangs
+
+/// What comes out of \p end until it is closed or that time is over.
+std::string readFor(int end, std::chrono::steady_clock::duration patience) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + patience;
+  std::string answer;
+  char block[512];
+  while (true) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    pollfd wanted = {end, POLLIN, 0};
+    const int ready = left > 0 ? ::poll(&wanted, 1, int(left)) : 0;
+    if (ready < 0 && errno == EINTR)
+      continue;
+    const ssize_t count = ready > 0 ? ::read(end, block, sizeof block) : 0;
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count <= 0)
+      return answer;
+    answer.append(block, std::size_t(count));
+  }
+}
 
 /// What the host's GL answers without a window; empty: nothing, or the driver ended the process.
 std::string askHost() {
@@ -27,7 +51,6 @@ std::string askHost() {
   const pid_t child = ::fork();
   if (child == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::alarm(kSeconds);
     // What a driver has to say here helps in nothing.
     if (::freopen("/dev/null", "w", stderr) == nullptr)
       ::_exit(1);
@@ -43,15 +66,13 @@ std::string askHost() {
     ::_exit(written < 0 ? 1 : 0);
   }
   ::close(ends[1]);
-  std::string answer;
-  char block[512];
-  ssize_t count = 0;
-  while (child > 0 &&
-         ((count = ::read(ends[0], block, sizeof block)) > 0 || (count < 0 && errno == EINTR)))
-    answer.append(block, std::size_t(std::max<ssize_t>(count, 0)));
+  const std::string answer = child > 0 ? readFor(ends[0], kPatience) : std::string();
   ::close(ends[0]);
-  if (child > 0)
+  if (child > 0) {
+    // An alarm of its own would not end what blocks that signal; whoever answered is done.
+    ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
+  }
   return answer;
 }
 

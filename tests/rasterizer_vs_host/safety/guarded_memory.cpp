@@ -29,6 +29,9 @@ constexpr std::size_t kSmallest = 1024;
 constexpr std::size_t kArena = std::size_t(1) << 40;
 /// What images may be read, and not written, beyond their pixels: swrast::Storage says so.
 constexpr std::size_t kReadable = 64;
+/// Images are aligned to that at least, and nothing else is (storage.cpp): libstdc++ asks for
+/// objects with an alignment of their own by posix_memalign too, from GCC 14 on.
+constexpr std::size_t kOfImages = 128;
 constexpr std::uint8_t kPattern = 0xA7;
 
 /// In a page of its own before each block: [header][guard][pages of the block][guard].
@@ -51,6 +54,7 @@ std::uint8_t *arena() {
 }
 /// Addresses are never used again.
 std::atomic<std::size_t> g_used{0};
+std::atomic<std::size_t> g_images{0}; ///< that ever were
 const char *g_layer = "libGLX_arbiter.so";
 
 bool isGuardedBlock(const void *address) {
@@ -115,9 +119,13 @@ void check(const Header &header) {
   std::abort();
 }
 
-/// What still lives at the end.
+/// What still lives at the end; and whether images were told from other blocks at all.
 struct AtEnd {
   ~AtEnd() {
+    if (g_used.load() > 0 && g_images.load() == 0) {
+      std::fprintf(stderr, "guarded memory: no block of the layer's was an image\n");
+      std::abort();
+    }
     for (std::size_t at = 0; at < g_used.load();) {
       const auto &header = *reinterpret_cast<const Header *>(arena() + at);
       if (header.block)
@@ -133,9 +141,13 @@ extern "C" {
 
 __attribute__((visibility("default"))) int posix_memalign(void **out, std::size_t alignment,
                                                           std::size_t bytes) noexcept {
-  // The layer asks for nothing but images this way.
-  *out = isLayer(__builtin_return_address(0)) ? guarded(bytes, true)
-                                              : __libc_memalign(alignment, bytes);
+  const bool isImage = alignment >= kOfImages;
+  if (isLayer(__builtin_return_address(0))) {
+    *out = guarded(bytes, isImage);
+    g_images += isImage;
+  } else {
+    *out = __libc_memalign(alignment, bytes);
+  }
   return *out ? 0 : ENOMEM;
 }
 

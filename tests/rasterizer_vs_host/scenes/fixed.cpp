@@ -2,7 +2,7 @@
 // few frames in a window: lights and materials, texture environments on two units, generated
 // coordinates, fog, depth, stencil, blending, alpha, scissors, clip planes, primitives between
 // Begin and End, from arrays and from display lists. Pictures are written as records; run_fixed.py
-// compares them.
+// compares them. With LISTS_WHOLE in the environment lists leave nothing to what is current.
 #include <algorithm>
 #include <cstdlib>
 
@@ -70,9 +70,16 @@ private:
     }
     glEnable(GL_TEXTURE_2D); // of unit 1: what the other one reads of it must be enabled
     m_list = glGenLists(1);
+    compileList(nullptr);
+  }
+
+  /// \param normal of the first vertices; null: what is current at the call, as their colour is
+  void compileList(const float *normal) const {
     glNewList(m_list, GL_COMPILE);
     glBegin(GL_QUAD_STRIP);
-    glVertex2i(8, 8); // with the normal and colour that are current at the call
+    if (normal)
+      glNormal3fv(normal);
+    glVertex2i(8, 8);
     glVertex2i(8, 56);
     glNormal3f(0.6f, 0, 0.8f);
     glVertex2i(40, 8);
@@ -225,6 +232,11 @@ private:
       return;
     }
     case 1:
+      if (std::getenv("LISTS_WHOLE")) {
+        float normal[4];
+        glGetFloatv(GL_CURRENT_NORMAL, normal);
+        compileList(normal);
+      }
       return glCallList(m_list);
     case 2:
       // Mesa 22.3.6 draws QUADS, whose flat colour is the last corner's: section 2.10 says POLYGON.

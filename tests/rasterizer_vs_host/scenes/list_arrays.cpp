@@ -217,6 +217,7 @@ int run(Order order, Executed executed) {
   compileParts(scene);
   compileWatched(scene);
   compileOpen(scene);
+  deleteLists(scene);
   if (order == Order::ListsFirst)
     makeTheProgram();
   setState(order);

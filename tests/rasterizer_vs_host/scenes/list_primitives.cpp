@@ -4,25 +4,28 @@
 namespace software::list_scene {
 
 void compilePrimitives(Scene &scene) {
-  const auto triangle = [](float x, float y) {
-    glTexCoord2f(0.2f, 0.9f), glVertex2f(x, y);
-    glTexCoord3f(0.9f, 0.1f, 0.5f), glVertex3f(x + 0.6f, y, 0.2f);
+  // `whole`: with the components that the commands leave to be their defaults.
+  const auto triangle = [](float x, float y, bool whole) {
+    whole ? glTexCoord4f(0.2f, 0.9f, 0, 1) : glTexCoord2f(0.2f, 0.9f);
+    whole ? glVertex4f(x, y, 0, 1) : glVertex2f(x, y);
+    whole ? glTexCoord4f(0.9f, 0.1f, 0.5f, 1) : glTexCoord3f(0.9f, 0.1f, 0.5f);
+    whole ? glVertex4f(x + 0.6f, y, 0.2f, 1) : glVertex3f(x + 0.6f, y, 0.2f);
     glVertex4f(x, y + 0.6f, 0, 0.9f);
   };
-  scene.compile("primitives", [&] {
+  scene.compileDrawn("primitives", [triangle](bool whole) {
     glBegin(GL_TRIANGLES);
-    triangle(-0.9f, -0.9f);
-    triangle(0, 0);
+    triangle(-0.9f, -0.9f, whole);
+    triangle(0, 0, whole);
     glEnd();
     glBegin(GL_TRIANGLES);
-    triangle(-0.9f, 0.1f);
+    triangle(-0.9f, 0.1f, whole);
     glEnd();
     glRectf(0.1f, -0.8f, 0.5f, -0.4f);
   });
-  scene.compile("attributes outside", [&] {
+  scene.compileDrawn("attributes outside", [triangle](bool whole) {
     glColor3ub(250, 20, 90);
     glBegin(GL_TRIANGLES);
-    triangle(-0.9f, -0.9f);
+    triangle(-0.9f, -0.9f, whole);
     glEnd();
     glSecondaryColor3f(0.3f, 0, 0.2f);
     glColor4f(0, 1, 0, 0.5f);
@@ -43,27 +46,27 @@ void compilePrimitives(Scene &scene) {
     glColor3f(0, 0.5f, 1);
     glDrawArrays(GL_TRIANGLES, 6, 6);
   });
-  scene.compile("state after a primitive", [&] {
+  scene.compileDrawn("state after a primitive", [triangle](bool whole) {
     glBegin(GL_TRIANGLES);
-    triangle(-0.9f, -0.9f);
+    triangle(-0.9f, -0.9f, whole);
     glEnd();
     glColor3f(0, 1, 1);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glBegin(GL_TRIANGLES);
-    triangle(-0.7f, -0.7f);
+    triangle(-0.7f, -0.7f, whole);
     glEnd();
     glDisable(GL_BLEND);
   });
-  scene.compile("a command within a primitive", [&] {
+  scene.compileDrawn("a command within a primitive", [triangle](bool whole) {
     glBegin(GL_TRIANGLES);
     glColor3f(1, 0, 1);
-    triangle(-0.9f, -0.9f);
+    triangle(-0.9f, -0.9f, whole);
     glMaterialf(GL_FRONT, GL_SHININESS, 3);
-    triangle(0, 0);
+    triangle(0, 0, whole);
     glEnd();
     glBegin(GL_LINES);
-    triangle(-0.5f, -0.8f);
+    triangle(-0.5f, -0.8f, whole);
     glVertex2f(0.9f, 0.9f);
     glEnd();
   });
@@ -89,7 +92,12 @@ void compileAgain(Scene &scene) {
   quad(-0.4f, 0.3f);
   glEndList();
   scene.compile("deleted", [&] { quad(-0.9f, 1.2f); });
-  glDeleteLists(scene.lists.back().list, 1);
+}
+
+void deleteLists(const Scene &scene) {
+  for (const Scene::List &each : scene.lists)
+    if (each.name == "deleted")
+      glDeleteLists(each.list, 1);
 }
 
 void compileParts(Scene &scene) {

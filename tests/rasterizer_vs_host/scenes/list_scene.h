@@ -108,6 +108,7 @@ struct Scene {
   struct List {
     std::string name;
     GLuint list;
+    std::function<void()> commands; ///< what the list must draw, where it is drawn directly too
   };
   std::vector<List> lists;
   /// Compiles what `commands` do; client memory is another after.
@@ -127,12 +128,24 @@ struct Scene {
     std::memset(static_cast<void *>(vertices.data()), 0, sizeof(Vertex) * kVertices);
     vertices = before;
     none();
-    lists.push_back({name + errors, list});
+    lists.push_back({name + errors, list, {}});
+  }
+  /// The same of commands that need nothing but what begin() sets, and are given all components or
+  /// as few as the defaults allow: the list is of few. A call is followed by what all of them draw
+  /// at once, which it must draw too (OpenGL 2.1, 2.7 and 5.4).
+  void compileDrawn(const std::string &name, const std::function<void(bool whole)> &commands) {
+    compile(name, [&] { commands(false); });
+    lists.back().commands = [commands] { commands(true); };
   }
   void call(const List &list) {
     begin();
     glCallList(list.list);
     look(list.name + takeErrors());
+    if (!list.commands)
+      return;
+    begin();
+    list.commands();
+    look(list.name + " directly" + takeErrors());
   }
   /// What lists that set no attributes find.
   static void begin() {
@@ -159,6 +172,9 @@ struct Scene {
 void compilePrimitives(Scene &scene);
 /// The name of a list is another's: of a few commands, none of which may be left of the first.
 void compileAgain(Scene &scene);
+/// Those that are called although they are no more; behind the last that is compiled, which could
+/// be given their names.
+void deleteLists(const Scene &scene);
 /// Vertices without Begin and End.
 void compileParts(Scene &scene);
 /// What has a list watched by the layer, and all that call others from then on.
