@@ -21,9 +21,10 @@ import sides
 
 UNITS = 1 << 8  # of the last bit of 24, in what GL_UNSIGNED_INT reads
 CLEARED = (1 << 32) - 1
-# Of the rasterizer's untransformed depths from these seeds, on processors that multiply and add in one step.
+# Of the rasterizer's untransformed depths from these seeds, on processors that multiply and add in one step. Smooth
+# lines are none of them: their corners are by sines, which C libraries of both widths may round apart.
 DIGEST_SEEDS = range(1, 13)
-DIGEST = "f1a33ea80ed8d5ca2d0cdaf35fc39d28249317708cdf8f8d817d857dd4a97d78"
+DIGEST = "40c07d4bd5a1d357983945f4f972348b1499a4e5bc67619c8a22e82d5827f8fd"
 
 
 def uncut(what):
@@ -35,7 +36,7 @@ def digest(records):
     whole = hashlib.sha256()
     for what, depths in records:
         seed = re.search(r" seed (\d+) ", what)
-        if "untransformed" in what and int(seed.group(1)) in DIGEST_SEEDS:
+        if "untransformed" in what and "smooth" not in what and int(seed.group(1)) in DIGEST_SEEDS:
             whole.update(what.encode() + depths)
     return whole.hexdigest()
 
