@@ -187,7 +187,7 @@ void readBuffer(ResidentImages &images, const PixelImage &image, const Image &to
 
 /// Depths of 24 bits alone go to the host as 32 (glFormatOf()), of which hosts take the upper 24
 /// (Mesa 22.3.6), or 2^24-1 times what they are of 2^32-1, cut off (25.0.7): the same where the
-/// lower 8 are one more than the upper ones. In an image without stencil they are nobody's.
+/// lower 8 are one more than the upper ones. Without stencil they say nothing.
 void fillLowerBits(Image &image) {
   if (!swrast::makeWritable(image, true))
     throw std::bad_alloc();

@@ -69,7 +69,7 @@ std::string askHost() {
   const std::string answer = child > 0 ? readFor(ends[0], kPatience) : std::string();
   ::close(ends[0]);
   if (child > 0) {
-    // An alarm of its own would not end what blocks that signal; whoever answered is done.
+    // An alarm of its own would not end what blocks that signal; what answers is done.
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
   }

@@ -11,7 +11,10 @@ namespace arbiter::state::software {
 /// What materials were set since the primitive was begun that is recorded.
 class PrimitiveMaterials {
 public:
-  void begin() { *this = {}; }
+  void begin() {
+    m_known.forget();
+    m_colors = Colors::Unknown;
+  }
   void forget() { m_known.forget(); }
 
 private:
