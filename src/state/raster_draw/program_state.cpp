@@ -65,10 +65,10 @@ std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state) {
     return dirty::kViewport;
   case StateItem::MatrixModelview:
   case StateItem::MatrixMvp:
+  case StateItem::MatrixPalette: // the modelview matrix where hosts have no palette
     return dirty::kTransform | dirty::kModelview;
   case StateItem::MatrixProjection:
   case StateItem::MatrixTexture:
-  case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:
   case StateItem::ClipPlane:
     return dirty::kTransform;
