@@ -76,7 +76,8 @@ struct RasterState {
   double depthResolution = 1.0 / 16777215.0; ///< r of polygon offset
   float lineWidth = 1, pointSize = 1;
   /// Ends of lines that lie on pixels' centres are cut, and all are snapped, as polygons' edges are
-  /// (llvmpipe from Mesa 23.2 on); else each by a rule of its own.
+  /// (llvmpipe from Mesa 23.2 on); else each by a rule of its own. Smooth lines' directions are by
+  /// a division there, else by an angle's sine.
   bool lineEndsAsEdges = false;
   /// What is not Whole is drawn by lines, or by points, alone; the last input is its own.
   abi::Coverage coverage = abi::Coverage::Whole;

@@ -11,19 +11,26 @@ namespace arbiter::swrast {
 namespace {
 
 /// The line from end to end, and how far from its middle it still reaches a pixel's centre: by the
-/// host's steps, an angle and its sine, as depths are equal only over equal corners. Of no length:
-/// along x.
+/// host's steps, as depths are equal only over equal corners. Of no length: along x.
 struct Extent {
-  Extent(const WindowVertex &a, const WindowVertex &b, float lineWidth)
-      : length(lengthOf(b.x - a.x, b.y - a.y)), angle(std::atan2(b.y - a.y, b.x - a.x)),
-        alongX(std::cos(angle)), alongY(std::sin(angle)),
+  Extent(const WindowVertex &a, const WindowVertex &b, const RasterState &state)
+      : length(lengthOf(b.x - a.x, b.y - a.y)),
         // 1 of what is no number.
-        halfWidth(0.5f * (lineWidth > 1 ? std::min(lineWidth, 8192.0f) : 1.0f) + 0.5f),
-        halfLength(0.5f * length + 0.5f) {}
+        halfWidth(0.5f * (state.lineWidth > 1 ? std::min(state.lineWidth, 8192.0f) : 1.0f) + 0.5f),
+        halfLength(0.5f * length + 0.5f) {
+    if (state.lineEndsAsEdges) { // those hosts divide, others take the angle
+      alongX = length > 0 ? (b.x - a.x) / length : 1;
+      alongY = length > 0 ? (b.y - a.y) / length : 0;
+      return;
+    }
+    const float angle = std::atan2(b.y - a.y, b.x - a.x);
+    alongX = std::cos(angle);
+    alongY = std::sin(angle);
+  }
 
   static float lengthOf(float x, float y) { return std::sqrt(x * x + y * y); }
 
-  float length, angle, alongX, alongY; ///< in host's window coordinates
+  float length, alongX, alongY; ///< in host's window coordinates
   float halfWidth, halfLength;
 };
 
@@ -94,7 +101,7 @@ void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
 
 bool shapeOfSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                        const StrokeEnd &to, SmoothPart part, Shape &shape) {
-  const Extent extent(from.window, to.window, draw.state.lineWidth);
+  const Extent extent(from.window, to.window, draw.state);
   const int height = draw.state.upsideDownHeight;
   const auto cornerOf = [&](const StrokeEnd &end, float outwards, float sideways) {
     return Corner{cornerAt(end.window, extent, outwards, sideways, height), sideways,
