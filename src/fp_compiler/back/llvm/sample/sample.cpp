@@ -98,9 +98,9 @@ private:
   Texel byLevel(Value *lambda) {
     if (m_key.magnify == m_key.minify)
       return minified(lambda); // the base level's share is the same either way
-    // 3.8.9: where magnification ends.
-    const bool late = m_key.mip != abi::MipFilter::None && m_key.magnify == abi::Filter::Linear;
-    Value *const magnified = m_code.ir.CreateFCmpOLE(lambda, m_code.splat(late ? 0.5f : 0.0f));
+    // Where magnification ends: 0 for all filters, as software hosts have it. OpenGL 2.1 (3.8.9)
+    // has 0.5 for some, and 4.1 (3.9.12) leaves either to who implements it.
+    Value *const magnified = m_code.ir.CreateFCmpOLE(lambda, m_code.splat(0.0f));
     return magnifiedOrMinified(magnified, lambda);
   }
 

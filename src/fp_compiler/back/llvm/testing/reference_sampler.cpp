@@ -284,9 +284,7 @@ Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
   if (key.hasBias)
     lambda = clampTo(lambda, double(view.minLod), double(view.maxLod));
   lambda += query.lambdaOffset;
-  const bool late = key.magnify == abi::Filter::Linear && key.minify == abi::Filter::Nearest &&
-                    key.mip != abi::MipFilter::None;
-  if (lambda <= (late ? 0.5 : 0.0))
+  if (lambda <= 0) // OpenGL 4.1, 3.9.12: for all filters
     return sampleLevel(key, view, place, 0, key.magnify);
   const int last = view.levelCount - 1;
   if (key.mip == abi::MipFilter::None)
