@@ -123,6 +123,53 @@ TEST_P(Allocation, WhatIsJoinedIsDrawnWhereMemoryRunsOut) {
   EXPECT_GT(failed, 3);
 }
 
+// More than are joined at a time, of every kind, with other draws of the same state between them:
+// whichever allocation of the queue's fails, each is drawn, with the input of its own provoking
+// vertex.
+TEST_P(Allocation, DrawsAfterWhatMemoryRanOutForAreDrawn) {
+  constexpr Topology kTopologies[] = {Topology::Triangles, Topology::TriangleFan, Topology::Quads,
+                                      Topology::Polygon};
+  const auto drawn = [&](int failAt, bool &failed) {
+    Canvas canvas(200, 200);
+    addInput(canvas, abi::Interpolation::Flat);
+    canvas.state.flatShade = true;
+    std::vector<WindowVertices> meshes;
+    for (int i = 0; i < 900; ++i) {
+      const int x = i % 30 * 6 + 3, y = i / 30 * 6 + 3;
+      WindowVertices &vertices = meshes.emplace_back(canvas);
+      vertices.add(x, y, float(i));
+      vertices.add(x + 5, y + 1, float(i) + 0.25f);
+      vertices.add(x + 4, y + 5, float(i) + 0.5f);
+      vertices.add(x, y + 4, float(i) + 0.75f);
+    }
+    DrawQueue queue;
+    g_untilFailure = failAt;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const bool isLine = i % 350 == 349;
+      const Topology topology = isLine ? Topology::Lines : kTopologies[i % 4];
+      const std::uint32_t count = isLine ? 2 : topology == Topology::Triangles ? 3 : 4;
+      const Vertices vertices = meshes[i].get();
+      if (queue.add(canvas.state, canvas.shading, topology, vertices, nullptr, 0, count,
+                    ShadingUse()))
+        continue;
+      queue.finish();
+      EXPECT_FALSE(rasterize(canvas.state, canvas.shading, topology, vertices, nullptr, 0, count)
+                       .incomplete);
+    }
+    queue.finish();
+    failed = failAt != 0 && g_untilFailure == 0;
+    g_untilFailure = 0;
+    return std::pair(canvas.counts, canvas.values);
+  };
+  bool failed = false;
+  const auto whole = drawn(0, failed);
+  int at = 0;
+  do {
+    ASSERT_EQ(drawn(++at, failed), whole) << "allocation " << at;
+  } while (failed);
+  EXPECT_GT(at, 10);
+}
+
 TEST_P(Allocation, FeedbackBetweenTwoImagesTakesNone) {
   Image target = makeImage({abi::Layout::U8x4, abi::kRgba}, 640, 480), texture = target;
   std::uint64_t before = 0;

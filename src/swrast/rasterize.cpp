@@ -46,10 +46,11 @@ DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
   for (std::uint32_t i = 0; i < triangles; ++i) {
     Triangle triangle;
     std::uint32_t any = 0;
-    if (!fetchTriangle(draw,
-                       triangleAt(draw.topology, draw.count, i, provokesFirst(state, draw.topology),
-                                  draw.otherDiagonal),
-                       triangle, any))
+    TriangleCorners corners = triangleAt(draw.topology, draw.count, i,
+                                         provokesFirst(state, draw.topology), draw.otherDiagonal);
+    if (draw.provokingAt != 0)
+      corners.provoking = draw.provokingAt + i;
+    if (!fetchTriangle(draw, corners, triangle, any))
       continue;
     if (any & kClipMask) {
       clipAndTake(draw, triangle, take);
@@ -80,12 +81,12 @@ DrawStatistics drawTriangles(const Draw &draw) {
 static DrawStatistics drawChecked(const RasterState &state, const Shading &shading,
                                   Topology topology, const Vertices &vertices,
                                   const std::uint32_t *indices, std::uint32_t first,
-                                  std::uint32_t count) {
+                                  std::uint32_t count, std::uint32_t provokingAt) {
   count = drawnCount(state, shading, vertices, indices, first, count);
   if (count == 0)
     return {};
   Rectangle rectangle;
-  if (isPolygonal(topology) &&
+  if (provokingAt == 0 && isPolygonal(topology) &&
       findRectangle(state, topology, vertices, indices, first, count, rectangle)) {
     if (rectangle.pixels.empty())
       return {};
@@ -94,6 +95,7 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
       return {1, shadeInBands(state, shading, &shape, 1)};
   }
   Draw all = drawOf(state, shading, topology, vertices, indices, first, count);
+  all.provokingAt = provokingAt;
   placeVertices(all, scratch().window, scratch().bounds);
   if (isPolygonal(topology) && all.isFilled())
     return drawTriangles(all);
@@ -104,11 +106,12 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
 
 DrawStatistics rasterize(const RasterState &state, const Shading &shading, Topology topology,
                          const Vertices &vertices, const std::uint32_t *indices,
-                         std::uint32_t first, std::uint32_t count) {
+                         std::uint32_t first, std::uint32_t count, std::uint32_t provokingAt) {
   OwnScratch::lend(); // the other threads read it
   DrawStatistics statistics;
   try {
-    statistics = drawChecked(state, shading, topology, vertices, indices, first, count);
+    statistics =
+        drawChecked(state, shading, topology, vertices, indices, first, count, provokingAt);
   } catch (const std::bad_alloc &) {
     statistics = {.incomplete = true};
   }

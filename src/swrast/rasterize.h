@@ -8,9 +8,9 @@
 namespace arbiter::swrast {
 
 /// Draws `count` vertices, by `indices` or (null) from `first` on. An index beyond the vertices is
-/// not drawn. Returns when all pixels are written.
+/// not drawn. Returns when all pixels are written. \param provokingAt Draw::provokingAt
 DrawStatistics rasterize(const RasterState &state, const Shading &shading, Topology topology,
                          const Vertices &vertices, const std::uint32_t *indices,
-                         std::uint32_t first, std::uint32_t count);
+                         std::uint32_t first, std::uint32_t count, std::uint32_t provokingAt = 0);
 
 } // namespace arbiter::swrast

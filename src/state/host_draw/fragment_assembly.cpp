@@ -34,16 +34,19 @@ bool readsColors(const CompiledProgram &compiled) {
   });
 }
 
+/// Other contexts of the share group, and clients, may change it at any time.
+bool mayBeAssembly(const Context &context) {
+  const ShareGroup &group = *context.group;
+  return context.softwarePossible && context.caps.onProcessor && context.caps.fragmentProgram &&
+         context.numerics == fp::Numerics::Host &&
+         !group.compareModeUsed.load(std::memory_order_relaxed) &&
+         !group.alphaDepthsUsed.load(std::memory_order_relaxed) && !controlHooks() && !capturing();
+}
+
 } // namespace
 
 Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
-  const ShareGroup &group = *context.group;
-  if (!pair.fragment || !context.softwarePossible || !context.caps.onProcessor ||
-      !context.caps.fragmentProgram || context.numerics != fp::Numerics::Host ||
-      group.compareModeUsed.load(std::memory_order_relaxed) ||
-      group.alphaDepthsUsed.load(std::memory_order_relaxed) || controlHooks() || capturing())
-    return Fragments::Glsl;
-  if (!isPlain(*pair.fragment))
+  if (!pair.fragment || !mayBeAssembly(context) || !isPlain(*pair.fragment))
     return Fragments::Glsl;
   const LinkedProgram *const before = context.linkedPrograms->find(pair, Fragments::Assembly);
   return before && before->built && before->frame != context.frames ? Fragments::Glsl
@@ -52,7 +55,7 @@ Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
 
 bool assemblyIsOver(Context &context) {
   LinkedProgram &linkedProgram = *context.linkedProgram;
-  if (linkedProgram.frame != context.frames)
+  if (linkedProgram.frame != context.frames || !mayBeAssembly(context))
     return true;
   GLint model = GL_SMOOTH;
   if (readsColors(*linkedProgram.fragment.compiled))

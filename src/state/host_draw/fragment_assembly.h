@@ -12,8 +12,8 @@ namespace arbiter::state {
 /// texture compares or has the mode ALPHA and no client looks on.
 [[nodiscard]] LinkedProgramCache::Fragments fragmentsOf(Context &context, const ProgramPair &pair);
 /// Before a draw of the host's: the effective fragment program is assembly and must be no more. Its
-/// frame is over, or colours are flat, of which Mesa's own path takes no notice. The next choice
-/// makes it GLSL.
+/// frame is over, what it needed no longer holds, or colours are flat, of which Mesa's own path
+/// takes no notice. The next choice makes it GLSL.
 [[nodiscard]] bool assemblyIsOver(Context &context);
 
 } // namespace arbiter::state

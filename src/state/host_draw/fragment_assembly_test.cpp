@@ -125,6 +125,15 @@ TEST_F(FragmentAssembly, ATextureThatComparesMakesItGlsl) {
   EXPECT_TRUE(drawsByGlsl());
 }
 
+TEST_F(FragmentAssembly, WhatAnotherContextOfTheGroupSetsEndsIt) {
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  const CurrentContext other(m_host, &*m_context);
+  handlers::TexParameteri(*other, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+  makeCurrent(&*m_context);
+  EXPECT_TRUE(drawsByGlsl()) << "in the same frame";
+}
+
 TEST_F(FragmentAssembly, ADepthTextureOfAlphaMakesItGlsl) {
   use(*m_context, kShading);
   ASSERT_TRUE(drawsByAssembly());

@@ -242,8 +242,7 @@ Path choosePath(Context &context, HostPart part) {
   if (isTooLongForGlsl(context, pair) && applyAssembly(context, pair))
     return Path::HostAssembly;
   if (part == HostPart::WhenItDraws && mayWait(context, pair)) {
-    context.linkedProgram =
-        context.linkedPrograms->place(context, pair, fragmentsOf(context, pair));
+    context.linkedProgram = context.linkedPrograms->place(context, pair);
     context.hostPartWaits = true;
     return Path::HostGlsl;
   }

@@ -109,7 +109,7 @@ void Batch::addKept(const RasterState &state, const Shading &shading, const Shad
 
 void Batch::takeState(QueuedDraw &draw, const RasterState &state, const Shading &shading,
                       const ShadingUse &use, bool isSameState) {
-  if (!isSameState) {
+  if (!isSameState || m_stateCount == 0) {
     nextOf(m_states, m_stateCount).set(state, shading, use);
     mark(use);
     ++m_stateCount;

@@ -21,7 +21,8 @@ public:
 
   /// The next draw, of which the batch knows nothing before one of the two that follow.
   [[nodiscard]] QueuedDraw &next();
-  /// Adds next(), which is set up. \param isSameState what isLast() says
+  /// Adds next(), which is set up. \param isSameState what isLast() said; the batch may have been
+  /// shaded since
   void add(const RasterState &state, const Shading &shading, const ShadingUse &use,
            bool isSameState);
   /// Adds next(), which was kept to be set up later.

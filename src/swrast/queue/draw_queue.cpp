@@ -127,10 +127,8 @@ bool DrawQueue::addChecked(GivenDraw given) {
   }
   if (const std::optional<bool> isAdded = addRectangle(given))
     return *isAdded;
-  if (given.isSameState && sight == Sight::Whole) {
-    joinDraw(given);
+  if (given.isSameState && sight == Sight::Whole && joinDraw(given))
     return true;
-  }
   closeJoined();
   Batch &batch = filling();
   QueuedDraw &queued = batch.next();
@@ -162,11 +160,11 @@ bool DrawQueue::addChecked(GivenDraw given) {
   return true;
 }
 
-void DrawQueue::joinDraw(const GivenDraw &given) {
+bool DrawQueue::joinDraw(const GivenDraw &given) {
   if (m_joined.add(given))
-    return;
+    return true;
   closeJoined();
-  (void)m_joined.add(given);
+  return !filling().isEmpty() && m_joined.add(given);
 }
 
 void DrawQueue::closeJoined() {
@@ -200,14 +198,14 @@ void DrawQueue::addJoined() {
   batch.addLike();
 }
 
-/// There is no memory to let them wait. A provoking vertex may be another one then.
+/// There is no memory to let them wait.
 void DrawQueue::drawJoinedAtOnce() {
   joinRunning();
   const QueuedState &state = filling().lastState();
   const std::shared_ptr<const void> functions = state.functions();
   shadeHere(filling());
   (void)rasterize(state.raster(), state.shading(), Topology::Triangles, m_joined.vertices(),
-                  m_joined.indices(), 0, m_joined.count());
+                  m_joined.indices(), 0, m_joined.count(), JoinedDraws::kProvokingAt);
 }
 
 bool DrawQueue::setUpStrokes(const Draw &draw, Chunk &chunk) {

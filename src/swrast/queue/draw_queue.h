@@ -45,8 +45,8 @@ private:
   [[nodiscard]] std::optional<bool> addRectangle(const GivenDraw &given);
   /// False: more than is kept.
   [[nodiscard]] bool setUpStrokes(const Draw &draw, Chunk &chunk);
-  /// Joins the draw with those before it.
-  void joinDraw(const GivenDraw &given);
+  /// Joins the draw with those before it. False: there is none any more.
+  [[nodiscard]] bool joinDraw(const GivenDraw &given);
   /// What is joined becomes a draw of the batch: before anything else of the batch's is touched.
   void closeJoined();
   void addJoined();

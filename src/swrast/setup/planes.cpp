@@ -256,13 +256,4 @@ void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle 
   makePlanes(plan, triangle, g, originX, originY, primitive);
 }
 
-void makeStrokePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
-                      const abi::DepthPlane &depth, int originX, int originY,
-                      abi::Primitive &primitive) {
-  if (plan.wantsDepth)
-    primitive.z = depth;
-  const Gradients g = gradientsOf(state, triangle.corner, originX, originY);
-  makePlanes(plan, triangle, g, originX, originY, primitive);
-}
-
 } // namespace arbiter::swrast

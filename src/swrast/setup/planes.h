@@ -80,11 +80,6 @@ void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients
 /// best one near the triangle. \param offset add polygon offset to depth (3.5.5)
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
-/// The same of a line, whose planes are those of a triangle of its ends and a third corner, but for
-/// that of depth.
-void makeStrokePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
-                      const abi::DepthPlane &depth, int originX, int originY,
-                      abi::Primitive &primitive);
 /// Of a point: nothing varies, all is as at corner 0 of `point`, whose `weight` is not null.
 void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
                      abi::Primitive &primitive);

@@ -165,8 +165,10 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   plane.weight = weight;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
-  makeStrokePlanes(draw.state, draw.plan, plane, makeLineDepthPlane(draw.state, a, b),
-                   shape.originX, shape.originY, shape.primitive);
+  if (draw.plan.wantsDepth)
+    shape.primitive.z = makeLineDepthPlane(draw.state, a, b);
+  makePlanes(draw.plan, plane, gradientsOf(draw.state, plane.corner, shape.originX, shape.originY),
+             shape.originX, shape.originY, shape.primitive);
   return true;
 }
 

@@ -81,9 +81,10 @@ void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
   plane.weight = weight;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
-  makeStrokePlanes(draw.state, draw.plan, plane, depthOf(draw.state, corner), shape.originX,
-                   shape.originY, shape.primitive);
+  if (draw.plan.wantsDepth)
+    shape.primitive.z = depthOf(draw.state, corner);
   const Gradients gradients = gradientsOf(draw.state, plane.corner, shape.originX, shape.originY);
+  makePlanes(draw.plan, plane, gradients, shape.originX, shape.originY, shape.primitive);
   const auto planeOf = [&](double a, double b, double c) {
     return gradients.plane(a * scale[0], b * scale[1], c * scale[2]);
   };

@@ -36,7 +36,7 @@ void followSprites(Context &context);
 }
 /// The form that the effective program is chosen for.
 [[nodiscard]] SpriteForm spriteForm(const Context &context);
-/// No form of the layer's is in force, nor a unit's COORD_REPLACE hidden from the host.
+/// No form of the layer's is effective, nor a unit's COORD_REPLACE hidden from the host.
 [[nodiscard]] inline bool spritesAreTheHosts(const Context &context) {
   const PointSprites *const sprites = spritesOf(context);
   return !sprites || (sprites->form.units == 0 && sprites->hidden == 0);
