@@ -7,7 +7,7 @@ namespace arbiter::state::software {
 
 void BackOff::enter(Phase phase) {
   m_phase = phase;
-  m_frames = 0;
+  m_frames = m_tried = 0;
   m_moving = m_plain = m_others = 0;
 }
 
@@ -18,13 +18,27 @@ void BackOff::look(float time) {
 }
 
 void BackOff::tryAgain() {
+  m_looksAgain = m_phase == Phase::Host && !isStale();
   m_patience = isStale() ? std::min(2 * m_patience, kKeepFrames) : kLeastPatience;
   enter(Phase::TrySoftware);
 }
 
 float BackOff::median() {
-  std::nth_element(std::begin(m_times), m_times + kTrialFrames / 2, std::end(m_times));
-  return m_times[kTrialFrames / 2];
+  float *const middle = m_times + m_tried / 2;
+  std::nth_element(m_times, middle, m_times + m_tried);
+  return *middle;
+}
+
+bool BackOff::areSlower(float than) const {
+  return m_tried >= kSureFrames && std::all_of(m_times, m_times + m_tried, [than](float time) {
+           return time > than * kClearlySlower;
+         });
+}
+
+bool BackOff::areFaster(float than) const {
+  return m_tried >= kSureFrames && std::all_of(m_times, m_times + m_tried, [than](float time) {
+           return time * kClearlySlower < than;
+         });
 }
 
 bool BackOff::isHostFaster() const {
@@ -38,12 +52,55 @@ void BackOff::decide() {
   m_statistics.lastSoftwareMilliseconds = double(m_softwareTime);
   m_statistics.lastHostMilliseconds = double(host);
   const bool isHost = isHostFaster();
-  // The host is looked at again after as many frames each time: what it draws may be what changed.
   m_keep = !isHost && host > m_softwareTime * kClearlySlower && m_keep >= kKeepFrames
                ? std::min(4 * m_keep, kMostKeepFrames)
                : kKeepFrames;
+  m_keepHost = kKeepFrames;
   m_decidedTime = isHost ? host : m_softwareTime;
   enter(isHost ? Phase::Host : Phase::Software);
+}
+
+void BackOff::keepHost() {
+  ++m_statistics.trials;
+  m_statistics.lastSoftwareMilliseconds = double(median());
+  m_keepHost = std::min(2 * m_keepHost, kMostHostFrames);
+  enter(Phase::Host);
+}
+
+bool BackOff::isAnswered() const {
+  if (m_tried == kTrialFrames)
+    return true;
+  switch (m_phase) {
+  case Phase::TrySoftware:
+    return m_looksAgain && areSlower(m_hostTime);
+  case Phase::TryHost:
+    return areSlower(m_softwareTime) || areFaster(m_softwareTime);
+  case Phase::Confirm:
+    return areSlower(m_hostTime);
+  case Phase::Software:
+  case Phase::Host:
+    break;
+  }
+  return false;
+}
+
+void BackOff::answer() {
+  if (m_phase == Phase::TrySoftware) {
+    if (m_looksAgain && areSlower(m_hostTime))
+      return keepHost();
+    m_softwareTime = median();
+    m_triedMoving = m_moving > kTrialFrames / 2;
+    enter(Phase::TryHost);
+  } else if (m_phase == Phase::TryHost) {
+    m_hostTime = median();
+    if (isHostFaster())
+      enter(Phase::Confirm);
+    else
+      decide();
+  } else {
+    m_softwareTime = std::min(m_softwareTime, median());
+    decide();
+  }
 }
 
 void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now) {
@@ -56,44 +113,29 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   m_hasBefore = true;
   if (!engaged())
     ++m_statistics.framesBackedOff;
+  ++m_frames;
   switch (m_phase) {
   case Phase::Software:
     m_moving = frame.moved ? m_moving + 1 : 0;
     m_plain = frame.plain ? m_plain + 1 : 0;
     look(time);
     // After a trial that was won the next one waits, too.
-    ++m_frames;
     if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames)
       tryAgain();
     break;
   case Phase::TrySoftware:
   case Phase::TryHost:
   case Phase::Confirm:
-    // The first frame after a change of sides pays for the change.
     m_moving += m_phase == Phase::TrySoftware && frame.moved ? 1 : 0;
-    if (m_frames > 0 && measured)
-      m_times[m_frames - 1] = time;
-    if (++m_frames <= kTrialFrames)
-      break;
-    if (m_phase == Phase::TrySoftware) {
-      m_softwareTime = median();
-      m_triedMoving = m_moving > kTrialFrames / 2;
-      enter(Phase::TryHost);
-    } else if (m_phase == Phase::TryHost) {
-      m_hostTime = median();
-      if (isHostFaster())
-        enter(Phase::Confirm);
-      else
-        decide();
-    } else {
-      m_softwareTime = std::min(m_softwareTime, median());
-      decide();
-    }
+    // The first frame after a change of sides pays for the change.
+    if (m_frames > 1 && measured)
+      m_times[m_tried++] = time;
+    if (isAnswered())
+      answer();
     break;
   case Phase::Host:
     look(time);
-    ++m_frames;
-    if (m_frames > kKeepFrames || isStale())
+    if (m_frames > m_keepHost || isStale())
       tryAgain();
     break;
   }

@@ -39,11 +39,14 @@ public:
   void forgetStatistics() { m_statistics = {}; }
 
 private:
-  static constexpr int kTrialFrames = 7;   ///< each way
-  static constexpr int kDoubtFrames = 8;   ///< in a row, before there is a doubt
+  static constexpr int kTrialFrames = 7; ///< each way, at most
+  static constexpr int kSureFrames = 3;  ///< that suffice where each of them says the same clearly
+  static constexpr int kDoubtFrames = 8; ///< in a row, before there is a doubt
   static constexpr int kKeepFrames = 1000; ///< until the next trial
-  /// The same after trials that the rasterizer won clearly, four times as long after each.
-  static constexpr int kMostKeepFrames = 64'000;
+  /// The same after trials that the rasterizer won clearly, four times as long after each; and the
+  /// host's frames after those that the host won clearly, twice as long, as it is not known what
+  /// the rasterizer would take now.
+  static constexpr int kMostKeepFrames = 64'000, kMostHostFrames = 16'000;
   /// What frames differ by through chance. Where images move the rasterizer is to be faster by more
   /// than that, as the images cost memory, and the host's caches, too; otherwise the host.
   static constexpr float kFaster = 0.96f, kClearlySlower = 1.25f;
@@ -56,9 +59,17 @@ private:
   enum class Phase : std::uint8_t { Software, TrySoftware, TryHost, Confirm, Host };
 
   void enter(Phase phase);
-  /// The median of the frames that were tried.
+  /// The median of the frames that were tried in this phase.
   [[nodiscard]] float median();
+  /// Each frame that was tried took clearly more time than \p than, and there are enough of them.
+  [[nodiscard]] bool areSlower(float than) const;
+  [[nodiscard]] bool areFaster(float than) const;
+  /// A frame of a trial ended. True: the phase has its answer.
+  [[nodiscard]] bool isAnswered() const;
+  void answer();
   void decide();
+  /// The rasterizer's frames, looked at again, are clearly slower than the host's were.
+  void keepHost();
   [[nodiscard]] bool isHostFaster() const;
   /// A frame of a side that was decided for took \p time.
   void look(float time);
@@ -68,11 +79,14 @@ private:
 
   Phase m_phase = Phase::Software;
   bool m_forced = false;
-  int m_frames = 0;           ///< in this phase
-  int m_keep = kDoubtFrames;  ///< frames until a doubt is followed by a trial
-  int m_moving = 0;           ///< frames in a row that moved images
-  int m_plain = 0;            ///< and that were plain
-  bool m_triedMoving = false; ///< most frames of the trial moved images
+  int m_frames = 0;             ///< in this phase
+  int m_tried = 0;              ///< of those, the ones whose time is in m_times
+  int m_keep = kDoubtFrames;    ///< frames until a doubt is followed by a trial
+  int m_keepHost = kKeepFrames; ///< the host's frames until the next trial
+  bool m_looksAgain = false;    ///< a trial of what the host was kept for, by frames that are alike
+  int m_moving = 0;             ///< frames in a row that moved images
+  int m_plain = 0;              ///< and that were plain
+  bool m_triedMoving = false;   ///< most frames of the trial moved images
   bool m_hasBefore = false;
   std::chrono::steady_clock::time_point m_before;
   float m_times[kTrialFrames] = {};

@@ -16,17 +16,19 @@ public:
     for (int i = 0; i < count; ++i) {
       const bool software = m_backOff.engaged();
       m_onHost += !software;
+      m_onRasterizer += software;
       m_now += std::chrono::milliseconds(software ? softwareMilliseconds : hostMilliseconds);
       // The host moves nothing while it draws.
       m_backOff.frameEnded({moved && software, plain && software}, m_now);
     }
   }
   [[nodiscard]] int onHost() const { return m_onHost; }
+  [[nodiscard]] int onRasterizer() const { return m_onRasterizer; }
 
 private:
   BackOff &m_backOff;
   Clock::time_point m_now = Clock::time_point(std::chrono::seconds(1));
-  int m_onHost = 0;
+  int m_onHost = 0, m_onRasterizer = 0;
 };
 
 TEST(BackOff, FramesThatMoveNothingAreNeverTried) {
@@ -155,6 +157,53 @@ TEST(BackOff, TrialsThatTheRasterizerWinsClearlyBecomeRare) {
   EXPECT_TRUE(backOff.engaged());
   EXPECT_LT(backOff.statistics().trials, 25u);
   EXPECT_GT(backOff.statistics().trials, 10u);
+}
+
+/// Slow frames are seen: few of them suffice where each says the same.
+TEST(BackOff, TrialsThatAreClearTakeFewFrames) {
+  BackOff slow;
+  Frames frames(slow);
+  frames.run(500, true, 40, 10);
+  EXPECT_FALSE(slow.engaged());
+  EXPECT_LT(frames.onRasterizer(), 22) << "doubt 9, its frames 8, confirmed by 4";
+  BackOff close;
+  Frames others(close);
+  others.run(500, true, 11, 10);
+  EXPECT_FALSE(close.engaged());
+  EXPECT_GT(others.onRasterizer(), 22);
+  BackOff fast;
+  Frames faster(fast);
+  faster.run(500, true, 10, 40);
+  EXPECT_TRUE(fast.engaged());
+  EXPECT_LT(faster.onHost(), 5);
+}
+
+/// A clearly slower rasterizer is looked at again, and each time for a moment only.
+TEST(BackOff, LooksAtASlowRasterizerBecomeRareAndShort) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(500, true, 40, 10);
+  const int before = frames.onRasterizer();
+  frames.run(100'000, true, 40, 10);
+  EXPECT_FALSE(backOff.engaged());
+  EXPECT_GT(frames.onRasterizer(), before + 20);
+  EXPECT_LT(frames.onRasterizer(), before + 50);
+  frames.run(20'000, true, 5, 10); // and one that has become the faster is found
+  EXPECT_TRUE(backOff.engaged());
+}
+
+/// One slow frame of a look, as where code is made for it, is not taken for all.
+TEST(BackOff, ASlowFrameOfALookIsOutvoted) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(500, true, 40, 10);
+  ASSERT_FALSE(backOff.engaged());
+  while (!backOff.engaged())
+    frames.run(1, true, 5, 10);
+  frames.run(2, true, 90, 10);
+  frames.run(40, true, 5, 10);
+  EXPECT_TRUE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().lastSoftwareMilliseconds, 5.0);
 }
 
 TEST(BackOff, ForcedItIsNeverInDoubt) {
