@@ -40,6 +40,13 @@ Value *changeInQuad(Code &code, Value *value, bool upwards) {
   return code.ir.CreateFSub(high, low);
 }
 
+void addPixelDerivatives(Code &code, SampleAt &at, int count) {
+  for (std::size_t i = 0; i < std::size_t(count); ++i) {
+    at.dx[i] = changeInQuad(code, at.coordinate[i], false);
+    at.dy[i] = changeInQuad(code, at.coordinate[i], true);
+  }
+}
+
 Value *wholeQuads(Code &code, Value *mask) {
   Value *all = mask;
   for (const int bit : {1, 2})

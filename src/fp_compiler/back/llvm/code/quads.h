@@ -17,6 +17,11 @@ void addQuadDerivatives(Code &code, SampleAt &at, int count, Value *upper);
 /// upwards, in each of its columns: the same in both pixels that are compared.
 [[nodiscard]] Value *changeInQuad(Code &code, Value *value, bool upwards);
 
+/// The same by changeInQuad(): each row and each column of the quad has changes of its own. They
+/// are what software hosts take the levels of cube maps by, and the others those of all other
+/// textures.
+void addPixelDerivatives(Code &code, SampleAt &at, int count);
+
 /// Of \p mask, an i1 a lane, the quads of which all four pixels are in it.
 [[nodiscard]] Value *wholeQuads(Code &code, Value *mask);
 

@@ -105,7 +105,10 @@ void FragmentHooks::addRowDerivatives(SampleAt &at, std::size_t index, const abi
 
 void FragmentHooks::addDerivatives(SampleAt &at, const abi::SamplerKey &key) {
   const int dimensions = coordinatesOf(key.dimension);
-  addQuadDerivatives(m_code, at, dimensions, takesUpperRow(m_code, m_places, m_data));
+  if (key.dimension == abi::Dimension::Cube)
+    addPixelDerivatives(m_code, at, dimensions);
+  else
+    addQuadDerivatives(m_code, at, dimensions, takesUpperRow(m_code, m_places, m_data));
   if (!running())
     return;
   // In a quad of which some pixels have left the loop there is nothing to compare: the base level.

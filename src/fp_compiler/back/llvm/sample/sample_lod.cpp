@@ -44,8 +44,10 @@ Derivatives derivativesOf(Code &code, const abi::SamplerKey &key, abi::Lanes lan
   if (lanes == abi::Lanes::Row || at.dx[0])
     return {at.dx, at.dy};
   SampleAt quads = at;
-  const int count = key.dimension == abi::Dimension::Cube ? 3 : dimensionsOf(key.dimension);
-  addQuadDerivatives(code, quads, count, nullptr);
+  if (key.dimension == abi::Dimension::Cube)
+    addPixelDerivatives(code, quads, 3);
+  else
+    addQuadDerivatives(code, quads, dimensionsOf(key.dimension), nullptr);
   return {quads.dx, quads.dy};
 }
 
@@ -76,21 +78,36 @@ Value *dot(Code &code, const Vec &a, const Vec &b) {
   return sum;
 }
 
-Value *quickLog2(Code &code, Value *x) {
+namespace {
+/// The exponent and the mantissa in [1, 2) of what is not negative, as floats.
+struct ExponentAndMantissa {
+  Value *exponent, *mantissa;
+};
+ExponentAndMantissa takeApart(Code &code, Value *x) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *const bits = ir.CreateBitCast(x, code.i32);
-  Value *const exponent =
-      code.toFloat(ir.CreateSub(ir.CreateLShr(bits, code.splat(23)), code.splat(127)));
   Value *const mantissa =
       ir.CreateOr(ir.CreateAnd(bits, code.splat(0x7FFFFF)), code.splat(0x3F800000));
-  Value *const t = ir.CreateFSub(ir.CreateBitCast(mantissa, code.f32), code.splat(1.0f));
+  return {code.toFloat(ir.CreateSub(ir.CreateLShr(bits, code.splat(23)), code.splat(127))),
+          ir.CreateBitCast(mantissa, code.f32)};
+}
+} // namespace
+
+Value *linearLog2(Code &code, Value *x) {
+  const ExponentAndMantissa parts = takeApart(code, x);
+  return code.ir.CreateFAdd(code.ir.CreateFSub(parts.mantissa, code.splat(1.0f)), parts.exponent);
+}
+
+Value *quickLog2(Code &code, Value *x) {
+  const ExponentAndMantissa parts = takeApart(code, x);
+  Value *const t = code.ir.CreateFSub(parts.mantissa, code.splat(1.0f));
   // log2(1 + t) / t, interpolated at Chebyshev nodes and 1 at t = 1.
   constexpr float kCoefficients[] = {0.0448739553f, -0.195407152f, 0.420111212f, -0.711996593f,
                                      1.44241858f};
   Value *sum = code.splat(kCoefficients[0]);
   for (std::size_t i = 1; i < std::size(kCoefficients); ++i)
     sum = multiplyAdd(code, sum, t, code.splat(kCoefficients[i]));
-  return multiplyAdd(code, sum, t, exponent);
+  return multiplyAdd(code, sum, t, parts.exponent);
 }
 
 Value *biasedLevel(Code &code, const abi::SamplerKey &key, Value *view, const SampleAt &at,
@@ -116,7 +133,7 @@ Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, V
   const Derivatives d = derivativesOf(code, key, lanes, at);
   Value *lambda = code.splat(0.0f);
   if (d.dx[0])
-    lambda = code.ir.CreateFMul(quickLog2(code, scaleSquared(code, key, view, d, cube)),
+    lambda = code.ir.CreateFMul(linearLog2(code, scaleSquared(code, key, view, d, cube)),
                                 code.splat(0.5f));
   return biasedLevel(code, key, view, at, lambda);
 }

@@ -123,9 +123,12 @@ struct Derivatives {
                                           const Derivatives &d, const CubeFace *cube);
 /// Of what inTexels() gives.
 [[nodiscard]] Value *dot(Code &code, const Vec &a, const Vec &b);
-/// log2 of what is not negative, within 2^-14: a weight of 8-bit texels needs no more. Powers of
-/// two are exact, so that a level that fits has all the weight. Zero is -127, an infinity or NaN
-/// 128.
+/// log2 of what is not negative, linear between powers of two, which are exact: up to 0.086 less
+/// than the logarithm. Of the square of a scale factor it is what software hosts take levels by,
+/// and as no level of two is to change with who draws, the rasterizer has levels that are up to
+/// 0.043 less than 3.8.8's, too. Zero is -127, an infinity or NaN at least 128.
+[[nodiscard]] Value *linearLog2(Code &code, Value *x);
+/// The same within 2^-14: a weight of 8-bit texels needs no more. An infinity or NaN is 128.
 [[nodiscard]] Value *quickLog2(Code &code, Value *x);
 /// \p lambda with all biases, clamped (3.8.8).
 [[nodiscard]] Value *biasedLevel(Code &code, const abi::SamplerKey &key, Value *view,

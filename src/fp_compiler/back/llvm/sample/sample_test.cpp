@@ -32,8 +32,12 @@ ReferenceQuery queryAt(const Case &test, const Cpu &cpu, const Pixels &pixels,
       const auto at = [&](int dx, int dy) {
         return double(plane[std::size_t(first + corner(cpu, pixel - first, dx, dy))]);
       };
-      query.dx[i] = at(1, 0) - at(0, 0);
-      query.dy[i] = at(0, 1) - at(0, 0);
+      // A cube map's are those of the pixel's own row and column.
+      const bool own = test.key.dimension == abi::Dimension::Cube;
+      const int lane = pixel - first, width = cpu.blockWidth();
+      const int x = own ? lane % width % 2 : 0, y = own ? lane / width % 2 : 0;
+      query.dx[i] = at(1, y) - at(0, y);
+      query.dy[i] = at(x, 1) - at(x, 0);
     } else {
       query.dx[i] = double(call.dx[i]);
       query.dy[i] = double(call.dy[i]);

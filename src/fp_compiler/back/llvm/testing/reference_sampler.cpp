@@ -260,6 +260,15 @@ std::vector<ReferenceQuery> referenceSamples(const abi::SamplerKey &key,
   return samples;
 }
 
+namespace {
+/// As machine code has it of the square (sample_parts.h).
+double linearLog2(double scale) {
+  int exponent = 0;
+  const double mantissa = std::frexp(std::max(scale * scale, 0x1p-127), &exponent); // from 1/2 to 1
+  return 0.5 * (exponent - 2 + 2 * mantissa);
+}
+} // namespace
+
 Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
                       const ReferenceQuery &query) {
   if (key.format.layout == Layout::None)
@@ -276,7 +285,7 @@ Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
   if (query.scale)
     lambda = std::log2(*query.scale);
   else if (query.hasDerivatives)
-    lambda = std::log2(scaleFactor(key, view.levels[0], query));
+    lambda = linearLog2(scaleFactor(key, view.levels[0], query));
   // TXB of a rectangle ignores its bias (ir/semantics.h).
   const double ofProgram = key.dimension == Dimension::Rect ? 0 : query.bias;
   const double bias = ofProgram + (key.hasBias ? double(view.lodBias) : 0);
