@@ -81,6 +81,81 @@ TEST_F(Sharing, ListsAreShared) {
   m_context.makeCurrent();
 }
 
+/// Names of GenLists are empty lists until one of the contexts compiles them (OpenGL 2.1, 5.4).
+TEST_F(Sharing, GeneratedListsAreFilledByEitherContext) {
+  makeProgram(kRed);
+  glEnable(kFragment);
+  const GLuint first = glGenLists(4);
+  ASSERT_NE(first, 0u);
+  const GlContext second(&m_context);
+  const auto calls = [&](GLuint list) {
+    clear();
+    glCallList(list);
+    return readPixel();
+  };
+  const Pixel cleared = (clear(), readPixel());
+  for (GLuint list = first; list < first + 4; ++list) {
+    EXPECT_TRUE(glIsList(list)) << list - first;
+    EXPECT_EQ(calls(list), cleared) << list - first;
+  }
+  glNewList(first + 1, GL_COMPILE);
+  drawQuad();
+  glEndList();
+  m_context.makeCurrent();
+  EXPECT_EQ(calls(first), cleared);
+  EXPECT_EQ(calls(first + 1), kRedPixel) << "filled by the other context";
+  glNewList(first + 2, GL_COMPILE);
+  glCallList(first + 1);
+  glEndList();
+  glDeleteLists(first, 1);
+  second.makeCurrent();
+  makeProgram(kGreen);
+  glEnable(kFragment);
+  EXPECT_EQ(calls(first + 2), kGreenPixel);
+  EXPECT_FALSE(glIsList(first));
+  glDeleteLists(first + 1, 1);
+  m_context.makeCurrent();
+  EXPECT_EQ(calls(first + 2), cleared) << "the list that it calls is gone";
+  EXPECT_EQ(calls(first + 3), cleared);
+  const GLuint again = glGenLists(2);
+  EXPECT_TRUE(again + 1 < first + 2 || again > first + 3) << "names that are in use";
+  EXPECT_EQ(calls(again), cleared);
+}
+
+/// A context goes from thread to thread within a frame, in which its program is new.
+TEST_F(Sharing, AContextWithANewProgramMovesBetweenThreads) {
+  makeProgram(kRed);
+  glEnable(kFragment);
+  const GLuint other = makeProgram(kEnv0);
+  glProgramEnvParameter4fARB(kFragment, 0, 0, 1, 0, 1);
+  EXPECT_EQ(drawn(), kGreenPixel);
+  Pixel there{}, changed{};
+  const EGLDisplay display = eglGetCurrentDisplay();
+  const auto leave = [display] {
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  };
+  for (int turn = 0; turn < 3; ++turn) {
+    leave();
+    std::thread([&] {
+      eglBindAPI(EGL_OPENGL_API);
+      m_context.makeCurrent();
+      there = drawn();
+      glProgramEnvParameter4fARB(kFragment, 0, 1, 0, 0, 1);
+      changed = drawn();
+      makeProgram(kGreen);
+      leave();
+    }).join();
+    m_context.makeCurrent();
+    EXPECT_EQ(there, kGreenPixel) << turn;
+    EXPECT_EQ(changed, kRedPixel) << turn;
+    EXPECT_EQ(drawn(), kGreenPixel) << "loaded there, " << turn;
+    glBindProgramARB(kFragment, other);
+    glProgramEnvParameter4fARB(kFragment, 0, 0, 1, 0, 1);
+    if (turn == 1)
+      glFinish(); // for some applications the end of a frame
+  }
+}
+
 TEST_F(Sharing, FourThreadsDrawAtOnce) {
   const GLuint name = makeProgram(kEnv0);
   glFinish();
