@@ -28,6 +28,33 @@ TEST_F(Residency, TexturesAreRenderedToAndSampled) {
   EXPECT_EQ(statistics().downloads, 0u);
 }
 
+/// It would take a gigabyte more, and a second to copy.
+TEST_F(Residency, HugeTexturesStayTheHosts) {
+  GLuint name = 0;
+  gl().GenTextures(1, &name);
+  gl().BindTexture(GL_TEXTURE_3D, name);
+  gl().TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, 512, 512, 1024, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  nullptr);
+  if (gl().GetError() != GL_NO_ERROR)
+    GTEST_SKIP() << "the host has no memory for it";
+  gl().TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  changed();
+  const TextureLevels levels = {0, 0};
+  EXPECT_FALSE(residency().describeTexture(name, abi::Dimension::Tex3D, levels, false));
+  EXPECT_FALSE(residency().samplesTexture(name, abi::Dimension::Tex3D, levels));
+  const char *reason = nullptr;
+  EXPECT_EQ(residency().acquireTexture(name, abi::Dimension::Tex3D, levels, false, reason),
+            nullptr);
+  EXPECT_STREQ(reason, "texture");
+  EXPECT_EQ(statistics().downloads, 0u);
+  gl().TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, 4, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  residency().textureRedefined(GL_TEXTURE_3D);
+  EXPECT_TRUE(residency().samplesTexture(name, abi::Dimension::Tex3D, levels));
+  EXPECT_NE(residency().acquireTexture(name, abi::Dimension::Tex3D, levels, false, reason),
+            nullptr);
+  gl().DeleteTextures(1, &name);
+}
+
 TEST_F(Residency, RenderbuffersGoToTheHostAndBack) {
   GLuint renderbuffer = 0, framebuffer = 0;
   const auto generate =

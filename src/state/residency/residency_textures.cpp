@@ -37,6 +37,18 @@ abi::TextureLevel viewOf(const swrast::Image &image) {
           .depth = image.depth};
 }
 
+/// Of larger images, in bytes, the rasterizer samples those alone that it drew: the host has them,
+/// and to copy one takes longer than draws with it, and its memory once more.
+constexpr std::int64_t kMostToCopy = std::int64_t(256) << 20;
+
+/// An image of a format that we have, and in reach.
+bool isSampledHere(const PixelImage &image) {
+  return image.base != 0 &&
+         (image.valid != Valid::Host || std::int64_t(image.width) * image.height * image.depth *
+                                                abi::bytesOf(image.format.layout) <=
+                                            kMostToCopy);
+}
+
 /// The first level that is sampled; null where the texture is incomplete.
 PixelImage *baseLevel(ResidentImages &images, Texture &texture, GLenum target,
                       TextureLevels range) {
@@ -46,7 +58,8 @@ PixelImage *baseLevel(ResidentImages &images, Texture &texture, GLenum target,
   return range.base > range.max || !base || base->width <= 0 ? nullptr : base;
 }
 
-/// The levels that are sampled, all of them in shadow. False: a format that we lack, or no memory.
+/// The levels that are sampled, all of them in shadow. False: a format that we lack, an image that
+/// stays the host's, or no memory.
 /// `complete` tells whether GL would sample them at all (3.8.10).
 class Completeness {
 public:
@@ -87,12 +100,12 @@ public:
     return true;
   }
 
-  /// Which levels there are. False: a format that we lack.
+  /// Which levels there are. False: a format that we lack, or an image that stays the host's.
   bool find(GLenum target, TextureLevels range, bool mipmapped) {
     m_faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
     m_first = m_faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
     PixelImage *const base = baseLevel(m_images, m_texture, target, range);
-    if (!base || base->base == 0)
+    if (!base || !isSampledHere(*base))
       return !base;
     m_levels = 1;
     if (mipmapped) {
@@ -203,7 +216,7 @@ bool Residency::samplesTexture(GLuint name, abi::Dimension dimension, TextureLev
     return false;
   const PixelImage *const base =
       baseLevel(images, textureOf(images.objects, target, name), target, range);
-  return !base || base->base != 0;
+  return !base || isSampledHere(*base);
 }
 
 namespace {
