@@ -12,7 +12,6 @@ import sys
 import sides
 
 ROUNDING = 4  # of a texel's weight, a sum and a scale by 4
-ROUNDING_OF_LEVELS = 10  # the weights of two of them, whose logarithm llvmpipe approximates
 # Whose coordinate lies between two faces of a cube by its last bit.
 FEW_PIXELS = 2
 # llvmpipe calculates simple scenes with bytes, unless it is told not to: then both sides use floats.
@@ -22,7 +21,7 @@ IN_FLOATS = {"LP_PERF": "no_rast_linear", "GALLIVM_PERF": "no_aos_sampling"}
 def judge(bare, layer):
     lines = sides.differences([(what, b"") for what, _ in bare], [(what, b"") for what, _ in layer])
     for (what, one), (_, other) in zip(bare, layer):
-        far, worst = sides.distances(one, other, ROUNDING_OF_LEVELS if "levels" in what else ROUNDING)
+        far, worst = sides.distances(one, other, ROUNDING)
         if far > FEW_PIXELS:
             lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
     return lines

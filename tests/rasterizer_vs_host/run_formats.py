@@ -147,8 +147,8 @@ def tolerance(label, half_is_none):
     an alpha of a half in one bit Mesa from 23.1 on and Debian's of 32-bit x86 make 0, where 1, as that of 64 bits
     had it, makes the term vanish: what it takes from the buffer, multiplies and cuts off again is two steps off, 6
     of 31 for 7.55, of which the rasterizer makes 8. The host blends buffers of 8 bits in integers, and rounds each
-    product; it filters texels as bytes with weights of 8 bits and chooses levels by an approximate logarithm, which
-    shows most where one bit of alpha makes neighbours differ by all there is; and where a depth and its reference
+    product; it filters texels as bytes with weights of 8 bits, which shows most where one bit of alpha makes
+    neighbours differ by all there is; and where a depth and its reference
     are about the same a comparison may fall either way, the more so of 32 bits, of which the host samples the upper
     23. Its sampler and its GetTexImage make bytes of S3TC blocks that differ by one here and there, which sRGB
     decodes to two levels and more."""

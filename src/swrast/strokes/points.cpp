@@ -126,9 +126,11 @@ bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd 
                         Shape &shape) {
   if (!isNear(at.window))
     return false;
-  // As the software host has them, so that frames of both are alike: no radius is less than 1, and
-  // between the circle and one of a pixel less its formula has 1 for what would fade.
-  const float radius = std::max(0.5f * sizeWithin(draw.state, size), 1.0f);
+  // As the software host has them, so that frames of both are alike: no radius is less than 1,
+  // where points have no sizes of their own, and between the circle and one of a pixel less its
+  // formula has 1 for what would fade.
+  const float half = 0.5f * sizeWithin(draw.state, size);
+  const float radius = draw.vertices.pointSize ? half : std::max(half, 1.0f);
   const float x = at.window.x, y = heightOf(draw.state, at.window);
   // A centre on the circle is inside at the left and below, as of a rectangle.
   WindowVertex corner[2] = {at.window, at.window};
@@ -148,8 +150,10 @@ bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd 
   abi::Plane *const input = shape.primitive.inputs[draw.shading.inputCount - 1];
   input[0] = {(float(shape.left) + 0.5f - x) * step, step, 0};
   input[1] = {(float(shape.bottom) + 0.5f - y) * step, 0, step};
-  const float inner = (radius - 1) * step;
-  input[2] = {1.0f / (1.0f - inner * inner), 0, 0};
+  // Where that inner circle is no smaller, the whole disc is covered.
+  const float inner = (radius - 1) * step, ring = 1.0f - inner * inner;
+  constexpr float kAll = 0x1p100f;
+  input[2] = {ring > 0 ? 1.0f / ring : kAll, 0, 0};
   input[3] = {};
   return true;
 }

@@ -71,6 +71,13 @@ int sideInTurn(int i, int count, bool clipped, bool provokingIsFirst) {
   return i;
 }
 
+/// Which of the corners hosts draw as point number `i`: of what is left of a triangle that was cut
+/// the pieces of a fan, of which each ends with its centre, corner 0, where the provoking one is
+/// the last.
+int pointInTurn(int i, bool clipped, bool provokingIsFirst) {
+  return clipped && !provokingIsFirst && i < 2 ? 1 - i : i;
+}
+
 /// What is added to the depths at the ends of side `side`. Hosts cut what is left of a triangle
 /// that was cut into a fan, whose pieces have slopes of their own; its centre is the first corner
 /// of each, or the last one.
@@ -252,8 +259,9 @@ void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke
     const int at = sideInTurn(i, polygon.count, clipped, draw.state.provokingIsFirst);
     if (lines && isSide(at))
       addLine(draw, stroke, endAt(at, at), endAt(at + 1 == polygon.count ? 0 : at + 1, at));
-    if (!lines && isSide(i)) {
-      const StrokeEnd end = endAt(i, i);
+    if (const int corner = pointInTurn(i, clipped, draw.state.provokingIsFirst);
+        !lines && isSide(corner)) {
+      const StrokeEnd end = endAt(corner, corner);
       addPoint(draw, stroke, end, pointSizeAt(draw, stroke, end));
     }
   }

@@ -247,6 +247,8 @@ void FixedWriter::pointSize() {
   op(Opcode::Rsq, t.mask("w"), {t.read().swz("z")});
   op(Opcode::Mul, t.mask("w"), {t.read().swz("w"), size.swz("x")});
   op(Opcode::Max, t.mask("w"), {t.read().swz("w"), size.swz("y")});
+  // The least size of points that hosts have (OpenGL 2.1, 3.3).
+  op(Opcode::Max, t.mask("w"), {t.read().swz("w"), constant(1, 1, 1, 1)});
   op(Opcode::Min, m_builder.result(OutputKind::PointSize).mask("x"),
      {t.read().swz("w"), size.swz("z")});
 }

@@ -1,0 +1,100 @@
+// Points, lines and polygons that are not filled: rasterizer-strokes SEED COUNT. Each seed is a
+// picture of each kind, of random sizes, widths, stipples and colours, smooth or not, in the view
+// or leaving it. Writes the pictures as records. run_strokes.py compares.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "surface.h"
+
+namespace software {
+namespace {
+
+constexpr int kEdge = 160; ///< of the window, in pixels
+constexpr int kPrimitives = 24;
+
+struct Kind {
+  const char *name;
+  GLenum mode;
+  int corners;
+};
+constexpr Kind kKinds[] = {{"points", GL_POINTS, 8},         {"lines", GL_LINES, 8},
+                           {"line strip", GL_LINE_STRIP, 5}, {"line loop", GL_LINE_LOOP, 4},
+                           {"triangles", GL_TRIANGLES, 6},   {"quads", GL_QUADS, 4},
+                           {"polygon", GL_POLYGON, 5}};
+
+class Picture {
+public:
+  explicit Picture(std::uint64_t seed) : m_random(seed) {}
+
+  void draw(const std::string &seed, const Kind &kind) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const bool isPolygon = kind.mode >= GL_TRIANGLES, isPoints = kind.mode == GL_POINTS;
+    m_name = seed + " " + kind.name;
+    const bool smooth = some("smooth");
+    // Of lines whose ends differ in w hosts interpolate between dashes without it.
+    const bool stippled = !isPoints && some("stippled"), perspective = !stippled && some("deep");
+    const bool wide = some("wide"), leaving = some("leaving");
+    set(GL_LINE_SMOOTH, smooth);
+    set(GL_POINT_SMOOTH, smooth);
+    set(GL_BLEND, smooth);
+    set(GL_LINE_STIPPLE, stippled);
+    glShadeModel(some("flat") ? GL_FLAT : GL_SMOOTH);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    const std::array<GLfloat, 3> near = {1, 0, 0}, far = {1, 0.1f, 0.05f};
+    glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION,
+                       isPoints && some("attenuated") ? far.data() : near.data());
+    for (int i = 0; i < kPrimitives; ++i) {
+      glPolygonMode(GL_FRONT_AND_BACK, !isPolygon ? GL_FILL : i % 2 == 0 ? GL_LINE : GL_POINT);
+      glLineStipple(m_random.between(1, 5), GLushort(m_random.below(1 << 16)));
+      glLineWidth(wide ? real(0.5f, 7) : 1);
+      glPointSize(wide ? real(0.5f, 20) : 1);
+      primitive(kind, leaving ? 1.6f : 0.95f, perspective);
+    }
+    record(m_name, readRgba(0, 0, kEdge, kEdge));
+  }
+
+private:
+  float real(float low, float high) {
+    return low + (high - low) * float(m_random.below(1 << 20)) / float(1 << 20);
+  }
+  bool some(const char *what) {
+    const bool is = m_random.once(2);
+    m_name += is ? std::string(" ") + what : "";
+    return is;
+  }
+  static void set(GLenum state, bool on) { (on ? glEnable : glDisable)(state); }
+
+  /// The first corner is in the view: of a strip whose first line is beyond it, Mesa's stipple does
+  /// not begin anew.
+  void primitive(const Kind &kind, float reach, bool perspective) {
+    glBegin(kind.mode);
+    for (int i = 0; i < kind.corners; ++i) {
+      const float w = perspective ? real(0.3f, 2) : 1, far = w * (i == 0 ? 0.9f : reach);
+      glColor4f(real(0, 1), real(0, 1), real(0, 1), real(0.3f, 1));
+      glVertex4f(real(-far, far), real(-far, far), w * real(-0.9f, 0.9f), w);
+    }
+    glEnd();
+  }
+
+  Random m_random;
+  std::string m_name;
+};
+
+} // namespace
+} // namespace software
+
+int main(int argc, char **argv) {
+  using namespace software;
+  const auto draw = [](int seed, auto &screen, GLXDrawable window, bool) {
+    const GLXContext context = screen.makeContext();
+    screen.makeCurrent(window, context);
+    glViewport(0, 0, kEdge, kEdge);
+    const std::string name = "seed " + std::to_string(seed);
+    for (const Kind &kind : kKinds)
+      Picture(std::uint64_t(seed)).draw(name, kind);
+    record(name + " errors" + takeErrors(), {});
+    screen.destroy(context);
+  };
+  return drawSeeds(argc, argv, kEdge, nullptr, draw);
+}
