@@ -19,12 +19,7 @@ IN_FLOATS = {"LP_PERF": "no_rast_linear", "GALLIVM_PERF": "no_aos_sampling"}
 
 
 def judge(bare, layer):
-    lines = sides.differences([(what, b"") for what, _ in bare], [(what, b"") for what, _ in layer])
-    for (what, one), (_, other) in zip(bare, layer):
-        far, worst = sides.distances(one, other, ROUNDING)
-        if far > FEW_PIXELS:
-            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
-    return lines
+    return sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS)
 
 
 def main():

@@ -15,14 +15,9 @@ FEW_PIXELS = 3  # at the corners of what was cut
 
 
 def judge(bare, layer):
-    wrong = sides.differences([(what, b"") for what, _ in bare], [(what, b"") for what, _ in layer])
-    for (what, one), (_, other) in zip(bare, layer):
-        far, worst = sides.distances(one, other, ROUNDING)
-        if far > FEW_PIXELS:
-            wrong.append(f"'{what}': {far} pixels differ, by up to {worst}")
-        if one and not any(one[0::4]):
-            wrong.append(f"'{what}': nothing is drawn")
-    return wrong
+    wrong = sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS)
+    return wrong + [f"'{what}': nothing is drawn" for what, one in bare
+                    if one and not any(one[0::4]) and not any(one[2::4])]
 
 
 def main():

@@ -105,6 +105,16 @@ def differences(bare, layer, rounding=1):
     return lines
 
 
+def far_pictures(bare, layer, rounding, few):
+    """differences(), where up to `few` pixels of a picture may be further apart than `rounding`."""
+    lines = differences([(what, b"") for what, _ in bare], [(what, b"") for what, _ in layer])
+    for (what, one), (_, other) in zip(bare, layer):
+        far, worst = distances(one, other, rounding)
+        if far > few:
+            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
+    return lines
+
+
 def software_statistics(path):
     """The part of the layer's statistics that is about the rasterizer; empty without one."""
     try:

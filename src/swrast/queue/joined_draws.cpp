@@ -116,9 +116,7 @@ void JoinedDraws::copyVertices(const GivenDraw &given) {
 void JoinedDraws::addTriangles(const GivenDraw &given, std::uint32_t triangles) {
   const RasterState &state = given.state;
   const bool provokingIsFirst = provokesFirst(state, given.topology);
-  // As placeVertices() decides of a draw that is not clipped.
-  const bool otherDiagonal = state.secondDiagonal || state.polygonStipple != nullptr ||
-                             (state.provokingIsFirst && given.topology != Topology::QuadStrip);
+  const bool otherDiagonal = cutsOtherwise(state, given.topology, false);
   const std::uint32_t base = m_vertices.count, end = given.vertices.count;
   for (std::uint32_t i = 0; i < triangles; ++i) {
     const TriangleCorners corners =

@@ -25,6 +25,13 @@ struct LineEnds {
 [[nodiscard]] bool isPolygonal(Topology topology);
 /// Whether the first vertex of such a primitive is the provoking one.
 [[nodiscard]] bool provokesFirst(const RasterState &state, Topology topology);
+/// Whether quads of a draw are cut otherwise (triangleAt()). Hosts clip and stipple in another path
+/// than the plain one, which cuts them so; and the plain one does, but not with strips, where the
+/// provoking vertex counts or is the first, and in lists.
+[[nodiscard]] inline bool cutsOtherwise(const RasterState &state, Topology topology, bool clipped) {
+  return clipped || state.polygonStipple != nullptr ||
+         (topology != Topology::QuadStrip && (state.secondDiagonal || state.provokingIsFirst));
+}
 /// How many triangles `count` vertices make; vertices that complete none are ignored. 0 of points
 /// and lines.
 [[nodiscard]] std::uint32_t triangleCount(Topology topology, std::uint32_t count);

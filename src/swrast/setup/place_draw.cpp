@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "swrast/setup/assembly.h"
 #include "swrast/setup/shape.h"
 #include "swrast/threads.h"
 
@@ -80,12 +81,7 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
   for (const PlacedBounds &part : bounds)
     all.add(part);
   const bool clipped = draw.isClipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
-  // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise. The
-  // plain one does so too where it hands on the first vertex as the provoking one.
-  const bool otherPath =
-      draw.state.secondDiagonal || draw.state.polygonStipple != nullptr || clipped;
-  draw.otherDiagonal =
-      otherPath || (draw.state.provokingIsFirst && draw.topology != Topology::QuadStrip);
+  draw.otherDiagonal = cutsOtherwise(draw.state, draw.topology, clipped);
   if (clipped)
     return; // a vertex that is outside has no place that bounds anything
   const std::int32_t left = pixelFrom(all.minX), bottom = pixelFrom(all.minY);

@@ -1,0 +1,32 @@
+#!/usr/bin/env python3
+"""Filled polygons of any corners on the bare host and under the layer, whose rasterizer draws them.
+
+  run_polygons.py --build build [--first SEED] [--count N] [--backend swrast]
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import sys
+
+import sides
+
+ROUNDING = 2
+FEW_PIXELS = 8  # along what was cut
+
+
+def judge(bare, layer):
+    wrong = sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS)
+    return wrong + [f"'{what}': nothing is drawn" for what, one in bare
+                    if one and not any(one[0::4]) and not any(one[2::4])]
+
+
+def main():
+    args = sides.seeded_arguments(__doc__, 20)
+    bare, wrong, part = sides.compare(args, "rasterizer-polygons", judge)
+    if args.backend == "swrast" and (not part.get("drawn", 0) or part.get("given_to_host", {})):
+        wrong.append("draws of the host's")
+    return sides.conclude(args, "seeds", bare, wrong, part)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

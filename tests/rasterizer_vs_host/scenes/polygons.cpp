@@ -1,0 +1,123 @@
+// Filled polygons of any corners: rasterizer-polygons SEED COUNT. Each seed is a picture of each
+// kind, of quads that are not flat and cross themselves too, by either provoking vertex, in lists,
+// lit on both sides, culled, stippled, cut by the view or by planes of the application. What
+// overlaps tells which half of a quad is drawn first, and how it is cut. Writes the pictures as
+// records. run_polygons.py compares.
+#include <array>
+#include <string>
+
+#include "surface.h"
+
+namespace software {
+namespace {
+
+constexpr int kEdge = 160; ///< of the window, in pixels
+constexpr int kPrimitives = 16;
+
+struct Kind {
+  const char *name;
+  GLenum mode;
+  int corners;
+};
+constexpr Kind kKinds[] = {{"triangles", GL_TRIANGLES, 6},   {"strip", GL_TRIANGLE_STRIP, 6},
+                           {"fan", GL_TRIANGLE_FAN, 6},      {"quads", GL_QUADS, 8},
+                           {"quad strip", GL_QUAD_STRIP, 8}, {"polygon", GL_POLYGON, 5}};
+
+class Picture {
+public:
+  explicit Picture(std::uint64_t seed) : m_random(seed) {}
+
+  void draw(const std::string &seed, const Kind &kind) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    m_name = seed + " " + kind.name;
+    glShadeModel(some("flat") ? GL_FLAT : GL_SMOOTH);
+    glProvokingVertex(some("first") ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
+    light(some("lit"));
+    set(GL_CULL_FACE, some("culled"));
+    glCullFace(m_random.once(2) ? GL_FRONT : GL_BACK);
+    set(GL_POLYGON_STIPPLE, some("stippled"));
+    std::array<GLubyte, 128> pattern{};
+    for (GLubyte &byte : pattern)
+      byte = GLubyte(m_random.below(256));
+    glPolygonStipple(pattern.data());
+    cut(some("cut"));
+    const float reach = some("leaving") ? 1.7f : 0.95f;
+    const bool listed = some("listed");
+    for (int i = 0; i < kPrimitives; ++i) {
+      if (listed)
+        glNewList(1, GL_COMPILE);
+      primitive(kind, reach);
+      if (listed) {
+        glEndList();
+        glCallList(1);
+      }
+    }
+    record(m_name, readRgba(0, 0, kEdge, kEdge));
+  }
+
+private:
+  float real(float low, float high) {
+    return low + (high - low) * float(m_random.below(1 << 20)) / float(1 << 20);
+  }
+  bool some(const char *what) {
+    const bool is = m_random.once(2);
+    m_name += is ? std::string(" ") + what : "";
+    return is;
+  }
+  static void set(GLenum state, bool on) { (on ? glEnable : glDisable)(state); }
+
+  /// Front faces shine in the vertices' colours, back faces in one.
+  static void light(bool on) {
+    constexpr GLfloat kBlack[] = {0, 0, 0, 1}, kBlue[] = {0, 0.3f, 1, 1};
+    set(GL_LIGHTING, on);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, kBlack);
+    glDisable(GL_COLOR_MATERIAL);
+    glMaterialfv(GL_BACK, GL_EMISSION, kBlue);
+    glColorMaterial(GL_FRONT, GL_EMISSION);
+    set(GL_COLOR_MATERIAL, on);
+  }
+
+  void cut(bool on) {
+    for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 2; ++plane) {
+      const std::array<GLdouble, 4> equation = {double(real(-1, 1)), double(real(-1, 1)),
+                                                double(real(-1, 1)), double(real(0, 0.8f))};
+      glClipPlane(plane, equation.data());
+      set(plane, on);
+    }
+  }
+
+  void primitive(const Kind &kind, float reach) {
+    const float x = real(-0.6f, 0.6f), y = real(-0.6f, 0.6f), size = real(0.1f, 1);
+    const auto at = [&](float middle) { return reach * (middle + size * real(-0.4f, 0.4f)); };
+    glBegin(kind.mode);
+    for (int i = 0; i < kind.corners; ++i) {
+      glColor4f(real(0.1f, 1), real(0.1f, 1), 0, 1);
+      glVertex3f(at(x), at(y), reach * real(-0.9f, 0.9f));
+    }
+    glEnd();
+  }
+
+  Random m_random;
+  std::string m_name;
+};
+
+} // namespace
+} // namespace software
+
+int main(int argc, char **argv) {
+  using namespace software;
+  const auto draw = [](int seed, auto &screen, GLXDrawable window, bool) {
+    const GLXContext context = screen.makeContext();
+    screen.makeCurrent(window, context);
+    glViewport(0, 0, kEdge, kEdge);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    const std::string name = "seed " + std::to_string(seed);
+    for (std::size_t i = 0; i < std::size(kKinds); ++i)
+      Picture(std::uint64_t(seed) * std::size(kKinds) + i).draw(name, kKinds[i]);
+    record(name + " errors" + takeErrors(), {});
+    screen.destroy(context);
+  };
+  return drawSeeds(argc, argv, kEdge, nullptr, draw);
+}
