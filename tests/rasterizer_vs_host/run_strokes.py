@@ -12,12 +12,18 @@ import sides
 
 ROUNDING = 4  # of 24 blended ones, whose alpha is a product of a width and a length
 FEW_PIXELS = 3  # at the corners of what was cut
+# At the ends of a smooth line's dashes, which Mesa 25 has a little otherwise than Mesa 22 and the rasterizer.
+ENDS_OF_DASHES = 32
 
 
 def judge(bare, layer):
-    wrong = sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS)
-    return wrong + [f"'{what}': nothing is drawn" for what, one in bare
-                    if one and not any(one[0::4]) and not any(one[2::4])]
+    wrong = []
+    for few, dashes in ((FEW_PIXELS, False), (ENDS_OF_DASHES, True)):
+        one, other = ([(what, picture) for what, picture in records if ("smooth stippled" in what) == dashes]
+                      for records in (bare, layer))
+        wrong += sides.far_pictures(one, other, ROUNDING, few)
+    return wrong + [f"'{what}': nothing is drawn" for what, picture in bare
+                    if picture and not any(picture[0::4]) and not any(picture[2::4])]
 
 
 def main():
