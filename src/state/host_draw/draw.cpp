@@ -261,6 +261,7 @@ bool sendParametersAlone(Context &context) {
     context.hostAssembly->uploadParameters(context, context.attention);
   }
   context.attention = 0;
+  context.hostAssembly->sendDirectly(verticesOfOwnLocals(context));
   return true;
 }
 

@@ -134,8 +134,9 @@ TEST(Draw, ALocalParameterOfVerticesIsTheHostsAtOnce) {
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(host.count(call + " 1 7"), 1);
   local(1, 9);
-  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(context->attention, 0u) << "though pixels chose it, not a draw";
   EXPECT_EQ(host.count(call + " 1 9"), 1);
+  ASSERT_TRUE(draw(*context));
   handlers::BindProgramARB(*context, kVertex, first);
   handlers::DeleteProgramsARB(*context, 1, &second);
   ASSERT_TRUE(draw(*context));

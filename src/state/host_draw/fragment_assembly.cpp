@@ -17,13 +17,17 @@ namespace {
 
 using Fragments = LinkedProgramCache::Fragments;
 
-bool isPlain(const CompiledProgram &compiled) {
+bool isShort(const CompiledProgram &compiled) {
   constexpr std::size_t kMost = 256; // instructions; of longer ones GLSL is the better known way
   const fp::ir::Program *const program = compiled.program.get();
-  if (compiled.target != Target::Fragment || !program ||
-      program->language != fp::ir::Language::ArbFragment || program->code.size() > kMost)
+  return compiled.target == Target::Fragment && program &&
+         program->language == fp::ir::Language::ArbFragment && program->code.size() <= kMost;
+}
+
+bool isPlain(const CompiledProgram &compiled) {
+  if (!isShort(compiled))
     return false;
-  fp::ir::Options options = program->options;
+  fp::ir::Options options = compiled.program->options;
   options.precision = fp::ir::Precision::Unspecified;
   return options == fp::ir::Options();
 }
@@ -55,9 +59,16 @@ bool mayStayAssembly(const Context &context) {
          !mayFollowSprites(context) && spritesAreTheHosts(context) && mayBeAssembly(context);
 }
 
-/// Two programs that are to give one depth must not be compiled by two compilers.
-bool isPlainAndWithoutDepth(const CompiledProgram &compiled) {
-  return isPlain(compiled) && !compiled.glsl.writesDepth;
+/// The options of ARB_fragment_program's own and ARB_draw_buffers'. Two programs that are to give
+/// one depth must not be compiled by two compilers.
+bool isHostsAsItIs(const CompiledProgram &compiled) {
+  if (!isShort(compiled) || compiled.glsl.writesDepth)
+    return false;
+  fp::ir::Options options = compiled.program->options;
+  options.precision = fp::ir::Precision::Unspecified;
+  options.fog = fp::ir::FogMode::None;
+  options.drawBuffers = false;
+  return options == fp::ir::Options();
 }
 
 bool changesOften(const LinkedProgram *linkedProgram) {
@@ -71,7 +82,7 @@ Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
   if (!pair.fragment)
     return Fragments::Glsl;
   if (mayStayAssembly(context))
-    return isPlainAndWithoutDepth(*pair.fragment) &&
+    return isHostsAsItIs(*pair.fragment) &&
                    !changesOften(context.linkedPrograms->find(pair, Fragments::Assembly))
                ? Fragments::Assembly
                : Fragments::Glsl;

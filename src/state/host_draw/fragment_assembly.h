@@ -14,9 +14,9 @@
 /// other is GLSL from then on (change_pace.h), where the driver takes less for that.
 namespace arbiter::state {
 
-/// What the fragment program of a pair is on the host. Assembly: of plain programs, of up to 256
-/// instructions and without options, where no texture compares or has the mode ALPHA and no client
-/// looks on.
+/// What the fragment program of a pair is on the host. Assembly: of programs of up to 256
+/// instructions and without options (for good: with fog and draw buffers, and without a depth),
+/// where no texture compares or has the mode ALPHA and no client looks on.
 [[nodiscard]] LinkedProgramCache::Fragments fragmentsOf(Context &context, const ProgramPair &pair);
 /// Before a draw of the host's: the effective fragment program is assembly and must be no more. Its
 /// frame or its time is over, what it needed no longer holds, or colours are flat, of which Mesa's

@@ -236,6 +236,9 @@ TEST(ChangePaceTest, ManyDrawsInALittleTimeAreFast) {
 
 TEST_F(OwnFragments, WhatOnlyGlslDoesIsGlsl) {
   use(*m_context, kFog);
+  EXPECT_TRUE(drawsByAssembly()) << "the host has fog";
+  use(*m_context, "!!ARBfp1.0\nOPTION ARB_fragment_program_shadow;\nTEX result.color, "
+                  "fragment.texcoord[0], texture[0], SHADOW2D;\nEND\n");
   EXPECT_TRUE(drawsByGlsl());
   use(*m_context, "!!ARBfp1.0\nMOV result.depth.z, fragment.texcoord[0].x;\nEND\n");
   EXPECT_TRUE(drawsByGlsl());
