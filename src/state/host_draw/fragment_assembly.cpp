@@ -7,7 +7,6 @@
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/host_draw/variants/point_sprites.h"
-#include "state/programs/replacement.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
 
@@ -55,14 +54,14 @@ bool mayBeginAsAssembly(const Context &context) {
 
 /// As long as there is nothing that only the layer's GLSL does.
 bool mayStayAssembly(const Context &context) {
-  return context.caps.ownFragments && !context.softwarePossible && !replacing() &&
-         !mayFollowSprites(context) && spritesAreTheHosts(context) && mayBeAssembly(context);
+  return context.caps.ownFragments && !context.softwarePossible && !mayFollowSprites(context) &&
+         spritesAreTheHosts(context) && mayBeAssembly(context);
 }
 
 /// The options of ARB_fragment_program's own and ARB_draw_buffers'. Two programs that are to give
 /// one depth must not be compiled by two compilers.
 bool isHostsAsItIs(const CompiledProgram &compiled) {
-  if (!isShort(compiled) || compiled.glsl.writesDepth)
+  if (!isShort(compiled) || compiled.replaced() || compiled.glsl.writesDepth)
     return false;
   fp::ir::Options options = compiled.program->options;
   options.precision = fp::ir::Precision::Unspecified;

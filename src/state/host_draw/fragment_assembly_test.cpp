@@ -7,6 +7,7 @@
 #include "state/core/lifecycle.h"
 #include "state/host_draw/change_pace.h"
 #include "state/host_draw/linked_program.h"
+#include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/current_context.h"
 
@@ -246,6 +247,17 @@ TEST_F(OwnFragments, WhatOnlyGlslDoesIsGlsl) {
   ASSERT_TRUE(drawsByAssembly());
   handlers::TexParameteri(*m_context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
                           GL_COMPARE_R_TO_TEXTURE);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(OwnFragments, AReplacementIsGlsl) {
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  ProgramObject &object = *m_context->row(Target::Fragment).bound;
+  auto replaced = std::make_shared<CompiledProgram>(*m_context->group->compiledOf(object));
+  replaced->replacement = kShading;
+  m_context->group->setCompiled(object, std::move(replaced));
+  invalidateProgram(*m_context);
   EXPECT_TRUE(drawsByGlsl());
 }
 
