@@ -9,28 +9,45 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kDraws = 10000;
 
-void prepare() {
-  static GLuint program = 0, buffer = 0;
-  if (!program) {
-    static constexpr std::string_view kText = "!!ARBfp1.0\nPARAM tint = program.local[0];\nMUL "
-                                              "result.color, fragment.color, tint;\nEND\n";
-    // Four pixels or so: what is measured is the call, not the filling.
-    static constexpr float kQuad[8] = {0.0f, 0.0f, 0.004f, 0.0f, 0.004f, 0.004f, 0.0f, 0.004f};
-    glGenProgramsARB(1, &program);
-    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
-    glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(kText.size()),
-                       kText.data());
+/// Four pixels or so: what is measured is the call, not the filling.
+void prepareQuad() {
+  static constexpr float kQuad[8] = {0.0f, 0.0f, 0.004f, 0.0f, 0.004f, 0.004f, 0.0f, 0.004f};
+  static GLuint buffer = 0;
+  if (!buffer) {
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBufferData(GL_ARRAY_BUFFER, sizeof kQuad, kQuad, GL_STATIC_DRAW);
   }
-  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
-  glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 1, 1, 1, 1);
-  glEnable(GL_FRAGMENT_PROGRAM_ARB);
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
   glVertexPointer(2, GL_FLOAT, 0, nullptr);
   glEnableClientState(GL_VERTEX_ARRAY);
   glColor4f(1, 1, 1, 1);
+}
+
+void prepareFragments(GLuint &program) {
+  if (!program) {
+    static constexpr std::string_view kText = "!!ARBfp1.0\nPARAM tint = program.local[0];\nMUL "
+                                              "result.color, fragment.color, tint;\nEND\n";
+    glGenProgramsARB(1, &program);
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
+    glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(kText.size()),
+                       kText.data());
+  }
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
+  glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 1, 1, 1, 1);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  prepareQuad();
+}
+
+void prepare() {
+  static GLuint program = 0;
+  prepareFragments(program);
+}
+/// Of the row that changes its parameters: a driver, or the layer, may draw with a program by how
+/// often that was done, which is no business of the other rows'.
+void prepareChanging() {
+  static GLuint program = 0;
+  prepareFragments(program);
 }
 
 /// The same behind a vertex program.
@@ -99,10 +116,13 @@ std::vector<double> arrays(int count, unsigned) {
   return frames(count, [](int) { glDrawArrays(GL_TRIANGLE_FAN, 0, 4); });
 }
 std::vector<double> arraysWithLocals(int count, unsigned) {
-  return frames(count, [](int i) {
-    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, float(i & 255) / 255.0f, 1, 1, 1);
-    glDrawArrays(GL_TRIANGLE_FAN, 0, 4);
-  });
+  return frames(
+      count,
+      [](int i) {
+        glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, float(i & 255) / 255.0f, 1, 1, 1);
+        glDrawArrays(GL_TRIANGLE_FAN, 0, 4);
+      },
+      prepareChanging);
 }
 std::vector<double> immediate(int count, unsigned) {
   return frames(count, [](int i) {

@@ -88,11 +88,12 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   caps.foldsFogCoordinates = mesa > 0 && mesa < kFogAndLines;
   caps.lineEndsAsEdges = llvmpipe && mesa >= kFogAndLines;
   // Seen of NVIDIA's driver (580.159): coordinates in GLSL and in ARB_fragment_program, whose fog
-  // options are right; and that planes clip what is GLSL, and of its own programs the
-  // position-invariant ones.
+  // options are right; that planes clip what is GLSL, and of its own programs the
+  // position-invariant ones; and what a draw costs it by either way (docs/performance.md).
   const bool nvidia = std::string_view(getString(host, GL_VENDOR)).starts_with("NVIDIA");
   caps.negativeFogDistances = nvidia;
   caps.planesClipPrograms = !nvidia;
+  caps.ownFragments = nvidia && caps.fragmentProgram;
   caps.onProcessor = llvmpipe || names("softpipe") || names("Software Rasterizer");
 }
 

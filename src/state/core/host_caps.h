@@ -90,6 +90,9 @@ struct HostCaps {
   bool negativeFogDistances = false;
   /// Planes clip what its own vertex programs give, in clip space.
   bool planesClipPrograms = true;
+  /// Its own fragment programs draw as the specifications say, and cost it no more than GLSL but
+  /// where parameters change before each draw (host_draw/fragment_assembly.h).
+  bool ownFragments = false;
   std::vector<std::string> extensions;
 
   [[nodiscard]] bool has(const char *extension) const;

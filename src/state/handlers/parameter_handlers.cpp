@@ -7,6 +7,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/parameters.h"
@@ -72,6 +73,9 @@ bool isImmediate(const Context &context) {
     return local(context, row, index, 1, &value);
   object.locals[index].store(value);
   object.changed(row.seenVersion);
+  if (context.attention == 0 && row.target == Target::Vertex &&
+      context.hostAssembly->sendLocal(context, index, value))
+    return;
   context.attention |= row.parameterBits;
 }
 

@@ -195,6 +195,16 @@ void refreshInputs(Context &context) {
     refreshVertexShader(context);
 }
 
+/// The effective vertex program, if it is the host's own and its local parameters are those that
+/// the application gives.
+AssemblyProgram *verticesOfOwnLocals(const Context &context) {
+  AssemblyProgram *const vertices =
+      context.linkedProgram ? context.linkedProgram->vertexAssembly : nullptr;
+  return vertices && vertices->stage.compiled->target == Target::Vertex && !controlHooks()
+             ? vertices
+             : nullptr;
+}
+
 /// What is effective, as far as that may have changed.
 void refreshEffective(Context &context, HostPart part) {
   if (context.group->hasGarbage())
@@ -243,11 +253,15 @@ bool sendParametersAlone(Context &context) {
   // validatePrograms() leaves these as they are, and parameters to be sent.
   if (context.samplerOverride->active() || !spritesAreTheHosts(context))
     return false;
-  if (context.linkedProgram)
-    uploadParameters(context, *context.linkedProgram, context.attention);
-  else if (context.path == Path::HostAssembly)
-    context.hostAssembly->uploadParameters(context);
+  if (LinkedProgram *const linkedProgram = context.linkedProgram) {
+    if (linkedProgram->fragmentAssembly && linkedProgram->fragmentAssembly->changesOften)
+      return false; // validate() chooses anew
+    uploadParameters(context, *linkedProgram, context.attention);
+  } else if (context.path == Path::HostAssembly) {
+    context.hostAssembly->uploadParameters(context, context.attention);
+  }
   context.attention = 0;
+  context.hostAssembly->sendDirectly(verticesOfOwnLocals(context));
   return true;
 }
 
@@ -273,9 +287,10 @@ bool validate(Context &context) {
       context.samplerOverride->release(context);
   } else if (context.path == Path::HostAssembly &&
              (context.attention & attention::kParameters) != 0) {
-    context.hostAssembly->uploadParameters(context);
+    context.hostAssembly->uploadParameters(context, context.attention);
   }
   context.attention = sticky | (context.attention & attention::kList);
+  context.hostAssembly->sendDirectly(verticesOfOwnLocals(context));
   return !isDropped(context.path);
 }
 

@@ -99,6 +99,55 @@ TEST(Draw, AParameterAloneIsSentAndNothingElseIsLookedAt) {
   EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 4u);
 }
 
+TEST(Draw, ALocalParameterOfVerticesIsTheHostsAtOnce) {
+  constexpr char kMoved[] = "!!ARBvp1.0\nADD result.position, vertex.position, program.local[1];\n"
+                            "MOV result.color, program.local[3];\nEND\n";
+  const std::string call = "ProgramLocalParameter4fv " + std::to_string(kVertex);
+  FakeHost host;
+  const CurrentContext context(host);
+  const auto local = [&](GLuint index, GLfloat x) {
+    handlers::ProgramLocalParameter4fARB(*context, kVertex, index, x, 0, 0, 0);
+  };
+  const GLuint first = use(*context, kMoved, kVertex);
+  ASSERT_TRUE(draw(*context));
+  host.calls.clear();
+  for (int i = 1; i < 4; ++i) {
+    local(1, GLfloat(i));
+    local(1, GLfloat(i)); // as it was
+    local(2, GLfloat(i)); // not read
+    EXPECT_EQ(context->attention, 0u);
+    EXPECT_EQ(host.calls, std::vector<std::string>{call + " 1 " + std::to_string(i)});
+    ASSERT_TRUE(draw(*context));
+    EXPECT_EQ(host.calls.size(), 1u);
+    host.calls.clear();
+  }
+  local(1, 7);
+  local(3, 8);
+  EXPECT_EQ(host.calls.size(), 1u) << "more of one draw wait for it";
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count(call), 2);
+  const GLuint second = use(*context, kMoved, kVertex);
+  host.calls.clear();
+  local(1, 7);
+  EXPECT_TRUE(host.calls.empty()) << "it is not the host's yet";
+  ASSERT_TRUE(validatePrograms(*context));
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count(call + " 1 7"), 1);
+  local(1, 9);
+  EXPECT_EQ(context->attention, 0u) << "though pixels chose it, not a draw";
+  EXPECT_EQ(host.count(call + " 1 9"), 1);
+  ASSERT_TRUE(draw(*context));
+  handlers::BindProgramARB(*context, kVertex, first);
+  handlers::DeleteProgramsARB(*context, 1, &second);
+  ASSERT_TRUE(draw(*context));
+  Context *const other = createContext(Provider::Egl, host.table(), &*context);
+  local(1, 10);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(context->attention, attention::kShared) << "it hides no context that has joined";
+  EXPECT_EQ(host.count(call + " 1 10"), 1);
+  destroyContext(other);
+}
+
 TEST(Draw, AParameterIsNotSentBetweenBeginAndEnd) {
   FakeHost host;
   const CurrentContext context(host);

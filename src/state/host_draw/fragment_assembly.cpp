@@ -6,6 +6,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
+#include "state/host_draw/variants/point_sprites.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
 
@@ -15,13 +16,17 @@ namespace {
 
 using Fragments = LinkedProgramCache::Fragments;
 
-bool isPlain(const CompiledProgram &compiled) {
+bool isShort(const CompiledProgram &compiled) {
   constexpr std::size_t kMost = 256; // instructions; of longer ones GLSL is the better known way
   const fp::ir::Program *const program = compiled.program.get();
-  if (compiled.target != Target::Fragment || !program ||
-      program->language != fp::ir::Language::ArbFragment || program->code.size() > kMost)
+  return compiled.target == Target::Fragment && program &&
+         program->language == fp::ir::Language::ArbFragment && program->code.size() <= kMost;
+}
+
+bool isPlain(const CompiledProgram &compiled) {
+  if (!isShort(compiled))
     return false;
-  fp::ir::Options options = program->options;
+  fp::ir::Options options = compiled.program->options;
   options.precision = fp::ir::Precision::Unspecified;
   return options == fp::ir::Options();
 }
@@ -37,16 +42,50 @@ bool readsColors(const CompiledProgram &compiled) {
 /// Other contexts of the share group, and clients, may change it at any time.
 bool mayBeAssembly(const Context &context) {
   const ShareGroup &group = *context.group;
-  return context.softwarePossible && context.caps.onProcessor && context.caps.fragmentProgram &&
-         context.numerics == fp::Numerics::Host &&
+  return context.caps.fragmentProgram && context.numerics == fp::Numerics::Host &&
          !group.compareModeUsed.load(std::memory_order_relaxed) &&
          !group.alphaDepthsUsed.load(std::memory_order_relaxed) && !controlHooks() && !capturing();
+}
+
+/// In the frame in which they are new.
+bool mayBeginAsAssembly(const Context &context) {
+  return context.softwarePossible && context.caps.onProcessor && mayBeAssembly(context);
+}
+
+/// As long as there is nothing that only the layer's GLSL does.
+bool mayStayAssembly(const Context &context) {
+  return context.caps.ownFragments && !context.softwarePossible && !mayFollowSprites(context) &&
+         spritesAreTheHosts(context) && mayBeAssembly(context);
+}
+
+/// The options of ARB_fragment_program's own and ARB_draw_buffers'. Two programs that are to give
+/// one depth must not be compiled by two compilers.
+bool isHostsAsItIs(const CompiledProgram &compiled) {
+  if (!isShort(compiled) || compiled.replaced() || compiled.glsl.writesDepth)
+    return false;
+  fp::ir::Options options = compiled.program->options;
+  options.precision = fp::ir::Precision::Unspecified;
+  options.fog = fp::ir::FogMode::None;
+  options.drawBuffers = false;
+  return options == fp::ir::Options();
+}
+
+bool changesOften(const LinkedProgram *linkedProgram) {
+  return linkedProgram && linkedProgram->fragmentAssembly &&
+         linkedProgram->fragmentAssembly->changesOften;
 }
 
 } // namespace
 
 Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
-  if (!pair.fragment || !mayBeAssembly(context) || !isPlain(*pair.fragment))
+  if (!pair.fragment)
+    return Fragments::Glsl;
+  if (mayStayAssembly(context))
+    return isHostsAsItIs(*pair.fragment) &&
+                   !changesOften(context.linkedPrograms->find(pair, Fragments::Assembly))
+               ? Fragments::Assembly
+               : Fragments::Glsl;
+  if (!mayBeginAsAssembly(context) || !isPlain(*pair.fragment))
     return Fragments::Glsl;
   const LinkedProgram *const before = context.linkedPrograms->find(pair, Fragments::Assembly);
   return before && before->built && before->frame != context.frames ? Fragments::Glsl
@@ -55,7 +94,9 @@ Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
 
 bool assemblyIsOver(Context &context) {
   LinkedProgram &linkedProgram = *context.linkedProgram;
-  if (linkedProgram.frame != context.frames || !mayBeAssembly(context))
+  if (mayStayAssembly(context))
+    return changesOften(&linkedProgram);
+  if (linkedProgram.frame != context.frames || !mayBeginAsAssembly(context))
     return true;
   GLint model = GL_SMOOTH;
   if (readsColors(*linkedProgram.fragment.compiled))

@@ -1,10 +1,13 @@
-// Fragment programs as the host's own where the rasterizer draws: which, and which are GLSL there.
+// Fragment programs as the host's own, where the rasterizer draws and over a host that draws them
+// as well itself: which, and which are GLSL there.
 #include "state/host_draw/fragment_assembly.h"
 
 #include <gtest/gtest.h>
 
 #include "state/core/lifecycle.h"
+#include "state/host_draw/change_pace.h"
 #include "state/host_draw/linked_program.h"
+#include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/current_context.h"
 
@@ -21,13 +24,9 @@ constexpr char kReading[] = "!!ARBfp1.0\nMOV result.color, fragment.texcoord[1];
 constexpr char kFog[] =
     "!!ARBfp1.0\nOPTION ARB_fog_linear;\nMOV result.color, fragment.color;\nEND\n";
 
-class FragmentAssembly : public ::testing::Test {
+class FragmentDraws : public ::testing::Test {
 protected:
-  FragmentAssembly() : m_context(m_host) {
-    m_context->caps.onProcessor = true;
-    m_context->software = std::make_unique<software::ContextState>(*m_context);
-    m_context->softwarePossible = m_context->softwareListens = true;
-  }
+  FragmentDraws() : m_context(m_host) {}
   /// The next draw's fragments are the host's own program, and it links nothing.
   [[nodiscard]] bool drawsByAssembly() {
     const int links = m_host.count("LinkProgram");
@@ -40,6 +39,16 @@ protected:
 
   FakeHost m_host;
   CurrentContext m_context;
+};
+
+/// Where the rasterizer draws.
+class FragmentAssembly : public FragmentDraws {
+protected:
+  FragmentAssembly() {
+    m_context->caps.onProcessor = true;
+    m_context->software = std::make_unique<software::ContextState>(*m_context);
+    m_context->softwarePossible = m_context->softwareListens = true;
+  }
 };
 
 TEST_F(FragmentAssembly, APlainProgramIsBesideEitherVertices) {
@@ -149,6 +158,130 @@ TEST_F(FragmentAssembly, AProgramThatIsDeletedLeavesNothing) {
   handlers::Disable(*m_context, kFragment);
   ASSERT_TRUE(draw(*m_context));
   EXPECT_FALSE(m_host.targets[kFragment]);
+}
+
+/// Over a host whose own fragment programs draw as they should.
+class OwnFragments : public FragmentDraws {
+protected:
+  OwnFragments() { m_context->caps.ownFragments = true; }
+  /// Draws before each of which a local parameter changes, as fast as they go.
+  [[nodiscard]] bool drawChanging(unsigned count) {
+    for (unsigned i = 0; i < count; ++i) {
+      handlers::ProgramLocalParameter4fARB(*m_context, kFragment, 2, GLfloat(++m_value), 0, 0, 1);
+      if (!draw(*m_context))
+        return false;
+    }
+    return true;
+  }
+
+  int m_value = 0;
+};
+
+TEST_F(OwnFragments, APlainProgramIsForGood) {
+  m_host.integers[GL_SHADE_MODEL] = GL_FLAT;
+  const GLuint name = use(*m_context, kShading);
+  EXPECT_TRUE(drawsByAssembly());
+  ++m_context->frames;
+  EXPECT_TRUE(drawsByAssembly());
+  use(*m_context, kReading);
+  use(*m_context, kVertices, kVertex);
+  EXPECT_TRUE(drawsByAssembly()) << "beside a vertex program too";
+  ++m_context->frames;
+  handlers::BindProgramARB(*m_context, kFragment, name);
+  EXPECT_TRUE(drawsByAssembly());
+  EXPECT_EQ(m_host.assembly.size(), 4u) << "each is loaded once, that of vertices in two forms";
+  EXPECT_EQ(m_host.count("LinkProgram"), 0);
+  EXPECT_EQ(m_context->attention, 0u) << "nothing needs to be looked at before a draw";
+}
+
+TEST_F(OwnFragments, AProgramWhoseParametersChangeBeforeEachDrawBecomesGlsl) {
+  const GLuint reading = use(*m_context, kReading);
+  const GLuint changing = use(*m_context, kShading);
+  ASSERT_TRUE(drawChanging(ChangePace::kDraws));
+  EXPECT_TRUE(drawsByAssembly()) << "few";
+  ASSERT_TRUE(drawChanging(2 * ChangePace::kDraws));
+  EXPECT_TRUE(drawsByGlsl());
+  EXPECT_EQ(m_host.uniforms.begin()->second.at(0), GLfloat(m_value));
+  EXPECT_EQ(m_host.count("LinkProgram"), 1);
+  handlers::BindProgramARB(*m_context, kFragment, reading);
+  EXPECT_TRUE(drawsByAssembly()) << "another one";
+  handlers::BindProgramARB(*m_context, kFragment, changing);
+  ++m_context->frames;
+  EXPECT_TRUE(drawsByGlsl()) << "for good";
+  use(*m_context, kVertices, kVertex);
+  EXPECT_TRUE(drawsByGlsl()) << "in every pair";
+}
+
+TEST_F(OwnFragments, ParametersOfVerticesCountForNone) {
+  use(*m_context, kShading);
+  use(*m_context, kVertices, kVertex);
+  for (unsigned i = 0; i < 4 * ChangePace::kDraws; ++i) {
+    handlers::ProgramLocalParameter4fARB(*m_context, kVertex, 0, GLfloat(i), 0, 0, 1);
+    ASSERT_TRUE(draw(*m_context));
+  }
+  EXPECT_TRUE(drawsByAssembly());
+}
+
+TEST(ChangePaceTest, ManyDrawsInALittleTimeAreFast) {
+  using namespace std::chrono_literals;
+  const ChangePace::Clock::time_point start{1h};
+  const auto window = ChangePace::kDraws * ChangePace::kApart;
+  ChangePace pace;
+  EXPECT_FALSE(pace.isFast(start)) << "how long the first took is not known";
+  EXPECT_FALSE(pace.isFast(start + window));
+  EXPECT_TRUE(pace.isFast(start + 2 * window - 1us));
+  EXPECT_FALSE(pace.isFast(start + 3 * window));
+  for (unsigned i = 1; i < ChangePace::kDraws; ++i)
+    EXPECT_FALSE(pace.isFast());
+}
+
+TEST_F(OwnFragments, WhatOnlyGlslDoesIsGlsl) {
+  use(*m_context, kFog);
+  EXPECT_TRUE(drawsByAssembly()) << "the host has fog";
+  use(*m_context, "!!ARBfp1.0\nOPTION ARB_fragment_program_shadow;\nTEX result.color, "
+                  "fragment.texcoord[0], texture[0], SHADOW2D;\nEND\n");
+  EXPECT_TRUE(drawsByGlsl());
+  use(*m_context, "!!ARBfp1.0\nMOV result.depth.z, fragment.texcoord[0].x;\nEND\n");
+  EXPECT_TRUE(drawsByGlsl());
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  handlers::TexParameteri(*m_context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
+                          GL_COMPARE_R_TO_TEXTURE);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(OwnFragments, AReplacementIsGlsl) {
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  ProgramObject &object = *m_context->row(Target::Fragment).bound;
+  auto replaced = std::make_shared<CompiledProgram>(*m_context->group->compiledOf(object));
+  replaced->replacement = kShading;
+  m_context->group->setCompiled(object, std::move(replaced));
+  invalidateProgram(*m_context);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(OwnFragments, WhereTheRasterizerIsForcedItIsGlsl) {
+  m_context->software = std::make_unique<software::ContextState>(*m_context);
+  m_context->softwarePossible = m_context->softwareListens = true;
+  use(*m_context, kShading);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(OwnFragments, WhatAnotherContextOfTheGroupSetsEndsIt) {
+  use(*m_context, kShading);
+  ASSERT_TRUE(drawsByAssembly());
+  const CurrentContext other(m_host, &*m_context);
+  handlers::TexParameteri(*other, GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);
+  makeCurrent(&*m_context);
+  EXPECT_TRUE(drawsByGlsl());
+}
+
+TEST_F(OwnFragments, WhatTheHostRefusesIsGlsl) {
+  m_host.refusesAssembly = true;
+  use(*m_context, kShading);
+  EXPECT_TRUE(drawsByGlsl());
+  EXPECT_EQ(m_host.error, GLenum(GL_NO_ERROR));
 }
 
 } // namespace

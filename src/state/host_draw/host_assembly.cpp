@@ -7,6 +7,7 @@
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
 #include "state/programs/program_edits.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -35,6 +36,7 @@ public:
     const GLuint count = std::exchange(m_count, 0u);
     if (count == 0)
       return;
+    m_sent = true;
     const host::HostTable &host = *m_context.host;
     const GLfloat *const values = m_values->data();
     if (count == 1)
@@ -45,9 +47,12 @@ public:
              : host.ProgramLocalParameters4fvEXT)(m_target, m_index, GLsizei(count), values);
   }
 
+  [[nodiscard]] bool sent() const { return m_sent; }
+
 private:
   const Context &m_context;
   GLenum m_target;
+  bool m_sent = false;
   bool m_env = false;
   GLuint m_index = 0, m_count = 0;
   const Vec4 *m_values = nullptr;
@@ -62,6 +67,7 @@ GLenum hostAssemblyTarget(const CompiledProgram &compiled) {
 void HostAssembly::applyStage(Context &context, std::size_t stage, AssemblyProgram *program) {
   if (m_active[stage] == program)
     return;
+  m_direct = nullptr;
   if (program && m_bound[stage] != program->name) {
     context.host->BindProgramARB(kHostTargets[stage], program->name);
     m_bound[stage] = program->name;
@@ -156,12 +162,34 @@ void HostAssembly::uploadStage(Context &context, std::size_t stage) {
       run.add(env, given.index, sent);
   }
   run.send();
+  if (run.sent() && kHostTargets[stage] == GL_FRAGMENT_PROGRAM_ARB && m_fragmentPace.isFast())
+    program.changesOften = true;
 }
 
-void HostAssembly::uploadParameters(Context &context) {
+void HostAssembly::uploadParameters(Context &context, std::uint32_t attention) {
+  constexpr std::array<std::uint32_t, 2> kBits = {attention::kVertexParameters,
+                                                  attention::kFragmentParameters};
   for (std::size_t stage = 0; stage < m_active.size(); ++stage)
-    if (m_active[stage])
+    if (m_active[stage] && (attention & kBits[stage]) != 0)
       uploadStage(context, stage);
+}
+
+bool HostAssembly::sendLocal(Context &context, GLuint index, const Vec4 &value) {
+  if (!m_direct || index >= m_direct->localPlaces.size() ||
+      context.group->contexts.load(std::memory_order_relaxed) != 1)
+    return false;
+  const std::uint32_t place = m_direct->localPlaces[index];
+  if (place == AssemblyProgram::kNoPlace)
+    return true; // it does not read this one
+  Vec4 &sent = m_direct->stage.uploaded[place];
+  if (sameBits(value, sent))
+    return true;
+  if (m_directAt == *context.drawCounter)
+    return false;
+  m_directAt = *context.drawCounter;
+  sent = value;
+  context.host->ProgramLocalParameter4fvARB(GL_VERTEX_PROGRAM_ARB, index, sent.data());
+  return true;
 }
 
 void HostAssembly::release(Context &context) {
@@ -171,6 +199,8 @@ void HostAssembly::release(Context &context) {
 }
 
 void HostAssembly::forget(Context &context, const AssemblyProgram *program) {
+  if (m_direct == program)
+    m_direct = nullptr;
   for (std::size_t stage = 0; stage < m_active.size(); ++stage) {
     if (m_active[stage] == program)
       applyStage(context, stage, nullptr);

@@ -1,9 +1,11 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include <GL/gl.h>
 
+#include "state/host_draw/change_pace.h"
 #include "state/programs/program_object.h"
 
 namespace arbiter::state {
@@ -19,7 +21,8 @@ struct ProgramPair;
 /// What is bound and enabled of the host's own ARB path. Vertex programs are the host's there where
 /// they can be (LinkedProgram says why). Fragment programs are where the application's GLSL program
 /// has the vertex stage alone, as no GLSL program of the layer's can join one of the application's,
-/// and where a program is so long that the host's GLSL compiler may not survive it.
+/// where a program is so long that the host's GLSL compiler may not survive it, and where
+/// fragment_assembly.h says.
 class HostAssembly {
 public:
   /// Binds and enables the programs of `pair` on the host, loading each at its first call; a stage
@@ -29,8 +32,15 @@ public:
   /// The stages of `linkedProgram` that are assembly; nothing else stays enabled.
   void apply(Context &context, const LinkedProgram &linkedProgram);
   /// Gives the host the env and local values that the enabled programs read, as far as they
-  /// changed.
-  void uploadParameters(Context &context);
+  /// changed, of the stages that `attention` names.
+  void uploadParameters(Context &context, std::uint32_t attention);
+  /// After a choice, and what it needs has been sent: local parameters of this vertex program may
+  /// go to the host as they are given. Null: none may.
+  void sendDirectly(AssemblyProgram *vertices) { m_direct = vertices; }
+  /// A local parameter of the vertex program that is bound, in a context where nothing waits for a
+  /// draw. True: the host has it, and nothing waits. That is so of the first one after a draw:
+  /// where draws have more of them, one call for them all is better.
+  [[nodiscard]] bool sendLocal(Context &context, GLuint index, const Vec4 &value);
   /// Enables the host's fragment target with no program in it: each draw is the host's error then,
   /// as it would be the layer's. False if the host has no such target.
   [[nodiscard]] bool refuse(Context &context);
@@ -63,6 +73,9 @@ private:
   std::array<AssemblyProgram *, 2> m_active = {};
   std::array<GLuint, 2> m_bound = {};     ///< on the host
   std::array<std::vector<Vec4>, 2> m_env; ///< the host's env values, as far as they were set
+  ChangePace m_fragmentPace;
+  AssemblyProgram *m_direct = nullptr; ///< sendDirectly()
+  std::uint64_t m_directAt = ~0ull;    ///< Context::drawCounter when one was sent so
 };
 
 } // namespace arbiter::state

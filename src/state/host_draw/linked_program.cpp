@@ -165,6 +165,11 @@ LinkedProgramCache::assemblyOf(Context &context,
     if (parameter.kind == ParameterKind::Env || parameter.kind == ParameterKind::Local ||
         capturing())
       made->given.push_back({parameter.kind, parameter.index, std::uint32_t(i)});
+    if (parameter.kind != ParameterKind::Local)
+      continue;
+    if (parameter.index >= made->localPlaces.size())
+      made->localPlaces.resize(parameter.index + 1, AssemblyProgram::kNoPlace);
+    made->localPlaces[parameter.index] = std::uint32_t(i);
   }
   made->defined = defined;
   all.reserve(all.size() + 1); // its place first

@@ -39,12 +39,16 @@ struct GivenParameter {
 /// A program as an object of the host's own ARB path. Env values are the target's, not the
 /// program's: of those `uploaded` holds what the last draw read.
 struct AssemblyProgram {
+  static constexpr std::uint32_t kNoPlace = ~0u;
   GLuint name = 0; ///< 0: the host refused it
   LinkedProgramStage stage;
   /// Those that the host is given: env and local ones. Where draws are captured the others too,
   /// which are the host's to read, and a capture shows them.
   std::vector<GivenParameter> given;
+  /// Of each local parameter up to the last that it reads: the place, or kNoPlace.
+  std::vector<std::uint32_t> localPlaces;
   std::vector<fp::ir::Output> defined; ///< beside those that it writes (undefined_results.h)
+  bool changesOften = false; ///< a fragment program that is better GLSL (fragment_assembly.h)
 };
 
 /// A pair of compiled programs as the host runs it, in one context. Each context has its own

@@ -78,10 +78,11 @@ void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint3
     assembly |= attention::kFragmentParameters;
   else
     upload(*linkedProgram.stages()[1], linkedProgram.hostProgram, attention::kFragmentParameters);
-  if (assembly != 0 && linkedProgram.readsState)
-    assembly |= attention::kState;
+  // Where draws are captured, rows of state are among what is looked at.
+  if ((attention & attention::kState) != 0 && linkedProgram.readsState)
+    attention |= assembly;
   if ((attention & assembly) != 0)
-    context.hostAssembly->uploadParameters(context);
+    context.hostAssembly->uploadParameters(context, attention);
 }
 
 } // namespace arbiter::state
