@@ -63,6 +63,7 @@ struct GlxHost {
   HostFunction<decltype(glXDestroyWindow)> destroyWindow;
   HostFunction<void(Display *, GLXDrawable, int, int, int, int)> copySubBuffer;
   HostFunction<decltype(glXWaitGL)> waitGl;
+  HostFunction<decltype(glXUseXFont)> useXFont;
   HostFunction<void(Display *, GLXDrawable, int, const int *)> bindTexImage;
   HostFunction<void(Display *, GLXDrawable, int)> releaseTexImage;
 };
@@ -276,6 +277,13 @@ void copySubBuffer(Display *display, GLXDrawable drawable, int x, int y, int wid
   g_host->copySubBuffer(display, drawable, x, y, width, height);
 }
 
+/// Hosts compile the characters' lists by their own functions, which the layer does not see.
+void useXFont(Font font, int first, int count, int listBase) {
+  if (registry::isCurrent(Provider::Glx))
+    state::hostDefinesLists(std::uint32_t(listBase), count);
+  g_host->useXFont(font, first, count, listBase);
+}
+
 void waitGl() {
   exchanges(state::Exchange::Flush, "glXWaitGL");
   g_host->waitGl();
@@ -331,6 +339,8 @@ const Hook kHooks[] = {
      &g_host->copySubBuffer.function},
     {"glXWaitGL", reinterpret_cast<void *>(registry::Guarded<waitGl>::call),
      &g_host->waitGl.function},
+    {"glXUseXFont", reinterpret_cast<void *>(registry::Guarded<useXFont>::call),
+     &g_host->useXFont.function},
     {"glXBindTexImageEXT", reinterpret_cast<void *>(registry::Guarded<bindTexImage>::call),
      &g_host->bindTexImage.function},
     {"glXReleaseTexImageEXT", reinterpret_cast<void *>(registry::Guarded<releaseTexImage>::call),

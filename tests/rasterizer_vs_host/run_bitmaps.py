@@ -35,6 +35,11 @@ RULES = {
 }
 
 
+# Texts by glXUseXFont, and whether the host writes anything.
+FONTS = {"font before": True, "font in names of GenLists": True, "font in other names": True,
+         "font and a list of the application's": True, "font deleted": False}
+
+
 def judge_scenes(bare, layer):
     """As sides.differences(), but for pixels that were blended twice."""
     near = [(what, a if distance <= 2 and 0 < far <= MOST_BLENDED_TWICE else b)
@@ -46,6 +51,15 @@ def judge_rules(client, env):
     found = dict(sides.run([client, "rules"], env))
     return [f"{name}: {tuple(found.get(name, b''))}, not {colour}" for name, colour in RULES.items()
             if sides.distances(found.get(name, b""), bytes(colour))[0]]
+
+
+def judge_fonts(bare, layer):
+    if any(what == "fonts: none" for what, _ in bare):
+        return []
+    seen = {what: any(picture[0::4]) for what, picture in bare if picture}
+    return sides.differences(bare, layer) + [
+        f"'{what}': {'nothing is' if not seen.get(what) else 'something is'} written"
+        for what, is_seen in FONTS.items() if seen.get(what) != is_seen]
 
 
 def main():
@@ -66,6 +80,8 @@ def main():
             part = sides.software_statistics(stats)
             results["shared scenes"] = judge_scenes(
                 sides.run(shared, sides.environment(extra=extra)), sides.run(shared, layer))
+            fonts = [client, "fonts"]
+            results["fonts"] = judge_fonts(sides.run(fonts, sides.environment(extra=extra)), sides.run(fonts, layer))
             if args.backend != "host":
                 results["rules"] = judge_rules(client, layer)
         except (sides.Died, subprocess.TimeoutExpired) as death:

@@ -258,6 +258,20 @@ bool exchange(Exchange what, const char *name) {
   return isShown;
 }
 
+void hostDefinesLists(std::uint32_t first, std::int32_t count) {
+  Context *const context = currentContext();
+  drawHeldOf(context);
+  if (!context || context->insideBeginEnd || context->listMode != 0 || count <= 0)
+    return;
+  withinMemory(*context, "NewList", [&] {
+    DisplayListTable &lists = context->group->lists;
+    if (lists.hasEarly())
+      lists.forgetEarly(*context->host, first, GLuint(count));
+    for (const GLuint name : lists.namesIn(first, count))
+      lists.replace(*context->host, name, nullptr);
+  });
+}
+
 void hostSwaps() {
   Context *const context = currentContext();
   if (context && context->software)

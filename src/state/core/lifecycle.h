@@ -50,6 +50,10 @@ enum class Exchange : std::uint8_t {
 /// Brings the host as far up to date as that needs, where it is not. True of Present: what the
 /// application sees is shown already, and the host has nothing to swap.
 bool exchange(Exchange what, const char *name);
+/// Before the window system has the host compile display lists of the current context past the
+/// layer (glXUseXFont): what the names [first, first + count) held is gone, and they are the
+/// host's. Nothing where no context of the layer's is current.
+void hostDefinesLists(std::uint32_t first, std::int32_t count);
 
 /// The host is about to swap the current drawable's buffers by itself, and all pixels went to it.
 void hostSwaps();

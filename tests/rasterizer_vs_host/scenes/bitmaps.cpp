@@ -328,6 +328,41 @@ void rules() {
   });
 }
 
+/// Texts by glXUseXFont, whose lists the host compiles past GL's commands: in names of GenLists,
+/// over a list that there was, and in names that nobody asked for.
+void fonts() {
+  const XFontStruct *const font = XLoadQueryFont(glXGetCurrentDisplay(), "fixed");
+  if (!font)
+    return record("fonts: none", {});
+  glViewport(0, 0, kEdge, kEdge);
+  const GLuint base = glGenLists(256);
+  const auto write = [](const std::string &name, GLuint first) {
+    glClear(GL_COLOR_BUFFER_BIT);
+    glColor3f(1, 1, 0.25f);
+    glRasterPos2f(-0.9f, -0.2f);
+    glListBase(first);
+    glCallLists(3, GL_UNSIGNED_BYTE, "aHx");
+    glCallList(first + '!');
+    glListBase(0);
+    record("font " + name, readRgba(0, 0, kEdge, kEdge));
+  };
+  glNewList(base + 'H', GL_COMPILE);
+  glRectf(-1, -1, 1, 1);
+  glEndList();
+  write("before", base);
+  glXUseXFont(font->fid, 0, 256, int(base));
+  write("in names of GenLists", base);
+  glXUseXFont(font->fid, 0, 256, 5000);
+  write("in other names", 5000);
+  glNewList(base + 'x', GL_COMPILE);
+  glRectf(0.5f, 0.5f, 1, 1);
+  glEndList();
+  write("and a list of the application's", base);
+  glDeleteLists(base, 256);
+  write("deleted", base);
+  record("font errors" + takeErrors(), {});
+}
+
 void drawScene(Screen &screen, GLXDrawable window, int seed, int commands) {
   const GLXContext context = screen.makeContext();
   screen.makeCurrent(window, context);
@@ -368,12 +403,13 @@ int main(int argc, char **argv) {
     return 1;
   const GLXDrawable window = screen.makeWindow(kEdge, kEdge);
   const bool onlyRules = argc > 1 && std::strcmp(argv[1], "rules") == 0;
+  const bool onlyFonts = argc > 1 && std::strcmp(argv[1], "fonts") == 0;
   const int first = argc < 2 ? 1 : std::atoi(argv[1]);
   const int count = argc > 2 ? std::atoi(argv[2]) : 1;
   const int commands = argc > 3 ? std::atoi(argv[3]) : 24;
-  if (onlyRules) {
+  if (onlyRules || onlyFonts) {
     screen.makeCurrent(window, screen.makeContext());
-    rules();
+    (onlyRules ? rules : fonts)();
     return 0;
   }
   for (int seed = first; seed < first + count; ++seed)

@@ -94,10 +94,20 @@ Value *PixelWriter::alphaTested(const PixelPlace &place, const FragmentColors &f
   if (m_key.alphaTest == abi::Compare::Always)
     return mask;
   Value *alpha = fragment.colors[0][3] ? fragment.colors[0][3] : m_code.splat(0.0f);
-  if (m_key.clampColors)
+  Value *reference = uniform(offsetof(abi::FragmentData, alphaReference));
+  if (m_key.targets[0].format.layout == abi::Layout::U8x4) {
+    // Both are what a buffer of eight bits has of them (OpenGL 2.1, 4.1.4); of others hosts compare
+    // what was not rounded.
+    const auto rounded = [this](Value *value) {
+      Value *const scaled = m_code.ir.CreateFMul(m_code.saturate(value), m_code.splat(255.0f));
+      return m_code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::rint, scaled);
+    };
+    alpha = rounded(alpha);
+    reference = writeIn(m_code, m_places.entry, [&] { return rounded(reference); });
+  } else if (m_key.clampColors) {
     alpha = m_code.saturate(alpha);
-  Value *const passes = compared(m_code, m_key.alphaTest, alpha,
-                                 uniform(offsetof(abi::FragmentData, alphaReference)));
+  }
+  Value *const passes = compared(m_code, m_key.alphaTest, alpha, reference);
   return m_code.ir.CreateAnd(passes, mask ? mask : place.covered);
 }
 

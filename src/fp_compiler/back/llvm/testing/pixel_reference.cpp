@@ -209,7 +209,12 @@ ReferencePixel shadeReference(const abi::FragmentKey &key, const abi::FragmentDa
   }
   const float alpha =
       key.clampColors ? std::clamp(fragment.color[3], 0.0f, 1.0f) : fragment.color[3];
-  if (!compare(key.alphaTest, alpha, data.alphaReference))
+  // As a buffer of eight bits has them (OpenGL 2.1, 4.1.4).
+  const auto compared = [&](float value) {
+    return layout == abi::Layout::U8x4 ? std::nearbyint(std::clamp(value, 0.0f, 1.0f) * 255.0f)
+                                       : value;
+  };
+  if (!compare(key.alphaTest, compared(alpha), compared(data.alphaReference)))
     return result;
   result.passed = tested(key.depthStencil, data, backFacing, fragment.depth, result.depthStencil);
   if (!result.passed)
