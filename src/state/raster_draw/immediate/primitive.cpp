@@ -13,6 +13,7 @@
 #include "state/raster_draw/draw.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/joined.h"
+#include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/large_draw.h"
 #include "state/raster_draw/pipeline.h"
@@ -25,6 +26,15 @@ namespace {
 void replayFor(Context &context, Fallback reason) {
   withinMemory(context, "End", [&] { giveToHost(context, reason); });
   replayToHost(context);
+}
+
+/// What is drawn with the functions that are chosen, after others have been chosen where materials
+/// ask for them.
+template <typename Draw> Outcome drawWithMaterials(Context &context, Draw draw) {
+  return outcomeOf(context, [&] {
+    const Outcome outcome = readyMaterials(context);
+    return outcome.ok() ? draw() : outcome;
+  });
 }
 
 /// Primitives [0, starts().size()) of the recorder, or with `last` the last one too. Not ok:
@@ -58,7 +68,8 @@ bool drawEarlier(void *owner, const float position[4]) {
   Outcome outcome = Fallback::Shared;
   withinMemory(context, "glVertex", [&] {
     if (state.residency.syncWithNeighbours())
-      outcome = outcomeOf(context, [&] { return drawJoined(context, recorder.end(), false); });
+      outcome =
+          drawWithMaterials(context, [&] { return drawJoined(context, recorder.end(), false); });
   });
   if (!outcome.ok()) {
     replayFor(context, outcome.reason());
@@ -87,7 +98,7 @@ bool drawOpen(void *owner, const float position[4]) {
   const VertexSource source = recorder.end();
   Outcome outcome;
   try {
-    outcome = outcomeOf(
+    outcome = drawWithMaterials(
         context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
   } catch (const std::exception &error) {
     recorder.fail();         // and End says so
@@ -134,12 +145,15 @@ bool openNext(Context &context) {
 }
 
 bool beginPrimitive(Context &context, GLenum mode) {
-  const Outcome outcome = outcomeOf(context, [&] { return decide(context, mode, 0); });
+  ContextState &state = *context.software;
+  const Outcome outcome =
+      outcomeOf(context, [&] { return decide(context, mode, 0, state.materials.chosen()); });
   if (!outcome.ok()) {
+    state.materials.forgetChosen();
     giveToHost(context, outcome.reason());
     return false;
   }
-  ContextState &state = *context.software;
+  state.materials.begin();
   state.recorder.begin(mode, state.mirror.current);
   state.openParts = false;
   state.held = 0;
@@ -163,14 +177,14 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
     outcome = Fallback::Shared;
   else if (count != 0)
     try {
-      outcome = outcomeOf(context, [&] {
+      outcome = drawWithMaterials(context, [&] {
         if (state.openParts)
           return drawInParts(context, pipelineOf(context), source, {.count = count});
         return state.recorder.starts().empty() ? drawSource(context, source, count)
                                                : drawJoined(context, source, true);
       });
     } catch (const std::exception &) { // the attributes have been set whatever was drawn
-      setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+      setCurrentValues(context, state.recorder.values(), slotsToSet(context));
       throw;
     }
   if (!outcome.ok()) {
@@ -180,7 +194,7 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
       raise(context, GL_OUT_OF_MEMORY, "End: no memory for the primitive's vertices");
     return;
   }
-  setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+  setCurrentValues(context, state.recorder.values(), slotsToSet(context));
   if (!state.openParts)
     noteDrawn(context, primitives);
 }
