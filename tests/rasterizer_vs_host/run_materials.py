@@ -7,6 +7,7 @@ primitives with them.
 Ends with "N passed, N failed, 0 skipped".
 """
 
+import argparse
 import sys
 
 import sides
@@ -59,6 +60,9 @@ def main():
     # What another command than Material(f)(v) sets in a strip is the host's, and what is asked within.
     if not sides.mostly_ours(args, part, 5):
         wrong.append("too many draws are the host's")
+    if args.backend == "swrast":  # and with code that is compiled meanwhile, so that some primitives are the host's
+        auto = argparse.Namespace(**{**vars(args), "backend": "auto", "count": max(args.count // 4, 1)})
+        wrong += [f"auto: {line}" for line in sides.compare(auto, "rasterizer-materials", judge, IN_FLOATS)[1]]
     return sides.conclude(args, "seeds", bare, wrong, part)
 
 

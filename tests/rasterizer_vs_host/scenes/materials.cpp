@@ -34,7 +34,7 @@ public:
 
   void run(const std::string &name) {
     for (int draw = 0; draw < kDraws; ++draw) {
-      glClear(GL_COLOR_BUFFER_BIT);
+      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
       glPushAttrib(GL_ALL_ATTRIB_BITS);
       lighting();
       pixels();
@@ -100,6 +100,8 @@ private:
     glShadeModel(once(4) ? GL_FLAT : GL_SMOOTH);
     set(GL_BLEND, once(4));
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    set(GL_DEPTH_TEST, once(2)); // what must meet depths waits for code
+    glDepthFunc(GL_ALWAYS);
     set(GL_CULL_FACE, once(8));
     glFrontFace(once(2) ? GL_CW : GL_CCW);
     glPointSize(float(m_random.between(1, 12)));

@@ -113,16 +113,18 @@ Outcome readyMaterials(Context &context) {
   ContextState &state = *context.software;
   PrimitiveMaterials &materials = state.materials;
   const MaterialMask touched = materialsIn(state.recorder.touched());
-  if ((touched | materials.m_chosen) == 0) [[likely]]
+  if ((touched | materials.m_chosen) == 0 && !materials.m_isUndecided) [[likely]]
     return {};
   const auto common = MaterialMask(touched & ~(materials.m_differing | materials.m_given));
   const auto differing = MaterialMask(materials.m_differing & visible(context));
-  if (common == 0 && differing == materials.m_chosen)
+  if (common == 0 && differing == materials.m_chosen && !materials.m_isUndecided)
     return {};
   setCurrentValues(context, state.recorder.values(), slotsOfMaterials(common));
   materials.m_given |= common;
   materials.m_chosen = differing;
-  return decideAgain(context, state.recorder.mode(), differing);
+  const Outcome outcome = decideAgain(context, state.recorder.mode(), differing);
+  materials.m_isUndecided = !outcome.ok();
+  return outcome;
 }
 
 SlotMask slotsToSet(const Context &context) {

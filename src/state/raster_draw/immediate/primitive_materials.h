@@ -20,7 +20,10 @@ public:
   /// What the next ones are chosen for, until it is known what differs: as the last ones.
   [[nodiscard]] MaterialMask chosen() const { return m_chosen; }
   void forgetChosen() { m_chosen = 0; }
-  void begin() { m_known = m_differing = m_given = 0; }
+  void begin() {
+    m_known = m_differing = m_given = 0;
+    m_isUndecided = false;
+  }
 
 private:
   friend bool recordsMaterial(ContextHot &hot, GLenum face, GLenum pname, const GLfloat *values);
@@ -31,6 +34,7 @@ private:
   MaterialMask m_differing = 0; ///< not the same for all vertices
   MaterialMask m_given = 0;     ///< the host has those of the recorder
   MaterialMask m_chosen = 0;    ///< differing ones that the draw was chosen for
+  bool m_isUndecided = false;   ///< that came to nothing, and may come to something yet
 };
 
 /// Of Material with these values: true where it is part of a primitive that is recorded now, or
