@@ -19,8 +19,6 @@ FEW_PIXELS = 2
 IN_FLOATS = {"LP_PERF": "no_rast_linear", "GALLIVM_PERF": "no_aos_sampling"}
 
 
-
-
 def has_picture(what):
     """Whether the bare host's picture is to be that of the layer. Mesa 22.3.6 draws some primitives wrong that get a
     part of a material further on, and back sides of some lights (neither is as the same vertices are with their

@@ -29,6 +29,7 @@ inline constexpr int kMaterialParts = 5;
 /// Parts of both sides, one bit each: the front's first.
 using MaterialMask = std::uint16_t;
 inline constexpr MaterialMask kFrontMaterial = (1u << kMaterialParts) - 1;
+inline constexpr MaterialMask kAllMaterials = (1u << 2 * kMaterialParts) - 1;
 [[nodiscard]] constexpr MaterialMask materialsIn(SlotMask slots) {
   return MaterialMask(slots >> kMaterial0);
 }

@@ -102,6 +102,8 @@ private:
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     set(GL_DEPTH_TEST, once(2)); // what must meet depths waits for code
     glDepthFunc(GL_ALWAYS);
+    set(GL_POLYGON_OFFSET_FILL, once(2));
+    glPolygonOffset(1, 1);
     set(GL_CULL_FACE, once(8));
     glFrontFace(once(2) ? GL_CW : GL_CCW);
     glPointSize(float(m_random.between(1, 12)));
@@ -217,6 +219,7 @@ private:
       m_mode = once(2) ? GL_POINTS : GL_LINES;
       return large(m_mode);
     }
+    set(GL_LINE_SMOOTH, m_mode != GL_LINES && once(2)); // hosts cut quads by that
     for (int count = m_random.between(1, 6); count > 0; --count) {
       primitive(m_mode);
       if (once(4))

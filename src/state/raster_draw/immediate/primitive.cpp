@@ -28,6 +28,34 @@ void replayFor(Context &context, Fallback reason) {
   replayToHost(context);
 }
 
+/// What reaches pixels of materials that differ.
+MaterialMask visible(Context &context) {
+  const VertexState &state = context.software->mirror.vertex;
+  if (!state.lighting || !pipelineOf(context).hasFixedVertices())
+    return 0;
+  return state.twoSided ? kAllMaterials : kFrontMaterial;
+}
+
+/// Before recorded vertices are drawn: those that have a material in common have it of the host,
+/// and functions are chosen for the others. Not ok: the host draws. Requires: no primitive is open.
+Outcome readyMaterials(Context &context) {
+  ContextState &state = *context.software;
+  MaterialParts &materials = state.materials;
+  const MaterialMask touched = materialsIn(state.recorder.touched());
+  if ((touched | materials.chosen) == 0 && !materials.isUndecided) [[likely]]
+    return {};
+  const auto common = MaterialMask(touched & ~(materials.differing | materials.given));
+  const auto differing = MaterialMask(materials.differing & visible(context));
+  if (common == 0 && differing == materials.chosen && !materials.isUndecided)
+    return {};
+  setCurrentValues(context, state.recorder.values(), slotsOfMaterials(common));
+  materials.given |= common;
+  materials.chosen = differing;
+  const Outcome outcome = decideAgain(context, state.recorder.mode(), differing);
+  materials.isUndecided = !outcome.ok();
+  return outcome;
+}
+
 /// What is drawn with the functions that are chosen, after others have been chosen where materials
 /// ask for them.
 template <typename Draw> Outcome drawWithMaterials(Context &context, Draw draw) {
@@ -147,13 +175,13 @@ bool openNext(Context &context) {
 bool beginPrimitive(Context &context, GLenum mode) {
   ContextState &state = *context.software;
   const Outcome outcome =
-      outcomeOf(context, [&] { return decide(context, mode, 0, state.materials.chosen()); });
+      outcomeOf(context, [&] { return decide(context, mode, 0, state.materials.chosen); });
   if (!outcome.ok()) {
-    state.materials.forgetChosen();
+    state.materials.chosen = 0;
     giveToHost(context, outcome.reason());
     return false;
   }
-  state.materials.begin();
+  state.materials.begin(!pipelineOf(context).programReadsMaterials());
   state.recorder.begin(mode, state.mirror.current);
   state.openParts = false;
   state.held = 0;

@@ -35,6 +35,8 @@ public:
   Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
                  const fp::jit::FragmentShape &fragments, const Use &use, bool floatTarget,
                  Wait wait);
+  /// Back sides have colours of their own.
+  [[nodiscard]] bool isTwoSided() const { return m_twoSided; }
   /// The chosen program is the application's.
   [[nodiscard]] bool isApplications() const { return m_compiled != nullptr; }
   /// It reads materials as they are before the primitive. Requires: choose().
