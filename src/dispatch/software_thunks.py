@@ -89,10 +89,8 @@ def thunk(table, command, way):
         condition, values = LISTED_MATERIALS[command.name]
         lines += (f"  if (hot->listMode != 0 && {condition}arbiter::state::recordMaterial(here(), face, pname, "
                   f"{values}))\n    return;\n")
-        lines += (f"  if (hot->recorder && {condition}software::setsMaterialAgain(*hot, face, pname, {values})) "
+        lines += (f"  if (hot->recorder && {condition}software::recordsMaterial(*hot, face, pname, {values})) "
                   f"[[unlikely]]\n    return;\n")
-    elif SPLITS.fullmatch(command.name):
-        lines += "  if (hot->recorder) [[unlikely]]\n    software::forgetMaterials(*hot);\n"
     if SPLITS.fullmatch(command.name):
         lines += "  const software::PrimitiveSplit split(*hot);\n"
     if command.name == "ColorMaterial":

@@ -95,6 +95,8 @@ struct RasterState {
   /// Quads are cut from their second corner to the fourth: so do hosts where they come from a list,
   /// and where the provoking vertex counts, as the fourth one then is in both triangles.
   bool secondDiagonal = false;
+  /// Hosts draw it in the path in which they clip (cutsOtherwise()).
+  bool inOtherPath = false;
   /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
   /// 0: roundings and ties then fall as the host's do.
   std::int32_t upsideDownHeight = 0;

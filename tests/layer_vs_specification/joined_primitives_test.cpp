@@ -272,13 +272,66 @@ TEST_F(JoinedPrimitives, MaterialsThatAreGivenAgainChangeNothing) {
       while (glGetError() != GL_NO_ERROR) {
       }
     }
-    int most = 0; // where a vertex changes the material the host draws the quad
+    int most = 0; // products with lights are the host's, or are made for each vertex
     for (std::size_t i = 0; i < picture[0].size(); ++i)
       most = std::max(most, std::abs(picture[0][i] - picture[1][i]));
     ASSERT_LE(most, 1) << "seed " << seed;
     all += lit(picture[1]);
   }
   EXPECT_GT(all, std::size_t(60) * kSize * kSize / 3);
+}
+
+std::array<GLfloat, 4> materialNow(GLenum face, GLenum name) {
+  std::array<GLfloat, 4> value{};
+  glGetMaterialfv(face, name, value.data());
+  return value;
+}
+
+TEST_F(JoinedPrimitives, MaterialsAreThoseOfTheLastVertex) {
+  using Four = std::array<GLfloat, 4>;
+  const Four red = {1, 0, 0, 1}, green = {0, 1, 0, 1}, blue = {0, 0, 1, 1}, none = {0, 0, 0, 1};
+  for (const bool isLit : {true, false})
+    for (const GLenum mode : {GL_QUADS, GL_TRIANGLE_FAN, GL_POLYGON}) {
+      (isLit ? glEnable : glDisable)(GL_LIGHTING);
+      glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, none.data());
+      glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, blue.data());
+      glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 3);
+      glPushAttrib(GL_LIGHTING_BIT);
+      GLenum error = GL_NO_ERROR;
+      Four within = {8, 8, 8, 8};
+      const Picture picture = drawn([&] {
+        glBegin(mode);
+        glColor3f(0, 0, 1);
+        glVertex2f(-1, -1);
+        glMaterialfv(GL_FRONT, GL_EMISSION, green.data());     // two corners are blue and two green
+        glGetMaterialfv(GL_FRONT, GL_EMISSION, within.data()); // an error
+        glColor3f(0, 1, 0);
+        glVertex2f(1, -1), glVertex2f(1, 1);
+        glMaterialfv(GL_FRONT, GL_EMISSION, blue.data());
+        glColor3f(0, 0, 1);
+        glVertex2f(-1, 1);
+        glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, red.data()); // behind the last vertex
+        glMaterialf(GL_BACK, GL_SHININESS, 5);
+        glEnd();
+        error = glGetError();
+      });
+      EXPECT_EQ(error, GLenum(GL_INVALID_OPERATION));
+      EXPECT_EQ(within, (Four{8, 8, 8, 8}));
+      for (const GLenum face : {GL_FRONT, GL_BACK}) {
+        EXPECT_EQ(materialNow(face, GL_EMISSION), red);
+        EXPECT_EQ(materialNow(face, GL_SHININESS)[0], face == GL_BACK ? 5 : 3);
+      }
+      glPopAttrib();
+      for (const GLenum face : {GL_FRONT, GL_BACK}) {
+        EXPECT_EQ(materialNow(face, GL_EMISSION), blue);
+        EXPECT_EQ(materialNow(face, GL_SHININESS)[0], 3);
+      }
+      const auto at = [&](int x) { return &picture[std::size_t(4 * (kSize * kSize / 2 + x))]; };
+      EXPECT_LT(at(1)[1], 20);
+      EXPECT_GT(at(1)[2], 235);
+      EXPECT_GT(at(kSize - 2)[1], 235);
+      EXPECT_LT(at(kSize - 2)[2], 20);
+    }
 }
 
 } // namespace

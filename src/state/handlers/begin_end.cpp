@@ -34,8 +34,6 @@ bool defer(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
-  if (context.software && (context.attention & attention::kRecorded) == 0)
-    context.software->materials.begin();
   if (software::isHeld(context) && software::reopenHeld(context, mode))
     return;
   if (software::isRecorded(context) && software::refuses(context, "glBegin")) [[unlikely]]

@@ -16,8 +16,30 @@ enum Slot : std::uint8_t {
   kEdgeFlag = 5, ///< x is 0 or 1
   kTexCoord0 = 8,
   kGeneric0 = 16, ///< generic 0 is the position: this slot is never filled
-  kSlots = 32,
+  /// Parts of materials, of the front and then of the back, where they differ from vertex to vertex
+  /// (immediate/primitive_materials.h). They have no arrays, and the mirror has no values of them.
+  kMaterial0 = 32,
+  kSlots = 42,
 };
+/// One bit each. What is of the application's arrays and current values alone has the lower half.
+using SlotMask = std::uint64_t;
+
+/// Of an emission, ambient, diffuse, specular, shininess: in this order.
+inline constexpr int kMaterialParts = 5;
+/// Parts of both sides, one bit each: the front's first.
+using MaterialMask = std::uint16_t;
+inline constexpr MaterialMask kFrontMaterial = (1u << kMaterialParts) - 1;
+inline constexpr MaterialMask kAllMaterials = (1u << 2 * kMaterialParts) - 1;
+[[nodiscard]] constexpr MaterialMask materialsIn(SlotMask slots) {
+  return MaterialMask(slots >> kMaterial0);
+}
+[[nodiscard]] constexpr SlotMask slotsOfMaterials(MaterialMask materials) {
+  return SlotMask(materials) << kMaterial0;
+}
+/// A part of a material as an attribute of a vertex program: a generic one that no application has.
+[[nodiscard]] constexpr int materialAttribute(bool back, int part) {
+  return kMaterial0 - kGeneric0 + (back ? kMaterialParts : 0) + part;
+}
 
 /// The slot of a vertex program's or of fixed function's attribute.
 [[nodiscard]] constexpr int slotOf(const fp::ir::Attribute &attribute) {

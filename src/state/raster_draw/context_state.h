@@ -7,7 +7,7 @@
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/fallback.h"
 #include "state/raster_draw/frames/frame_history.h"
-#include "state/raster_draw/immediate/primitive_materials.h"
+#include "state/raster_draw/immediate/material_parts.h"
 #include "state/raster_draw/immediate/recorder.h"
 #include "state/residency/residency.h"
 #include "swrast/queue/draw_queue.h"
@@ -35,7 +35,7 @@ struct ContextState {
   swrast::DrawQueue draws; ///< outlives the images that it draws to
   Residency residency;
   ImmediateRecorder recorder;
-  PrimitiveMaterials materials; ///< of what is recorded
+  MaterialParts materials;         ///< of what is recorded
   std::vector<float> listVertices; ///< of a primitive of a list, made whole: scratch memory
   bool openParts = false;          ///< of the primitive that is recorded: some have been drawn
   std::uint32_t held = 0; ///< primitives in the recorder that have ended (immediate/held.h)

@@ -69,18 +69,30 @@ bool usesRasterizer(Context &context) {
 
 Outcome decideByPath(Context &context) { return judgePath(context); }
 
-Outcome decide(Context &context, GLenum mode, std::uint32_t count) {
+namespace {
+
+[[gnu::always_inline]] inline Outcome choose(Context &context, const Pipeline::Kind &kind) {
+  Pipeline &pipeline = pipelineOf(context);
+  if (const Outcome outcome = pipeline.choose(context, kind); !outcome.ok())
+    return outcome;
+  Mirror &mirror = context.software->mirror;
+  mirror.refreshCurrent(context.dirty, currentSlotsOf(pipeline, mirror));
+  return {};
+}
+
+} // namespace
+
+Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask materials) {
   if (mode > GL_POLYGON)
     return Fallback::Vertices;
   notePrimitiveMode(context, mode);
   if (const Outcome outcome = judgePath(context); !outcome.ok())
     return outcome;
-  Pipeline &pipeline = pipelineOf(context);
-  if (const Outcome outcome = pipeline.choose(context, {mode, count}); !outcome.ok())
-    return outcome;
-  Mirror &mirror = context.software->mirror;
-  mirror.refreshCurrent(context.dirty, currentSlotsOf(pipeline, mirror));
-  return {};
+  return choose(context, {mode, count, materials});
+}
+
+Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials) {
+  return choose(context, {mode, 0, materials});
 }
 
 bool waitsForCode(Context &context, const Outcome &outcome) {

@@ -3,6 +3,7 @@
 
 #include <GL/gl.h>
 
+#include "state/mirror/attributes.h"
 #include "state/raster_draw/outcome.h"
 
 /// Whose a draw is: the rasterizer's, or the host's for a reason. Arrays, called lists and
@@ -33,7 +34,10 @@ Outcome decideByPath(Context &context);
 /// functions made: ok where the rasterizer draws it, with what pipelineOf() has chosen and with the
 /// current values that its vertices read, else the reason why the host does. Nothing is written.
 /// Requires: usesRasterizer().
-Outcome decide(Context &context, GLenum mode, std::uint32_t count);
+/// \param materials parts that vary from vertex to vertex
+Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask materials = 0);
+/// Of a draw that was decided about, and of which that turns out later: others vary.
+Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials);
 
 /// True where the outcome is that machine code is still being made, but the draw must meet depths
 /// that the rasterizer wrote in this frame, which the host's would not: the code has been waited

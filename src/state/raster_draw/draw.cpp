@@ -26,7 +26,9 @@ struct OpenArrays {
 };
 
 /// Of a pipeline that has chosen: what it reads, and edge flags.
-std::uint32_t slotsOf(const Pipeline &pipeline) { return pipeline.slots() | 1u << kEdgeFlag; }
+std::uint32_t slotsOf(const Pipeline &pipeline) {
+  return std::uint32_t(pipeline.slots()) | 1u << kEdgeFlag;
+}
 
 /// In a frame that says nothing yet: whether arrays make the draw the host's turn, as they would
 /// where it was tried (Units::judge).

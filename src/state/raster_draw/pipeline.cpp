@@ -223,6 +223,14 @@ Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::
 
 namespace {
 
+/// llvmpipe has smooth lines and points made in the path that clips, whatever primitives are drawn,
+/// and does not take from it then what it does itself: offsets of polygons, and their sides.
+bool takesOtherPath(const Mirror &mirror, bool twoSided) {
+  const swrast::RasterState &raster = mirror.raster;
+  return (mirror.smoothLines || mirror.smoothPoints) &&
+         (raster.offsetFill || raster.offsetLine || raster.offsetPoint || twoSided);
+}
+
 bool hasFlatInput(const swrast::Shading &shading) {
   const auto *const end = shading.interpolation + shading.inputCount;
   return std::find(shading.interpolation, end, abi::Interpolation::Flat) != end;
@@ -239,6 +247,7 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
     return outcome;
   m_raster.provokingIsFirst = primitives.provokingIsFirst;
   m_raster.secondDiagonal = source.fromList || (m_raster.flatShade && hasFlatInput(*shading));
+  m_raster.inOtherPath = takesOtherPath(context.software->mirror, m_vertices.isTwoSided());
   swrast::DrawQueue &draws = context.software->draws;
   if (draws.add(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0, count,
                 m_use))

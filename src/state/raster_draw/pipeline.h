@@ -31,7 +31,8 @@ public:
   /// What of a draw decides about functions.
   struct Kind {
     GLenum mode = GL_TRIANGLES;
-    std::uint32_t count = 0; ///< vertices; many small primitives take quads
+    std::uint32_t count = 0;    ///< vertices; many small primitives take quads
+    MaterialMask materials = 0; ///< that vary from vertex to vertex
   };
   /// For a draw of vertices. Requires: the context's programs are validated.
   Outcome choose(Context &context, const Kind &kind) { return chooseFor(context, &kind); }
@@ -53,8 +54,16 @@ public:
   [[nodiscard]] bool testsDepth() const {
     return m_key.depthStencil.depthTest != 0 || m_key.depthStencil.stencilTest != 0;
   }
+  /// The chosen draw has a program of the application's that reads materials, which are the same
+  /// for a whole primitive.
+  [[nodiscard]] bool programReadsMaterials() const {
+    return (m_compiled && m_program->values->readsMaterials()) ||
+           (m_vertices.isApplications() && m_vertices.readsMaterials());
+  }
+  /// Fixed function makes the chosen draw's vertices.
+  [[nodiscard]] bool hasFixedVertices() const { return !m_vertices.isApplications(); }
   /// The attributes that the chosen vertex function reads.
-  [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
+  [[nodiscard]] SlotMask slots() const { return m_vertices.slots(); }
   [[nodiscard]] std::uint32_t currentSlots() const { return m_vertices.currentSlots(); }
   [[nodiscard]] VertexFetcher &fetcher() { return m_vertices.fetcher(); }
   [[nodiscard]] ArraySource &arrays() { return m_arrays; }
@@ -70,6 +79,7 @@ private:
     std::uint32_t vertexState = 0; ///< VertexState::version
     GLenum mode = 0;
     bool many = false;
+    MaterialMask materials = 0;
     bool operator==(const Basis &) const = default;
   };
   [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,

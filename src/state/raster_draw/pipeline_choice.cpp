@@ -128,6 +128,7 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
     basis.vertexState = mirror.vertex.version;
     basis.mode = vertices->mode;
     basis.many = isMany(context, vertices->count);
+    basis.materials = vertices->materials;
   }
   return basis;
 }
@@ -230,7 +231,7 @@ Outcome Pipeline::chooseVertices(Context &context, Mirror &mirror, const Kind &k
       context.linkedProgram ? context.linkedProgram->vertex.compiled : nullptr;
   return m_vertices.choose(context, mirror, vertexProgram,
                            m_program->functions->prepared()->shape(),
-                           mirror.drawsPoints(m_topology), m_floatTarget, m_wait);
+                           {mirror.drawsPoints(m_topology), kind.materials}, m_floatTarget, m_wait);
 }
 
 bool Pipeline::isOpaque() const {

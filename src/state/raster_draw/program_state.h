@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fp_compiler/ir/interface.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/mirror/generation_counter.h"
 #include "state/programs/program_object.h"
 
@@ -28,6 +29,7 @@ public:
     return reinterpret_cast<const float(*)[4]>(m_values.data());
   }
   [[nodiscard]] std::size_t size() const { return m_values.size(); }
+  [[nodiscard]] bool readsMaterials() const { return (m_groups & dirty::kMaterial) != 0; }
 
 private:
   /// What env and local parameters were read at.

@@ -29,7 +29,7 @@ struct LineEnds {
 /// than the plain one, which cuts them so; and the plain one does, but not with strips, where the
 /// provoking vertex counts or is the first, and in lists.
 [[nodiscard]] inline bool cutsOtherwise(const RasterState &state, Topology topology, bool clipped) {
-  return clipped || state.polygonStipple != nullptr ||
+  return clipped || state.inOtherPath || state.polygonStipple != nullptr ||
          (topology != Topology::QuadStrip && (state.secondDiagonal || state.provokingIsFirst));
 }
 /// How many triangles `count` vertices make; vertices that complete none are ignored. 0 of points

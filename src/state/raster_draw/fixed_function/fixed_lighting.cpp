@@ -1,4 +1,6 @@
 // Lighting (OpenGL 1.4, 2.13): the equation of 2.13.1, for each side that may be seen.
+#include <bit>
+
 #include "state/raster_draw/fixed_function/fixed_writer.h"
 
 namespace arbiter::state::software {
@@ -6,14 +8,21 @@ namespace arbiter::state::software {
 using fp::ir::OutputKind;
 
 namespace {
-/// Bits of FixedVertexKey::colorMaterialParts.
-enum Part : std::uint8_t { kEmission = 1, kAmbient = 2, kDiffuse = 4, kSpecular = 8 };
+/// Bits of FixedVertexKey::colorMaterialParts, and of VertexNeeds::frontMaterials.
+enum Part : std::uint8_t {
+  kEmission = 1,
+  kAmbient = 2,
+  kDiffuse = 4,
+  kSpecular = 8,
+  kShininess = 16
+};
 } // namespace
 
-/// One side of a lit vertex: its sums, and the parts of its material that the colour is.
+/// One side of a lit vertex: its sums, and the parts of its material that the colour is, or that
+/// are attributes.
 struct FixedWriter::Side {
   bool back;
-  std::uint8_t tracked;
+  std::uint8_t tracked, own;
   Target primary, secondary; ///< one register where the specular part is not kept apart
 };
 
@@ -28,34 +37,37 @@ struct FixedWriter::Ray {
 fp::ir::Source FixedWriter::materialPart(const Side &side, std::uint8_t part) {
   if ((side.tracked & part) != 0)
     return attribute(Kind::ColorPrimary);
-  const StateItem item = part == kEmission  ? StateItem::MaterialEmission
-                         : part == kAmbient ? StateItem::MaterialAmbient
-                         : part == kDiffuse ? StateItem::MaterialDiffuse
-                                            : StateItem::MaterialSpecular;
+  if ((side.own & part) != 0)
+    return attribute(Kind::Generic, materialAttribute(side.back, std::countr_zero(part)));
+  const StateItem item = part == kEmission   ? StateItem::MaterialEmission
+                         : part == kAmbient  ? StateItem::MaterialAmbient
+                         : part == kDiffuse  ? StateItem::MaterialDiffuse
+                         : part == kSpecular ? StateItem::MaterialSpecular
+                                             : StateItem::MaterialShininess;
   return state(item, 0, 0, side.back);
 }
 
 /// Material times light.
 fp::ir::Source FixedWriter::product(const Side &side, std::uint8_t part, int light) {
   const bool ambient = part == kAmbient, diffuse = part == kDiffuse;
-  if ((side.tracked & part) == 0)
+  if (((side.tracked | side.own) & part) == 0)
     return state(ambient   ? StateItem::LightProdAmbient
                  : diffuse ? StateItem::LightProdDiffuse
                            : StateItem::LightProdSpecular,
                  light, 0, side.back);
   const Target result = temporary();
   op(Opcode::Mul, result.mask("xyz"),
-     {attribute(Kind::ColorPrimary), state(ambient   ? StateItem::LightAmbient
-                                           : diffuse ? StateItem::LightDiffuse
-                                                     : StateItem::LightSpecular,
-                                           light)});
+     {materialPart(side, part), state(ambient   ? StateItem::LightAmbient
+                                      : diffuse ? StateItem::LightDiffuse
+                                                : StateItem::LightSpecular,
+                                      light)});
   return result.read();
 }
 
 /// emission + model ambient * material ambient; the alpha is the diffuse part's.
 void FixedWriter::startSums(Side &side) {
   side.primary = temporary();
-  if ((side.tracked & (kEmission | kAmbient)) == 0)
+  if (((side.tracked | side.own) & (kEmission | kAmbient)) == 0)
     op(Opcode::Mov, side.primary.mask("xyz"),
        {state(StateItem::LightModelSceneColor, 0, 0, side.back)});
   else
@@ -135,7 +147,7 @@ void FixedWriter::addLight(const Side &side, const Ray &ray) {
   const Target t = temporary(), lit = temporary();
   op(Opcode::Dp3, t.mask("x"), {n, ray.direction});
   op(Opcode::Dp3, t.mask("y"), {n, ray.half});
-  op(Opcode::Mov, t.mask("w"), {state(StateItem::MaterialShininess, 0, 0, side.back).swz("x")});
+  op(Opcode::Mov, t.mask("w"), {materialPart(side, kShininess).swz("x")});
   op(Opcode::Lit, lit, {t.read()});
   if (ray.factor) // of all three terms; lit.x is 1
     op(Opcode::Mul, lit.mask("xyz"), {lit.read(), ray.factor->swz("x")});
@@ -163,7 +175,11 @@ void FixedWriter::lit() {
       rays[light] = ray(light);
   for (int back = 0; back <= (m_key.twoSided ? 1 : 0); ++back) {
     const bool tracks = (m_key.colorMaterialFace >> back & 1u) != 0;
-    Side side{back != 0, tracks ? m_key.colorMaterialParts : std::uint8_t(0), {}, {}};
+    Side side{back != 0,
+              tracks ? m_key.colorMaterialParts : std::uint8_t(0),
+              back != 0 ? m_key.needs.backMaterials : m_key.needs.frontMaterials,
+              {},
+              {}};
     startSums(side);
     for (int light = 0; light < 8; ++light)
       if ((m_key.lights >> light & 1u) != 0)

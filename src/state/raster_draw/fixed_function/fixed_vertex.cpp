@@ -25,6 +25,10 @@ FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs
   key.fogFrom = needs.fogCoord ? state.fogFrom : FogFrom::Coordinate;
   key.pointAttenuation = needs.pointSize && state.pointAttenuation;
   key.needs.pointSize = key.pointAttenuation != 0;
+  if (!state.lighting || (!needs.primary && !needs.secondary))
+    key.needs.frontMaterials = key.needs.backMaterials = 0;
+  else if (!state.twoSided)
+    key.needs.backMaterials = 0;
   bool normals = false;
   for (std::size_t unit = 0; unit < key.texGen.size(); ++unit) {
     if ((needs.texCoords >> unit & 1u) == 0)

@@ -23,6 +23,8 @@ struct VertexNeeds {
   std::uint8_t texCoords = 0; ///< one bit each
   bool primary = false, secondary = false, fogCoord = false;
   bool pointSize = false; ///< the primitives are points
+  /// Parts of the materials that are the vertex's own (attributes.h), one bit each.
+  std::uint8_t frontMaterials = 0, backMaterials = 0;
   bool operator==(const VertexNeeds &) const = default;
 };
 

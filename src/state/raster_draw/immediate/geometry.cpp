@@ -37,7 +37,7 @@ void take(Geometry &to, const ImmediateRecorder &recorder) {
   if (to.fromArrays)
     return;
   to.touched |= recorder.touched();
-  for (std::uint32_t left = recorder.touched(); left != 0; left &= left - 1) {
+  for (SlotMask left = recorder.touched(); left != 0; left &= left - 1) {
     const auto slot = std::size_t(std::countr_zero(left));
     to.values[slot] = recorder.values()[slot];
   }

@@ -40,9 +40,9 @@ public:
   /// Where several primitives depend on their own vertices only (strips, fans, loops, polygons):
   /// the first vertices of all but the first, and the indices that join them (joined.h).
   std::vector<std::uint32_t> starts, indices;
-  std::uint32_t touched = 0; ///< slots that were set, one bit each
-  GivenComponents given{};   ///< of these and of the position
-  CurrentValues values{};    ///< of these, as the primitives leave them behind
+  SlotMask touched = 0;    ///< slots that were set, one bit each
+  GivenComponents given{}; ///< of these and of the position
+  CurrentValues values{};  ///< of these, as the primitives leave them behind
 
   /// The host's list that draws the same, which `make` makes when it is first asked for and gives
   /// the name of.
@@ -70,7 +70,7 @@ public:
           set(int(slots[slot]), vertex + 4 * slot, mostGiven(given, slots[slot]));
       set(int(kPosition), vertex, mostGiven(given, kPosition));
     }
-    for (std::uint32_t left = touched; left != 0; left &= left - 1) {
+    for (SlotMask left = touched; left != 0; left &= left - 1) {
       const int slot = std::countr_zero(left);
       set(slot, values[std::size_t(slot)].data(), mostGiven(given, slot));
     }

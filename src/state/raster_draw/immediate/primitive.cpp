@@ -13,6 +13,7 @@
 #include "state/raster_draw/draw.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/joined.h"
+#include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/large_draw.h"
 #include "state/raster_draw/pipeline.h"
@@ -25,6 +26,43 @@ namespace {
 void replayFor(Context &context, Fallback reason) {
   withinMemory(context, "End", [&] { giveToHost(context, reason); });
   replayToHost(context);
+}
+
+/// What reaches pixels of materials that differ.
+MaterialMask visible(Context &context) {
+  const VertexState &state = context.software->mirror.vertex;
+  if (!state.lighting || !pipelineOf(context).hasFixedVertices())
+    return 0;
+  return state.twoSided ? kAllMaterials : kFrontMaterial;
+}
+
+/// Before recorded vertices are drawn: those that have a material in common have it of the host,
+/// and functions are chosen for the others. Not ok: the host draws. Requires: no primitive is open.
+Outcome readyMaterials(Context &context) {
+  ContextState &state = *context.software;
+  MaterialParts &materials = state.materials;
+  const MaterialMask touched = materialsIn(state.recorder.touched());
+  if ((touched | materials.chosen) == 0 && !materials.isUndecided) [[likely]]
+    return {};
+  const auto common = MaterialMask(touched & ~(materials.differing | materials.given));
+  const auto differing = MaterialMask(materials.differing & visible(context));
+  if (common == 0 && differing == materials.chosen && !materials.isUndecided)
+    return {};
+  setCurrentValues(context, state.recorder.values(), slotsOfMaterials(common));
+  materials.given |= common;
+  materials.chosen = differing;
+  const Outcome outcome = decideAgain(context, state.recorder.mode(), differing);
+  materials.isUndecided = !outcome.ok();
+  return outcome;
+}
+
+/// What is drawn with the functions that are chosen, after others have been chosen where materials
+/// ask for them.
+template <typename Draw> Outcome drawWithMaterials(Context &context, Draw draw) {
+  return outcomeOf(context, [&] {
+    const Outcome outcome = readyMaterials(context);
+    return outcome.ok() ? draw() : outcome;
+  });
 }
 
 /// Primitives [0, starts().size()) of the recorder, or with `last` the last one too. Not ok:
@@ -58,7 +96,8 @@ bool drawEarlier(void *owner, const float position[4]) {
   Outcome outcome = Fallback::Shared;
   withinMemory(context, "glVertex", [&] {
     if (state.residency.syncWithNeighbours())
-      outcome = outcomeOf(context, [&] { return drawJoined(context, recorder.end(), false); });
+      outcome =
+          drawWithMaterials(context, [&] { return drawJoined(context, recorder.end(), false); });
   });
   if (!outcome.ok()) {
     replayFor(context, outcome.reason());
@@ -87,7 +126,7 @@ bool drawOpen(void *owner, const float position[4]) {
   const VertexSource source = recorder.end();
   Outcome outcome;
   try {
-    outcome = outcomeOf(
+    outcome = drawWithMaterials(
         context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
   } catch (const std::exception &error) {
     recorder.fail();         // and End says so
@@ -134,12 +173,15 @@ bool openNext(Context &context) {
 }
 
 bool beginPrimitive(Context &context, GLenum mode) {
-  const Outcome outcome = outcomeOf(context, [&] { return decide(context, mode, 0); });
+  ContextState &state = *context.software;
+  const Outcome outcome =
+      outcomeOf(context, [&] { return decide(context, mode, 0, state.materials.chosen); });
   if (!outcome.ok()) {
+    state.materials.chosen = 0;
     giveToHost(context, outcome.reason());
     return false;
   }
-  ContextState &state = *context.software;
+  state.materials.begin(!pipelineOf(context).programReadsMaterials());
   state.recorder.begin(mode, state.mirror.current);
   state.openParts = false;
   state.held = 0;
@@ -163,14 +205,14 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
     outcome = Fallback::Shared;
   else if (count != 0)
     try {
-      outcome = outcomeOf(context, [&] {
+      outcome = drawWithMaterials(context, [&] {
         if (state.openParts)
           return drawInParts(context, pipelineOf(context), source, {.count = count});
         return state.recorder.starts().empty() ? drawSource(context, source, count)
                                                : drawJoined(context, source, true);
       });
     } catch (const std::exception &) { // the attributes have been set whatever was drawn
-      setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+      setCurrentValues(context, state.recorder.values(), slotsToSet(context));
       throw;
     }
   if (!outcome.ok()) {
@@ -180,7 +222,7 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
       raise(context, GL_OUT_OF_MEMORY, "End: no memory for the primitive's vertices");
     return;
   }
-  setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+  setCurrentValues(context, state.recorder.values(), slotsToSet(context));
   if (!state.openParts)
     noteDrawn(context, primitives);
 }

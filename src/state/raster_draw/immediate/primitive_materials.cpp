@@ -1,48 +1,105 @@
 #include "state/raster_draw/immediate/primitive_materials.h"
 
-#include <algorithm>
+#include <bit>
+#include <cstring>
 
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/immediate/replay.h"
 
 namespace arbiter::state::software {
 
 namespace {
 
-/// Those of the context's own recorder; null where it records nothing.
-PrimitiveMaterials *materialsOf(ContextHot &hot) {
-  const auto &context = static_cast<const Context &>(hot);
-  if (!context.software || context.listMode != 0 ||
-      context.recorder != &context.software->recorder)
-    return nullptr;
-  return &context.software->materials;
+/// Bits of one side; 0: no name of Material's.
+MaterialMask partsNamed(GLenum pname) {
+  switch (pname) {
+  case GL_EMISSION:
+    return 1;
+  case GL_AMBIENT:
+    return 2;
+  case GL_DIFFUSE:
+    return 4;
+  case GL_AMBIENT_AND_DIFFUSE:
+    return 2 | 4;
+  case GL_SPECULAR:
+    return 8;
+  case GL_SHININESS:
+    return 16;
+  default:
+    return 0;
+  }
+}
+
+MaterialMask onSides(MaterialMask parts, bool front, bool back) {
+  return MaterialMask((front ? parts : 0) | (back ? parts << kMaterialParts : 0));
+}
+
+/// 0: an error.
+MaterialMask materialsNamed(GLenum face, GLenum pname) {
+  const bool both = face == GL_FRONT_AND_BACK;
+  return onSides(partsNamed(pname), both || face == GL_FRONT, both || face == GL_BACK);
+}
+
+/// What is the colour's: Material leaves it as it is (2.14.3).
+MaterialMask tracked(const VertexState &state) {
+  return state.colorMaterial
+             ? onSides(state.colorMaterialParts, (state.colorMaterialFace & 1u) != 0,
+                       (state.colorMaterialFace & 2u) != 0)
+             : MaterialMask(0);
+}
+
+/// The host's, behind what stands in for it.
+std::array<float, 4> currentMaterial(const Context &context, int material) {
+  std::array<float, 4> value{};
+  context.trueHost->GetMaterialfv(material < kMaterialParts ? GL_FRONT : GL_BACK,
+                                  materialName(material), value.data());
+  return value;
 }
 
 } // namespace
 
-bool setsMaterialAgain(ContextHot &hot, GLenum face, GLenum pname, const GLfloat *values) {
-  using Colors = PrimitiveMaterials::Colors;
-  PrimitiveMaterials *const materials = materialsOf(hot);
-  const int count = materialValues(pname);
-  if (!materials || count == 0 || !values)
+bool recordsMaterial(ContextHot &hot, GLenum face, GLenum pname, const GLfloat *values) {
+  const auto &context = static_cast<const Context &>(hot);
+  if (!context.software || context.listMode != 0 ||
+      context.recorder != &context.software->recorder || !values)
     return false;
-  StateCommand command{.target = face, .pname = pname};
-  std::copy_n(values, count, command.values.begin());
-  if (!command.isValid())
+  MaterialMask parts = materialsNamed(face, pname);
+  if (parts == 0 || (pname == GL_SHININESS && !(values[0] >= 0 && values[0] <= 128)))
     return false;
-  if (materials->m_colors == Colors::Unknown) {
-    // Behind what stands in for it, which would take the question for the primitive's end.
-    const host::HostTable &host = *static_cast<const Context &>(hot).trueHost;
-    materials->m_colors =
-        host.IsEnabled(GL_COLOR_MATERIAL) ? Colors::AreMaterials : Colors::AreNone;
+  ContextState &state = *context.software;
+  MaterialParts &materials = state.materials;
+  std::array<float, 4> value{};
+  std::memcpy(value.data(), values, (pname == GL_SHININESS ? 1 : 4) * sizeof(float));
+  parts &= MaterialMask(~tracked(state.mirror.vertex));
+  MaterialMask changing = 0;
+  for (unsigned left = parts; left != 0; left &= left - 1) {
+    const int material = std::countr_zero(left);
+    const auto bit = MaterialMask(1u << material);
+    if ((materials.known & bit) == 0) {
+      materials.known |= bit;
+      state.recorder.setFirst(kMaterial0 + material, currentMaterial(context, material));
+    }
+    const auto &before = state.recorder.values()[std::size_t(kMaterial0 + material)];
+    if (std::memcmp(&before, &value, sizeof value) != 0)
+      changing |= bit;
   }
-  return materials->m_colors == Colors::AreNone && !materials->m_known.set(command);
+  if (changing == 0)
+    return true;
+  if (!materials.mayDiffer)
+    return false;
+  if (state.recorder.count() != 0)
+    materials.differing |= changing;
+  materials.given &= MaterialMask(~changing);
+  for (unsigned left = changing; left != 0; left &= left - 1)
+    state.recorder.set(kMaterial0 + std::countr_zero(left), value[0], value[1], value[2], value[3]);
+  return true;
 }
 
-void forgetMaterials(ContextHot &hot) {
-  if (PrimitiveMaterials *const materials = materialsOf(hot))
-    materials->forget();
+SlotMask slotsToSet(const Context &context) {
+  const ContextState &state = *context.software;
+  return state.recorder.touched() & ~slotsOfMaterials(state.materials.given);
 }
 
 } // namespace arbiter::state::software

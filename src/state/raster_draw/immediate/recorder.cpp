@@ -10,7 +10,7 @@ void ImmediateRecorder::begin(GLenum mode, const CurrentValues &current) {
   m_count = 0;
   m_touched = 0;
   m_failed = false;
-  m_values = current;
+  std::copy_n(current.begin(), std::size_t(kMaterial0), m_values.begin());
   m_next = m_data.get();
   m_stride = 4;
   m_slotCount = 1;
@@ -80,7 +80,7 @@ void ImmediateRecorder::touch(int slot) {
   m_given[std::size_t(slot)] = 0;
   const std::size_t stride = m_stride + 4;
   if (m_count != 0 && m_count * stride > m_capacity && !reserve(m_count * stride * 2)) {
-    m_touched |= 1u << slot; // the current value is set all the same
+    m_touched |= SlotMask(1) << slot; // the current value is set all the same
     return;
   }
   // From the last one on, as the places of the later ones lie behind those of the earlier.
@@ -89,7 +89,7 @@ void ImmediateRecorder::touch(int slot) {
     std::memmove(to, m_data.get() + i * m_stride, m_stride * sizeof(float));
     std::memcpy(to + m_stride, &m_values[std::size_t(slot)], 4 * sizeof(float));
   }
-  m_touched |= 1u << slot;
+  m_touched |= SlotMask(1) << slot;
   m_since[slot] = m_count;
   m_slots[m_slotCount++] = std::uint8_t(slot);
   m_stride = stride;

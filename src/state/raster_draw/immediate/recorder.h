@@ -26,7 +26,8 @@ using GivenComponents = std::array<std::uint8_t, kSlots>;
 
 class ImmediateRecorder {
 public:
-  /// A primitive opens; attributes start as `current`. There is no limit of its vertices.
+  /// A primitive opens; attributes start as `current`, but for materials (setFirst()). There is no
+  /// limit of its vertices.
   void begin(GLenum mode, const CurrentValues &current);
   /// Of what more vertices than a limit ask of: it makes room (forget()), or records no further and
   /// has taken the vertex at `position` by itself, and then returns false.
@@ -71,6 +72,11 @@ public:
     for (unsigned i = 1; i < m_slotCount; ++i)
       __builtin_memcpy(to += 4, &m_values[m_slots[i]], 4 * sizeof(float));
   }
+  /// Of a slot that begin() has no value of, and which was not touched: the vertices so far have
+  /// this one.
+  void setFirst(int slot, const std::array<float, 4> &value) {
+    m_values[std::size_t(slot)] = value;
+  }
   /// The primitive is whole. The source is valid until the next begin().
   [[nodiscard]] VertexSource end() const;
 
@@ -78,7 +84,7 @@ public:
   [[nodiscard]] std::uint32_t count() const { return m_count; }
   /// Slots that were set since begin(), one bit each, and the values now: what the host must be
   /// told.
-  [[nodiscard]] std::uint32_t touched() const { return m_touched; }
+  [[nodiscard]] SlotMask touched() const { return m_touched; }
   [[nodiscard]] const CurrentValues &values() const { return m_values; }
   /// Of the slots that were touched, and of the position.
   [[nodiscard]] const GivenComponents &given() const { return m_given; }
@@ -115,7 +121,7 @@ private:
 
   GLenum m_mode = GL_POINTS;
   std::uint32_t m_count = 0;
-  std::uint32_t m_touched = 0;
+  SlotMask m_touched = 0;
   bool m_failed = false;
   CurrentValues m_values{};
   /// Vertices, each `m_slotCount` vec4s: position first, then the touched slots in order of first

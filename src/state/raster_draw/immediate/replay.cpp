@@ -1,14 +1,54 @@
 #include "state/raster_draw/immediate/replay.h"
 
+#include <array>
 #include <bit>
+#include <cstring>
 
 #include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/host_draw/draw.h"
 #include "state/lists/list_compiler.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 
 namespace arbiter::state::software {
+
+GLenum materialName(int material) {
+  constexpr std::array<GLenum, std::size_t(kMaterialParts)> kNames = {
+      GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_SHININESS};
+  return kNames[std::size_t(material % kMaterialParts)];
+}
+
+namespace {
+
+void setMaterial(const host::HostTable &host, int material, const float *v) {
+  host.Materialfv(material < kMaterialParts ? GL_FRONT : GL_BACK, materialName(material), v);
+}
+
+/// Materials as they change between vertices.
+class SentMaterials {
+public:
+  [[nodiscard]] bool areSent(int material, const float *value) {
+    const float *&last = m_last[std::size_t(material)];
+    if (last && std::memcmp(last, value, 4 * sizeof(float)) == 0)
+      return true;
+    last = value;
+    return false;
+  }
+
+private:
+  std::array<const float *, std::size_t(2 * kMaterialParts)> m_last{};
+};
+
+/// The host was given current values.
+void noteSet(Context &context, const CurrentValues &values, SlotMask slots) {
+  if (materialsIn(slots) != 0) [[unlikely]]
+    context.dirty |= dirty::kMaterial | dirty::kProgramState;
+  if (context.software)
+    context.software->mirror.noteCurrent(values, std::uint32_t(slots));
+}
+
+} // namespace
 
 void setAttribute(const host::HostTable &host, int slot, const float *v, int components) {
   // The table's functions, by how many components they take.
@@ -35,6 +75,8 @@ void setAttribute(const host::HostTable &host, int slot, const float *v, int com
   case kEdgeFlag:
     return host.EdgeFlag(v[0] != 0.0f ? GL_TRUE : GL_FALSE);
   default:
+    if (slot >= kMaterial0)
+      return setMaterial(host, slot - kMaterial0, v);
     if (slot >= kGeneric0)
       return takeIndexed(GLuint(slot - kGeneric0), host.VertexAttrib1fv, host.VertexAttrib2fv,
                          host.VertexAttrib3fv, host.VertexAttrib4fv);
@@ -80,15 +122,15 @@ const host::HostTable *flushToHost() {
   return context.host;
 }
 
-void setAttributes(const host::HostTable &host, const CurrentValues &values, std::uint32_t slots) {
-  for (std::uint32_t left = slots; left != 0; left &= left - 1) {
+void setAttributes(const host::HostTable &host, const CurrentValues &values, SlotMask slots) {
+  for (SlotMask left = slots; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
     setAttribute(host, slot, values[std::size_t(slot)].data());
   }
 }
 
 void setTouched(const host::HostTable &host, const ImmediateRecorder &recorder) {
-  for (std::uint32_t left = recorder.touched(); left != 0; left &= left - 1) {
+  for (SlotMask left = recorder.touched(); left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
     setAttribute(host, slot, recorder.values()[std::size_t(slot)].data(),
                  mostGiven(recorder.given(), slot));
@@ -98,9 +140,12 @@ void setTouched(const host::HostTable &host, const ImmediateRecorder &recorder) 
 void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder) {
   host.Begin(recorder.mode());
   std::uint32_t at = 0;
+  SentMaterials materials;
   const auto sendTo = [&](std::uint32_t end) {
     for (; at < end; ++at)
       recorder.read(at, [&](int slot, const float *value) {
+        if (slot >= kMaterial0 && materials.areSent(slot - kMaterial0, value))
+          return;
         setAttribute(host, slot, value, mostGiven(recorder.given(), slot));
       });
   };
@@ -122,13 +167,13 @@ void replayToHost(Context &context) {
   const ImmediateRecorder &recorder = context.software->recorder;
   *context.drawCounter += 1 + recorder.starts().size();
   sendOpen(*context.host, recorder);
-  context.software->mirror.noteCurrent(recorder.values(), recorder.touched());
+  noteSet(context, recorder.values(), recorder.touched());
 }
 
-void setCurrentValues(Context &context, const CurrentValues &values, std::uint32_t touched) {
+void setCurrentValues(Context &context, const CurrentValues &values, SlotMask touched) {
   setAttributes(*context.host, values, touched);
-  if (touched != 0 && context.software)
-    context.software->mirror.noteCurrent(values, touched);
+  if (touched != 0)
+    noteSet(context, values, touched);
 }
 
 } // namespace arbiter::state::software

@@ -37,12 +37,14 @@ void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder);
 void replayToHost(Context &context);
 /// The host's current values become those that a primitive left behind (OpenGL 1.4, 2.7: an
 /// attribute set inside Begin/End stays set), and the mirror's with them.
-void setCurrentValues(Context &context, const CurrentValues &values, std::uint32_t touched);
+void setCurrentValues(Context &context, const CurrentValues &values, SlotMask touched);
+/// The name of a part of a material, of either side.
+[[nodiscard]] GLenum materialName(int material);
 /// Sets one attribute, or makes a vertex (kPosition). \param components as many of the four as the
 /// application gives: hosts compile vertex code for the components that they are given
 void setAttribute(const host::HostTable &host, int slot, const float value[4], int components = 4);
 /// Those of a mask.
-void setAttributes(const host::HostTable &host, const CurrentValues &values, std::uint32_t slots);
+void setAttributes(const host::HostTable &host, const CurrentValues &values, SlotMask slots);
 /// Those that were touched.
 void setTouched(const host::HostTable &host, const ImmediateRecorder &recorder);
 

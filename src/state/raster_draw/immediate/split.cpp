@@ -7,6 +7,7 @@
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/geometry.h"
 #include "state/raster_draw/immediate/primitive.h"
+#include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/replay.h"
 
 namespace arbiter::state::software {
@@ -35,7 +36,7 @@ void PrimitiveSplit::open(ContextHot &hot) {
     if (state.recorder.count() != 0)
       endPrimitive(context);
     else
-      setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+      setCurrentValues(context, state.recorder.values(), slotsToSet(context));
   });
 }
 

@@ -105,8 +105,8 @@ void VertexFetcher::convert(std::uint32_t begin, std::uint32_t end) const {
   }
 }
 
-bool VertexFetcher::fetch(const VertexSource &source, const CurrentValues &current,
-                          std::uint32_t slots, std::uint32_t first, std::uint32_t count) {
+bool VertexFetcher::fetch(const VertexSource &source, const CurrentValues &current, SlotMask slots,
+                          std::uint32_t first, std::uint32_t count) {
   if (!open(source, current, slots, first, count))
     return false;
   const std::uint32_t shares = (count + kShare - 1) / kShare;
@@ -122,8 +122,8 @@ bool VertexFetcher::fetch(const VertexSource &source, const CurrentValues &curre
   return true;
 }
 
-bool VertexFetcher::open(const VertexSource &source, const CurrentValues &current,
-                         std::uint32_t slots, std::uint32_t first, std::uint32_t count) {
+bool VertexFetcher::open(const VertexSource &source, const CurrentValues &current, SlotMask slots,
+                         std::uint32_t first, std::uint32_t count) {
   if (source.count != 0 && (first > source.count || count > source.count - first))
     return false;
   constexpr std::uint32_t kMost = 1u << 28; // indices and sizes stay within 32 bits
@@ -132,7 +132,7 @@ bool VertexFetcher::open(const VertexSource &source, const CurrentValues &curren
   m_count = count;
   m_jobCount = 0;
   m_padded = (std::max(count, 1u) + 15u) & ~15u;
-  for (std::uint32_t left = slots; left != 0; left &= left - 1) {
+  for (SlotMask left = slots; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
     const bool fetched = source.arrays[std::size_t(slot)].base
                              ? openArray(source, slot, first)
@@ -334,12 +334,12 @@ struct Gather {
 
 } // namespace
 
-bool VertexFetcher::compact(VertexSource &source, std::uint32_t slots, IndexRange &range) {
+bool VertexFetcher::compact(VertexSource &source, SlotMask slots, IndexRange &range) {
   if (source.count != 0 && range.maximum >= source.count)
     return false;
   Gather gather;
   gather.indices = range.indices;
-  for (std::uint32_t left = slots; left != 0; left &= left - 1) {
+  for (SlotMask left = slots; left != 0; left &= left - 1) {
     const auto slot = std::size_t(std::countr_zero(left));
     VertexSource::Array &array = source.arrays[slot];
     const std::size_t bytes = elementBytes(array);
@@ -367,10 +367,10 @@ bool VertexFetcher::compact(VertexSource &source, std::uint32_t slots, IndexRang
   return true;
 }
 
-std::uint32_t slotsOf(std::span<const fp::ir::Attribute> attributes) {
-  std::uint32_t slots = 0;
+SlotMask slotsOf(std::span<const fp::ir::Attribute> attributes) {
+  SlotMask slots = 0;
   for (const fp::ir::Attribute &attribute : attributes)
-    slots |= 1u << slotOf(attribute);
+    slots |= SlotMask(1) << slotOf(attribute);
   return slots;
 }
 

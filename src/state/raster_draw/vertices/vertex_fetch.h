@@ -60,16 +60,16 @@ public:
   /// Of a sparse range: copies its vertices of the slots' arrays together, in the order of the
   /// indices, and makes `range` count them. `source` is then another one, valid until the next
   /// call. False: no memory, or a vertex is not there.
-  [[nodiscard]] bool compact(VertexSource &source, std::uint32_t slots, IndexRange &range);
+  [[nodiscard]] bool compact(VertexSource &source, SlotMask slots, IndexRange &range);
 
   /// Fetches vertices [first, first + count) of the slots of a mask: from their arrays, or the
   /// current value for each. False if there is no memory, a type is unknown, or a vertex is not
   /// there. Float arrays of the current value are kept from draw to draw.
-  [[nodiscard]] bool fetch(const VertexSource &source, const CurrentValues &current,
-                           std::uint32_t slots, std::uint32_t first, std::uint32_t count);
+  [[nodiscard]] bool fetch(const VertexSource &source, const CurrentValues &current, SlotMask slots,
+                           std::uint32_t first, std::uint32_t count);
   /// The same, but nothing is read of the arrays yet: convert() does it.
-  [[nodiscard]] bool open(const VertexSource &source, const CurrentValues &current,
-                          std::uint32_t slots, std::uint32_t first, std::uint32_t count);
+  [[nodiscard]] bool open(const VertexSource &source, const CurrentValues &current, SlotMask slots,
+                          std::uint32_t first, std::uint32_t count);
   /// Fills in [begin, end) of the vertices that open() was called for. Threads may call it at a
   /// time, for vertices of their own.
   void convert(std::uint32_t begin, std::uint32_t end) const;
@@ -136,6 +136,6 @@ private:
 };
 
 /// The slots that a program's attributes need.
-[[nodiscard]] std::uint32_t slotsOf(std::span<const fp::ir::Attribute> attributes);
+[[nodiscard]] SlotMask slotsOf(std::span<const fp::ir::Attribute> attributes);
 
 } // namespace arbiter::state::software

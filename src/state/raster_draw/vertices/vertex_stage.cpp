@@ -16,9 +16,11 @@ using fp::ir::OutputKind;
 /// Vertices that one call of the function transforms: what is written stays in the cache.
 constexpr std::uint32_t kStretch = swrast::Vertices::kStretch;
 
-VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, bool points) {
+VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, const VertexStage::Use &use) {
   VertexNeeds needs;
-  needs.pointSize = points;
+  needs.pointSize = use.points;
+  needs.frontMaterials = std::uint8_t(use.materials & kFrontMaterial);
+  needs.backMaterials = std::uint8_t(use.materials >> kMaterialParts);
   for (const fp::jit::FragmentInput &input : fragments.inputs) {
     switch (input.attribute.kind) {
     case AttributeKind::ColorPrimary:
@@ -72,20 +74,20 @@ void VertexStage::take(Context &context, const std::shared_ptr<const fp::ir::Pro
 }
 
 Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
-                            const fp::jit::FragmentShape &fragments, bool points, bool floatTarget,
-                            Wait wait) {
+                            const fp::jit::FragmentShape &fragments, const Use &use,
+                            bool floatTarget, Wait wait) {
   m_compiled = compiled;
   m_fragments = &fragments;
   mirror.refreshVertexState(floatTarget);
   m_clipPlanes = mirror.vertex.clipPlanes;
   if (!compiled) {
-    take(context, m_fixed.get(mirror.vertex, needsOf(fragments, points)), wait);
+    take(context, m_fixed.get(mirror.vertex, needsOf(fragments, use)), wait);
     m_twoSided = mirror.vertex.lighting && mirror.vertex.twoSided;
-    m_pointSize = points && mirror.vertex.pointAttenuation;
+    m_pointSize = use.points && mirror.vertex.pointAttenuation;
   } else {
     take(context, m_extended.get(compiled->program, m_clipPlanes, mirror.vertex.clampColors), wait);
     m_twoSided = mirror.twoSidedColor;
-    m_pointSize = points && mirror.pointSizeFromProgram;
+    m_pointSize = use.points && mirror.pointSizeFromProgram;
   }
   const fp::jit::VertexProgram *const prepared = m_program->functions->prepared();
   if (!prepared)
@@ -143,7 +145,7 @@ bool VertexStage::connectUnwritten(const Mirror &mirror) {
 }
 
 std::uint32_t VertexStage::currentSlots() const {
-  std::uint32_t slots = m_slots;
+  auto slots = std::uint32_t(m_slots);
   for (const Unwritten &each : m_unwritten)
     slots |= 1u << each.slot;
   return slots;
@@ -173,7 +175,7 @@ void VertexStage::transformAll(std::uint32_t count) const {
 
 Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &source,
                          std::uint32_t first, std::uint32_t count, bool edgeFlags, bool later) {
-  const std::uint32_t slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
+  const SlotMask slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
   const bool many = count > 2 * kStretch;
   if (!(many ? m_fetcher.open(source, mirror.current, slots, first, count)
              : m_fetcher.fetch(source, mirror.current, slots, first, count)))

@@ -25,16 +25,28 @@ namespace arbiter::state::software {
 /// function's, its function, and the arrays that it reads and writes.
 class VertexStage {
 public:
+  /// What a draw says of its vertices.
+  struct Use {
+    bool points = false;
+    MaterialMask materials = 0; ///< that vary from vertex to vertex
+  };
   /// Chooses the function for what the fragments need. `compiled` is the application's vertex
   /// program, or null; `floatTarget`: a colour buffer holds floats.
   Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
-                 const fp::jit::FragmentShape &fragments, bool points, bool floatTarget, Wait wait);
+                 const fp::jit::FragmentShape &fragments, const Use &use, bool floatTarget,
+                 Wait wait);
+  /// Back sides have colours of their own.
+  [[nodiscard]] bool isTwoSided() const { return m_twoSided; }
+  /// The chosen program is the application's.
+  [[nodiscard]] bool isApplications() const { return m_compiled != nullptr; }
+  /// It reads materials as they are before the primitive. Requires: choose().
+  [[nodiscard]] bool readsMaterials() const { return m_program->values->readsMaterials(); }
   /// Of the textures that the program samples, as Units::judge(). Requires: choose().
   [[nodiscard]] Outcome judgeTextures(Context &context, Mirror &mirror);
   /// Has them ready, and the function for them. Requires: choose().
   Outcome bindTextures(Context &context, Mirror &mirror, Wait wait);
   /// The slots that the function reads.
-  [[nodiscard]] std::uint32_t slots() const { return m_slots; }
+  [[nodiscard]] SlotMask slots() const { return m_slots; }
   /// Those, and the others whose current values are wanted.
   [[nodiscard]] std::uint32_t currentSlots() const;
 
@@ -71,7 +83,7 @@ private:
   abi::VertexFunction m_function = nullptr;
   Units m_units;
   std::array<const abi::TextureView *, abi::kMaxUnits> m_textures = {};
-  std::uint32_t m_slots = 0;
+  SlotMask m_slots = 0;
   bool m_twoSided = false;
   bool m_pointSize = false;
   std::uint8_t m_clipPlanes = 0;
