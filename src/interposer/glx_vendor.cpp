@@ -2,7 +2,6 @@
 /// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
 /// host's.
 // Before Xlib's macros.
-#include "state/era/vertex_array_range.h"
 #include "state/residency/drawable.h"
 #include "state/residency/window_frames.h"
 
@@ -23,6 +22,7 @@
 #undef None
 
 #include "dispatch/entry_points.h"
+#include "interposer/glx_array_memory.h"
 #include "interposer/host_choice.h"
 #include "interposer/process.h"
 #include "interposer/provider.h"
@@ -351,22 +351,6 @@ const Hook kHooks[] = {
      &g_host->getProcAddressArb.function},
 };
 
-/// NV_vertex_array_range's allocator, which needs no context: always the layer's, as hosts that
-/// have the functions may give nothing (Mesa's never do), and a pointer is freed where it came
-/// from.
-void *allocateMemory(GLsizei size, GLfloat, GLfloat, GLfloat) {
-  return state::allocateArrayMemory(size);
-}
-void freeMemory(void *pointer) { state::freeArrayMemory(pointer); }
-
-void *ofLayer(const char *name) {
-  if (std::strcmp(name, "glXAllocateMemoryNV") == 0)
-    return reinterpret_cast<void *>(allocateMemory);
-  if (std::strcmp(name, "glXFreeMemoryNV") == 0)
-    return reinterpret_cast<void *>(freeMemory);
-  return nullptr;
-}
-
 void *getProcAddress(const GLubyte *name) {
   const char *const text = reinterpret_cast<const char *>(name);
   if (!text)
@@ -375,7 +359,7 @@ void *getProcAddress(const GLubyte *name) {
     return resolveGl(text, hostLookup);
   const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), text);
   if (!hook) {
-    void *const own = ofLayer(text);
+    void *const own = arrayMemoryFunction(text);
     return own ? own : hostLookup(text);
   }
   return *hook->host ? hook->function : nullptr;
@@ -384,7 +368,7 @@ void *getProcAddress(const GLubyte *name) {
 /// What libGLX gives out of functions of GLX that are not its own: such a function finds its vendor
 /// by its arguments. The layer's need none.
 void *getDispatchAddress(const GLubyte *name) {
-  void *const own = name ? ofLayer(reinterpret_cast<const char *>(name)) : nullptr;
+  void *const own = name ? arrayMemoryFunction(reinterpret_cast<const char *>(name)) : nullptr;
   return own ? own : g_host->imports.getDispatchAddress(name);
 }
 

@@ -37,6 +37,7 @@ RULES = {
 
 # Texts by glXUseXFont, and whether the host writes anything.
 FONTS = {"font before": True, "font in names of GenLists": True, "font in other names": True,
+         "font in another context": True, "font of another context": True,
          "font and a list of the application's": True, "font deleted": False}
 
 

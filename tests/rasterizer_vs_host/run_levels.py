@@ -38,7 +38,7 @@ def judge(bare, layer):
 def main():
     args = sides.seeded_arguments(__doc__, 12)
     bare, wrong, part = sides.compare(args, "rasterizer-levels", judge)
-    if args.backend == "swrast" and (not part.get("drawn", 0) or part.get("given_to_host", {})):
+    if not sides.all_ours(args, part):
         wrong.append("draws of the host's")
     return sides.conclude(args, "scenes", bare, wrong, part)
 

@@ -15,15 +15,13 @@ FEW_PIXELS = 8  # along what was cut
 
 
 def judge(bare, layer):
-    wrong = sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS)
-    return wrong + [f"'{what}': nothing is drawn" for what, one in bare
-                    if one and not any(one[0::4]) and not any(one[2::4])]
+    return sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS) + sides.empty_pictures(bare)
 
 
 def main():
     args = sides.seeded_arguments(__doc__, 20)
     bare, wrong, part = sides.compare(args, "rasterizer-polygons", judge)
-    if args.backend == "swrast" and (not part.get("drawn", 0) or part.get("given_to_host", {})):
+    if not sides.all_ours(args, part):
         wrong.append("draws of the host's")
     return sides.conclude(args, "seeds", bare, wrong, part)
 

@@ -22,14 +22,13 @@ def judge(bare, layer):
     close = [line for line in sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS) if "smooth stippled" not in line]
     if len(close) > len(bare) / 40:
         wrong += close
-    return wrong + [f"'{what}': nothing is drawn" for what, picture in bare
-                    if picture and not any(picture[0::4]) and not any(picture[2::4])]
+    return wrong + sides.empty_pictures(bare)
 
 
 def main():
     args = sides.seeded_arguments(__doc__, 20)
     bare, wrong, part = sides.compare(args, "rasterizer-strokes", judge)
-    if args.backend == "swrast" and (not part.get("drawn", 0) or part.get("given_to_host", {})):
+    if not sides.all_ours(args, part):
         wrong.append("draws of the host's")
     return sides.conclude(args, "seeds", bare, wrong, part)
 

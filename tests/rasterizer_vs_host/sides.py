@@ -225,6 +225,17 @@ def mostly_ours(args, part, least):
     return args.backend != "swrast" or part.get("drawn", 0) > least * sum(part.get("given_to_host", {}).values())
 
 
+def all_ours(args, part):
+    """Whether the rasterizer, where it must draw, drew all that there was."""
+    return args.backend != "swrast" or (part.get("drawn", 0) > 0 and not part.get("given_to_host", {}))
+
+
+def empty_pictures(records):
+    """A line for each picture, of red and blue, in which nothing is drawn."""
+    return [f"'{what}': nothing is drawn" for what, picture in records
+            if picture and not any(picture[0::4]) and not any(picture[2::4])]
+
+
 class Tally:
     """The rows of a comparison, a line each as they are known, and what is said at the end."""
 

@@ -67,6 +67,10 @@ public:
   /// 0 to count - 1.
   int below(int count) { return int(bits() % std::uint64_t(count)); }
   int between(int low, int high) { return low + below(high - low + 1); }
+  /// From low on and below high, in a million steps.
+  float real(float low, float high) {
+    return low + (high - low) * float(below(1 << 20)) / float(1 << 20);
+  }
   /// true once in `of` times.
   bool once(int of) { return below(of) == 0; }
   template <typename Range> auto pick(const Range &range) {

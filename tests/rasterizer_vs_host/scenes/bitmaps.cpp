@@ -1,11 +1,12 @@
 // Bitmaps under random state: rasterizer-bitmaps [shared] SEED COUNT [COMMANDS], or
-// rasterizer-bitmaps rules.
+// rasterizer-bitmaps rules or fonts.
 //   SEED COUNT  scenes of so many commands, each in a context of its own: the picture, the depths,
 //               where the raster position is left, GL's errors
 //   shared      each scene is drawn by two contexts of a share group, by turns: they have
 //               programs, lists and buffers of bits in common, and the window
 //   rules       what the specification says and hosts do not all do: run_bitmaps.py knows the
 //               colours
+//   fonts       texts by glXUseXFont
 // Programs of the scenes read no texture coordinates, fog coordinate or secondary colour: a host
 // that draws bitmaps as textured rectangles has its own of those.
 #include <cmath>
@@ -329,8 +330,11 @@ void rules() {
 }
 
 /// Texts by glXUseXFont, whose lists the host compiles past GL's commands: in names of GenLists,
-/// over a list that there was, and in names that nobody asked for.
-void fonts() {
+/// over a list that there was, in names that nobody asked for, and by two contexts of a share
+/// group.
+void fonts(Screen &screen, GLXDrawable window) {
+  const GLXContext context = screen.makeContext(), other = screen.makeContext(context);
+  screen.makeCurrent(window, context);
   const XFontStruct *const font = XLoadQueryFont(glXGetCurrentDisplay(), "fixed");
   if (!font)
     return record("fonts: none", {});
@@ -354,6 +358,13 @@ void fonts() {
   write("in names of GenLists", base);
   glXUseXFont(font->fid, 0, 256, 5000);
   write("in other names", 5000);
+  screen.makeCurrent(window, other);
+  glViewport(0, 0, kEdge, kEdge);
+  write("in another context", base);
+  const GLuint others = glGenLists(256);
+  glXUseXFont(font->fid, 0, 256, int(others));
+  screen.makeCurrent(window, context);
+  write("of another context", others);
   glNewList(base + 'x', GL_COMPILE);
   glRectf(0.5f, 0.5f, 1, 1);
   glEndList();
@@ -407,9 +418,13 @@ int main(int argc, char **argv) {
   const int first = argc < 2 ? 1 : std::atoi(argv[1]);
   const int count = argc > 2 ? std::atoi(argv[2]) : 1;
   const int commands = argc > 3 ? std::atoi(argv[3]) : 24;
-  if (onlyRules || onlyFonts) {
+  if (onlyFonts) {
+    fonts(screen, window);
+    return 0;
+  }
+  if (onlyRules) {
     screen.makeCurrent(window, screen.makeContext());
-    (onlyRules ? rules : fonts)();
+    rules();
     return 0;
   }
   for (int seed = first; seed < first + count; ++seed)

@@ -67,9 +67,7 @@ private:
   static bool isLines(const Kind &kind) {
     return kind.mode >= GL_LINES && kind.mode <= GL_LINE_STRIP;
   }
-  float real(float low, float high) {
-    return low + (high - low) * float(m_random.below(1 << 20)) / float(1 << 20);
-  }
+  float real(float low, float high) { return m_random.real(low, high); }
 
   const char *transform() {
     glMatrixMode(GL_PROJECTION);

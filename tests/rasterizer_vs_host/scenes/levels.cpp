@@ -4,7 +4,6 @@
 // quotient or at computed coordinates. Writes the pictures as records. run_levels.py compares.
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -67,9 +66,7 @@ public:
   }
 
 private:
-  float real(float low, float high) {
-    return low + (high - low) * float(m_random.below(1 << 20)) / float(1 << 20);
-  }
+  float real(float low, float high) { return m_random.real(low, high); }
 
   /// Level n is 25 n red, face n 40 n green.
   void define() const {
@@ -158,16 +155,13 @@ private:
 
 int main(int argc, char **argv) {
   using namespace software;
-  if (argc != 3)
-    return 2;
-  software::Screen screen; // X11 has one too
-  if (!screen.open())
-    return 1;
-  screen.makeCurrent(screen.makeWindow(kEdge, kEdge), screen.makeContext());
-  glViewport(0, 0, kEdge, kEdge);
-  const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
-  for (int seed = first; seed < first + count; ++seed)
+  const auto draw = [](int seed, auto &screen, GLXDrawable window, bool) {
+    const GLXContext context = screen.makeContext();
+    screen.makeCurrent(window, context);
+    glViewport(0, 0, kEdge, kEdge);
     for (const Target &target : kTargets)
       Levels(std::uint64_t(seed), target).draw("seed " + std::to_string(seed));
-  return 0;
+    screen.destroy(context);
+  };
+  return drawSeeds(argc, argv, kEdge, nullptr, draw);
 }

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "surface.h"
+#include "picture.h"
 
 namespace software {
 namespace {
@@ -23,9 +23,9 @@ constexpr Kind kKinds[] = {{"triangles", GL_TRIANGLES, 6},   {"strip", GL_TRIANG
                            {"fan", GL_TRIANGLE_FAN, 6},      {"quads", GL_QUADS, 8},
                            {"quad strip", GL_QUAD_STRIP, 8}, {"polygon", GL_POLYGON, 5}};
 
-class Picture {
+class Picture : PictureByChance {
 public:
-  explicit Picture(std::uint64_t seed) : m_random(seed) {}
+  explicit Picture(std::uint64_t seed) : PictureByChance(seed) {}
 
   void draw(const std::string &seed, const Kind &kind) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -56,16 +56,6 @@ public:
   }
 
 private:
-  float real(float low, float high) {
-    return low + (high - low) * float(m_random.below(1 << 20)) / float(1 << 20);
-  }
-  bool some(const char *what) {
-    const bool is = m_random.once(2);
-    m_name += is ? std::string(" ") + what : "";
-    return is;
-  }
-  static void set(GLenum state, bool on) { (on ? glEnable : glDisable)(state); }
-
   /// Front faces shine in the vertices' colours, back faces in one.
   static void light(bool on) {
     constexpr GLfloat kBlack[] = {0, 0, 0, 1}, kBlue[] = {0, 0.3f, 1, 1};
@@ -97,9 +87,6 @@ private:
     }
     glEnd();
   }
-
-  Random m_random;
-  std::string m_name;
 };
 
 } // namespace
@@ -108,16 +95,12 @@ private:
 int main(int argc, char **argv) {
   using namespace software;
   const auto draw = [](int seed, auto &screen, GLXDrawable window, bool) {
-    const GLXContext context = screen.makeContext();
-    screen.makeCurrent(window, context);
-    glViewport(0, 0, kEdge, kEdge);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_ALWAYS);
-    const std::string name = "seed " + std::to_string(seed);
-    for (std::size_t i = 0; i < std::size(kKinds); ++i)
-      Picture(std::uint64_t(seed) * std::size(kKinds) + i).draw(name, kKinds[i]);
-    record(name + " errors" + takeErrors(), {});
-    screen.destroy(context);
+    drawKinds(seed, screen, window, kEdge, kKinds,
+              [seed](const std::string &name, const Kind &kind, std::size_t index) {
+                glEnable(GL_DEPTH_TEST);
+                glDepthFunc(GL_ALWAYS);
+                Picture(std::uint64_t(seed) * std::size(kKinds) + index).draw(name, kind);
+              });
   };
   return drawSeeds(argc, argv, kEdge, nullptr, draw);
 }

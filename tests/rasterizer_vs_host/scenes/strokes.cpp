@@ -3,9 +3,8 @@
 // or leaving it. Writes the pictures as records. run_strokes.py compares.
 #include <array>
 #include <string>
-#include <vector>
 
-#include "surface.h"
+#include "picture.h"
 
 namespace software {
 namespace {
@@ -23,9 +22,9 @@ constexpr Kind kKinds[] = {{"points", GL_POINTS, 8},         {"lines", GL_LINES,
                            {"triangles", GL_TRIANGLES, 6},   {"quads", GL_QUADS, 4},
                            {"polygon", GL_POLYGON, 5}};
 
-class Picture {
+class Picture : PictureByChance {
 public:
-  explicit Picture(std::uint64_t seed) : m_random(seed) {}
+  explicit Picture(std::uint64_t seed) : PictureByChance(seed) {}
 
   void draw(const std::string &seed, const Kind &kind) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -55,16 +54,6 @@ public:
   }
 
 private:
-  float real(float low, float high) {
-    return low + (high - low) * float(m_random.below(1 << 20)) / float(1 << 20);
-  }
-  bool some(const char *what) {
-    const bool is = m_random.once(2);
-    m_name += is ? std::string(" ") + what : "";
-    return is;
-  }
-  static void set(GLenum state, bool on) { (on ? glEnable : glDisable)(state); }
-
   /// The first corner is in the view: of a strip whose first line is beyond it, Mesa's stipple does
   /// not begin anew.
   void primitive(const Kind &kind, float reach, bool perspective) {
@@ -76,9 +65,6 @@ private:
     }
     glEnd();
   }
-
-  Random m_random;
-  std::string m_name;
 };
 
 } // namespace
@@ -87,14 +73,10 @@ private:
 int main(int argc, char **argv) {
   using namespace software;
   const auto draw = [](int seed, auto &screen, GLXDrawable window, bool) {
-    const GLXContext context = screen.makeContext();
-    screen.makeCurrent(window, context);
-    glViewport(0, 0, kEdge, kEdge);
-    const std::string name = "seed " + std::to_string(seed);
-    for (const Kind &kind : kKinds)
-      Picture(std::uint64_t(seed)).draw(name, kind);
-    record(name + " errors" + takeErrors(), {});
-    screen.destroy(context);
+    drawKinds(seed, screen, window, kEdge, kKinds,
+              [seed](const std::string &name, const Kind &kind, std::size_t) {
+                Picture(std::uint64_t(seed)).draw(name, kind);
+              });
   };
   return drawSeeds(argc, argv, kEdge, nullptr, draw);
 }
