@@ -1,4 +1,6 @@
 #pragma once
+#include <GL/gl.h>
+
 #include "state/core/context_hot.h"
 #include "state/mirror/attributes.h"
 
