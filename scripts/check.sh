@@ -30,6 +30,12 @@ check_graph() {
   done
 }
 
+# In the flags of a tree without precompiled headers, which would hide what a header lacks.
+check_headers() {
+  python3 "$root/tests/lone_headers/lone_headers.py" --self-test &&
+    python3 "$root/tests/lone_headers/lone_headers.py" "$root" "$build"
+}
+
 check_python() { (cd "$root" && git ls-files -- '*.py' bench/run tests/fuzz/run | xargs -r flake8); }
 
 check_shell() { (cd "$root" && git ls-files -- dev .ci/run '*.sh' | xargs -r shellcheck -x); }
@@ -56,6 +62,7 @@ for entry in json.load(open(sys.argv[1] + "/compile_commands.json")):
 
 part "format" check_format
 part "include graph, names in comments and docs" check_graph
+part "headers by themselves" check_headers
 part "Python" check_python
 part "shell" check_shell
 part "lists of Meson" check_meson

@@ -52,11 +52,19 @@ using state::t_now;
 const host::HostTable kTable{};
 int g_display, g_otherDisplay;
 
+void create(const Key &key, const host::HostTable &table, const void *share) {
+  EXPECT_TRUE(created(key, table, share));
+}
+
+void makeCurrent(const Key &key, const host::HostTable &table) {
+  EXPECT_TRUE(madeCurrent(key, table));
+}
+
 class Registry : public testing::Test {
 protected:
   void TearDown() override {
     for (const Provider provider : {Provider::Glx, Provider::Egl, Provider::OsMesa}) {
-      madeCurrent({provider, &g_display, nullptr}, kTable);
+      makeCurrent({provider, &g_display, nullptr}, kTable);
       for (const void *display :
            {static_cast<void *>(&g_display), static_cast<void *>(&g_otherDisplay),
             static_cast<void *>(nullptr)})
@@ -72,88 +80,88 @@ protected:
 };
 
 TEST_F(Registry, FindsTheContextThatWasMade) {
-  created(glx(0), kTable, nullptr);
-  created(glx(1), kTable, nullptr);
-  madeCurrent(glx(1), kTable);
+  create(glx(0), kTable, nullptr);
+  create(glx(1), kTable, nullptr);
+  makeCurrent(glx(1), kTable);
   EXPECT_EQ(t_now, g_made[1].get());
   EXPECT_TRUE(isCurrent(Provider::Glx));
   EXPECT_FALSE(isCurrent(Provider::Egl));
 }
 
 TEST_F(Registry, HandsOnTheShareGroup) {
-  created(glx(0), kTable, nullptr);
-  created(glx(1), kTable, handle(0));
+  create(glx(0), kTable, nullptr);
+  create(glx(1), kTable, handle(0));
   EXPECT_EQ(g_made[1]->share, g_made[0].get());
 }
 
 TEST_F(Registry, AdoptsAContextItNeverSaw) {
-  madeCurrent(egl(3), kTable);
+  makeCurrent(egl(3), kTable);
   ASSERT_EQ(g_made.size(), 1u);
   EXPECT_EQ(t_now, g_made[0].get());
-  madeCurrent(egl(3), kTable);
+  makeCurrent(egl(3), kTable);
   EXPECT_EQ(g_made.size(), 1u);
 }
 
 TEST_F(Registry, ReusedHandleIsANewContext) {
-  created(glx(0), kTable, nullptr);
-  madeCurrent(glx(0), kTable);
+  create(glx(0), kTable, nullptr);
+  makeCurrent(glx(0), kTable);
   destroyed(glx(0));
   EXPECT_TRUE(g_made[0]->destroyed);
   EXPECT_EQ(t_now, g_made[0].get()) << "destroyed, but current: still in use";
-  created(glx(0), kTable, nullptr);
-  madeCurrent(glx(0), kTable);
+  create(glx(0), kTable, nullptr);
+  makeCurrent(glx(0), kTable);
   EXPECT_EQ(t_now, g_made[1].get());
 }
 
 TEST_F(Registry, TakesOverAHandleWhoseDestructionItMissed) {
-  created(egl(0), kTable, nullptr);
-  created(egl(0), kTable, nullptr);
+  create(egl(0), kTable, nullptr);
+  create(egl(0), kTable, nullptr);
   EXPECT_TRUE(g_made[0]->destroyed);
-  madeCurrent(egl(0), kTable);
+  makeCurrent(egl(0), kTable);
   EXPECT_EQ(t_now, g_made[1].get());
 }
 
 TEST_F(Registry, ProvidersAndEglDisplaysDoNotMix) {
   const Key otherEgl{Provider::Egl, &g_otherDisplay, handle(0)};
-  created(glx(0), kTable, nullptr);
-  created(egl(0), kTable, nullptr);
-  created(otherEgl, kTable, nullptr);
-  madeCurrent(otherEgl, kTable);
+  create(glx(0), kTable, nullptr);
+  create(egl(0), kTable, nullptr);
+  create(otherEgl, kTable, nullptr);
+  makeCurrent(otherEgl, kTable);
   EXPECT_EQ(t_now, g_made[2].get());
-  madeCurrent(glx(0), kTable);
+  makeCurrent(glx(0), kTable);
   EXPECT_EQ(t_now, g_made[0].get());
 }
 
 TEST_F(Registry, GlxContextIsFoundOverAnotherConnection) {
-  created(glx(0), kTable, nullptr);
-  madeCurrent({Provider::Glx, &g_otherDisplay, handle(0)}, kTable);
+  create(glx(0), kTable, nullptr);
+  makeCurrent({Provider::Glx, &g_otherDisplay, handle(0)}, kTable);
   EXPECT_EQ(t_now, g_made[0].get());
 }
 
 TEST_F(Registry, UnbindingOfAnotherProviderLeavesTheCurrentOne) {
-  created({Provider::OsMesa, nullptr, handle(0)}, kTable, nullptr);
-  madeCurrent({Provider::OsMesa, nullptr, handle(0)}, kTable);
-  madeCurrent({Provider::Glx, &g_display, nullptr}, kTable);
+  create({Provider::OsMesa, nullptr, handle(0)}, kTable, nullptr);
+  makeCurrent({Provider::OsMesa, nullptr, handle(0)}, kTable);
+  makeCurrent({Provider::Glx, &g_display, nullptr}, kTable);
   EXPECT_EQ(t_now, g_made[0].get());
-  madeCurrent({Provider::OsMesa, nullptr, nullptr}, kTable);
+  makeCurrent({Provider::OsMesa, nullptr, nullptr}, kTable);
   EXPECT_EQ(t_now, nullptr);
 }
 
 TEST_F(Registry, ClosedDisplayTakesItsContextsAlong) {
-  created(egl(0), kTable, nullptr);
-  created({Provider::Egl, &g_otherDisplay, handle(1)}, kTable, nullptr);
-  created(egl(2), kTable, nullptr);
+  create(egl(0), kTable, nullptr);
+  create({Provider::Egl, &g_otherDisplay, handle(1)}, kTable, nullptr);
+  create(egl(2), kTable, nullptr);
   displayClosed(Provider::Egl, &g_display);
   EXPECT_TRUE(g_made[0]->destroyed);
   EXPECT_FALSE(g_made[1]->destroyed);
   EXPECT_TRUE(g_made[2]->destroyed);
-  madeCurrent(egl(0), kTable);
+  makeCurrent(egl(0), kTable);
   EXPECT_EQ(t_now, g_made[3].get()) << "a handle of the closed display means another context now";
 }
 
 TEST_F(Registry, CopiesBetweenContextsThatItKnows) {
-  created(glx(0), kTable, nullptr);
-  created(glx(1), kTable, nullptr);
+  create(glx(0), kTable, nullptr);
+  create(glx(1), kTable, nullptr);
   g_made[0]->enabled = true;
   copied(glx(0), glx(1), GL_LIGHTING_BIT);
   EXPECT_FALSE(g_made[1]->enabled);
@@ -163,9 +171,9 @@ TEST_F(Registry, CopiesBetweenContextsThatItKnows) {
 }
 
 TEST_F(Registry, ThreadThatEndsUnbinds) {
-  created(egl(0), kTable, nullptr);
+  create(egl(0), kTable, nullptr);
   const int before = state::g_unbinds;
-  std::thread([&] { madeCurrent(egl(0), kTable); }).join();
+  std::thread([&] { makeCurrent(egl(0), kTable); }).join();
   EXPECT_EQ(state::g_unbinds, before + 1);
 }
 

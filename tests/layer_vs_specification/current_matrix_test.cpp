@@ -147,8 +147,9 @@ TEST_F(CurrentMatrixPrimitives, DrawsAreUnderWhatWasChanged) {
     for (int i = 0; i < 40; ++i) {
       for (unsigned count = 1 + random() % 3; count != 0; --count)
         how += change(random);
-      if (random() % 4 != 0) // else without a draw between
+      if (random() % 4 != 0) { // else without a draw between
         ASSERT_NO_FATAL_FAILURE(expectPixel(how));
+      }
     }
     for (const GLenum mode : {GL_PROJECTION, GL_TEXTURE, GL_MODELVIEW}) {
       glMatrixMode(mode);

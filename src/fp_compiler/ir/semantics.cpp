@@ -325,13 +325,15 @@ Vec4 apply(Opcode op, const Operands &operands, Numerics numerics, Language lang
   if (int(op) >= kOpcodeCount && carriesBits(op))
     return applyToBits(op, operands);
   const bool vertex = language == Language::ArbVertex;
-  switch (numerics) {
+  switch (ofInstructions(numerics)) {
   case Numerics::Host:
     return vertex ? Unit<Forwards<Host>>::apply(op, operands) : Unit<Host>::apply(op, operands);
   case Numerics::Legacy:
     return vertex ? Unit<Forwards<Legacy>>::apply(op, operands) : Unit<Legacy>::apply(op, operands);
   case Numerics::Fp24:
     return Unit<Fp24>::apply(op, operands);
+  case Numerics::Fx9:
+    break; // ofInstructions() gives another
   }
   return {};
 }

@@ -90,6 +90,8 @@ double combined(const CombineHalf &half, const std::array<Color, 4> &a, std::siz
     return x(0) * x(1) + x(2) * x(3);
   case CombineFunction::AddSignedProducts:
     return x(0) * x(1) + x(2) * x(3) - 0.5;
+  case CombineFunction::BumpEnvmap:
+    break; // no function of arguments
   }
   return 0.0;
 }

@@ -114,7 +114,7 @@ inline std::uint64_t wordOf(std::int32_t x, std::int32_t y) {
 inline void storeBlock(abi::Block &to, std::uint64_t place, unsigned mask) {
   static_assert(sizeof to == sizeof place && offsetof(abi::Block, mask) == 4);
   place |= std::uint64_t(mask) << 32;
-  __builtin_memcpy(&to, &place, sizeof place);
+  __builtin_memcpy(static_cast<void *>(&to), &place, sizeof place);
 }
 
 /// Of a small triangle: edge functions at the pixels of a block, one a lane, moved from block to

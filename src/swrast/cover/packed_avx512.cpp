@@ -96,7 +96,7 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint
     const __m512i before = _mm512_load_si512(tile.owner[at]);
     _mm512_store_si512(tile.owner[at], _mm512_mask_mov_epi32(before, mask, owners));
     block = (block & 0xFFFFFFFFu) | std::uint64_t(mask) << 32;
-    __builtin_memcpy(&out[left], &block, sizeof block);
+    __builtin_memcpy(static_cast<void *>(&out[left]), &block, sizeof block);
     left += mask != 0 ? 1 : 0;
   }
   return left;

@@ -123,10 +123,10 @@ TEST_P(Rules, AreSilentWhereTheyDoNotHold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Rules, testing::ValuesIn(kRows),
-                         [](const testing::TestParamInfo<Row> &info) {
-                           std::string name = info.param.rule;
+                         [](const testing::TestParamInfo<Row> &row) {
+                           std::string name = row.param.rule;
                            std::replace(name.begin(), name.end(), '-', '_');
-                           return name + (info.param.fix ? "_fix" : "_advice");
+                           return name + (row.param.fix ? "_fix" : "_advice");
                          });
 
 TEST(Rules, HaveAnExampleEach) {

@@ -159,10 +159,12 @@ TEST_F(ImagingState, EveryFormatHasItsBits) {
       const auto steps = float((1 << of) - 1);
       return std::floor(0.4f * steps + 0.5f) / steps;
     };
-    if (first != 0)
+    if (first != 0) {
       EXPECT_NEAR(read[0], rounded(first), 1e-6) << row.format;
-    if (row.alpha != 0)
+    }
+    if (row.alpha != 0) {
       EXPECT_NEAR(read[3], rounded(row.alpha), 1e-6) << row.format;
+    }
   }
 }
 

@@ -100,10 +100,11 @@ std::array<GLfloat, 4> texelOf(GLenum format) {
 }
 
 template <typename T>
-void expectPixels(GLenum type, const T (&values)[4], const std::array<GLfloat, 4> &expected,
+void expectPixels(GLenum type, const std::array<T, 4> &values,
+                  const std::array<GLfloat, 4> &expected,
                   GLenum internal = GL_DSDT_MAG_INTENSITY_NV, GLenum format = GL_DSDT_MAG_VIB_NV) {
   SCOPED_TRACE(testing::Message() << std::hex << type);
-  const GLuint name = makeTexel(internal, format, type, values);
+  const GLuint name = makeTexel(internal, format, type, values.data());
   const auto texel = texelOf(format);
   for (std::size_t i = 0; i < (format == GL_HILO_NV ? 2u : 4u); ++i)
     EXPECT_NEAR(texel[i], expected[i], 1e-5) << i;
@@ -111,17 +112,17 @@ void expectPixels(GLenum type, const T (&values)[4], const std::array<GLfloat, 4
 }
 
 TEST_F(NvTextureShaders, PixelsOfEveryType) { // ds and dt are signed, magnitude and vibrance not
-  expectPixels(GL_BYTE, (const GLbyte[4]){127, -127, 127, 0}, {1, -1, 1, 0});
-  expectPixels(GL_UNSIGNED_BYTE, (const GLubyte[4]){255, 0, 51, 255}, {1, 0, 0.2f, 1});
-  expectPixels(GL_SHORT, (const GLshort[4]){32767, -32767, 32767, 0}, {1, -1, 1, 0});
-  expectPixels(GL_UNSIGNED_SHORT, (const GLushort[4]){65535, 0, 13107, 65535}, {1, 0, 0.2f, 1});
-  expectPixels(GL_INT, (const GLint[4]){INT32_MAX, -INT32_MAX, INT32_MAX, 0}, {1, -1, 1, 0});
-  expectPixels(GL_UNSIGNED_INT, (const GLuint[4]){UINT32_MAX, 0, 858993459u, UINT32_MAX},
+  expectPixels(GL_BYTE, std::array<GLbyte, 4>{127, -127, 127, 0}, {1, -1, 1, 0});
+  expectPixels(GL_UNSIGNED_BYTE, std::array<GLubyte, 4>{255, 0, 51, 255}, {1, 0, 0.2f, 1});
+  expectPixels(GL_SHORT, std::array<GLshort, 4>{32767, -32767, 32767, 0}, {1, -1, 1, 0});
+  expectPixels(GL_UNSIGNED_SHORT, std::array<GLushort, 4>{65535, 0, 13107, 65535}, {1, 0, 0.2f, 1});
+  expectPixels(GL_INT, std::array<GLint, 4>{INT32_MAX, -INT32_MAX, INT32_MAX, 0}, {1, -1, 1, 0});
+  expectPixels(GL_UNSIGNED_INT, std::array<GLuint, 4>{UINT32_MAX, 0, 858993459u, UINT32_MAX},
                {1, 0, 0.2f, 1});
-  expectPixels(GL_FLOAT, (const GLfloat[4]){-2, 2, -1, 0.2f}, {-1, 1, 0, 0.2f});
-  expectPixels(GL_FLOAT, (const GLfloat[4]){0.25f, 0.75f}, {16384.0f / 65535, 49151.0f / 65535},
+  expectPixels(GL_FLOAT, std::array<GLfloat, 4>{-2, 2, -1, 0.2f}, {-1, 1, 0, 0.2f});
+  expectPixels(GL_FLOAT, std::array<GLfloat, 4>{0.25f, 0.75f}, {16384.0f / 65535, 49151.0f / 65535},
                GL_HILO_NV, GL_HILO_NV);
-  expectPixels(GL_SHORT, (const GLshort[4]){-32767, 16384}, {-1, 16384.0f / 32767},
+  expectPixels(GL_SHORT, std::array<GLshort, 4>{-32767, 16384}, {-1, 16384.0f / 32767},
                GL_SIGNED_HILO_NV, GL_HILO_NV);
 }
 
@@ -199,10 +200,10 @@ TEST_F(NvTextureShaders, ScalesAndBiasesOfComponents) { // 3.6.5
   glPixelTransferf(GL_LO_BIAS_NV, 0.25f);
   glPixelTransferf(GL_DS_SCALE_NV, -1);
   glPixelTransferf(GL_VIBRANCE_BIAS_NV, -2);
-  expectPixels(GL_FLOAT, (const GLfloat[4]){0.8f, 0.5f}, {0.4f, 0.75f}, GL_HILO_NV, GL_HILO_NV);
-  expectPixels(GL_FLOAT, (const GLfloat[4]){1, 1, 1, 1}, {-1, 1, 1, 0});
+  expectPixels(GL_FLOAT, std::array<GLfloat, 4>{0.8f, 0.5f}, {0.4f, 0.75f}, GL_HILO_NV, GL_HILO_NV);
+  expectPixels(GL_FLOAT, std::array<GLfloat, 4>{1, 1, 1, 1}, {-1, 1, 1, 0});
   glPixelTransferf(GL_RED_SCALE, 0.25f); // of colours, not of these
-  expectPixels(GL_FLOAT, (const GLfloat[4]){0.8f, 0.5f}, {0.4f, 0.75f}, GL_HILO_NV, GL_HILO_NV);
+  expectPixels(GL_FLOAT, std::array<GLfloat, 4>{0.8f, 0.5f}, {0.4f, 0.75f}, GL_HILO_NV, GL_HILO_NV);
   glPixelTransferf(GL_RED_SCALE, 1);
 }
 

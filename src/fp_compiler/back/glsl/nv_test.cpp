@@ -70,7 +70,7 @@ TEST(NvGlsl, EveryTargetAtAGivenLevel) {
     const bool shadow = std::string_view(target).starts_with("S");
     const std::string option = shadow ? "OPTION ARB_fragment_program_shadow;" : "";
     const std::string begin = "!!ARBfp1.0\nOPTION NV_fragment_program2;\n" + option + "\nTEMP r;\n";
-    for (const std::string statement :
+    for (const std::string &statement :
          {"TXL r, fragment.texcoord[0]" + unit,
           "TXD r, fragment.texcoord[0], fragment.texcoord[1], fragment.texcoord[2]" + unit}) {
       CompileOptions options = testing_support::generous();

@@ -35,10 +35,12 @@ void judge(const std::string &begin, const std::vector<Row> &rows, const std::st
       program.erase(at, 1);
     const CheckResult result = check(program, nvidia());
     EXPECT_EQ(firstError(result), row.error) << program << result.errorString(program);
-    if (at != std::string::npos)
+    if (at != std::string::npos) {
       EXPECT_EQ(result.errorPosition(), std::int32_t(at)) << program;
-    if (result.ok())
+    }
+    if (result.ok()) {
       EXPECT_TRUE(ir::validate(*result.program).empty()) << program;
+    }
   }
 }
 

@@ -43,8 +43,9 @@ CheckResult load(const std::string &text) {
   options.limits.localParameters = 64;
   CheckResult result = check(text, options);
   EXPECT_TRUE(result.ok()) << text << result.errorString(text);
-  if (result.ok())
+  if (result.ok()) {
     EXPECT_TRUE(ir::validate(*result.program).empty()) << text;
+  }
   return result;
 }
 

@@ -42,10 +42,12 @@ void judge(const std::vector<Row> &rows) {
       program.erase(at, 1);
     const CheckResult result = check(program, nvidia(2));
     EXPECT_EQ(firstError(result), row.error) << program << result.errorString(program);
-    if (at != std::string::npos)
+    if (at != std::string::npos) {
       EXPECT_EQ(result.errorPosition(), std::int32_t(at)) << program;
-    if (result.ok())
+    }
+    if (result.ok()) {
       EXPECT_TRUE(ir::validate(*result.program).empty()) << program;
+    }
   }
 }
 
@@ -59,8 +61,9 @@ TEST(NvGrammar, AnOptionLoadsWhereTheProfileHasIt) {
       const CheckResult result = check(program, nvidia(offered));
       const bool loads = offered >= (second ? 2u : 1u);
       EXPECT_EQ(firstError(result), loads ? "" : "unsupported-option") << program << offered;
-      if (!loads)
+      if (!loads) {
         EXPECT_EQ(result.errorPosition(), 18);
+      }
     }
   }
 }
