@@ -9,6 +9,8 @@ interval that holds the true median 95 times in 100, and the acceptance bound be
   workloads    the seven programs, headless; and their geometric mean
   window       the same, shown in a GLX window each frame, on an Xvfb of their own
   sizes        cost a pixel from 256x256 to 4096x4096, of the layer
+  passes       cost a pixel of a linear filter at 1:1, from 256x256 to 4096x4096, of sizes as films and
+               windows have them too; beside it that of a nearest one
   threads      two threads of the rasterizer against one
   scene        100,000 triangles with depth, blending and per-pixel lighting
   first-draw   from a program's text to its first finished frame, 100 generated programs
@@ -27,11 +29,12 @@ import sys
 import tempfile
 
 import paced
-from feedback_rows import first_draw_rows, memory_rows, scene_rows, size_rows, small_rows, \
+from feedback_rows import first_draw_rows, memory_rows, pass_rows, \
+    scene_rows, size_rows, small_rows, \
     thread_rows, window_rows, workload_rows
 from machine import describe, heading
 
-PARTS = {"workloads": workload_rows, "window": window_rows, "sizes": size_rows,
+PARTS = {"workloads": workload_rows, "window": window_rows, "sizes": size_rows, "passes": pass_rows,
          "threads": thread_rows, "scene": scene_rows, "first-draw": first_draw_rows,
          "memory": memory_rows, "small": small_rows}
 

@@ -36,6 +36,9 @@ SCENE_LEAST = 1.5
 HOST_HELD_TO = {"sse4.1": {"GALLIUM_OVERRIDE_CPU_CAPS": "sse4.1", "LP_NATIVE_VECTOR_WIDTH": "128"}}
 SHOWN = 0.6  # of each ratio, where the frame is shown in a window
 SIZES = (256, 512, 1024, 2048, 4096)
+# Of linear passes: powers of two, those of films and windows, and odd ones.
+PASS_SIZES = ("256x256", "640x480", "1023x767", "1024x1024", "1280x1280", "1366x768", "1536x1536",
+              "1920x1080", "2048x2048", "2047x1535", "2560x1440", "3840x2160", "4096x4096")
 
 
 def chosen(args):
@@ -139,6 +142,27 @@ def size_rows(args, _):
         figure = max(max(cost / middle, middle / cost) for cost in costs.values())
         yield {"name": workload.name, "unit": "ns/px", "layered": costs[sizes[-1]],
                "figure": figure, "bound": 1.2, "bound_is": "most", "note": note, "costs": costs}
+
+
+def pass_rows(args, _):
+    """Nanoseconds a pixel of a linear filter at 1:1, and how many times a nearest one's, in turns:
+    both move the same memory, of which caches hold less as pictures grow."""
+    workload = next(w for w in WORKLOADS if w.demo == "pass-through")
+    for size in ("64x64", "100x60") if args.self_test else PASS_SIZES:
+        width, height = (int(side) for side in size.split("x"))
+        clients = [Client([*command_of(args, workload, width)[:-1], size, "--form", form],
+                          environment(args.layer, settings(args)))
+                   for form in ("linear", "nearest")]
+        for client in clients:
+            client.reach_pace()
+        rounds = take_turns(clients, max(3, args.turns // 2))
+        for client in clients:
+            client.close()
+        low, figure, high = interval(ratios(rounds))
+        cost = 1e6 * statistics.median(t[0] for t in rounds) / (width * height)
+        yield {"name": f"linear 1:1, {size}", "unit": "ns/px", "layered": cost, "figure": figure,
+               "low": low, "high": high, "bound": 1.3, "bound_is": "most",
+               "note": "times a nearest filter's"}
 
 
 def thread_rows(args, _):

@@ -15,13 +15,16 @@ public:
   [[nodiscard]] std::string summary() const override {
     return "Draws a picture through a fragment program of one instruction.";
   }
-  // A nearest sample of an 8-bit texel, written to 8 bits, is that texel.
-  [[nodiscard]] Tolerance tolerance() const override { return {}; }
+  [[nodiscard]] std::vector<std::string> forms() const override { return {"nearest", "linear"}; }
+  // A nearest sample of an 8-bit texel, written to 8 bits, is that texel. A linear one at its centre
+  // is too, but for the roundings of the coordinate, of which hosts make a step.
+  [[nodiscard]] Tolerance tolerance() const override { return {m_linear ? 1 : 0}; }
 
   [[nodiscard]] bool start(const Surface &surface, const Options &options) override {
     m_picture = makeLandscape(surface.width(), surface.height());
+    m_linear = options.form == "linear";
     m_gl.emplace();
-    m_gl->texture.create2d(m_picture, Filter::Nearest, Wrap::Clamp);
+    m_gl->texture.create2d(m_picture, m_linear ? Filter::Linear : Filter::Nearest, Wrap::Clamp);
     return m_gl->program.load("pass_through.fp", options.program);
   }
   void draw(const Surface &, int) override {
@@ -42,6 +45,7 @@ private:
     Program program;
   };
   Image m_picture;
+  bool m_linear = false;
   std::optional<Objects> m_gl;
 };
 

@@ -235,9 +235,16 @@ ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Valu
   if (advances)
     lastFraction = ir.CreateFSub(lastFraction, m_last);
   // How far from the texel's edge, or centre, every pixel must stay.
-  Value *const low = linear ? ir.CreateFAdd(error, number(0.5 - kLinearReach)) : error;
-  Value *const high =
-      linear ? ir.CreateFSub(number(0.5 + kLinearReach), error) : ir.CreateFSub(number(1), error);
+  Value *low = error, *high = ir.CreateFSub(number(1), error);
+  if (linear) {
+    const auto smallest = [&](Value *a, Value *b) {
+      return ir.CreateSelect(ir.CreateFCmpOLT(a, b), a, b);
+    };
+    Value *const reach =
+        smallest(ir.CreateFSub(number(kLinearReachRounded), error), number(kLinearReach));
+    low = ir.CreateFSub(number(0.5), reach);
+    high = ir.CreateFAdd(number(0.5), reach);
+  }
   axis.good = ir.CreateFCmpOLT(error, number(0.25));
   for (Value *const fraction : {firstFraction, lastFraction}) {
     axis.good = both(axis.good, ir.CreateFCmpOGT(fraction, low));

@@ -7,10 +7,13 @@
 /// The decision, once a span, whether all samples with affine coordinates read consecutive texels.
 namespace arbiter::fp::llvm_back {
 
-/// How near to a texel's centre, in texels, a linear filter's coordinate must stay. The general
-/// code would weigh a neighbour by less than that: at most an eighth of a step of 8-bit components,
-/// which storing them rounds away. Other formats take the general code.
-inline constexpr double kLinearReach = 1.0 / 2048;
+/// A linear filter reads the texel alone where its coordinate stays near the texel's centre. Both
+/// bounds are in texels. The exact coordinate is a neighbour's weight: at most a quarter of a step
+/// of 8-bit components. What the lanes compute differs from it by roundings, which grow with the
+/// texture's size: with them the weight is less than half a step, which storing rounds away. Other
+/// formats take the general code.
+inline constexpr double kLinearReach = 1.0 / 1024;
+inline constexpr double kLinearReachRounded = 1.0 / 512;
 
 /// How a loop reads the samples whose texels are consecutive: like any other, as loads that need no
 /// wrapping, or as loads on both sides of the texture's edge. Given: the one sample is at hand.

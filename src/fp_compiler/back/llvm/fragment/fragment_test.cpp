@@ -169,6 +169,27 @@ TEST_P(FragmentTest, RowsAndBlocksAgree) {
         }
 }
 
+/// A linear filter at 1:1 loads texels of large textures too, where coordinates are rounded more. A
+/// program that shows a 64th of a texel's step would show the weights that a filter gives
+/// neighbours.
+TEST_P(FragmentTest, LoadsTexelsOfLargeLinearTextures) {
+  ir::Builder b;
+  auto texel = b.temporary();
+  b.tex(Opcode::Tex, texel, b.attribute(AttributeKind::TexCoord), 0, TexTarget::Tex2D);
+  b.op(Opcode::Mad, texel, {texel.read(), b.constant(255.0f), b.constant(0.5f)});
+  b.op(Opcode::Frc, texel, {texel.read()});
+  b.op(Opcode::Mad, b.color(), {texel.read(), b.constant(64.0f), b.constant(-31.5f)});
+  const ir::Program program = b.take();
+  for (const int width : {1024, 1280, 1536, 1920, 2047, 2048, 2560, 3840, 4095, 4096}) {
+    SCOPED_TRACE(width);
+    Scene scene(GetParam());
+    scene.addTexture(width, kHeight, Wrap::ClampToEdge, abi::Filter::Linear);
+    const float s = float(width - kWidth) / float(width); // the last columns
+    scene.draw(program, {{s, 0, 1, 1}}, wholeRows());
+    check(scene, program, wholeRows());
+  }
+}
+
 TEST_P(FragmentTest, TakesTheGeneralPathWhereTexelsAreNotConsecutive) {
   const QuadInput inputs[] = {
       {0.003f, 0.002f, 2.003f, 2.002f}, {1, 1, 0, 0}, {0, 0, 0.5f, 0.5f}, {0, 0, 1.01f, 1}};
