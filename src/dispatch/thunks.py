@@ -53,14 +53,14 @@ def draws_itself(table, name):
     return f"  if (software::mayDraw(here()) && software::{table.draw_commands[name]})\n    return;\n"
 
 
-# Commands that ARB_imaging may have a part in (state/imaging/pixel_commands.h).
+# Commands that ARB_imaging or the rasterizer may have a part in (state/imaging/pixel_commands.h).
 IMAGED = ("CopyPixels", "DrawPixels")
 
 
 def imaged(command):
     """What such a command asks before anything else: a line."""
-    return (f"  if (here().imagesPixels && arbiter::state::imaged{command.name}"
-            f"({command.arguments(['here()'])}))\n    return;\n")
+    return (f"  if ((here().imagesPixels || software::mayDraw(here())) && "
+            f"arbiter::state::imaged{command.name}({command.arguments(['here()'])}))\n    return;\n")
 
 
 def hides_from_host(table, name):

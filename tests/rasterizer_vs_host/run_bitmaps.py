@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Bitmaps under random state, on the bare host and under the layer: pictures, depths, raster positions and
 errors are equal. What the specification says of their texture
-coordinates, fog and second colour, which hosts do not all do, is compared with colours worked out here.
+coordinates, fog and second colour, and of those of DrawPixels and CopyPixels, which hosts do not all do, is
+compared with colours worked out here.
 
   run_bitmaps.py --build build [--first SEED] [--count N] [--backend auto]
 
@@ -31,6 +32,8 @@ RULES = {
     "rule secondary colour": (96, 191, 207, 255),
     "rule colour sum": (96, 191, 207, 255),
     "rule fog": (112, 96, 143, 255),  # (4 - 1) / 4 of the colour
+    "rule fog of a depth": (112, 96, 143, 255),
+    "rule fog of a program": (112, 96, 143, 255),
     "rule a texture": (0, 0, 255, 255),
 }
 
@@ -50,7 +53,8 @@ def judge_scenes(bare, layer):
 
 def judge_rules(client, env):
     found = dict(sides.run([client, "rules"], env))
-    return [f"{name}: {tuple(found.get(name, b''))}, not {colour}" for name, colour in RULES.items()
+    return [f"{name}: {tuple(found.get(name, b''))}, not {colour}"
+            for rule, colour in RULES.items() for name in (rule, rule + " of DrawPixels", rule + " of CopyPixels")
             if sides.distances(found.get(name, b""), bytes(colour))[0]]
 
 
