@@ -2,7 +2,7 @@
 """Bitmaps under random state, on the bare host and under the layer: pictures, depths, raster positions and
 errors are equal. What the specification says of their texture
 coordinates, fog and second colour, and of those of DrawPixels and CopyPixels, which hosts do not all do, is
-compared with colours worked out here.
+compared with colours worked out here. Bitmaps that a host keeps for later do not end a program, with any back end.
 
   run_bitmaps.py --build build [--first SEED] [--count N] [--backend auto]
 
@@ -58,6 +58,30 @@ def judge_rules(client, env):
             if sides.distances(found.get(name, b""), bytes(colour))[0]]
 
 
+# Bitmaps that sample, then what ends that, then a draw (the client's `letters`): the numbers of each.
+CHANGES, DRAWS = range(3), range(6)
+TRIANGLE = (255, 255, 0, 255)
+
+
+def judge_letters(client, layer, extra):
+    wrong = []
+    for backend in ("auto", "host", "swrast"):
+        env = sides.environment(layer, backend, extra)
+        for change in CHANGES:
+            for draw in DRAWS:
+                what = f"letters {change} {draw}, {backend}"
+                try:
+                    found = dict(sides.run([client, "letters", change, draw], env))
+                except sides.Died as death:
+                    wrong.append(f"{what}: {str(death)[:60]}")
+                    continue
+                if found.get("letters", b"")[:3] != bytes((0, 255, 0)):
+                    wrong.append(f"{what}: {tuple(found.get('letters', b''))}")
+                if found.get("triangle") != bytes(TRIANGLE):
+                    wrong.append(f"{what}: triangle {tuple(found.get('triangle', b''))}")
+    return wrong
+
+
 def judge_fonts(bare, layer):
     if any(what == "fonts: none" for what, _ in bare):
         return ["the X server has no font 'fixed', which is one of those that are built into it"]
@@ -87,6 +111,7 @@ def main():
                 sides.run(shared, sides.environment(extra=extra)), sides.run(shared, layer))
             fonts = [client, "fonts"]
             results["fonts"] = judge_fonts(sides.run(fonts, sides.environment(extra=extra)), sides.run(fonts, layer))
+            results["letters"] = judge_letters(client, sides.layer_of(build), extra)
             if args.backend != "host":
                 results["rules"] = judge_rules(client, layer)
         except (sides.Died, subprocess.TimeoutExpired) as death:
