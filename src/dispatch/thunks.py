@@ -53,14 +53,18 @@ def draws_itself(table, name):
     return f"  if (software::mayDraw(here()) && software::{table.draw_commands[name]})\n    return;\n"
 
 
-# Commands that ARB_imaging may have a part in (state/imaging/pixel_commands.h).
+# Commands that ARB_imaging or the rasterizer may have a part in (state/imaging/pixel_commands.h).
 IMAGED = ("CopyPixels", "DrawPixels")
+
+
+# What hosts may keep for later (state/host_draw/faults/kept_letters.h).
+LETTERS = "Bitmap"
 
 
 def imaged(command):
     """What such a command asks before anything else: a line."""
-    return (f"  if (here().imagesPixels && arbiter::state::imaged{command.name}"
-            f"({command.arguments(['here()'])}))\n    return;\n")
+    return (f"  if ((here().imagesPixels || software::mayDraw(here())) && "
+            f"arbiter::state::imaged{command.name}({command.arguments(['here()'])}))\n    return;\n")
 
 
 def hides_from_host(table, name):
@@ -138,16 +142,20 @@ def thunks(table, command, action, symbol):
         slow = imaged(command) + slow
     if action in ("draw", "pixels"):
         slow = draws_itself(table, name) + slow + hides_from_host(table, name)
+    count_and_call = f"{count}{dirty}  {call}\n"
+    if name == LETTERS:
+        slow = "  const arbiter::state::LettersStay stay(here());\n" + slow
+        count_and_call += "  arbiter::state::noteLetters(here());\n"
     if action in ATTENTIVE:
         slow = "  if (software::isHeld(here()))\n    software::drawHeld(here());\n" + slow
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
-             f"{guarded(command, slow)}{lead}{count}{dirty}  {call}\n}}\n")
+             f"{guarded(command, slow)}{lead}{count_and_call}}}\n")
     turn = f"slow_{symbol}({command.arguments()});"
     if result == "void":
         turn = "{\n    " + turn + "\n    return;\n  }\n"
     else:
         turn = "\n    return " + turn + "\n"
-    return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count}{dirty}  {call}\n"
+    return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count_and_call}"
 
 
 # What opens a primitive, and what ends it: these know of one that is held.
@@ -181,6 +189,7 @@ def entry_points_source(table):
            '#include "dispatch/function_set.h"\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
+           '#include "state/host_draw/faults/kept_letters.h"\n'
            '#include "state/core/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'

@@ -84,20 +84,26 @@ std::uint64_t addBlocks(const Clipped &part, int width, int height, Batch<abi::B
 
 } // namespace
 
-DrawStatistics rasterizeBits(const RasterState &state, const Shading &shading, const BitImage &bits,
-                             std::int32_t x, std::int32_t y, const BitFragments &fragments) {
-  const Clipped part = {bits, x, y, intersect(state.clip, {x, y, bits.width, bits.height})};
-  if (part.rect.empty() || (!shading.row && !shading.quad))
-    return {};
+abi::Primitive primitiveOf(const Shading &shading, const BitFragments &fragments,
+                           const Rect &rect) {
   abi::Primitive primitive;
-  primitive.originX = part.rect.x;
-  primitive.originY = part.rect.y;
+  primitive.originX = rect.x;
+  primitive.originY = rect.y;
   primitive.backFacing = 0; // points, lines, rectangles of pixels and bitmaps are seen from ahead
   primitive.z = {fragments.z, 0, 0};
   primitive.inverseW = {fragments.inverseW, 0, 0};
   for (std::size_t i = 0; i < shading.inputCount; ++i)
     for (std::size_t c = 0; c < 4; ++c)
       primitive.inputs[i][c] = {fragments.inputs[i][c], 0, 0};
+  return primitive;
+}
+
+DrawStatistics rasterizeBits(const RasterState &state, const Shading &shading, const BitImage &bits,
+                             std::int32_t x, std::int32_t y, const BitFragments &fragments) {
+  const Clipped part = {bits, x, y, intersect(state.clip, {x, y, bits.width, bits.height})};
+  if (part.rect.empty() || (!shading.row && !shading.quad))
+    return {};
+  const abi::Primitive primitive = primitiveOf(shading, fragments, part.rect);
   state.clears.reach(part.rect);
   const FlushMode mode;
   std::uint64_t pixels = 0;

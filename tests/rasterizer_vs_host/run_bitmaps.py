@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Bitmaps under random state, on the bare host and under the layer: pictures, depths, raster positions and
 errors are equal. What the specification says of their texture
-coordinates, fog and second colour, which hosts do not all do, is compared with colours worked out here.
+coordinates, fog and second colour, and of those of DrawPixels and CopyPixels, which hosts do not all do, is
+compared with colours worked out here. Bitmaps that a host keeps for later do not end a program, with any back end.
 
   run_bitmaps.py --build build [--first SEED] [--count N] [--backend auto]
 
@@ -31,6 +32,8 @@ RULES = {
     "rule secondary colour": (96, 191, 207, 255),
     "rule colour sum": (96, 191, 207, 255),
     "rule fog": (112, 96, 143, 255),  # (4 - 1) / 4 of the colour
+    "rule fog of a depth": (112, 96, 143, 255),
+    "rule fog of a program": (112, 96, 143, 255),
     "rule a texture": (0, 0, 255, 255),
 }
 
@@ -50,8 +53,33 @@ def judge_scenes(bare, layer):
 
 def judge_rules(client, env):
     found = dict(sides.run([client, "rules"], env))
-    return [f"{name}: {tuple(found.get(name, b''))}, not {colour}" for name, colour in RULES.items()
+    return [f"{name}: {tuple(found.get(name, b''))}, not {colour}"
+            for rule, colour in RULES.items() for name in (rule, rule + " of DrawPixels", rule + " of CopyPixels")
             if sides.distances(found.get(name, b""), bytes(colour))[0]]
+
+
+# Bitmaps that sample, then what ends that, then a draw (the client's `letters`): the numbers of each.
+CHANGES, DRAWS = range(3), range(6)
+TRIANGLE = (255, 255, 0, 255)
+
+
+def judge_letters(client, layer, extra):
+    wrong = []
+    for backend in ("auto", "host", "swrast"):
+        env = sides.environment(layer, backend, extra)
+        for change in CHANGES:
+            for draw in DRAWS:
+                what = f"letters {change} {draw}, {backend}"
+                try:
+                    found = dict(sides.run([client, "letters", change, draw], env))
+                except sides.Died as death:
+                    wrong.append(f"{what}: {str(death)[:60]}")
+                    continue
+                if found.get("letters", b"")[:3] != bytes((0, 255, 0)):
+                    wrong.append(f"{what}: {tuple(found.get('letters', b''))}")
+                if found.get("triangle") != bytes(TRIANGLE):
+                    wrong.append(f"{what}: triangle {tuple(found.get('triangle', b''))}")
+    return wrong
 
 
 def judge_fonts(bare, layer):
@@ -83,6 +111,7 @@ def main():
                 sides.run(shared, sides.environment(extra=extra)), sides.run(shared, layer))
             fonts = [client, "fonts"]
             results["fonts"] = judge_fonts(sides.run(fonts, sides.environment(extra=extra)), sides.run(fonts, layer))
+            results["letters"] = judge_letters(client, sides.layer_of(build), extra)
             if args.backend != "host":
                 results["rules"] = judge_rules(client, layer)
         except (sides.Died, subprocess.TimeoutExpired) as death:

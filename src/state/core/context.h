@@ -69,6 +69,10 @@ inline constexpr std::uint32_t kHeld = 4096;
 /// and End are refused.
 inline constexpr std::uint32_t kRecorded = 16384;
 inline constexpr std::uint32_t kSprites = 8192; ///< stays: points may need a form of their own
+/// The host keeps bitmaps that it draws at its next draw (host_draw/faults/kept_letters.h).
+inline constexpr std::uint32_t kLetters = 32768;
+/// What stays where other programs become effective, and where they are validated.
+inline constexpr std::uint32_t kRemains = kList | kLetters;
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "host/host_table.h"
+#include "state/host_draw/faults/host_faults.h"
 
 namespace arbiter::state {
 
@@ -60,18 +61,6 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
   }
 }
 
-/// Mesa's release as 100 times its year and its number in it, 2302 of "… Mesa 23.2.1"; 0 of other
-/// drivers. \p version GL_VERSION
-int mesaRelease(std::string_view version) {
-  constexpr std::string_view kMesa = "Mesa ";
-  const std::size_t at = version.find(kMesa);
-  int year = 0, number = 0;
-  if (at == version.npos ||
-      std::sscanf(version.data() + at + kMesa.size(), "%d.%d", &year, &number) != 2)
-    return 0;
-  return 100 * year + number;
-}
-
 /// What no query tells but the names of the host's renderer and of who made it.
 /// llvmpipe (Mesa 22.3.6) draws the same whatever limit above 1 a texture sets, where softpipe
 /// draws by it; tests/rasterizer_vs_host/run_anisotropy.py shows both.
@@ -84,7 +73,9 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   // The text has less fog than none of a fog coordinate below 0 (OpenGL 2.1, 3.10), as Mesa has
   // from 23.2 on; before, as much of it as of one above. With it came the cut of lines' ends.
   constexpr int kFogAndLines = 2302;
-  const int mesa = mesaRelease(getString(host, GL_VERSION));
+  const std::string_view version = getString(host, GL_VERSION);
+  const int mesa = releaseOf(version, "Mesa");
+  caps.faults = faultsOf(version);
   caps.foldsFogCoordinates = mesa > 0 && mesa < kFogAndLines;
   caps.lineEndsAsEdges = llvmpipe && mesa >= kFogAndLines;
   // Seen of NVIDIA's driver (580.159): coordinates in GLSL and in ARB_fragment_program, whose fog

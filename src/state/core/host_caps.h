@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -93,6 +94,7 @@ struct HostCaps {
   /// Its own fragment programs draw as the specifications say, and cost it no more than GLSL but
   /// where parameters change before each draw (host_draw/fragment_assembly.h).
   bool ownFragments = false;
+  std::uint32_t faults = 0; ///< bits of HostFault (host_draw/faults/host_faults.h)
   std::vector<std::string> extensions;
 
   [[nodiscard]] bool has(const char *extension) const;

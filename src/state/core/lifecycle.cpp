@@ -15,6 +15,7 @@
 #include "state/core/memory.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/faults/kept_letters.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
@@ -264,6 +265,7 @@ void hostDefinesLists(std::uint32_t first, std::int32_t count) {
   if (!context || context->insideBeginEnd || context->listMode != 0 || count <= 0)
     return;
   withinMemory(*context, "NewList", [&] {
+  context->group->listsHoldLetters.store(keepsLetters(*context), std::memory_order_relaxed);
     DisplayListTable &lists = context->group->lists;
     if (lists.hasEarly())
       lists.forgetEarly(*context->host, first, GLuint(count));

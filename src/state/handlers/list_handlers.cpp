@@ -5,6 +5,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
+#include "state/host_draw/faults/kept_letters.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
@@ -34,6 +35,8 @@ void NewList(Context &context, GLuint list, GLenum mode) {
                      (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
   if (!legal)
     return context.host->NewList(list, mode); // raises the error
+  if ((context.attention & attention::kLetters) != 0)
+    drawKeptLetters(context); // the list may be executed as it is compiled
   // While a list is executed as it is compiled nothing is the rasterizer's. One that is only
   // compiled leaves pixels alone, but for commands that are executed at once.
   if (context.softwarePossible && mode == GL_COMPILE_AND_EXECUTE)
@@ -57,6 +60,7 @@ void CallList(Context &context, GLuint list) {
   if (context.listMode)
     return callListIntoHost(context, list);
   callList(context, list);
+  noteLettersOfLists(context);
 }
 
 void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
@@ -74,6 +78,7 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
     return context.host->CallLists(n, type, lists);
   }
   callLists(context, n, type, lists);
+  noteLettersOfLists(context);
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/faults/kept_letters.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/fragment_assembly.h"
 #include "state/host_draw/host_assembly.h"
@@ -237,8 +238,8 @@ bool validatePrograms(Context &context) {
     return !isDropped(context.path);
   // A client of the control interface is told how the programs draw.
   refreshEffective(context, controlHooks() ? HostPart::Now : HostPart::WhenItDraws);
-  context.attention =
-      stickyAttention(context) | (context.attention & (attention::kList | attention::kParameters));
+  context.attention = stickyAttention(context) |
+                      (context.attention & (attention::kRemains | attention::kParameters));
   return !isDropped(context.path);
 }
 
@@ -266,6 +267,8 @@ bool sendParametersAlone(Context &context) {
 }
 
 bool validate(Context &context) {
+  if ((context.attention & attention::kLetters) != 0) [[unlikely]]
+    drawKeptLetters(context);
   refreshInputs(context);
   if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
@@ -289,7 +292,7 @@ bool validate(Context &context) {
              (context.attention & attention::kParameters) != 0) {
     context.hostAssembly->uploadParameters(context, context.attention);
   }
-  context.attention = sticky | (context.attention & attention::kList);
+  context.attention = sticky | (context.attention & attention::kRemains);
   context.hostAssembly->sendDirectly(verticesOfOwnLocals(context));
   return !isDropped(context.path);
 }

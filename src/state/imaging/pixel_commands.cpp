@@ -8,6 +8,7 @@
 #include "state/imaging/imaging_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/pixels.h"
 
 namespace arbiter::state {
 
@@ -17,16 +18,32 @@ using imaging::ImageKind;
 using imaging::Pixels;
 using imaging::Rgba;
 
+/// True if ARB_imaging changes or counts pixels now.
+bool isImaged(Context &context) {
+  return context.imagesPixels && context.imaging->isActive(context);
+}
+
+/// True if a command that draws pixels is the layer's: it is executed now, or goes into a list.
+bool isOurs(Context &context) {
+  if (context.listMode != 0)
+    return context.imagesPixels;
+  return isImaged(context) || software::shadesRasterValues(context);
+}
+
 /// What comes before and all of ARB_imaging. False: a sink has taken the pixels.
 bool process(Context &context, ImageKind kind, bool indices, Pixels &pixels) {
-  ImagingState &state = *context.imaging;
   if (!indices)
     firstArithmetic(context).apply(pixels);
+  if (!context.imagesPixels)
+    return true;
+  ImagingState &state = *context.imaging;
   return run(state.settings, state.contents, state.colorMatrix.top(context), kind, pixels);
 }
 
 /// Drawn at the raster position, as if they had come from the application so.
 void draw(Context &context, const char *command, const Pixels &pixels) {
+  if (software::shadesRasterValues(context) && software::tryPixels(context, pixels))
+    return;
   if (context.softwareListens)
     software::hostWrites(context, command);
   ++*context.drawCounter;
@@ -69,8 +86,7 @@ void sumLuminance(Pixels &pixels) {
 
 bool imagedDrawPixels(Context &context, GLsizei width, GLsizei height, GLenum format, GLenum type,
                       const void *pixels) {
-  if (context.insideBeginEnd || !isColorFormat(format) ||
-      (context.listMode == 0 && !context.imaging->isActive(context)))
+  if (context.insideBeginEnd || !isColorFormat(format) || !isOurs(context))
     return false;
   const auto image = unpackPixels(
       context, {.width = width, .height = height, .format = format, .type = type}, pixels);
@@ -97,8 +113,7 @@ void drawImage(Context &context, const ImagingCommand &command, const std::vecto
 
 bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height,
                       GLenum type) {
-  if (context.insideBeginEnd || type != GL_COLOR ||
-      (context.listMode == 0 && !context.imaging->isActive(context)))
+  if (context.insideBeginEnd || type != GL_COLOR || !isOurs(context))
     return false;
   const ImagingCommand command{.kind = ImagingCommand::Kind::CopyPixels,
                                .pname = type,
@@ -116,7 +131,7 @@ bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei
 void copyImage(Context &context, const ImagingCommand &command) {
   if (!handlers::beginPixels(context))
     return;
-  if (!context.imaging->isActive(context)) {
+  if (!isImaged(context) && !software::shadesRasterValues(context)) {
     if (context.softwareListens)
       software::hostWrites(context, "glCopyPixels");
     ++*context.drawCounter;

@@ -6,13 +6,14 @@
 #include "state/imaging/commands.h"
 #include "state/imaging/transfer.h"
 
-/// The commands that move pixels, where ARB_imaging has a part in it. Each of those that give true
+/// The commands that move pixels, where ARB_imaging has a part in it, or fragments have more of the
+/// raster position than hosts give them. Each of those that give true
 /// has done the command, or recorded it into the list that is compiled.
 namespace arbiter::state {
 
 struct CopyCommand;
 
-/// Asked by the entry points where ContextHot::imagesPixels is set.
+/// Asked by the entry points where ContextHot::imagesPixels is set or the rasterizer may draw.
 [[nodiscard]] bool imagedDrawPixels(Context &context, GLsizei width, GLsizei height, GLenum format,
                                     GLenum type, const void *pixels);
 [[nodiscard]] bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width,

@@ -7,6 +7,7 @@
 /// Parts of mirror.cpp, a file each.
 namespace arbiter::state::software {
 class Mirror;
+enum class FogFrom : std::uint8_t;
 
 /// Moves the active texture unit for questions that have no unit of their own, and puts it back.
 class UnitsScope {
@@ -32,6 +33,8 @@ private:
 
 /// Alpha test, blending, depth and stencil tests, logic operation, masks, clamps.
 void queryPixelOps(const HostCaps &caps, const HostQuery &query, Mirror &mirror);
+/// Returns what the fog of fixed-function vertices is of.
+[[nodiscard]] FogFrom queryFogFrom(const HostQuery &query, const HostCaps &caps);
 /// Whatever keeps all draws with the host. After the other groups.
 void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror);
 /// 32 rows of 4 bytes, the lowest first, the leftmost pixel in the highest bit.

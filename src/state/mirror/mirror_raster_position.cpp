@@ -2,6 +2,11 @@
 // from.
 #include <algorithm>
 #include <bit>
+#include <cmath>
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
 
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
@@ -12,8 +17,48 @@ namespace {
 
 constexpr std::uint32_t kTexCoords = 0xFFu << kTexCoord0;
 
+/// Returns the z to the eye of a raster position: its clip coordinates, taken back through the
+/// projection. Hosts keep no eye coordinates of it, but how far they are from the eye: |z| is no
+/// more than that, also where the projection or the viewport is another one since.
+float eyeDepth(const HostQuery &query, const RasterPosition &raster, float distance) {
+  GLint viewport[4] = {};
+  GLfloat range[2] = {0, 1};
+  glm::mat4 projection(1.0f);
+  query.host.GetIntegerv(GL_VIEWPORT, viewport);
+  query.host.GetFloatv(GL_DEPTH_RANGE, range);
+  query.host.GetFloatv(GL_PROJECTION_MATRIX, &projection[0][0]);
+  const glm::dmat4 matrix(projection);
+  if (viewport[2] == 0 || viewport[3] == 0 || range[0] == range[1] ||
+      glm::determinant(matrix) == 0.0)
+    return distance;
+  const float *const at = raster.position;
+  const glm::dvec4 device((double(at[0]) - viewport[0]) * 2 / viewport[2] - 1,
+                          (double(at[1]) - viewport[1]) * 2 / viewport[3] - 1,
+                          (double(at[2]) - range[0]) * 2 / (double(range[1]) - range[0]) - 1, 1);
+  const auto z = float((glm::inverse(matrix) * (device * double(at[3]))).z);
+  return std::clamp(z, -distance, distance);
+}
+
+/// Returns the fog coordinate of fragments at the raster position. It is what a vertex there would
+/// have: the raster distance may be approximated as that of vertices is (OpenGL 2.1, 2.13, 3.10).
+float fogCoordinate(const HostCaps &caps, const HostQuery &query, const RasterPosition &raster) {
+  const float distance = query.number(GL_CURRENT_RASTER_DISTANCE);
+  switch (queryFogFrom(query, caps)) {
+  case FogFrom::AbsoluteDepth:
+    return std::abs(eyeDepth(query, raster, std::abs(distance)));
+  case FogFrom::Depth:
+    return eyeDepth(query, raster, std::abs(distance));
+  case FogFrom::AbsoluteCoordinate:
+    return std::abs(distance);
+  case FogFrom::Coordinate:
+  case FogFrom::Distance:
+    break;
+  }
+  return distance;
+}
+
 void queryValue(const HostCaps &caps, const HostQuery &query, int slot,
-                std::array<float, 4> &value) {
+                const RasterPosition &raster, std::array<float, 4> &value) {
   value = {0, 0, 0, 1};
   switch (slot) {
   case kColor:
@@ -24,7 +69,7 @@ void queryValue(const HostCaps &caps, const HostQuery &query, int slot,
       query.host.GetFloatv(GL_CURRENT_RASTER_SECONDARY_COLOR, value.data());
     break;
   case kFogCoord:
-    value[0] = query.number(GL_CURRENT_RASTER_DISTANCE);
+    value[0] = fogCoordinate(caps, query, raster);
     break;
   default:
     break;
@@ -36,7 +81,10 @@ void queryValue(const HostCaps &caps, const HostQuery &query, int slot,
 void Mirror::refreshRasterPosition(std::uint32_t &dirty, std::uint32_t slots) {
   clock.take(dirty);
   const HostQuery query{m_host};
-  if ((clock.changedSince(rasterSeen) & dirty::kRasterPosition) != 0) {
+  const std::uint32_t changed = clock.changedSince(rasterSeen);
+  if ((changed & dirty::kFog) != 0)
+    rasterValuesKnown &= ~(1u << kFogCoord);
+  if ((changed & dirty::kRasterPosition) != 0) {
     rasterValuesKnown = 0;
     rasterPosition.valid = query.boolean(GL_CURRENT_RASTER_POSITION_VALID);
     query.host.GetFloatv(GL_CURRENT_RASTER_POSITION, rasterPosition.position);
@@ -47,7 +95,7 @@ void Mirror::refreshRasterPosition(std::uint32_t &dirty, std::uint32_t slots) {
     return;
   for (std::uint32_t left = wanted & ~kTexCoords; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
-    queryValue(m_caps, query, slot, rasterValues[std::size_t(slot)]);
+    queryValue(m_caps, query, slot, rasterPosition, rasterValues[std::size_t(slot)]);
   }
   if ((wanted & kTexCoords) != 0) {
     const UnitsScope units(m_host);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -277,6 +278,42 @@ TEST(Mirror, TheRasterPositionIsAskedForWhereACommandMayHaveMovedIt) {
   mirror.refreshRasterPosition(context.dirty, all);
   EXPECT_FALSE(at.valid);
   EXPECT_EQ(context.dirty & dirty::kRasterPosition, 0u);
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(Mirror, TheFogOfTheRasterPositionIsThatOfAVertexThere) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Mirror mirror(*context.host, context.caps);
+  const auto fogOf = [&] {
+    context.dirty |= dirty::kRasterPosition | dirty::kFog;
+    mirror.refreshRasterPosition(context.dirty, 1u << kFogCoord);
+    return mirror.rasterValues[kFogCoord][0];
+  };
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glTranslatef(3, 4, -1);
+  glMatrixMode(GL_PROJECTION);
+  for (const bool perspective : {false, true}) {
+    glLoadIdentity();
+    perspective ? glFrustum(-5, 5, -5, 5, 0.5, 10) : glOrtho(-10, 10, -10, 10, -10, 10);
+    glDepthRange(0.25, 0.75);
+    glRasterPos3f(0, 0, 0);
+    EXPECT_NEAR(fogOf(), 1, 1e-5) << "|z|, and not what it is to the eye";
+    glBitmap(0, 0, 0, 0, 25, 0, nullptr);
+    EXPECT_NEAR(fogOf(), 1, 1e-5);
+  }
+  glLoadIdentity();
+  glScalef(0.001f, 0.001f, 0.001f);
+  EXPECT_LE(fogOf(), std::sqrt(26.0f) + 1e-5f) << "no more than the raster distance";
+  glScalef(0, 0, 0);
+  EXPECT_NEAR(fogOf(), std::sqrt(26.0f), 1e-5) << "which it is where nothing else is known";
+  glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+  glFogCoordf(2.5f);
+  glLoadIdentity();
+  glRasterPos3f(-3, -4, 1);
+  EXPECT_EQ(fogOf(), 2.5f);
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 

@@ -130,7 +130,16 @@ void queryTransform(const HostCaps &caps, const HostQuery &query, VertexState &s
   }
 }
 
-FogFrom fogFrom(const HostQuery &query, const HostCaps &caps) {
+void queryPointsAndFog(const HostQuery &query, const HostCaps &caps, VertexState &state) {
+  state.fogFrom = queryFogFrom(query, caps);
+  GLfloat factors[3] = {1, 0, 0};
+  query.host.GetFloatv(GL_POINT_DISTANCE_ATTENUATION, factors);
+  state.pointAttenuation = factors[0] != 1 || factors[1] != 0 || factors[2] != 0;
+}
+
+} // namespace
+
+FogFrom queryFogFrom(const HostQuery &query, const HostCaps &caps) {
   if (query.name(GL_FOG_COORDINATE_SOURCE) != GL_FRAGMENT_DEPTH)
     return caps.foldsFogCoordinates ? FogFrom::AbsoluteCoordinate : FogFrom::Coordinate;
   switch (caps.fogDistance ? query.name(GL_FOG_DISTANCE_MODE_NV) : GL_EYE_PLANE_ABSOLUTE_NV) {
@@ -142,15 +151,6 @@ FogFrom fogFrom(const HostQuery &query, const HostCaps &caps) {
     return FogFrom::AbsoluteDepth;
   }
 }
-
-void queryPointsAndFog(const HostQuery &query, const HostCaps &caps, VertexState &state) {
-  state.fogFrom = fogFrom(query, caps);
-  GLfloat factors[3] = {1, 0, 0};
-  query.host.GetFloatv(GL_POINT_DISTANCE_ATTENUATION, factors);
-  state.pointAttenuation = factors[0] != 1 || factors[1] != 0 || factors[2] != 0;
-}
-
-} // namespace
 
 void Mirror::refreshVertexState(bool floatTarget) {
   constexpr std::uint32_t kGroups = dirty::kTransform | dirty::kLighting | dirty::kTexGen |

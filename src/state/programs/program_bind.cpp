@@ -13,7 +13,7 @@ void noteProgramApiUse(Context &context) {
 
 void invalidateProgram(Context &context) {
   // Sticky bits of the program that was effective go; selecting sets them anew.
-  context.attention = attention::kProgram | (context.attention & attention::kList);
+  context.attention = attention::kProgram | (context.attention & attention::kRemains);
 }
 
 std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarget &row, GLuint name,

@@ -5,11 +5,14 @@
 #include <cstring>
 #include <new>
 
+#include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/imaging/arithmetic.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/immediate/joined.h"
+#include "swrast/pixels.h"
 #include "swrast/setup/rectangle.h"
 
 namespace arbiter::state::software {
@@ -299,6 +302,12 @@ std::uint32_t rasterSlots(const fp::jit::FragmentShape &shape) {
   return slots;
 }
 
+/// Images begin at whole pixels, as hosts have it.
+std::int32_t nearestPixel(float raster) {
+  constexpr float kFar = 1 << 20;
+  return std::int32_t(std::nearbyint(std::clamp(raster, -kFar, kFar)));
+}
+
 /// Hosts add a little, so that a position that is whole but for a rounding error is whole.
 std::int32_t pixelAt(float raster, float origin) {
   constexpr float kLittle = 0.0001f, kFar = 1 << 20;
@@ -308,17 +317,23 @@ std::int32_t pixelAt(float raster, float origin) {
 
 } // namespace
 
-Outcome Pipeline::shadeBits(Context &context, const PlacedBits &bits) {
-  if (const Outcome outcome = chooseFor(context, nullptr); !outcome.ok())
+bool Pipeline::readsRasterValues() const {
+  const auto &inputs = m_program->functions->prepared()->shape().inputs;
+  return std::any_of(inputs.begin(), inputs.end(), [](const fp::jit::FragmentInput &input) {
+    return input.attribute.kind != AttributeKind::ColorPrimary;
+  });
+}
+
+Outcome Pipeline::readyFragments(Context &context, const swrast::Shading *&shading,
+                                 swrast::BitFragments &fragments) {
+  if (const Outcome outcome = chooseFragments(context); !outcome.ok())
     return outcome;
   Mirror &mirror = context.software->mirror;
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   mirror.refreshRasterPosition(context.dirty, rasterSlots(shape));
-  const swrast::Shading *shading = nullptr;
   if (const Outcome outcome = readyPixels(context, {}, 0, true, swrast::Topology::Points, shading);
       !outcome.ok())
     return outcome;
-  swrast::BitFragments fragments;
   const float *const position = mirror.rasterPosition.position;
   // As a host has it, which draws a rectangle in clip space: there and back.
   fragments.z = (position[2] * 2.0f - 1.0f) * 0.5f + 0.5f;
@@ -329,8 +344,46 @@ Outcome Pipeline::shadeBits(Context &context, const PlacedBits &bits) {
       fragments.inputs[i][c] = mirror.rasterValues[slot][c];
   }
   context.software->draws.finish();
+  return {};
+}
+
+Outcome Pipeline::shadeBits(Context &context, const PlacedBits &bits) {
+  const swrast::Shading *shading = nullptr;
+  swrast::BitFragments fragments;
+  if (const Outcome outcome = readyFragments(context, shading, fragments); !outcome.ok())
+    return outcome;
+  const float *const position = context.software->mirror.rasterPosition.position;
   (void)swrast::rasterizeBits(m_raster, *shading, bits.image, pixelAt(position[0], bits.xOrigin),
                               pixelAt(position[1], bits.yOrigin), fragments);
+  return {};
+}
+
+Outcome Pipeline::shadePixels(Context &context, const imaging::Pixels &pixels) {
+  const swrast::Shading *shading = nullptr;
+  swrast::BitFragments fragments;
+  if (const Outcome outcome = readyFragments(context, shading, fragments); !outcome.ok())
+    return outcome;
+  const RasterPosition &raster = context.software->mirror.rasterPosition;
+  if (!raster.valid)
+    return {};
+  std::vector<imaging::Rgba> colors = pixels.texels;
+  if (m_key.clampColors) // the final conversion of 3.6.4
+    std::transform(colors.begin(), colors.end(), colors.begin(),
+                   [](const imaging::Rgba &color) { return imaging::clamped(color); });
+  swrast::PixelImage image;
+  image.colors = reinterpret_cast<const float(*)[4]>(colors.data());
+  image.width = pixels.width;
+  image.height = pixels.height;
+  image.x = nearestPixel(raster.position[0]);
+  image.y = nearestPixel(raster.position[1]);
+  context.host->GetFloatv(GL_ZOOM_X, &image.zoomX);
+  context.host->GetFloatv(GL_ZOOM_Y, &image.zoomY);
+  const auto &inputs = m_program->functions->prepared()->shape().inputs;
+  const auto color = std::find_if(inputs.begin(), inputs.end(), [](const auto &input) {
+    return input.attribute.kind == AttributeKind::ColorPrimary;
+  });
+  (void)swrast::rasterizePixels(m_raster, *shading, image, fragments,
+                                color != inputs.end() ? int(color - inputs.begin()) : -1);
   return {};
 }
 

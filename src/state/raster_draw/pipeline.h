@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "state/imaging/pixels.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/fixed_function/fixed_fragment.h"
 #include "state/raster_draw/frames/looks.h"
@@ -12,6 +13,7 @@
 #include "state/raster_draw/units.h"
 #include "state/raster_draw/vertices/array_source.h"
 #include "state/raster_draw/vertices/vertex_stage.h"
+#include "swrast/bits.h"
 #include "swrast/rasterize.h"
 
 namespace arbiter::state::software {
@@ -48,9 +50,15 @@ public:
   /// The same of primitives that are joined (immediate/joined.h) by the indices.
   Outcome shadeJoined(Context &context, const VertexSource &source, const IndexRange &indices,
                       const Joining &joining);
+  /// For fragments that no vertices give, but the current raster position.
+  Outcome chooseFragments(Context &context) { return chooseFor(context, nullptr); }
+  /// True if the chosen program reads more of the raster position's values than its colour.
+  [[nodiscard]] bool readsRasterValues() const;
   /// Chooses, and draws bits (bitmap.h) as fragments that have the current raster position's
   /// values.
   Outcome shadeBits(Context &context, const PlacedBits &bits);
+  /// Chooses, and draws an image at the raster position. Its fragments have a colour each.
+  Outcome shadePixels(Context &context, const imaging::Pixels &pixels);
   [[nodiscard]] swrast::Topology topology() const { return m_topology; }
   /// The chosen draw tests depth or stencil.
   [[nodiscard]] bool testsDepth() const {
@@ -112,6 +120,9 @@ private:
   void choosePacked(bool quads, swrast::Shading &shading, Fallback &why);
   [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
   [[nodiscard]] bool isOpaque() const;
+  /// chooseFragments(), readyPixels(), and what all of the fragments have.
+  Outcome readyFragments(Context &context, const swrast::Shading *&shading,
+                         swrast::BitFragments &fragments);
   Outcome acquire(Context &context, const IndexRange &indices, std::uint32_t count, bool opaque,
                   swrast::Topology topology);
   void fillRaster(const Mirror &mirror);

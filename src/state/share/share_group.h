@@ -113,6 +113,8 @@ public:
   /// attributes.
   std::atomic<bool> hostListsChangeProgram{false};
   std::atomic<bool> hostListsNest{false};
+  /// A list of the host's holds bitmaps, which hosts may keep for later (kept_letters.h).
+  std::atomic<bool> listsHoldLetters{false};
   std::atomic<int> contexts{0};
   /// The state of ARBITER_REPLACE's folder that the group's programs were compiled from.
   std::atomic<std::uint64_t> replacementsSeen{0};

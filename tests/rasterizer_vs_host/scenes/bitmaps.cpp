@@ -1,5 +1,5 @@
 // Bitmaps under random state: rasterizer-bitmaps [shared] SEED COUNT [COMMANDS], or
-// rasterizer-bitmaps rules or fonts.
+// rasterizer-bitmaps rules, fonts or letters CHANGE DRAW.
 //   SEED COUNT  scenes of so many commands, each in a context of its own: the picture, the depths,
 //               where the raster position is left, GL's errors
 //   shared      each scene is drawn by two contexts of a share group, by turns: they have
@@ -7,6 +7,7 @@
 //   rules       what the specification says and hosts do not all do: run_bitmaps.py knows the
 //               colours
 //   fonts       texts by glXUseXFont
+//   letters     bitmaps whose fragments sample, then what ends that, then a draw: by number
 // Programs of the scenes read no texture coordinates, fog coordinate or secondary colour: a host
 // that draws bitmaps as textured rectangles has its own of those.
 #include <cmath>
@@ -16,12 +17,11 @@
 #include <functional>
 #include <utility>
 
+#include "bitmap_rules.h"
 #include "surface.h"
 
 namespace software {
 namespace {
-
-constexpr int kEdge = 64; // of the target, in pixels
 
 constexpr const char *kFragmentTexts[] = {
     "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n",
@@ -276,59 +276,6 @@ void writeAll(const std::string &name) {
   record(name + " errors" + takeErrors(), {});
 }
 
-/// One pixel of a bitmap, whose raster position was set with the values below.
-void rule(const char *name, const char *text, void (*state)()) {
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  (void)makeProgram(GL_FRAGMENT_PROGRAM_ARB, text ? text : kFragmentTexts[0]);
-  glEnable(GL_FRAGMENT_PROGRAM_ARB);
-  glRectf(-1, -1, 1, 0);
-  (text ? glEnable : glDisable)(GL_FRAGMENT_PROGRAM_ARB);
-  glColor4f(0.25f, 0.5f, 0.75f, 1);
-  glSecondaryColor3f(0.125f, 0.25f, 0.0625f);
-  glTexCoord4f(0.25f, 0.75f, 0.5f, 1);
-  glMultiTexCoord4f(GL_TEXTURE3, 0.5f, 0.125f, 1, 1);
-  state();
-  glRasterPos2f(0.25f, 0.25f);
-  const GLubyte bit = 0x80;
-  glBitmap(1, 1, 0, 0, 1, 0, &bit);
-  record(std::string("rule ") + name, readRgba(kEdge * 5 / 8, kEdge * 5 / 8, 1, 1));
-  glDisable(GL_FOG);
-  glDisable(GL_COLOR_SUM);
-  glDisable(GL_TEXTURE_2D);
-}
-
-void rules() {
-  glViewport(0, 0, kEdge, kEdge);
-  rule("texture coordinates", "!!ARBfp1.0\nMOV result.color, fragment.texcoord[0];\nEND\n", [] {});
-  rule("texture coordinates of another unit",
-       "!!ARBfp1.0\nMOV result.color, fragment.texcoord[3];\nEND\n", [] {});
-  rule("secondary colour",
-       "!!ARBfp1.0\nADD result.color, fragment.color, fragment.color.secondary;\nEND\n", [] {});
-  rule("colour sum", nullptr, [] { glEnable(GL_COLOR_SUM); });
-  rule("fog", nullptr, [] {
-    constexpr float kColor[4] = {1, 0, 0, 1};
-    glEnable(GL_FOG);
-    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
-    glFogCoordf(1);
-    glFogi(GL_FOG_MODE, GL_LINEAR);
-    glFogf(GL_FOG_START, 0);
-    glFogf(GL_FOG_END, 4);
-    glFogfv(GL_FOG_COLOR, kColor);
-  });
-  rule("a texture", nullptr, [] {
-    constexpr unsigned char kTexels[16] = {255, 0, 0,   255, 0,   255, 0,   255,
-                                           0,   0, 255, 255, 255, 255, 255, 255};
-    GLuint texture = 0;
-    glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexels);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    glEnable(GL_TEXTURE_2D);
-  });
-}
-
 /// Texts by glXUseXFont, whose lists the host compiles past GL's commands: in names of GenLists,
 /// over a list that there was, in names that nobody asked for, and by two contexts of a share
 /// group.
@@ -418,6 +365,11 @@ int main(int argc, char **argv) {
   const int first = argc < 2 ? 1 : std::atoi(argv[1]);
   const int count = argc > 2 ? std::atoi(argv[2]) : 1;
   const int commands = argc > 3 ? std::atoi(argv[3]) : 24;
+  if (argc == 4 && std::strcmp(argv[1], "letters") == 0) {
+    screen.makeCurrent(window, screen.makeContext());
+    letters(std::atoi(argv[2]), std::atoi(argv[3]));
+    return 0;
+  }
   if (onlyFonts) {
     fonts(screen, window);
     return 0;

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+/// Known faults of hosts, by driver and release (host_faults.def).
+namespace arbiter::state {
+
+enum class HostFault : std::uint8_t {
+#define ARBITER_HOST_FAULT(Enumerator, driver, first, last, doc) Enumerator,
+#include "state/host_draw/faults/host_faults.def"
+#undef ARBITER_HOST_FAULT
+};
+[[nodiscard]] constexpr std::uint32_t bitOf(HostFault fault) { return 1u << unsigned(fault); }
+
+/// Returns a driver's release as 100 times its first number and its second, 2302 of "Mesa 23.2.1";
+/// 0 where GL_VERSION names another driver.
+[[nodiscard]] int releaseOf(std::string_view version, std::string_view driver);
+/// Returns the bits of the faults that a host with this GL_VERSION has.
+[[nodiscard]] std::uint32_t faultsOf(std::string_view version);
+
+} // namespace arbiter::state
