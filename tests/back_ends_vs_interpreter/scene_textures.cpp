@@ -76,17 +76,18 @@ struct Texel {
   int x = 0, y = 0, z = 0;
 };
 
-/// Table 3.21 of the GL specification: the face, and its coordinates in [0,1].
+/// Table 3.21 of the GL specification: the face, and its coordinates in [0,1]. Where components are
+/// of one size the table leaves the axis open, and hosts take z before y before x.
 Texel cubeTexel(const Vec4 &r, int size) {
   const float ax = std::fabs(r[0]), ay = std::fabs(r[1]), az = std::fabs(r[2]);
   float s = 0, t = 0, major = 0;
   int face = 0;
-  if (ax >= ay && ax >= az) {
+  if (ax > ay && ax > az) {
     face = r[0] >= 0 ? 0 : 1;
     s = r[0] >= 0 ? -r[2] : r[2];
     t = -r[1];
     major = ax;
-  } else if (ay >= az) {
+  } else if (ay > az) {
     face = r[1] >= 0 ? 2 : 3;
     s = r[0];
     t = r[1] >= 0 ? r[2] : -r[2];

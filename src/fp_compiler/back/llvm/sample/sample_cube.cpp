@@ -8,16 +8,19 @@ CubeFace::CubeFace(Code &code, const Vec &direction) : m_code(code) {
   Value *const x = absolute(code, direction[0]);
   Value *const y = absolute(code, direction[1]);
   Value *const z = absolute(code, direction[2]);
+  // Table 3.21 leaves ties open. Hosts take z before y before x, and a zero's sign.
   m_majorZ = ir.CreateAnd(ir.CreateFCmpOGE(z, x), ir.CreateFCmpOGE(z, y));
-  m_majorX = ir.CreateAnd(ir.CreateNot(m_majorZ), ir.CreateFCmpOGE(x, y));
+  m_majorX = ir.CreateAnd(ir.CreateNot(m_majorZ), ir.CreateFCmpOGT(x, y));
   Value *const major =
       code.select(m_majorZ, direction[2], code.select(m_majorX, direction[0], direction[1]));
-  m_negative = ir.CreateFCmpOLT(major, code.splat(0.0f));
+  m_negative = ir.CreateICmpSLT(ir.CreateBitCast(major, code.i32), code.splat(0));
   Value *const axis =
       code.select(m_majorZ, code.splat(4), code.select(m_majorX, code.splat(0), code.splat(2)));
   m_face = ir.CreateOr(axis, ir.CreateZExt(m_negative, code.i32));
   m_turned = turned(direction);
-  m_inverse = ir.CreateFDiv(code.splat(1.0f), m_turned[2]);
+  // A direction without a length leads to the middle of a face.
+  m_inverse = code.select(ir.CreateFCmpOEQ(m_turned[2], code.splat(0.0f)), code.splat(0.0f),
+                          ir.CreateFDiv(code.splat(1.0f), m_turned[2]));
 }
 
 Vec CubeFace::turned(const Vec &d) const {

@@ -163,7 +163,7 @@ constexpr Face kFaces[6] = {{0, 2, 1, -1, -1}, {0, 2, 1, 1, -1}, {1, 0, 2, 1, 1}
 
 int faceOf(const std::array<double, 3> &r) {
   const double x = std::fabs(r[0]), y = std::fabs(r[1]), z = std::fabs(r[2]);
-  const int major = z >= std::max(x, y) ? 2 : x >= y ? 0 : 1;
+  const int major = z >= std::max(x, y) ? 2 : x > y ? 0 : 1;
   return 2 * major + (r[std::size_t(major)] < 0 ? 1 : 0);
 }
 
