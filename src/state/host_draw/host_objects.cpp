@@ -129,6 +129,8 @@ std::string assemblyText(const Context &context, const CompiledProgram &compiled
     return compiled.source(); // of an ATI shader's form: assembly that was emitted already
   if (compiled.program->options.nv != fp::ir::NvOption::None)
     return textOfNvidias(context, compiled, defined);
+  if (isVertex(compiled) && fp::bindsOneTwice(*compiled.program))
+    return {};
   // NVIDIA's driver has (0, 0, 0, 1) in components that nothing writes, and programs divide by that
   // w. Over a software host the rasterizer draws in turns with it, and both have zeros.
   const auto parts = context.caps.onProcessor ? fp::PartlyWritten::Zero : fp::PartlyWritten::Hosts;
