@@ -111,6 +111,7 @@ class Table:
 
     action    {lead: way} of entry_points.toml; `handled` of software.toml is one too
     software  {lead: way} of software.toml, or "unknown", of those that have no action
+    aliased   those leads that have a part in attributes that alias
     dirty     {lead: [bits of mirror/dirty_bits.h]} of those that have either
     outside   those leads that are errors between Begin and End, and return nothing
     members   the leads in the host's table; lazy: those beside it, looked up when first called
@@ -136,6 +137,8 @@ class Table:
         self._read_software(software)
         self.needs = [self._canonical(n) for n in config.get("host", {}).get("needs", [])]
         self.members = sorted(set(self.action) | set(self.needs))
+        for lead in self.aliased - {n for n, way in self.software.items() if way != "harmless"}:
+            sys.exit(f"software.toml: [aliased] {lead} is in no other row")
         self.lazy = sorted(lead for lead, way in self.software.items()
                            if way != "harmless" and lead not in self.members)
 
@@ -185,6 +188,7 @@ class Table:
                     for lead in leads if way == "dirty" else ():
                         bits = self.dirty.setdefault(lead, [])
                         bits += [b for b in row["bits"] if b not in bits]
+        self.aliased = {lead for pattern in rows["aliased"]["names"] for lead in self._matches(pattern, [], "aliased")}
         for lead in of_ways["handled"]:
             if lead in self.action:
                 sys.exit(f"software.toml: {lead} is {self.action[lead]} in entry_points.toml")

@@ -59,7 +59,7 @@ void *lookup(const char *name) {
 }
 
 template <typename Function> Function *entry(const char *name) {
-  void *const function = find(name).function ? find(name).function : findForSoftware(name);
+  void *const function = find(name).function ? find(name).function : findForSoftware(name).function;
   return reinterpret_cast<Function *>(function);
 }
 

@@ -22,12 +22,9 @@ def leads(table):
     return sorted(lead for lead, way in table.software.items() if way != "harmless")
 
 
-def recorded(command):
-    """What a command of [record] does to the deferred primitive: C++ statements, under the
-    condition that it can record them (else the host gets the command, after the primitive)."""
-    if command.name in ("EdgeFlag", "EdgeFlagv"):
-        flag = ("*" if command.name[-1] == "v" else "") + command.params[0][1]
-        return "true", f"hot->recorder->set(kEdgeFlag, {flag} ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f)"
+def given(command):
+    """Of a command of [record]: what it sets, the parameter that says which, and its four components as C++
+    with how many of them it has."""
     match = ATTRIBUTE.fullmatch(command.name)
     if not match:
         sys.exit(f"software.toml: [record] does not know {command.name}")
@@ -41,7 +38,17 @@ def recorded(command):
     # Table 2.9 of OpenGL 2.1; `4Nub` and its kin say so by their names.
     normalized = kind not in "fd" and (what in NORMALIZED or n)
     values = [f"{'normalized' if normalized else 'GLfloat'}({value})" for value in values]
-    values = ", ".join(values + ["0.0f", "0.0f", "1.0f"][count - 1:] + [str(count)])
+    return what, lead, values + ["0.0f", "0.0f", "1.0f"][count - 1:], count
+
+
+def recorded(command):
+    """What a command of [record] does to the deferred primitive: C++ statements, under the
+    condition that it can record them (else the host gets the command, after the primitive)."""
+    if command.name in ("EdgeFlag", "EdgeFlagv"):
+        flag = ("*" if command.name[-1] == "v" else "") + command.params[0][1]
+        return "true", f"hot->recorder->set(kEdgeFlag, {flag} ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f)"
+    what, lead, values, count = given(command)
+    values = ", ".join(values + [str(count)])
     if what == "Vertex":
         return "true", f"hot->recorder->vertex({values})"
     if what == "MultiTexCoord":
@@ -49,8 +56,26 @@ def recorded(command):
                 f"hot->recorder->set(kTexCoord0 + int({lead} - GL_TEXTURE0), {values})")
     if what == "VertexAttrib":
         # Outside of Begin and End attribute 0 is a value like others, and makes no vertex.
-        return f"{lead} < 16u && ({lead} != 0 || !isHeld(*hot))", f"generic(*hot->recorder, {lead}, {values})"
+        return f"{lead} < 16u && ({lead} != 0 || !isHeld(*hot))", f"generic(*hot, {lead}, {values})"
     return "true", f"hot->recorder->set({SLOTS[what]}, {values})"
+
+
+def aliased(command):
+    """What a command of [aliased] does where generic attributes are the conventional ones: lines."""
+    if re.fullmatch(r"(Enable|Disable)VertexAttribArray", command.name):
+        enabled = "true" if command.name.startswith("Enable") else "false"
+        return ("  if (hot->attributesAlias) [[unlikely]]\n"
+                f"    arbiter::state::noteGenericArray(here(), index, {enabled});\n")
+    if command.name.startswith("GetVertexAttrib"):
+        return ("  if (hot->attributesAlias && pname == GL_CURRENT_VERTEX_ATTRIB && "
+                "arbiter::state::isAliasedRegister(index) &&\n"
+                "      arbiter::state::getAliasedAttribute(*hot, *answeringHost(*hot), index, params))\n    return;\n")
+    what, lead, values, count = given(command)
+    if what != "VertexAttrib":
+        sys.exit(f"software.toml: [aliased] does not know {command.name}")
+    return (f"  if (hot->attributesAlias && arbiter::state::isAliasedRegister({lead})) [[unlikely]] {{\n"
+            "    hot->dirty |= dirty::kCurrent;\n"
+            f"    return arbiter::state::setAliasedAttribute(*hot, {lead}, {{{', '.join(values)}}}, {count});\n  }}\n")
 
 
 def call(table, command, host="hot->host"):
@@ -85,6 +110,8 @@ def thunk(table, command, way):
         guard = "" if condition == "true" else f" && {condition}"
         lines += f"  if (hot->recorder{guard})\n    return {statement};\n"
     lines += look
+    if command.name in table.aliased:
+        lines += aliased(command)
     if command.name in LISTED_MATERIALS:
         condition, values = LISTED_MATERIALS[command.name]
         lines += (f"  if (hot->listMode != 0 && {condition}arbiter::state::recordMaterial(here(), face, pname, "
@@ -151,20 +178,22 @@ namespace {
         for alias in aliases:
             out.append(f"ARBITER_ENTRY {command.result} arbiter_{alias}({command.declare()}) "
                        f'__asm__("{alias}") __attribute__((alias("{root}")));\n')
-        rows += [(entry, root) for entry in [root] + aliases]
+        rows += [(entry, root, "true" if name in table.aliased else "false") for entry in [root] + aliases]
     out.append("\nnamespace arbiter::dispatch {\n\nnamespace {\n\nstruct Row {\n  const char *name;\n"
-               "  void *function;\n};\n\n/// Sorted by name.\nconst Row kRows[] = {\n")
-    out += [f'  {{"{entry}", reinterpret_cast<void *>(&arbiter_{root})}},\n'
-            for entry, root in sorted(rows)]
+               "  void *function;\n  bool aliased;\n};\n\n/// Sorted by name.\nconst Row kRows[] = {\n")
+    out += [f'  {{"{entry}", reinterpret_cast<void *>(&arbiter_{root}), {of_aliases}}},\n'
+            for entry, root, of_aliases in sorted(rows)]
     out.append("""};
 
 } // namespace
 
-void *findForSoftware(const char *name) {
+EntryPoint findForSoftware(const char *name) {
   const auto *const row =
       std::lower_bound(std::begin(kRows), std::end(kRows), name,
                        [](const Row &r, const char *n) { return std::strcmp(r.name, n) < 0; });
-  return row == std::end(kRows) || std::strcmp(row->name, name) != 0 ? nullptr : row->function;
+  if (row == std::end(kRows) || std::strcmp(row->name, name) != 0)
+    return {};
+  return {row->function, false, true, row->aliased};
 }
 
 bool isForSoftware(const void *function) {

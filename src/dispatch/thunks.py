@@ -53,6 +53,15 @@ def draws_itself(table, name):
     return f"  if (software::mayDraw(here()) && software::{table.draw_commands[name]})\n    return;\n"
 
 
+def aliases_itself(table, name):
+    """What a draw of arrays asks when it is prepared for the host: a line, "" for nothing."""
+    draw = table.draw_commands.get(name, "")
+    if not draw.startswith(("tryDraw", "tryMultiDraw")):
+        return ""
+    return (f"  if (here().attributesAlias && software::{draw.replace('try', 'aliased', 1)})\n"
+            "    return;\n")
+
+
 # Commands that ARB_imaging or the rasterizer may have a part in (state/imaging/pixel_commands.h).
 IMAGED = ("CopyPixels", "DrawPixels")
 
@@ -141,7 +150,8 @@ def thunks(table, command, action, symbol):
         flag += " || t->imagesPixels"
         slow = imaged(command) + slow
     if action in ("draw", "pixels"):
-        slow = draws_itself(table, name) + slow + hides_from_host(table, name)
+        slow = (draws_itself(table, name) + slow + aliases_itself(table, name)
+                + hides_from_host(table, name))
     count_and_call = f"{count}{dirty}  {call}\n"
     if name == LETTERS:
         slow = "  const arbiter::state::LettersStay stay(here());\n" + slow
@@ -194,6 +204,7 @@ def entry_points_source(table):
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'
            '#include "state/raster_draw/immediate/held.h"\n'
+           '#include "state/raster_draw/immediate/list_arrays.h"\n'
            '#include "state/raster_draw/immediate/refused.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"

@@ -5,6 +5,7 @@
 
 #include "dispatch/entry_points.h"
 #include "interposer/process.h"
+#include "state/host_draw/native_inputs.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -23,12 +24,12 @@ void *resolveGl(const char *name, HostLookup host) {
   if (entry.function && entry.provided)
     return entry.function;
   void *const hosts = host(name);
-  if (!hosts || settings().backend == Backend::Host)
-    return entry.function && !entry.forSoftware && hosts ? entry.function : hosts;
-  if (entry.function)
-    return entry.function;
-  void *const software = dispatch::findForSoftware(name);
-  return software ? software : hosts;
+  if (!hosts)
+    return nullptr;
+  const dispatch::EntryPoint found = entry.function ? entry : dispatch::findForSoftware(name);
+  const bool serves = !found.forSoftware || settings().backend != Backend::Host ||
+                      (found.forAliases && state::attributesMayAlias());
+  return found.function && serves ? found.function : hosts;
 }
 
 const host::HostTable &loadTable(Sealed<host::HostTable> &table, HostLookup host,

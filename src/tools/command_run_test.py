@@ -109,8 +109,8 @@ class Run(Temporary):
     def test_identity_options_become_variables(self):
         result = arbiter('run', '--library', FAKE, '--print-environment', '--identity', 'profile',
                          '--extensions-max-year', '2003', '--extensions-max-length', '4095',
-                         '--fixed-function', 'always')
-        for line in ("ARBITER_IDENTITY='profile'", "ARBITER_FIXED_FUNCTION='always'",
+                         '--fixed-function', 'always', '--attributes', 'alias')
+        for line in ("ARBITER_ATTRIBUTES='alias'", "ARBITER_IDENTITY='profile'", "ARBITER_FIXED_FUNCTION='always'",
                      "ARBITER_EXTENSIONS_MAX_YEAR='2003'", "ARBITER_EXTENSIONS_MAX_LENGTH='4095'"):
             self.assertIn('export ' + line + '\n', result.stdout)
         for bad in (('--identity', 'r300'), ('--extensions-max-year', '-1'),

@@ -52,6 +52,7 @@ struct LayerArguments {
   std::string numerics;
   std::string backend;
   std::string fixedFunction;
+  std::string attributes;
   std::string extensionsMaxYear;
   std::string extensionsMaxLength;
   std::string stats;

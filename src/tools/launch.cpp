@@ -187,6 +187,8 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
     environment.push_back({ARBITER_ENV_BACKEND, arguments.backend});
   if (!arguments.fixedFunction.empty())
     environment.push_back({ARBITER_ENV_FIXED_FUNCTION, arguments.fixedFunction});
+  if (!arguments.attributes.empty())
+    environment.push_back({ARBITER_ENV_ATTRIBUTES, arguments.attributes});
   if (!arguments.identity.empty())
     environment.push_back({ARBITER_ENV_IDENTITY, arguments.identity});
   if (!arguments.extensionsMaxYear.empty())

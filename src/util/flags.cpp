@@ -164,6 +164,16 @@ void readFixedFunction(Reader &reader, Settings &result) {
     reader.warn(Env::FixedFunction, "expected always or programs, not " + quoted(value));
 }
 
+void readAttributes(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Attributes);
+  if (value == "alias")
+    result.attributes = Attributes::Alias;
+  else if (value == "apart")
+    result.attributes = Attributes::Apart;
+  else if (!value.empty())
+    reader.warn(Env::Attributes, "expected alias or apart, not " + quoted(value));
+}
+
 void readCpu(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::Cpu);
   if (value == "avx512" || value == "avx2" || value == "sse4.1")
@@ -276,6 +286,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readNumerics(reader, result);
   readBackend(reader, result);
   readFixedFunction(reader, result);
+  readAttributes(reader, result);
   readCpu(reader, result);
   result.threads = readNumber(reader, Env::Threads, 1, 64, 0);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);

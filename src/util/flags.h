@@ -39,6 +39,8 @@ struct DebugFlagInfo {
 
 /// ARBITER_BACKEND.
 enum class Backend : std::uint8_t { Auto, Host, Swrast };
+/// ARBITER_ATTRIBUTES.
+enum class Attributes : std::uint8_t { OfProfile, Alias, Apart };
 
 /// The environment, parsed. Defaults are those of a process with no ARBITER_ variable.
 struct Settings {
@@ -49,9 +51,10 @@ struct Settings {
       numerics; ///< "host", "legacy", "fp24", "fx9" (fp_compiler/numerics.h); empty: the profile's
   Backend backend = Backend::Auto;
   bool alwaysFixedFunction = true; ///< false: ARBITER_FIXED_FUNCTION=programs
-  std::uint32_t threads = 0;       ///< of the rasterizer; 0: one a processor
-  std::string cpu;                 ///< "avx512", "avx2", "sse4.1"; empty: this one
-  bool cache = true;               ///< of programs, on disk
+  Attributes attributes = Attributes::OfProfile;
+  std::uint32_t threads = 0; ///< of the rasterizer; 0: one a processor
+  std::string cpu;           ///< "avx512", "avx2", "sse4.1"; empty: this one
+  bool cache = true;         ///< of programs, on disk
   std::uint32_t cacheMaxMegabytes = 64;
   std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year
   std::uint32_t extensionsMaxLength = 0; ///< bytes of the joined names; 0: of any length

@@ -125,6 +125,15 @@ TEST(Settings, FixedFunctionIsAlwaysOrPrograms) {
   EXPECT_EQ(bad.warnings.size(), 1u);
 }
 
+TEST(Settings, AttributesAliasOrAreApart) {
+  EXPECT_EQ(parse({}).settings.attributes, Attributes::OfProfile);
+  EXPECT_EQ(parse({{"ARBITER_ATTRIBUTES", "alias"}}).settings.attributes, Attributes::Alias);
+  EXPECT_EQ(parse({{"ARBITER_ATTRIBUTES", "apart"}}).settings.attributes, Attributes::Apart);
+  const auto bad = parse({{"ARBITER_ATTRIBUTES", "both"}});
+  EXPECT_EQ(bad.settings.attributes, Attributes::OfProfile);
+  EXPECT_EQ(bad.warnings.size(), 1u);
+}
+
 TEST(Settings, TheProcessorIsThisOneOrOfAFamily) {
   EXPECT_EQ(parse({}).settings.cpu, "");
   for (const char *const family : {"avx512", "avx2", "sse4.1"})

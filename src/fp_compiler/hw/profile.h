@@ -98,7 +98,8 @@ struct Profile {
   Limits fragment; ///< the numbers of the fragment target
   Limits vertex;   ///< the numbers of the vertex target; it has no model, only documented limits
   Combiners combiners;
-  std::uint32_t textureShaders = 0; ///< the first so many of NV_texture_shader, 2 and 3
+  std::uint32_t textureShaders = 0;    ///< the first so many of NV_texture_shader, 2 and 3
+  std::uint32_t aliasedAttributes = 0; ///< generic attributes are the conventional ones
   /// How arithmetic is done unless ARBITER_NUMERICS says otherwise.
   Numerics numerics = Numerics::Host;
   /// The numbers are to be asked from the host's driver, by the names in rows(); those here are

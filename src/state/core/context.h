@@ -32,6 +32,7 @@ struct EraState;
 struct ImagingState;
 class HostAssembly;
 class StagePipeline;
+struct AttributeAliases;
 class ListCompiler;
 class SamplerOverride;
 class ShareGroup;
@@ -132,6 +133,8 @@ public:
   std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
 
   std::unique_ptr<NvState> nv; ///< where the profile has NVIDIA's languages, else null
+
+  std::unique_ptr<AttributeAliases> aliases; ///< with `nv`, and where attributes alias; else null
 
   std::unique_ptr<CombinerState> combiners; ///< where the profile has register combiners, else null
   std::unique_ptr<TextureShaderState> textureShaders; ///< the same of NV_texture_shader

@@ -48,6 +48,9 @@ struct ContextHot {
   /// A command of ARB_imaging was used here, where the layer has it: commands that move pixels ask
   /// for it (state/imaging/pixel_commands.h).
   bool imagesPixels = false;
+  /// Generic attributes are the conventional ones here, and not the host's: commands that name them
+  /// ask for it (mirror/attribute_aliases.h).
+  bool attributesAlias = false;
   /// A primitive is deferred: its vertices go here. Null: to the host.
   software::ImmediateRecorder *recorder = nullptr;
   /// Groups of the host's state that may have changed since we asked for them

@@ -23,6 +23,7 @@
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
+#include "state/mirror/attribute_aliases.h" // its destructor
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h" // its destructor

@@ -118,6 +118,11 @@ ARBITER_EVALUATES(EvalPoint2)
   return true;
 }
 
+/// Neither recorded, nor of arrays that are others than the host's.
+[[nodiscard]] inline bool ArrayElement(Context &context, GLint) {
+  return !context.softwareListens && !context.attributesAlias;
+}
+
 /// Names of APPLE_vertex_array_object's are the layer's.
 [[nodiscard]] inline bool BindVertexArray(Context &context, GLuint) {
   return !context.era || !context.era->vertexArrays.any();

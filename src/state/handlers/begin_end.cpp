@@ -86,7 +86,7 @@ void End(Context &context) {
 }
 
 void ArrayElement(Context &context, GLint index) {
-  if (context.listMode == 0 || !software::recordElement(context, index))
+  if (!software::recordElement(context, index))
     context.host->ArrayElement(index);
 }
 

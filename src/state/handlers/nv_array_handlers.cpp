@@ -10,6 +10,8 @@
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/evaluators/nv_attributes.h"
+#include "state/host_draw/native_inputs.h"
+#include "state/mirror/attribute_aliases.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/nv/nv_state.h"
 
@@ -18,9 +20,16 @@ namespace arbiter::state {
 namespace {
 
 void setArrayEnabled(Context &context, GLuint index, bool enabled) {
-  context.nv->arraysUsed |= enabled;
+  const auto get = [&] {
+    GLint value = 0;
+    context.host->GetVertexAttribiv(index, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &value);
+    return value != 0;
+  };
+  const bool ofAll = enabled && (context.aliases->ofProgramsAlone >> index & 1u) == 0 && get();
+  noteGenericArray(context, index, enabled);
+  if (enabled && !ofAll)
+    context.aliases->ofProgramsAlone |= 1u << index;
   context.dirty |= software::dirty::kArrays;
-  context.attention |= attention::kState; // the next draw looks
   (enabled ? context.host->EnableVertexAttribArray : context.host->DisableVertexAttribArray)(index);
 }
 

@@ -190,7 +190,7 @@ void followTextureChanges(Context &context) {
 
 /// What of GL's state reaches vertex programs as parameters and attributes.
 void refreshInputs(Context &context) {
-  if (context.nv)
+  if (context.aliases)
     refreshNativeInputs(context);
   if (context.vertexShaders)
     refreshVertexShader(context);

@@ -238,6 +238,9 @@ TEST(ChangePaceTest, ManyDrawsInALittleTimeAreFast) {
 TEST_F(OwnFragments, WhatOnlyGlslDoesIsGlsl) {
   use(*m_context, kFog);
   EXPECT_TRUE(drawsByAssembly()) << "the host has fog";
+  ASSERT_EQ(m_host.assembly.size(), 1u);
+  EXPECT_NE(m_host.assembly.begin()->second.find("MOV_SAT result.color"), std::string::npos)
+      << "and would have it of colours before they are clamped";
   use(*m_context, "!!ARBfp1.0\nOPTION ARB_fragment_program_shadow;\nTEX result.color, "
                   "fragment.texcoord[0], texture[0], SHADOW2D;\nEND\n");
   EXPECT_TRUE(drawsByGlsl());

@@ -5,6 +5,7 @@
 #include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/emit.h"
 #include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/reads.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
@@ -121,6 +122,16 @@ std::string textOfNvidias(const Context &context, const CompiledProgram &compile
   return isOfArb ? fp::emitAssembly(program, fp::PartlyWritten::Zero, most) : std::string();
 }
 
+/// The program with its colours clamped as they are written: fog is of the clamped colour
+/// (ARB_fragment_program 3.11.4.5.1), and NVIDIA's driver has it of the other.
+fp::ir::Program withClampedColors(fp::ir::Program program) {
+  for (fp::ir::Instruction &instruction : program.code)
+    if (instruction.dst.file == fp::ir::File::Output && fp::ir::writeMask(instruction) != 0 &&
+        program.outputs[instruction.dst.index].kind == fp::ir::OutputKind::Color)
+      instruction.dst.saturate = true;
+  return program;
+}
+
 std::string assemblyText(const Context &context, const CompiledProgram &compiled,
                          const std::vector<fp::ir::Output> &defined) {
   if (isVertex(compiled) && !compiled.clipped)
@@ -129,6 +140,10 @@ std::string assemblyText(const Context &context, const CompiledProgram &compiled
     return compiled.source(); // of an ATI shader's form: assembly that was emitted already
   if (compiled.program->options.nv != fp::ir::NvOption::None)
     return textOfNvidias(context, compiled, defined);
+  if (isVertex(compiled) && fp::bindsOneTwice(*compiled.program))
+    return {};
+  if (compiled.program->options.fog != fp::ir::FogMode::None)
+    return fp::emitAssembly(withClampedColors(*compiled.program));
   // NVIDIA's driver has (0, 0, 0, 1) in components that nothing writes, and programs divide by that
   // w. Over a software host the rasterizer draws in turns with it, and both have zeros.
   const auto parts = context.caps.onProcessor ? fp::PartlyWritten::Zero : fp::PartlyWritten::Hosts;

@@ -1,33 +1,38 @@
 #include "state/host_draw/native_inputs.h"
 
+#include <bit>
+
 #include "host/host_table.h"
+#include "state/core/active_profile.h"
 #include "state/host_draw/variants/array_variants.h"
+#include "state/mirror/attribute_aliases.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_object.h"
+#include "state/raster_draw/context_state.h"
+#include "util/flags.h"
 
 namespace arbiter::state {
 
-namespace {
-
-/// The host is asked, as vertex array objects and the client attribute stack change them too.
-std::uint32_t enabledArrays(const Context &context) {
+std::uint32_t enabledArrays(const Context &context, const host::HostTable &host) {
   std::uint32_t arrays = 0;
-  for (GLuint i = 0; i < NvState::kAttributes && i < GLuint(context.caps.maxVertexAttribs); ++i) {
+  for (std::uint32_t left = context.aliases->arraysUsed; left != 0; left &= left - 1) {
+    const int index = std::countr_zero(left);
     GLint enabled = 0;
-    if ((ArrayVariants::kBoth >> i & 1u) != 0)
-      context.host->GetVertexAttribiv(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
-    arrays |= enabled != 0 ? 1u << i : 0u;
+    host.GetVertexAttribiv(GLuint(index), GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+    arrays |= enabled != 0 ? 1u << index : 0u;
   }
   return arrays;
 }
 
+namespace {
+
 void refreshArrays(Context &context) {
-  NvState &nv = *context.nv;
-  const std::uint32_t arrays = nv.immediate ? 0 : enabledArrays(context);
-  if (arrays == nv.arrays)
+  AttributeAliases &aliases = *context.aliases;
+  const std::uint32_t arrays = aliases.immediate ? 0 : enabledArrays(context, *context.host);
+  if (arrays == aliases.arrays)
     return;
-  nv.arrays = arrays;
+  aliases.arrays = arrays;
   context.attention |= attention::kProgram;
 }
 
@@ -44,49 +49,82 @@ bool attributesAreOne(const host::HostTable &host) {
   return normal[0] == other[0];
 }
 
-/// The rasterizer's attributes are never one: where the host's are, it keeps to conventional ones.
-WiderAttributes widerAttributes(Context &context) {
-  std::optional<bool> &areOne = context.nv->attributesAreOne;
-  if (!areOne && context.listMode != 0)
-    return WiderAttributes::Beside; // what the question sets would go into the list
-  if (!areOne)
-    areOne = attributesAreOne(*context.host);
-  if (!*areOne)
+/// Programs of NVIDIA's own languages read what VertexAttribNV alone sets of an attribute, and
+/// those of the ARB's from when there is some: most of them read a w that nobody has set. The
+/// rasterizer's attributes are never one: where the host's are, it keeps to conventional ones.
+WiderAttributes widerAttributes(const Context &context, const CompiledProgram &program) {
+  const bool isNative = program.native.language != fp::ir::NativeLanguage::None;
+  if (!isNative && !context.aliases->widerGiven)
+    return WiderAttributes::Nowhere;
+  if (!context.aliases->areOne)
     return WiderAttributes::Beside;
   return context.softwarePossible ? WiderAttributes::Nowhere : WiderAttributes::Generic;
 }
 
 } // namespace
 
+bool attributesMayAlias() {
+  switch (settings().attributes) {
+  case Attributes::Alias:
+    return true;
+  case Attributes::Apart:
+    return false;
+  case Attributes::OfProfile:
+    break;
+  }
+  return activeProfile().aliasedAttributes != 0;
+}
+
+void offerAliases(Context &context) {
+  const bool alias = attributesMayAlias();
+  if (!context.nv && !alias)
+    return;
+  context.aliases = std::make_unique<AttributeAliases>();
+  context.aliases->areOne = attributesAreOne(*context.host);
+  context.attributesAlias = alias && (!context.aliases->areOne || software::mayBeUsed(context));
+}
+
+void noteGenericArray(Context &context, GLuint index, bool enabled) {
+  if (!isAliasedRegister(index) || index >= GLuint(context.caps.maxVertexAttribs))
+    return;
+  if (enabled)
+    context.aliases->arraysUsed |= 1u << index;
+  context.aliases->ofProgramsAlone &= ~(1u << index);
+  context.attention |= attention::kState; // the next draw looks
+}
+
 std::shared_ptr<const CompiledProgram> withItsAttributes(Context &context,
                                                          const CompiledProgram &program) {
   const ArrayVariants &forms = *program.arrays;
   const WiderAttributes wider =
-      forms.readsWider() ? widerAttributes(context) : WiderAttributes::Nowhere;
-  return forms.of(program, context.nv->arrays, wider);
+      forms.readsWider() ? widerAttributes(context, program) : WiderAttributes::Nowhere;
+  return forms.of(program, context.aliases->arrays, wider);
 }
 
 bool nativeInputsMayChange(const Context &context) {
   const ProgramTarget &vertex = context.row(Target::Vertex);
-  return context.nv && vertex.enabled && (vertex.tracked != 0 || context.nv->arraysUsed);
+  return (context.nv && vertex.enabled && vertex.tracked != 0) ||
+         (context.aliases && context.aliases->arraysUsed != 0 &&
+          (vertex.enabled || context.attributesAlias));
 }
 
 void refreshNativeInputs(Context &context) {
-  if (!nativeInputsMayChange(context))
+  if (!context.row(Target::Vertex).enabled)
     return;
-  refreshTrackedMatrices(context);
-  if (context.nv->arraysUsed)
+  if (context.nv)
+    refreshTrackedMatrices(context);
+  if (context.aliases->arraysUsed != 0)
     refreshArrays(context);
 }
 
 ImmediateInputs::ImmediateInputs(Context &context) : m_context(context) {
-  if (m_context.nv)
-    m_context.nv->immediate = true;
+  if (m_context.aliases)
+    m_context.aliases->immediate = true;
 }
 
 ImmediateInputs::~ImmediateInputs() {
-  if (m_context.nv)
-    m_context.nv->immediate = false;
+  if (m_context.aliases)
+    m_context.aliases->immediate = false;
 }
 
 } // namespace arbiter::state

@@ -103,7 +103,7 @@ bool targetsAgree(const ProgramPair &pair) {
 bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
-  if (context.nv && pair.vertex && pair.vertex->arrays)
+  if (context.aliases && pair.vertex && pair.vertex->arrays)
     pair.vertex = withItsAttributes(context, *pair.vertex);
   if (rows.fragment)
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);

@@ -17,8 +17,9 @@ namespace arbiter::host {
 struct HostTable;
 }
 namespace arbiter::state {
+struct AttributeAliases;
 struct HostCaps;
-}
+} // namespace arbiter::state
 
 namespace arbiter::state::software {
 
@@ -108,8 +109,12 @@ struct SamplerUse {
 /// Begin and End. They raise no error, and leave the host's state as it was.
 class Mirror {
 public:
-  /// Both outlive the mirror.
-  Mirror(const host::HostTable &host, const HostCaps &caps) : m_host(host), m_caps(caps) {}
+  /// All outlive the mirror.
+  /// \param aliases an array of a generic attribute is that of the conventional one as well; null:
+  /// it is not
+  Mirror(const host::HostTable &host, const HostCaps &caps,
+         const AttributeAliases *aliases = nullptr)
+      : m_host(host), m_caps(caps), m_aliases(aliases) {}
 
   /// Takes the bits of `dirty` (ContextHot::dirty) and asks for the groups that every draw needs:
   /// raster, pixelOps, constants, obstacle.
@@ -189,6 +194,7 @@ private:
 
   const host::HostTable &m_host;
   const HostCaps &m_caps;
+  const AttributeAliases *m_aliases;
 };
 
 } // namespace arbiter::state::software

@@ -1,6 +1,8 @@
 // Vertex arrays of the current vertex array object, or of client state.
 #include <algorithm>
+#include <bit>
 
+#include "state/mirror/attribute_aliases.h"
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
@@ -125,6 +127,17 @@ void queryTexCoordArrays(const HostCaps &caps, const HostQuery &query, ArrayBind
   select(first);
 }
 
+/// Generic ones as the conventional ones that they are, in place of these.
+void addAliases(const AttributeAliases &aliases, ArrayBindings &arrays) {
+  const std::uint32_t enabled = arrays.enabled >> kGeneric0;
+  for (std::uint32_t left = aliases.arraysUsed & ~aliases.ofProgramsAlone & enabled; left != 0;
+       left &= left - 1) {
+    const int index = std::countr_zero(left), slot = slotOfRegister(unsigned(index));
+    add(arrays, slot, arrays.slots[std::size_t(kGeneric0 + index)]);
+    arrays.foreign |= (arrays.foreign >> (kGeneric0 + index) & 1u) << slot;
+  }
+}
+
 bool restarts(const HostCaps &caps, const HostQuery &query) {
   return (caps.primitiveRestart && query.enabled(GL_PRIMITIVE_RESTART)) ||
          (caps.restartNv && query.enabled(GL_PRIMITIVE_RESTART_NV)) ||
@@ -149,6 +162,8 @@ void Mirror::refreshArrays() {
   queryTexCoordArrays(m_caps, query, arrays);
   for (GLuint i = 0; i < GLuint(std::min(m_caps.maxVertexAttribs, 16)); ++i)
     queryGeneric(m_caps, query, i, arrays); // 0 after the position, which it stands for
+  if (m_aliases)
+    addAliases(*m_aliases, arrays);
   arrays.elementBuffer = GLuint(query.integer(GL_ELEMENT_ARRAY_BUFFER_BINDING));
 }
 

@@ -9,6 +9,7 @@
 #include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/era/era_state.h"
+#include "state/host_draw/native_inputs.h"
 #include "state/imaging/imaging_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
@@ -142,6 +143,7 @@ void offerTargets(Context &context) {
     offer(context, Target::AtiText, limits);
     offer(context, Target::AtiApi, limits);
     offerNvPrograms(context);
+    offerAliases(context);
     offerCombiners(context);
     offerTextureShaders(context);
     if (context.combiners || context.textureShaders)

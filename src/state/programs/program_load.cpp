@@ -13,6 +13,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
+#include "state/host_draw/variants/attribute_forms.h"
 #include "state/host_draw/variants/clipped_variant.h"
 #include "state/host_draw/variants/depth_variants.h"
 #include "state/lists/list_compiler.h"
@@ -123,12 +124,16 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
     compiled->ati = std::make_shared<const AtiVariants>(*source.program, glslHost(context.caps),
                                                         context.numerics);
   else {
-    compiled->program = std::make_shared<const fp::ir::Program>(*source.program);
-    compiled->glsl = replaced
-                         ? fp::emitGlsl(*source.program, glslHost(context.caps), context.numerics)
-                         : own.glsl;
+    const bool alias = target == Target::Vertex && context.attributesAlias;
+    const auto renamed = alias ? withConventionalAttributes(*source.program) : nullptr;
+    compiled->program =
+        renamed ? renamed : std::make_shared<const fp::ir::Program>(*source.program);
+    compiled->glsl = replaced || renamed ? fp::emitGlsl(*compiled->program, glslHost(context.caps),
+                                                        context.numerics)
+                                         : own.glsl;
   }
-  if (target == Target::Vertex && compiled->native.language != fp::ir::NativeLanguage::None)
+  if (target == Target::Vertex &&
+      (context.attributesAlias || compiled->native.language != fp::ir::NativeLanguage::None))
     compiled->arrays = std::make_shared<const ArrayVariants>(
         *compiled->program, glslHost(context.caps), context.numerics, context.caps.clipDistances());
   if (target == Target::Fragment)

@@ -1,5 +1,8 @@
 #pragma once
 #include "state/core/context.h"
+#include "state/host_draw/evaluators/nv_attributes.h"
+#include "state/host_draw/native_inputs.h"
+#include "state/mirror/attribute_aliases.h"
 #include "state/mirror/convert.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/draw.h"
@@ -32,12 +35,14 @@ void hostDoesUnknown(Context &context, const char *name);
 // --- While a primitive is recorded ---
 
 /// A generic attribute; attribute 0 makes a vertex.
-inline void generic(ImmediateRecorder &recorder, GLuint index, GLfloat x, GLfloat y, GLfloat z,
-                    GLfloat w, unsigned given) {
+inline void generic(ContextHot &hot, GLuint index, GLfloat x, GLfloat y, GLfloat z, GLfloat w,
+                    unsigned given) {
   if (index == 0)
-    recorder.vertex(x, y, z, w, given);
+    hot.recorder->vertex(x, y, z, w, given);
+  else if (hot.attributesAlias && isAliasedRegister(index)) [[unlikely]]
+    setAliasedAttribute(hot, index, {x, y, z, w}, given);
   else
-    recorder.set(kGeneric0 + int(index), x, y, z, w, given);
+    hot.recorder->set(kGeneric0 + int(index), x, y, z, w, given);
 }
 
 } // namespace arbiter::state::software

@@ -10,31 +10,27 @@
 
 namespace arbiter::state::software {
 
-namespace {
-
-bool isPossible(const Context &context) {
+bool mayBeUsed(const Context &context) {
   const Backend backend = settings().backend;
   return backend != Backend::Host && context.offered && context.numerics != fp::Numerics::Fp24 &&
          (backend != Backend::Auto || context.caps.onProcessor);
 }
-
-} // namespace
 
 bool keepsLists(const Context &context) {
   if (context.software || context.softwareRefused)
     return context.software != nullptr;
   return (settings().alwaysFixedFunction ||
           context.group->programApiUsed.load(std::memory_order_relaxed)) &&
-         isPossible(context);
+         mayBeUsed(context);
 }
 
 bool keepsEarlyLists(const Context &context) {
   return !context.software && !context.softwareRefused && context.frames < kEarlyFrames &&
-         isPossible(context);
+         mayBeUsed(context);
 }
 
 void expect(const Context &context) {
-  if (isPossible(context))
+  if (mayBeUsed(context))
     startEngineAsBefore();
 }
 
@@ -42,7 +38,7 @@ void engage(Context &context) {
   if (context.software || context.softwareRefused)
     return;
   context.softwareRefused = true;
-  if (!isPossible(context))
+  if (!mayBeUsed(context))
     return;
   watchExit();
   context.software = std::make_unique<ContextState>(context);
@@ -58,7 +54,8 @@ void engage(Context &context) {
 
 // The mirror is never asked for anything while the host is deferred (Context::trueHost).
 ContextState::ContextState(Context &context)
-    : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps),
+    : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps,
+             context.attributesAlias ? context.aliases.get() : nullptr),
       residency({context, context.caps, context.pendingError, context.neighbours,
                  context.group->deletedNames, context.group->textureViews, context.group->contexts,
                  draws, context.serial}) {}

@@ -135,7 +135,8 @@ bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const
   if (!isEach(context))
     return false;
   for (GLsizei i = 0; i < drawCount; ++i)
-    if (count[i] > 0 && !takes(context, {mode, first[i], count[i]}))
+    if (const DrawCommand command = {mode, first[i], count[i]};
+        count[i] > 0 && !takes(context, command) && !aliasedDraw(context, command))
       context.host->DrawArrays(mode, first[i], count[i]);
   return true;
 }
@@ -152,7 +153,8 @@ bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, G
     return false;
   for (GLsizei i = 0; i < drawCount; ++i) {
     const GLint base = baseVertices ? baseVertices[i] : 0;
-    if (count[i] == 0 || takes(context, {mode, 0, count[i], type, indices[i], base}))
+    const DrawCommand command = {mode, 0, count[i], type, indices[i], base};
+    if (count[i] == 0 || takes(context, command) || aliasedDraw(context, command))
       continue;
     if (baseVertices)
       context.host->DrawElementsBaseVertex(mode, count[i], type, indices[i], base);

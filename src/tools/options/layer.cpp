@@ -23,6 +23,11 @@ void addLayer(Verb &verb, LayerArguments &layer) {
               "whose draws without a program are: always the rasterizer's, or only once a program "
               "has been drawn")
       .oneOf({"always", "programs"});
+  verb.option(
+          "--attributes", layer.attributes,
+          "generic and conventional vertex attributes of a number: alias, one attribute; apart, "
+          "two; else as the profile's card")
+      .oneOf({"alias", "apart"});
   verb.option("--extensions-max-year", layer.extensionsMaxYear,
               "announce no extension of a later year")
       .range(1992, 9999);

@@ -17,6 +17,7 @@ constexpr Env kVariables[] = {
     Env::Numerics,
     Env::Backend,
     Env::FixedFunction,
+    Env::Attributes,
     Env::Threads,
 };
 

@@ -39,6 +39,7 @@ extensions_max_length = 4095
 numerics = "legacy"
 backend = "host"
 fixed_function = "always"
+attributes = "alias"
 threads = "2"
 )",
                               "d/f.toml");

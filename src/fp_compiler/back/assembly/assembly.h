@@ -38,6 +38,10 @@ struct AssemblyLimits {
 [[nodiscard]] std::string emitAssembly(const ir::Program &program, PartlyWritten parts,
                                        const AssemblyLimits &most);
 
+/// True if the vertex program reads a conventional attribute and the generic one of its number,
+/// which no text may bind both.
+[[nodiscard]] bool bindsOneTwice(const ir::Program &program);
+
 /// True where the text of emitAssembly() is one of the ARB's language, whatever language the
 /// program was written in: it has no loops, and no opcodes, bindings or constants that only
 /// NVIDIA's have. Rows by address are none of them, as the ARB leaves undefined what lies beside an

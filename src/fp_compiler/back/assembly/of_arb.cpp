@@ -22,16 +22,6 @@ bool writesUndefined(const Instruction &instruction) {
   return (instruction.dst.mask & (instruction.op == ir::Opcode::Scs ? 0xC : 0x8)) != 0;
 }
 
-/// No text binds a conventional attribute and the generic one of its number.
-bool bindsOneTwice(const ir::Program &program) {
-  for (const ir::Attribute &generic : program.attributes)
-    for (const ir::Attribute &other : program.attributes)
-      if (generic.kind == AttributeKind::Generic && other.kind != AttributeKind::Generic &&
-          generic.index == ir::genericNumberOf(other))
-        return true;
-  return false;
-}
-
 bool isOfArb(const ir::Program &program, const Operand &operand, bool addresses) {
   if (operand.file == ir::File::Attribute)
     return program.attributes[operand.index].kind != AttributeKind::Facing;
@@ -63,6 +53,15 @@ bool isOfArb(const ir::Program &program, const Instruction &instruction, bool ad
   return true;
 }
 } // namespace
+
+bool bindsOneTwice(const ir::Program &program) {
+  for (const ir::Attribute &generic : program.attributes)
+    for (const ir::Attribute &other : program.attributes)
+      if (generic.kind == AttributeKind::Generic && other.kind != AttributeKind::Generic &&
+          generic.index == ir::genericNumberOf(other))
+        return true;
+  return false;
+}
 
 bool isOfArb(const ir::Program &program, bool addresses) {
   if (program.language == ir::Language::AtiFragment || program.options.colorSum ||

@@ -1,10 +1,13 @@
 #include "state/host_draw/evaluators/nv_attributes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/unit_scope.h"
+#include "state/mirror/attribute_aliases.h"
 #include "state/raster_draw/immediate/recorder.h"
 
 namespace arbiter::state {
@@ -19,33 +22,36 @@ constexpr int fewerComponents(GLuint index) {
   return index == 2 || index == 4 ? 3 : index == 5 ? 1 : 0;
 }
 
-/// The slot of the conventional attribute, or of a generic one that has no other name.
-int slotOf(GLuint index) {
-  switch (index) {
-  case 2:
-    return software::kNormal;
-  case 3:
-    return software::kColor;
-  case 4:
-    return software::kSecondary;
-  case 5:
-    return software::kFogCoord;
-  default:
-    return index < kFirstTexCoord ? software::kGeneric0 + int(index)
-                                  : software::kTexCoord0 + int(index - kFirstTexCoord);
-  }
-}
-
-void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v) {
+/// \param both the generic attribute is recorded whatever the conventional one has
+void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, unsigned given,
+            bool both) {
   if (index == 0)
-    return recorder.vertex(v[0], v[1], v[2], v[3]);
+    return recorder.vertex(v[0], v[1], v[2], v[3], given);
   Vec4 conventional = v;
-  if (const int common = fewerComponents(index)) {
+  const int common = fewerComponents(index);
+  if (common != 0) {
     conventional = {0.0f, 0.0f, 0.0f, 1.0f};
     std::copy_n(v.begin(), common, conventional.begin());
-    recorder.set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3]);
   }
-  recorder.set(slotOf(index), conventional[0], conventional[1], conventional[2], conventional[3]);
+  if (common != 0 || both)
+    recorder.set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3], given);
+  recorder.set(slotOfRegister(index), conventional[0], conventional[1], conventional[2],
+               conventional[3], given);
+}
+
+/// Of the components beyond those of the conventional command.
+bool isWider(GLuint index, const Vec4 &v) {
+  constexpr Vec4 kDefault = {0.0f, 0.0f, 0.0f, 1.0f};
+  const int common = fewerComponents(index);
+  return common != 0 && !std::equal(v.begin() + common, v.end(), kDefault.begin() + common);
+}
+
+/// From the first such value on programs of the ARB's look for it.
+void noteWider(Context &context, GLuint index, const Vec4 &v) {
+  if (!context.aliases || context.aliases->widerGiven || !isWider(index, v)) [[likely]]
+    return;
+  context.aliases->widerGiven = true;
+  context.attention |= attention::kProgram;
 }
 
 void sendConventional(const host::HostTable &host, GLuint index, const Vec4 &v) {
@@ -70,9 +76,9 @@ void sendConventional(const host::HostTable &host, GLuint index, const Vec4 &v) 
 }
 
 /// The generic one last: on hosts whose attributes are one it is what counts.
-void send(const host::HostTable &host, GLuint index, const Vec4 &v) {
+void send(const host::HostTable &host, GLuint index, const Vec4 &v, bool both) {
   sendConventional(host, index, v);
-  if (fewerComponents(index) != 0)
+  if (fewerComponents(index) != 0 || both)
     host.VertexAttrib4fv(index, v.data());
 }
 
@@ -111,27 +117,63 @@ const Vec4 &later(GLuint index, const Vec4 &conventional, const Vec4 &generic) {
   return same ? generic : conventional;
 }
 
+/// The host's value of a register.
+Vec4 hostsRegister(const host::HostTable &host, GLuint index) {
+  const Vec4 conventional = hostsConventional(host, index);
+  if (fewerComponents(index) == 0)
+    return conventional;
+  Vec4 generic = {0.0f, 0.0f, 0.0f, 1.0f};
+  host.GetVertexAttribfv(index, GL_CURRENT_VERTEX_ATTRIB, generic.data());
+  return later(index, conventional, generic);
+}
+
+template <typename T>
+bool getAliased(const ContextHot &hot, const host::HostTable &host, GLuint index, T *values) {
+  if (hot.insideBeginEnd || !values)
+    return false;
+  const Vec4 value = hostsRegister(host, index);
+  std::transform(value.begin(), value.end(), values,
+                 [](GLfloat each) { return T(std::is_integral_v<T> ? std::lround(each) : each); });
+  return true;
+}
+
 } // namespace
 
 void setNvAttribute(Context &context, GLuint index, const Vec4 &value) {
+  noteWider(context, index, value);
   if (context.recorder)
-    return record(*context.recorder, index, value);
-  send(*context.host, index, value);
+    return record(*context.recorder, index, value, 4, false);
+  send(*context.host, index, value, false);
+}
+
+void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given) {
+  noteWider(static_cast<Context &>(hot), index, value);
+  if (hot.recorder)
+    return record(*hot.recorder, index, value, given, true);
+  send(*hot.host, index, value, true);
 }
 
 Vec4 currentNvAttribute(const Context &context, GLuint index) {
-  const bool fewer = fewerComponents(index) != 0;
-  if (context.recorder) {
-    const software::CurrentValues &values = context.recorder->values();
-    const Vec4 &conventional = values[std::size_t(slotOf(index))];
-    return fewer ? later(index, conventional, values[software::kGeneric0 + index]) : conventional;
-  }
-  const Vec4 conventional = hostsConventional(*context.host, index);
-  if (!fewer)
-    return conventional;
-  Vec4 generic = {0.0f, 0.0f, 0.0f, 1.0f};
-  context.host->GetVertexAttribfv(index, GL_CURRENT_VERTEX_ATTRIB, generic.data());
-  return later(index, conventional, generic);
+  if (!context.recorder)
+    return hostsRegister(*context.host, index);
+  const software::CurrentValues &values = context.recorder->values();
+  const Vec4 &conventional = values[std::size_t(slotOfRegister(index))];
+  return fewerComponents(index) != 0
+             ? later(index, conventional, values[software::kGeneric0 + index])
+             : conventional;
+}
+
+bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host, GLuint index,
+                         GLfloat *values) {
+  return getAliased(hot, host, index, values);
+}
+bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host, GLuint index,
+                         GLdouble *values) {
+  return getAliased(hot, host, index, values);
+}
+bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host, GLuint index,
+                         GLint *values) {
+  return getAliased(hot, host, index, values);
 }
 
 } // namespace arbiter::state

@@ -12,13 +12,13 @@ namespace arbiter::state {
 ArrayVariants::ArrayVariants(const fp::ir::Program &whole, fp::GlslHost host, fp::Numerics numerics,
                              bool distances)
     : m_host(host), m_numerics(numerics), m_distances(distances),
-      m_beyond(readsBeyondConventional(whole)) {}
+      m_beyond(readsBeyondConventional(whole)), m_read(registersOf(whole)) {}
 
 std::shared_ptr<const CompiledProgram>
 ArrayVariants::of(const CompiledProgram &whole, std::uint32_t arrays, WiderAttributes wider) const {
   if (wider == WiderAttributes::Generic)
     arrays |= m_beyond;
-  arrays &= kBoth & whole.native.attributes;
+  arrays &= m_read;
   const std::uint32_t either = wider == WiderAttributes::Beside ? m_beyond & ~arrays : 0;
   if (arrays == 0 && either == 0)
     return whole.shared_from_this();

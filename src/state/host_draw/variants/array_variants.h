@@ -15,17 +15,14 @@ enum class WiderAttributes : std::uint8_t {
   Nowhere,
 };
 
-/// The forms of a vertex program of NVIDIA's own languages by the arrays that it is drawn with.
-/// v[n] is the conventional attribute of that number (NV_vertex_program, table X.2), but where
-/// VERTEX_ATTRIB_ARRAYn_NV is enabled the array is (2.14.3): it is the host's generic one, which is
-/// another attribute there, and what VertexAttribNV alone sets of an attribute is in that too
-/// (attribute_forms.h). Each form is emitted once; contexts of a share group use the same ones.
+/// The forms of a vertex program by the arrays that it is drawn with, where attributes alias, as
+/// they do in NVIDIA's own languages. Register n is the conventional attribute of that number
+/// (NV_vertex_program, table X.2), but where the generic array is enabled that is (2.14.3): on the
+/// host it is another attribute there, and what VertexAttribNV alone sets of an attribute is in
+/// that too (attribute_forms.h). Each form is emitted once; contexts of a share group use the same
+/// ones.
 class ArrayVariants {
 public:
-  /// The attributes that are both: all but the position, for which any host has one, and 1, 6 and
-  /// 7, which have no conventional name.
-  static constexpr std::uint32_t kBoth = 0xFF3C;
-
   /// \param distances the host has GLSL 1.30, in which clip distances are written
   ArrayVariants(const fp::ir::Program &whole, fp::GlslHost host, fp::Numerics numerics,
                 bool distances);
@@ -47,6 +44,7 @@ private:
   fp::Numerics m_numerics;
   bool m_distances;
   std::uint32_t m_beyond; ///< readsBeyondConventional()
+  std::uint32_t m_read;   ///< the aliased registers that the program reads
   Forms<std::uint32_t> m_forms;
 };
 

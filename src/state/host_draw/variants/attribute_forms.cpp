@@ -1,6 +1,7 @@
 #include "state/host_draw/variants/attribute_forms.h"
 
 #include "fp_compiler/ir/reads.h"
+#include "state/mirror/attribute_aliases.h"
 
 namespace arbiter::state {
 
@@ -26,6 +27,22 @@ std::uint8_t conventionalMask(const Attribute &attribute) {
     return 0x1;
   default:
     return 0xF;
+  }
+}
+
+/// Requires: isAliasedRegister(number).
+Attribute conventionalOf(unsigned number) {
+  switch (number) {
+  case 2:
+    return {AttributeKind::Normal, 0};
+  case 3:
+    return {AttributeKind::ColorPrimary, 0};
+  case 4:
+    return {AttributeKind::ColorSecondary, 0};
+  case 5:
+    return {AttributeKind::FogCoord, 0};
+  default:
+    return {AttributeKind::TexCoord, std::uint8_t(number - 8)};
   }
 }
 
@@ -72,6 +89,26 @@ std::uint16_t choose(Program &program, std::size_t attribute, std::vector<Instru
 
 } // namespace
 
+std::shared_ptr<const Program> withConventionalAttributes(const Program &program) {
+  std::shared_ptr<Program> form;
+  for (std::size_t i = 0; i < program.attributes.size(); ++i) {
+    const Attribute &attribute = program.attributes[i];
+    if (attribute.kind != AttributeKind::Generic || !isAliasedRegister(attribute.index))
+      continue;
+    if (!form)
+      form = std::make_shared<Program>(program);
+    form->attributes[i] = conventionalOf(attribute.index);
+  }
+  return form;
+}
+
+std::uint32_t registersOf(const Program &program) {
+  std::uint32_t numbers = 0;
+  for (const Attribute &attribute : program.attributes)
+    numbers |= 1u << genericNumberOf(attribute);
+  return numbers & kAliasedRegisters;
+}
+
 std::uint32_t readsBeyondConventional(const Program &program) {
   std::uint32_t numbers = 0;
   for (const Instruction &instruction : program.code)
@@ -104,6 +141,8 @@ std::shared_ptr<const Program> withAttributes(const Program &program, std::uint3
           }
     }
   }
+  if (!before.empty() && form->options.nv == fp::ir::NvOption::None)
+    form->options.nv = fp::ir::NvOption::First; // whose opcodes choose() has
   form->code.insert(form->code.begin(), before.begin(), before.end());
   return form;
 }

@@ -33,12 +33,36 @@ Program copies(AttributeKind kind, std::string_view mask) {
 Vec4 chosen(AttributeKind kind, unsigned number, const Vec4 &conventional, const Vec4 &generic) {
   const auto form = withAttributes(copies(kind, "xyzw"), 0, 1u << number);
   EXPECT_TRUE(fp::ir::validate(*form).empty());
+  Program plain = copies(kind, "xyzw"); // as one of the ARB's language
+  plain.options = {};
+  EXPECT_TRUE(fp::ir::validate(*withAttributes(plain, 0, 1u << number)).empty());
   std::vector<Vec4> attributes;
   for (const fp::ir::Attribute &attribute : form->attributes)
     attributes.push_back(attribute.kind == AttributeKind::Generic ? generic : conventional);
   fp::ir::Inputs inputs;
   inputs.attributes = attributes;
   return fp::ir::evaluate(*form, inputs).outputs[0];
+}
+
+TEST(AttributeForms, GenericNamesBecomeTheConventionalOnes) {
+  Builder builder(Language::ArbVertex);
+  constexpr std::uint8_t kNumbers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 15};
+  for (const std::uint8_t number : kNumbers)
+    builder.op(Opcode::Mov, builder.result(OutputKind::FrontPrimary),
+               {builder.attribute(AttributeKind::Generic, number)});
+  const Program program = builder.take();
+  const auto form = withConventionalAttributes(program);
+  ASSERT_TRUE(form);
+  ASSERT_EQ(form->attributes.size(), std::size(kNumbers));
+  for (std::size_t i = 0; i < std::size(kNumbers); ++i) {
+    const fp::ir::Attribute &attribute = form->attributes[i];
+    const bool hasNoOther = kNumbers[i] < 2 || kNumbers[i] == 6 || kNumbers[i] == 7;
+    EXPECT_EQ(attribute.kind == AttributeKind::Generic, hasNoOther) << int(kNumbers[i]);
+    EXPECT_EQ(hasNoOther ? attribute.index : genericNumberOf(attribute), kNumbers[i]);
+  }
+  EXPECT_EQ(registersOf(program), 0u);
+  EXPECT_EQ(registersOf(*form), 0x813Cu);
+  EXPECT_EQ(withConventionalAttributes(copies(AttributeKind::Normal, "xyz")), nullptr);
 }
 
 TEST(AttributeForms, ComponentsBeyondTheConventionalOnesAreFound) {

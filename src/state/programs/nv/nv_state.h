@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -28,13 +27,6 @@ struct NvState {
 
   /// By address / 4. ProgramTarget::tracked has a bit for each that is not NONE.
   std::array<TrackedMatrix, kParameters / 4> tracked{};
-  bool arraysUsed = false;  ///< a VERTEX_ATTRIB_ARRAYi_NV was enabled once
-  std::uint32_t arrays = 0; ///< those that are enabled, as of the last draw
-  /// The host's attributes are NV_vertex_program's: a generic one is the conventional one of its
-  /// number. Not known before a program asks.
-  std::optional<bool> attributesAreOne;
-  bool immediate = false; ///< what is drawn comes between Begin and End: `arrays` is 0
-
   std::uint32_t enabledMaps = 0; ///< of evaluators
   /// Those that were defined; null before the first one.
   std::unique_ptr<std::array<EvaluatorMap, kEvaluatorMaps>> maps;

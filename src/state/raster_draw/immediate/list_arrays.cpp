@@ -4,8 +4,11 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "state/core/context.h"
+#include "state/host_draw/native_inputs.h"
+#include "state/host_draw/stages/application_glsl.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/immediate/recorder.h"
@@ -20,12 +23,44 @@ namespace {
 /// Of one draw. A list of more is the host's, which keeps a vertex that is drawn again once.
 constexpr GLsizei kMostVertices = 1 << 20;
 
+const host::HostTable &ownHostOf(const Context &context) {
+  return context.host == &kRecordingHost ? *context.trueHost : *context.host;
+}
+
+/// The application's own GLSL shades vertices now.
+bool applicationShadesVertices(Context &context) {
+  const host::HostTable &host = ownHostOf(context);
+  const auto name = [&](GLenum binding) {
+    GLint value = 0;
+    host.GetIntegerv(binding, &value);
+    return GLuint(value);
+  };
+  if (context.hostProgramIsOurs)
+    return false;
+  if (const GLuint program = name(GL_CURRENT_PROGRAM))
+    return stagesOf(context, program).vertex;
+  const GLuint pipeline = context.pipelinesUsed ? name(GL_PROGRAM_PIPELINE_BINDING) : 0;
+  return pipeline != 0 && stagesOfPipeline(context, pipeline).vertex;
+}
+
+/// The arrays of generic attributes that the host would have beside those that they are: of what a
+/// list is compiled from, and of fixed function. 0: the host draws as it should.
+std::uint32_t strangeArrays(Context &context) {
+  if (!context.attributesAlias || context.aliases->arraysUsed == 0 || context.aliases->areOne ||
+      context.insideBeginEnd) [[likely]]
+    return 0;
+  const bool program = context.row(Target::Vertex).enabled;
+  if (context.listMode == 0 && (program || applicationShadesVertices(context)))
+    return 0;
+  return enabledArrays(context, ownHostOf(context)) &
+         (program ? ~0u : ~context.aliases->ofProgramsAlone);
+}
+
 /// The host itself is called within it, which neither compiles nor is in Begin and End.
 class OwnHost {
 public:
   explicit OwnHost(Context &context) : m_context(context), m_before(context.host) {
-    if (m_before == &kRecordingHost)
-      context.host = context.trueHost;
+    context.host = &ownHostOf(context);
   }
   ~OwnHost() { m_context.host = m_before; }
   OwnHost(const OwnHost &) = delete;
@@ -39,7 +74,7 @@ private:
 ListArrays &arraysOf(Context &context) {
   ListCompiler::Arrays &arrays = context.list->arrays();
   if (!arrays)
-    arrays = {new ListArrays(*context.trueHost, context.caps),
+    arrays = {new ListArrays(ownHostOf(context), context.caps),
               [](ListArrays *made) { delete made; }};
   return *arrays;
 }
@@ -49,7 +84,8 @@ public:
   OpenArrays(Context &context, const DrawCommand &command)
       : m_context(context), m_arrays(arraysOf(context)) {
     const OwnHost host(context);
-    isOpen = m_arrays.open(context, command, context.list->takeArraysDirty(context));
+    isOpen = m_arrays.open(context, command,
+                           context.listMode == 0 || context.list->takeArraysDirty(context));
   }
   ~OpenArrays() {
     const OwnHost host(m_context);
@@ -61,6 +97,9 @@ public:
   bool isOpen = false;
   void addTo(ImmediateRecorder &recorder, const DrawCommand &command) const {
     m_arrays.addTo(recorder, command);
+  }
+  void sendTo(const host::HostTable &host, const DrawCommand &command) const {
+    m_arrays.sendTo(host, command);
   }
 
 private:
@@ -117,14 +156,32 @@ std::int64_t indexOf(GLenum type, const void *indices, std::size_t i) {
                                      : load(std::uint32_t());
 }
 
-/// As the command that it is. The host compiles it.
-void drawOnHost(const host::HostTable &host, const DrawCommand &c) {
-  if (c.indexType == 0)
+/// As the command that it is, or from `arrays`. The host compiles it.
+void drawOnHost(const host::HostTable &host, const DrawCommand &c, const OpenArrays *arrays) {
+  if (arrays) {
+    host.Begin(c.mode);
+    arrays->sendTo(host, c);
+    host.End();
+  } else if (c.indexType == 0) {
     host.DrawArrays(c.mode, c.first, c.count);
-  else if (c.baseVertex == 0)
+  } else if (c.baseVertex == 0) {
     host.DrawElements(c.mode, c.count, c.indexType, c.indices);
-  else
+  } else {
     host.DrawElementsBaseVertex(c.mode, c.count, c.indexType, c.indices, c.baseVertex);
+  }
+}
+
+} // namespace
+
+namespace {
+
+/// Arrays that EnableClientState enabled are conventional ones while a program reads them.
+AttributeAliases aliasesNow(const Context &context) {
+  if (!context.attributesAlias)
+    return {};
+  const bool program = context.row(Target::Vertex).enabled;
+  return {.arraysUsed = context.aliases->arraysUsed,
+          .ofProgramsAlone = program ? 0 : context.aliases->ofProgramsAlone};
 }
 
 } // namespace
@@ -132,14 +189,20 @@ void drawOnHost(const host::HostTable &host, const DrawCommand &c) {
 bool ListArrays::open(Context &context, const DrawCommand &command, bool changed) {
   // Buffers are written by commands that leave no trace here, and restarts have no bit of their
   // own.
+  const AttributeAliases aliases = aliasesNow(context);
+  changed = std::exchange(m_aliases, aliases) != aliases || changed;
   m_mirror.clock.mark(dirty::kBuffers | dirty::kRaster | (changed ? dirty::kArrays : 0u));
   m_mirror.refreshArrays();
   const ArrayBindings &arrays = m_mirror.arrays;
   if (arrays.restart)
     return false;
-  for (std::uint32_t left = arrays.enabled; left != 0; left &= left - 1)
-    if (!isPlain(arrays.slots[std::size_t(std::countr_zero(left))].array))
+  // What is drawn at once is converted as the host converts arrays.
+  m_symmetric = context.listMode == 0 && context.caps.symmetricSigned;
+  for (std::uint32_t left = arrays.enabled; left != 0; left &= left - 1) {
+    const VertexSource::Array &array = arrays.slots[std::size_t(std::countr_zero(left))].array;
+    if (context.listMode == 0 ? !conversionOf(array, m_symmetric) : !isPlain(array))
       return false;
+  }
   return m_source.open(context, m_mirror, arrays.enabled, command) && isWithin(command);
 }
 
@@ -154,13 +217,13 @@ bool ListArrays::isWithin(const DrawCommand &command) const {
          (count == 0 || bounds.maximum + command.baseVertex < std::int64_t(count));
 }
 
-void ListArrays::addTo(ImmediateRecorder &recorder, const DrawCommand &command) const {
+template <typename Set> void ListArrays::read(const DrawCommand &command, Set &&set) const {
   std::array<Column, kSlots> columns;
   std::size_t count = 0;
   for (std::uint32_t left = m_mirror.arrays.enabled; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
     const VertexSource::Array &array = m_source.source().arrays[std::size_t(slot)];
-    columns[count++] = {slot, conversionOf(array, false),
+    columns[count++] = {slot, conversionOf(array, m_symmetric),
                         static_cast<const std::uint8_t *>(array.base), array.stride,
                         unsigned(array.components)};
   }
@@ -170,13 +233,24 @@ void ListArrays::addTo(ImmediateRecorder &recorder, const DrawCommand &command) 
         command.baseVertex + (command.indexType == 0
                                   ? command.first + std::int64_t(i)
                                   : indexOf(command.indexType, m_source.indices(), std::size_t(i)));
-    for (std::size_t c = count; c-- > 1;) {
-      const std::array<float, 4> v = columns[c].at(index);
-      recorder.set(columns[c].slot, v[0], v[1], v[2], v[3], columns[c].components);
-    }
-    const std::array<float, 4> v = columns[0].at(index);
-    recorder.vertex(v[0], v[1], v[2], v[3], columns[0].components);
+    for (std::size_t c = count; c-- > 0;)
+      set(columns[c].slot, columns[c].at(index), columns[c].components);
   }
+}
+
+void ListArrays::addTo(ImmediateRecorder &recorder, const DrawCommand &command) const {
+  read(command, [&](int slot, const std::array<float, 4> &v, unsigned components) {
+    if (slot == kPosition)
+      recorder.vertex(v[0], v[1], v[2], v[3], components);
+    else
+      recorder.set(slot, v[0], v[1], v[2], v[3], components);
+  });
+}
+
+void ListArrays::sendTo(const host::HostTable &host, const DrawCommand &command) const {
+  read(command, [&](int slot, const std::array<float, 4> &v, unsigned) {
+    setAttribute(host, slot, v.data(), 4);
+  });
 }
 
 bool recordArrays(Context &context, const DrawCommand &command) {
@@ -184,15 +258,16 @@ bool recordArrays(Context &context, const DrawCommand &command) {
       command.count > kMostVertices || !context.list->hasRoom(command.count))
     return false;
   const OpenArrays arrays(context, command);
+  const OpenArrays *const strange = strangeArrays(context) != 0 ? &arrays : nullptr;
   if (!arrays.isOpen || !context.list->beginPrimitive(context, command.mode))
     return false;
   if (context.list->isEarly())
-    drawOnHost(*context.trueHost, command);
+    drawOnHost(*context.trueHost, command, strange);
   arrays.addTo(context.list->recorder(), command);
   context.list->endPrimitive(context, true);
   if (context.list->executes()) {
     if (context.list->beginExecuted(context, command.mode))
-      drawOnHost(*context.host, command);
+      drawOnHost(*context.host, command, strange);
     context.list->endExecuted(context);
   }
   return true;
@@ -200,12 +275,70 @@ bool recordArrays(Context &context, const DrawCommand &command) {
 
 bool recordElement(Context &context, GLint index) {
   const DrawCommand command = {.first = index, .count = 1};
-  if (!context.list->recordsPrimitive() || index < 0)
+  // Of a primitive that is the rasterizer's the host would have to be given all, and it has no part
+  // in arrays that alias.
+  const bool isDeferred = context.listMode == 0 && context.recorder && context.attributesAlias &&
+                          context.insideBeginEnd;
+  if ((!isDeferred && !(context.listMode != 0 && context.list->recordsPrimitive())) || index < 0)
     return false;
   const OpenArrays arrays(context, command);
   if (arrays.isOpen)
-    arrays.addTo(context.list->recorder(), command);
+    arrays.addTo(isDeferred ? *context.recorder : context.list->recorder(), command);
   return arrays.isOpen;
+}
+
+bool aliasedDraw(Context &context, const DrawCommand &command) {
+  const bool draws = command.mode <= GL_POLYGON && command.count > 0 && command.first >= 0 &&
+                     !context.insideBeginEnd;
+  if (!draws || strangeArrays(context) == 0) [[likely]]
+    return false;
+  const OpenArrays arrays(context, command);
+  if (!arrays.isOpen)
+    return false;
+  drawOnHost(*context.host, command, &arrays);
+  ++*context.drawCounter;
+  return true;
+}
+
+bool aliasedDrawRange(Context &context, GLuint start, GLuint end, const DrawCommand &command) {
+  return end >= start && aliasedDraw(context, command);
+}
+
+namespace {
+
+/// Of several draws that are one command, which has no effect where it is an error.
+bool drawsNone(Context &context, GLenum mode, const GLsizei *count, GLsizei drawCount) {
+  return mode > GL_POLYGON || drawCount <= 0 || strangeArrays(context) == 0 ||
+         std::any_of(count, count + drawCount, [](GLsizei each) { return each < 0; });
+}
+
+} // namespace
+
+bool aliasedMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
+                            GLsizei drawCount) {
+  if (drawsNone(context, mode, count, drawCount)) [[likely]]
+    return false;
+  for (GLsizei i = 0; i < drawCount; ++i)
+    if (!aliasedDraw(context, {mode, first[i], count[i]}))
+      context.host->DrawArrays(mode, first[i], count[i]);
+  return true;
+}
+
+bool aliasedMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLenum type,
+                              const void *const *indices, GLsizei drawCount,
+                              const GLint *baseVertices) {
+  if (drawsNone(context, mode, count, drawCount)) [[likely]]
+    return false;
+  for (GLsizei i = 0; i < drawCount; ++i) {
+    const GLint base = baseVertices ? baseVertices[i] : 0;
+    if (aliasedDraw(context, {mode, 0, count[i], type, indices[i], base}))
+      continue;
+    if (baseVertices)
+      context.host->DrawElementsBaseVertex(mode, count[i], type, indices[i], base);
+    else
+      context.host->DrawElements(mode, count[i], type, indices[i]);
+  }
+  return true;
 }
 
 } // namespace arbiter::state::software
