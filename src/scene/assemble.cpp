@@ -1,7 +1,6 @@
 // From one text to a document with all of its files.
 #include <algorithm>
 
-#include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
 
@@ -23,6 +22,13 @@ void complain(ProgramFile &file, fp::Span span, const char *id, std::string mess
 std::string folderOf(const std::string &path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+}
+
+/// Lines stay where they are.
+void makeBlank(fp::Span span, std::string &text) {
+  const auto begin = text.begin();
+  std::replace_if(
+      begin + span.begin, begin + span.end, [](char c) { return c != '\n' && c != '\r'; }, ' ');
 }
 
 class Assembler {
@@ -77,10 +83,7 @@ private:
                "files of a document lie beside it");
       return -1;
     }
-    ProgramFile file{path, std::move(text).value(), {}, {}};
-    file.language = fp::languageOfText(file.text).value_or(Language::ArbFragment);
-    file.panel = parsePanel(file.text);
-    m_document.files.push_back(std::move(file));
+    m_document.files.push_back(programFile(path, std::move(text).value()));
     return int(m_document.files.size()) - 1;
   }
 
@@ -92,14 +95,27 @@ private:
       pass.vertex = index;
     } else {
       pass.fragment = index;
-      if (vertex.written())
-        pass.vertex = addVertex(index, vertex);
+      pass.vertex = vertex.written() ? addVertex(index, vertex) : addSibling(index);
     }
     m_document.passes.push_back(pass);
   }
 
+  /// The vertex program of the same text; -1 if it has none.
+  int addSibling(int of) {
+    const ProgramFile &file = m_document.files[std::size_t(of)];
+    const auto programs = fp::programsOf(file.text);
+    if (std::none_of(programs.begin(), programs.end(),
+                     [](const auto &each) { return each.language == Language::ArbVertex; }))
+      return -1;
+    m_document.files.push_back(programFile(file.name, file.text, Language::ArbVertex));
+    return int(m_document.files.size()) - 1;
+  }
+
   int addVertex(int from, const Name &name) {
-    const int file = add(from, name);
+    int file = add(from, name);
+    if (file >= 0 && m_document.files[std::size_t(file)].language != Language::ArbVertex)
+      if (const int sibling = addSibling(file); sibling >= 0)
+        file = sibling;
     if (file < 0 || m_document.files[std::size_t(file)].language == Language::ArbVertex)
       return file;
     complain(m_document.files[std::size_t(from)], name.span, "panel-file",
@@ -172,13 +188,35 @@ private:
 
 } // namespace
 
+ProgramFile programFile(std::string name, std::string text, std::optional<Language> language) {
+  const std::vector<fp::FileProgram> programs = fp::programsOf(text);
+  const auto firstOf = [&](Language wanted) -> const fp::FileProgram * {
+    for (const fp::FileProgram &each : programs)
+      if (each.language == wanted)
+        return &each;
+    return nullptr;
+  };
+  const fp::FileProgram *main = firstOf(Language::ArbFragment);
+  if (main == nullptr)
+    main = &programs.front();
+  const fp::FileProgram *meant = language ? firstOf(*language) : main;
+  if (meant == nullptr)
+    meant = main;
+  std::string lines = text;
+  if (meant != main) {
+    makeBlank({0, meant->span.begin}, lines);
+    makeBlank({meant->span.end, std::uint32_t(lines.size())}, lines);
+  }
+  for (const fp::FileProgram &each : programs)
+    if (&each != meant)
+      makeBlank(each.span, lines);
+  return {std::move(name), std::move(text), meant->language, parsePanel(lines), meant->span};
+}
+
 Document assemble(const std::string &path, std::string text, const ReadText &read) {
   Document document;
   document.folder = folderOf(path);
-  ProgramFile main{path, std::move(text), {}, {}};
-  main.language = fp::languageOfText(main.text).value_or(Language::ArbFragment);
-  main.panel = parsePanel(main.text);
-  document.files.push_back(std::move(main));
+  document.files.push_back(programFile(path, std::move(text)));
   Assembler(document, read).run();
   TargetCheck(document).run();
   return document;

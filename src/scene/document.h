@@ -3,12 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/file_programs.h"
 #include "scene/animate.h"
 #include "scene/panel/panel.h"
 #include "util/result.h"
 
-/// A document: one program text with its panel, and the files beside it that the panel names.
+/// A document: one program text with its panel, and the files beside it that the panel names. A
+/// file may have a vertex program beside its fragment program: both are of its pass.
 namespace arbiter::scene {
 
 /// The profile that a panel names, as hw::loadProfile() takes it; empty: none. A file of one is
@@ -18,11 +19,22 @@ namespace arbiter::scene {
 
 struct ProgramFile {
   std::string name; ///< as it is shown: the folder and the name, or "<stdin>"
-  std::string text;
+  std::string text; ///< all of it, with the other programs that may be in it
   fp::ir::Language language = fp::ir::Language::ArbFragment;
   /// Its `diagnostics` also have what is wrong with a line in the light of the other files.
   Panel panel;
+  fp::Span place; ///< of the program in the text
+
+  [[nodiscard]] fp::FileProgram program() const { return {language, place}; }
+  /// What GL is given.
+  [[nodiscard]] std::string_view source() const { return program().in(text); }
 };
+
+/// One program of a file, with the lines of its panel.
+/// \param language of which it is; none: the first fragment program of the file, or its first one.
+///        Lines beside all programs are of that one.
+[[nodiscard]] ProgramFile programFile(std::string name, std::string text,
+                                      std::optional<fp::ir::Language> language = {});
 
 /// One pass draws one mesh. Numbers of Document::files, or -1 for GL's fixed function.
 struct Pass {

@@ -112,14 +112,20 @@ Result<Document, DocumentError> loadDocument(const std::string &path) {
 
 std::vector<fp::Diagnostic> checkPanel(const std::string &path, const std::string &text) {
   Panel panel = parsePanel(text);
+  std::vector<fp::Diagnostic> others; // of further programs of the text
   if (panel.written && !path.empty()) {
-    panel = assemble(path, text, readText).panel();
+    const Document document = assemble(path, text, readText);
+    panel = document.panel();
+    for (std::size_t i = 1; i < document.files.size(); ++i)
+      if (document.files[i].name == document.files[0].name)
+        others = document.files[i].panel.diagnostics;
     // A further pass names targets that only its document has.
     if (lacksTarget(panel))
       if (auto inDocument = panelInItsDocument(path, text))
         panel = std::move(*inDocument);
     FileSearch(path, panel).run();
   }
+  panel.diagnostics.insert(panel.diagnostics.end(), others.begin(), others.end());
   std::stable_sort(panel.diagnostics.begin(), panel.diagnostics.end(),
                    [](const auto &a, const auto &b) { return a.span.begin < b.span.begin; });
   return std::move(panel.diagnostics);

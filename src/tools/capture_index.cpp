@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "fp_compiler/file_programs.h"
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/resources.h"
 #include "tools/input.h"
@@ -123,7 +124,8 @@ void compileHere(CapturedProgram &program, const fp::hw::Profile &profile) {
   fp::CompileOptions options;
   options.limits = limitsOf(profile, program.target->language);
   options.policy = fp::LimitPolicy::Report;
-  const fp::CheckResult result = fp::checkProgram(program.target->language, program.text, options);
+  const fp::CheckResult result = fp::checkProgramIn(
+      program.text, fp::programOf(program.text, program.target->language), options);
   program.counted = result.ok();
   program.counts = result.counts;
   program.nativeCounts = result.nativeCounts;

@@ -18,14 +18,14 @@ namespace {
 /// More files than this are a list of what is wrong and a summary, not a table for each.
 constexpr std::size_t kFew = 8;
 
-CheckedFile checkOne(const std::string &path, const CheckArguments &arguments,
-                     ProfileChoice &profiles) {
+std::vector<CheckedFile> checkOne(const std::string &path, const CheckArguments &arguments,
+                                  ProfileChoice &profiles) {
   const fp::LimitPolicy policy =
       arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce;
-  CheckedFile file = checkFile(path, arguments.language, policy, profiles);
+  std::vector<CheckedFile> programs = checkFile(path, arguments.language, policy, profiles);
   if (arguments.advise)
-    addAdvice(file, path, arguments.fix, policy);
-  return file;
+    addAdvice(programs, path, arguments.fix, policy);
+  return programs;
 }
 
 void print(const std::string &text) { std::fwrite(text.data(), 1, text.size(), stdout); }
@@ -99,16 +99,17 @@ int checkAll(const CheckArguments &arguments, ProfileChoice &profiles) {
   const TextReport text(arguments, found, profiles.common());
   for (std::size_t i = 0; i < found.paths.size(); ++i) {
     progress.at(i);
-    CheckedFile file = checkOne(found.paths[i], arguments, profiles);
-    summary.add(file);
-    if (file.status == FileStatus::Unreadable)
-      report(file.fault);
-    if (arguments.json) {
-      json.add(file);
-    } else if (file.status != FileStatus::Unreadable) {
-      if (const std::string part = text.of(file); !part.empty()) {
-        progress.clear();
-        print(part);
+    for (const CheckedFile &file : checkOne(found.paths[i], arguments, profiles)) {
+      summary.add(file);
+      if (file.status == FileStatus::Unreadable)
+        report(file.fault);
+      if (arguments.json) {
+        json.add(file);
+      } else if (file.status != FileStatus::Unreadable) {
+        if (const std::string part = text.of(file); !part.empty()) {
+          progress.clear();
+          print(part);
+        }
       }
     }
   }
@@ -172,8 +173,13 @@ int compareTwo(const CheckArguments &arguments, std::vector<ProfileChoice> &prof
   Summary summary(Summary::Detail::Counts);
   for (std::size_t i = 0; i < 2; ++i) {
     ProfileChoice &choice = profiles[profiles.size() == 2 ? i : 0];
-    CheckedFile file =
-        checkOne(arguments.files[arguments.files.size() == 2 ? i : 0], arguments, choice);
+    const std::string &path = arguments.files[arguments.files.size() == 2 ? i : 0];
+    std::vector<CheckedFile> programs = checkOne(path, arguments, choice);
+    if (programs.size() > 1) {
+      complain(shown(path) + ": has several programs; --language names the one to compare");
+      return kExitUsage;
+    }
+    CheckedFile &file = programs.front();
     summary.add(file);
     if (file.status == FileStatus::Unreadable)
       complain(shown(file.fault));

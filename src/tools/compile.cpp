@@ -18,7 +18,9 @@ namespace arbiter::tools {
 namespace {
 
 /// One line a token: "line:column  kind  text".
-std::string tokenListing(std::string_view text) {
+std::string tokenListing(std::string_view file, const fp::FileProgram &program) {
+  const std::string_view text = file.substr(0, program.span.end);
+  const std::string_view own = program.in(file);
   std::string listing;
   const auto add = [&](fp::Span span, const char *kind) {
     const fp::LineColumn at = fp::locate(text, span.begin);
@@ -29,13 +31,13 @@ std::string tokenListing(std::string_view text) {
     listing += text.substr(span.begin, span.end - span.begin);
     listing += '\n';
   };
-  std::uint32_t begin = 0;
+  std::uint32_t begin = program.span.begin;
   for (const LanguageRow &row : languageRows())
-    if (text.starts_with(row.header))
-      begin = std::uint32_t(std::string_view(row.header).size());
-  if (begin != 0)
-    add({0, begin}, "Header");
-  const bool calls = text.starts_with("!!RC") || text.starts_with("!!TS");
+    if (own.starts_with(row.header))
+      begin += std::uint32_t(std::string_view(row.header).size());
+  if (begin != program.span.begin)
+    add({program.span.begin, begin}, "Header");
+  const bool calls = own.starts_with("!!RC") || own.starts_with("!!TS");
   fp::Lexer lexer(text, begin, calls ? fp::Words::Calls : fp::Words::Identifiers);
   for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
     add(token.span, fp::name(token.kind));
@@ -51,9 +53,10 @@ std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
 
 /// Writes the checked program in the form asked for into `emitted`.
 /// \returns an exit code, after a complaint unless it is kExitOk.
-int emitProgram(std::string_view text, const CompileArguments &arguments,
-                const fp::hw::Profile &profile, std::string &emitted) {
-  const fp::ir::Language language = chooseLanguage(arguments.language, text);
+int emitProgram(std::string_view text, const fp::FileProgram &program,
+                const CompileArguments &arguments, const fp::hw::Profile &profile,
+                std::string &emitted) {
+  const fp::ir::Language language = program.language;
   const bool isIr = arguments.emit == "ir" || arguments.emit == "assembly";
   if (isIr && arguments.numerics == "fx9" && !arguments.optimise && !fp::ir::isNvparse(language)) {
     complain("--numerics has no effect with --emit " + arguments.emit +
@@ -64,7 +67,7 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
   fp::CompileOptions options;
   options.limits = limitsOf(profile, language);
   options.numerics = fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host);
-  fp::CheckResult result = fp::checkProgram(language, text, options);
+  fp::CheckResult result = fp::checkProgramIn(text, program, options);
   const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
   for (const fp::Diagnostic &diagnostic : result.diagnostics)
     std::fputs(fp::render(name, text, diagnostic).c_str(), stderr);
@@ -112,6 +115,33 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
   return kExitUsage;
 }
 
+/// A line above each program of a file that has several, as a comment of what is emitted.
+std::string heading(std::string_view text, const fp::FileProgram &program,
+                    const CompileArguments &arguments) {
+  const std::string mark = arguments.emit == "glsl" ? "//" : arguments.emit == "llvm" ? ";" : "#";
+  return mark + " " + titleOf(arguments.file == "-" ? "<stdin>" : arguments.file, text, program) +
+         "\n";
+}
+
+/// The programs of the file that are meant, one after the other, into `emitted`.
+/// \returns as emitProgram()
+int emitAll(std::string_view text, const CompileArguments &arguments,
+            const fp::hw::Profile &profile, std::string &emitted) {
+  const std::vector<fp::FileProgram> programs = choosePrograms(arguments.language, text);
+  int worst = kExitOk;
+  for (const fp::FileProgram &program : programs) {
+    std::string own;
+    if (arguments.emit == "tokens")
+      own = tokenListing(text, program);
+    else if (const int code = emitProgram(text, program, arguments, profile, own); code != kExitOk)
+      worst = worst == kExitOk ? code : worst;
+    if (programs.size() > 1)
+      emitted += heading(text, program, arguments);
+    emitted += own;
+  }
+  return worst;
+}
+
 } // namespace
 
 int compile(const CompileArguments &arguments) {
@@ -131,18 +161,15 @@ int compile(const CompileArguments &arguments) {
   }
   const std::string &text = input.value();
   std::string emitted;
-  if (arguments.emit != "tokens") {
-    const int code = emitProgram(
-        text, arguments,
-        profiles.value().of(arguments.file == "-" ? std::string() : arguments.file, text), emitted);
-    if (code != kExitOk)
-      return code;
-  } else if (text.size() > fp::kMaxTextBytes) {
+  if (arguments.emit == "tokens" && text.size() > fp::kMaxTextBytes) {
     complain(arguments.file + ": longer than 1 MiB");
     return kExitInvalid;
-  } else {
-    emitted = tokenListing(text);
   }
+  const int code = emitAll(
+      text, arguments,
+      profiles.value().of(arguments.file == "-" ? std::string() : arguments.file, text), emitted);
+  if (code != kExitOk)
+    return code;
   const std::string fault = writeOutput(arguments.output, emitted);
   if (!fault.empty()) {
     complain(fault);

@@ -41,11 +41,37 @@ Language chooseLanguage(std::string_view name, std::string_view text) {
   return fp::languageOfText(text).value_or(Language::ArbFragment);
 }
 
+std::vector<fp::FileProgram> choosePrograms(std::string_view name, std::string_view file) {
+  std::vector<fp::FileProgram> programs = fp::programsOf(file);
+  const Language language = chooseLanguage(name, programs.front().in(file));
+  if (name != "auto")
+    std::erase_if(programs, [language](const auto &each) { return each.language != language; });
+  if (programs.empty())
+    programs.push_back({language, {0, std::uint32_t(file.size())}});
+  return programs;
+}
+
+fp::FileProgram chooseProgram(std::string_view name, std::string_view file) {
+  const std::vector<fp::FileProgram> programs = choosePrograms(name, file);
+  for (const fp::FileProgram &program : programs)
+    if (program.language == Language::ArbFragment)
+      return program;
+  return programs.front();
+}
+
 std::string languageTitle(Language language, std::string_view text) {
   const fp::ir::NativeLanguage own = fp::nativeLanguageOf(text);
   const std::string_view header =
       own == fp::ir::NativeLanguage::None ? languageRow(language).header : fp::ir::headerOf(own);
   return std::string(header.substr(2));
+}
+
+std::string titleOf(const std::string &name, std::string_view file,
+                    const fp::FileProgram &program) {
+  if (fp::programsOf(file).size() == 1)
+    return name;
+  return name + ", " + languageTitle(program.language, program.in(file)) + " of line " +
+         std::to_string(fp::locate(file, program.span.begin).line);
 }
 
 fp::Limits limitsOf(const fp::hw::Profile &profile, Language language) {

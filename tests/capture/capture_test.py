@@ -264,6 +264,18 @@ class Replace(Folder):
                     (self.folder / name).unlink()
                     self.assertTrue(waits_for(b'0 255 0'), 'the own text is not back')
 
+    def test_a_file_with_both_programs_of_a_material(self):
+        index = self.capture(TICKER, 'fragment', '1')
+        name = next(p['file'] for p in index['programs'] if p['draws'])
+        vertex = b'# A material.\n!!ARBvp1.0\nMOV result.position, vertex.position;\nEND\n\n'
+        again = (ARBITER, 'run', '--replace', self.folder, '--', TICKER, 'fragment', '1')
+        self.put(name, vertex + RED)
+        self.assertEqual(run(*again).stdout, '255 0 0\n')
+        self.put(name, vertex + WRONG)
+        result = run(*again)
+        self.assertEqual(result.stdout, '0 255 0\n')
+        self.assertIn(f'{name}:7:19: error: ', result.stderr)
+
     def test_a_wrong_text_at_the_start_leaves_the_own(self):
         index = self.capture(TICKER, 'fragment', '1')
         name = next(p['file'] for p in index['programs'] if p['draws'])

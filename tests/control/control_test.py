@@ -45,6 +45,9 @@ class Edits(Controlled):
             self.assertTrue(output.waits_for('0 255 0'))
             error = self.ctl('set', self.effective(), text, code=2).stderr
             self.assertIn(f'{text}:2:19: error: ', error)
+            text.write_text('# A material.\n!!ARBvp1.0\nEND\n\n' + WRONG)
+            error = self.ctl('set', self.effective(), text, code=2).stderr
+            self.assertIn(f'{text}:6:19: error: ', error)
             self.assertFalse(output.waits_for('', 0.3))
 
     def test_parameters_are_held(self):

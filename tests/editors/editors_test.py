@@ -102,7 +102,7 @@ class Vim(unittest.TestCase):
 
     def test_file_types(self):
         for name, text in (('x', FRAGMENT), ('x.vp', VERTEX), ('x.glsl', FRAGMENT),
-                           ('x.atifs', ''), ('x.arbvp', 'TEMP')):
+                           ('x.atifs', ''), ('x.arbvp', 'TEMP'), ('x.vfp', '# a pair\n\n' + VERTEX)):
             file = self.folder / name
             file.write_text(text)
             self.assertEqual(self.run_vim(file, 'call add(g:out, &filetype)'), ['arbprogram'], name)

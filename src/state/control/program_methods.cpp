@@ -3,6 +3,7 @@
 #include <map>
 
 #include "control/base64.h"
+#include "fp_compiler/file_programs.h"
 #include "fp_compiler/resources.h"
 #include "state/control/known_programs.h"
 #include "state/control/methods.h"
@@ -118,8 +119,9 @@ wire::Answer programSet(Call &call) {
     return wire::Fault{wire::kOldRevision, "revision " + std::to_string(last) + " is there already",
                        Json::object({{"revision", last}})};
   last = revision;
-  const fp::CheckResult result = fp::checkProgram(
-      infoOf(program->target).language, text, compileOptions(call.context.row(program->target)));
+  const fp::FileProgram meant = fp::programOf(text, infoOf(program->target).language);
+  const fp::CheckResult result =
+      fp::checkProgramIn(text, meant, compileOptions(call.context.row(program->target)));
   Json answer = Json::object({{"ok", result.ok()},
                               {"revision", revision},
                               {"diagnostics", diagnosticsJson(text, result.diagnostics)}});

@@ -1,6 +1,7 @@
 #include "state/programs/replacement.h"
 #include "state/host_draw/variants/drop_variants.h"
 
+#include "fp_compiler/file_programs.h"
 #include "state/core/context.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
@@ -13,12 +14,19 @@ namespace arbiter::state {
 namespace {
 
 /// A client's text; it was checked when it came.
+/// Checks the target's program of a file, which may hold both programs of a material.
+Replacement checked(Target target, std::string_view file, const fp::CompileOptions &options) {
+  const fp::FileProgram program = fp::programOf(file, infoOf(target).language);
+  return {std::string(program.in(file)), fp::checkProgramIn(file, program, options)};
+}
+
+/// A client's text; it was checked when it came.
 std::optional<Replacement> findEdit(Target target, const std::string &name,
                                     const fp::CompileOptions &options) {
-  Replacement replacement;
-  if (!ProgramEdits::instance().text(name, replacement.text))
+  std::string text;
+  if (!ProgramEdits::instance().text(name, text))
     return std::nullopt;
-  replacement.result = fp::checkProgram(infoOf(target).language, replacement.text, options);
+  Replacement replacement = checked(target, text, options);
   if (!replacement.result.ok()) // in a context of other limits
     return std::nullopt;
   return replacement;
@@ -35,28 +43,25 @@ std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
   if (!ReplacementFolder::instance())
     return std::nullopt;
   ReplacementFolder &folder = *ReplacementFolder::instance();
-  Replacement replacement;
-  if (!folder.read(name, replacement.text))
+  std::string file;
+  if (!folder.read(name, file))
     return std::nullopt;
   const std::string path = folder.pathOf(name);
-  const auto check = [&] {
-    replacement.result = fp::checkProgram(infoOf(target).language, replacement.text, options);
-    return replacement.result.ok();
-  };
-  if (hashBytes(replacement.text) == hash) { // as it was captured: it replaces nothing
+  if (hashBytes(file) == hash) { // as it was captured: it replaces nothing
     folder.keepGood(name, {});
     return std::nullopt;
   }
-  if (check()) {
+  Replacement replacement = checked(target, file, options);
+  if (replacement.result.ok()) {
     logInfo("state", "%s: loaded in place of the application's text", path.c_str());
-    folder.keepGood(name, replacement.text);
+    folder.keepGood(name, std::move(file));
     return replacement;
   }
   logText(LogLevel::Error, "state", path + " is not valid; the last text that was stays:",
-          fp::renderAll(path, replacement.text, replacement.result.diagnostics));
+          fp::renderAll(path, file, replacement.result.diagnostics));
   // For a program that is loaded again, in an object of its own.
-  if (folder.lastGood(name, replacement.text))
-    static_cast<void>(check());
+  if (folder.lastGood(name, file))
+    return checked(target, file, options);
   return replacement;
 }
 

@@ -171,6 +171,14 @@ std::vector<RuleInfo> ruleList() {
   return list;
 }
 
+void move(Advice &advice, std::uint32_t by) {
+  const auto moved = [by](fp::Span span) { return fp::Span{span.begin + by, span.end + by}; };
+  advice.span = moved(advice.span);
+  for (Edits *edits : {&advice.edits, &advice.sketch})
+    for (Edit &edit : *edits)
+      edit.span = moved(edit.span);
+}
+
 std::vector<Advice> advise(std::string_view text, const Setting &setting) {
   const std::unique_ptr<Subject> subject = Subject::read(text, setting);
   std::uint64_t steps = kMostSteps;

@@ -34,6 +34,9 @@ struct Advice {
   [[nodiscard]] bool isFix() const { return !edits.empty(); }
 };
 
+/// Every place becomes one of a longer text, which has the program from byte \p by on.
+void move(Advice &advice, std::uint32_t by);
+
 /// In text order; of several ways to say one thing, the one that gains most. Empty for a text that
 /// does not load, for ATI's language, and beyond kMaxInstructions. Deterministic.
 [[nodiscard]] std::vector<Advice> advise(std::string_view text, const Setting &setting);

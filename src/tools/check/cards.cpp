@@ -26,10 +26,11 @@ std::string firstError(const fp::CheckResult &result, const std::string &text) {
   return {};
 }
 
-CardCell cellOf(const std::string &text, fp::ir::Language language, fp::LimitPolicy policy,
+CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::LimitPolicy policy,
                 const fp::hw::Profile &card) {
+  const fp::ir::Language language = program.language;
   const fp::Limits limits = limitsOf(card, language);
-  const fp::CheckResult result = fp::checkProgram(language, text, {limits, policy});
+  const fp::CheckResult result = fp::checkProgramIn(text, program, {limits, policy});
   CardCell cell;
   if (!result.ok()) {
     cell.status = FileStatus::Invalid;
@@ -111,11 +112,14 @@ std::string CardMatrix::add(const std::string &path) {
     return input.error().message;
   }
   const std::string &text = input.value();
-  CardRow &row = m_rows.emplace_back();
-  row.name = path == "-" ? "<stdin>" : path;
-  row.language = chooseLanguage(m_language, text);
-  for (const fp::hw::Profile *card : m_cards)
-    row.cells.push_back(cellOf(text, row.language, m_policy, *card));
+  ++m_files;
+  for (const fp::FileProgram &program : choosePrograms(m_language, text)) {
+    CardRow &row = m_rows.emplace_back();
+    row.name = titleOf(path == "-" ? "<stdin>" : path, text, program);
+    row.language = program.language;
+    for (const fp::hw::Profile *card : m_cards)
+      row.cells.push_back(cellOf(text, program, m_policy, *card));
+  }
   return {};
 }
 
@@ -182,7 +186,7 @@ std::string CardMatrix::json() const {
     json.endArray().endObject();
   }
   json.endArray().key("summary").beginObject();
-  json.key("files").value(std::uint64_t(m_rows.size()));
+  json.key("files").value(std::uint64_t(m_files));
   json.key("unreadable").value(std::uint64_t(m_faults));
   json.key("fit").beginObject();
   for (std::size_t i = 0; i < m_cards.size(); ++i)

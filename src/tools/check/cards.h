@@ -30,7 +30,7 @@ struct CardCell {
 };
 
 struct CardRow {
-  std::string name; ///< as given; "-" is shown as "<stdin>"
+  std::string name; ///< titleOf() it; "-" is shown as "<stdin>"
   fp::ir::Language language = fp::ir::Language::ArbFragment;
   std::vector<CardCell> cells; ///< one a card
   [[nodiscard]] bool loadsNowhere() const;
@@ -63,6 +63,7 @@ private:
   const fp::LimitPolicy m_policy;
   std::vector<const fp::hw::Profile *> m_cards;
   std::vector<CardRow> m_rows;
+  std::size_t m_files = 0;
   std::size_t m_faults = 0;
 };
 

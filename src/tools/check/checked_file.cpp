@@ -41,70 +41,116 @@ void addPanel(const std::string &path, CheckedFile &file) {
     file.status = FileStatus::Invalid;
 }
 
-/// \returns false if there is nothing to check
-bool readFile(const std::string &path, CheckedFile &file) {
-  file.name = path == "-" ? "<stdin>" : path;
-  auto input = readInput(path);
-  if (!input) {
-    file.status = FileStatus::Unreadable;
-    file.fault = input.error().message;
-    return false;
-  }
-  file.text = std::move(input).value();
-  return true;
-}
-
-void checkText(const std::string &path, CheckedFile &file, fp::LimitPolicy policy) {
-  file.result = fp::checkProgram(file.language, file.text, {file.limits, policy});
+void check(CheckedFile &file, fp::LimitPolicy policy) {
+  file.result = fp::checkProgramIn(file.text, file.program(), {file.limits, policy});
   file.status = !file.result.ok()                ? FileStatus::Invalid
                 : !file.result.underNativeLimits ? FileStatus::OverNative
                                                  : FileStatus::Valid;
-  addPanel(path, file);
 }
 
-void judge(const std::string &path, const std::string &language, fp::LimitPolicy policy,
-           const fp::hw::Profile &profile, CheckedFile &file) {
-  file.language = chooseLanguage(language, file.text);
-  file.profile = &profile;
-  file.limits = limitsOf(profile, file.language);
-  checkText(path, file, policy);
+std::vector<CheckedFile> checkText(const std::string &path, const std::string &text,
+                                   const std::string &language, fp::LimitPolicy policy,
+                                   const fp::hw::Profile &profile) {
+  const std::size_t all = fp::programsOf(text).size();
+  std::vector<CheckedFile> programs;
+  for (const fp::FileProgram &program : choosePrograms(language, text)) {
+    CheckedFile &file = programs.emplace_back();
+    file.name = path == "-" ? "<stdin>" : path;
+    file.text = text;
+    if (program.in(text).size() != text.size())
+      file.part = program.span;
+    file.hasSiblings = file.part && all > 1;
+    file.language = program.language;
+    file.profile = &profile;
+    file.limits = limitsOf(profile, file.language);
+    check(file, policy);
+  }
+  addPanel(path, programs.front());
+  return programs;
+}
+
+/// The file's text, or an element that says why there is none.
+Result<std::string, CheckedFile> readFile(const std::string &path) {
+  auto input = readInput(path);
+  if (input)
+    return std::move(input).value();
+  CheckedFile file;
+  file.name = path == "-" ? "<stdin>" : path;
+  file.status = FileStatus::Unreadable;
+  file.fault = input.error().message;
+  return file;
+}
+
+/// Makes the fixes of every program, in the text and in the file.
+void fixAll(std::vector<CheckedFile> &programs, const std::string &path, fp::LimitPolicy policy) {
+  std::string text = programs.front().text;
+  const std::string old = text;
+  // From the last one on: the places of those before stay.
+  for (auto file = programs.rbegin(); file != programs.rend(); ++file) {
+    if (!file->counted())
+      continue;
+    const fp::Span span = file->program().span;
+    file->fixed = advise::applyAll(file->source(), {file->language, file->limits});
+    text.replace(span.begin, span.end - span.begin, file->fixed->text);
+  }
+  if (text == old)
+    return;
+  if (const std::string fault = replaceFile(path, text); !fault.empty()) {
+    programs.resize(1);
+    programs.front().status = FileStatus::Unreadable;
+    programs.front().fault = fault;
+    return;
+  }
+  std::int64_t moved = 0;
+  for (CheckedFile &file : programs) {
+    const std::size_t size = file.fixed ? file.fixed->text.size() : file.source().size();
+    const fp::Span span = file.program().span;
+    const auto begin = std::uint32_t(span.begin + moved);
+    moved += std::int64_t(size) - (span.end - span.begin);
+    if (file.part)
+      file.part = fp::Span{begin, begin + std::uint32_t(size)};
+    file.text = text;
+    check(file, policy);
+  }
+  addPanel(path, programs.front());
 }
 
 } // namespace
 
-CheckedFile checkFile(const std::string &path, const std::string &language, fp::LimitPolicy policy,
-                      const fp::hw::Profile &profile) {
-  CheckedFile file;
-  if (readFile(path, file))
-    judge(path, language, policy, profile, file);
-  return file;
+std::string CheckedFile::title() const {
+  return hasSiblings ? titleOf(name, text, program()) : name;
 }
 
-CheckedFile checkFile(const std::string &path, const std::string &language, fp::LimitPolicy policy,
-                      ProfileChoice &profiles) {
-  CheckedFile file;
-  if (readFile(path, file))
-    judge(path, language, policy, profiles.of(path == "-" ? std::string() : path, file.text), file);
-  return file;
+std::vector<CheckedFile> checkFile(const std::string &path, const std::string &language,
+                                   fp::LimitPolicy policy, const fp::hw::Profile &profile) {
+  auto text = readFile(path);
+  if (!text)
+    return {text.error()};
+  return checkText(path, text.value(), language, policy, profile);
 }
 
-void addAdvice(CheckedFile &file, const std::string &path, bool fix, fp::LimitPolicy policy) {
-  if (file.status == FileStatus::Unreadable)
+std::vector<CheckedFile> checkFile(const std::string &path, const std::string &language,
+                                   fp::LimitPolicy policy, ProfileChoice &profiles) {
+  auto text = readFile(path);
+  if (!text)
+    return {text.error()};
+  return checkText(path, text.value(), language, policy,
+                   profiles.of(path == "-" ? std::string() : path, text.value()));
+}
+
+void addAdvice(std::vector<CheckedFile> &programs, const std::string &path, bool fix,
+               fp::LimitPolicy policy) {
+  if (programs.front().status == FileStatus::Unreadable)
     return;
-  const advise::Setting setting{file.language, file.limits};
-  if (fix && file.counted()) {
-    file.fixed = advise::applyAll(file.text, setting);
-    if (!file.fixed->applied.empty()) {
-      if (const std::string fault = replaceFile(path, file.fixed->text); !fault.empty()) {
-        file.status = FileStatus::Unreadable;
-        file.fault = fault;
-        return;
-      }
-      file.text = file.fixed->text;
-      checkText(path, file, policy);
-    }
+  if (fix)
+    fixAll(programs, path, policy);
+  if (programs.front().status == FileStatus::Unreadable)
+    return;
+  for (CheckedFile &file : programs) {
+    file.advice = advise::advise(file.source(), {file.language, file.limits});
+    for (advise::Advice &advice : *file.advice)
+      advise::move(advice, file.program().span.begin);
   }
-  file.advice = advise::advise(file.text, setting);
 }
 
 const fp::hw::NativeReport &CheckedFile::native() const {

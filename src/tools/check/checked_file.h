@@ -2,14 +2,15 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/file_programs.h"
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/advise/advise.h"
 #include "tools/profile_choice.h"
 
-/// One file that `arbiter check` looked at, as data for every way to show it.
+/// One program that `arbiter check` looked at, as data for every way to show it.
 namespace arbiter::tools {
 
 enum class FileStatus { Valid, OverNative, Invalid, Unreadable };
@@ -20,7 +21,10 @@ enum class FileStatus { Valid, OverNative, Invalid, Unreadable };
 class CheckedFile {
 public:
   std::string name; ///< as given; "-" is shown as "<stdin>"
-  std::string text;
+  std::string text; ///< of the file; every span is a place in it
+  /// What of the text is the program; none: all of it.
+  std::optional<fp::Span> part;
+  bool hasSiblings = false; ///< the file has other programs
   fp::ir::Language language = fp::ir::Language::ArbFragment;
   FileStatus status = FileStatus::Valid;
   std::string fault; ///< Unreadable: why
@@ -31,6 +35,15 @@ public:
   std::optional<std::vector<advise::Advice>> advice;
   std::optional<advise::Fixed> fixed;
 
+  /// The program's own text, which GL is given.
+  [[nodiscard]] std::string_view source() const {
+    return part ? std::string_view(text).substr(part->begin, part->end - part->begin) : text;
+  }
+  [[nodiscard]] fp::FileProgram program() const {
+    return {language, part.value_or(fp::Span{0, std::uint32_t(text.size())})};
+  }
+  /// The name; of a program that has siblings with its language and its line.
+  [[nodiscard]] std::string title() const;
   /// There is a program, and it has counts.
   [[nodiscard]] bool counted() const {
     return status == FileStatus::Valid || status == FileStatus::OverNative;
@@ -46,17 +59,21 @@ private:
   mutable std::optional<fp::hw::NativeReport> m_native;
 };
 
-/// Reads and checks one file; "-" is standard input. An error of its panel (the lines that begin
-/// with #@) is one of the file.
+/// Reads a file and checks its programs; "-" is standard input. A file that cannot be read is one
+/// element. An error of its panel (the lines that begin with #@) is one of its first program.
 /// \param language "auto", or a name of languageRows()
-[[nodiscard]] CheckedFile checkFile(const std::string &path, const std::string &language,
-                                    fp::LimitPolicy policy, const fp::hw::Profile &profile);
+[[nodiscard]] std::vector<CheckedFile> checkFile(const std::string &path,
+                                                 const std::string &language,
+                                                 fp::LimitPolicy policy,
+                                                 const fp::hw::Profile &profile);
 /// The same under the profile that is chosen by its text.
-[[nodiscard]] CheckedFile checkFile(const std::string &path, const std::string &language,
-                                    fp::LimitPolicy policy, ProfileChoice &profiles);
+[[nodiscard]] std::vector<CheckedFile> checkFile(const std::string &path,
+                                                 const std::string &language,
+                                                 fp::LimitPolicy policy, ProfileChoice &profiles);
 
-/// Fills `advice`.
+/// Fills `advice` of the programs of one file.
 /// \param fix before that, every fix is made: in `text`, which is checked anew, and in the file
-void addAdvice(CheckedFile &file, const std::string &path, bool fix, fp::LimitPolicy policy);
+void addAdvice(std::vector<CheckedFile> &programs, const std::string &path, bool fix,
+               fp::LimitPolicy policy);
 
 } // namespace arbiter::tools

@@ -1,12 +1,13 @@
 #include "tools/check/find_files.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <string_view>
 
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/file_programs.h"
+#include "fp_compiler/front/lexer.h"
 
 namespace arbiter::tools {
 
@@ -14,25 +15,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kExtensions[] = {".fp",    ".vp",   ".atifs", ".arbfp",
-                                            ".arbvp", ".nvrc", ".nvts"};
+/// A text of such a name that has no header is one that lost it. The first ones are names of GLSL
+/// and Cg texts, too.
+constexpr std::string_view kShared[] = {".fp", ".vp", ".vfp"};
+constexpr std::string_view kOwn[] = {".atifs", ".arbfp", ".arbvp", ".nvrc", ".nvts"};
 
-bool beginsAsProgram(const fs::path &path) {
-  std::array<char, 8> head = {};
+/// A header stands behind comments of this size, or it is not found.
+constexpr std::size_t kMostHead = 64u << 10;
+
+bool isOneOf(std::string_view extension, std::span<const std::string_view> extensions) {
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+std::string headOf(const fs::path &path) {
+  std::string head(kMostHead, '\0');
   std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), head.size());
-  return fp::languageOfText({head.data(), std::size_t(file.gcount())}).has_value();
+  file.read(head.data(), std::streamsize(head.size()));
+  head.resize(std::size_t(file.gcount()));
+  return head;
+}
+
+bool hasHeader(std::string_view head) {
+  return fp::languageOfText(fp::programsOf(head).front().in(head)).has_value();
+}
+
+/// A text of GLSL, Cg or HLSL has functions. Assembly has parentheses in comments and in NVIDIA's
+/// conditions only.
+bool isOfFunctions(std::string_view head) {
+  fp::Lexer lexer(head, 0, fp::Words::Calls);
+  for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
+    if (token.kind == fp::TokenKind::OpenParen)
+      return true;
+  return false;
 }
 
 bool isProgram(const fs::directory_entry &entry) {
   std::error_code error;
   const std::string extension = entry.path().extension().string();
-  const bool named =
-      std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
+  const bool own = isOneOf(extension, kOwn);
+  const bool named = own || isOneOf(extension, kShared);
   // A link that leads nowhere is by its name a program that cannot be read, and is reported so.
   if (!entry.is_regular_file(error))
     return named && entry.is_symlink(error) && !entry.exists(error);
-  return named || beginsAsProgram(entry.path());
+  if (own)
+    return true;
+  const std::string head = headOf(entry.path());
+  return hasHeader(head) || (named && !isOfFunctions(head));
 }
 
 bool isFolder(const fs::directory_entry &entry) {

@@ -16,9 +16,10 @@ struct FoundFiles {
 
 /// The operands in their order, each folder as the programs in it, in the order of their bytes.
 /// Folders are searched with their subfolders; names that begin with a full stop are left out, and
-/// symbolic links to folders are not followed. A file there is a program if its name ends in .fp,
-/// .vp, .atifs, .arbfp or .arbvp, or else if its text begins with a program's header. An operand
-/// that is no folder is taken as it is; "-" is standard input.
+/// symbolic links to folders are not followed. A file there is looked at if its text has a program
+/// (fp::programsOf()), or if its name is one of assembly, as .fp, .vfp or .arbvp, and its text is
+/// not one of another language, as GLSL and Cg. An operand that is no folder is taken as it is; "-"
+/// is standard input.
 [[nodiscard]] FoundFiles findFiles(std::span<const std::string> operands);
 
 } // namespace arbiter::tools

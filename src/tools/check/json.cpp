@@ -154,6 +154,12 @@ private:
   const SourceText &m_source;
 };
 
+/// In the program's own text, as GL says it.
+int errorPositionOf(const CheckedFile &file) {
+  const int position = file.result.errorPosition();
+  return position < 0 ? position : position - int(file.program().span.begin);
+}
+
 } // namespace
 
 std::string name(fp::NativeModel model) {
@@ -181,10 +187,14 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile 
     return;
   }
   const SourceText source(file.text);
-  json.key("language").value(languageTitle(file.language, file.text));
-  json.key("bytes").value(std::uint64_t(file.text.size()));
-  json.key("hash").value(toHex(hashBytes(file.text)));
-  json.key("error_position").value(int(file.result.errorPosition()));
+  json.key("language").value(languageTitle(file.language, file.source()));
+  if (file.part) {
+    json.key("begin").value(file.part->begin).key("end").value(file.part->end);
+    json.key("line").value(source.at(file.part->begin).line);
+  }
+  json.key("bytes").value(std::uint64_t(file.source().size()));
+  json.key("hash").value(toHex(hashBytes(file.source())));
+  json.key("error_position").value(errorPositionOf(file));
   json.key("diagnostics").beginArray();
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics)
     writeDiagnostic(json, source, diagnostic);

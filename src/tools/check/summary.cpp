@@ -60,6 +60,9 @@ void Summary::add(const CheckedFile &file) {
   if (file.profile != nullptr)
     m_profiles.insert(file.profile->name);
   ++m_counts[std::size_t(file.status)];
+  if (!file.hasSiblings || m_last != file.name)
+    ++m_files;
+  m_last = file.name;
   if (m_detail == Detail::Counts)
     return;
   if (file.counted()) {
@@ -81,7 +84,7 @@ void Summary::addFullest(const CheckedFile &file) {
     const bool fuller = std::uint64_t(used) * std::max(held.limit, 1u) >
                         std::uint64_t(held.used) * std::max(limit, 1u);
     if (held.file.empty() || fuller)
-      held = {used, limit, file.name};
+      held = {used, limit, file.title()};
   }
 }
 
@@ -92,12 +95,12 @@ void Summary::addMisfit(const CheckedFile &file) {
         continue;
       if (!std::string_view(diagnostic.id).starts_with(kLimitId))
         return; // wrong in itself, whatever the card
-      m_misfits.push_back({file.name, rowOfId(diagnostic.id), {}, 0, diagnostic.message});
+      m_misfits.push_back({file.title(), rowOfId(diagnostic.id), {}, 0, diagnostic.message});
       return;
     }
     return;
   }
-  Misfit misfit{file.name, overRow(file), {}, 0, "", 0};
+  Misfit misfit{file.title(), overRow(file), {}, 0, "", 0};
   if (misfit.row != nullptr) {
     misfit.used = file.result.nativeCounts.*misfit.row->member;
     misfit.limit = file.limits.native.*misfit.row->member;
@@ -116,9 +119,11 @@ std::string Summary::line(const fp::hw::Profile &profile) const {
   std::string names;
   for (const std::string &each : m_profiles)
     names += (names.empty() ? "" : ", ") + each;
-  std::string text = std::to_string(total) + (total == 1 ? " file" : " files") + " under " +
-                     (names.empty() ? profile.name : names) + ": " +
-                     std::to_string(count(FileStatus::Valid)) + " valid";
+  std::string text = std::to_string(m_files) + (m_files == 1 ? " file" : " files");
+  if (total != m_files)
+    text = std::to_string(total) + " programs in " + text;
+  text += " under " + (names.empty() ? profile.name : names) + ": " +
+          std::to_string(count(FileStatus::Valid)) + " valid";
   const auto add = [&](FileStatus status, const char *what) {
     if (count(status) != 0)
       text += ", " + std::to_string(count(status)) + " " + what;

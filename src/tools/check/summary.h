@@ -61,7 +61,9 @@ private:
   [[nodiscard]] std::size_t count(FileStatus status) const { return m_counts[std::size_t(status)]; }
 
   Detail m_detail;
-  std::array<std::size_t, 4> m_counts = {}; ///< by FileStatus
+  std::array<std::size_t, 4> m_counts = {}; ///< programs by FileStatus
+  std::size_t m_files = 0;
+  std::string m_last; ///< the name of the file that was added last
   std::size_t m_faults = 0;
   std::set<std::string> m_profiles;                    ///< names of those that files were judged by
   std::array<std::size_t, kLanguages> m_programs = {}; ///< with counts, by ir::Language

@@ -87,8 +87,8 @@ std::string fixedText(const CheckedFile &file) {
   if (!file.fixed)
     return "";
   const std::size_t count = file.fixed->applied.size();
-  std::string text =
-      shown(file.name) + ": " + std::to_string(count) + (count == 1 ? " fix made" : " fixes made");
+  std::string text = shown(file.title()) + ": " + std::to_string(count) +
+                     (count == 1 ? " fix made" : " fixes made");
   if (count != 0)
     text += ": " + advise::changeText(file.fixed->before, file.fixed->after);
   text += "\n";
@@ -103,7 +103,7 @@ std::string adviceText(const CheckedFile &file) {
   for (const advise::Advice &advice : adviceOf(file))
     text += advise::fullText(shown(file.name), file.text, advice);
   if (file.advice && file.counted() && text.empty())
-    text = shown(file.name) + ": no advice\n";
+    text = shown(file.title()) + ": no advice\n";
   return text;
 }
 
@@ -143,7 +143,8 @@ std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
   const Colour colour = file.status == FileStatus::Valid        ? Colour::Good
                         : file.status == FileStatus::OverNative ? Colour::Close
                                                                 : Colour::Bad;
-  text += shown(file.name) + ": " + painted(verdict(file, profile), colour, options.style) + "\n";
+  text +=
+      shown(file.title()) + ": " + painted(verdict(file, profile), colour, options.style) + "\n";
   if (!file.counted())
     return text;
   const Why why(file, options.style, options.why);

@@ -8,6 +8,7 @@
 #include "tools/debug/session.h"
 #include "tools/debug/trace/condition.h"
 #include "tools/input.h"
+#include "tools/language.h"
 
 namespace arbiter::tools {
 
@@ -106,7 +107,8 @@ private:
       return refuse(text.error().message +
                     " (--against takes swrast, host, bare, fp24, or a program's file)");
     auto checked =
-        debug::checkText(m_arguments.against, text.value(), profile, m_session->numerics());
+        debug::checkText(m_arguments.against, text.value(), chooseProgram("auto", text.value()),
+                         profile, m_session->numerics());
     if (!checked)
       return refuse(checked.error());
     m_reference = std::move(checked).value();

@@ -27,10 +27,10 @@ std::string panelErrors(const scene::Document &document) {
 } // namespace
 
 Result<CheckedText, SessionError> checkText(std::string name, std::string text,
+                                            const fp::FileProgram &program,
                                             const fp::hw::Profile &profile, Numerics numerics) {
-  const fp::ir::Language language = chooseLanguage("auto", text);
-  fp::CheckResult result = fp::checkProgram(
-      language, text, {limitsOf(profile, language), fp::LimitPolicy::Enforce, numerics});
+  fp::CheckResult result = fp::checkProgramIn(
+      text, program, {limitsOf(profile, program.language), fp::LimitPolicy::Enforce, numerics});
   if (!result.ok())
     return SessionError{SessionError::Kind::Invalid, fp::renderAll(name, text, result.diagnostics)};
   // What is read in the middle of a program is read by assembly of the ARB's, and by straight code.
@@ -60,7 +60,7 @@ std::optional<SessionError> Session::read(const SessionOptions &options) {
     return usage(options.path + ": the pass has no fragment program to be looked into; a document "
                                 "is a fragment program that names its vertex program");
   const scene::ProgramFile &file = m_document.files[std::size_t(pass.fragment)];
-  auto checked = checkText(file.name, file.text, m_profile, m_numerics);
+  auto checked = checkText(file.name, file.text, file.program(), m_profile, m_numerics);
   if (!checked)
     return checked.error();
   m_fragment = std::move(checked).value();
@@ -73,7 +73,7 @@ std::optional<SessionError> Session::readVertex() {
   if (m_pass.vertex < 0)
     return {};
   const scene::ProgramFile &file = m_document.files[std::size_t(m_pass.vertex)];
-  auto checked = checkText(file.name, file.text, m_profile, m_numerics);
+  auto checked = checkText(file.name, file.text, file.program(), m_profile, m_numerics);
   if (!checked)
     return checked.error();
   m_vertex = std::move(checked).value();

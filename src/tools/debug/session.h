@@ -41,6 +41,7 @@ struct CheckedText {
 };
 /// Errors: the compiler's, under the profile's limits.
 [[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
+                                                          const fp::FileProgram &program,
                                                           const fp::hw::Profile &profile,
                                                           fp::Numerics numerics);
 

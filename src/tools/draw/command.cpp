@@ -36,13 +36,13 @@ void explain(const DrawArguments &arguments, const scene::ProgramFile &program,
     fp::CompileOptions options;
     options.limits = limitsOf(profile.value(), program.language);
     options.policy = settings().enforceLimits ? fp::LimitPolicy::Enforce : fp::LimitPolicy::Report;
-    const fp::CheckResult result = fp::checkProgram(program.language, program.text, options);
+    const fp::CheckResult result = fp::checkProgramIn(program.text, program.program(), options);
     print(program, result.diagnostics);
     if (!result.ok())
       return;
   }
   fp::Diagnostic diagnostic;
-  const auto position = std::uint32_t(std::max(0, error.position));
+  const auto position = program.place.begin + std::uint32_t(std::max(0, error.position));
   diagnostic.id = "gl";
   diagnostic.span = {position, position};
   diagnostic.message = error.message.substr(0, error.message.find('\n'));

@@ -152,8 +152,9 @@ std::optional<RenderError> Programs::loadFile(const scene::Document &document, s
     return loadState(document, index);
   glGenProgramsARB(1, &name);
   glBindProgramARB(target.name, name);
-  glProgramStringARB(target.name, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(file.text.size()),
-                     file.text.data());
+  const std::string_view source = file.source();
+  glProgramStringARB(target.name, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(source.size()),
+                     source.data());
   if (glGetError() == GL_NO_ERROR)
     return std::nullopt;
   const auto *text = reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
@@ -164,14 +165,14 @@ std::optional<RenderError> Programs::loadFile(const scene::Document &document, s
 /// The text is parsed by the context's limits; GL itself has no such texts.
 std::optional<RenderError> Programs::loadState(const scene::Document &document, std::size_t index) {
   const scene::ProgramFile &file = document.files[index];
-  const fp::nvparse::ParseResult parsed =
-      fp::nvparse::parse(file.language, file.text, {stateTextLimits(), fp::LimitPolicy::Enforce});
+  const fp::nvparse::ParseResult parsed = fp::nvparse::parse(
+      file.language, file.source(), {stateTextLimits(), fp::LimitPolicy::Enforce});
   if (!parsed.text) {
     const auto error = std::find_if(
         parsed.diagnostics.begin(), parsed.diagnostics.end(),
         [](const fp::Diagnostic &each) { return each.severity == fp::Severity::Error; });
     return RenderError{RenderError::Kind::Program,
-                       fp::renderAll("program", file.text, parsed.diagnostics), index,
+                       fp::renderAll("program", file.source(), parsed.diagnostics), index,
                        error == parsed.diagnostics.end() ? 0 : int(error->span.begin)};
   }
   m_states[index] = parsed.text;

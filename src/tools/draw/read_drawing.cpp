@@ -4,7 +4,6 @@
 #include "tools/draw/drawing.h"
 #include "tools/draw/options.h"
 #include "tools/input.h"
-#include "tools/language.h"
 
 namespace arbiter::tools {
 
@@ -44,9 +43,8 @@ std::string addProgram(const std::string &path, Document &document) {
   auto text = readAny(path);
   if (!text)
     return text.error().message;
-  scene::ProgramFile file{path == "-" ? "<stdin>" : path, std::move(text).value(), {}, {}};
-  file.language = chooseLanguage("auto", file.text);
-  file.panel = scene::parsePanel(file.text);
+  scene::ProgramFile file =
+      scene::programFile(path == "-" ? "<stdin>" : path, std::move(text).value());
   const bool vertex = file.language == Language::ArbVertex;
   scene::Pass &pass = document.passes.front();
   int &place = vertex ? pass.vertex : pass.fragment;

@@ -26,8 +26,8 @@ struct Uses {
 
 fp::CheckResult check(const scene::ProgramFile &file) {
   const fp::hw::Profile *const widest = fp::hw::findBuiltin("host");
-  return fp::checkProgram(file.language, file.text,
-                          {limitsOf(*widest, file.language), fp::LimitPolicy::Report});
+  return fp::checkProgramIn(file.text, file.program(),
+                            {limitsOf(*widest, file.language), fp::LimitPolicy::Report});
 }
 
 std::vector<Sampled> samplesOf(const fp::ir::Program &program) {

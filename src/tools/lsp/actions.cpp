@@ -109,8 +109,11 @@ Json codeActions(const View &view, const std::vector<advise::Advice> &advice,
   return actions;
 }
 
-Json everyFix(const View &view) {
-  const std::string &text = view.document.text();
+namespace {
+/// The TextEdit that makes every fix of one program; nothing without one.
+void addFixes(const View &view, Json &edits) {
+  const std::string_view text = view.source();
+  const std::uint32_t place = view.analysis.program.span.begin;
   const advise::Fixed fixed =
       advise::applyAll(text, {view.analysis.language, view.analysis.limits});
   // What both texts begin and end with stays, so that an editor keeps its places there.
@@ -128,10 +131,19 @@ Json everyFix(const View &view) {
     --begin;
   while (end > 0 && inside(text.size() - end))
     --end;
-  Json edit = {{"range", view.range({std::uint32_t(begin), std::uint32_t(text.size() - end)})},
-               {"newText", fixed.text.substr(begin, fixed.text.size() - end - begin)}};
-  return workspaceEdit(view,
-                       fixed.applied.empty() ? Json::array() : Json::array({std::move(edit)}));
+  if (fixed.applied.empty())
+    return;
+  const fp::Span span = {place + std::uint32_t(begin), place + std::uint32_t(text.size() - end)};
+  edits.push_back({{"range", view.range(span)},
+                   {"newText", fixed.text.substr(begin, fixed.text.size() - end - begin)}});
+}
+} // namespace
+
+Json everyFix(const Views &views) {
+  Json edits = Json::array();
+  for (const View &view : views)
+    addFixes(view, edits);
+  return workspaceEdit(views.front(), std::move(edits));
 }
 
 Json adviceList(const View &view, const std::vector<advise::Advice> &advice) {

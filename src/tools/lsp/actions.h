@@ -24,7 +24,7 @@ struct ActionRequest {
                                const ActionRequest &request);
 
 /// The WorkspaceEdit that makes every fix.
-[[nodiscard]] Json everyFix(const View &view);
+[[nodiscard]] Json everyFix(const Views &views);
 
 /// arbiter/advice: {rule, message, range, before, after, fix, exact, application, condition, edits,
 /// sketch}[] of the whole text; costs are {alu, tex, nodes, fits}, edits TextEdit[].

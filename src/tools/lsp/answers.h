@@ -1,5 +1,7 @@
 #pragma once
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "fp_compiler/hw/profile.h"
 #include "tools/lsp/document.h"
@@ -9,17 +11,24 @@
 /// anything.
 namespace arbiter::tools::lsp {
 
-/// A text with all that is known of it.
+/// A program of a text with all that is known of it.
 struct View {
   const Document &document;
   const Analysis &analysis;
   const fp::hw::Profile &profile;
 
   [[nodiscard]] Json range(fp::Span span) const { return document.map().range(span); }
+  [[nodiscard]] std::string_view source() const { return analysis.program.in(document.text()); }
+  [[nodiscard]] fp::Span headerLine() const {
+    return document.map().line(document.map().lineOf(analysis.program.span.begin));
+  }
 };
+/// Those of a document, in text order.
+using Views = std::vector<View>;
 
-/// Diagnostic[]: what the compiler says, with its hints; of a program that loads also the reasons
-/// that it is over the profile's native limits, at the instructions that make it so.
+/// Diagnostic[]: what the compiler says, with its hints, and of the text's panel with the first of
+/// its programs; of a program that loads also the reasons that it is over the profile's native
+/// limits, at the instructions that make it so.
 [[nodiscard]] Json diagnostics(const View &view);
 
 /// Hover, or null.
@@ -53,6 +62,6 @@ struct Refusal {
 
 /// The words of the legend, and a text's tokens in them.
 [[nodiscard]] Json semanticLegend();
-[[nodiscard]] Json semanticTokens(const View &view);
+[[nodiscard]] Json semanticTokens(const Views &views);
 
 } // namespace arbiter::tools::lsp

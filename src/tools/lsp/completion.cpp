@@ -20,10 +20,12 @@ Json Completion::run() {
   const bool own = m_view.analysis.ownLanguage != fp::ir::NativeLanguage::None;
   const std::string header = own ? std::string(fp::ir::headerOf(m_view.analysis.ownLanguage))
                                  : languageRow(m_language).header;
-  if (!m_view.document.text().starts_with(header) &&
-      m_view.document.map().lineOf(m_replaced.begin) == 0)
+  const std::uint32_t begin = m_view.analysis.program.span.begin;
+  const std::string_view source = m_view.source();
+  if (!source.starts_with(header) &&
+      m_view.document.map().lineOf(m_replaced.begin) == m_view.document.map().lineOf(begin))
     addHeaders();
-  if (m_replaced.begin < header.size() && m_view.document.text().starts_with("!"))
+  if (m_replaced.begin < begin + header.size() && source.starts_with("!"))
     return m_items; // within the header
   if (m_next > 0 && m_reading.kind(m_next - 1) == TokenKind::Dot)
     behindDot();
@@ -67,7 +69,7 @@ void Completion::add(std::span<const Entry> entries, ItemKind kind) {
 }
 
 void Completion::addHeaders() {
-  m_replaced = m_view.document.map().line(0);
+  m_replaced = m_view.headerLine();
   const std::string_view line = m_view.document.text(m_replaced);
   // A word of the first line is no header that is being written.
   if (!line.empty() && line[0] != '!') {

@@ -83,7 +83,7 @@ Json ofCompiler(const View &view, const fp::Diagnostic &diagnostic) {
 }
 
 /// The header's line: what is of the program as a whole stands there.
-fp::Span header(const View &view) { return view.document.map().line(0); }
+fp::Span header(const View &view) { return view.headerLine(); }
 
 /// Why a resource is over its limit, at the first of the instructions that make it so; the others
 /// are related. What many instructions share is said of the program.
@@ -130,9 +130,10 @@ Json diagnostics(const View &view) {
   const fp::CheckResult &check = view.analysis.inspection.check;
   for (const fp::Diagnostic &diagnostic : check.diagnostics)
     all.push_back(ofCompiler(view, diagnostic));
-  for (const fp::Diagnostic &diagnostic :
-       scene::checkPanel(pathOf(view.document.uri()), view.document.text()))
-    all.push_back(ofCompiler(view, diagnostic));
+  if (view.analysis.isFirst)
+    for (const fp::Diagnostic &diagnostic :
+         scene::checkPanel(pathOf(view.document.uri()), view.document.text()))
+      all.push_back(ofCompiler(view, diagnostic));
   if (check.ok() && view.analysis.language != fp::ir::Language::AtiFragment &&
       !isNvparse(view.analysis.language) && !view.analysis.native.fits)
     addNative(view, all);

@@ -22,7 +22,10 @@ constexpr EndingRow kEndings[] = {
     {".nvts", Language::TextureShaders},
 };
 
-std::vector<fp::Token> tokensOf(std::string_view text, Language language) {
+/// Places are those of the file.
+std::vector<fp::Token> tokensOf(std::string_view file, const fp::FileProgram &program) {
+  const std::string_view text = program.in(file);
+  const Language language = program.language;
   std::vector<fp::Token> tokens;
   if (text.size() > fp::kMaxTextBytes)
     return tokens;
@@ -38,7 +41,8 @@ std::vector<fp::Token> tokensOf(std::string_view text, Language language) {
                                   : 0;
   fp::Lexer lexer(text, begin, words);
   for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
-    tokens.push_back(token);
+    tokens.push_back(
+        {token.kind, {token.span.begin + program.span.begin, token.span.end + program.span.begin}});
   return tokens;
 }
 
@@ -77,17 +81,24 @@ bool Document::change(const Json &change) {
   return true;
 }
 
-/// As the header says; without one, as the editor or the file's name says.
-Language Document::language() const {
-  if (const auto named = fp::languageOfText(m_text))
-    return *named;
+/// As their headers say; without one, a text of the language that the editor or the file's name
+/// says.
+std::vector<fp::FileProgram> Document::programs() const {
+  std::vector<fp::FileProgram> found = fp::programsOf(m_text);
+  if (fp::languageOfText(found.front().in(m_text)))
+    return found;
+  Language &language = found.front().language;
   for (const LanguageRow &row : languageRows())
-    if (m_languageId == row.name)
-      return row.language;
+    if (m_languageId == row.name) {
+      language = row.language;
+      return found;
+    }
   for (const EndingRow &row : kEndings)
-    if (std::string_view(m_uri).ends_with(row.ending))
-      return row.language;
-  return Language::ArbFragment;
+    if (std::string_view(m_uri).ends_with(row.ending)) {
+      language = row.language;
+      break;
+    }
+  return found;
 }
 
 namespace {
@@ -113,32 +124,53 @@ fp::ir::NvOption nvOptionOf(std::string_view text, const std::vector<fp::Token> 
 }
 } // namespace
 
-const Analysis &Document::analysis(const fp::hw::Profile &profile) {
-  if (m_analysis)
-    return *m_analysis;
-  m_analysis = std::make_unique<Analysis>();
-  Analysis &made = *m_analysis;
-  made.language = language();
+Analysis Document::analysed(const fp::FileProgram &program, const fp::hw::Profile &profile) const {
+  Analysis made;
+  made.program = program;
+  made.language = program.language;
   made.limits = limitsOf(profile, made.language);
-  made.tokens = tokensOf(m_text, made.language);
+  made.tokens = tokensOf(m_text, program);
   made.nv = nvOptionOf(m_text, made.tokens, made.limits);
   if (made.limits.nvOptions != 0)
-    made.ownLanguage = fp::nativeLanguageOf(m_text);
+    made.ownLanguage = fp::nativeLanguageOf(program.in(m_text));
   fp::CompileOptions options;
   options.limits = made.limits;
-  made.inspection = fp::inspectProgram(made.language, m_text, options);
+  made.inspection = fp::inspectProgramIn(m_text, program, options);
   const fp::CheckResult &check = made.inspection.check;
   if (check.ok() && made.language != Language::AtiFragment && !isNvparse(made.language))
     made.native = fp::hw::explainNative(*check.program, check.counts, made.limits);
   return made;
 }
 
+const std::vector<Analysis> &Document::analyses(const fp::hw::Profile &profile) {
+  if (m_analyses.empty())
+    for (const fp::FileProgram &program : programs()) {
+      m_analyses.push_back(analysed(program, profile));
+      m_analyses.back().isFirst = m_analyses.size() == 1;
+    }
+  return m_analyses;
+}
+
+const Analysis &Document::analysis(const fp::hw::Profile &profile, std::uint32_t offset) {
+  const std::vector<Analysis> &all = analyses(profile);
+  const auto after = std::find_if(all.begin() + 1, all.end(), [offset](const Analysis &each) {
+    return offset < each.program.span.begin;
+  });
+  return *(after - 1);
+}
+
 const std::vector<advise::Advice> &Document::advice(const fp::hw::Profile &profile) {
-  if (!m_advice) {
-    const Analysis &known = analysis(profile);
-    m_advice = std::make_unique<std::vector<advise::Advice>>();
-    if (known.inspection.check.ok())
-      *m_advice = advise::advise(m_text, {known.language, known.limits});
+  if (m_advice)
+    return *m_advice;
+  m_advice = std::make_unique<std::vector<advise::Advice>>();
+  for (const Analysis &known : analyses(profile)) {
+    if (!known.inspection.check.ok())
+      continue;
+    for (advise::Advice &advice :
+         advise::advise(known.program.in(m_text), {known.language, known.limits})) {
+      advise::move(advice, known.program.span.begin);
+      m_advice->push_back(std::move(advice));
+    }
   }
   return *m_advice;
 }

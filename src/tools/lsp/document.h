@@ -3,17 +3,19 @@
 #include <string>
 #include <vector>
 
+#include "fp_compiler/file_programs.h"
 #include "fp_compiler/front/token.h"
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
-#include "fp_compiler/inspect.h"
 #include "tools/advise/advise.h"
 #include "tools/lsp/text_map.h"
 
 namespace arbiter::tools::lsp {
 
-/// All that is known of one version of a text. Views the text.
+/// All that is known of a program of one version of a text. Views the text.
 struct Analysis {
+  fp::FileProgram program;
+  bool isFirst = true; ///< of the text's programs
   fp::ir::Language language = fp::ir::Language::ArbFragment;
   fp::ir::NvOption nv = fp::ir::NvOption::None; ///< that the text asks for and may have
   /// NVIDIA's own language that the header names, if the profile has it.
@@ -38,7 +40,7 @@ public:
   bool change(const Json &change);
   /// The limits or the model of another profile hold.
   void forget() {
-    m_analysis.reset();
+    m_analyses.clear();
     m_advice.reset();
   }
 
@@ -48,8 +50,11 @@ public:
     return std::string_view(m_text).substr(span.begin, span.end - span.begin);
   }
   [[nodiscard]] const TextMap &map() const { return m_map; }
-  /// Made when it is first asked for after a change or forget(), by the profile of that moment.
-  [[nodiscard]] const Analysis &analysis(const fp::hw::Profile &profile);
+  /// Of the text's programs, in their order; at least one. Made when it is first asked for after a
+  /// change or forget(), by the profile of that moment.
+  [[nodiscard]] const std::vector<Analysis> &analyses(const fp::hw::Profile &profile);
+  /// The program that a byte is in; beside all of them the one before it, or the first.
+  [[nodiscard]] const Analysis &analysis(const fp::hw::Profile &profile, std::uint32_t offset = 0);
 
   /// Likewise; made when it is first asked for, as it costs far more than all the rest.
   [[nodiscard]] const std::vector<advise::Advice> &advice(const fp::hw::Profile &profile);
@@ -58,7 +63,9 @@ public:
   bool changed = true; ///< since its diagnostics were published
 
 private:
-  [[nodiscard]] fp::ir::Language language() const;
+  [[nodiscard]] std::vector<fp::FileProgram> programs() const;
+  [[nodiscard]] Analysis analysed(const fp::FileProgram &program,
+                                  const fp::hw::Profile &profile) const;
   void setText(std::string text);
 
   std::string m_uri;
@@ -66,7 +73,7 @@ private:
   Encoding m_encoding;
   std::string m_text;
   TextMap m_map;
-  std::unique_ptr<Analysis> m_analysis;
+  std::vector<Analysis> m_analyses; ///< empty: not made yet
   std::unique_ptr<std::vector<advise::Advice>> m_advice;
 };
 

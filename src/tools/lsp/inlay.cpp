@@ -44,7 +44,9 @@ Json total(const View &view) {
   std::string tooltip = "used / native limit of " + view.profile.description;
   if (!cycles.bound.empty())
     tooltip += "\nthe " + cycles.bound + " unit decides the cycles; " + cycles.limits;
-  return hint(view, 0, std::move(text), std::move(tooltip));
+  const TextMap &map = view.document.map();
+  return hint(view, map.lineOf(view.analysis.program.span.begin), std::move(text),
+              std::move(tooltip));
 }
 
 /// The reasons that name one of the instructions.
@@ -80,7 +82,8 @@ Json inlayHints(const View &view, fp::Span span) {
   const TextMap &map = view.document.map();
   const std::uint32_t first = map.lineOf(span.begin);
   const std::uint32_t last = map.lineOf(span.end);
-  if (first == 0)
+  const std::uint32_t header = map.lineOf(view.analysis.program.span.begin);
+  if (first <= header && header <= last)
     all.push_back(total(view));
   const fp::hw::NativeReport &native = view.analysis.native;
   const auto &code = check.program->code;

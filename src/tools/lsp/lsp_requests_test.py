@@ -8,7 +8,7 @@ import unittest
 
 import lsp_session
 from lsp_client import place
-from lsp_session import ATI, PROGRAM, URI, VERTEX, Session
+from lsp_session import ATI, PROGRAM, URI, VERTEX, Session, labels
 
 
 class Hover(Session):
@@ -268,6 +268,59 @@ class Navigation(Session):
         self.assertEqual(seen['r0'], 'variable')
         self.assertEqual(seen['2D'], 'enumMember')
         self.assertEqual(seen['0.25'], 'number')
+
+
+class Pair(Session):
+    """A text with both programs of a material: every answer is of the one at the place."""
+    PAIR = '# A material.\n\n' + VERTEX + '\n# Its other half.\n' + PROGRAM
+
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(self.client.open('file:///tmp/a.vfp', self.PAIR), [])
+        self.uri = 'file:///tmp/a.vfp'
+
+    def ask(self, method, mark, after=0, **more):
+        return self.client.request(f'textDocument/{method}',
+                                   {**self.at(self.PAIR, mark, after, self.uri), **more})
+
+    def test_diagnostics_of_both(self):
+        wrong = self.PAIR.replace('ARL A0.x', 'ARL A1.x').replace('MOV out', 'MOV cut')
+        found = self.client.open(self.uri, wrong)
+        self.assertEqual([d['range']['start']['line'] for d in found],
+                         [wrong[:wrong.index(mark)].count('\n') for mark in ('ARL A1', 'MOV cut')])
+
+    def test_names_are_those_of_the_half(self):
+        self.assertIn('address register', self.hover(self.PAIR, 'A0;', 1, self.uri))
+        self.assertIn('result', self.hover(self.PAIR, 'MOV out', 5, self.uri))
+        found = self.ask('references', 'TEMP r0', 5, context={'includeDeclaration': True})
+        self.assertEqual(set(self.words(self.PAIR, found)), {'r0'})
+        self.assertEqual(len(found), 4)
+        edit = self.ask('rename', 'bones[A0', 1, newName='arms')['changes'][self.uri]
+        self.assertEqual(set(self.words(self.PAIR, edit)), {'bones'})
+        items = labels(self.ask('completion', 'out, r0', 0))
+        self.assertIn('r0', items)
+        self.assertNotIn('bones', items)
+
+    def test_what_is_of_the_whole_text(self):
+        text = {'textDocument': {'uri': self.uri}}
+        symbols = self.client.request('textDocument/documentSymbol', text)
+        self.assertEqual([s['name'] for s in symbols][:3], ['A0', 'bones', 'r0'])
+        data = self.client.request('textDocument/semanticTokens/full', text)['data']
+        lines, line, character, words = self.PAIR.split('\n'), 0, 0, []
+        for down, right, length, _, _ in zip(*[iter(data)] * 5):
+            character = right if down else character + right
+            line += down
+            words.append(lines[line][character:character + length])
+        self.assertIn('bones', words)
+        self.assertIn('MUL_SAT', words)
+        hints = self.client.request('textDocument/inlayHint', {**text, 'range': Inlay.WHOLE})
+        headers = [hint['position']['line'] for hint in hints if 'r300: ' in hint['label']]
+        self.assertEqual(headers, [i for i, each in enumerate(lines) if each.startswith('!!')])
+
+    def test_the_report_is_of_the_half_at_the_position(self):
+        for mark, language in (('ARL', 'ARBvp1.0'), ('MUL_SAT', 'ARBfp1.0')):
+            report = self.client.request('arbiter/report', self.at(self.PAIR, mark, 0, self.uri))
+            self.assertEqual(report['language'], language)
 
 
 class Inlay(Session):

@@ -9,8 +9,8 @@ namespace {
 constexpr int kInvalidParams = -32602;
 }
 
-/// What `arbiter check --json` says of the file, for an editor's gauges: counts against limits, and
-/// why the native ones are what they are.
+/// What `arbiter check --json` says of the program at the position, or of the first one, for an
+/// editor's gauges: counts against limits, and why the native ones are what they are.
 Server::Reply Server::reportOf(const Json &params) {
   Document *document = find(params);
   if (!document)
@@ -19,10 +19,18 @@ Server::Reply Server::reportOf(const Json &params) {
   file.name = document->uri();
   file.text = document->text();
   const fp::hw::Profile &profile = profileOf(*document);
-  file.language = document->analysis(profile).language;
+  const Json *const position = member(params, {"position"});
+  const auto offset = position ? document->map().offset(*position) : std::nullopt;
+  const Analysis &analysis = document->analysis(profile, offset.value_or(0));
+  file.language = analysis.language;
+  if (analysis.program.in(file.text).size() != file.text.size()) {
+    file.part = analysis.program.span;
+    file.hasSiblings = document->analyses(profile).size() > 1;
+  }
   file.profile = &profile;
   file.limits = limitsOf(profile, file.language);
-  file.result = fp::checkProgram(file.language, file.text, {file.limits, fp::LimitPolicy::Enforce});
+  file.result =
+      fp::checkProgramIn(file.text, analysis.program, {file.limits, fp::LimitPolicy::Enforce});
   if (!file.result.ok())
     file.status = FileStatus::Invalid;
   else if (!file.result.underNativeLimits)

@@ -76,7 +76,7 @@ void Server::publish(Document &document) {
   sendNotification("textDocument/publishDiagnostics",
                    {{"uri", document.uri()},
                     {"version", document.version},
-                    {"diagnostics", diagnostics(viewOf(document))}});
+                    {"diagnostics", ofEach(document, diagnostics)}});
 }
 
 template <typename Handler> Server::Reply Server::atPosition(const Json &params, Handler handler) {
@@ -87,7 +87,7 @@ template <typename Handler> Server::Reply Server::atPosition(const Json &params,
   const auto offset = position ? document->map().offset(*position) : std::nullopt;
   if (!offset)
     return noPosition();
-  return handler(viewOf(*document), *offset);
+  return handler(viewAt(*document, *offset), *offset);
 }
 
 /// The values of a trace stand behind what is known of the word.
@@ -142,7 +142,7 @@ Server::Reply Server::symbolsOf(const Json &params) {
   Document *document = find(params);
   if (!document)
     return noDocument();
-  return documentSymbols(viewOf(*document));
+  return ofEach(*document, documentSymbols);
 }
 
 /// The bytes of the parameters' range.
@@ -163,7 +163,7 @@ Server::Reply Server::inlayHintsOf(const Json &params) {
   const std::optional<fp::Span> span = rangeOf(*document, params);
   if (!span)
     return noPosition();
-  Json hints = inlayHints(viewOf(*document), *span);
+  Json hints = ofEach(*document, [&](const View &view) { return inlayHints(view, *span); });
   for (Json &value : m_traces.hints(*document, *span))
     hints.push_back(std::move(value));
   return hints;
@@ -215,7 +215,8 @@ Server::Reply Server::codeActionsOf(const Json &params) {
     for (const Json &kind : *only)
       if (kind.is_string())
         request.only.push_back(kind.get<std::string>());
-  return codeActions(viewOf(*document), document->advice(profileOf(*document)), request);
+  return codeActions(viewAt(*document, span->begin), document->advice(profileOf(*document)),
+                     request);
 }
 
 /// The action with its edit, if it is one of ours that has none yet.
@@ -225,7 +226,7 @@ Server::Reply Server::resolveAction(const Json &action) {
   if (found == m_documents.end())
     return noDocument();
   Json resolved = action;
-  resolved["edit"] = everyFix(viewOf(found->second));
+  resolved["edit"] = everyFix(viewsOf(found->second));
   return resolved;
 }
 
@@ -233,14 +234,14 @@ Server::Reply Server::adviceOf(const Json &params) {
   Document *document = find(params);
   if (!document)
     return noDocument();
-  return adviceList(viewOf(*document), document->advice(profileOf(*document)));
+  return adviceList(viewAt(*document, 0), document->advice(profileOf(*document)));
 }
 
 Server::Reply Server::semanticTokensOf(const Json &params) {
   Document *document = find(params);
   if (!document)
     return noDocument();
-  return semanticTokens(viewOf(*document));
+  return semanticTokens(viewsOf(*document));
 }
 
 } // namespace arbiter::tools::lsp

@@ -62,9 +62,25 @@ private:
   Document *find(const Json &params);
   [[nodiscard]] static std::optional<fp::Span> rangeOf(const Document &document,
                                                        const Json &params);
-  [[nodiscard]] View viewOf(Document &document) {
+  /// Of the program that the byte is in.
+  [[nodiscard]] View viewAt(Document &document, std::uint32_t offset) {
     const fp::hw::Profile &profile = profileOf(document);
-    return {document, document.analysis(profile), profile};
+    return {document, document.analysis(profile, offset), profile};
+  }
+  [[nodiscard]] Views viewsOf(Document &document) {
+    const fp::hw::Profile &profile = profileOf(document);
+    Views views;
+    for (const Analysis &analysis : document.analyses(profile))
+      views.push_back({document, analysis, profile});
+    return views;
+  }
+  /// Everything that `answer` says of each of the document's programs.
+  template <typename Answer> [[nodiscard]] Json ofEach(Document &document, Answer answer) {
+    Json all = Json::array();
+    for (const View &view : viewsOf(document))
+      for (Json &each : answer(view))
+        all.push_back(std::move(each));
+    return all;
   }
   [[nodiscard]] const fp::hw::Profile &profileOf(const Document &document) {
     return m_profiles.of(pathOf(document.uri()), document.text());

@@ -139,14 +139,36 @@ Json semanticLegend() {
   return {{"tokenTypes", Json(kTypes)}, {"tokenModifiers", Json(kModifiers)}};
 }
 
-Json semanticTokens(const View &view) {
+namespace {
+
+/// Writes tokens as the protocol has them: each by its distance from the one before.
+class TokenWriter {
+public:
+  explicit TokenWriter(const TextMap &map) : m_map(map) {}
+
+  void add(fp::Span span, Type type, int modifiers) {
+    const std::uint32_t line = m_map.lineOf(span.begin);
+    const auto column = m_map.position(span.begin)["character"].get<std::int64_t>();
+    for (const std::int64_t value :
+         {std::int64_t(line - m_line), line == m_line ? column - m_column : column,
+          std::int64_t(span.end - span.begin), std::int64_t(type), std::int64_t(modifiers)})
+      m_data.push_back(value);
+    m_line = line;
+    m_column = column;
+  }
+  [[nodiscard]] Json take() { return {{"data", std::move(m_data)}}; }
+
+private:
+  const TextMap &m_map;
+  Json m_data = Json::array();
+  std::uint32_t m_line = 0;
+  std::int64_t m_column = 0;
+};
+
+void addTokens(const View &view, TokenWriter &writer) {
   const Reading reading(view.document, view.analysis);
   const bool ati = view.analysis.language == fp::ir::Language::AtiFragment;
   const fp::NameTable &names = view.analysis.inspection.names;
-  const TextMap &map = view.document.map();
-  Json data = Json::array();
-  std::uint32_t line = 0;
-  std::int64_t character = 0;
   std::size_t nextUse = 0;
   for (std::size_t i = 0; i < reading.size(); ++i) {
     const fp::Span span = reading.span(i);
@@ -164,19 +186,18 @@ Json semanticTokens(const View &view) {
     } else {
       type = typeOf(reading, i, ati);
     }
-    if (type == kNone)
-      continue;
-    const Json position = map.position(span.begin);
-    const std::uint32_t at = map.lineOf(span.begin);
-    const std::int64_t column = position["character"].get<std::int64_t>();
-    for (const std::int64_t value :
-         {std::int64_t(at - line), at == line ? column - character : column,
-          std::int64_t(span.end - span.begin), std::int64_t(type), std::int64_t(modifiers)})
-      data.push_back(value);
-    line = at;
-    character = column;
+    if (type != kNone)
+      writer.add(span, type, modifiers);
   }
-  return {{"data", std::move(data)}};
+}
+
+} // namespace
+
+Json semanticTokens(const Views &views) {
+  TokenWriter writer(views.front().document.map());
+  for (const View &view : views)
+    addTokens(view, writer);
+  return writer.take();
 }
 
 } // namespace arbiter::tools::lsp

@@ -48,9 +48,9 @@ void addCheck(CLI::App &app, CheckArguments &check) {
               "each of many files; never: numbers alone")
       .oneOf({"auto", "always", "never"})
       .showDefault();
-  verb.option(
-          "FILE", check.files,
-          "program texts, or folders of them and of captures; gallery:NAME; - is standard input")
+  verb.option("FILE", check.files,
+              "program texts, each with one program or several (.vfp), or folders of them and of "
+              "captures; gallery:NAME; - is standard input")
       .required()
       .documents();
   verb.footer("Up to eight files get a table each; more, or a folder, the lines of what is "

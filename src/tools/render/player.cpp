@@ -24,7 +24,7 @@ fp::CheckResult check(const scene::ProgramFile &file) {
   if (const auto profile = fp::hw::loadProfile(settings().profile))
     options.limits = limitsOf(profile.value(), file.language);
   options.policy = settings().enforceLimits ? fp::LimitPolicy::Enforce : fp::LimitPolicy::Report;
-  return fp::checkProgram(file.language, file.text, options);
+  return fp::checkProgramIn(file.text, file.program(), options);
 }
 
 /// The file's name without its folder, as a client knows it.
@@ -53,9 +53,11 @@ void addError(const scene::Document &document, const RenderError &error, Json &r
   diagnostic.id = "draw";
   diagnostic.message = error.message.substr(0, error.message.find('\n'));
   diagnostic.span = error.span;
+  const std::size_t file = std::min(error.file, document.files.size() - 1);
   if (error.kind == RenderError::Kind::Program && error.position >= 0)
-    diagnostic.span = {std::uint32_t(error.position), std::uint32_t(error.position)};
-  addDiagnostic(document, std::min(error.file, document.files.size() - 1), diagnostic, rows);
+    diagnostic.span.begin = diagnostic.span.end =
+        document.files[file].place.begin + std::uint32_t(error.position);
+  addDiagnostic(document, file, diagnostic, rows);
 }
 
 Json countsJson(const fp::ResourceCounts &counts) {

@@ -80,7 +80,7 @@ const char *verdictName(Verdict verdict) {
 
 void writeProgram(JsonWriter &json, const ProgramSet &set, const ReportedProgram &program) {
   json.beginObject();
-  json.key("name").value(program.file.name).key("verdict").value(verdictName(program.verdict));
+  json.key("name").value(program.file.title()).key("verdict").value(verdictName(program.verdict));
   json.key("refused").value(program.refused);
   if (program.captured >= 0)
     writeCaptured(json, set.capture.programs[std::size_t(program.captured)]);

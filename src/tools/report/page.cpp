@@ -79,7 +79,7 @@ std::string countCells(const CheckedFile &file) {
 std::string shortName(const ProgramSet &set, std::size_t index) {
   const ReportedProgram &program = set.programs[index];
   if (program.captured < 0)
-    return program.file.name;
+    return program.file.title();
   const CapturedProgram &captured = set.capture.programs[std::size_t(program.captured)];
   return captured.hash.substr(0, 12) + captured.target->extension;
 }
@@ -90,7 +90,7 @@ std::string row(const ProgramSet &set, std::size_t index) {
   const bool read = program.verdict != Verdict::Unreadable;
   std::string html = std::string("<tr data-s=\"") + word(program.verdict) + "\"><td><a href=\"#" +
                      anchor(index) + "\">" + escaped(shortName(set, index)) + "</a></td>" +
-                     cell(read ? languageTitle(file.language, file.text) : "") +
+                     cell(read ? languageTitle(file.language, file.source()) : "") +
                      cell(verdictMark(program.verdict));
   html += file.counted() ? countCells(file) : emptyCells(8);
   if (set.fromCapture)
@@ -195,7 +195,7 @@ std::string misfits(const ProgramSet &set) {
     std::string what;
     for (const std::string &excess : excesses(set.programs[i]))
       what += (what.empty() ? "" : "; ") + excess;
-    html += "<li><a href=\"#" + anchor(i) + "\">" + escaped(set.programs[i].file.name) +
+    html += "<li><a href=\"#" + anchor(i) + "\">" + escaped(set.programs[i].file.title()) +
             "</a>: <span class=over>" + what + "</span>" + misfitReasons(set, i) + "</li>\n";
   }
   return html + "</ul>\n";

@@ -68,7 +68,7 @@ void admitRefused(ReportedProgram &program) {
   if (file.status != FileStatus::Invalid)
     return;
   fp::CheckResult result =
-      fp::checkProgram(file.language, file.text, {file.limits, fp::LimitPolicy::Report});
+      fp::checkProgramIn(file.text, file.program(), {file.limits, fp::LimitPolicy::Report});
   if (!result.ok())
     return; // the first result's errors are complete
   program.refused = true;
@@ -110,14 +110,20 @@ ProgramSet readPrograms(const std::vector<std::string> &operands, const fp::hw::
   Progress progress(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     progress.at(i);
-    ReportedProgram &program = set.programs.emplace_back();
-    program.file = checkFile(wanted[i].path, wanted[i].language, fp::LimitPolicy::Enforce, profile);
-    admitRefused(program);
-    program.file.name = std::move(wanted[i].name);
-    program.verdict = verdictOf(program);
-    program.captured = set.fromCapture ? int(i) : -1;
-    if (program.verdict == Verdict::Unreadable)
-      set.faults.push_back(program.file.fault);
+    std::vector<CheckedFile> files =
+        checkFile(wanted[i].path, wanted[i].language, fp::LimitPolicy::Enforce, profile);
+    if (set.fromCapture)
+      files.resize(1); // the one that is drawn with
+    for (CheckedFile &file : files) {
+      ReportedProgram &program = set.programs.emplace_back();
+      program.file = std::move(file);
+      admitRefused(program);
+      program.file.name = wanted[i].name;
+      program.verdict = verdictOf(program);
+      program.captured = set.fromCapture ? int(i) : -1;
+      if (program.verdict == Verdict::Unreadable)
+        set.faults.push_back(program.file.fault);
+    }
   }
   return set;
 }

@@ -75,15 +75,15 @@ std::string Section::links(const std::vector<std::uint32_t> &instructions) const
 
 std::string Section::summary() const {
   std::string html =
-      "<summary><h3>" + escaped(m_file.name) + "</h3> " + verdictMark(m_program.verdict);
+      "<summary><h3>" + escaped(m_file.title()) + "</h3> " + verdictMark(m_program.verdict);
   for (const std::string &excess : excesses(m_program))
     html += "; " + excess;
   return html + "</summary>\n";
 }
 
 std::string Section::headline() const {
-  std::string html = "<p>" + languageTitle(m_file.language, m_file.text) + ", " +
-                     counted(m_file.text.size(), "byte");
+  std::string html = "<p>" + languageTitle(m_file.language, m_file.source()) + ", " +
+                     counted(m_file.source().size(), "byte");
   if (m_program.captured >= 0) {
     const CapturedProgram &captured = m_set.capture.programs[std::size_t(m_program.captured)];
     html += "; loaded " + counted(captured.loads, "time") + ", " + counted(captured.draws, "draw") +

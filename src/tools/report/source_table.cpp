@@ -106,7 +106,10 @@ std::string sourceTable(const CheckedFile &file, const std::string &prefix) {
 
   std::string html = columns.head();
   auto place = places.begin();
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  const std::size_t first = file.hasSiblings ? source.at(file.part->begin).line - 1 : 0;
+  if (file.hasSiblings)
+    lines.resize(std::min<std::size_t>(lines.size(), source.at(file.part->end).line));
+  for (std::size_t i = first; i < lines.size(); ++i) {
     const LineCost cost = i < costs.size() ? costs[i] : LineCost{};
     html += "<tr id=" + prefix + "-" + number(i + 1);
     html += cost.instructions != 0 && cost.gone == cost.instructions ? " class=gone>" : ">";

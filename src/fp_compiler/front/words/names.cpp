@@ -37,4 +37,12 @@ void NameTable::sort() {
             [](const NameUse &a, const NameUse &b) { return a.span.begin < b.span.begin; });
 }
 
+void NameTable::move(std::uint32_t by) {
+  for (NameUse &use : m_uses)
+    use.span = {use.span.begin + by, use.span.end + by};
+  for (Name &name : m_names)
+    if (name.declared.end != 0)
+      name.declared = {name.declared.begin + by, name.declared.end + by};
+}
+
 } // namespace arbiter::fp

@@ -42,6 +42,8 @@ public:
   [[nodiscard]] const NameUse *at(std::uint32_t offset) const;
   /// Puts uses() in text order: a declaration is noted when its statement ends.
   void sort();
+  /// Every place becomes one of a longer text, which has this one from byte \p by on.
+  void move(std::uint32_t by);
 
 private:
   std::vector<Name> m_names;

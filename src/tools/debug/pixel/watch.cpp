@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/file_programs.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/debug/pixel/cut.h"
 #include "tools/debug/pixel/drawer.h"
@@ -88,9 +88,10 @@ Result<Program, DebugError> watchProgram(const Program &program, std::string_vie
   if (const auto at = writes(program, text, *row, watch.reg))
     return cutProgram(program, {{Probe::Kind::Value, *at}}, fragments);
   const fp::hw::Profile *const widest = fp::hw::findBuiltin("host");
+  const std::string longer = longerText(program, text, *row, watch.reg);
   const fp::CheckResult checked =
-      fp::checkProgram(program.language, longerText(program, text, *row, watch.reg),
-                       {limitsOf(*widest, program.language), fp::LimitPolicy::Report});
+      fp::checkProgramIn(longer, fp::programOf(longer, program.language),
+                         {limitsOf(*widest, program.language), fp::LimitPolicy::Report});
   if (checked.ok())
     return cutProgram(*checked.program, {{Probe::Kind::Value, *row + 1}}, fragments);
   const fp::Diagnostic &first = checked.diagnostics.front();
