@@ -16,8 +16,8 @@ public:
     return "Draws a picture through a fragment program of one instruction.";
   }
   [[nodiscard]] std::vector<std::string> forms() const override { return {"nearest", "linear"}; }
-  // A nearest sample of an 8-bit texel, written to 8 bits, is that texel. A linear one at its centre
-  // is too, but for the roundings of the coordinate, of which hosts make a step.
+  // A nearest sample of an 8-bit texel, written to 8 bits, is that texel. A linear one at its
+  // centre is too, but for the roundings of the coordinate, of which hosts make a step.
   [[nodiscard]] Tolerance tolerance() const override { return {m_linear ? 1 : 0}; }
 
   [[nodiscard]] bool start(const Surface &surface, const Options &options) override {

@@ -266,7 +266,7 @@ void hostDefinesLists(std::uint32_t first, std::int32_t count) {
   if (!context || context->insideBeginEnd || context->listMode != 0 || count <= 0)
     return;
   withinMemory(*context, "NewList", [&] {
-  context->group->listsHoldLetters.store(keepsLetters(*context), std::memory_order_relaxed);
+    context->group->listsHoldLetters.store(keepsLetters(*context), std::memory_order_relaxed);
     DisplayListTable &lists = context->group->lists;
     if (lists.hasEarly())
       lists.forgetEarly(*context->host, first, GLuint(count));

@@ -31,7 +31,7 @@ inline constexpr std::uint32_t kProgramState =
 inline constexpr std::uint32_t kBuffers = 1u << 15; ///< what buffer objects hold
 inline constexpr std::uint32_t kRasterPosition = 1u << 16; ///< with the values that go with it
 inline constexpr std::uint32_t kModelview = 1u << 17;      ///< the modelview matrix, and no other
-inline constexpr std::uint32_t kMaterial = 1u << 18; ///< materials' values
+inline constexpr std::uint32_t kMaterial = 1u << 18;       ///< materials' values
 inline constexpr int kGroups = 19;
 // No groups of their own: GenerationCounter::take() says which one they come to.
 inline constexpr std::uint32_t kMatrix = 1u << 19;     ///< the matrix that MATRIX_MODE names

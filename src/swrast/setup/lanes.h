@@ -62,8 +62,8 @@ template <typename Vector> Vector chosen(const Ints &mask, const Vector &yes, co
 #endif
 }
 
-/// By the instruction: compilers convert a wide vector in pieces. A mask of all lanes gives the same
-/// instruction, and GCC 12 warns of the form without one.
+/// By the instruction: compilers convert a wide vector in pieces. A mask of all lanes gives the
+/// same instruction, and GCC 12 warns of the form without one.
 [[maybe_unused]] inline Doubles widened(const HalfFloats &values) {
 #if defined(__AVX512F__)
   return (Doubles)_mm512_maskz_cvtps_pd(__mmask8(-1), (__m256)values);
