@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/ir/ir.h"
+#include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/variants/point_sprites.h"
@@ -54,6 +55,21 @@ const KeptLook &keepsLook(Context &context, bool testsDepths) {
   if (testsDepths && !state.mayTestDepth())
     look.becomesHosts();
   return look;
+}
+
+/// Returns the looks that draws to a framebuffer object have. A window's are not asked for, as its
+/// size may have to be measured for that.
+Looks looksOfObject(Context &context) {
+  GLint bound = 0;
+  context.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const char *reason = nullptr;
+  const DrawTargets *const targets =
+      bound != 0 ? context.software->residency.describeTargets(reason) : nullptr;
+  Looks looks = 0;
+  for (int i = 0; targets && i < abi::kMaxColorTargets; ++i)
+    if (targets->color[i])
+      looks |= looksOf(targets->color[i]->format.layout);
+  return looks;
 }
 
 using SpriteThird = swrast::RasterState::SpriteThird;
@@ -202,6 +218,8 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
   m_looks = looksOf({mirror, *m_program->looks, vertices == nullptr,
                      vertices ? swrast::Topology(vertices->mode) : swrast::Topology::Points});
   const bool testsDepths = testsAny(mirror.pixelOps.depthStencil);
+  if (!m_program->functions || !m_program->functions->prepared())
+    m_looks |= looksOfObject(context); // a draw without code comes to no key
   const bool keeps = m_looks != 0 && !state.forced;
   if (keeps && keepsLook(context, testsDepths).isHosts())
     return Fallback::Look;

@@ -27,9 +27,8 @@ ROUNDED = {
     "translucent": 3, "blended": 2, "tests": 1, "lines-smooth": 1,
     "lit-apart": 1, "arrays": 1, "materials": 1,
 }
-# Scenes that change once: the first frame shows only behind the draw that it is a mixed one; that a buffer has
-# few bits is known when there is machine code.
-ONCE = ("anisotropy-mixed", "packed")
+# A scene that changes once: the first frame shows only behind the draw that it is a mixed one.
+ONCE = ("anisotropy-mixed",)
 START = 100  # frames of other runs than the first
 # Drawn by two contexts by turns too, of which the second one begins with what is known of the first.
 TWO = ("anisotropy", "anisotropy-by-program", "color-sum-late", "letters-in-fog", "stipple-in-perspective")
