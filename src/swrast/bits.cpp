@@ -90,8 +90,6 @@ DrawStatistics rasterizeBits(const RasterState &state, const Shading &shading, c
   if (part.rect.empty() || (!shading.row && !shading.quad))
     return {};
   abi::Primitive primitive;
-  primitive.originX = part.rect.x;
-  primitive.originY = part.rect.y;
   primitive.backFacing = 0; // points, lines, rectangles of pixels and bitmaps are seen from ahead
   primitive.z = {fragments.z, 0, 0};
   primitive.inverseW = {fragments.inverseW, 0, 0};

@@ -150,7 +150,9 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
       return m_isMixed ? Outcome(Fallback::Mixed) : Outcome();
     }
   }
-  m_chosen = m_isMixed = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
+  m_chosen = m_isMixed = m_filled = false;
+  for (Prepared &prepared : m_prepared)
+    prepared.ready = false;
   const Outcome outcome = chooseAnew(context, mirror, vertices);
   m_chosen = outcome.ok();
   m_isMixed = !outcome.ok() && outcome.reason() == Fallback::Mixed;
