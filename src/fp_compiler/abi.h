@@ -261,7 +261,12 @@ struct DepthStencilKey {
 };
 
 /// How an input varies over a primitive.
-enum class Interpolation : std::uint8_t { Flat, Linear, Perspective };
+enum class Interpolation : std::uint8_t {
+  Flat,
+  Linear, ///< as its plane has it
+  Even,   ///< Perspective where all w are the same: inverseW is its constant
+  Perspective,
+};
 
 /// Which pixels lie in the lanes of a vector.
 enum class Lanes : std::uint8_t {
@@ -319,34 +324,37 @@ struct FragmentData {
   float fogColor[4] = {};
   float fogDensity = 1, fogStart = 0, fogEnd = 1, fogScale = 1; ///< scale: 1/(end-start)
   float windowHeight = 0; ///< for fragment.position with the origin at the upper left
+  /// Row in whose first pixel all planes begin.
+  std::int32_t originY = 0;
   float depthMinimum = 0, depthMaximum = 1; ///< what fragment depth is clamped to
 };
 
-/// An attribute's component over the plane: value at the centre of pixel (x, y) is
-/// c + dx * (x - originX) + dy * (y - originY).
+/// An attribute's component over the plane, which begins at the centre of pixel (0, originY).
 struct Plane {
   float c = 0, dx = 0, dy = 0;
 };
+/// Its value at the centre of pixel (x, originY + y) by the steps of hosts, where each product and
+/// its sum are rounded once. What this and a fused multiplication differ in, once in 2^28 numbers,
+/// is that the double is rounded too.
+[[nodiscard]] inline float planeAt(const Plane &plane, std::int32_t x, std::int32_t y) {
+  const auto along = float(double(plane.dx) * x + double(plane.c));
+  return float(double(plane.dy) * y + double(along));
+}
 
-/// Window depth over a primitive: a plane that begins at (0, originY), and polygon offset.
+/// Window depth over a primitive: a plane, and polygon offset.
 struct DepthPlane {
   float c = 0, dx = 0, dy = 0;
   float offset = 0;
-  std::int32_t originY = 0;
 };
-/// Depth at the centre of pixel (x, y) by the steps of hosts, where each product and its sum are
-/// rounded once. What this and a fused multiplication differ in, once in 2^28 numbers, is that the
-/// double is rounded too.
+/// Depth at the centre of pixel (x, originY + y).
 [[nodiscard]] inline float depthAt(const DepthPlane &z, std::int32_t x, std::int32_t y) {
-  const auto along = float(double(z.dx) * x + double(z.c));
-  return float(double(z.dy) * (y - z.originY) + double(along)) + z.offset;
+  return planeAt({z.c, z.dx, z.dy}, x, y) + z.offset;
 }
 
-/// A triangle, or a line or point made of such, ready to be shaded. Perspective inputs hold
-/// attribute/w; they are divided by the plane of 1/w.
+/// A triangle, or a line or point made of such, ready to be shaded. Even and Perspective inputs
+/// hold attribute/w, and are multiplied by what 1 divided by the plane of 1/w is.
 struct Primitive {
-  std::int32_t originX = 0, originY = 0; ///< a pixel that the other planes are exact at
-  std::uint32_t backFacing = 0;          ///< stencil side
+  std::uint32_t backFacing = 0; ///< stencil side
   DepthPlane z;
   Plane inverseW; ///< 1 / clip w
   Plane inputs[kMaxInputs][4];

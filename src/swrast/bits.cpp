@@ -84,11 +84,8 @@ std::uint64_t addBlocks(const Clipped &part, int width, int height, Batch<abi::B
 
 } // namespace
 
-abi::Primitive primitiveOf(const Shading &shading, const BitFragments &fragments,
-                           const Rect &rect) {
+abi::Primitive primitiveOf(const Shading &shading, const BitFragments &fragments) {
   abi::Primitive primitive;
-  primitive.originX = rect.x;
-  primitive.originY = rect.y;
   primitive.backFacing = 0; // points, lines, rectangles of pixels and bitmaps are seen from ahead
   primitive.z = {fragments.z, 0, 0};
   primitive.inverseW = {fragments.inverseW, 0, 0};
@@ -103,7 +100,7 @@ DrawStatistics rasterizeBits(const RasterState &state, const Shading &shading, c
   const Clipped part = {bits, x, y, intersect(state.clip, {x, y, bits.width, bits.height})};
   if (part.rect.empty() || (!shading.row && !shading.quad))
     return {};
-  const abi::Primitive primitive = primitiveOf(shading, fragments, part.rect);
+  const abi::Primitive primitive = primitiveOf(shading, fragments);
   state.clears.reach(part.rect);
   const FlushMode mode;
   std::uint64_t pixels = 0;

@@ -29,9 +29,8 @@ struct BitFragments {
   float inputs[abi::kMaxInputs][4] = {};
 };
 
-/// Returns the primitive that all fragments of a rectangle are of.
-[[nodiscard]] abi::Primitive primitiveOf(const Shading &shading, const BitFragments &fragments,
-                                         const Rect &rect);
+/// Returns the primitive that all fragments of an image are of.
+[[nodiscard]] abi::Primitive primitiveOf(const Shading &shading, const BitFragments &fragments);
 
 /// Draws the fragments, those within the clip rectangle, with pixel (0, 0) of the image at window
 /// pixel (x, y). Neither culling, stipples nor polygon offset apply. No input is Perspective.

@@ -71,7 +71,7 @@ DrawStatistics rasterizePixels(const RasterState &state, const Shading &shading,
   const Rect rect = intersect(state.clip, coveredBy(image));
   if (rect.empty())
     return {};
-  abi::Primitive primitive = primitiveOf(shading, fragments, rect);
+  abi::Primitive primitive = primitiveOf(shading, fragments);
   const auto columns = sourcesOf(rect.x, rect.width, image.x, image.zoomX, image.width);
   const auto rows = sourcesOf(rect.y, rect.height, image.y, image.zoomY, image.height);
   state.clears.reach(rect);

@@ -39,8 +39,7 @@ DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
   const RasterState &state = draw.state;
   const auto take = [&](const Triangle &triangle, Shape &shape) {
     shape.stippled = state.polygonStipple != nullptr;
-    makePlanes(state, draw.plan, triangle, state.offsetFill, shape.originX, shape.originY,
-               shape.primitive);
+    makePlanes(state, draw.plan, triangle, state.offsetFill, shape.primitive);
     shapes.push_back(shape);
   };
   for (std::uint32_t i = 0; i < triangles; ++i) {
@@ -90,11 +89,11 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
       findRectangle(state, topology, vertices, indices, first, count, rectangle)) {
     if (rectangle.pixels.empty())
       return {};
-    Shape shape;
-    if (shapeOfRectangle(state, shading, topology, vertices, rectangle, shape))
-      return {1, shadeInBands(state, shading, &shape, 1)};
   }
   Draw all = drawOf(state, shading, topology, vertices, indices, first, count);
+  Shape shape;
+  if (!rectangle.pixels.empty() && shapeOfRectangle(all, rectangle, shape))
+    return {1, shadeInBands(state, shading, &shape, 1)};
   all.provokingAt = provokingAt;
   placeVertices(all, scratch().window, scratch().bounds);
   if (isPolygonal(topology) && all.isFilled())

@@ -38,7 +38,10 @@ TEST(Rasterize, AScreenQuadMapsTexelsToPixelsExactly) {
         for (const int i : {0, 1, 2, 2, 3, 0})
           corner(i);
       const DrawStatistics statistics = drawAll(canvas, topology, vertices);
-      EXPECT_EQ(statistics.primitives, 1u) << "one rectangle";
+      // Where two triangles begin at different corners, planes are the same if nothing rounds.
+      if (topology != Topology::Triangles || (size & (size - 1)) == 0) {
+        EXPECT_EQ(statistics.primitives, 1u) << "one rectangle";
+      }
       EXPECT_EQ(statistics.pixels, std::uint64_t(size) * 3);
       for (int y = 0; y < 3; ++y)
         for (int x = 0; x < size; ++x) {
@@ -76,7 +79,7 @@ TEST(Rasterize, InputsAreThePlanesValues) {
   for (int round = 0; round < 300; ++round) {
     Canvas canvas(100, 100);
     addInput(canvas, abi::Interpolation::Perspective);
-    canvas.state.upsideDownHeight = round % 2 ? 100 : 0;
+    canvas.turn(round % 2 != 0);
     if (round % 3 == 0)
       canvas.useQuads(16);
     WindowVertices vertices(canvas);
@@ -214,14 +217,20 @@ TEST(Rasterize, SurelyCoveredIsOnlyWhatIsSure) {
   EXPECT_TRUE(covered(canvas.state).empty()) << "crooked";
 }
 
-TEST(Rasterize, AffineIsWhereAllWAreEqual) {
-  Canvas canvas(8, 8);
-  WindowVertices vertices(canvas);
-  for (int i = 0; i < 4; ++i)
-    vertices.add(i, i, 0, 2);
-  EXPECT_TRUE(isAffine(vertices.get()));
-  vertices.add(1, 1, 0, 2.0000002f);
-  EXPECT_FALSE(isAffine(vertices.get()));
+TEST(Rasterize, InputsAreLinearWhereAllWAreOnePowerOfTwo) {
+  const auto how = [](float w, float last) {
+    Canvas canvas(8, 8);
+    WindowVertices vertices(canvas);
+    for (int i = 0; i < 4; ++i)
+      vertices.add(i, i, 0, double(w));
+    vertices.add(1, 1, 0, double(last));
+    return interpolationOf(vertices.get());
+  };
+  for (const float w : {1.0f, 0.125f, 4.0f})
+    EXPECT_EQ(how(w, w), abi::Interpolation::Linear) << w;
+  for (const float w : {3.0f, 0.3f, 1.0000001f})
+    EXPECT_EQ(how(w, w), abi::Interpolation::Even) << w;
+  EXPECT_EQ(how(2, 2.0000002f), abi::Interpolation::Perspective);
 }
 
 TEST(Rasterize, NothingIsWrittenOutsideWhateverTheVertices) {

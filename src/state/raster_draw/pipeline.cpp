@@ -40,18 +40,17 @@ abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
   return slot.function.load(std::memory_order_acquire);
 }
 
-Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
+Outcome Pipeline::chooseFunctions(const Mirror &mirror, abi::Interpolation inputs) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
-  Prepared &prepared = m_prepared[affine ? 1 : 0];
+  Prepared &prepared = m_prepared[std::size_t(inputs)];
   swrast::Shading &shading = prepared.shading;
   shading = {};
+  const bool affine = inputs != abi::Interpolation::Perspective;
   shading.inputCount = std::uint32_t(shape.inputs.size());
   for (std::size_t i = 0; i < shape.inputs.size(); ++i) {
     const AttributeKind kind = shape.inputs[i].attribute.kind;
     const bool color = kind == AttributeKind::ColorPrimary || kind == AttributeKind::ColorSecondary;
-    m_key.inputs[i] = color && mirror.raster.flatShade ? abi::Interpolation::Flat
-                      : affine                         ? abi::Interpolation::Linear
-                                                       : abi::Interpolation::Perspective;
+    m_key.inputs[i] = color && mirror.raster.flatShade ? abi::Interpolation::Flat : inputs;
     shading.interpolation[i] = m_key.inputs[i];
     shading.inputComponents[i] = shape.inputs[i].components;
     if (isSprite(mirror, shape.inputs[i].attribute) &&
@@ -136,6 +135,7 @@ void Pipeline::fillData(const Mirror &mirror) {
   if (m_key.depthStencil.layout != abi::Layout::None)
     m_data.depthStencil = targetOf(m_targets->depthStencil);
   m_data.windowHeight = float(m_targets->height);
+  m_data.originY = swrast::planesBegin(m_raster);
 }
 
 /// What m_data refers to, but for the parameters.
@@ -189,12 +189,12 @@ Outcome Pipeline::transform(Context &context, const VertexSource &source, const 
 }
 
 Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::uint32_t count,
-                              bool affine, swrast::Topology topology,
+                              abi::Interpolation inputs, swrast::Topology topology,
                               const swrast::Shading *&shading) {
   const Mirror &mirror = context.software->mirror;
-  const Prepared &prepared = m_prepared[affine ? 1 : 0];
+  const Prepared &prepared = m_prepared[std::size_t(inputs)];
   if (!prepared.ready)
-    if (const Outcome outcome = chooseFunctions(mirror, affine); !outcome.ok())
+    if (const Outcome outcome = chooseFunctions(mirror, inputs); !outcome.ok())
       return outcome;
 
   constexpr std::uint32_t kRasterGroups =
@@ -242,10 +242,11 @@ bool hasFlatInput(const swrast::Shading &shading) {
 } // namespace
 
 Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
-                            std::uint32_t count, bool affine, const Joining &primitives) {
+                            std::uint32_t count, abi::Interpolation inputs,
+                            const Joining &primitives) {
   const swrast::Topology topology = primitives.topology;
   const swrast::Shading *shading = nullptr;
-  if (const Outcome outcome = readyPixels(context, indices, count, affine, topology, shading);
+  if (const Outcome outcome = readyPixels(context, indices, count, inputs, topology, shading);
       !outcome.ok())
     return outcome;
   m_raster.provokingIsFirst = primitives.provokingIsFirst;
@@ -268,7 +269,7 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
   if (const Outcome outcome = transform(context, source, indices, first, count, false);
       !outcome.ok())
     return outcome;
-  return rasterize(context, source, indices, count, swrast::isAffine(m_vertices.vertices()),
+  return rasterize(context, source, indices, count, swrast::interpolationOf(m_vertices.vertices()),
                    {m_topology, context.software->mirror.raster.provokingIsFirst});
 }
 
@@ -277,8 +278,8 @@ Outcome Pipeline::shadeJoined(Context &context, const VertexSource &source,
   if (const Outcome outcome = transform(context, source, indices, 0, indices.count, false);
       !outcome.ok())
     return outcome;
-  return rasterize(context, source, indices, indices.count, swrast::isAffine(m_vertices.vertices()),
-                   joining);
+  return rasterize(context, source, indices, indices.count,
+                   swrast::interpolationOf(m_vertices.vertices()), joining);
 }
 
 Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
@@ -286,7 +287,7 @@ Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const 
   if (const Outcome outcome = transform(context, source, indices, first, count, true);
       !outcome.ok())
     return outcome;
-  return rasterize(context, source, indices, count, false,
+  return rasterize(context, source, indices, count, abi::Interpolation::Perspective,
                    {topology, context.software->mirror.raster.provokingIsFirst});
 }
 
@@ -331,7 +332,8 @@ Outcome Pipeline::readyFragments(Context &context, const swrast::Shading *&shadi
   Mirror &mirror = context.software->mirror;
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   mirror.refreshRasterPosition(context.dirty, rasterSlots(shape));
-  if (const Outcome outcome = readyPixels(context, {}, 0, true, swrast::Topology::Points, shading);
+  if (const Outcome outcome = readyPixels(context, {}, 0, abi::Interpolation::Linear,
+                                          swrast::Topology::Points, shading);
       !outcome.ok())
     return outcome;
   const float *const position = mirror.rasterPosition.position;

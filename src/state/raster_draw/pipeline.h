@@ -43,8 +43,8 @@ public:
   /// Draws vertices [first, first + count) of the source, or those that indices name.
   Outcome shade(Context &context, const VertexSource &source, const IndexRange &indices,
                 std::uint32_t first, std::uint32_t count);
-  /// The same of a part of a draw (large_draw.h), whose primitives are `topology`. Inputs are never
-  /// taken for affine, so that all parts have the functions of the first.
+  /// The same of a part of a draw (large_draw.h), whose primitives are `topology`. Inputs are
+  /// always Perspective, so that all parts have the functions of the first.
   Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, swrast::Topology topology);
   /// The same of primitives that are joined (immediate/joined.h) by the indices.
@@ -98,10 +98,11 @@ private:
   Outcome transform(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, bool later);
   Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
-                    std::uint32_t count, bool affine, const Joining &primitives);
+                    std::uint32_t count, abi::Interpolation inputs, const Joining &primitives);
   /// The functions, the targets and what pixels are drawn with; nothing has been drawn before.
-  Outcome readyPixels(Context &context, const IndexRange &indices, std::uint32_t count, bool affine,
-                      swrast::Topology topology, const swrast::Shading *&shading);
+  Outcome readyPixels(Context &context, const IndexRange &indices, std::uint32_t count,
+                      abi::Interpolation inputs, swrast::Topology topology,
+                      const swrast::Shading *&shading);
   /// \param vertices null: fragments that no vertices give
   Outcome chooseFor(Context &context, const Kind *vertices);
   Outcome chooseAnew(Context &context, Mirror &mirror, const Kind *vertices);
@@ -114,7 +115,7 @@ private:
   /// What pixels' functions are compiled for. Requires: all else is chosen, as what the rasterizer
   /// lacks is judged before the frame is.
   Outcome makeKey(Context &context, Mirror &mirror, abi::Coverage coverage, bool hasVertices);
-  Outcome chooseFunctions(const Mirror &mirror, bool affine);
+  Outcome chooseFunctions(const Mirror &mirror, abi::Interpolation inputs);
   /// The function for small triangles whose depth the rasterizer tests.
   /// \param levels a sampler wants a level of detail
   void choosePacked(bool quads, swrast::Shading &shading, Fallback &why);
@@ -159,12 +160,12 @@ private:
   Basis m_basis;
   std::uint64_t m_seen = 0; ///< GenerationCounter
   bool m_floatTarget = false;
-  /// By whether inputs are affine.
+  /// By how inputs vary that are not flat.
   struct Prepared {
     bool ready = false; ///< nothing that it wants is still being compiled
     swrast::Shading shading;
   };
-  Prepared m_prepared[2];
+  Prepared m_prepared[4];
 
   // --- What pixels are drawn with ---
   bool m_filled = false; ///< since the last choice

@@ -178,8 +178,10 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
       return m_isHosts ? Outcome(*m_isHosts) : Outcome();
     }
   }
-  m_chosen = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
+  m_chosen = m_filled = false;
   m_isHosts.reset();
+  for (Prepared &prepared : m_prepared)
+    prepared.ready = false;
   const Outcome outcome = chooseAnew(context, mirror, vertices);
   m_chosen = outcome.ok();
   if (!outcome.ok() && (outcome.reason() == Fallback::Mixed || outcome.reason() == Fallback::Look))

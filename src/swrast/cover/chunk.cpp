@@ -91,8 +91,7 @@ void Chunk::addShape(const Shape &shape, std::uint32_t inputs, bool hides) {
 void Chunk::makeShape(const Draw &draw, const Triangle &triangle, Shape &shape) {
   const RasterState &state = draw.state;
   shape.stippled = state.polygonStipple != nullptr;
-  makePlanes(state, draw.plan, triangle, state.offsetFill, shape.originX, shape.originY,
-             shape.primitive);
+  makePlanes(state, draw.plan, triangle, state.offsetFill, shape.primitive);
   addShape(shape, draw.shading.inputCount, draw.shading.opaque && !shape.stippled);
 }
 
@@ -136,8 +135,8 @@ void Chunk::addGroup(const Draw &draw, const SmallSetUp &with, const TriangleGro
     }
     SmallTriangle &small = m_small[m_smallCount];
     if (made.depthless & lane) {
-      const abi::DepthPlane plane =
-          makeDepthPlane(draw.state, triangleOf(small, draw.window), draw.state.offsetFill);
+      const abi::DepthPlane plane = makeDepthPlane(
+          draw.state, stepsOf(draw.state, small, draw.window), draw.state.offsetFill);
       const float depth[4] = {plane.c, plane.dx, plane.dy, plane.offset};
       std::copy_n(depth, 4, small.depth);
     }

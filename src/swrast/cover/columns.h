@@ -8,32 +8,22 @@
 /// The planes of up to sixteen triangles at a time, a lane each, compiled once for each instruction
 /// set: include it only where its kernels are made. Nothing in here may be shared between those,
 /// hence the nameless namespace and no inline function of another header. The steps are those of
-/// planes.h in the same order, each rounded, so that a pixel's value does not depend on which of
+/// PlaneSteps in the same order, each rounded, so that a pixel's value does not depend on which of
 /// them made its plane.
 namespace arbiter::swrast {
 namespace {
 
 constexpr int kColumns = abi::PrimitiveColumns::kColumns;
-constexpr int kDoubles = kLanes / 2; ///< doubles of a vector
+constexpr int kParts = kColumns / kLanes;
 
-/// Numbers of a run of triangles as doubles, a vector behind the other.
-struct ColumnDoubles {
-  Doubles part[kColumns / kDoubles];
+/// Numbers of a run of triangles, a vector behind the other.
+struct ColumnFloats {
+  Floats part[kParts];
 };
+static_assert(sizeof(ColumnFloats) == kColumns * sizeof(float));
 
-inline void widen(const float (&values)[kColumns], ColumnDoubles &to) {
-  for (int i = 0; i < kColumns / kDoubles; ++i) {
-    HalfFloats half;
-    __builtin_memcpy(&half, values + i * kDoubles, sizeof half);
-    to.part[i] = widened(half);
-  }
-}
-inline void widen(const std::int32_t (&values)[kColumns], ColumnDoubles &to) {
-  for (int i = 0; i < kColumns / kDoubles; ++i) {
-    HalfInts half;
-    __builtin_memcpy(&half, values + i * kDoubles, sizeof half);
-    to.part[i] = widened(half);
-  }
+inline void load(const float (&values)[kColumns], ColumnFloats &to) {
+  __builtin_memcpy(&to, values, sizeof to);
 }
 
 /// Element index[k] & mask of an array in lane k.
@@ -50,13 +40,15 @@ inline void gather(const float *from, const std::uint32_t (&index)[kColumns], st
 
 /// What planes are made of, of a run of triangles of one draw; behind the last its fields again.
 struct ColumnTerms {
-  ColumnDoubles dx1, dx2, dy1, dy2, toX, toY; ///< Gradients
-  ColumnDoubles inverseW[3];
+  /// Sides by the area, and from the middle of the first pixel to the first corner.
+  ColumnFloats dyOf01, dyOf20, dxOf01, dxOf20, fromX, fromY;
+  ColumnFloats inverseW[3];
   std::uint32_t vertex[3][kColumns], provoking[kColumns], backFacing[kColumns];
+  bool turns; ///< the host's rows go downwards
 
-  ColumnTerms(const RasterState &state, const PackedTriangle *const *triangles, int count) {
+  ColumnTerms(const RasterState &state, const PackedTriangle *const *triangles, int count)
+      : turns(state.upsideDownHeight != 0) {
     float x[3][kColumns], y[3][kColumns], w[3][kColumns];
-    std::int32_t originX[kColumns], originY[kColumns];
     for (int k = 0; k < kColumns; ++k) {
       const PackedTriangle &each = *triangles[k < count ? k : count - 1];
       const SmallTriangle &small = *each.small;
@@ -67,60 +59,30 @@ struct ColumnTerms {
         y[i][k] = corner.y;
         w[i][k] = corner.inverseW;
       }
-      originX[k] = small.originX;
-      originY[k] = small.originY;
       provoking[k] = small.provokingAndFace >> 1;
       backFacing[k] = small.provokingAndFace & 1;
     }
-    for (int i = 0; i < 3; ++i)
-      widen(w[i], inverseW[i]);
-    ColumnDoubles wideX[3], wideY[3];
+    ColumnFloats atX[3], atY[3];
     for (int i = 0; i < 3; ++i) {
-      widen(x[i], wideX[i]);
-      widen(y[i], wideY[i]);
+      load(w[i], inverseW[i]);
+      load(x[i], atX[i]);
+      load(y[i], atY[i]);
     }
-    widen(originX, toX);
-    widen(originY, toY);
-    for (int i = 0; i < kColumns / kDoubles; ++i) {
-      for (unsigned thin = lanesIn(setGradients(state, i, wideX, wideY)); thin != 0;
-           thin &= thin - 1) {
-        const int k = __builtin_ctz(thin), column = i * kDoubles + k;
-        setThin(state, *triangles[column < count ? column : count - 1], i, k);
-      }
-    }
+    for (int i = 0; i < kParts; ++i)
+      setTerms(i, atX, atY);
   }
 
-  /// gradientsOf() of a vector, whose origins are in toX and toY. \return those that are thin
-  Longs setGradients(const RasterState &state, int i, const ColumnDoubles (&x)[3],
-                     const ColumnDoubles (&y)[3]) {
-    const bool isUpsideDown = state.upsideDownHeight != 0;
-    const Doubles x0 = x[0].part[i], y0 = y[0].part[i];
-    const Doubles x1 = x[1].part[i] - x0, x2 = x[2].part[i] - x0;
-    Doubles y1 = y[1].part[i] - y0, y2 = y[2].part[i] - y0, bottom = y0;
-    if (isUpsideDown) {
-      y1 = -y1;
-      y2 = -y2;
-      bottom = double(state.upsideDownHeight) - y0;
-    }
-    const Doubles area = x1 * y2 - x2 * y1;
-    const Doubles inverse = 1.0 / area;
-    dx1.part[i] = y2 * inverse;
-    dx2.part[i] = -y1 * inverse;
-    dy1.part[i] = -x2 * inverse;
-    dy2.part[i] = x1 * inverse;
-    toX.part[i] = toX.part[i] + 0.5 - x0;
-    toY.part[i] = toY.part[i] + 0.5 - bottom;
-    return (area < kThinArea) & (area > -kThinArea);
-  }
-
-  void setThin(const RasterState &state, const PackedTriangle &each, int i, int k) {
-    const Gradients gradients = gradientsOf(state, *each.small, each.window);
-    dx1.part[i][k] = gradients.dx1;
-    dx2.part[i][k] = gradients.dx2;
-    dy1.part[i][k] = gradients.dy1;
-    dy2.part[i][k] = gradients.dy2;
-    toX.part[i][k] = gradients.toX;
-    toY.part[i][k] = gradients.toY;
+  void setTerms(int i, const ColumnFloats (&x)[3], const ColumnFloats (&y)[3]) {
+    const Floats x01 = x[0].part[i] - x[1].part[i], y01 = y[0].part[i] - y[1].part[i];
+    const Floats x20 = x[2].part[i] - x[0].part[i], y20 = y[2].part[i] - y[0].part[i];
+    const Floats area = x01 * y20 - x20 * y01;
+    const Floats inverse = (Floats{} + 1.0f) / area;
+    dyOf01.part[i] = y01 * inverse;
+    dyOf20.part[i] = y20 * inverse;
+    dxOf01.part[i] = x01 * inverse;
+    dxOf20.part[i] = x20 * inverse;
+    fromX.part[i] = x[0].part[i] - 0.5f;
+    fromY.part[i] = y[0].part[i] - 0.5f;
   }
 
   /// A component of the vertices in \p index.
@@ -134,24 +96,18 @@ struct ColumnTerms {
         values[k] = source.values[1][index[k] & source.mask[1]];
   }
 
-  /// Gradients::plane() of values at the corners.
-  void plane(const ColumnDoubles (&f)[3], float (&out)[3][kColumns]) const {
-    for (int i = 0; i < kColumns / kDoubles; ++i) {
-      const Doubles f0 = f[0].part[i], d1 = f[1].part[i] - f0, d2 = f[2].part[i] - f0;
-      Doubles dx = d1 * dx1.part[i] + d2 * dx2.part[i];
-      Doubles dy = d1 * dy1.part[i] + d2 * dy2.part[i];
-      Doubles c = f0 + dx * toX.part[i] + dy * toY.part[i];
-      const Longs isLevel = (d1 == 0) & (d2 == 0);
-      const Doubles none{};
-      c = isLevel ? f0 + 0.0 : c;
-      dx = isLevel ? none : dx;
-      dy = isLevel ? none : dy;
-      const Doubles *const sums[3] = {&c, &dx, &dy};
-      for (int row = 0; row < 3; ++row) {
-        const HalfFloats half = narrowed(*sums[row]);
-        __builtin_memcpy(out[row] + i * kDoubles, &half, sizeof half);
-      }
+  /// PlaneSteps::plane() of values at the corners.
+  void plane(const ColumnFloats (&f)[3], float (&out)[3][kColumns]) const {
+    ColumnFloats sums[3];
+    for (int i = 0; i < kParts; ++i) {
+      const Floats f0 = f[0].part[i], f01 = f0 - f[1].part[i], f20 = f[2].part[i] - f0;
+      const Floats dx = f01 * dyOf20.part[i] - dyOf01.part[i] * f20;
+      const Floats dy = f20 * dxOf01.part[i] - dxOf20.part[i] * f01;
+      sums[0].part[i] = f0 - (dx * fromX.part[i] + dy * fromY.part[i]);
+      sums[1].part[i] = dx;
+      sums[2].part[i] = turns ? -dy : dy;
     }
+    __builtin_memcpy(out, sums, sizeof sums);
   }
 };
 
@@ -175,38 +131,6 @@ inline void storePlane(abi::PrimitiveColumns &to, std::size_t offset, int first,
       __builtin_memcpy(&rows[row][first + k], &plane[row][k], 4);
 }
 
-/// Of triangles of one draw.
-inline void setColumnsOf(const RasterState &state, const PlanePlan &plan,
-                         const PackedTriangle *const *triangles, int first, int count,
-                         abi::PrimitiveColumns &to) {
-  const ColumnTerms terms(state, triangles, count);
-  float plane[3][kColumns];
-  if (plan.wantsW) {
-    terms.plane(terms.inverseW, plane);
-    storePlane(to, offsetof(abi::Primitive, inverseW), first, count, plane);
-  }
-  for (int i = 0; i < plan.count; ++i) {
-    const PlanePlan::Source &source = plan.sources[i];
-    if (i >= plan.flatFrom) {
-      terms.fetch(source, terms.provoking, plane[0]);
-      for (int k = 0; k < kColumns; ++k)
-        plane[1][k] = plane[2][k] = 0;
-    } else {
-      ColumnDoubles f[3];
-      for (int corner = 0; corner < 3; ++corner) {
-        float values[kColumns];
-        terms.fetch(source, terms.vertex[corner], values);
-        widen(values, f[corner]);
-        if (i < plan.linearFrom)
-          for (int part = 0; part < kColumns / kDoubles; ++part)
-            f[corner].part[part] *= terms.inverseW[corner].part[part];
-      }
-      terms.plane(f, plane);
-    }
-    storePlane(to, offsetOf(source), first, count, plane);
-  }
-}
-
 /// A plane of a primitive.
 inline void copyPlane(const abi::Primitive &from, std::size_t offset, int column,
                       abi::PrimitiveColumns &to) {
@@ -224,6 +148,38 @@ inline void setColumnOf(const RasterState &state, const PackedTriangle &each, in
     copyPlane(primitive, offsetof(abi::Primitive, inverseW), column, to);
   for (int i = 0; i < each.plan->count; ++i)
     copyPlane(primitive, offsetOf(each.plan->sources[i]), column, to);
+}
+
+/// Of triangles of one draw.
+inline void setColumnsOf(const RasterState &state, const PlanePlan &plan,
+                         const PackedTriangle *const *triangles, int first, int count,
+                         abi::PrimitiveColumns &to) {
+  const ColumnTerms terms(state, triangles, count);
+  float plane[3][kColumns];
+  if (plan.wantsW) {
+    terms.plane(terms.inverseW, plane);
+    storePlane(to, offsetof(abi::Primitive, inverseW), first, count, plane);
+  }
+  for (int i = 0; i < plan.count; ++i) {
+    const PlanePlan::Source &source = plan.sources[i];
+    if (i >= plan.flatFrom) {
+      terms.fetch(source, terms.provoking, plane[0]);
+      for (int k = 0; k < kColumns; ++k)
+        plane[1][k] = plane[2][k] = 0;
+    } else {
+      ColumnFloats f[3];
+      for (int corner = 0; corner < 3; ++corner) {
+        float values[kColumns];
+        terms.fetch(source, terms.vertex[corner], values);
+        load(values, f[corner]);
+        if (i < plan.linearFrom)
+          for (int part = 0; part < kParts; ++part)
+            f[corner].part[part] *= terms.inverseW[corner].part[part];
+      }
+      terms.plane(f, plane);
+    }
+    storePlane(to, offsetOf(source), first, count, plane);
+  }
 }
 
 /// Planes that are made. Those of components that nothing reads may be anything.
@@ -244,12 +200,8 @@ void setColumns(const RasterState &state, const PackedTriangle *const *triangles
     const auto set = [&](std::size_t offset, const void *word) {
       __builtin_memcpy(&to.rows[offset / 4][k], word, 4);
     };
-    const std::int32_t originX = each.made ? each.made->originX : each.small->originX;
-    const std::int32_t originY = each.made ? each.made->originY : each.small->originY;
     const std::uint32_t backFacing =
         each.made ? each.made->backFacing : each.small->provokingAndFace & 1;
-    set(offsetof(abi::Primitive, originX), &originX);
-    set(offsetof(abi::Primitive, originY), &originY);
     set(offsetof(abi::Primitive, backFacing), &backFacing);
     const auto setDepth = [&](std::size_t offset, const void *word) {
       set(offsetof(abi::Primitive, z) + offset, word);
@@ -258,7 +210,6 @@ void setColumns(const RasterState &state, const PackedTriangle *const *triangles
     setDepth(offsetof(abi::DepthPlane, dx), &each.depth.dx);
     setDepth(offsetof(abi::DepthPlane, dy), &each.depth.dy);
     setDepth(offsetof(abi::DepthPlane, offset), &each.depth.offset);
-    setDepth(offsetof(abi::DepthPlane, originY), &each.depth.originY);
   }
   for (int first = 0; first < count;) {
     if (triangles[first]->made) {

@@ -200,7 +200,7 @@ void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
   m_stippled = m_state.polygonStipple != nullptr;
   m_isRow = !m_packs && wantsRowsOfSmall(part.width);
   const auto planes = [&] {
-    m_small.z = small.depthPlane(depthOriginY(m_state));
+    m_small.z = small.depthPlane();
     makePlanes(m_state, plan, small, window, m_small);
   };
   if (m_isRow) {

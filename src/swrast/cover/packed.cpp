@@ -32,7 +32,7 @@ bool PackedShader::begin(const Rect &tile) {
   constexpr int kSide = PackedTile::kSide;
   // All of the tile that there is, so that few blocks are cut.
   m_storage->tile.begin(intersect(m_state.clip, {tile.x & -kSide, tile.y & -kSide, kSide, kSide}),
-                        m_shading, depthOriginY(m_state));
+                        m_shading, planesBegin(m_state));
   m_test = m_kernels.test(m_shading.depth);
   m_storage->columns.baseX = tile.x & -kSide;
   m_storage->columns.baseY = tile.y & -kSide;
@@ -49,7 +49,7 @@ PackedTriangle &PackedShader::next() {
 void PackedShader::add(const PlanePlan &plan, const WindowVertex *window,
                        const SmallTriangle &small, const abi::Block *blocks, std::uint32_t count) {
   PackedTriangle &own = next();
-  own.depth = small.depthPlane(depthOriginY(m_state));
+  own.depth = small.depthPlane();
   own.made = nullptr;
   own.plan = &plan;
   own.small = &small;

@@ -17,11 +17,12 @@ struct PackedTile {
   static constexpr int kSide = 64, kBlocks = 256, kLanes = 16;
   alignas(64) std::int32_t depth[kBlocks][kLanes];  ///< a pixel of the depth buffer each
   alignas(64) std::uint32_t owner[kBlocks][kLanes]; ///< the triangle seen there; 0: none
-  /// Window coordinates of the pixels of a column and of a row of blocks, y from where planes of
-  /// depth begin: what all triangles of the tile are tested with.
+  /// Window coordinates of the pixels of a column and of a row of blocks, y from where planes
+  /// begin: what all triangles of the tile are tested with.
   alignas(64) float xOf[kSide / 4][kLanes], yOf[kSide / 4][kLanes];
   std::uint16_t loaded[kBlocks / 16]; ///< bit a block: what is above is filled
   Rect rect;                          ///< what of the tile there is
+  int originY;                        ///< row where planes begin
   abi::Target target;                 ///< the depth buffer
   DepthTest test;
   float minimum, maximum; ///< depth is clamped to
@@ -34,8 +35,8 @@ struct PackedTile {
   [[nodiscard, gnu::always_inline]] static inline int placeOf(const abi::Block &block) {
     return (block.y & (kSide - 1)) << 8 | (block.x & (kSide - 1));
   }
-  /// \param depthOriginY of all planes of depth
-  void begin(const Rect &tile, const Shading &shading, int depthOriginY);
+  /// \param planesFrom row where all planes begin
+  void begin(const Rect &tile, const Shading &shading, int planesFrom);
   /// Fills a block from the depth buffer; no triangle is seen in it.
   void load(int x, int y);
   /// Writes depth back, if it is written at all, and forgets all.

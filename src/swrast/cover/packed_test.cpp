@@ -30,7 +30,7 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
   std::memcpy(&pixel, place, std::size_t(bytes));
   const abi::DepthPlane &z = primitive.z;
   const float along = std::fma(z.dx, float(x), z.c);
-  const float plane = std::fma(z.dy, float(y - z.originY), along) + z.offset;
+  const float plane = std::fma(z.dy, float(y - data.originY), along) + z.offset;
   const float depth = std::min(std::max(plane, data.depthMinimum), data.depthMaximum);
   double incoming = depth, stored = 0;
   std::uint32_t made = 0;
@@ -245,7 +245,7 @@ TEST(Packed, LargeThinShapesArePackedToo) {
 
 /// A tile in the middle of a buffer, with its depth.
 struct Tile {
-  Tile(const DepthTest &test, const Rect &rect, int depthOriginY) : buffer(128 * 128) {
+  Tile(const DepthTest &test, const Rect &rect, int originY) : buffer(128 * 128) {
     std::mt19937 random(3);
     for (std::uint32_t &pixel : buffer) {
       const float value = float(random() % 4096) / 4095.0f;
@@ -260,7 +260,7 @@ struct Tile {
     Shading shading;
     shading.data = &data;
     shading.depth = test;
-    tile->begin(rect, shading, depthOriginY);
+    tile->begin(rect, shading, originY);
   }
   std::vector<std::uint32_t> buffer;
   abi::FragmentData data;
@@ -299,8 +299,7 @@ TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
         for (int x = 64; x < 128; x += 4)
           if (random() % 4 == 0)
             blocks.push_back({std::int16_t(x), std::int16_t(y), std::uint16_t(random()), 0});
-      abi::DepthPlane z = {unit(random), unit(random) / 40, unit(random) / 40, unit(random) / 10,
-                           originY};
+      abi::DepthPlane z = {unit(random), unit(random) / 40, unit(random) / 40, unit(random) / 10};
       if (owner == 5)
         z.dx = NAN;
       const auto count = std::uint32_t(blocks.size());
@@ -365,11 +364,10 @@ struct Group {
       own.provokingAndFace = own.vertex[random() % 3] << 1 | (random() & 1);
       own.originX = std::int16_t(random() % 64);
       own.originY = std::int16_t(random() % 64);
-      each.depth = {unit(random), unit(random), unit(random), unit(random), int(random() % 64)};
+      each.depth = {unit(random), unit(random), unit(random), unit(random)};
       each.made = nullptr;
       if (k % 5 == 2) { // as a shape's
-        makePlanes(state, *each.plan, triangleOf(own, window), false, own.originX, own.originY,
-                   made[k]);
+        makePlanes(state, *each.plan, own, window, made[k]);
         each.made = &made[k];
         each.inputs = abi::kMaxInputs;
       }
@@ -402,8 +400,7 @@ TEST(Packed, ColumnsAreThePlanesOfEachTriangle) {
       for (int k = 0; k < count; ++k) {
         const PackedTriangle &each = group.triangles[k];
         abi::Primitive expected = {};
-        makePlanes(group.state, *each.plan, triangleOf(*each.small, each.window), false,
-                   each.small->originX, each.small->originY, expected);
+        makePlanes(group.state, *each.plan, *each.small, each.window, expected);
         expected.z = each.depth;
         abi::Primitive got = columns->at(k);
         if (!each.plan->wantsW)

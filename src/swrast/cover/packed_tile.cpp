@@ -9,16 +9,17 @@
 /// The tile's copy of the depth buffer, and the kernels for any processor.
 namespace arbiter::swrast {
 
-void PackedTile::begin(const Rect &tile, const Shading &shading, int depthOriginY) {
+void PackedTile::begin(const Rect &tile, const Shading &shading, int planesFrom) {
   std::fill(std::begin(loaded), std::end(loaded), std::uint16_t(0));
   rect = tile;
+  originY = planesFrom;
   target = shading.data->depthStencil;
   test = shading.depth;
   minimum = shading.data->depthMinimum;
   maximum = shading.data->depthMaximum;
   if (test.layout == abi::Layout::None)
     return;
-  const int left = tile.x & -kSide, bottom = (tile.y & -kSide) - depthOriginY;
+  const int left = tile.x & -kSide, bottom = (tile.y & -kSide) - originY;
   for (int block = 0; block < kSide / 4; ++block)
     for (int lane = 0; lane < kLanes; ++lane) {
       xOf[block][lane] = float(left + 4 * block + lane % 4);
@@ -157,7 +158,7 @@ std::uint32_t testBlocks(PackedTile &tile, const abi::DepthPlane &z, std::uint32
     unsigned mask = 0;
     for (unsigned rest = block.mask; rest != 0; rest &= rest - 1) {
       const int lane = __builtin_ctz(rest);
-      const float depth = abi::depthAt(z, block.x + lane % 4, block.y + lane / 4);
+      const float depth = abi::depthAt(z, block.x + lane % 4, block.y + lane / 4 - tile.originY);
       if (tile.test.layout != abi::Layout::None && !testPixel(tile, depth, tile.depth[at][lane]))
         continue;
       tile.owner[at][lane] = owner;

@@ -101,8 +101,9 @@ std::optional<bool> DrawQueue::addRectangle(const GivenDraw &given) {
   if (fillsPicture(given, areaOf(pixels)))
     return false;
   Shape shape;
-  if (!shapeOfRectangle(given.state, given.shading, given.topology, given.vertices, rectangle,
-                        shape))
+  const Draw draw = drawOf(given.state, given.shading, given.topology, given.vertices,
+                           given.indices, given.first, given.count);
+  if (!shapeOfRectangle(draw, rectangle, shape))
     return std::nullopt;
   closeJoined();
   Chunk &chunk = filling().next().begin();

@@ -48,7 +48,7 @@ float distanceOf(const Plane &plane, const ClipVertex &vertex) {
 /// Always from the end that is nearer to the plane, so that two triangles cut their common side
 /// alike, and in single precision, as hosts do it: depths are the same to the last bit then.
 void between(const ClipVertex &inside, const ClipVertex &outside, float inner, float outer,
-             bool userPlanes, ClipVertex &result) {
+             bool userPlanes, Cuts &cuts, ClipVertex &result) {
   // A distance may be NaN, which is outside.
   const bool fromOutside = -outer < inner;
   const ClipVertex &near = fromOutside ? outside : inside;
@@ -58,8 +58,7 @@ void between(const ClipVertex &inside, const ClipVertex &outside, float inner, f
   const auto mix = [t](float a, float b) { return a + t * (b - a); };
   for (int i = 0; i < 4; ++i)
     result.position[i] = mix(near.position[i], far.position[i]);
-  for (int i = 0; i < 3; ++i)
-    result.weight[i] = near.weight[i] + double(t) * (far.weight[i] - near.weight[i]);
+  result.place = cuts.add(near.place, far.place, t);
   if (userPlanes)
     for (int i = 0; i < 8; ++i)
       result.user[i] = mix(near.user[i], far.user[i]);
@@ -71,8 +70,7 @@ void takeOriginal(const Viewport &viewport, const Vertices &vertices, std::uint3
                   const WindowVertex &window, int which, ClipVertex &result) {
   for (int i = 0; i < 4; ++i)
     result.position[i] = vertices.position[i][index];
-  for (int i = 0; i < 3; ++i)
-    result.weight[i] = i == which ? 1 : 0;
+  result.place = std::uint8_t(which);
   result.side = which;
   if (viewport.userPlanes != 0)
     for (int i = 0; i < 8; ++i)
@@ -92,6 +90,7 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
                   const WindowVertex corner[3], ClippedPolygon &polygon) {
   const bool userPlanes = viewport.userPlanes != 0;
   ClippedPolygon other;
+  Cuts &cuts = polygon.cuts;
   ClippedPolygon *in = &polygon, *out = &other;
   for (int i = 0; i < 3; ++i)
     takeOriginal(viewport, vertices, index[i], corner[i], i, in->vertex[std::size_t(i)]);
@@ -118,9 +117,9 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
         continue;
       ClipVertex &cut = out->vertex[std::size_t(out->count++)];
       if (aInside)
-        between(a, b, distance[i], distance[next], userPlanes, cut);
+        between(a, b, distance[i], distance[next], userPlanes, cuts, cut);
       else
-        between(b, a, distance[next], distance[i], userPlanes, cut);
+        between(b, a, distance[next], distance[i], userPlanes, cuts, cut);
       cut.side = !aInside ? a.side : planes[p].user >= 0 ? kOnUserPlane : kOnPlane + p;
     }
     std::swap(in, out);
@@ -150,7 +149,7 @@ bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]) {
 
 /// Each end moves along the whole line, by the greatest share that a plane wants, as hosts have it.
 bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[2],
-              const WindowVertex corner[2], ClipVertex end[2]) {
+              const WindowVertex corner[2], ClipVertex end[2], Cuts &cuts) {
   ClipVertex original[2];
   for (int i = 0; i < 2; ++i)
     takeOriginal(viewport, vertices, index[i], corner[i], i, original[i]);
@@ -180,8 +179,7 @@ bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uin
       continue;
     for (int c = 0; c < 4; ++c)
       end[i].position[c] = own.position[c] + share[i] * (other.position[c] - own.position[c]);
-    for (int c = 0; c < 3; ++c)
-      end[i].weight[c] = own.weight[c] + double(share[i]) * (other.weight[c] - own.weight[c]);
+    end[i].place = cuts.add(own.place, other.place, share[i]);
     cutToWindow(viewport, end[i].position, end[i].window);
   }
   return true;

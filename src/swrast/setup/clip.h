@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "swrast/setup/cuts.h"
 #include "swrast/setup/viewport.h"
 
 /// Clipping against the view volume and user planes.
@@ -8,9 +9,9 @@ namespace arbiter::swrast {
 
 /// A corner of what clipping leaves.
 struct ClipVertex {
-  float position[4]; ///< in clip space
-  float user[8];     ///< clip distances
-  double weight[3];  ///< of the primitive's vertices
+  float position[4];  ///< in clip space
+  float user[8];      ///< clip distances
+  std::uint8_t place; ///< whose inputs it has: a place of the cuts
   WindowVertex window;
   int side; ///< what it is the first end of: a side of the triangle, kOnPlane + a plane,
             ///< kOnUserPlane
@@ -24,6 +25,7 @@ inline constexpr int kOnUserPlane = 64;
 struct ClippedPolygon {
   std::array<ClipVertex, 20> vertex;
   int count = 0;
+  Cuts cuts;
 };
 /// What is left of a triangle; `polygon.count` is less than 3 if nothing is.
 /// \param corner where its vertices are in the window
@@ -32,9 +34,9 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
 /// Two vertices of the triangle have one place: nothing of its inside is left by any cut.
 [[nodiscard]] bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]);
 
-/// The ends of what is left of a line, in `end`; false if nothing is.
+/// The ends of what is left of a line, in `end`, and how they were cut; false if nothing is.
 [[nodiscard]] bool clipLine(const Viewport &viewport, const Vertices &vertices,
                             const std::uint32_t index[2], const WindowVertex corner[2],
-                            ClipVertex end[2]);
+                            ClipVertex end[2], Cuts &cuts);
 
 } // namespace arbiter::swrast

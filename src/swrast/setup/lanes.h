@@ -47,33 +47,12 @@ template <typename Vector> Vector chosen(const Ints &mask, const Vector &yes, co
   return lanes;
 #endif
 }
-[[maybe_unused]] inline unsigned lanesIn(const Longs &mask) {
-#if defined(__AVX512F__)
-  return unsigned(_mm512_movepi64_mask((__m512i)mask));
-#elif defined(__AVX2__)
-  return unsigned(_mm256_movemask_pd((__m256d)mask));
-#elif defined(__SSE2__)
-  return unsigned(_mm_movemask_pd((__m128d)mask));
-#else
-  unsigned lanes = 0;
-  for (int i = 0; i < kLanes / 2; ++i)
-    lanes |= unsigned(mask[i] < 0) << i;
-  return lanes;
-#endif
-}
 
 /// By the instruction: compilers convert a wide vector in pieces. A mask of all lanes gives the
 /// same instruction, and GCC 12 warns of the form without one.
 [[maybe_unused]] inline Doubles widened(const HalfFloats &values) {
 #if defined(__AVX512F__)
   return (Doubles)_mm512_maskz_cvtps_pd(__mmask8(-1), (__m256)values);
-#else
-  return __builtin_convertvector(values, Doubles);
-#endif
-}
-[[maybe_unused]] inline Doubles widened(const HalfInts &values) {
-#if defined(__AVX512F__)
-  return (Doubles)_mm512_maskz_cvtepi32_pd(__mmask8(-1), (__m256i)values);
 #else
   return __builtin_convertvector(values, Doubles);
 #endif

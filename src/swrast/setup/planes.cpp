@@ -3,95 +3,101 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swrast/setup/shape.h"
+
 namespace arbiter::swrast {
 
-Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3], int originX,
-                      int originY) {
-  double x1 = double(corner[1].x) - corner[0].x, y1 = double(corner[1].y) - corner[0].y;
-  double x2 = double(corner[2].x) - corner[0].x, y2 = double(corner[2].y) - corner[0].y;
-  double toX = originX + 0.5 - corner[0].x, toY = originY + 0.5 - corner[0].y;
-  if (state.upsideDownHeight != 0) {
-    y1 = -y1;
-    y2 = -y2;
-    toY = originY + 0.5 - (double(state.upsideDownHeight) - corner[0].y);
-  }
-  double area = x1 * y2 - x2 * y1;
-  constexpr double kUnit = 1.0 / kSubpixels;
-  if (std::fabs(area) < kThinArea) {
-    // The snapped corners have an area.
-    x1 = (corner[1].fixedX - corner[0].fixedX) * kUnit;
-    y1 = (corner[1].fixedY - corner[0].fixedY) * kUnit;
-    x2 = (corner[2].fixedX - corner[0].fixedX) * kUnit;
-    y2 = (corner[2].fixedY - corner[0].fixedY) * kUnit;
-    toX = originX - corner[0].fixedX * kUnit;
-    toY = originY - corner[0].fixedY * kUnit;
-    area = x1 * y2 - x2 * y1;
-  }
-  const double inverse = area != 0 ? 1.0 / area : 0.0;
-  return {y2 * inverse, -y1 * inverse, -x2 * inverse, x1 * inverse, toX, toY};
+HostOrder::HostOrder(const RasterState &state, const Triangle &triangle) {
+  int provoking =
+      state.provokingIsFirst ? 0 : 2; // of a quad's half without it the order is as it is
+  if (triangle.cuts)
+    provoking = 0;
+  else
+    for (int k = 0; k < 3; ++k)
+      if (triangle.vertex[k] == triangle.provoking)
+        provoking = k;
+  const int first = state.provokingIsFirst ? provoking : (provoking + 1) % 3;
+  for (int k = 0; k < 3; ++k)
+    corner[k] = (first + k) % 3;
+  // As hosts have them in pixels, whose rows may run the other way.
+  const std::int64_t area = areaOf(triangle.corner);
+  if ((state.upsideDownHeight != 0 ? -area : area) > 0)
+    std::swap(corner[1], corner[state.provokingIsFirst ? 2 : 0]);
 }
 
 namespace {
 
 constexpr float kMissing[4] = {0, 0, 0, 1};
 
-/// A value at each corner.
-template <bool kClipped>
-void fetch(const PlanePlan::Source &source, const Triangle &triangle, double f[3]) {
-  const int face = triangle.backFacing ? 1 : 0;
-  const float *const values = source.values[face];
-  const std::uint32_t mask = source.mask[face];
-  double v[3];
-  for (int k = 0; k < 3; ++k)
-    v[k] = values[triangle.vertex[k] & mask];
-  for (int k = 0; k < 3; ++k)
-    f[k] = kClipped ? triangle.weight[k][0] * v[0] + triangle.weight[k][1] * v[1] +
-                          triangle.weight[k][2] * v[2]
-                    : v[k];
-}
-
-template <bool kClipped>
-void makeInputs(const PlanePlan &plan, const Triangle &triangle, const Gradients &g,
-                abi::Primitive &primitive) {
-  double inverseW[3], f[3];
-  for (int k = 0; k < 3; ++k)
-    inverseW[k] = triangle.corner[k].inverseW;
-  for (int i = 0; i < plan.linearFrom; ++i) {
-    const PlanePlan::Source &source = plan.sources[i];
-    fetch<kClipped>(source, triangle, f);
-    primitive.inputs[source.input][source.component] =
-        g.plane(f[0] * inverseW[0], f[1] * inverseW[1], f[2] * inverseW[2]);
-  }
-  for (int i = plan.linearFrom; i < plan.flatFrom; ++i) {
-    const PlanePlan::Source &source = plan.sources[i];
-    fetch<kClipped>(source, triangle, f);
-    primitive.inputs[source.input][source.component] = g.plane(f[0], f[1], f[2]);
-  }
-}
-
-/// The corners in the order of hosts: the provoking one is the first or the last, and of a piece of
-/// what was cut that is the centre of the fan. Of a triangle that is clockwise to them two change
-/// places, the provoking one stays.
-void asHostsWalk(const Triangle &triangle, bool provokingIsFirst, bool clockwise,
-                 const WindowVertex *v[3]) {
-  int provoking = provokingIsFirst ? 0 : 2; // of a quad's half without it the order is as it is
-  if (triangle.weight)
-    provoking = 0;
-  else
-    for (int k = 0; k < 3; ++k)
-      if (triangle.vertex[k] == triangle.provoking)
-        provoking = k;
-  const int first = provokingIsFirst ? provoking : (provoking + 1) % 3;
-  for (int k = 0; k < 3; ++k)
-    v[k] = &triangle.corner[(first + k) % 3];
-  if (clockwise)
-    std::swap(v[1], v[provokingIsFirst ? 2 : 0]);
+/// Depth over a triangle that has no area but by its snapped corners, as exact as it can be.
+abi::Plane exactDepth(const RasterState &state, const WindowVertex *const (&corner)[3]) {
+  constexpr double kUnit = 1.0 / kSubpixels;
+  const double x1 = (corner[1]->fixedX - corner[0]->fixedX) * kUnit;
+  const double y1 = (corner[1]->fixedY - corner[0]->fixedY) * kUnit;
+  const double x2 = (corner[2]->fixedX - corner[0]->fixedX) * kUnit;
+  const double y2 = (corner[2]->fixedY - corner[0]->fixedY) * kUnit;
+  const double z1 = double(corner[1]->z) - corner[0]->z, z2 = double(corner[2]->z) - corner[0]->z;
+  const double area = x1 * y2 - x2 * y1;
+  const double inverse = area != 0 ? 1.0 / area : 0.0;
+  const double dx = (z1 * y2 - z2 * y1) * inverse, dy = (z2 * x1 - z1 * x2) * inverse;
+  const double toX = -corner[0]->fixedX * kUnit;
+  const double toY = planesBegin(state) - corner[0]->fixedY * kUnit;
+  return {float(corner[0]->z + dx * toX + dy * toY), float(dx), float(dy)};
 }
 
 /// Of a triangle without an area, whose slopes are those of `plane`.
-float depthOffsetOf(const RasterState &state, const abi::DepthPlane &plane) {
+float depthOffsetOf(const RasterState &state, const abi::Plane &plane) {
   const float slope = std::max(std::fabs(plane.dx), std::fabs(plane.dy));
   return float(state.depthResolution * state.offsetUnits) + slope * state.offsetFactor;
+}
+
+/// A component of an input at a primitive's corners.
+class Values {
+public:
+  Values(const PlanePlan::Source &source, const Triangle &primitive)
+      : m_values(source.values[primitive.backFacing ? 1 : 0]),
+        m_mask(source.mask[primitive.backFacing ? 1 : 0]), m_primitive(primitive) {
+    if (!primitive.cuts)
+      return;
+    for (int k = 0; k < 3; ++k)
+      m_places[k] = ofVertex(primitive.vertex[k]);
+    primitive.cuts->follow(m_places);
+  }
+  [[nodiscard]] float at(int corner) const {
+    return m_primitive.cuts ? m_places[m_primitive.place[corner]]
+                            : ofVertex(m_primitive.vertex[corner]);
+  }
+  [[nodiscard]] float ofVertex(std::uint32_t vertex) const { return m_values[vertex & m_mask]; }
+
+private:
+  const float *m_values;
+  std::uint32_t m_mask;
+  const Triangle &m_primitive;
+  float m_places[Cuts::kVertices + Cuts::kMost];
+};
+
+/// All planes but that of depth. \param order of the corners, for the steps
+template <int kCorners, typename Steps>
+void makeAll(const PlanePlan &plan, const Triangle &own, const Steps &steps,
+             const int (&order)[kCorners], abi::Primitive &primitive) {
+  primitive.backFacing = own.backFacing ? 1 : 0;
+  float inverseW[kCorners], f[kCorners];
+  for (int k = 0; k < kCorners; ++k)
+    inverseW[k] = own.corner[order[k]].inverseW;
+  if (plan.wantsW)
+    primitive.inverseW = steps.plane(inverseW);
+  for (int i = 0; i < plan.count; ++i) {
+    const PlanePlan::Source &source = plan.sources[i];
+    const Values values(source, own);
+    abi::Plane &plane = primitive.inputs[source.input][source.component];
+    if (i >= plan.flatFrom) {
+      plane = {values.ofVertex(own.provoking), 0, 0};
+      continue;
+    }
+    for (int k = 0; k < kCorners; ++k)
+      f[k] = i < plan.linearFrom ? values.at(order[k]) * inverseW[k] : values.at(order[k]);
+    plane = steps.plane(f);
+  }
 }
 
 } // namespace
@@ -129,131 +135,110 @@ PlanePlan::PlanePlan(const Shading &shading, const Vertices &vertices)
     }
   };
   add(abi::Interpolation::Perspective);
+  add(abi::Interpolation::Even);
   linearFrom = count;
   add(abi::Interpolation::Linear);
   flatFrom = count;
   add(abi::Interpolation::Flat);
 }
 
-abi::DepthPlane makeDepthPlane(const RasterState &state, const Triangle &triangle, bool offset) {
-  const WindowVertex *const corner = triangle.corner;
-  const float x1 = corner[1].x - corner[0].x, y1 = corner[1].y - corner[0].y;
-  const float x2 = corner[2].x - corner[0].x, y2 = corner[2].y - corner[0].y;
-  const WindowVertex *v[3];
-  asHostsWalk(triangle, state.provokingIsFirst, x1 * y2 - x2 * y1 > 0, v);
-  if (v[0]->z == v[1]->z && v[0]->z == v[2]->z) {
-    const abi::DepthPlane level = {v[0]->z, 0, 0};
-    return {level.c, 0, 0, offset ? depthOffsetOf(state, level) : 0.0f};
+PlaneSteps::PlaneSteps(const RasterState &state, const WindowVertex *const (&corner)[3])
+    : m_corner{corner[0], corner[1], corner[2]}, m_x01(corner[0]->x - corner[1]->x),
+      m_y01(corner[0]->y - corner[1]->y), m_x20(corner[2]->x - corner[0]->x),
+      m_y20(corner[2]->y - corner[0]->y), m_turns(state.upsideDownHeight != 0) {
+  const float area = m_x01 * m_y20 - m_x20 * m_y01;
+  m_inverse = 1.0f / area;
+  m_isThin = area == 0 || !std::isfinite(area);
+}
+
+abi::Plane PlaneSteps::plane(const float (&f)[3]) const {
+  const float f01 = f[0] - f[1], f20 = f[2] - f[0];
+  const float dx = f01 * (m_y20 * m_inverse) - (m_y01 * m_inverse) * f20;
+  const float dy = f20 * (m_x01 * m_inverse) - (m_x20 * m_inverse) * f01;
+  const float c = f[0] - (dx * (m_corner[0]->x - 0.5f) + dy * (m_corner[0]->y - 0.5f));
+  return {c, dx, m_turns ? -dy : dy};
+}
+
+LineSteps::LineSteps(const RasterState &state, const WindowVertex &from, const WindowVertex &to)
+    : m_x(from.x - to.x), m_y(from.y - to.y), m_fromX(from.x), m_fromY(from.y),
+      m_turns(state.upsideDownHeight != 0) {
+  m_inverse = 1.0f / (m_x * m_x + m_y * m_y);
+  // As if values varied along the greater direction alone.
+  if (std::fabs(m_x) >= std::fabs(m_y)) {
+    const float slope = m_y / m_x;
+    m_x *= 1.0f + slope * slope;
+    m_y = 0;
+  } else {
+    const float slope = m_x / m_y;
+    m_y *= 1.0f + slope * slope;
+    m_x = 0;
   }
-  const float x01 = v[0]->x - v[1]->x, y01 = v[0]->y - v[1]->y, z01 = v[0]->z - v[1]->z;
-  const float x20 = v[2]->x - v[0]->x, y20 = v[2]->y - v[0]->y, z20 = v[2]->z - v[0]->z;
-  const float area = x01 * y20 - x20 * y01;
-  if (area == 0 || !std::isfinite(area)) {
-    abi::DepthPlane exact = depthPlaneOf(state, corner);
-    if (offset)
-      exact.offset = depthOffsetOf(state, exact);
-    return exact;
-  }
-  const float inverse = 1.0f / area;
-  const float dx = z01 * (y20 * inverse) - (y01 * inverse) * z20;
-  const float dy = z20 * (x01 * inverse) - (x20 * inverse) * z01;
-  const float c = v[0]->z - (dx * (v[0]->x - 0.5f) + dy * (v[0]->y - 0.5f));
+}
+
+abi::Plane LineSteps::plane(const float (&f)[2]) const {
+  const float rise = f[0] - f[1];
+  const float dx = rise * m_x * m_inverse, dy = rise * m_y * m_inverse;
+  const float c = f[0] - (dx * (m_fromX - 0.5f) + dy * (m_fromY - 0.5f));
+  return {c, dx, m_turns ? -dy : dy};
+}
+
+abi::DepthPlane makeDepthPlane(const RasterState &state, const PlaneSteps &steps, bool offset) {
+  const float z[3] = {steps.m_corner[0]->z, steps.m_corner[1]->z, steps.m_corner[2]->z};
+  const bool isLevel = z[0] == z[1] && z[0] == z[2];
+  const abi::Plane plane = isLevel          ? abi::Plane{z[0], 0, 0}
+                           : steps.m_isThin ? exactDepth(state, steps.m_corner)
+                                            : steps.plane(z);
   float raised = 0;
-  if (offset) {
-    const float slopeX = std::fabs((y01 * z20 - z01 * y20) * inverse);
-    const float slopeY = std::fabs((z01 * x20 - x01 * z20) * inverse);
+  if (offset && (isLevel || steps.m_isThin)) {
+    raised = depthOffsetOf(state, plane);
+  } else if (offset) {
+    const float z01 = z[0] - z[1], z20 = z[2] - z[0];
+    const float slopeX = std::fabs((steps.m_y01 * z20 - z01 * steps.m_y20) * steps.m_inverse);
+    const float slopeY = std::fabs((z01 * steps.m_x20 - steps.m_x01 * z20) * steps.m_inverse);
     raised = std::max(slopeX, slopeY) * state.offsetFactor +
              float(state.depthResolution * state.offsetUnits);
   }
-  return {c, dx, state.upsideDownHeight != 0 ? -dy : dy, raised, depthOriginY(state)};
+  return {plane.c, plane.dx, plane.dy, raised};
 }
 
-abi::DepthPlane makeLineDepthPlane(const RasterState &state, const WindowVertex &from,
-                                   const WindowVertex &to) {
-  float alongX = from.x - to.x, alongY = from.y - to.y;
-  const float inverse = 1.0f / (alongX * alongX + alongY * alongY);
-  // As if depth varied along the greater direction alone.
-  if (std::fabs(alongX) >= std::fabs(alongY)) {
-    const float slope = alongY / alongX;
-    alongX *= 1.0f + slope * slope;
-    alongY = 0;
-  } else {
-    const float slope = alongX / alongY;
-    alongY *= 1.0f + slope * slope;
-    alongX = 0;
-  }
-  const float rise = from.z - to.z;
-  const float dx = rise * alongX * inverse, dy = rise * alongY * inverse;
-  const float c = from.z - (dx * (from.x - 0.5f) + dy * (from.y - 0.5f));
-  return {c, dx, state.upsideDownHeight != 0 ? -dy : dy, 0, depthOriginY(state)};
-}
-
-abi::DepthPlane depthPlaneOf(const RasterState &state, const WindowVertex corner[3]) {
-  const int originY = depthOriginY(state);
-  const abi::Plane plane =
-      gradientsOf(state, corner, 0, originY).plane(corner[0].z, corner[1].z, corner[2].z);
-  return {plane.c, plane.dx, plane.dy, 0, originY};
-}
-
-void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &g, int originX,
-                int originY, abi::Primitive &primitive) {
-  primitive.originX = originX;
-  primitive.originY = originY;
-  primitive.backFacing = triangle.backFacing ? 1 : 0;
-  const WindowVertex *const v = triangle.corner;
-  if (plan.wantsW)
-    primitive.inverseW = g.plane(v[0].inverseW, v[1].inverseW, v[2].inverseW);
-  if (triangle.weight)
-    makeInputs<true>(plan, triangle, g, primitive);
-  else
-    makeInputs<false>(plan, triangle, g, primitive);
-  const int face = triangle.backFacing ? 1 : 0;
-  for (int i = plan.flatFrom; i < plan.count; ++i) {
-    const PlanePlan::Source &source = plan.sources[i];
-    primitive.inputs[source.input][source.component] = {
-        source.values[face][triangle.provoking & source.mask[face]], 0, 0};
-  }
-}
-
-void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
-                     abi::Primitive &primitive) {
-  const WindowVertex &at = point.corner[0];
-  primitive.originX = originX;
-  primitive.originY = originY;
-  primitive.backFacing = point.backFacing ? 1 : 0;
-  primitive.z = {at.z, 0, 0};
-  if (plan.wantsW)
-    primitive.inverseW = {at.inverseW, 0, 0};
-  const int face = point.backFacing ? 1 : 0;
-  const double *const weight = point.weight[0];
-  const bool isVertex = point.vertex[0] == point.vertex[1] && point.vertex[0] == point.vertex[2] &&
-                        weight[0] == 1 && weight[1] == 0 && weight[2] == 0;
-  for (int i = 0; i < plan.count; ++i) {
-    const PlanePlan::Source &source = plan.sources[i];
-    const float *const values = source.values[face];
-    const std::uint32_t mask = source.mask[face];
-    double value = double(values[point.vertex[0] & mask]);
-    if (isVertex) {
-      value += value - value; // what the sum below comes to: no number of an infinite one
-    } else {
-      value = 0;
-      for (int k = 0; k < 3; ++k)
-        value += weight[k] * double(values[point.vertex[k] & mask]);
-    }
-    if (i < plan.linearFrom)
-      value *= double(at.inverseW);
-    else if (i >= plan.flatFrom)
-      value = values[point.provoking & mask];
-    primitive.inputs[source.input][source.component] = {float(value), 0, 0};
-  }
+void makePlanes(const PlanePlan &plan, const Triangle &triangle, const PlaneSteps &steps,
+                const int (&order)[3], abi::Primitive &primitive) {
+  makeAll(plan, triangle, steps, order, primitive);
 }
 
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
-                bool offset, int originX, int originY, abi::Primitive &primitive) {
+                bool offset, abi::Primitive &primitive) {
+  const HostOrder order(state, triangle);
+  const WindowVertex *const corner = triangle.corner;
+  const PlaneSteps steps(
+      state, {&corner[order.corner[0]], &corner[order.corner[1]], &corner[order.corner[2]]});
   if (plan.wantsDepth)
-    primitive.z = makeDepthPlane(state, triangle, offset);
-  const Gradients g = gradientsOf(state, triangle.corner, originX, originY);
-  makePlanes(plan, triangle, g, originX, originY, primitive);
+    primitive.z = makeDepthPlane(state, steps, offset);
+  makeAll(plan, triangle, steps, order.corner, primitive);
+}
+
+void makeLinePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &line,
+                    abi::Primitive &primitive) {
+  const LineSteps steps(state, line.corner[0], line.corner[1]);
+  if (plan.wantsDepth) {
+    const abi::Plane z = steps.plane({line.corner[0].z, line.corner[1].z});
+    primitive.z = {z.c, z.dx, z.dy, 0};
+  }
+  constexpr int kOrder[2] = {0, 1};
+  makeAll(plan, line, steps, kOrder, primitive);
+}
+
+namespace {
+/// Nothing varies over a point.
+struct PointSteps {
+  [[nodiscard]] static abi::Plane plane(const float (&f)[1]) { return {f[0], 0, 0}; }
+};
+} // namespace
+
+void makePointPlanes(const PlanePlan &plan, const Triangle &point, abi::Primitive &primitive) {
+  primitive.z = {point.corner[0].z, 0, 0, 0};
+  constexpr int kOrder[1] = {0};
+  makeAll(plan, point, PointSteps{}, kOrder, primitive);
 }
 
 } // namespace arbiter::swrast

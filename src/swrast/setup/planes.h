@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 
+#include "swrast/setup/cuts.h"
 #include "swrast/setup/viewport.h"
 
 /// The planes that a primitive is shaded with: linear functions of window coordinates.
@@ -14,9 +15,10 @@ struct Triangle {
   std::uint32_t vertex[3] = {};
   std::uint32_t provoking = 0;
   bool backFacing = false;
-  /// Of a clipped one: corner k is weight[k] of the three vertices, rather than vertex k. Else
-  /// null.
-  const double (*weight)[3] = nullptr;
+  /// Of what was cut: corner k has the inputs of place[k] of the cuts, rather than of vertex k.
+  /// Else null.
+  const Cuts *cuts = nullptr;
+  std::uint8_t place[3] = {0, 1, 2};
 };
 
 /// Which planes a primitive of the draw has, and from which arrays; sorted once a draw.
@@ -34,55 +36,63 @@ struct PlanePlan {
   bool wantsDepth, wantsW;
 };
 
-/// Twice the area in pixels of a triangle so thin that what was lost by snapping could turn it
-/// over.
-inline constexpr double kThinArea = 1.0 / (kSubpixels * kSubpixels);
-
-/// The linear functions over a triangle: what a change of a value along its two sides adds per
-/// pixel.
-struct Gradients {
-  double dx1, dx2, dy1, dy2;
-  double toX, toY; ///< the origin's centre from corner 0
-
-  [[nodiscard]] abi::Plane plane(double f0, double f1, double f2) const {
-    const double d1 = f1 - f0, d2 = f2 - f0;
-    if (d1 == 0 && d2 == 0)
-      return {float(f0 + 0.0), 0, 0}; // what the sums below come to: -0 becomes 0
-    const double dx = d1 * dx1 + d2 * dx2, dy = d1 * dy1 + d2 * dy2;
-    return {float(f0 + dx * toX + dy * toY), float(dx), float(dy)};
-  }
-};
-
-/// Of the triangle with these corners; its planes are exact at the centre of pixel (originX,
-/// originY), in window coordinates, and round off with the distance from it.
-[[nodiscard]] Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3],
-                                    int originX, int originY);
-/// Where planes of depth begin (abi::DepthPlane): hosts' window coordinates do.
-[[nodiscard]] inline int depthOriginY(const RasterState &state) {
+/// Row in whose first pixel all planes begin: hosts' window coordinates do.
+[[nodiscard]] inline int planesBegin(const RasterState &state) {
   return state.upsideDownHeight != 0 ? state.upsideDownHeight - 1 : 0;
 }
-/// Window depth over a triangle by the very steps of llvmpipe (Mesa 22.3.6), in single precision
-/// and from the corner of the window: of two surfaces in one plane the same one is seen at each
-/// pixel, and what one of the two draws may be tested for equality by the other.
-/// The corners are in the order of the primitive.
-/// \param offset add polygon offset (3.5.5)
-[[nodiscard]] abi::DepthPlane makeDepthPlane(const RasterState &state, const Triangle &triangle,
+
+/// What all planes of a triangle are made with, by the very steps of llvmpipe (Mesa 22.3.6): in
+/// single precision, and from the corner of the window, so that all values are the host's to the
+/// last bit. Of two surfaces in one plane the same one is seen at each pixel, what one of them
+/// draws may be tested for equality by the other, and a coordinate on an edge of texels takes the
+/// host's.
+class PlaneSteps {
+public:
+  /// \param corner in the order of hosts (HostOrder)
+  PlaneSteps(const RasterState &state, const WindowVertex *const (&corner)[3]);
+  /// Of values in the order of the corners.
+  [[nodiscard]] abi::Plane plane(const float (&f)[3]) const;
+
+private:
+  friend abi::DepthPlane makeDepthPlane(const RasterState &, const PlaneSteps &, bool);
+  const WindowVertex *m_corner[3];
+  float m_x01, m_y01, m_x20, m_y20, m_inverse; ///< sides, and one divided by the area
+  bool m_turns;                                ///< the host's rows go downwards
+  bool m_isThin;                               ///< it has an area by its snapped corners alone
+};
+/// The corners of a triangle in the order in which hosts walk around it: the provoking one is the
+/// first or the last, and of a piece of what was cut that is the centre of the fan. Of a triangle
+/// that is clockwise to them, when its corners are snapped, two change places; the provoking one
+/// stays.
+struct HostOrder {
+  int corner[3];
+  HostOrder(const RasterState &state, const Triangle &triangle);
+};
+/// The same of a line that is not smooth. Values vary along its greater direction alone.
+class LineSteps {
+public:
+  LineSteps(const RasterState &state, const WindowVertex &from, const WindowVertex &to);
+  [[nodiscard]] abi::Plane plane(const float (&f)[2]) const;
+
+private:
+  float m_x, m_y, m_inverse, m_fromX, m_fromY;
+  bool m_turns;
+};
+
+/// Window depth over a triangle. \param offset add polygon offset (3.5.5)
+[[nodiscard]] abi::DepthPlane makeDepthPlane(const RasterState &state, const PlaneSteps &steps,
                                              bool offset);
-/// The same along a line, by the steps of llvmpipe's lines that are not smooth.
-[[nodiscard]] abi::DepthPlane makeLineDepthPlane(const RasterState &state, const WindowVertex &from,
-                                                 const WindowVertex &to);
-/// Depth without polygon offset, as exact as a plane of this origin can be.
-[[nodiscard]] abi::DepthPlane depthPlaneOf(const RasterState &state, const WindowVertex corner[3]);
-/// All planes but that of depth, of a triangle whose gradients are known.
-void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &gradients,
-                int originX, int originY, abi::Primitive &primitive);
-/// Gradients, depth and all planes of a triangle, exact at the centre of pixel (originX, originY):
-/// best one near the triangle. \param offset add polygon offset to depth (3.5.5)
+/// Depth and all planes of a triangle. \param offset add polygon offset to depth (3.5.5)
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
-                bool offset, int originX, int originY, abi::Primitive &primitive);
-/// Of a point: nothing varies, all is as at corner 0 of `point`, whose `weight` is not null.
-void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
-                     abi::Primitive &primitive);
+                bool offset, abi::Primitive &primitive);
+/// All planes but that of depth. \param steps of the corners in this order
+void makePlanes(const PlanePlan &plan, const Triangle &triangle, const PlaneSteps &steps,
+                const int (&order)[3], abi::Primitive &primitive);
+/// Depth and all planes of a line: its ends are corners 0 and 1 of `line`.
+void makeLinePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &line,
+                    abi::Primitive &primitive);
+/// Of a point: nothing varies, all is as at corner 0 of `point`.
+void makePointPlanes(const PlanePlan &plan, const Triangle &point, abi::Primitive &primitive);
 /// What polygon offset adds to depth (3.5.5).
 [[nodiscard]] float depthOffset(const RasterState &state,
                                 const std::array<WindowVertex, 3> &corner);

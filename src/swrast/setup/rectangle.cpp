@@ -1,12 +1,10 @@
 #include "swrast/setup/rectangle.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 
 #include "swrast/setup/assembly.h"
 #include "swrast/setup/place.h"
-#include "swrast/setup/planes.h"
 
 namespace arbiter::swrast {
 namespace {
@@ -119,8 +117,6 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
   const int right = pixelFrom(std::max(corner[0].fixedX, corner[2].fixedX));
   const int bottom = pixelFrom(std::min(corner[0].fixedY, corner[2].fixedY));
   const int top = pixelFrom(std::max(corner[0].fixedY, corner[2].fixedY));
-  rectangle.left = left;
-  rectangle.bottom = bottom;
   rectangle.pixels =
       intersect(intersect({left, bottom, right - left, top - bottom}, state.clip), viewport.pixels);
   return true;
@@ -128,76 +124,60 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
 
 namespace {
 
-/// Values that differ by rounding only: two triangles and one rectangle look the same.
-bool fits(double a, double b, double scale) { return std::fabs(a - b) <= scale * 0x1p-22; }
+/// Whether all that the plan has is the same of both, to the last bit.
+bool isAlike(const PlanePlan &plan, const abi::Primitive &a, const abi::Primitive &b) {
+  const auto same = [](const auto &one, const auto &other) {
+    return one.c == other.c && one.dx == other.dx && one.dy == other.dy;
+  };
+  if (plan.wantsDepth && !(same(a.z, b.z) && a.z.offset == b.z.offset))
+    return false;
+  if (plan.wantsW && !same(a.inverseW, b.inverseW))
+    return false;
+  return std::all_of(plan.sources, plan.sources + plan.count, [&](const auto &source) {
+    return same(a.inputs[source.input][source.component], b.inputs[source.input][source.component]);
+  });
+}
 
-bool isAffineOver(const Rectangle &rectangle, const float *values) {
-  const float v0 = values[rectangle.vertex[0]], v1 = values[rectangle.vertex[1]];
-  const float v2 = values[rectangle.vertex[2]], v3 = values[rectangle.vertex[3]];
-  // One value for all, as the current colour is.
-  const bool constant = v0 == v1 && v0 == v2 && v0 == v3 && std::fabs(v0) <= FLT_MAX;
-  if (!constant) {
-    const double f0 = v0, f1 = v1, f2 = v2, f3 = v3;
-    const double scale = std::max({std::fabs(f0), std::fabs(f1), std::fabs(f2), std::fabs(f3)});
-    if (!fits(f0 + f2, f1 + f3, scale))
-      return false;
-  }
-  for (int i = 0; i < rectangle.otherCount; ++i)
-    if (values[rectangle.others[i]] != values[rectangle.vertex[rectangle.otherOf[i]]])
-      return false;
-  return true;
+/// Whether nothing that the plan has varies.
+bool isLevel(const PlanePlan &plan, const abi::Primitive &primitive) {
+  const auto level = [](const auto &plane) { return plane.dx == 0 && plane.dy == 0; };
+  if ((plan.wantsDepth && !level(primitive.z)) || (plan.wantsW && !level(primitive.inverseW)))
+    return false;
+  return std::all_of(plan.sources, plan.sources + plan.count, [&](const auto &source) {
+    return level(primitive.inputs[source.input][source.component]);
+  });
 }
 
 } // namespace
 
-bool shapeOfRectangle(const RasterState &state, const Shading &shading, Topology topology,
-                      const Vertices &vertices, const Rectangle &rectangle, Shape &shape) {
-  const WindowVertex *const corner = rectangle.corner;
-  // Of depths that vary each of the two triangles has a plane of its own, to the last bit.
-  const auto sameDepth = [&](const WindowVertex &other) { return other.z == corner[0].z; };
-  if (shading.readsDepth && !std::all_of(corner + 1, corner + 4, sameDepth))
-    return false;
-  const bool onePolygon = topology == Topology::Quads || topology == Topology::QuadStrip ||
-                          topology == Topology::Polygon;
-  for (std::uint32_t i = 0; i < shading.inputCount; ++i) {
-    const float *const *from = vertices.inputs[i];
-    const float *const *const back = vertices.backInputs[i];
-    if (rectangle.backFacing && (back[0] || back[1] || back[2] || back[3]))
-      from = back;
-    const bool flat = shading.interpolation[i] == abi::Interpolation::Flat;
-    for (int c = 0; c < 4; ++c) {
-      if (!((shading.inputComponents[i] >> c) & 1u) || !from[c])
-        continue;
-      if (flat && onePolygon)
-        continue;
-      if (!isAffineOver(rectangle, from[c]))
-        return false;
-      if (flat)
-        for (const std::uint32_t vertex : rectangle.vertex)
-          if (from[c][vertex] != from[c][rectangle.vertex[0]])
-            return false;
+bool shapeOfRectangle(const Draw &draw, const Rectangle &rectangle, Shape &shape) {
+  const RasterState &state = draw.state;
+  bool isCut = false;
+  for (const WindowVertex &corner : rectangle.corner)
+    isCut = isCut || corner.outcode != 0;
+  abi::Primitive halves[2];
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    const TriangleCorners corners =
+        triangleAt(draw.topology, draw.count, i, provokesFirst(state, draw.topology),
+                   cutsOtherwise(state, draw.topology, isCut));
+    Triangle triangle;
+    for (int k = 0; k < 3; ++k) {
+      triangle.vertex[k] = draw.vertexAt(corners.corner[k]);
+      triangle.corner[k] = rectangle.cornerOf(triangle.vertex[k]);
     }
+    triangle.provoking = draw.vertexAt(corners.provoking);
+    triangle.backFacing = rectangle.backFacing;
+    makePlanes(state, draw.plan, triangle, state.offsetFill, halves[i]);
   }
-  Triangle triangle;
-  constexpr int kCorners[3] = {0, 1, 3};
-  for (int k = 0; k < 3; ++k) {
-    triangle.corner[k] = corner[kCorners[k]];
-    triangle.vertex[k] = rectangle.vertex[kCorners[k]];
-  }
-  // A quad strip's last vertex is the third corner of the ring.
-  const int last = topology == Topology::QuadStrip ? 2 : 3;
-  const bool isFirst = provokesFirst(state, topology) || topology == Topology::Polygon;
-  triangle.provoking = rectangle.vertex[isFirst ? 0 : last];
-  triangle.backFacing = rectangle.backFacing;
+  if (!isAlike(draw.plan, halves[0], halves[1]) || (isCut && !isLevel(draw.plan, halves[0])))
+    return false;
   shape.left = rectangle.pixels.x;
   shape.bottom = rectangle.pixels.y;
   shape.right = rectangle.pixels.x + rectangle.pixels.width;
   shape.top = rectangle.pixels.y + rectangle.pixels.height;
-  shape.setOrigin(rectangle.left, rectangle.bottom);
   shape.edgeCount = 0;
   shape.stippled = state.polygonStipple != nullptr;
-  makePlanes(state, PlanePlan(shading, vertices), triangle, state.offsetFill, shape.originX,
-             shape.originY, shape.primitive);
+  shape.primitive = halves[0];
   return true;
 }
 
@@ -210,12 +190,14 @@ Rect surelyCovered(const RasterState &state, Topology topology, const Vertices &
   return rectangle.pixels;
 }
 
-bool isAffine(const Vertices &vertices) {
+abi::Interpolation interpolationOf(const Vertices &vertices) {
   const float *const w = vertices.position[3];
   for (std::uint32_t i = 1; i < vertices.count; ++i)
     if (w[i] != w[0])
-      return false;
-  return true;
+      return abi::Interpolation::Perspective;
+  int exponent = 0;
+  const bool isExact = vertices.count == 0 || std::fabs(std::frexp(w[0], &exponent)) == 0.5f;
+  return isExact ? abi::Interpolation::Linear : abi::Interpolation::Even;
 }
 
 } // namespace arbiter::swrast

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "swrast/setup/draw.h"
 #include "swrast/setup/shape.h"
 
 /// Draws that are one rectangle, the commonest of all draws of 2D programs.
@@ -14,8 +15,15 @@ struct Rectangle {
   std::uint32_t otherOf[2] = {}; ///< which of the corners they are copies of
   WindowVertex corner[4];
   bool backFacing = false;
-  std::int32_t left = 0, bottom = 0; ///< pixels, not clipped
-  Rect pixels;                       ///< clipped
+  Rect pixels; ///< clipped
+
+  /// Where a vertex is in the window. Requires: it is one of the draw's.
+  [[nodiscard]] const WindowVertex &cornerOf(std::uint32_t number) const {
+    for (int i = 0; i < otherCount; ++i)
+      if (others[i] == number)
+        return corner[otherOf[i]];
+    return corner[number == vertex[0] ? 0 : number == vertex[1] ? 1 : number == vertex[2] ? 2 : 3];
+  }
 };
 /// Whether the draw is one axis-aligned rectangle that is drawn filled and is not culled; then
 /// `rectangle` says which.
@@ -23,18 +31,17 @@ struct Rectangle {
 [[nodiscard]] bool findRectangle(const RasterState &state, Topology topology,
                                  const Vertices &vertices, const std::uint32_t *indices,
                                  std::uint32_t first, std::uint32_t count, Rectangle &rectangle);
-/// The rectangle as one shape, in place of two triangles; false if an input is no linear function
-/// over the whole of it (the fourth corner's value is not what the other three's make it).
-[[nodiscard]] bool shapeOfRectangle(const RasterState &state, const Shading &shading,
-                                    Topology topology, const Vertices &vertices,
-                                    const Rectangle &rectangle, Shape &shape);
+/// The rectangle as one shape, in place of two triangles; false if they do not have the same planes
+/// to the last bit. \param draw nothing of it is placed
+[[nodiscard]] bool shapeOfRectangle(const Draw &draw, const Rectangle &rectangle, Shape &shape);
 
 /// The region that the draw surely overwrites whole, if it is as simple as a rectangle (a quad, two
 /// triangles, a strip or fan of four): else empty. Needs no more than positions and state.
 [[nodiscard]] Rect surelyCovered(const RasterState &state, Topology topology,
                                  const Vertices &vertices, const std::uint32_t *indices,
                                  std::uint32_t first, std::uint32_t count);
-/// All w are equal: perspective changes nothing, so that inputs may be Linear.
-[[nodiscard]] bool isAffine(const Vertices &vertices);
+/// How inputs vary that are not flat: Perspective, or Even where all w are the same, or Linear
+/// where they are such that a division by them and a multiplication do not round.
+[[nodiscard]] abi::Interpolation interpolationOf(const Vertices &vertices);
 
 } // namespace arbiter::swrast

@@ -29,15 +29,6 @@ struct EdgeOver {
 
 struct Bounds {
   std::int32_t left = 0, bottom = 0, right = 0, top = 0; ///< pixels, half open, clipped
-  /// The pixel at which planes are exact: values round the same wherever the scissor cuts (rule 2
-  /// of appendix A of OpenGL 2.1), so that a second pass finds the depths of the first.
-  std::int32_t originX = 0, originY = 0;
-  /// \param x, y the region's lower left pixel, not clipped; of what begins outside the image on
-  /// that side planes begin at its edge.
-  void setOrigin(std::int32_t x, std::int32_t y) {
-    originX = std::max(x, 0);
-    originY = std::max(y, 0);
-  }
 };
 
 /// A convex region of pixels and what it is shaded with.
@@ -74,7 +65,6 @@ struct Shape : Bounds {
     maxY = std::max(maxY, corner[i].fixedY);
   }
   const std::int32_t left = pixelFrom(minX), bottom = pixelFrom(minY);
-  bounds.setOrigin(left, bottom);
   bounds.left = std::max(clip.x, left);
   bounds.bottom = std::max(clip.y, bottom);
   // A right or an upper edge is outside itself, but not a corner that a left edge ends in.

@@ -40,16 +40,15 @@ Triangle triangleOf(const SmallTriangle &small, const WindowVertex *window) {
   return triangle;
 }
 
-Gradients gradientsOf(const RasterState &state, const SmallTriangle &small,
-                      const WindowVertex *window) {
-  return gradientsOf(state, triangleOf(small, window).corner, small.originX, small.originY);
+PlaneSteps stepsOf(const RasterState &state, const SmallTriangle &small,
+                   const WindowVertex *window) {
+  return {state, {&window[small.vertex[0]], &window[small.vertex[1]], &window[small.vertex[2]]}};
 }
 
 void makePlanes(const RasterState &state, const PlanePlan &plan, const SmallTriangle &small,
                 const WindowVertex *window, abi::Primitive &primitive) {
-  const Triangle triangle = triangleOf(small, window);
-  const Gradients gradients = gradientsOf(state, triangle.corner, small.originX, small.originY);
-  makePlanes(plan, triangle, gradients, small.originX, small.originY, primitive);
+  constexpr int kOrder[3] = {0, 1, 2};
+  makePlanes(plan, triangleOf(small, window), stepsOf(state, small, window), kOrder, primitive);
 }
 
 } // namespace arbiter::swrast

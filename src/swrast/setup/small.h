@@ -14,10 +14,10 @@ inline constexpr std::int32_t kSmallExtent = 64 * kSubpixels;
 /// A small triangle that is seen in part at least: all that tiles need of it to find its pixels and
 /// their depths. One line of the cache, four vectors of 16 bytes.
 struct alignas(16) SmallTriangle {
-  std::uint32_t vertex[3];
+  std::uint32_t vertex[3];               ///< in the order of hosts (HostOrder)
   std::uint32_t provokingAndFace;        ///< the lowest bit: it is back facing
   std::int16_t left, bottom, right, top; ///< pixels, half open, within the draw's clip rectangle
-  std::int16_t originX, originY;         ///< as in Bounds
+  std::int16_t originX, originY;         ///< the lower left pixel, within the image but not clipped
   /// Inside where all three a * (x - originX) + b * (y - originY) + c >= 0, counterclockwise; those
   /// of the third edge are what closes the triangle.
   std::int16_t a[2], b[2];
@@ -26,8 +26,8 @@ struct alignas(16) SmallTriangle {
 
   [[nodiscard]] std::uint32_t provoking() const { return provokingAndFace >> 1; }
   [[nodiscard]] bool isBackFacing() const { return (provokingAndFace & 1) != 0; }
-  [[nodiscard]] abi::DepthPlane depthPlane(int depthOriginY) const {
-    return {depth[0], depth[1], depth[2], depth[3], depthOriginY};
+  [[nodiscard]] abi::DepthPlane depthPlane() const {
+    return {depth[0], depth[1], depth[2], depth[3]};
   }
 };
 static_assert(sizeof(SmallTriangle) == 64);
@@ -78,9 +78,9 @@ GroupSetUp setUpSmallAvx512(const SmallSetUp &with, const WindowVertex *window,
 
 /// A small triangle with its corners, as planes are made of it.
 [[nodiscard]] Triangle triangleOf(const SmallTriangle &small, const WindowVertex *window);
-/// Its gradients from its origin.
-[[nodiscard]] Gradients gradientsOf(const RasterState &state, const SmallTriangle &small,
-                                    const WindowVertex *window);
+/// What its planes are made with.
+[[nodiscard]] PlaneSteps stepsOf(const RasterState &state, const SmallTriangle &small,
+                                 const WindowVertex *window);
 /// All of its planes but that of depth, which has been made.
 void makePlanes(const RasterState &state, const PlanePlan &plan, const SmallTriangle &small,
                 const WindowVertex *window, abi::Primitive &primitive);

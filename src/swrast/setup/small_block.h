@@ -107,9 +107,9 @@ struct BlockEdge {
   }
 };
 
-/// Where hosts begin to walk around a triangle, and which way: asHostsWalk() of planes.cpp.
-inline void walkAsHosts(bool provokingIsFirst, const Ints (&vertex)[3], const Ints &provoking,
-                        WindowCorner (&v)[3]) {
+/// Where hosts begin to walk around a triangle, and which way: HostOrder. \param clockwise to them
+inline void walkAsHosts(bool provokingIsFirst, const Ints &clockwise, Ints (&vertex)[3],
+                        const Ints &provoking, WindowCorner (&v)[3]) {
   Ints isAt[3];
   for (int k = 0; k < 3; ++k)
     isAt[k] = vertex[k] == provoking;
@@ -119,22 +119,24 @@ inline void walkAsHosts(bool provokingIsFirst, const Ints (&vertex)[3], const In
   // The first corner to walk from is the provoking one or the one behind it.
   const Ints fromThird = provokingIsFirst ? last : middle;
   const Ints fromSecond = provokingIsFirst ? middle : ~(last | middle);
-  const auto turned = [&](Floats WindowCorner::*field) {
-    const Floats p = v[0].*field, q = v[1].*field, r = v[2].*field;
-    v[0].*field = chosen(fromThird, r, chosen(fromSecond, q, p));
-    v[1].*field = chosen(fromThird, p, chosen(fromSecond, r, q));
-    v[2].*field = chosen(fromThird, q, chosen(fromSecond, p, r));
+  const auto turn = [&](auto &first, auto &second, auto &third) {
+    const auto p = first, q = second, r = third;
+    first = chosen(fromThird, r, chosen(fromSecond, q, p));
+    second = chosen(fromThird, p, chosen(fromSecond, r, q));
+    third = chosen(fromThird, q, chosen(fromSecond, p, r));
   };
-  const Floats x1 = v[1].x - v[0].x, y1 = v[1].y - v[0].y;
-  const Floats x2 = v[2].x - v[0].x, y2 = v[2].y - v[0].y;
-  const Ints clockwise = x1 * y2 - x2 * y1 > 0;
-  WindowCorner &other = v[provokingIsFirst ? 2 : 0];
+  const auto swap = [&](auto &one, auto &other) {
+    const auto first = one, second = other;
+    one = chosen(clockwise, second, first);
+    other = chosen(clockwise, first, second);
+  };
+  const int other = provokingIsFirst ? 2 : 0;
   for (Floats WindowCorner::*const field : {&WindowCorner::x, &WindowCorner::y, &WindowCorner::z}) {
-    turned(field);
-    const Floats second = v[1].*field, swapped = other.*field;
-    v[1].*field = chosen(clockwise, swapped, second);
-    other.*field = chosen(clockwise, second, swapped);
+    turn(v[0].*field, v[1].*field, v[2].*field);
+    swap(v[1].*field, v[other].*field);
   }
+  turn(vertex[0], vertex[1], vertex[2]);
+  swap(vertex[1], vertex[other]);
 }
 
 /// makeDepthPlane() of a block. \return lanes that it says nothing of
@@ -214,7 +216,8 @@ inline GroupSetUp setUpBlock(const SmallSetUp &with, const WindowVertex *window,
   WindowCorner corner[3];
   for (int k = 0; k < 3; ++k)
     corner[k] = windowCorner(window, group.vertex[k] + first);
-  walkAsHosts(with.provokingIsFirst, vertex, provoking, corner);
+  const Ints clockwise = with.upsideDownHeight != 0 ? ~counterclockwise : counterclockwise;
+  walkAsHosts(with.provokingIsFirst, clockwise, vertex, provoking, corner);
   Floats depth[4];
   result.depthless = lanesIn(makeDepths(with, corner, depth)) & result.small;
 

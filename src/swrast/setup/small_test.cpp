@@ -96,28 +96,33 @@ Kind kindOf(const RasterState &state, const Triangle &triangle, Bounds &bounds) 
 
 void expectSame(const RasterState &state, const Triangle &triangle, const Bounds &bounds,
                 bool hasDepth, const SmallTriangle &small) {
+  const HostOrder order(state, triangle);
+  const WindowVertex *const v = triangle.corner;
   for (int k = 0; k < 3; ++k)
-    ASSERT_EQ(small.vertex[k], triangle.vertex[k]);
+    ASSERT_EQ(small.vertex[k], triangle.vertex[order.corner[k]]);
   ASSERT_EQ(small.provoking(), triangle.provoking);
   ASSERT_EQ(small.isBackFacing(), isBackFacing(state, areaOf(triangle.corner)));
   ASSERT_EQ(small.left, bounds.left);
   ASSERT_EQ(small.bottom, bounds.bottom);
   ASSERT_EQ(small.right, bounds.right);
   ASSERT_EQ(small.top, bounds.top);
-  ASSERT_EQ(small.originX, bounds.originX);
-  ASSERT_EQ(small.originY, bounds.originY);
+  const int left = pixelFrom(std::min({v[0].fixedX, v[1].fixedX, v[2].fixedX}));
+  const int bottom = pixelFrom(std::min({v[0].fixedY, v[1].fixedY, v[2].fixedY}));
+  ASSERT_EQ(small.originX, std::max(left, 0));
+  ASSERT_EQ(small.originY, std::max(bottom, 0));
   Shape shape;
   ASSERT_TRUE(shapeOf(kClip, triangle.corner, areaOf(triangle.corner), shape));
   for (int i = 0; i < 3; ++i) {
     const Edge &edge = shape.edges[i];
     ASSERT_EQ(i < 2 ? small.a[i] : -(small.a[0] + small.a[1]), edge.a);
     ASSERT_EQ(i < 2 ? small.b[i] : -(small.b[0] + small.b[1]), edge.b);
-    ASSERT_EQ(small.c[i], edge.a * std::int64_t(bounds.originX) +
-                              edge.b * std::int64_t(bounds.originY) + edge.c);
+    ASSERT_EQ(small.c[i],
+              edge.a * std::int64_t(small.originX) + edge.b * std::int64_t(small.originY) + edge.c);
   }
   if (!hasDepth)
     return;
-  const abi::DepthPlane expected = makeDepthPlane(state, triangle, state.offsetFill);
+  const PlaneSteps steps(state, {&v[order.corner[0]], &v[order.corner[1]], &v[order.corner[2]]});
+  const abi::DepthPlane expected = makeDepthPlane(state, steps, state.offsetFill);
   const float values[4] = {expected.c, expected.dx, expected.dy, expected.offset};
   ASSERT_EQ(std::memcmp(values, small.depth, sizeof values), 0);
 }

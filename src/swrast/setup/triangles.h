@@ -71,14 +71,13 @@ template <typename Take> void clipAndTake(const Draw &draw, Triangle &triangle, 
   triangle.backFacing = isBackFacing(draw.state, area);
   if (isCulled(draw.state, triangle.backFacing))
     return;
-  double weight[3][3];
-  triangle.weight = weight;
+  triangle.cuts = &polygon.cuts;
   const Rect clip = intersect(draw.state.clip, draw.viewport.pixels);
   for (int i = 1; i + 1 < polygon.count; ++i) {
     const int from[3] = {0, i, i + 1};
     for (int k = 0; k < 3; ++k) {
       triangle.corner[k] = vertexAt(from[k]).window;
-      std::copy(vertexAt(from[k]).weight, vertexAt(from[k]).weight + 3, weight[k]);
+      triangle.place[k] = vertexAt(from[k]).place;
     }
     const std::int64_t part = areaOf(triangle.corner);
     Shape shape;

@@ -151,24 +151,7 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
     shape.edges[i] = area > 0 ? edgeBetween(corner[i], next) : edgeBetween(next, corner[i]);
   }
   shape.stippled = false;
-  // Inputs vary along the greater direction only: a third corner beside the first has the first's.
-  Triangle plane;
-  double weight[3][3];
-  const StrokeEnd *const ends[3] = {&from, &to, &from};
-  for (int k = 0; k < 3; ++k) {
-    plane.corner[k] = ends[k]->window;
-    plane.vertex[k] = stroke.vertex[k];
-    std::copy(ends[k]->weight, ends[k]->weight + 3, weight[k]);
-  }
-  (yMajor ? plane.corner[2].x : plane.corner[2].y) += 1;
-  (yMajor ? plane.corner[2].fixedX : plane.corner[2].fixedY) += kSubpixels;
-  plane.weight = weight;
-  plane.provoking = stroke.provoking;
-  plane.backFacing = stroke.backFacing;
-  if (draw.plan.wantsDepth)
-    shape.primitive.z = makeLineDepthPlane(draw.state, a, b);
-  makePlanes(draw.plan, plane, gradientsOf(draw.state, plane.corner, shape.originX, shape.originY),
-             shape.originX, shape.originY, shape.primitive);
+  makeLinePlanes(draw.state, draw.plan, stroke.primitive(from, to), shape.primitive);
   return true;
 }
 

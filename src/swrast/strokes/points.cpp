@@ -66,13 +66,7 @@ bool clipTo(const Rect &clip, Shape &shape) {
 void fill(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, Shape &shape) {
   shape.edgeCount = 0;
   shape.stippled = false;
-  Triangle point;
-  point.corner[0] = at.window;
-  std::copy(stroke.vertex, stroke.vertex + 3, point.vertex);
-  point.weight = &at.weight;
-  point.provoking = stroke.provoking;
-  point.backFacing = stroke.backFacing;
-  makePointPlanes(draw.plan, point, shape.left, shape.bottom, shape.primitive);
+  makePointPlanes(draw.plan, stroke.primitive(at), shape.primitive);
 }
 
 /// Of the vertex's coordinates: whether they were divided does not matter.
@@ -107,15 +101,17 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
   for (std::uint32_t i = 0; i < draw.shading.inputCount; ++i) {
     if (!((state.spriteInputs >> i) & 1u))
       continue;
-    const bool divided = draw.shading.interpolation[i] == abi::Interpolation::Perspective;
-    const float scale = divided ? at.window.inverseW : 1.0f, step = scale / size;
-    const float toX = float(shape.left) + 0.5f - at.window.x;
-    const float toY = float(shape.bottom) + 0.5f - heightOf(state, at.window);
-    const float up = state.spriteOriginLowerLeft ? step : -step;
+    const bool divided = draw.shading.interpolation[i] != abi::Interpolation::Linear;
+    const float scale = divided ? at.window.inverseW : 1.0f;
+    // In the host's coordinates, which run down in windows.
+    const float across = float(kSubpixels) / float(width);
+    const float down = (height == 0) == state.spriteOriginLowerLeft ? across : -across;
     abi::Plane *const input = shape.primitive.inputs[i];
     const float third = thirdOf(state, input) * scale;
-    input[0] = {0.5f * scale + toX * step, step, 0};
-    input[1] = {0.5f * scale + toY * up, 0, up};
+    const float left = 0.5f - across * (at.window.x - 0.5f);
+    const float top = 0.5f - down * (at.window.y - 0.5f);
+    input[0] = {left * scale, across * scale, 0};
+    input[1] = {top * scale, 0, (height != 0 ? -down : down) * scale};
     input[2] = {third, 0, 0};
     input[3] = {scale, 0, 0};
   }
@@ -148,8 +144,8 @@ bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd 
   fill(draw, stroke, at, shape);
   const float step = 1.0f / radius;
   abi::Plane *const input = shape.primitive.inputs[draw.shading.inputCount - 1];
-  input[0] = {(float(shape.left) + 0.5f - x) * step, step, 0};
-  input[1] = {(float(shape.bottom) + 0.5f - y) * step, 0, step};
+  input[0] = {(0.5f - x) * step, step, 0};
+  input[1] = {(float(planesBegin(draw.state)) + 0.5f - y) * step, 0, step};
   // Where that inner circle is no smaller, the whole disc is covered.
   const float inner = (radius - 1) * step, ring = 1.0f - inner * inner;
   constexpr float kAll = 0x1p100f;

@@ -52,45 +52,38 @@ struct Corner {
   const StrokeEnd *end;
 };
 
-/// Depth over a triangle of the two that hosts make of the rectangle: they begin with its second
-/// corner.
-abi::DepthPlane depthOf(const RasterState &state, const Corner *const corner[3]) {
-  Triangle triangle;
-  constexpr int kOrder[3] = {1, 0, 2};
-  for (int k = 0; k < 3; ++k) {
-    triangle.corner[k] = corner[kOrder[k]]->window;
-    triangle.vertex[k] = std::uint32_t(k);
-  }
-  triangle.provoking = state.provokingIsFirst ? 0 : 2;
-  return makeDepthPlane(state, triangle, false);
-}
-
 /// All planes of the triangle, the input of abi::Coverage::Line among them.
 void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
                const Corner *const corner[3], Shape &shape) {
-  Triangle plane;
-  double weight[3][3], scale[3];
+  // Hosts begin with the second corner.
+  constexpr int kOrder[3] = {1, 0, 2};
+  Triangle plane = stroke.primitive(*corner[0]->end, *corner[1]->end, *corner[2]->end);
+  float scale[3];
   const std::uint32_t number = draw.shading.inputCount - 1;
   const bool isDivided = draw.shading.interpolation[number] == abi::Interpolation::Perspective;
   for (int k = 0; k < 3; ++k) {
     plane.corner[k] = corner[k]->window;
-    std::copy(corner[k]->end->weight, corner[k]->end->weight + 3, weight[k]);
-    scale[k] = isDivided ? double(plane.corner[k].inverseW) : 1.0;
+    scale[k] = isDivided ? plane.corner[k].inverseW : 1.0f;
   }
-  std::copy(stroke.vertex, stroke.vertex + 3, plane.vertex);
-  plane.weight = weight;
-  plane.provoking = stroke.provoking;
-  plane.backFacing = stroke.backFacing;
+  const HostOrder order(
+      draw.state, {{plane.corner[kOrder[0]], plane.corner[kOrder[1]], plane.corner[kOrder[2]]},
+                   {0, 1, 2},
+                   draw.state.provokingIsFirst ? 0u : 2u});
+  int walked[3];
+  for (int k = 0; k < 3; ++k)
+    walked[k] = kOrder[order.corner[k]];
+  const PlaneSteps steps(
+      draw.state, {&plane.corner[walked[0]], &plane.corner[walked[1]], &plane.corner[walked[2]]});
   if (draw.plan.wantsDepth)
-    shape.primitive.z = depthOf(draw.state, corner);
-  const Gradients gradients = gradientsOf(draw.state, plane.corner, shape.originX, shape.originY);
-  makePlanes(draw.plan, plane, gradients, shape.originX, shape.originY, shape.primitive);
-  const auto planeOf = [&](double a, double b, double c) {
-    return gradients.plane(a * scale[0], b * scale[1], c * scale[2]);
+    shape.primitive.z = makeDepthPlane(draw.state, steps, false);
+  makePlanes(draw.plan, plane, steps, walked, shape.primitive);
+  const auto planeOf = [&](float a, float b, float c) {
+    const float values[3] = {a * scale[0], b * scale[1], c * scale[2]};
+    return steps.plane({values[walked[0]], values[walked[1]], values[walked[2]]});
   };
   // A line of less than a pixel covers as much less of it.
-  const double share = extent.length < 1 ? double(extent.length / extent.halfLength) : 1.0;
-  const double reach = double(extent.halfLength) * share, width = double(extent.halfWidth);
+  const float share = extent.length < 1 ? extent.length / extent.halfLength : 1.0f;
+  const float reach = extent.halfLength * share, width = extent.halfWidth;
   abi::Plane *const input = shape.primitive.inputs[number];
   input[0] = planeOf(corner[0]->across, corner[1]->across, corner[2]->across);
   input[1] = planeOf(corner[0]->along * share, corner[1]->along * share, corner[2]->along * share);

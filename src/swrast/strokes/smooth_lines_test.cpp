@@ -26,8 +26,7 @@ void shadeCovered(const abi::FragmentData *data, const abi::Primitive *primitive
       const int x = spans[i].x + column, y = spans[i].y;
       const auto at = [&](int component) {
         const abi::Plane &plane = primitive->inputs[0][component];
-        return plane.c + plane.dx * float(x - primitive->originX) +
-               plane.dy * float(y - primitive->originY);
+        return abi::planeAt(plane, x, y - data->originY);
       };
       const auto part = [&](int from) {
         return std::clamp(at(from + 2) - std::fabs(at(from)), 0.0f, 1.0f);
@@ -99,7 +98,7 @@ TEST(SmoothLines, OfNoLengthReachHalfAPixelAroundAndCoverNothing) {
 
 TEST(SmoothLines, ArePlacedAlikeInImagesThatAreUpsideDown) {
   Canvas upright(48, 48), turned(48, 48);
-  turned.state.upsideDownHeight = 48;
+  turned.turn(true);
   const Line line = {5.3, 7.9, 40.2, 22.4, 2.5};
   draw(upright, line);
   draw(turned, line);

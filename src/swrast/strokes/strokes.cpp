@@ -11,14 +11,12 @@ namespace {
 
 constexpr std::size_t kMaxShapes = 512;
 
-StrokeEnd endOf(const ClipVertex &vertex) {
-  StrokeEnd end{vertex.window, {}};
-  std::copy(vertex.weight, vertex.weight + 3, end.weight);
-  return end;
-}
+StrokeEnd endOf(const ClipVertex &vertex) { return {vertex.window, vertex.place}; }
+
+constexpr Cuts kUncut = {};
 
 /// The point at `t` of the way; as hosts cut a stippled line.
-StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t) {
+StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t, Cuts &cuts) {
   const auto mix = [t](float from, float to) { return from + t * (to - from); };
   StrokeEnd end = a;
   end.window.x = mix(a.window.x, b.window.x);
@@ -29,8 +27,7 @@ StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t) {
   double share = t;
   if (a.window.inverseW != b.window.inverseW)
     share = double(t) * b.window.inverseW / end.window.inverseW;
-  for (int i = 0; i < 3; ++i)
-    end.weight[i] = a.weight[i] + share * (b.weight[i] - a.weight[i]);
+  end.place = cuts.add(a.place, b.place, float(share));
   return end;
 }
 
@@ -102,11 +99,11 @@ float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
   const float *const sizes = draw.vertices.pointSize;
   if (!sizes)
     return draw.state.pointSize;
-  double size = 0;
-  for (int i = 0; i < 3; ++i)
-    if (at.weight[i] != 0)
-      size += at.weight[i] * double(sizes[stroke.vertex[i]]);
-  return float(size);
+  float value[Cuts::kVertices + Cuts::kMost];
+  for (int i = 0; i < Cuts::kVertices; ++i)
+    value[i] = sizes[stroke.vertex[i]];
+  stroke.cuts->follow(value);
+  return value[at.place];
 }
 
 } // namespace
@@ -172,14 +169,14 @@ void Strokes::addSmoothLine(const Draw &draw, const Stroke &stroke, const Stroke
 
 void Strokes::addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                       const StrokeEnd &to) {
-  const auto add = [&](const StrokeEnd &a, const StrokeEnd &b) {
+  const auto add = [&](const Stroke &own, const StrokeEnd &a, const StrokeEnd &b) {
     if (draw.state.coverage == abi::Coverage::Line)
-      addSmoothLine(draw, stroke, a, b);
-    else if (shapeOfLine(draw, stroke, a, b, nextShape()))
+      addSmoothLine(draw, own, a, b);
+    else if (shapeOfLine(draw, own, a, b, nextShape()))
       keepShape(draw);
   };
   if (draw.state.lineStippleFactor <= 0) {
-    add(from, to);
+    add(stroke, from, to);
     return;
   }
   const float length = lengthOf(draw.state, from.window, to.window);
@@ -193,8 +190,11 @@ void Strokes::addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &f
       start = i;
     if (on || start < 0)
       continue;
-    add(start == 0 ? from : between(from, to, float(start) / length),
-        i == steps ? to : between(from, to, float(i) / length));
+    Cuts cuts = *stroke.cuts;
+    Stroke dash = stroke;
+    dash.cuts = &cuts;
+    const StrokeEnd a = start == 0 ? from : between(from, to, float(start) / length, cuts);
+    add(dash, a, i == steps ? to : between(from, to, float(i) / length, cuts));
     start = -1;
   }
   m_stipple += std::uint32_t(steps);
@@ -216,14 +216,16 @@ void Strokes::addLines(const Draw &draw) {
     if (a.x == b.x && a.y == b.y && !((a.outcode | b.outcode) & kClipMask) &&
         (draw.state.coverage != abi::Coverage::Line || draw.state.lineStippleFactor > 0))
       continue;
-    const Stroke stroke = {{index[0], index[1], index[1]}, draw.vertexAt(ends.provoking), false};
+    Stroke stroke = {{index[0], index[1], index[1]}, draw.vertexAt(ends.provoking), false, &kUncut};
     if (!((a.outcode | b.outcode) & kClipMask)) {
-      addLine(draw, stroke, {a, {1, 0, 0}}, {b, {0, 1, 0}});
+      addLine(draw, stroke, {a, 0}, {b, 1});
       continue;
     }
     const WindowVertex corner[2] = {a, b};
     ClipVertex end[2];
-    if (clipLine(draw.viewport, draw.vertices, index, corner, end))
+    Cuts cuts;
+    stroke.cuts = &cuts;
+    if (clipLine(draw.viewport, draw.vertices, index, corner, end, cuts))
       addLine(draw, stroke, endOf(end[0]), endOf(end[1]));
   }
 }
@@ -235,8 +237,8 @@ void Strokes::addPoints(const Draw &draw) {
       continue;
     if (draw.window[index].outcode != 0)
       continue;
-    const Stroke stroke = {{index, index, index}, index, false};
-    const StrokeEnd at = {draw.window[index], {1, 0, 0}};
+    const Stroke stroke = {{index, index, index}, index, false, &kUncut};
+    const StrokeEnd at = {draw.window[index], 0};
     addPoint(draw, stroke, at, pointSizeAt(draw, stroke, at));
   }
 }
@@ -285,8 +287,7 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
     for (int i = 0; i < 3; ++i) {
       ClipVertex &vertex = polygon.vertex[std::size_t(i)];
       vertex.window = triangle.corner[i];
-      std::fill(vertex.weight, vertex.weight + 3, 0.0);
-      vertex.weight[i] = 1;
+      vertex.place = std::uint8_t(i);
       vertex.side = i;
     }
   }
@@ -303,8 +304,7 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
     Shape shape;
     const auto take = [&](const Triangle &part, Shape &filled) {
       filled.stippled = state.polygonStipple != nullptr;
-      makePlanes(state, draw.plan, part, state.offsetFill, filled.originX, filled.originY,
-                 filled.primitive);
+      makePlanes(state, draw.plan, part, state.offsetFill, filled.primitive);
       nextShape() = filled;
       keepShape(draw);
     };
@@ -323,7 +323,8 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
   addOutline(draw, polygon,
              {{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]},
               triangle.provoking,
-              triangle.backFacing},
+              triangle.backFacing,
+              &polygon.cuts},
              sides, (any & kClipMask) != 0);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "swrast/setup/clip.h"
@@ -11,13 +12,26 @@ namespace arbiter::swrast {
 /// An end of a line, or a point.
 struct StrokeEnd {
   WindowVertex window;
-  double weight[3]; ///< of the vertices that `Stroke` names
+  std::uint8_t place; ///< of the cuts that `Stroke` has
 };
 /// Whose inputs a line or a point takes.
 struct Stroke {
   std::uint32_t vertex[3] = {};
   std::uint32_t provoking = 0;
   bool backFacing = false;
+  const Cuts *cuts = nullptr; ///< never null
+
+  /// A primitive of its ends, or corners, as planes are made of it.
+  template <typename... Ends> [[nodiscard]] Triangle primitive(const Ends &...ends) const {
+    Triangle result;
+    std::copy(vertex, vertex + 3, result.vertex);
+    result.provoking = provoking;
+    result.backFacing = backFacing;
+    result.cuts = cuts;
+    int k = 0;
+    ((result.corner[k] = ends.window, result.place[k++] = ends.place), ...);
+    return result;
+  }
 };
 
 /// One line without stipple. False if it covers nothing.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "swrast/rasterize.h"
+#include "swrast/setup/planes.h"
 
 /// What the rasterizer's tests draw to: how often each pixel was shaded, and what an input was.
 namespace arbiter::swrast::testing {
@@ -29,6 +30,11 @@ struct Canvas {
     shading.blockHeight = lanes == 16 ? 4 : 2;
     shading.quad = lanes == 16 ? countQuad<4, 4> : lanes == 8 ? countQuad<4, 2> : countQuad<2, 2>;
   }
+  /// As hosts keep windows, whose first row in memory is the upper one.
+  void turn(bool upsideDown) {
+    state.upsideDownHeight = upsideDown ? height : 0;
+    data.originY = planesBegin(state);
+  }
   [[nodiscard]] std::uint32_t &at(int x, int y) {
     return counts[std::size_t(y) * std::size_t(width) + std::size_t(x)];
   }
@@ -43,9 +49,7 @@ struct Canvas {
     };
     ++*reinterpret_cast<std::uint32_t *>(place(data->targets[0]));
     const abi::Plane &plane = primitive->inputs[0][0];
-    *reinterpret_cast<float *>(place(data->targets[1])) = plane.c +
-                                                          plane.dx * float(x - primitive->originX) +
-                                                          plane.dy * float(y - primitive->originY);
+    *reinterpret_cast<float *>(place(data->targets[1])) = abi::planeAt(plane, x, y - data->originY);
   }
   static void countRow(const abi::FragmentData *data, const abi::Primitive *primitive,
                        const void *items, std::uint32_t count) {

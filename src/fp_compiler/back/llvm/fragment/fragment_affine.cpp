@@ -54,6 +54,14 @@ Value *AffineFlow::product(Value *a, Value *b) {
   return made([&](Value *one, Value *other) { return m_code.ir.CreateFMul(one, other); }, a, b);
 }
 
+Value *AffineFlow::greater(Value *a, Value *b) {
+  return made(
+      [&](Value *one, Value *other) {
+        return m_code.ir.CreateSelect(m_code.ir.CreateFCmpOGT(one, other), one, other);
+      },
+      a, b);
+}
+
 Value *AffineFlow::wide(Value *number) {
   return made(
       [&](Value *from) -> Value * {
@@ -200,15 +208,26 @@ std::optional<Affine> AffineFlow::attribute(int index, int component) {
   const std::size_t plane = Interpolator::planeOf(input, component);
   if (how == abi::Interpolation::Flat)
     return uniform(wide(m_interpolator.constant(plane)));
-  Value *const row = wide(m_interpolator.rowConstant(plane, m_spans.y()));
   Value *const slope = wide(m_interpolator.slope(plane, false));
   Value *const slopeY = wide(m_interpolator.slope(plane, true));
-  Value *const from =
-      wide(m_code.ir.CreateSub(m_spans.x(), m_spans.inLanes(m_interpolator.origin(false))));
-  Value *const reach = sum(magnitudeOf(from), wide(m_spans.count()));
-  // Two roundings: dx * x, and its sum with the row's constant, which is taken as it is.
-  return Affine{sum(row, product(slope, from)), slope, slopeY,
-                sum(magnitudeOf(row), product(magnitudeOf(slope), reach)), 2};
+  Value *const y =
+      wide(m_code.ir.CreateSub(m_spans.y(), m_spans.inLanes(m_interpolator.originY())));
+  Value *const along = product(slope, wide(m_spans.x())), *const up = product(slopeY, y);
+  Value *const row = sum(wide(m_interpolator.constant(plane)), along);
+  Value *const base = sum(row, up);
+  // Each sum is rounded, and where the processor does not multiply and add in one each product;
+  // each is the greatest at an end of the span.
+  Value *const across = product(slope, wide(m_spans.count()));
+  const auto most = [&](Value *first) {
+    return greater(magnitudeOf(first), magnitudeOf(sum(first, across)));
+  };
+  Affine value{base, slope, slopeY, greater(most(row), most(base)), 2};
+  if (m_code.cpu.family == Cpu::Family::Sse41) {
+    value.magnitude = greater(value.magnitude, greater(most(along), magnitudeOf(up)));
+    value.rounds = 4;
+  }
+  return how == abi::Interpolation::Even ? multiply(value, uniform(wide(m_interpolator.evenW())))
+                                         : value;
 }
 
 std::optional<Affine> AffineFlow::position(int component) {

@@ -50,6 +50,7 @@ private:
   [[nodiscard]] Value *magnitudeOf(Value *value);
   [[nodiscard]] Value *sum(Value *a, Value *b);
   [[nodiscard]] Value *product(Value *a, Value *b);
+  [[nodiscard]] Value *greater(Value *a, Value *b);
   [[nodiscard]] std::optional<Affine> negated(std::optional<Affine> value, bool negate);
   [[nodiscard]] Value *wide(Value *number); ///< as double; of whole numbers too
   /// What \p make makes of the operands: once a call if all are scalars, else once a group.

@@ -7,6 +7,12 @@
 namespace arbiter::fp::llvm_back {
 
 Vec FragmentHooks::input(ir::Attribute attribute, unsigned needed) {
+  if (attribute.kind == ir::AttributeKind::FogCoord && (needed & ~1u) != 0) { // (f, 0, 0, 1)
+    Vec fog = needed & 1 ? input(attribute, 1) : Vec{};
+    for (std::size_t c = 1; c < 4; ++c)
+      fog[c] = needed >> c & 1 ? m_code.splat(c == 3 ? 1.0f : 0.0f) : nullptr;
+    return fog;
+  }
   const std::vector<jit::FragmentInput> &inputs = m_program.shape().inputs;
   const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const jit::FragmentInput &in) {
     return in.attribute == attribute;
@@ -127,10 +133,12 @@ SampleAt FragmentHooks::sampleAt(const ir::Instruction &instruction,
   at.mask = m_place.covered;
   if (running())
     at.mask = m_code.ir.CreateAnd(at.mask, running());
-  if (instruction.op == ir::Opcode::Txp)
+  if (instruction.op == ir::Opcode::Txp) { // as hosts divide: once
+    Value *const inverse = m_code.ir.CreateFDiv(m_code.splat(1.0f), operand[3]);
     for (std::size_t c = 0; c < 3; ++c)
       if (operand[c])
-        at.coordinate[c] = m_code.ir.CreateFDiv(operand[c], operand[3]);
+        at.coordinate[c] = m_code.ir.CreateFMul(operand[c], inverse);
+  }
   if (instruction.op == ir::Opcode::Txb)
     at.bias = operand[3];
   if (instruction.op == ir::Opcode::Txl) // a rectangle has one level

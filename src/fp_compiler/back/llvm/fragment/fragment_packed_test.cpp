@@ -60,10 +60,8 @@ std::vector<abi::Primitive> primitivesLike(const abi::Primitive &first, int coun
   for (int k = 0; k < count; ++k) {
     abi::Primitive each = first;
     const float step = 0.013f * float(k);
-    each.originX = 11 + k;
-    each.originY = 2 * (k % 3);
     each.backFacing = unsigned(k) & 1;
-    each.z = {0.1f + step, 0.001f * step, 0.002f, 0.01f * step, k % 4};
+    each.z = {0.1f + step, 0.001f * step, 0.002f, 0.01f * step};
     each.inverseW = {1 + step, 0.002f + 0.01f * step, 0.01f * step};
     for (abi::Plane &plane : each.inputs[0]) {
       plane.c += step;
@@ -95,15 +93,16 @@ ir::Program projected() {
 }
 
 TEST_P(FragmentTest, PackedAndBlocksAgree) {
-  std::vector<std::uint8_t> pictures[2][2];
+  std::vector<std::uint8_t> pictures[2][4];
   for (const abi::Filter minify : {abi::Filter::Nearest, abi::Filter::Linear})
-    for (const bool perspective : {false, true}) {
+    for (const auto interpolation :
+         {abi::Interpolation::Linear, abi::Interpolation::Even, abi::Interpolation::Perspective}) {
       Scene scene(GetParam());
       const int lanes = scene.engine->lanes();
       scene.addTexture(64, 64, Wrap::Repeat);
       scene.key.samplers[0].minify = minify;
-      scene.interpolation =
-          perspective ? abi::Interpolation::Perspective : abi::Interpolation::Linear;
+      scene.interpolation = interpolation;
+      scene.data.originY = 5;
       const ir::Program program = projected();
 
       scene.key.lanes = abi::Lanes::Quad;
@@ -130,10 +129,13 @@ TEST_P(FragmentTest, PackedAndBlocksAgree) {
       reinterpret_cast<abi::PackedShadeFunction>(packed->function)(
           &scene.data, &columns, pixels.data(), std::uint32_t(pixels.size()));
       EXPECT_EQ(scene.target.bytes, expected);
-      pictures[int(minify)][int(perspective)] = expected;
+      pictures[int(minify)][int(interpolation)] = expected;
     }
-  EXPECT_NE(pictures[0][0], pictures[1][0]) << "no level of detail was taken";
-  EXPECT_NE(pictures[0][0], pictures[0][1]) << "nothing was divided by w";
+  constexpr int kLinear = int(abi::Interpolation::Linear), kEven = int(abi::Interpolation::Even);
+  EXPECT_NE(pictures[0][kLinear], pictures[1][kLinear]) << "no level of detail was taken";
+  EXPECT_NE(pictures[0][kLinear], pictures[0][kEven]) << "nothing was divided by the one w";
+  EXPECT_NE(pictures[0][kEven], pictures[0][int(abi::Interpolation::Perspective)])
+      << "nothing was divided by w";
 }
 
 } // namespace

@@ -8,17 +8,14 @@ void Interpolator::setPixel(Value *x, Value *y) {
 }
 
 void Interpolator::setLanes(Value *dx, Value *dy) {
+  llvm::IRBuilder<> &ir = m_code.ir;
   m_laneX = dx;
   m_laneY = dy;
-  const auto fromOrigin = [&](Value *first, Value *lanes, std::size_t origin) {
-    Value *const from = writeIn(m_code, m_places.item, [&] {
-      return m_columns ? m_code.ir.CreateSub(m_code.splat(first), integer(origin))
-                       : m_code.splat(m_code.ir.CreateSub(first, scalarInteger(origin)));
-    });
-    return m_code.toFloat(m_code.ir.CreateAdd(from, lanes));
-  };
-  m_fx = fromOrigin(m_x, dx, offsetof(abi::Primitive, originX));
-  m_fy = dy ? fromOrigin(m_y, dy, offsetof(abi::Primitive, originY)) : nullptr;
+  m_fx = m_code.toFloat(ir.CreateAdd(m_code.splat(m_x), dx));
+  Value *const fromOrigin =
+      writeIn(m_code, m_places.item, [&] { return m_code.splat(ir.CreateSub(m_y, originY())); });
+  m_fy = dy ? m_code.toFloat(ir.CreateAdd(fromOrigin, dy))
+            : writeIn(m_code, m_places.item, [&] { return m_code.toFloat(fromOrigin); });
   m_w = nullptr;
 }
 
@@ -59,8 +56,17 @@ Value *Interpolator::slope(std::size_t planeOffset, bool ofY) {
   return scalarField(planeOffset + (ofY ? offsetof(abi::Plane, dy) : offsetof(abi::Plane, dx)));
 }
 
-Value *Interpolator::origin(bool ofY) {
-  return scalarInteger(ofY ? offsetof(abi::Primitive, originY) : offsetof(abi::Primitive, originX));
+Value *Interpolator::originY() {
+  return writeIn(m_code, m_places.entry, [&] {
+    return m_code.field(m_code.ir.getInt32Ty(), m_data, offsetof(abi::FragmentData, originY));
+  });
+}
+
+Value *Interpolator::evenW() {
+  return writeIn(m_code, m_places.entry, [&] {
+    return m_code.ir.CreateFDiv(llvm::ConstantFP::get(m_code.ir.getFloatTy(), 1),
+                                constant(offsetof(abi::Primitive, inverseW)));
+  });
 }
 
 Value *Interpolator::scalarInteger(std::size_t offset) {
@@ -68,37 +74,24 @@ Value *Interpolator::scalarInteger(std::size_t offset) {
                  [&] { return m_code.field(m_code.ir.getInt32Ty(), m_primitive, offset); });
 }
 
-Value *Interpolator::rowConstant(std::size_t planeOffset, Value *y) {
-  llvm::IRBuilder<> &ir = m_code.ir;
-  auto *const rows = llvm::dyn_cast<llvm::FixedVectorType>(y->getType());
-  const auto like = [&](Value *scalar) {
-    return rows ? ir.CreateVectorSplat(rows->getNumElements(), scalar) : scalar;
-  };
-  llvm::Type *const number =
-      rows ? llvm::FixedVectorType::get(ir.getFloatTy(), rows->getNumElements()) : ir.getFloatTy();
-  Value *const above = ir.CreateSIToFP(ir.CreateSub(y, like(origin(true))), number);
-  Value *const step = ir.CreateFMul(like(slope(planeOffset, true)), above);
-  return ir.CreateFAdd(like(constant(planeOffset)), step);
-}
-
 Value *Interpolator::plane(std::size_t offset) {
-  llvm::IRBuilder<> &ir = m_code.ir;
-  Value *const dx = number(offset + offsetof(abi::Plane, dx));
-  Value *row = nullptr;
-  if (m_fy) {
-    Value *const c = number(offset + offsetof(abi::Plane, c));
-    Value *const dy = number(offset + offsetof(abi::Plane, dy));
-    row = ir.CreateFAdd(c, ir.CreateFMul(dy, m_fy));
-  } else {
-    row = writeIn(m_code, m_places.item, [&] { return m_code.splat(rowConstant(offset, m_y)); });
-  }
-  return ir.CreateFAdd(row, ir.CreateFMul(dx, m_fx));
+  Value *const along = multiplyAdd(number(offset + offsetof(abi::Plane, dx)), m_fx,
+                                   number(offset + offsetof(abi::Plane, c)));
+  return multiplyAdd(number(offset + offsetof(abi::Plane, dy)), m_fy, along);
 }
 
 Value *Interpolator::perspective() {
   if (!m_w)
     m_w = m_code.ir.CreateFDiv(m_code.splat(1.0f), plane(offsetof(abi::Primitive, inverseW)));
   return m_w;
+}
+
+Value *Interpolator::even() {
+  constexpr std::size_t kConstant = offsetof(abi::Primitive, inverseW) + offsetof(abi::Plane, c);
+  return writeIn(m_code, m_columns ? m_places.item : m_places.entry, [&] {
+    return m_columns ? m_code.ir.CreateFDiv(m_code.splat(1.0f), number(kConstant))
+                     : m_code.splat(evenW());
+  });
 }
 
 Vec Interpolator::input(int index, unsigned needed) {
@@ -115,6 +108,8 @@ Vec Interpolator::input(int index, unsigned needed) {
       value = plane(offset);
     if (how == abi::Interpolation::Perspective)
       value = m_code.ir.CreateFMul(value, perspective());
+    if (how == abi::Interpolation::Even)
+      value = m_code.ir.CreateFMul(value, even());
   }
   return values;
 }
@@ -153,6 +148,12 @@ Vec Interpolator::position(const ir::Options &options, unsigned needed) {
   return values;
 }
 
+Value *Interpolator::multiplyAdd(Value *a, Value *b, Value *c) {
+  if (m_code.cpu.family != Cpu::Family::Sse41)
+    return fused(a, b, c);
+  return m_code.ir.CreateFAdd(m_code.ir.CreateFMul(a, b), c);
+}
+
 Value *Interpolator::fused(Value *a, Value *b, Value *c) {
   llvm::IRBuilder<> &ir = m_code.ir;
   if (m_code.cpu.family != Cpu::Family::Sse41)
@@ -166,20 +167,11 @@ Value *Interpolator::fused(Value *a, Value *b, Value *c) {
 }
 
 Value *Interpolator::depth() {
-  llvm::IRBuilder<> &ir = m_code.ir;
   constexpr std::size_t kZ = offsetof(abi::Primitive, z);
-  constexpr std::size_t kOrigin = kZ + offsetof(abi::DepthPlane, originY);
-  Value *y = writeIn(m_code, m_places.item, [&] {
-    return m_columns ? ir.CreateSub(m_code.splat(m_y), integer(kOrigin))
-                     : m_code.splat(ir.CreateSub(m_y, scalarInteger(kOrigin)));
-  });
-  if (m_laneY)
-    y = ir.CreateAdd(y, m_laneY);
-  Value *const x = ir.CreateAdd(m_code.splat(m_x), m_laneX);
-  Value *const along = fused(number(kZ + offsetof(abi::DepthPlane, dx)), m_code.toFloat(x),
+  Value *const along = fused(number(kZ + offsetof(abi::DepthPlane, dx)), m_fx,
                              number(kZ + offsetof(abi::DepthPlane, c)));
-  Value *const plane = fused(number(kZ + offsetof(abi::DepthPlane, dy)), m_code.toFloat(y), along);
-  return ir.CreateFAdd(plane, number(kZ + offsetof(abi::DepthPlane, offset)));
+  Value *const plane = fused(number(kZ + offsetof(abi::DepthPlane, dy)), m_fy, along);
+  return m_code.ir.CreateFAdd(plane, number(kZ + offsetof(abi::DepthPlane, offset)));
 }
 
 Value *Interpolator::backFacing() {

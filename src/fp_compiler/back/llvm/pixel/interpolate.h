@@ -4,10 +4,11 @@
 #include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/ir/ir.h"
 
-/// The planes of a primitive as values of the lanes. Row and Quad do the same steps in the same
-/// order, each rounded, so that a pixel's value does not depend on which of them draws it:
-/// (c + dy * (y - originY)) + dx * (x - originX). So does Packed, whose lanes find each term in the
-/// column of their primitive.
+/// The planes of a primitive as values of the lanes, by the steps of hosts: dx * x is added to c,
+/// then dy * (y - originY), and each product and its sum are rounded once (abi::planeAt()) where
+/// the processor has an instruction for that, as hosts have it there. Elsewhere hosts round twice.
+/// The steps are the same for all lanes; those of Packed find each term in the column of their
+/// primitive.
 namespace arbiter::fp::llvm_back {
 
 /// Where the code stands: blocks that run once a call, once a group of spans, once an item, and the
@@ -47,13 +48,12 @@ public:
   /// Where the primitive's back is seen, a mask.
   [[nodiscard]] Value *backFacing();
 
-  // What the affine coordinates are made of.
-  /// The float c + dy * (y - originY) of a row, or of rows: `y` is an i32 or a vector of them.
-  [[nodiscard]] Value *rowConstant(std::size_t planeOffset, Value *y);
-  // Scalars of the entry's block: the plane's constant, its dx or dy, and its origin as i32.
+  // What the affine coordinates are made of: scalars of the entry's block. The plane's constant,
+  // its dx or dy, the row where it begins as i32, and what Even inputs are multiplied with.
   [[nodiscard]] Value *constant(std::size_t planeOffset);
   [[nodiscard]] Value *slope(std::size_t planeOffset, bool ofY);
-  [[nodiscard]] Value *origin(bool ofY);
+  [[nodiscard]] Value *originY();
+  [[nodiscard]] Value *evenW();
   [[nodiscard]] static std::size_t planeOf(int input, int component) {
     return offsetof(abi::Primitive, inputs) +
            sizeof(abi::Plane) * std::size_t(4 * input + component);
@@ -67,9 +67,12 @@ private:
   [[nodiscard]] Value *integer(std::size_t offset);
   [[nodiscard]] Value *inColumns(std::size_t offset);
   [[nodiscard]] Value *plane(std::size_t offset);
-  /// a * b + c, rounded once.
+  /// a * b + c, rounded once where the processor has an instruction for that, else twice.
+  [[nodiscard]] Value *multiplyAdd(Value *a, Value *b, Value *c);
+  /// The same, rounded once on any processor.
   [[nodiscard]] Value *fused(Value *a, Value *b, Value *c);
   [[nodiscard]] Value *perspective();
+  [[nodiscard]] Value *even();
 
   Code &m_code;
   const abi::FragmentKey &m_key;
@@ -77,7 +80,7 @@ private:
   Value *m_primitive, *m_data;
   Value *m_x = nullptr, *m_y = nullptr;
   Value *m_laneX = nullptr, *m_laneY = nullptr; ///< relative to the first pixel
-  Value *m_fx = nullptr, *m_fy = nullptr;       ///< relative to the origin, floats
+  Value *m_fx = nullptr, *m_fy = nullptr;       ///< relative to where planes begin, floats
   Value *m_w = nullptr;                         ///< 1 / inverseW of this loop
   Value *m_columns = nullptr;                   ///< null but for Packed
 };

@@ -144,11 +144,10 @@ void fill(Draw &draw, Random &random) {
   draw.writesDepth = random.below(4) == 0;
   draw.kills = random.below(4) == 0;
   abi::Primitive &primitive = draw.primitive;
-  primitive.originX = random.below(kWidth);
-  primitive.originY = random.below(kHeight);
+  data.originY = random.below(kHeight);
   primitive.backFacing = std::uint32_t(random.below(2));
-  primitive.z = {random.unit(), 0.01f * random.unit(), 0.02f * random.unit(), 0.01f * random.unit(),
-                 int(random.below(5))};
+  primitive.z = {random.unit(), 0.01f * random.unit(), 0.02f * random.unit(),
+                 0.01f * random.unit()};
   primitive.inverseW = {1.0f + random.unit(), 0.01f * random.unit(), 0.01f * random.unit()};
   for (abi::Plane &plane : primitive.inputs[0])
     plane = {random.unit(), 0.03f * (random.unit() - 0.5f), 0.05f * (random.unit() - 0.5f)};
@@ -174,21 +173,18 @@ void fill(Draw &draw, Random &random) {
     setUnits(draw.depth);
 }
 
-float planeAt(const abi::Primitive &primitive, const abi::Plane &plane, int x, int y) {
-  volatile const float dy = plane.dy * float(y - primitive.originY);
-  volatile const float row = plane.c + dy;
-  volatile const float dx = plane.dx * float(x - primitive.originX);
-  return row + dx;
-}
-
-testing::ReferenceFragment fragmentAt(const Draw &draw, int x, int y) {
+testing::ReferenceFragment fragmentAt(const jit::Engine &engine, const Draw &draw, int x, int y) {
+  y -= draw.data.originY;
   testing::ReferenceFragment fragment;
   const abi::Interpolation how = draw.key.inputs[0];
   for (std::size_t c = 0; c < 4; ++c) {
     const abi::Plane &plane = draw.primitive.inputs[0][c];
-    float value = how == abi::Interpolation::Flat ? plane.c : planeAt(draw.primitive, plane, x, y);
-    if (how == abi::Interpolation::Perspective) {
-      volatile const float w = 1.0f / planeAt(draw.primitive, draw.primitive.inverseW, x, y);
+    float value = how == abi::Interpolation::Flat ? plane.c : testing::valueAt(engine, plane, x, y);
+    if (how == abi::Interpolation::Perspective || how == abi::Interpolation::Even) {
+      const abi::Plane &inverse = draw.primitive.inverseW;
+      volatile const float w =
+          1.0f /
+          (how == abi::Interpolation::Even ? inverse.c : testing::valueAt(engine, inverse, x, y));
       value *= w;
     }
     fragment.color[c] = value;
@@ -249,8 +245,8 @@ std::uint32_t wordAt(testing::SceneTarget &target, int x, int y) {
 }
 
 /// One pixel against the reference; \p before holds what was there.
-void checkPixel(Draw &draw, Draw &before, int x, int y) {
-  const testing::ReferenceFragment fragment = fragmentAt(draw, x, y);
+void checkPixel(const jit::Engine &engine, Draw &draw, Draw &before, int x, int y) {
+  const testing::ReferenceFragment fragment = fragmentAt(engine, draw, x, y);
   const bool killed = draw.kills && fragment.color[1] < 0;
   const std::array<double, 4> dest =
       testing::readPixel(draw.color.format, before.color.pixel(x, y));
@@ -331,7 +327,7 @@ TEST_P(PixelTest, RandomStates) {
     else
       shade(items.blocks);
     const auto check = [&](int x, int y) {
-      checkPixel(draw, before, x, y);
+      checkPixel(*engine, draw, before, x, y);
       const std::size_t bytes = std::size_t(abi::bytesOf(draw.color.format.layout));
       std::memcpy(draw.color.pixel(x, y), before.color.pixel(x, y), bytes);
       const std::size_t depthBytes = std::size_t(abi::bytesOf(draw.depth.format.layout));

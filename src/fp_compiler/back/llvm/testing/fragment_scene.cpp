@@ -1,5 +1,6 @@
 #include "fp_compiler/back/llvm/testing/fragment_scene.h"
 
+#include <cmath>
 #include <random>
 
 #include "fp_compiler/ir/ir.h"
@@ -56,6 +57,17 @@ void setQuadInput(abi::Primitive &primitive, int input, const QuadInput &corners
   primitive.inputs[input][1] = {corners.t0 + 0.5f * dy, 0, dy};
   primitive.inputs[input][2] = {};
   primitive.inputs[input][3] = {1, 0, 0};
+}
+
+float valueAt(const jit::Engine &engine, const abi::Plane &plane, int x, int y) {
+#if defined(__x86_64__) || defined(__i386__)
+  if (engine.lanes() == 4) { // SSE4.1 multiplies and adds in two
+    volatile const float along = plane.dx * float(x), up = plane.dy * float(y);
+    volatile const float row = plane.c + along;
+    return row + up;
+  }
+#endif
+  return std::fma(plane.dy, float(y), std::fma(plane.dx, float(x), plane.c));
 }
 
 std::vector<std::array<float, 4>> parameterRows(const ir::Program &program,

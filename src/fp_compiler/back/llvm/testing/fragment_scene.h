@@ -42,6 +42,9 @@ struct QuadInput {
 void setQuadInput(abi::Primitive &primitive, int input, const QuadInput &corners, int width,
                   int height);
 
+/// A plane's value at the centre of pixel (x, originY + y), as the engine's machine code has it.
+[[nodiscard]] float valueAt(const jit::Engine &engine, const abi::Plane &plane, int x, int y);
+
 /// Program::parameters' rows: constants, and program.local[i] from \p locals.
 [[nodiscard]] std::vector<std::array<float, 4>>
 parameterRows(const ir::Program &program, const std::vector<std::array<float, 4>> &locals);

@@ -98,11 +98,7 @@ struct Scene {
 
   /// An input's value as the function computes it.
   float at(int input, int component, int x, int y) const {
-    const abi::Plane &plane = primitive.inputs[input][component];
-    volatile const float row = plane.dy * float(y - primitive.originY);
-    volatile const float sum = plane.c + row;
-    volatile const float along = plane.dx * float(x - primitive.originX);
-    return sum + along;
+    return valueAt(*engine, primitive.inputs[input][component], x, y - data.originY);
   }
 
   std::unique_ptr<jit::Engine> engine;
