@@ -21,10 +21,6 @@ from x_server import XServer
 
 # Of the draws of the scenes, as many at least must be the rasterizer's.
 MOST_DRAWN = 0.8
-# Mesa's llvmpipe blends bytes as bytes: it rounds source times alpha and destination times the rest, each to a
-# step, where the rasterizer rounds their sum once. A pixel that two bitmaps blended may be two steps apart
-# (seed 368: 216 of the host's, 214 of the rasterizer's, 214.3 by 4.1.8); so many of a picture at most.
-MOST_BLENDED_TWICE = 16
 # RGBA of what OpenGL 2.1 (2.13, 3.7, 3.9, 3.10) makes of the values that rasterizer-bitmaps sets.
 RULES = {
     "rule texture coordinates": (64, 191, 128, 255),
@@ -42,13 +38,6 @@ RULES = {
 FONTS = {"font before": True, "font in names of GenLists": True, "font in other names": True,
          "font in another context": True, "font of another context": True,
          "font and a list of the application's": True, "font deleted": False}
-
-
-def judge_scenes(bare, layer):
-    """As sides.differences(), but for pixels that were blended twice."""
-    near = [(what, a if distance <= 2 and 0 < far <= MOST_BLENDED_TWICE else b)
-            for (what, a), (_, b) in zip(bare, layer) for far, distance in [sides.distances(a, b)]]
-    return sides.differences(bare, near if [w for w, _ in bare] == [w for w, _ in layer] else layer)
 
 
 def judge_rules(client, env):
@@ -105,9 +94,9 @@ def main():
                                   {**extra, "ARBITER_STATS": str(stats)})
         try:
             bare = sides.run(command, sides.environment(extra=extra))
-            results["scenes"] = judge_scenes(bare, sides.run(command, layer))
+            results["scenes"] = sides.differences(bare, sides.run(command, layer))
             part = sides.software_statistics(stats)
-            results["shared scenes"] = judge_scenes(
+            results["shared scenes"] = sides.differences(
                 sides.run(shared, sides.environment(extra=extra)), sides.run(shared, layer))
             fonts = [client, "fonts"]
             results["fonts"] = judge_fonts(sides.run(fonts, sides.environment(extra=extra)), sides.run(fonts, layer))

@@ -122,6 +122,10 @@ void PixelWriter::write(const PixelPlace &place, const FragmentColors &fragment,
     }
     const PixelType type = pixelType(m_code, target.format.layout);
     Value *const old = m_targets[i].load(place, type.type, type.parts);
+    if (target.format.layout == abi::Layout::U8x4) {
+      storePixels(place, blendedBytes(fragment, i, old), i, mask, old);
+      continue;
+    }
     // Of a fixed-point buffer every operand is clamped, whatever fragment clamping says
     // (ARB_color_buffer_float, changes to 4.1.7).
     const bool fixedPoint = !abi::isFloat(target.format.layout);

@@ -53,6 +53,9 @@ private:
   /// The stored bits of texels that were sampled and not touched; null where it was another colour.
   [[nodiscard]] Value *passedThrough(const FragmentColors &fragment, const Vec &color,
                                      const abi::ColorTargetKey &target);
+  /// Blends buffers of four bytes as hosts do: in bytes, each product rounded to one.
+  /// \param old what was there
+  [[nodiscard]] Value *blendedBytes(const FragmentColors &fragment, std::size_t target, Value *old);
   [[nodiscard]] Vec blended(const Vec &source, const Vec &dest, const abi::BlendKey &key,
                             bool fixedPoint);
   [[nodiscard]] Value *uniform(std::size_t offset, bool clamped = false);

@@ -1,6 +1,8 @@
+#include "fp_compiler/back/llvm/pixel/blend_bytes.h"
 #include "fp_compiler/back/llvm/pixel/pixel.h"
 
-/// Blending (4.1.7 of OpenGL 1.4): in floats, rounded once where the result is stored.
+/// Blending (4.1.7 of OpenGL 1.4): of buffers of four bytes in bytes, of others in floats, rounded
+/// once where the result is stored.
 namespace arbiter::fp::llvm_back {
 
 namespace {
@@ -56,6 +58,25 @@ Value *scaled(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t
   return by ? code.ir.CreateFMul(value, by) : value;
 }
 } // namespace
+
+Value *PixelWriter::blendedBytes(const FragmentColors &fragment, std::size_t target, Value *old) {
+  const abi::ColorTargetKey &key = m_key.targets[target];
+  Vec constant = {};
+  for (std::size_t c = 0; c < 4; ++c)
+    constant[c] = uniform(offsetof(abi::FragmentData, blendColor) + sizeof(float) * c, true);
+  const abi::From alpha = key.format.swizzle[3];
+  if (alpha <= abi::From::C3)
+    return blendBytes(m_code, key.format, key.blend, pixelsOf(fragment, target), int(alpha), old,
+                      constant);
+  // The source's alpha takes a byte of the pixel that is not stored.
+  int spare = 0;
+  while (spare < 3 && componentOf(key.format, spare) >= 0)
+    ++spare;
+  abi::Format whole = key.format;
+  whole.swizzle[3] = abi::From(spare);
+  return blendBytes(m_code, key.format, key.blend,
+                    packPixels(m_code, whole, fragment.colors[target]), spare, old, constant);
+}
 
 Vec PixelWriter::blended(const Vec &source, const Vec &dest, const abi::BlendKey &key,
                          bool fixedPoint) {

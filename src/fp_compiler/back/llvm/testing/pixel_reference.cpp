@@ -105,6 +105,26 @@ double equated(abi::BlendEquation equation, double s, double d, double sf, doubl
   return 0;
 }
 
+/// The same of bytes, as hosts have it: operands and factors are rounded to 255ths, and so is each
+/// product. A 255th of v * f is 257 * v * f / 65536, to the nearest.
+double equatedBytes(abi::BlendEquation equation, double s, double d, double sf, double df) {
+  const auto byteOf = [](double value) { return int(std::nearbyint(value * 255)); };
+  const auto product = [&](double value, double by) {
+    return (byteOf(value) * byteOf(by) * 257 + 32768) >> 16;
+  };
+  if (equation == abi::BlendEquation::Min || equation == abi::BlendEquation::Max)
+    return equated(equation, byteOf(s) / 255.0, d, 1, 1);
+  return std::clamp(equated(equation, product(s, sf), product(d, df), 1, 1), 0.0, 255.0) / 255;
+}
+
+/// Operands of a blend, each in 255ths.
+std::array<double, 4> inBytes(const std::array<double, 4> &color) {
+  std::array<double, 4> rounded = color;
+  for (double &component : rounded)
+    component = std::nearbyint(component * 255) / 255;
+  return rounded;
+}
+
 std::uint32_t logic(abi::LogicOp op, std::uint32_t s, std::uint32_t d) {
   const std::uint32_t results[] = {0,     s & d,  s & ~d,   s,        ~s & d, d,
                                    s ^ d, s | d,  ~(s | d), ~(s ^ d), ~d,     s | ~d,
@@ -221,6 +241,12 @@ ReferencePixel shadeReference(const abi::FragmentKey &key, const abi::FragmentDa
     return result;
   const abi::ColorTargetKey &target = key.targets[0];
   const abi::BlendKey &blend = target.blend;
+  const bool bytes = layout == abi::Layout::U8x4;
+  if (bytes && blend.enabled) {
+    source = inBytes(source);
+    for (float &component : constant)
+      component = std::nearbyint(component * 255.0f) / 255.0f;
+  }
   std::uint32_t packed = 0, kept = 0;
   for (std::size_t c = 0; c < 4; ++c) {
     const abi::From at = target.format.swizzle[c];
@@ -236,7 +262,7 @@ ReferencePixel shadeReference(const abi::FragmentKey &key, const abi::FragmentDa
       continue;
     result.written[c] = true;
     if (blend.enabled && !key.logicOpEnabled)
-      result.color[c] = equated(
+      result.color[c] = (bytes ? equatedBytes : equated)(
           c == 3 ? blend.alpha : blend.color, source[c], dest[c],
           factorOf(c == 3 ? blend.sourceAlpha : blend.sourceColor, source, dest, constant, c),
           factorOf(c == 3 ? blend.destAlpha : blend.destColor, source, dest, constant, c));
