@@ -65,6 +65,16 @@ void readUse(const Json &json, CapturedProgram &program) {
   }
 }
 
+/// A record of an earlier version has one path for all draws.
+void addPaths(const Json &json, CapturedProgram &program) {
+  const auto draws = json.at("draws").get<std::uint64_t>();
+  if (!json.contains("draws_by") && draws != 0)
+    program.drawsBy[json.at("path").get<std::string>()] += draws;
+  if (json.contains("draws_by"))
+    for (const auto &[path, count] : json.at("draws_by").items())
+      program.drawsBy[path] += count.get<std::uint64_t>();
+}
+
 /// Adds what one process says of a program to what others said.
 void mergeProgram(const Json &json, std::uint64_t process, Programs &programs) {
   const CaptureTarget *const target = findCaptureTarget(json.at("target").get<std::string>());
@@ -78,6 +88,7 @@ void mergeProgram(const Json &json, std::uint64_t process, Programs &programs) {
   program.loads += json.at("loads").get<std::uint64_t>();
   program.frames += json.at("frames").get<std::uint64_t>();
   program.draws += json.at("draws").get<std::uint64_t>();
+  addPaths(json, program);
   program.replaced |= json.at("replaced").get<bool>();
   program.processes.insert(process);
   for (const Json &context : json.at("contexts"))
@@ -99,7 +110,6 @@ void mergeProgram(const Json &json, std::uint64_t process, Programs &programs) {
     return;
   readUse(json, program);
   program.lastUse = lastUse;
-  program.path = json.at("path").get<std::string>();
 }
 
 void mergeRecord(const Json &json, CaptureIndex &index, Programs &programs) {
@@ -176,7 +186,11 @@ void writeProgram(JsonWriter &json, const CapturedProgram &program) {
   json.key("bytes").value(std::uint64_t(program.text.size()));
   json.key("edited").value(program.edited).key("replaced").value(program.replaced);
   json.key("loads").value(program.loads).key("frames").value(program.frames);
-  json.key("draws").value(program.draws).key("path").value(program.path);
+  json.key("draws").value(program.draws).key("path").value(program.path());
+  json.key("draws_by").beginObject();
+  for (const auto &[path, count] : program.drawsBy)
+    json.key(path.c_str()).value(count);
+  json.endObject();
   json.key("processes").beginArray();
   for (const std::uint64_t process : program.processes)
     json.value(process);
@@ -211,6 +225,18 @@ void writeProgram(JsonWriter &json, const CapturedProgram &program) {
 }
 
 } // namespace
+
+std::string CapturedProgram::path() const {
+  if (drawsBy.size() == 1)
+    return drawsBy.begin()->first;
+  std::vector<std::pair<std::string, std::uint64_t>> sorted(drawsBy.begin(), drawsBy.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto &a, const auto &b) { return a.second > b.second; });
+  std::string text;
+  for (const auto &[name, count] : sorted)
+    text += (text.empty() ? "" : ", ") + name + " " + std::to_string(count);
+  return text;
+}
 
 const CaptureTarget *findCaptureTarget(std::string_view word) {
   for (const CaptureTarget &target : kTargets)

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,8 +44,8 @@ struct CapturedProgram {
   bool replaced = false; ///< another text was loaded in its place
   std::uint64_t loads = 0, frames = 0, draws = 0;
   std::set<std::uint64_t> processes;
-  std::set<std::string> contexts; ///< "process.context"
-  std::string path;               ///< of its last draw, as in the statistics
+  std::set<std::string> contexts;               ///< "process.context"
+  std::map<std::string, std::uint64_t> drawsBy; ///< draws by path, as in the statistics
   std::vector<std::string> options;
   std::int64_t lastUse = -1; ///< ns since the epoch; of parameters and textures
   std::vector<CapturedParameter> parameters;
@@ -58,6 +59,9 @@ struct CapturedProgram {
 
   [[nodiscard]] std::string file() const { return hash + target->extension; }
   [[nodiscard]] bool valid() const { return counted; }
+  /// The path of its draws; of several each with its number, most draws first: "rasterizer 120,
+  /// host-glsl 3".
+  [[nodiscard]] std::string path() const;
 };
 
 struct CapturedProcess {

@@ -82,8 +82,8 @@ std::string details(const CapturedProgram &program) {
                      number(program.text.size()) + " bytes, " + verdict(program);
   html += program.recorded ? "" : "; its process was killed before it wrote a record";
   html += program.edited ? "; the file was edited since the application loaded it" : "";
-  if (!program.path.empty())
-    html += "; drawn by " + escaped(program.path);
+  if (const std::string path = program.path(); !path.empty())
+    html += "; drawn by " + escaped(path);
   html += ". <a href=\"" + program.file() + "\">text</a>";
   if (program.target->language != fp::ir::Language::AtiFragment &&
       !isNvparse(program.target->language))

@@ -85,6 +85,15 @@ class Defaults(Temporary):
         result = arbiter('defaults', '--', wine, game, '-x', ARBITER_DEFAULTS=self.folder_of(a=text))
         self.assertIn('entry    A game, by windows Game.EXE', result.stdout)
 
+    def test_windows_programs_where_wine_is_not_installed(self):
+        text = GOOD.replace('match.name = "game"', 'match.windows = "game.exe"')
+        folder = self.folder_of(a=text)
+        seen = arbiter('defaults', '--', 'wine', 'Game.EXE', ARBITER_DEFAULTS=folder, PATH='/none')
+        self.assertEqual((seen.returncode, seen.stderr), (0, 'arbiter: wine: not found in PATH\n'))
+        self.assertIn('entry    A game, by windows Game.EXE', seen.stdout)
+        seen = arbiter('defaults', '--', 'wine', 'game', ARBITER_DEFAULTS=folder, PATH='/none')
+        self.assertEqual((seen.returncode, seen.stdout), (1, ''))
+
     def test_tests_a_file(self):
         good = self.path('good.toml', GOOD)
         result = arbiter('defaults', '--check', good)

@@ -88,6 +88,26 @@ class Bare(Temporary):
         document = self.path('a.fp', SAMPLE.format('#@ size 2 2\n#@ texture 0 = a.dds, linear'))
         self.assertEqual(self.pixel(document), [255, 0, 0, 255], 'without the word the first level')
 
+    def test_a_volume_has_its_slices_below_each_other(self):
+        slices = [b'\xff\0\0\xff', b'\0\xff\0\xff', b'\0\0\xff\xff', b'\xff\xff\xff\xff']
+        write_png(self.path('slices.png'), 1, 4, slices)
+        text = ('!!ARBfp1.0\n#@ size 2 2{}\nTEMP t;\nMOV t, fragment.texcoord[0];\n'
+                'MOV t.z, program.local[0].x;\nTEX result.color, t, texture[0], 3D;\nEND\n')
+        document = self.path('a.fp', text.format(', texture 0 = slices.png, nearest, edge'))
+        for i, colour in enumerate(slices):
+            self.assertEqual(self.pixel(document, '--local', f'0={(i + 0.5) / 4}'), list(colour))
+        self.assertEqual(self.pixel(document, '--local', '0=7'), list(slices[3]), 'the edge in r')
+        bare = self.path('b.fp', text.format(''))
+        self.assertEqual(self.pixel(bare, '--texture', f"0={self.path('slices.png')}", '--local',
+                                    '0=0.125'), list(slices[0]))
+        # What is no stack of squares is one slice; what is drawn is none.
+        write_png(self.path('wide.png'), 2, 1, [b'\xff\0\0\xff\0\0\xff\xff'])
+        document = self.path('c.fp', text.format(', texture 0 = wide.png, nearest'))
+        self.assertEqual(self.pixel(document, '--local', '0=0.9'), list(slices[0]))
+        result = self.draw(self.path('d.fp', text.format(', texture 0 = feedback of checker')))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn('samples texture[0] as 3D, and this is a 2D image', result.stderr)
+
     def test_a_mesh_from_a_file(self):
         # A triangle of the left lower half; its texture coordinates are red and green.
         mesh = self.path('a.obj', 'v 3 3 0\nv 5 3 0\nv 3 5 0\nvt 1 0\nvt 1 0\nvt 1 0\nf 1/1 2/2 3/3\n')

@@ -182,6 +182,17 @@ class Draw(Temporary):
         self.assertEqual(result.returncode, 1)
         self.assertEqual(first.read_text(), GOOD)
 
+    def test_a_file_that_is_not_there_is_named(self):
+        sampling = '!!ARBfp1.0\nTEX result.color, fragment.texcoord[0], texture[0], 2D;\nEND\n'
+        seen = self.draw(sampling, '--texture', '0=/none.png')
+        self.assertEqual((seen.returncode, seen.stderr),
+                         (1, 'arbiter: --texture 0: /none.png: No such file or directory\n'))
+        mesh = self.path('empty.obj', 'v 1\n')
+        seen = self.draw(GOOD, '--mesh', mesh)
+        self.assertEqual((seen.returncode, seen.stderr), (1, f'arbiter: {mesh}: it has no face\n'))
+        seen = self.draw(GOOD, '--texture', '99=checker')
+        self.assertRegex(seen.stderr, '^arbiter: --texture 99')
+
     def test_usage_errors(self):
         for options in (('--texture', '0'), ('--texture', 'x=checker'), ('--texture', '0=/none.png'),
                         ('--local', '0=1,2,3,4,5'), ('--local', '0=a'), ('--env', '0:1'),

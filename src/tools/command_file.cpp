@@ -85,9 +85,9 @@ defaults::Facts factsOf(const CommandFile &command) {
   facts.environment = [](const char *name) -> const char * { return std::getenv(name); };
   facts.words = command.words;
   facts.executable = command.path;
-  const std::string name = fs::path(command.found).filename();
-  if (defaults::isLoader(name)) {
-    facts.executable = command.found; // the name that the user knows; a link of Debian's leads on
+  const std::string &known = command.found.empty() ? command.words.front() : command.found;
+  if (defaults::isLoader(fs::path(known).filename().native())) {
+    facts.executable = known; // the name that the user knows; a link of Debian's leads on
     return facts;
   }
   if (command.interpreter.empty())

@@ -118,6 +118,12 @@ class Run(Temporary):
                     ('--extensions-max-length', '4k')):
             self.assertEqual(arbiter('run', '--library', FAKE, *bad, '--', 'true').returncode, 1)
 
+    def test_records_that_are_not_there(self):
+        for words in (('stats', self.path('none.json')), ('stats', self.path('none-%p.json'))):
+            seen = arbiter(*words)
+            self.assertEqual((seen.returncode, seen.stdout), (1, ''))
+            self.assertIn('no process that was killed left a record of', seen.stderr)
+
 
 class Capture(Temporary):
     def capture(self, *words):

@@ -178,12 +178,14 @@ int showDefaults(const DefaultsArguments &arguments) {
     list(files, arguments.json);
   } else {
     const CommandFile command = findCommand(arguments.command);
+    defaults::Program program = defaults::programOf(factsOf(command));
     if (command.found.empty()) {
       complain(command.problem);
-      return kExitUsage;
+      // What a loader that is not here would run is known by its name all the same.
+      if (program.windows.empty())
+        return kExitUsage;
     }
-    explain(defaults::choose(defaults::programOf(factsOf(command)), std::move(files), environment),
-            arguments.json);
+    explain(defaults::choose(std::move(program), std::move(files), environment), arguments.json);
   }
   return anyError && !arguments.check.empty() ? kExitInvalid : kExitOk;
 }

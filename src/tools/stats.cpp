@@ -15,10 +15,12 @@ int stats(const StatsArguments &arguments) {
     return kExitUsage;
   }
   const int made = completeRecords(absolute.lexically_normal());
-  std::printf("%d\n", made);
-  if (made == 0)
+  if (made == 0) {
     complain("no process that was killed left a record of " + arguments.file);
-  return made == 0 ? kExitUsage : kExitOk;
+    return kExitUsage;
+  }
+  std::printf("%d\n", made);
+  return kExitOk;
 }
 
 } // namespace arbiter::tools

@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -88,7 +89,7 @@ class Capture(Folder):
         self.assertEqual(checked['files'][0]['hash'], program['hash'])
         self.assertEqual((program['target'], program['loads'], program['draws']),
                          ('fragment', 1, 3))
-        self.assertEqual(program['path'], 'host-glsl')
+        self.assertEqual(sum(program['draws_by'].values()), 3)
         self.assertIsNone(program['error'])
         for name, row in checked['files'][0]['counts'].items():
             self.assertEqual(program['counts'][name], row['used'], name)
@@ -98,6 +99,23 @@ class Capture(Folder):
                          [(0, '2D', 32, 'RGBA8'), (1, '2D', 32, 'RGBA8')])
         self.assertEqual([p['name'] for p in program['parameters']],
                          [f'program.local[{i}]' for i in range(3)])
+
+    def test_who_drew_is_counted(self):
+        for backend, path in (('host', 'host-glsl'), ('swrast', 'rasterizer')):
+            folder = self.folder.parent / backend
+            result = run(ARBITER, 'capture', '--backend', backend, '-o', folder, '--', LIGHTING,
+                         '--headless', '--size', '32x32', '--frames', '3')
+            self.assertEqual(result.returncode, 0, result.stderr)
+            program, = json.loads((folder / 'index.json').read_text())['programs']
+            self.assertEqual((program['path'], program['draws_by']), (path, {path: 3}))
+            self.assertIn(f'drawn by {path}.', (folder / 'index.html').read_text())
+        # Both halves of a run, as two processes that one index is of.
+        record, = (self.folder.parent / 'swrast').glob('process-*.json')
+        shutil.copy(record, self.folder.parent / 'host' / ('process-2' + record.name[7:]))
+        run(ARBITER, 'capture', '--index-only', '-o', self.folder.parent / 'host')
+        program, = json.loads((self.folder.parent / 'host' / 'index.json').read_text())['programs']
+        self.assertEqual(program['draws_by'], {'host-glsl': 3, 'rasterizer': 3})
+        self.assertEqual(program['path'], 'host-glsl 3, rasterizer 3')
 
     def test_parameters_are_those_of_the_last_draw(self):
         index = self.capture(TICKER, 'fragment', '3')

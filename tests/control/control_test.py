@@ -147,6 +147,31 @@ class Windows(Painting):
         self.assertGreater(sum(stats['draws'].values()), 0)
         self.unchanged(output)
 
+    def test_textures_look_as_samplers_see_them(self):
+        seen = {11: [64, 64, 64, 255], 12: [64, 64, 64, 8], 13: [64, 64, 64, 64], 14: [0, 0, 0, 8],
+                15: [64, 32, 16, 255], 0: [64, 64, 64, 255]}
+        png = self.folder / 'texture.png'
+        for more, words in self.CASES:
+            with self.subTest(options=more, words=words), \
+                    self.painting(*words, options=('--control', *more)) as output:
+                self.assertTrue(output.waits_for('middle 255 255 0'))
+                rows = json.loads(self.ctl('--json', 'textures').stdout)['textures']
+                # Without a name, and on every unit that has no other.
+                self.assertEqual([(row['unit'], row['target'], row['width'], row['format'])
+                                  for row in rows if row['name'] == 0], [(1, '2D', 2, 'LUMINANCE')])
+                for name, colour in seen.items():
+                    self.ctl('texture', str(name), '-o', png)
+                    self.assertEqual(list(pixels(png)[1][0][:4]), colour, name)
+                self.ctl('texture', '0:2D', '-o', png)
+                self.ctl('texture', '0:3D', '-o', png, code=1)
+                green = green_picture(self.folder / 'green.png', 2)
+                lines = f'paint 0 {green}\ntexture 0 {png}\n'
+                self.ctl('-', feed=lines)
+                self.assertEqual(list(pixels(png)[1][0][:4]), [0, 0, 0, 255])
+                self.ctl('texture', '0', '-o', png)
+                self.assertEqual(list(pixels(png)[1][0][:4]), seen[0], 'the own image is not back')
+                self.unchanged(output)
+
     def test_actions_by_lines(self):
         png = self.folder / 'frame.png'
         text = self.folder / 'mine.fp'
@@ -173,13 +198,13 @@ class Windows(Painting):
             self.assertTrue(output.waits_for('shown 0'), 'without --hud there are none')
 
 
-def green_picture(path):
-    """A PNG of 16x16 whose every pixel is green."""
+def green_picture(path, side=16):
+    """A square PNG whose every pixel is green."""
     def chunk(kind, data):
         return (len(data).to_bytes(4, 'big') + kind + data +
                 zlib.crc32(kind + data).to_bytes(4, 'big'))
-    head = (16).to_bytes(4, 'big') * 2 + b'\x08\x06\0\0\0'
-    rows = zlib.compress((b'\0' + b'\0\xff\0\xff' * 16) * 16)
+    head = side.to_bytes(4, 'big') * 2 + b'\x08\x06\0\0\0'
+    rows = zlib.compress((b'\0' + b'\0\xff\0\xff' * side) * side)
     path.write_bytes(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'IDAT', rows) +
                      chunk(b'IEND', b''))
     return path

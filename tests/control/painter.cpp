@@ -101,7 +101,28 @@ GLuint makeBuffer(GLenum target) {
   return name;
 }
 
+/// A texture of each base format, 11 and up on unit 3 and up, and one that has no name.
+void makeLooks() {
+  constexpr GLenum kFormats[] = {GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_ALPHA, GL_RGB};
+  std::array<unsigned char, 16> texels{};
+  for (std::size_t i = 0; i < texels.size(); i += 4) {
+    texels[i] = 64;
+    texels[i + 1] = 32;
+    texels[i + 2] = 16;
+    texels[i + 3] = 8;
+  }
+  for (GLuint i = 0; i < std::size(kFormats); ++i) {
+    glActiveTexture(GL_TEXTURE3 + i);
+    glBindTexture(GL_TEXTURE_2D, 11 + i);
+    glTexImage2D(GL_TEXTURE_2D, 0, GLint(kFormats[i]), 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 texels.data());
+  }
+  glActiveTexture(GL_TEXTURE0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+}
+
 void makeObjects(bool framebuffer) {
+  makeLooks();
   // A name that Gen did not give.
   glBindTexture(GL_TEXTURE_2D, 5);
   std::vector<unsigned char> white(16 * 16 * 4, 255);

@@ -208,6 +208,29 @@ class VsCode(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
+class Neovim(unittest.TestCase):
+    def test_the_documented_settings_show_diagnostics(self):
+        if not shutil.which('nvim'):
+            self.skipTest('no Neovim on this machine')
+        page = (ROOT / 'docs' / 'editors.md').read_text()
+        settings = re.search(r'## Neovim\n+```\n(.*?)```', page, re.S).group(1)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / 'init.lua').write_text(settings.replace('/path/to/arbiter/editors/vim', str(VIM)))
+            (folder / 'look.lua').write_text(
+                'vim.wait(20000, function() return #vim.diagnostic.get(0) > 0 end)\n'
+                'for _, each in ipairs(vim.diagnostic.get(0)) do\n'
+                "  io.stdout:write(each.lnum .. ':' .. each.col .. ' ' .. each.message .. '\\n')\nend\n")
+            (folder / 'bad.arbfp').write_text('!!ARBfp1.0\nMOV result.color, q;\nEND\n')
+            done = subprocess.run(
+                ['nvim', '--headless', '-u', folder / 'init.lua', folder / 'bad.arbfp',
+                 '-c', f'luafile {folder}/look.lua', '-c', 'qall!'],
+                capture_output=True, text=True, timeout=60, stdin=subprocess.DEVNULL,
+                env={**os.environ, 'XDG_STATE_HOME': name, 'XDG_DATA_HOME': name, 'XDG_CACHE_HOME': name,
+                     'PATH': f'{os.path.dirname(ARBITER)}:{os.environ["PATH"]}'})
+        self.assertIn("1:18 'q' is not declared", done.stdout, done.stderr)
+
+
 class Generated(unittest.TestCase):
     def test_files_are_fresh(self):
         done = subprocess.run([sys.executable, ROOT / 'editors' / 'generate.py', '--check'],

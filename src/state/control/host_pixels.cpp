@@ -179,16 +179,34 @@ std::vector<BoundTexture> boundTextures(Context &context) {
       if (targets[i].target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
         continue;
       BoundTexture texture = {get(host, targets[i].query), GLuint(unit), i};
-      if (texture.name == 0)
+      const auto isSame = [&](const BoundTexture &other) {
+        return other.name == 0 && other.target == i;
+      };
+      // Units that have no texture of their own share the target's default one.
+      if (texture.name == 0 && std::any_of(found.begin(), found.end(), isSame))
         continue;
       texture.width = levelParameter(host, targets[i].image, 0, GL_TEXTURE_WIDTH);
       texture.height = levelParameter(host, targets[i].image, 0, GL_TEXTURE_HEIGHT);
       texture.depth = levelParameter(host, targets[i].image, 0, GL_TEXTURE_DEPTH);
       texture.format = levelParameter(host, targets[i].image, 0, GL_TEXTURE_INTERNAL_FORMAT);
-      found.push_back(texture);
+      if (texture.name != 0 || texture.width != 0)
+        found.push_back(texture);
     }
   }
   return found;
+}
+
+/// GetTexImage gives luminance and intensity as red alone (6.1.4); a sampler has them in all of its
+/// colours, intensity in alpha too (3.9.1).
+void spreadGrey(const host::HostTable &host, GLenum image, Picture &picture) {
+  const bool intensity = levelParameter(host, image, 0, GL_TEXTURE_INTENSITY_SIZE) != 0;
+  if (!intensity && levelParameter(host, image, 0, GL_TEXTURE_LUMINANCE_SIZE) == 0)
+    return;
+  for (std::size_t i = 0; i + 3 < picture.bytes.size(); i += 4) {
+    picture.bytes[i + 1] = picture.bytes[i + 2] = picture.bytes[i];
+    if (intensity)
+      picture.bytes[i + 3] = picture.bytes[i];
+  }
 }
 
 Picture readTexture(Context &context, const BoundTexture &texture, const char *&why) {
@@ -206,10 +224,11 @@ Picture readTexture(Context &context, const BoundTexture &texture, const char *&
   picture.bytes.resize(std::size_t(pixels) * 4);
   {
     const ActiveUnit active(host, texture.unit);
-    host.GetTexImage(textureTargets()[texture.target].image, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     picture.bytes.data());
+    const GLenum image = textureTargets()[texture.target].image;
+    host.GetTexImage(image, 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
+    picture.bytes.resize(std::size_t(picture.width) * std::size_t(picture.height) * 4);
+    spreadGrey(host, image, picture);
   }
-  picture.bytes.resize(std::size_t(picture.width) * std::size_t(picture.height) * 4);
   if (!errors.failed())
     return picture;
   why = "its format holds no colours";

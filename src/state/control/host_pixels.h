@@ -47,10 +47,11 @@ struct TextureTarget {
   GLenum target, query, image; ///< image: whose level 0 is asked for, of a cube its first face
 };
 [[nodiscard]] const std::array<TextureTarget, 5> &textureTargets();
-/// Every texture that is bound with a name, by unit.
+/// Every texture that is bound with a name, by unit; each target's texture of the name 0 once, if
+/// it has an image.
 [[nodiscard]] std::vector<BoundTexture> boundTextures(Context &context);
-/// Level 0, or of a cube its first face, of a volume its first slice. Empty with `why` where it
-/// cannot be read.
+/// Level 0, or of a cube its first face, of a volume its first slice, with the colours that a
+/// sampler has. Empty with `why` where it cannot be read.
 [[nodiscard]] Picture readTexture(Context &context, const BoundTexture &texture, const char *&why);
 /// All levels of a two-dimensional texture that has the picture's size: the picture, and smaller
 /// ones made of it as far as the texture has levels. False with `why`.

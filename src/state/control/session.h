@@ -74,7 +74,8 @@ public:
     BoundTexture texture;
     Picture own, written;
     std::weak_ptr<ShareGroup> group;
-    bool stale = false; ///< to be put back
+    std::uint32_t context = 0; ///< serial
+    bool stale = false;        ///< to be put back
   };
   [[nodiscard]] std::vector<OwnImage> &ownImages() { return m_ownImages; }
 

@@ -18,17 +18,25 @@ namespace {
 
 using wire::Json;
 
-Session::OwnImage *ownImageOf(Session &session, const Context &context, GLint name) {
+/// Names are a share group's; the textures of the name 0 are each context's own.
+bool isOf(const Session::OwnImage &image, const Context &context) {
+  return image.group.lock() == context.group &&
+         (image.texture.name != 0 || image.context == context.serial);
+}
+
+Session::OwnImage *ownImageOf(Session &session, const Context &context,
+                              const BoundTexture &texture) {
   auto &images = session.ownImages();
   const auto found = std::find_if(images.begin(), images.end(), [&](const auto &image) {
-    return image.texture.name == name && image.group.lock() == context.group;
+    return image.texture.name == texture.name && image.texture.target == texture.target &&
+           isOf(image, context);
   });
   return found == images.end() ? nullptr : &*found;
 }
 
 /// The texture that `name` and, where it is given, `target` say.
 std::optional<BoundTexture> findTexture(Call &call) {
-  const auto name = GLint(call.params.integer("name", 1, INT32_MAX));
+  const auto name = GLint(call.params.integer("name", 0, INT32_MAX));
   const std::string target = call.params.text("target", "");
   if (!call.params.ok())
     return std::nullopt;
@@ -109,7 +117,7 @@ private:
 
 /// The application's image again, unless the application has given the texture another since.
 void putBack(Context &context, const Session::OwnImage &image) {
-  if (!context.host->IsTexture(GLuint(image.texture.name)))
+  if (image.texture.name != 0 && !context.host->IsTexture(GLuint(image.texture.name)))
     return;
   BoundTexture texture = image.texture;
   const Rebound rebound(context, texture);
@@ -122,10 +130,9 @@ void putBack(Context &context, const Session::OwnImage &image) {
 
 void putBackStale(Context &context, std::vector<Session::OwnImage> &images) {
   std::erase_if(images, [&](const Session::OwnImage &image) {
-    const std::shared_ptr<ShareGroup> group = image.group.lock();
-    if (!image.stale || (group && group != context.group))
+    if (!image.stale || (!image.group.expired() && !isOf(image, context)))
       return false;
-    if (group)
+    if (!image.group.expired())
       putBack(context, image);
     return true;
   });
@@ -141,7 +148,7 @@ wire::Answer textureList(Call &call) {
                     {"height", texture.height},
                     {"depth", texture.depth},
                     {"format", formatName(texture.format)},
-                    {"changed", ownImageOf(call.session, call.context, texture.name) != nullptr}});
+                    {"changed", ownImageOf(call.session, call.context, texture) != nullptr}});
   return Json::object({{"textures", std::move(rows)}});
 }
 
@@ -172,7 +179,7 @@ wire::Answer textureSet(Call &call) {
   const char *why = "only formats of 8 bits a component can be replaced";
   if (!holdsBytes(call.context, *texture))
     return wire::Fault{wire::kNotPossible, why, {}};
-  Session::OwnImage *image = ownImageOf(call.session, call.context, texture->name);
+  Session::OwnImage *image = ownImageOf(call.session, call.context, *texture);
   Picture own;
   if (!image) {
     own = readTexture(call.context, *texture, why);
@@ -182,7 +189,8 @@ wire::Answer textureSet(Call &call) {
   if (!writeTexture(call.context, *texture, *picture, why))
     return wire::Fault{wire::kNotPossible, why, {}};
   if (!image) {
-    call.session.ownImages().push_back({*texture, std::move(own), {}, call.context.group, false});
+    call.session.ownImages().push_back(
+        {*texture, std::move(own), {}, call.context.group, call.context.serial, false});
     image = &call.session.ownImages().back();
   }
   image->stale = false;
@@ -193,7 +201,7 @@ wire::Answer textureSet(Call &call) {
 
 wire::Answer textureReset(Call &call) {
   const bool one = call.params.has("name");
-  const auto name = GLint(call.params.integer("name", 1, INT32_MAX, 1));
+  const auto name = GLint(call.params.integer("name", 0, INT32_MAX, 0));
   if (!call.params.ok())
     return call.params.fault();
   std::size_t count = 0;

@@ -82,13 +82,6 @@ TextureUse describeTexture(Context &context, const fp::GlslSampler &sampler) {
   return use;
 }
 
-/// Draws that took the path of the effective program, on the host or by the rasterizer.
-std::uint64_t drawsOf(const Context &context, std::size_t path) {
-  const std::uint64_t own =
-      context.linkedProgram ? context.draws[std::size_t(Path::Rasterizer)] : 0;
-  return context.draws[path] + own;
-}
-
 } // namespace
 
 void captureContextMade(Context &context) {
@@ -123,7 +116,8 @@ void captureEnter(Context &context) {
     return;
   CaptureEffective &effective = context.effective;
   effective.path = std::size_t(context.path);
-  effective.drawsBefore = drawsOf(context, effective.path);
+  effective.hostBefore = context.draws[effective.path];
+  effective.rasterizedBefore = context.draws[std::size_t(Path::Rasterizer)];
   const HostErrorScope scope(*context.host, context.pendingError);
   for (const LinkedProgramStage *const stage : context.linkedProgram->stages()) {
     if (!stage->compiled)
@@ -141,18 +135,26 @@ void captureLeave(Context &context) {
   if (!capturing())
     return;
   CaptureEffective &effective = context.effective;
-  const std::uint64_t draws = drawsOf(context, effective.path) - effective.drawsBefore;
+  const std::uint64_t host = context.draws[effective.path] - effective.hostBefore;
+  const std::uint64_t rasterized =
+      context.draws[std::size_t(Path::Rasterizer)] - effective.rasterizedBefore;
   for (std::size_t i = 0; i < kTargetCount; ++i) {
     const std::shared_ptr<const CompiledProgram> program = std::move(effective.programs[i]);
-    if (!program || draws == 0)
+    if (!program || host + rasterized == 0)
       continue;
     const std::vector<Vec4> *held = nullptr;
     if (LinkedProgram *const linkedProgram = context.linkedProgram)
       for (const LinkedProgramStage *const stage : linkedProgram->stages())
         if (stage->compiled == program.get())
           held = &stage->uploaded;
-    CaptureRecord::instance()->used({Target(i), program, context.serial, context.frames, draws,
-                                     pathName(Path(effective.path)), held, &effective.textures[i]});
+    CaptureRecord::instance()->used(
+        {Target(i),
+         program,
+         context.serial,
+         context.frames,
+         {{{pathName(Path(effective.path)), host}, {pathName(Path::Rasterizer), rasterized}}},
+         held,
+         &effective.textures[i]});
   }
 }
 

@@ -13,8 +13,9 @@ namespace arbiter::state {
 struct CaptureEffective {
   std::array<std::shared_ptr<const CompiledProgram>, kTargetCount> programs;
   std::array<std::vector<TextureUse>, kTargetCount> textures;
-  std::uint64_t drawsBefore = 0; ///< of the path, when they became effective
-  std::size_t path = 0;
+  std::size_t path = 0; ///< of their draws that the host draws
+  // When they became effective: of the path, and of the rasterizer.
+  std::uint64_t hostBefore = 0, rasterizedBefore = 0;
 };
 
 } // namespace arbiter::state

@@ -142,13 +142,13 @@ void CaptureRecord::used(const ProgramUse &use) {
     return;
   CaptureRow *const row = it->second.get();
   writeGlsl(*row, *use.program);
-  row->draws += use.draws;
+  for (const DrawsBy &draws : use.draws)
+    row->add(draws);
   row->replaced |= use.program->replaced();
   const std::pair frame(use.context, use.frame);
   row->frames += frame == row->lastFrame ? 0 : 1;
   row->lastFrame = frame;
   row->lastUse = now(CLOCK_REALTIME);
-  row->path = use.path;
   if (use.values) {
     row->program = use.program; // names the values
     row->values = *use.values;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -31,8 +32,7 @@ struct ProgramUse {
   std::shared_ptr<const CompiledProgram> program;
   std::uint32_t context = 0; ///< serial
   std::uint64_t frame = 0;   ///< of the context
-  std::uint64_t draws = 0;
-  const char *path = "";                     ///< pathName()
+  std::array<DrawsBy, 2> draws;
   const std::vector<Vec4> *values = nullptr; ///< of the program's GLSL uniforms; null: unknown
   const std::vector<TextureUse> *textures = nullptr;
 };

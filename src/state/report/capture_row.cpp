@@ -1,6 +1,7 @@
 #include "state/report/capture_row.h"
 
 #include <cstdio>
+#include <string_view>
 
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/resources.h"
@@ -101,10 +102,31 @@ std::vector<const char *> optionNames(const fp::ir::Options &options, bool verte
   return names;
 }
 
+void CaptureRow::add(const DrawsBy &added) {
+  if (added.count == 0)
+    return;
+  for (DrawsBy &each : draws)
+    if (std::string_view(each.path) == added.path) {
+      each.count += added.count;
+      return;
+    }
+  draws.push_back(added);
+}
+
 void CaptureRow::write(JsonWriter &json) const {
   json.beginObject();
   json.key("hash").value(hash).key("target").value(infoOf(target).word);
-  json.key("loads").value(loads).key("frames").value(frames).key("draws").value(draws);
+  std::uint64_t all = 0;
+  DrawsBy most;
+  for (const DrawsBy &each : draws) {
+    all += each.count;
+    most = each.count > most.count ? each : most;
+  }
+  json.key("loads").value(loads).key("frames").value(frames).key("draws").value(all);
+  json.key("draws_by").beginObject();
+  for (const DrawsBy &each : draws)
+    json.key(each.path).value(each.count);
+  json.endObject();
   json.key("replaced").value(replaced);
   json.key("contexts").beginArray();
   for (const std::uint32_t context : contexts)
@@ -125,7 +147,7 @@ void CaptureRow::write(JsonWriter &json) const {
     json.beginObject().key("position").value(errorPosition).key("text").value(error).endObject();
   if (!warning.empty())
     json.key("warning").value(warning);
-  json.key("last_use").value(lastUse).key("path").value(path);
+  json.key("last_use").value(lastUse).key("path").value(most.path);
   json.key("parameters").beginArray();
   for (std::size_t i = 0; program && i < values.size(); ++i) {
     json.beginObject();

@@ -36,6 +36,12 @@ inline constexpr FixedTarget kFixedTargets[] = {
     {GL_TEXTURE_CUBE_MAP, "TEXTURE_CUBE_MAP"},
 };
 
+/// Draws of one path.
+struct DrawsBy {
+  const char *path = ""; ///< pathName()
+  std::uint64_t count = 0;
+};
+
 /// The options of a program as it would spell them.
 [[nodiscard]] std::vector<const char *> optionNames(const fp::ir::Options &options, bool vertex);
 
@@ -43,7 +49,8 @@ inline constexpr FixedTarget kFixedTargets[] = {
 struct CaptureRow {
   Target target = Target::Fragment;
   std::string hash;
-  std::uint64_t loads = 0, frames = 0, draws = 0;
+  std::uint64_t loads = 0, frames = 0;
+  std::vector<DrawsBy> draws; ///< each path once, none without a draw
   std::set<std::uint32_t> contexts;
   std::vector<const char *> options;
   bool counted = false;
@@ -56,11 +63,11 @@ struct CaptureRow {
   // Of the last use.
   std::pair<std::uint32_t, std::uint64_t> lastFrame{0, ~std::uint64_t{0}}; ///< context and frame
   std::int64_t lastUse = -1;                                               ///< ns since the epoch
-  const char *path = "";
   std::shared_ptr<const CompiledProgram> program;
   std::vector<Vec4> values; ///< of program->glsl.uniforms
   std::vector<TextureUse> textures;
 
+  void add(const DrawsBy &draws);
   /// One element of the record's "programs".
   void write(JsonWriter &json) const;
 };

@@ -32,6 +32,7 @@ CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::Lim
   const fp::Limits limits = limitsOf(card, language);
   const fp::CheckResult result = fp::checkProgramIn(text, program, {limits, policy});
   CardCell cell;
+  cell.hasLanguage = language != fp::ir::Language::ArbFragment || limits.native.instructions != 0;
   if (!result.ok()) {
     cell.status = FileStatus::Invalid;
     cell.why = firstError(result, text);
@@ -44,19 +45,25 @@ CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::Lim
     if (row.of(language) && result.nativeCounts.*row.member > limits.native.*row.member)
       cell.over.push_back({&row, result.nativeCounts.*row.member, limits.native.*row.member});
   const auto report = fp::hw::explainNative(*result.program, result.counts, limits, text);
-  if (!report.reasons.empty())
+  if (!cell.hasLanguage)
+    cell.why = "the card has no fragment programs";
+  else if (!report.reasons.empty())
     cell.why = report.reasons.front().text;
   return cell;
 }
 
-const char *word(FileStatus status) {
-  return status == FileStatus::Valid ? "fits" : status == FileStatus::OverNative ? "over" : "no";
+bool loads(const CardCell &cell) {
+  return cell.status == FileStatus::OverNative && cell.hasLanguage;
 }
 
-Colour colourOf(FileStatus status) {
-  return status == FileStatus::Valid        ? Colour::Good
-         : status == FileStatus::OverNative ? Colour::Close
-                                            : Colour::Bad;
+const char *word(const CardCell &cell) {
+  return cell.status == FileStatus::Valid ? "fits" : loads(cell) ? "over" : "no";
+}
+
+Colour colourOf(const CardCell &cell) {
+  return cell.status == FileStatus::Valid ? Colour::Good
+         : loads(cell)                    ? Colour::Close
+                                          : Colour::Bad;
 }
 
 std::string padded(const std::string &text, std::size_t width) {
@@ -66,6 +73,8 @@ std::string padded(const std::string &text, std::size_t width) {
 std::string reasonOf(const CardCell &cell) {
   if (cell.status == FileStatus::Invalid)
     return "not valid: " + cell.why;
+  if (!cell.hasLanguage)
+    return cell.why;
   std::string text = "over the native limits";
   const char *between = ": ";
   for (const OverCount &over : cell.over) {
@@ -141,11 +150,11 @@ std::string CardMatrix::text(const Style &style, bool reasons) const {
   for (const CardRow &row : m_rows) {
     text += padded(shown(row.name), width);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
-      const FileStatus status = row.cells[i].status;
+      const CardCell &cell = row.cells[i];
       const bool last = i + 1 == m_cards.size();
-      text += "  " + painted(word(status), colourOf(status), style);
+      text += "  " + painted(word(cell), colourOf(cell), style);
       const std::size_t column = std::max<std::size_t>(m_cards[i]->name.size(), 4);
-      text += last ? "" : std::string(column - std::string_view(word(status)).size(), ' ');
+      text += last ? "" : std::string(column - std::string_view(word(cell)).size(), ' ');
     }
     text += "\n";
   }
@@ -157,7 +166,8 @@ std::string CardMatrix::text(const Style &style, bool reasons) const {
     counts.erase(counts.find_last_not_of(' ') + 1);
     text += counts + "\n";
   }
-  text += "fits: within the card's own limits; over: loads, and is over them; no: is refused\n";
+  text += "fits: within the card's own limits; over: loads, and is over them; no: is refused, or "
+          "the card has no such programs\n";
   for (const CardRow &row : m_rows)
     for (std::size_t i = 0; reasons && i < m_cards.size(); ++i)
       if (row.cells[i].status != FileStatus::Valid)

@@ -23,9 +23,10 @@ struct OverCount {
 /// One program under one card.
 struct CardCell {
   FileStatus status = FileStatus::Valid;
+  bool hasLanguage = true; ///< false: the card runs no program of the language
   std::vector<OverCount> over;
-  /// Not valid: the first error with its line and column. Over native: the first reason of the
-  /// card's model, if it has one.
+  /// Not valid: the first error with its line and column. Over native: that the card has no such
+  /// programs, or the first reason of its model, if it has one.
   std::string why;
 };
 

@@ -1,7 +1,9 @@
 // Textures and frames as PNG.
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 
 #include "control/base64.h"
 #include "scene/picture.h"
@@ -16,13 +18,22 @@ namespace {
 using scene::Picture;
 using wire::Json;
 
-bool parseName(const std::string &word, int &name) {
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), name);
-  return error == std::errc() && end == word.data() + word.size() && name > 0;
+/// "7", or with its target "0:3D", as members of a request.
+std::optional<Json> parseName(const std::string &word) {
+  int name = 0;
+  const std::size_t mark = std::min(word.find(':'), word.size());
+  const auto [end, error] = std::from_chars(word.data(), word.data() + mark, name);
+  if (error != std::errc() || end != word.data() + mark || name < 0)
+    return std::nullopt;
+  Json params = {{"name", name}};
+  if (mark < word.size())
+    params["target"] = word.substr(mark + 1);
+  return params;
 }
 
 int badName(const std::string &word) {
-  return fail({kExitUsage, "a texture is a number (arbiter ctl textures), not " + word});
+  return fail(
+      {kExitUsage, "a texture is a number, or NUMBER:TARGET (arbiter ctl textures), not " + word});
 }
 
 int write(const std::string &path, const Picture &picture) {
@@ -77,13 +88,14 @@ int listTextures(Session &session, const Words &) {
 }
 
 int getTexture(Session &session, const Words &words) {
-  int name = 0;
-  if (!parseName(words[0], name))
+  std::optional<Json> params = parseName(words[0]);
+  if (!params)
     return badName(words[0]);
+  (*params)["size"] = 512;
   const std::string path = words.size() > 1 ? words[1] : session.output;
   if (path.empty())
     return fail({kExitUsage, "say where the picture goes: -o FILE.png"});
-  const auto answer = session.connection.ask("texture.get", {{"name", name}, {"size", 512}});
+  const auto answer = session.connection.ask("texture.get", *params);
   if (!answer)
     return fail(answer.error());
   const Picture picture = pictureOf(answer.value());
@@ -93,19 +105,16 @@ int getTexture(Session &session, const Words &words) {
 }
 
 int setTexture(Session &session, const Words &words) {
-  int name = 0;
-  if (!parseName(words[0], name))
+  std::optional<Json> params = parseName(words[0]);
+  if (!params)
     return badName(words[0]);
   const auto picture = scene::readPng(words[1]);
   if (!picture)
     return fail({kExitUsage, picture.error().message});
   const Picture &value = picture.value();
-  const auto answer =
-      session.connection.ask("texture.set", {{"name", name},
-                                             {"image",
-                                              {{"width", value.width},
-                                               {"height", value.height},
-                                               {"rgba", wire::toBase64(value.bytes)}}}});
+  (*params)["image"] = {
+      {"width", value.width}, {"height", value.height}, {"rgba", wire::toBase64(value.bytes)}};
+  const auto answer = session.connection.ask("texture.set", *params);
   if (!answer)
     return fail(answer.error());
   session.changed = true;

@@ -58,7 +58,7 @@ int fail(const DrawArguments &arguments, const scene::Document &document,
     return kExitInvalid;
   case RenderError::Kind::Panel:
     if (error.span.end == 0) { // an option, which has no place in a text
-      complain("--" + error.message);
+      complain(error.message);
       return kExitUsage;
     }
     print(file, {{fp::Severity::Error, "panel-draw", error.span, error.message, {}}});

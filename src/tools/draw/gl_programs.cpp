@@ -60,7 +60,8 @@ std::optional<RenderError> parametersBeyond(const scene::ProgramFile &file, std:
       continue;
     }
     const Limit limit = limitOf(parameter.space, target);
-    const std::string name = std::string(limit.option) + " " + std::to_string(parameter.first);
+    const std::string name = (parameter.span.end == 0 ? "--" : "") + std::string(limit.option) +
+                             " " + std::to_string(parameter.first);
     if (int(parameter.first + parameter.count) > limit.count)
       return fault(parameter,
                    name + ": there are " + std::to_string(limit.count) + " " + limit.what);

@@ -20,6 +20,13 @@ RenderError fault(int file, fp::Span span, std::string message) {
   return {RenderError::Kind::Panel, std::move(message), std::size_t(file), -1, span};
 }
 
+/// An option of the command line has no place in a text.
+bool isOption(const scene::TextureSpec &spec) { return spec.unitSpan.end == 0; }
+
+std::string nameOf(const scene::TextureSpec &spec) {
+  return (isOption(spec) ? "--texture " : "texture ") + std::to_string(spec.unit);
+}
+
 bool isRendered(Generator generator) {
   return generator == Generator::Picture || generator == Generator::DepthOf;
 }
@@ -38,7 +45,31 @@ void uploadLevel(GLenum target, GLint level, const Image &image) {
     glTexImage2D(target, level, format, image.width, image.height, 0, GL_RGBA, type, texels);
 }
 
+/// An image that a unit of volumes has: squares below each other are slices, the first one on top;
+/// any other image is one slice.
+void uploadVolume(const Image &image) {
+  const bool squares = image.height % image.width == 0;
+  const int depth = squares ? image.height / image.width : 1, height = image.height / depth;
+  const bool wide = image.bits == 16;
+  glTexImage3D(GL_TEXTURE_3D, 0, wide ? GL_RGBA16 : GL_RGBA8, image.width, height, depth, 0,
+               GL_RGBA, GL_UNSIGNED_SHORT, nullptr);
+  const std::size_t slice = std::size_t(image.width) * std::size_t(height) * 4;
+  for (int i = 0; i < depth; ++i) {
+    // Rows begin at the bottom. A wide texel's unit is 1/65535, a narrow one's 1/255.
+    std::vector<std::uint16_t> texels(image.texels.end() -
+                                          std::ptrdiff_t(slice * std::size_t(i + 1)),
+                                      image.texels.end() - std::ptrdiff_t(slice * std::size_t(i)));
+    if (!wide)
+      std::transform(texels.begin(), texels.end(), texels.begin(),
+                     [](std::uint16_t texel) { return std::uint16_t(texel * 257); });
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, i, image.width, height, 1, GL_RGBA, GL_UNSIGNED_SHORT,
+                    texels.data());
+  }
+}
+
 void uploadImage(GLenum target, const Image &image, std::size_t smaller) {
+  if (target == GL_TEXTURE_3D)
+    return uploadVolume(image);
   uploadLevel(target, 0, image);
   for (std::size_t i = 0; i < smaller; ++i)
     uploadLevel(target, GLint(i) + 1, image.smaller[i]);
@@ -85,8 +116,8 @@ std::optional<RenderError> Textures::load(const scene::Document &document, const
     for (const scene::TextureSpec &spec : document.panelOf(pass).textures) {
       if (spec.unit >= unsigned(units))
         return fault(pass.panel, spec.unitSpan,
-                     "texture " + std::to_string(spec.unit) + ": there are " +
-                         std::to_string(units) + " texture image units");
+                     nameOf(spec) + ": there are " + std::to_string(units) +
+                         " texture image units");
       if (auto error = loadUnit(document, pass, spec, samples, targets))
         return error;
     }
@@ -131,7 +162,8 @@ std::optional<RenderError> Textures::loadUnit(const scene::Document &document,
   unit.compares = spec.compare || fp::ir::isShadow(sampled);
   unit.feedback = spec.source.generator.value == Generator::Feedback;
   unit.enabled = pass.fragment < 0 || enablesUnits(document, pass);
-  if (unit.target == GL_TEXTURE_3D || cube != (unit.target == GL_TEXTURE_CUBE_MAP))
+  const bool flat = isRendered(spec.source.generator.value) || unit.feedback;
+  if ((unit.target == GL_TEXTURE_3D && flat) || cube != (unit.target == GL_TEXTURE_CUBE_MAP))
     return fault(pass.panel, spec.source.generator.span,
                  "the program samples texture[" + std::to_string(spec.unit) + "] as " +
                      fp::ir::targetText(sampled) + ", and this is a " +
@@ -152,7 +184,9 @@ std::optional<RenderError> Textures::upload(const scene::Document &document, Uni
   const auto images =
       scene::generate(unit.spec->source, document.folder, document.width(), document.height());
   if (!images)
-    return fault(unit.panel, images.error().span, images.error().message);
+    return fault(unit.panel, images.error().span,
+                 isOption(*unit.spec) ? nameOf(*unit.spec) + ": " + images.error().message
+                                      : images.error().message);
   const Image &first = images.value().front();
   if (unit.target == GL_TEXTURE_1D && first.height != 1)
     return fault(unit.panel, unit.spec->source.generator.span,
@@ -165,7 +199,8 @@ std::optional<RenderError> Textures::upload(const scene::Document &document, Uni
   setParameters(unit);
   const bool mipmaps =
       unit.spec->filter.value == scene::Filter::Mipmap && unit.target != GL_TEXTURE_RECTANGLE;
-  const std::size_t smaller = mipmaps ? smallerOf(images.value()) : 0;
+  const std::size_t smaller =
+      mipmaps && unit.target != GL_TEXTURE_3D ? smallerOf(images.value()) : 0;
   for (std::size_t i = 0; i < images.value().size(); ++i)
     uploadImage(unit.target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i)
                                                    : unit.target,
@@ -190,6 +225,8 @@ void Textures::setParameters(const Unit &unit) {
   glTexParameteri(unit.target, GL_TEXTURE_WRAP_S, wrap);
   if (unit.target != GL_TEXTURE_1D)
     glTexParameteri(unit.target, GL_TEXTURE_WRAP_T, wrap);
+  if (unit.target == GL_TEXTURE_3D)
+    glTexParameteri(unit.target, GL_TEXTURE_WRAP_R, wrap);
   if (unit.spec->source.generator.value == Generator::DepthOf)
     glTexParameteri(unit.target, GL_TEXTURE_COMPARE_MODE,
                     unit.compares ? GL_COMPARE_R_TO_TEXTURE : GL_NONE);

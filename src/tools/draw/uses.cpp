@@ -83,7 +83,7 @@ std::string faultOfImage(const GivenOption &given, const std::vector<Uses> &all)
   for (const Uses &uses : all)
     for (const Sampled &sampled : uses.samples)
       if (sampled.unit == given.index)
-        return sampled.target == TexTarget::Tex2D
+        return sampled.target == TexTarget::Tex2D || sampled.target == TexTarget::Tex3D
                    ? ""
                    : given.option + ": " + uses.program->name + " samples texture[" +
                          std::to_string(sampled.unit) + "] as " +
