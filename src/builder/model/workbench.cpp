@@ -84,6 +84,8 @@ Workbench::Workbench(Places places, QObject *parent)
   m_redraw.setSingleShot(true);
   m_redraw.setInterval(0);
   connect(&m_redraw, &QTimer::timeout, this, &Workbench::draw);
+  connect(&document(), &Document::edited, this,
+          [this](const Edit &edit) { m_report.follow(edit, document().text()); });
   connect(&document(), &Document::edited, this, &Workbench::edited);
   connect(&m_file, &OpenFile::pathChanged, this, &Workbench::edited);
   connect(&m_file, &OpenFile::complaint, this, &Workbench::notice);

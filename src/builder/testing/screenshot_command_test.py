@@ -42,6 +42,28 @@ class Screenshot(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(screenshots.size_of(self.png)[0], (1280, 800))
 
+    def test_panels_have_names(self):
+        window = pathlib.Path(ARBITER).parents[1] / 'builder' / 'view' / 'arbiter-builder'
+        environment = {**os.environ, 'QT_QPA_PLATFORM': 'offscreen', 'XDG_STATE_HOME': str(self.folder),
+                       'XDG_CONFIG_HOME': str(self.folder), 'ARBITER_GALLERY': GALLERY}
+
+        def start(*words):
+            return subprocess.run([window, *map(str, words)], env=environment, capture_output=True,
+                                  text=True, timeout=120)
+
+        names = 'Program, Picture, Parameters, Textures, Scene'
+        shown = ' '.join(start('--help').stdout.split())
+        self.assertIn(names, shown)
+        refused = start('--panel', 'nothing')
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn(f'arbiter-builder: --panel nothing: the panels are {names}', refused.stderr)
+        document = pathlib.Path(GALLERY) / 'twirl.fp'
+        for name in ('Scene', 'scene'):
+            result = start('--panel', name, '--screenshot', self.folder / f'{name}.png', document)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        pictures = [screenshots.size_of(self.folder / f'{name}.png') for name in ('Scene', 'scene')]
+        self.assertEqual(*pictures)
+
     def test_what_cannot_be_is_said(self):
         for words, said in (
                 (('--screenshot', self.png, self.folder / 'none.fp'), 'none.fp'),

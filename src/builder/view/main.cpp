@@ -37,7 +37,9 @@ struct Options {
                           QStringLiteral("WxH")};
   QCommandLineOption small{QStringLiteral("small"),
                            QObject::tr("a picture of few colours, for a page")};
-  QCommandLineOption panel{QStringLiteral("panel"), QObject::tr("the panel to bring to the front"),
+  QCommandLineOption panel{QStringLiteral("panel"),
+                           QObject::tr("the panel to bring to the front: %1")
+                               .arg(MainWindow::panelNames().join(QStringLiteral(", "))),
                            QStringLiteral("NAME")};
   QCommandLineOption edit{
       QStringLiteral("edit"),
@@ -81,6 +83,14 @@ bool hasDisplay(int argc, char **argv) {
   return shoots;
 }
 
+/// The panel of that name, in any case; nothing without one.
+std::optional<QString> panelOf(const QString &name) {
+  for (const QString &each : MainWindow::panelNames())
+    if (each.compare(name, Qt::CaseInsensitive) == 0)
+      return each;
+  return std::nullopt;
+}
+
 int show(MainWindow &window, const QCommandLineParser &parser, const Options &options) {
   const QStringList &documents = parser.positionalArguments();
   const bool shooting = parser.isSet(options.shot);
@@ -90,6 +100,11 @@ int show(MainWindow &window, const QCommandLineParser &parser, const Options &op
                     .arg(parser.value(options.size))
                     .arg(kLeastSide)
                     .arg(kMostSide));
+  const auto panel = panelOf(parser.value(options.panel));
+  if (parser.isSet(options.panel) && !panel)
+    return fail(
+        QObject::tr("--panel %1: the panels are %2")
+            .arg(parser.value(options.panel), MainWindow::panelNames().join(QStringLiteral(", "))));
   if (!shooting)
     window.restoreLayout();
   if (size)
@@ -98,9 +113,9 @@ int show(MainWindow &window, const QCommandLineParser &parser, const Options &op
     return fail(window.lastNotice());
   window.bench().start(); // first: its processes start while the window is laid out
   window.show();
-  window.showPanel(parser.isSet(options.panel) ? parser.value(options.panel)
-                   : documents.isEmpty()       ? QObject::tr("Gallery")
-                                               : QObject::tr("Program"));
+  window.showPanel(panel                 ? *panel
+                   : documents.isEmpty() ? QObject::tr("Gallery")
+                                         : QObject::tr("Program"));
   if (shooting)
     takeScreenshot(window,
                    {parser.value(options.shot), parser.value(options.edit),

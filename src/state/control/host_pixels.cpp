@@ -1,6 +1,7 @@
 #include "state/control/host_pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "host/host_table.h"
@@ -173,17 +174,15 @@ std::vector<BoundTexture> boundTextures(Context &context) {
   const host::HostTable &host = *context.host;
   const HostErrorScope errors(host, context.pendingError);
   const auto &targets = textureTargets();
+  std::array<bool, 5> seenDefault{}; // by target
   for (GLint unit = 0; unit < context.caps.maxTextureImageUnits; ++unit) {
     const ActiveUnit active(host, GLuint(unit));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       if (targets[i].target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
         continue;
       BoundTexture texture = {get(host, targets[i].query), GLuint(unit), i};
-      const auto isSame = [&](const BoundTexture &other) {
-        return other.name == 0 && other.target == i;
-      };
       // Units that have no texture of their own share the target's default one.
-      if (texture.name == 0 && std::any_of(found.begin(), found.end(), isSame))
+      if (texture.name == 0 && std::exchange(seenDefault[i], true))
         continue;
       texture.width = levelParameter(host, targets[i].image, 0, GL_TEXTURE_WIDTH);
       texture.height = levelParameter(host, targets[i].image, 0, GL_TEXTURE_HEIGHT);

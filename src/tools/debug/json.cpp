@@ -74,6 +74,7 @@ Json rowJson(const Row &row, std::size_t index) {
     return json;
   }
   json["destination"] = row.destination;
+  json["register"] = row.name;
   json["mask"] = lettersOf(row.mask);
   addBoth(json, "value", row.value);
   json["error"] = numberJson(greatestError(row));

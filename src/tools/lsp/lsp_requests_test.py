@@ -321,6 +321,8 @@ class Pair(Session):
         for mark, language in (('ARL', 'ARBvp1.0'), ('MUL_SAT', 'ARBfp1.0')):
             report = self.client.request('arbiter/report', self.at(self.PAIR, mark, 0, self.uri))
             self.assertEqual(report['language'], language)
+        report = self.client.request('arbiter/report', {'textDocument': {'uri': self.uri}})
+        self.assertEqual(report['language'], 'ARBfp1.0')
 
 
 class Inlay(Session):

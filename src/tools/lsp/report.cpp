@@ -9,8 +9,9 @@ namespace {
 constexpr int kInvalidParams = -32602;
 }
 
-/// What `arbiter check --json` says of the program at the position, or of the first one, for an
-/// editor's gauges: counts against limits, and why the native ones are what they are.
+/// What `arbiter check --json` says of the program at the position, or else of the first fragment
+/// program, for an editor's gauges: counts against limits, and why the native ones are what they
+/// are.
 Server::Reply Server::reportOf(const Json &params) {
   Document *document = find(params);
   if (!document)
@@ -21,7 +22,8 @@ Server::Reply Server::reportOf(const Json &params) {
   const fp::hw::Profile &profile = profileOf(*document);
   const Json *const position = member(params, {"position"});
   const auto offset = position ? document->map().offset(*position) : std::nullopt;
-  const Analysis &analysis = document->analysis(profile, offset.value_or(0));
+  const Analysis &analysis = document->analysis(
+      profile, offset.value_or(chooseProgram("auto", document->text()).span.begin));
   file.language = analysis.language;
   if (analysis.program.in(file.text).size() != file.text.size()) {
     file.part = analysis.program.span;

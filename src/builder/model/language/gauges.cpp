@@ -73,4 +73,21 @@ Report Report::of(const QJsonObject &file) {
   return report;
 }
 
+void Report::follow(const Edit &edit, const QString &text) {
+  const int gone = int(edit.removed.count(u'\n')), come = int(edit.added.count(u'\n'));
+  if (gone == 0 && come == 0)
+    return;
+  const int first = placeOf(text, edit.at).line;
+  const bool whole = edit.at == 0 || text[edit.at - 1] == u'\n'; // the line moves with its text
+  QMap<int, LineCost> moved;
+  for (auto cost = lines.constBegin(); cost != lines.constEnd(); ++cost) {
+    const int line = cost.key();
+    if (line < first || (line == first && !whole))
+      moved.insert(line, *cost);
+    else if (line >= first + gone && !moved.contains(line + come - gone))
+      moved.insert(line + come - gone, *cost);
+  }
+  lines = moved;
+}
+
 } // namespace arbiter::builder

@@ -4,6 +4,8 @@
 #include <QMap>
 #include <QString>
 
+#include "builder/model/text/edit.h"
+
 namespace arbiter::builder {
 
 /// How much of one resource a program takes.
@@ -45,6 +47,10 @@ struct Report {
 
   /// \param file one element of "files"
   [[nodiscard]] static Report of(const QJsonObject &file);
+
+  /// Moves the costs with their lines, until there is a report of the edited text: one that is
+  /// wrong has none. \param text after the edit
+  void follow(const Edit &edit, const QString &text);
 };
 
 } // namespace arbiter::builder

@@ -1,5 +1,6 @@
 #include <QFile>
 #include <csignal>
+#include <tuple>
 
 #include "builder/model/language/gauges.h"
 #include "builder/model/language/lsp_client.h"
@@ -108,6 +109,38 @@ TEST(LspClient, AnswersWhatIsAskedOfAPlace) {
   EXPECT_EQ(gauges.status, QStringLiteral("valid"));
   EXPECT_EQ(gauges.gauges[0].title, QStringLiteral("instructions"));
   EXPECT_TRUE(gauges.lines.contains(4)) << "the MOV of the result costs a slot";
+}
+
+/// The text after the edit, with the costs moved.
+void make(const Edit &edit, QString &text, Report &report) {
+  text.replace(edit.at, edit.removed.size(), edit.added);
+  report.follow(edit, text);
+}
+
+TEST(Report, CostsStayWithTheirLinesWhileATextIsEdited) {
+  const QString before = QStringLiteral("!!ARBfp1.0\nTEMP a;\nMUL a, a, a;\nSUB a, a, a;\nEND\n");
+  for (const auto &[at, removed, added] :
+       {std::tuple("MUL", "", "wrong\n"), std::tuple("\nMUL", "", "\nwrong"),
+        std::tuple("TEMP", "TEMP a;\n", ""), std::tuple(";\nSUB", "", "; # more\n\n"),
+        std::tuple("MUL", "MUL a, a, a;\nSUB", "x"), std::tuple("a, a;\nEND", "", "b,")}) {
+    QString text = before;
+    Report report;
+    report.lines[3].slotCount = 3;
+    report.lines[4].slotCount = 4;
+    const Edit edit{before.indexOf(QLatin1String(at)), QLatin1String(removed),
+                    QLatin1String(added)};
+    make(edit, text, report);
+    const QStringList lines = text.split(u'\n');
+    for (auto cost = report.lines.constBegin(); cost != report.lines.constEnd(); ++cost)
+      if (removed[0] != 'M')
+        EXPECT_TRUE(lines[cost.key() - 1].contains(cost->slotCount == 3 ? u"MUL" : u"SUB"))
+            << at << " " << cost.key();
+    make(edit.inverse(), text, report);
+    EXPECT_EQ(text, before);
+    EXPECT_EQ(report.lines[4].slotCount, 4) << at;
+    if (removed[0] != 'M')
+      EXPECT_EQ(report.lines[3].slotCount, 3) << at;
+  }
 }
 
 TEST(LspClient, OfABurstOfEditsTheNewestIsTold) {

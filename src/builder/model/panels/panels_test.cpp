@@ -113,12 +113,12 @@ TEST(Trace, StepsBothWaysAndFindsWhatIsMarked) {
   const QByteArray json = R"({"trace": {"numerics": "host", "second_numerics": "fp24",
     "attributes": [{"name": "fragment.texcoord[0]", "value": [0.5, 0.25, 0, 1]}], "parameters": [],
     "rows": [
-     {"line": 3, "text": "RCP t.x, a.x", "opcode": "RCP", "destination": "t", "mask": "x",
+     {"line": 3, "text": "RCP t.x, a.x", "opcode": "RCP", "destination": "t.x", "register": "t", "mask": "x",
       "value": ["inf", 0, 0, 0], "operands": [{"text": "a.x", "value": [0, 0, 0, 0]}],
       "flags": ["inf"], "error": 0},
-     {"line": 4, "text": "MUL t, t, 0", "opcode": "MUL", "destination": "t", "mask": "xyzw",
+     {"line": 4, "text": "MUL t, t, 0", "opcode": "MUL", "destination": "t", "register": "t", "mask": "xyzw",
       "value": ["nan", 0, 0, 0], "operands": [], "flags": ["nan"], "error": "nan"},
-     {"line": 6, "text": "MOV result.color, t", "opcode": "MOV", "destination": "result.color",
+     {"line": 6, "text": "MOV result.color, t", "opcode": "MOV", "destination": "o", "register": "result.color",
       "mask": "xyzw", "value": [1, 0.5, 0, 1], "second": [1, 0.499, 0, 1], "operands": [],
       "flags": [], "error": 0.001}],
     "results": [], "discarded": false},
@@ -138,6 +138,8 @@ TEST(Trace, StepsBothWaysAndFindsWhatIsMarked) {
   const auto registers = trace.registers();
   ASSERT_EQ(registers.size(), 2);
   EXPECT_EQ(registers[0].first, QStringLiteral("result.color"));
+  EXPECT_EQ(registers[1].first, QStringLiteral("t")) << "spelt with a mask and without";
+  EXPECT_TRUE(std::isnan(registers[1].second.value[0])) << "the last value that it had";
   trace.step(-2);
   EXPECT_EQ(trace.registers().size(), 1);
   EXPECT_TRUE(trace.nextFlag(QStringLiteral("nan")));

@@ -32,6 +32,7 @@ TraceRow rowOf(const QJsonValue &json) {
   row.text = json[u"text"].toString();
   row.opcode = json[u"opcode"].toString();
   row.destination = json[u"destination"].toString();
+  row.name = json[u"register"].toString();
   row.mask = json[u"mask"].toString();
   row.value = TraceValue::of(json[u"value"]);
   row.second = TraceValue::of(json[u"second"]);
@@ -119,9 +120,9 @@ QList<std::pair<QString, TraceValue>> Trace::registers() const {
   for (int i = m_current; i >= 0; --i) {
     const TraceRow &row = m_rows[i];
     const bool seen = std::any_of(all.cbegin(), all.cend(),
-                                  [&](const auto &each) { return each.first == row.destination; });
-    if (!row.destination.isEmpty() && row.value.known && !seen)
-      all.append({row.destination, row.value});
+                                  [&](const auto &each) { return each.first == row.name; });
+    if (!row.name.isEmpty() && row.value.known && !seen)
+      all.append({row.name, row.value});
   }
   return all;
 }

@@ -31,7 +31,8 @@ struct TraceRow {
   int line = 1;
   QString text;
   QString opcode;
-  QString destination;
+  QString destination; ///< as it stands in the program, with its mask
+  QString name;        ///< of the register
   QString mask;
   TraceValue value;  ///< of the first arithmetic
   TraceValue second; ///< of the other one, where it differs

@@ -88,10 +88,10 @@ void DebugPanel::fill() {
     m_rows->put(i, kLine, QString::number(row.line));
     m_rows->put(i, kText, row.text);
     m_rows->put(i, kReads, readsText(row))->setToolTip(readsText(row));
-    const QString written = row.destination.isEmpty()
-                                ? QString()
-                                : QStringLiteral("%1.%2 = (%3)")
-                                      .arg(row.destination, row.mask, row.value.text(row.mask));
+    const QString written =
+        row.destination.isEmpty()
+            ? QString()
+            : QStringLiteral("%1 = (%2)").arg(row.destination, row.value.text(row.mask));
     m_rows->put(i, kWrites, written);
     m_rows->put(i, kSecond, row.second.text(row.mask));
     m_rows->put(i, kError, row.error > 0 ? QString::number(row.error, 'g', 3) : QString());

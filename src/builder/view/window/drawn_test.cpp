@@ -51,6 +51,19 @@ TEST_F(Window, TheNextNaNIsFoundByF7) {
   runAction(*window, "Next NaN");
   EXPECT_TRUE(trace.rows()[trace.current()].flags.contains(QStringLiteral("nan")))
       << "at line " << trace.rows()[trace.current()].line;
+  // However a register is spelt, it is one, and its mask stands once.
+  trace.moveTo(int(trace.rows().size()) - 1);
+  QStringList names;
+  for (const auto &[name, value] : trace.registers())
+    names << name;
+  EXPECT_EQ(names, QStringList({QStringLiteral("result.color"), QStringLiteral("t")}))
+      << names.join(u' ').toStdString();
+  for (const auto *table : window->findChildren<QTableWidget *>())
+    for (int row = 0; table->accessibleName() == QStringLiteral("Trace") && row < table->rowCount();
+         ++row)
+      EXPECT_TRUE(table->item(row, 3)->text().startsWith(trace.rows()[row].destination +
+                                                         QStringLiteral(" = (")))
+          << table->item(row, 3)->text().toStdString();
 }
 
 TEST_F(Window, ThePixelOfAPausedFrameIsThatFrames) {

@@ -246,11 +246,10 @@ void MainWindow::notice(const QString &text) { m_status->notice(text); }
 
 QString MainWindow::lastNotice() const { return m_status->lastNotice(); }
 
-QStringList MainWindow::panelNames() const {
-  QStringList names;
-  for (const QDockWidget *dock : m_docks)
-    names << dock->objectName();
-  return names;
+QStringList MainWindow::panelNames() {
+  return {tr("Program"),  tr("Picture"), tr("Parameters"), tr("Textures"), tr("Scene"),
+          tr("Problems"), tr("Debug"),   tr("Advice"),     tr("Native"),   tr("Compare"),
+          tr("Bench"),    tr("Words"),   tr("Gallery"),    tr("Attach")};
 }
 
 void MainWindow::showPanel(const QString &name) {

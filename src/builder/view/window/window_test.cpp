@@ -89,7 +89,8 @@ TEST_F(Window, ProblemsAreListedAndGoneTo) {
 
 TEST_F(Window, EveryPanelIsReachedByKeysAndKeepsItsPlace) {
   open(kText);
-  for (const QString &name : window->panelNames()) {
+  EXPECT_EQ(window->findChildren<QDockWidget *>().size(), MainWindow::panelNames().size());
+  for (const QString &name : MainWindow::panelNames()) {
     window->showPanel(name);
     auto *dock = window->findChild<QDockWidget *>(name);
     ASSERT_NE(dock, nullptr);

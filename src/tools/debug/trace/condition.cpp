@@ -46,18 +46,6 @@ bool readComponent(std::string_view text, Condition &condition) {
   return true;
 }
 
-/// The name of a destination without its mask: "result.color" is a name, ".xy" is none.
-std::string_view registerName(std::string_view destination) {
-  const std::size_t dot = destination.rfind('.');
-  if (dot == std::string_view::npos)
-    return destination;
-  const std::string_view last = destination.substr(dot + 1);
-  const bool isMask = !last.empty() && last.size() <= 4 &&
-                      (last.find_first_not_of("xyzw") == std::string_view::npos ||
-                       last.find_first_not_of("rgba") == std::string_view::npos);
-  return isMask ? destination.substr(0, dot) : destination;
-}
-
 bool compares(Relation relation, float value, float bound) {
   switch (relation) {
   case Relation::Less:
@@ -77,6 +65,17 @@ bool compares(Relation relation, float value, float bound) {
 }
 
 } // namespace
+
+std::string_view registerName(std::string_view destination) {
+  const std::size_t dot = destination.rfind('.');
+  if (dot == std::string_view::npos)
+    return destination;
+  const std::string_view last = destination.substr(dot + 1);
+  const bool isMask = !last.empty() && last.size() <= 4 &&
+                      (last.find_first_not_of("xyzw") == std::string_view::npos ||
+                       last.find_first_not_of("rgba") == std::string_view::npos);
+  return isMask ? destination.substr(0, dot) : destination;
+}
 
 Result<Condition, DebugError> parseCondition(std::string_view text) {
   Condition condition;

@@ -28,6 +28,9 @@ struct Condition {
 /// < > <= >= = !=. Errors say which words there are.
 [[nodiscard]] Result<Condition, DebugError> parseCondition(std::string_view text);
 
+/// The name of a destination without its mask: "result.color" is a name, ".xy" is none.
+[[nodiscard]] std::string_view registerName(std::string_view destination);
+
 [[nodiscard]] bool holds(const Condition &condition, const Row &row);
 
 /// The first row from \p from on at which it holds.

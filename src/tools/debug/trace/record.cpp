@@ -1,10 +1,13 @@
 #include "tools/debug/trace/record.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
 #include "tools/check/source_text.h"
+#include "tools/debug/trace/condition.h"
 
 namespace arbiter::tools::debug {
 
@@ -162,6 +165,8 @@ private:
     row.file = dst.file;
     row.reg = dst.index;
     row.mask = dst.file == File::Address ? 1 : dst.mask;
+    row.name =
+        m_names.try_emplace({dst.file, dst.index}, registerName(row.destination)).first->second;
     if (dst.file == File::Temporary)
       m_written[dst.index] |= dst.mask;
     if (dst.file == File::Output)
@@ -225,7 +230,8 @@ private:
   SourceText m_source;
   Both<Numerics> m_numerics;
   Both<Run> m_runs;
-  std::vector<std::uint8_t> m_written, m_outputs; ///< components, so far
+  std::vector<std::uint8_t> m_written, m_outputs;           ///< components, so far
+  std::map<std::pair<File, unsigned>, std::string> m_names; ///< of registers
   bool m_isDiscarded = false;
 };
 

@@ -54,6 +54,18 @@ TEST(Trace, RowSaysWhatTheInstructionReadAndWrote) {
   EXPECT_EQ(trace.results[0].value.first, (Vec4{-0.5f, 0, -0.25f, 0}));
 }
 
+TEST(Trace, ARegisterHasOneNameHoweverItIsSpelt) {
+  const Trace trace = traced(fragment("ALIAS c = a;\nOUTPUT o = result.color;\n"
+                                      "MOV a.rgb, fragment.color;\nMOV a.w, 1;\nMOV c.x, 0;\n"
+                                      "MOV o.xyz, a;\nMOV result.color.w, a;\n"));
+  ASSERT_EQ(trace.rows.size(), 5u);
+  EXPECT_EQ(trace.rows[0].destination, "a.rgb");
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(trace.rows[std::size_t(i)].name, "a");
+  EXPECT_EQ(trace.rows[3].name, "o");
+  EXPECT_EQ(trace.rows[4].name, "o");
+}
+
 /// Every opcode of fragment programs: what the row holds is what the interpreter gives alone.
 TEST(Trace, EachOpcodeHasItsValue) {
   for (int op = 0; op < fp::ir::kFragmentOpcodeCount; ++op) {
