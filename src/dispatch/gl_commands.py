@@ -111,7 +111,7 @@ class Table:
 
     action    {lead: way} of entry_points.toml; `handled` of software.toml is one too
     software  {lead: way} of software.toml, or "unknown", of those that have no action
-    aliased   those leads that have a part in attributes that alias
+    aliased   the leads that have a part in attributes that alias
     dirty     {lead: [bits of mirror/dirty_bits.h]} of those that have either
     outside   those leads that are errors between Begin and End, and return nothing
     members   the leads in the host's table; lazy: those beside it, looked up when first called

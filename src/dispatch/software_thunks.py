@@ -23,8 +23,8 @@ def leads(table):
 
 
 def given(command):
-    """Of a command of [record]: what it sets, the parameter that says which, and its four components as C++
-    with how many of them it has."""
+    """Returns what a command of [record] sets, the parameter that says which, its four components as C++, and how
+    many of them it has."""
     match = ATTRIBUTE.fullmatch(command.name)
     if not match:
         sys.exit(f"software.toml: [record] does not know {command.name}")
@@ -61,7 +61,7 @@ def recorded(command):
 
 
 def aliased(command):
-    """What a command of [aliased] does where generic attributes are the conventional ones: lines."""
+    """Returns the lines of a command of [aliased] that ask whether generic attributes are the conventional ones."""
     if re.fullmatch(r"(Enable|Disable)VertexAttribArray", command.name):
         enabled = "true" if command.name.startswith("Enable") else "false"
         return ("  if (hot->attributesAlias) [[unlikely]]\n"

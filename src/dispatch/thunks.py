@@ -54,7 +54,7 @@ def draws_itself(table, name):
 
 
 def aliases_itself(table, name):
-    """What a draw of arrays asks when it is prepared for the host: a line, "" for nothing."""
+    """Returns the line by which a draw of arrays that alias is no call of the host's, "" where there is none."""
     draw = table.draw_commands.get(name, "")
     if not draw.startswith(("tryDraw", "tryMultiDraw")):
         return ""

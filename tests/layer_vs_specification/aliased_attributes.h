@@ -7,13 +7,13 @@
 
 #include "fixture.h"
 
-/// What the tests of attributes that alias have in common: draws that show the colour, as each of
-/// its readers has it.
+/// Draws that show the colour as each of its readers has it, for the tests of attributes that
+/// alias.
 namespace api::aliases {
 
 using Value = std::array<GLfloat, 4>;
 
-/// As API_TEST_ALIASES says.
+/// True if attributes alias here, which API_TEST_ALIASES says.
 inline bool attributesAlias() {
   const char *const said = std::getenv("API_TEST_ALIASES");
   return said && std::string_view(said) == "1";
@@ -34,7 +34,7 @@ inline void quad() {
   glEnd();
 }
 
-/// The middle pixel of what is drawn over everything.
+/// Returns the middle pixel of a draw over everything.
 template <typename Draw> Pixel pixelOf(Draw &&draw) {
   clear();
   draw();
@@ -59,7 +59,7 @@ protected:
     m_generic = makeProgram(shows("vertex.attrib[3]"), kVertex);
     ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR));
   }
-  /// Draws are shown the primary colour as this reader has it.
+  /// Has draws show the primary colour as this reader has it.
   void read(Reader reader) const {
     if (reader == Reader::FixedFunction)
       return glDisable(kVertex);

@@ -33,7 +33,7 @@ const Register kRegisters[] = {
     TEXCOORD(7)};
 #undef TEXCOORD
 
-/// What its conventional command leaves in a register.
+/// Returns what the conventional command of a register leaves in it.
 Value conventional(const Register &row, const Value &v) {
   Value all = {0, 0, 0, 1};
   std::copy_n(v.begin(), row.components, all.begin());
@@ -256,7 +256,7 @@ TEST_F(AliasedAttributes, TheApplicationsGlslHasItsGenericOnes) {
   glDeleteProgram(program);
 }
 
-/// As most cards had them, and as the host has.
+/// The default profile's card keeps them apart, and so does the host.
 TEST_F(ApiTest, AttributesAreApartWhereTheyDoNotAlias) {
   if (attributesAlias() || !epoxy_has_gl_extension("GL_ARB_vertex_program"))
     GTEST_SKIP() << "attributes alias here";

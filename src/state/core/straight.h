@@ -118,7 +118,7 @@ ARBITER_EVALUATES(EvalPoint2)
   return true;
 }
 
-/// Neither recorded, nor of arrays that are others than the host's.
+/// The element is neither recorded nor of arrays that alias.
 [[nodiscard]] inline bool ArrayElement(Context &context, GLint) {
   return !context.softwareListens && !context.attributesAlias;
 }

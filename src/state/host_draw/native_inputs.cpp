@@ -1,7 +1,5 @@
 #include "state/host_draw/native_inputs.h"
 
-#include <bit>
-
 #include "host/host_table.h"
 #include "state/core/active_profile.h"
 #include "state/host_draw/variants/array_variants.h"
@@ -16,11 +14,11 @@ namespace arbiter::state {
 
 std::uint32_t enabledArrays(const Context &context, const host::HostTable &host) {
   std::uint32_t arrays = 0;
-  for (std::uint32_t left = context.aliases->arraysUsed; left != 0; left &= left - 1) {
-    const int index = std::countr_zero(left);
+  for (unsigned i = 0; i < 16 && i < unsigned(context.caps.maxVertexAttribs); ++i) {
     GLint enabled = 0;
-    host.GetVertexAttribiv(GLuint(index), GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
-    arrays |= enabled != 0 ? 1u << index : 0u;
+    if (isAliasedRegister(i))
+      host.GetVertexAttribiv(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+    arrays |= enabled != 0 ? 1u << i : 0u;
   }
   return arrays;
 }

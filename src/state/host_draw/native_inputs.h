@@ -12,17 +12,16 @@ namespace arbiter::state {
 class Context;
 struct CompiledProgram;
 
-/// Attributes may alias in this process: in contexts of the active profile, or as
-/// ARBITER_ATTRIBUTES says.
+/// True if attributes may alias in this process: the active profile has it so, or
+/// ARBITER_ATTRIBUTES.
 [[nodiscard]] bool attributesMayAlias();
-/// When the targets are offered: `aliases` and `attributesAlias` of the context, which is current
-/// and outside of lists.
+/// Sets `aliases` and `attributesAlias` of a context whose targets are being offered: it is
+/// current, and no list is compiled.
 void offerAliases(Context &context);
-/// The arrays of generic attributes that are enabled, of those with two names that ever were. The
-/// host is asked, as vertex array objects and the client attribute stack change them too. Requires:
-/// the context has `aliases`.
+/// Returns the arrays of generic attributes with two names that are enabled. The host is asked, as
+/// vertex array objects and the client attribute stack change them too.
 [[nodiscard]] std::uint32_t enabledArrays(const Context &context, const host::HostTable &host);
-/// EnableVertexAttribArray and DisableVertexAttribArray, where attributes alias.
+/// Notes an EnableVertexAttribArray or a DisableVertexAttribArray where attributes alias.
 void noteGenericArray(Context &context, GLuint index, bool enabled);
 
 /// What of GL's state reaches vertex programs by NV_vertex_program's ways and changes without a

@@ -33,17 +33,17 @@ inline constexpr std::uint32_t kAliasedRegisters = 0xFF3C;
   return index < 16 && (kAliasedRegisters >> index & 1u) != 0;
 }
 
-/// What a context keeps of them, where it has NVIDIA's programs or its attributes alias.
+/// The state of such registers in a context that has NVIDIA's programs, or whose attributes alias.
 struct AttributeAliases {
   bool areOne = false;    ///< the host's attributes are such registers themselves
   bool immediate = false; ///< what is drawn comes between Begin and End: `arrays` is 0
   /// A command gave the normal, the secondary colour or the fog coordinate components that their
   /// conventional commands do not have, and other values than those leave there.
   bool widerGiven = false;
-  std::uint32_t arraysUsed = 0; ///< of generic attributes, enabled once: others are not asked for
+  std::uint32_t arraysUsed = 0; ///< of generic attributes, enabled once by the application
   std::uint32_t arrays = 0;     ///< of generic attributes, enabled as of the last draw
-  /// Those that EnableClientState enabled: fixed function knows nothing of them (NV_vertex_program,
-  /// "vertex attribute arrays are ignored when vertex program mode is not enabled").
+  /// Arrays that EnableClientState enabled: fixed function has no part in them (NV_vertex_program:
+  /// "vertex attribute arrays are IGNORED when vertex program mode is not enabled").
   std::uint32_t ofProgramsAlone = 0;
   bool operator==(const AttributeAliases &) const = default;
 };

@@ -116,7 +116,7 @@ struct ContextState {
 /// effective, or, unless ARBITER_FIXED_FUNCTION is programs, at the first draw of fixed function.
 /// Until then the rasterizer costs nothing.
 void engage(Context &context);
-/// It may come to be made: by the settings, and what host this is.
+/// True if Context::software may come to be made, by the settings and by what host this is.
 [[nodiscard]] bool mayBeUsed(const Context &context);
 /// When the context first becomes current: what its draws will need may be made aside.
 void expect(const Context &context);

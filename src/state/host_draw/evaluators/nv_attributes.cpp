@@ -22,31 +22,34 @@ constexpr int fewerComponents(GLuint index) {
   return index == 2 || index == 4 ? 3 : index == 5 ? 1 : 0;
 }
 
-/// \param both the generic attribute is recorded whatever the conventional one has
+/// \param both the generic attribute is recorded beside the conventional one, which stands for the
+/// two on a host whose attributes are one
 void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, unsigned given,
             bool both) {
   if (index == 0)
     return recorder.vertex(v[0], v[1], v[2], v[3], given);
   Vec4 conventional = v;
-  const int common = fewerComponents(index);
-  if (common != 0) {
+  if (const int common = fewerComponents(index)) {
     conventional = {0.0f, 0.0f, 0.0f, 1.0f};
     std::copy_n(v.begin(), common, conventional.begin());
   }
-  if (common != 0 || both)
+  if (both)
     recorder.set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3], given);
   recorder.set(slotOfRegister(index), conventional[0], conventional[1], conventional[2],
                conventional[3], given);
 }
 
-/// Of the components beyond those of the conventional command.
+/// True if the host's attributes are one.
+bool areOne(const Context &context) { return context.aliases && context.aliases->areOne; }
+
+/// True if a component beyond those of the conventional command has another value than that leaves.
 bool isWider(GLuint index, const Vec4 &v) {
   constexpr Vec4 kDefault = {0.0f, 0.0f, 0.0f, 1.0f};
   const int common = fewerComponents(index);
   return common != 0 && !std::equal(v.begin() + common, v.end(), kDefault.begin() + common);
 }
 
-/// From the first such value on programs of the ARB's look for it.
+/// Has programs of the ARB's look for such values from the first one on.
 void noteWider(Context &context, GLuint index, const Vec4 &v) {
   if (!context.aliases || context.aliases->widerGiven || !isWider(index, v)) [[likely]]
     return;
@@ -75,10 +78,10 @@ void sendConventional(const host::HostTable &host, GLuint index, const Vec4 &v) 
     host.MultiTexCoord4fv(GL_TEXTURE0 + (index - kFirstTexCoord), v.data());
 }
 
-/// The generic one last: on hosts whose attributes are one it is what counts.
+/// Sends the generic one last: on hosts whose attributes are one it is what counts.
 void send(const host::HostTable &host, GLuint index, const Vec4 &v, bool both) {
   sendConventional(host, index, v);
-  if (fewerComponents(index) != 0 || both)
+  if (both)
     host.VertexAttrib4fv(index, v.data());
 }
 
@@ -117,7 +120,7 @@ const Vec4 &later(GLuint index, const Vec4 &conventional, const Vec4 &generic) {
   return same ? generic : conventional;
 }
 
-/// The host's value of a register.
+/// Returns the host's value of a register.
 Vec4 hostsRegister(const host::HostTable &host, GLuint index) {
   const Vec4 conventional = hostsConventional(host, index);
   if (fewerComponents(index) == 0)
@@ -140,16 +143,18 @@ bool getAliased(const ContextHot &hot, const host::HostTable &host, GLuint index
 } // namespace
 
 void setNvAttribute(Context &context, GLuint index, const Vec4 &value) {
+  const bool wider = fewerComponents(index) != 0;
   noteWider(context, index, value);
   if (context.recorder)
-    return record(*context.recorder, index, value, 4, false);
-  send(*context.host, index, value, false);
+    return record(*context.recorder, index, value, 4, wider && !areOne(context));
+  send(*context.host, index, value, wider);
 }
 
 void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given) {
-  noteWider(static_cast<Context &>(hot), index, value);
+  auto &context = static_cast<Context &>(hot);
+  noteWider(context, index, value);
   if (hot.recorder)
-    return record(*hot.recorder, index, value, given, true);
+    return record(*hot.recorder, index, value, given, !areOne(context));
   send(*hot.host, index, value, true);
 }
 
@@ -158,7 +163,7 @@ Vec4 currentNvAttribute(const Context &context, GLuint index) {
     return hostsRegister(*context.host, index);
   const software::CurrentValues &values = context.recorder->values();
   const Vec4 &conventional = values[std::size_t(slotOfRegister(index))];
-  return fewerComponents(index) != 0
+  return fewerComponents(index) != 0 && !areOne(context)
              ? later(index, conventional, values[software::kGeneric0 + index])
              : conventional;
 }

@@ -20,8 +20,8 @@ struct ContextHot;
 /// VertexAttribNV. Attribute 0 makes a vertex.
 void setNvAttribute(Context &context, GLuint index, const Vec4 &value);
 
-/// VertexAttrib of the ARB's and of OpenGL's, of an aliased register where attributes alias. The
-/// host's generic attribute of any number is given it too, for the application's own GLSL.
+/// Does VertexAttrib, the ARB's and OpenGL's, of an aliased register where attributes alias. The
+/// host's generic attribute is given the value too, for the application's own GLSL.
 /// \param given components that the command has
 void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given);
 
@@ -29,8 +29,8 @@ void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsig
 /// recorded that is the recorder's, else the host's, which must be outside of Begin and End.
 [[nodiscard]] Vec4 currentNvAttribute(const Context &context, GLuint index);
 
-/// GetVertexAttrib of CURRENT_VERTEX_ATTRIB, of an aliased register where attributes alias. False:
-/// the question is an error, the host's to raise.
+/// Answers GetVertexAttrib of CURRENT_VERTEX_ATTRIB, of an aliased register where attributes alias.
+/// False: the question is an error, the host's to raise.
 /// \param host whom the application asks (raster_draw/immediate/held.h)
 [[nodiscard]] bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host,
                                        GLuint index, GLfloat *values);

@@ -27,7 +27,7 @@ const host::HostTable &ownHostOf(const Context &context) {
   return context.host == &kRecordingHost ? *context.trueHost : *context.host;
 }
 
-/// The application's own GLSL shades vertices now.
+/// True if the application's own GLSL shades vertices now.
 bool applicationShadesVertices(Context &context) {
   const host::HostTable &host = ownHostOf(context);
   const auto name = [&](GLenum binding) {
@@ -43,8 +43,8 @@ bool applicationShadesVertices(Context &context) {
   return pipeline != 0 && stagesOfPipeline(context, pipeline).vertex;
 }
 
-/// The arrays of generic attributes that the host would have beside those that they are: of what a
-/// list is compiled from, and of fixed function. 0: the host draws as it should.
+/// Returns the arrays of generic attributes that the host would keep apart from the conventional
+/// ones, in a list that is compiled and under fixed function. 0: the host draws as it should.
 std::uint32_t strangeArrays(Context &context) {
   if (!context.attributesAlias || context.aliases->arraysUsed == 0 || context.aliases->areOne ||
       context.insideBeginEnd) [[likely]]
@@ -52,7 +52,7 @@ std::uint32_t strangeArrays(Context &context) {
   const bool program = context.row(Target::Vertex).enabled;
   if (context.listMode == 0 && (program || applicationShadesVertices(context)))
     return 0;
-  return enabledArrays(context, ownHostOf(context)) &
+  return enabledArrays(context, ownHostOf(context)) & context.aliases->arraysUsed &
          (program ? ~0u : ~context.aliases->ofProgramsAlone);
 }
 
@@ -156,7 +156,7 @@ std::int64_t indexOf(GLenum type, const void *indices, std::size_t i) {
                                      : load(std::uint32_t());
 }
 
-/// As the command that it is, or from `arrays`. The host compiles it.
+/// Draws on the host, by the command itself or from `arrays`. The host may be compiling a list.
 void drawOnHost(const host::HostTable &host, const DrawCommand &c, const OpenArrays *arrays) {
   if (arrays) {
     host.Begin(c.mode);
@@ -175,7 +175,8 @@ void drawOnHost(const host::HostTable &host, const DrawCommand &c, const OpenArr
 
 namespace {
 
-/// Arrays that EnableClientState enabled are conventional ones while a program reads them.
+/// Returns the aliases that count now: arrays that EnableClientState enabled are conventional ones
+/// while a program reads them, and else none.
 AttributeAliases aliasesNow(const Context &context) {
   if (!context.attributesAlias)
     return {};
@@ -196,7 +197,7 @@ bool ListArrays::open(Context &context, const DrawCommand &command, bool changed
   const ArrayBindings &arrays = m_mirror.arrays;
   if (arrays.restart)
     return false;
-  // What is drawn at once is converted as the host converts arrays.
+  // A draw that no list has is converted as the host converts arrays.
   m_symmetric = context.listMode == 0 && context.caps.symmetricSigned;
   for (std::uint32_t left = arrays.enabled; left != 0; left &= left - 1) {
     const VertexSource::Array &array = arrays.slots[std::size_t(std::countr_zero(left))].array;
@@ -275,8 +276,8 @@ bool recordArrays(Context &context, const DrawCommand &command) {
 
 bool recordElement(Context &context, GLint index) {
   const DrawCommand command = {.first = index, .count = 1};
-  // Of a primitive that is the rasterizer's the host would have to be given all, and it has no part
-  // in arrays that alias.
+  // The host would need the whole of a primitive that the rasterizer has begun, and would take its
+  // arrays for others.
   const bool isDeferred = context.listMode == 0 && context.recorder && context.attributesAlias &&
                           context.insideBeginEnd;
   if ((!isDeferred && !(context.listMode != 0 && context.list->recordsPrimitive())) || index < 0)
@@ -306,7 +307,7 @@ bool aliasedDrawRange(Context &context, GLuint start, GLuint end, const DrawComm
 
 namespace {
 
-/// Of several draws that are one command, which has no effect where it is an error.
+/// True if several draws that are one command are the host's: it is an error, or no array aliases.
 bool drawsNone(Context &context, GLenum mode, const GLsizei *count, GLsizei drawCount) {
   return mode > GL_POLYGON || drawCount <= 0 || strangeArrays(context) == 0 ||
          std::any_of(count, count + drawCount, [](GLsizei each) { return each < 0; });
