@@ -69,6 +69,15 @@ bool usesRasterizer(Context &context) {
 
 Outcome decideByPath(Context &context) { return judgePath(context); }
 
+Outcome decideFragments(Context &context) {
+  const Outcome path = judgePath(context);
+  if (!path.ok() && path.reason() != Fallback::BackedOff)
+    return path;
+  Pipeline &pipeline = pipelineOf(context);
+  const Outcome outcome = pipeline.chooseFragments(context);
+  return !outcome.ok() || pipeline.readsRasterValues() ? outcome : path;
+}
+
 namespace {
 
 [[gnu::always_inline]] inline Outcome choose(Context &context, const Pipeline::Kind &kind) {
@@ -96,7 +105,8 @@ Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials) {
 }
 
 bool waitsForCode(Context &context, const Outcome &outcome) {
-  if (outcome.ok() || outcome.reason() != Fallback::Compiling || !meetsDepths(*context.software))
+  if (outcome.ok() || outcome.reason() != Fallback::Compiling ||
+      !(meetsDepths(*context.software) || pipelineOf(context).readsRasterValues()))
     return false;
   awaitCompiler(std::nullopt);
   return true;

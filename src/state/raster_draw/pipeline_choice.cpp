@@ -55,6 +55,17 @@ bool clampsInside(const fp::ir::Program &fixed) {
                      [](const fp::ir::Instruction &each) { return each.dst.saturate; });
 }
 
+/// True if fragments are shaded with more of a raster position than its colour.
+bool readsMoreThanColor(const fp::ir::Program &program) {
+  using fp::ir::AttributeKind;
+  return program.options.fog != fp::ir::FogMode::None || program.options.colorSum ||
+         std::any_of(program.attributes.begin(), program.attributes.end(),
+                     [](const fp::ir::Attribute &attribute) {
+                       return attribute.kind != AttributeKind::ColorPrimary &&
+                              attribute.kind != AttributeKind::Position;
+                     });
+}
+
 /// The components that a format stores, as a write mask.
 unsigned storedMask(const abi::Format &format) {
   unsigned mask = 0;
@@ -107,7 +118,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
     return Fallback::State;
-  if (!testsDepth() || context.software->mayTestDepth()) {
+  if (!testsDepth() || context.software->mayTestDepth() || m_readsRasterValues) {
     const Outcome bound = m_units.bind(context, mirror, shape.samplers, m_key.samplers);
     return bound.ok() && hasVertices ? m_vertices.bindTextures(context, mirror, m_wait) : bound;
   }
@@ -171,7 +182,7 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
 
 Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *vertices) {
   m_many = false;
-  if (const Outcome outcome = choosePixels(context, mirror); !outcome.ok())
+  if (const Outcome outcome = choosePixels(context, mirror, vertices != nullptr); !outcome.ok())
     return outcome;
   if (vertices)
     if (const Outcome outcome = chooseVertices(context, mirror, *vertices); !outcome.ok())
@@ -180,28 +191,29 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *verti
                  vertices != nullptr);
 }
 
-Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
+Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, bool hasVertices) {
   const ContextState &state = *context.software;
+  if (context.numerics == fp::Numerics::Fp24)
+    return Fallback::NotCompiled;
+  m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
+  Outcome outcome;
+  const auto source = m_compiled ? m_compiled->program : m_fixed.get(context, mirror, outcome);
+  if (!outcome.ok())
+    return outcome;
+  m_readsRasterValues = !hasVertices && readsMoreThanColor(*source);
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
   const bool testsDepths = depth.depthTest != 0 || depth.stencilTest != 0;
-  const bool isMixed = testsDepths && !state.mayTestDepth();
+  const bool isMixed = testsDepths && !state.mayTestDepth() && !m_readsRasterValues;
   const bool isPlain = state.drawsPlain && !context.linkedProgram;
-  m_wait = state.steady                                             ? Wait::UntilDone
+  m_wait = state.steady || m_readsRasterValues                      ? Wait::UntilDone
            : (isMixed || isPlain) && state.mayGoUnjudged(isPlain)   ? Wait::Not
            : (testsDepths || isPlain) && state.history.waitsForCode ? Wait::ForDisk
                                                                     : Wait::Briefly;
-  if (context.numerics == fp::Numerics::Fp24)
-    return Fallback::NotCompiled;
   if (m_wait == Wait::Not && awaitsEngine())
     return Fallback::Compiling;
   if (!engine())
     return Fallback::NotCompiled;
-  m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
-  Outcome outcome;
-  const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
-  if (!outcome.ok())
-    return outcome;
-  takeProgram(context, m_compiled ? m_compiled->program : fixed);
+  takeProgram(context, source);
   const fp::jit::FragmentProgram *const prepared = m_program->functions->prepared();
   if (!prepared)
     return m_program->functions->progress() == Progress::Making ? Fallback::Compiling
