@@ -47,6 +47,14 @@ def judge_rules(client, env):
             if sides.distances(found.get(name, b""), bytes(colour))[0]]
 
 
+def judge_frames(client, layer, extra):
+    """A bitmap and an image have their fog in every frame, whoever draws the rest of it."""
+    wanted = bytes(RULES["rule fog"] * 2)
+    return [f"{what}: {tuple(found)}" for what, found in
+            sides.run([client, "frames"], sides.environment(layer, "auto", extra))
+            if sides.distances(found, wanted)[0]]
+
+
 # Bitmaps that sample, then what ends that, then a draw (the client's `letters`): the numbers of each.
 CHANGES, DRAWS = range(3), range(6)
 TRIANGLE = (255, 255, 0, 255)
@@ -101,6 +109,7 @@ def main():
             fonts = [client, "fonts"]
             results["fonts"] = judge_fonts(sides.run(fonts, sides.environment(extra=extra)), sides.run(fonts, layer))
             results["letters"] = judge_letters(client, sides.layer_of(build), extra)
+            results["frames"] = judge_frames(client, sides.layer_of(build), extra)
             if args.backend != "host":
                 results["rules"] = judge_rules(client, layer)
         except (sides.Died, subprocess.TimeoutExpired) as death:

@@ -43,7 +43,8 @@ struct NvState;
 struct VertexShaderState;
 namespace software {
 struct ContextState;
-}
+struct LeftAlone;
+} // namespace software
 
 /// Why a draw must be looked at before it goes on (ContextHot::attention).
 namespace attention {
@@ -69,11 +70,11 @@ inline constexpr std::uint32_t kHeld = 4096;
 /// A primitive is recorded (raster_draw/immediate/replay.h): commands that are errors between Begin
 /// and End are refused.
 inline constexpr std::uint32_t kRecorded = 16384;
-inline constexpr std::uint32_t kSprites = 8192; ///< stays: points may need a form of their own
 /// The host keeps bitmaps that it draws at its next draw (host_draw/faults/kept_letters.h).
 inline constexpr std::uint32_t kLetters = 32768;
 /// What stays where other programs become effective, and where they are validated.
 inline constexpr std::uint32_t kRemains = kList | kLetters;
+inline constexpr std::uint32_t kSprites = 8192; ///< stays: points may need a form of their own
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.
@@ -187,8 +188,9 @@ public:
 
   /// The rasterizer's part; null where it is not used.
   std::unique_ptr<software::ContextState> software;
-  bool softwareRefused = false; ///< it was decided: not looked at again
-  software::Drawable drawable;  ///< as of the last make-current
+  bool softwareRefused = false;                   ///< it was decided: not looked at again
+  std::unique_ptr<software::LeftAlone> leftAlone; ///< null: it never was (frames/leave.h)
+  software::Drawable drawable;                    ///< as of the last make-current
   software::NeighbourEpoch neighbours;
 
   // --- Counters ---

@@ -37,6 +37,7 @@
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frames/frame.h"
+#include "state/raster_draw/frames/leave.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/report/capture.h"
 #include "state/report/statistics.h"
@@ -265,8 +266,8 @@ void hostDefinesLists(std::uint32_t first, std::int32_t count) {
   drawHeldOf(context);
   if (!context || context->insideBeginEnd || context->listMode != 0 || count <= 0)
     return;
+  context->group->listsHoldLetters.store(keepsLetters(*context), std::memory_order_relaxed);
   withinMemory(*context, "NewList", [&] {
-    context->group->listsHoldLetters.store(keepsLetters(*context), std::memory_order_relaxed);
     DisplayListTable &lists = context->group->lists;
     if (lists.hasEarly())
       lists.forgetEarly(*context->host, first, GLuint(count));
@@ -388,6 +389,7 @@ void frameEnd(Context *context) {
     if (context->frames >= software::kEarlyFrames && context->group->lists.hasEarly())
       forgetEarlyLists(*context);
     noteProgress(*context);
+    software::leaveOrReturn(*context);
     refreshReplacements(*context);
   });
 }

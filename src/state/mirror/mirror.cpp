@@ -62,7 +62,6 @@ void queryPolygons(const HostCaps &caps, const HostQuery &query, Mirror &mirror)
   raster.offsetPoint = query.enabled(GL_POLYGON_OFFSET_POINT);
   raster.offsetFactor = query.number(GL_POLYGON_OFFSET_FACTOR);
   raster.offsetUnits = query.number(GL_POLYGON_OFFSET_UNITS);
-  mirror.smoothPolygons = query.enabled(GL_POLYGON_SMOOTH);
   raster.polygonStipple = nullptr;
   if (query.enabled(GL_POLYGON_STIPPLE)) {
     queryPolygonStipple(caps, query, mirror.polygonStipple);
@@ -178,8 +177,9 @@ const char *Mirror::obstacleOf(swrast::Topology topology) const {
   const bool filled = drawnAs(topology, swrast::PolygonMode::Fill);
   const int kinds = int(filled) + int(drawsLines(topology)) + int(drawsPoints(topology));
   const bool isSmooth = coverageOf(topology) != abi::Coverage::Whole;
+  // Smooth polygons are drawn as others: so hosts have them that draw on the processor.
   const bool lacks = (isSmooth && kinds > 1) || // a function is for one kind
-                     (smoothPolygons && filled) || (smoothPoints && sprites);
+                     (smoothPoints && sprites);
   return lacks ? "state" : nullptr;
 }
 

@@ -147,8 +147,8 @@ public:
   [[nodiscard]] bool drawsLines(swrast::Topology topology) const;
   /// What smooth primitives of that kind are drawn with.
   [[nodiscard]] abi::Coverage coverageOf(swrast::Topology topology) const;
-  /// Why primitives of that kind cannot be the rasterizer's, beside `obstacle`: smooth polygons,
-  /// smooth sprites, smooth lines or points beside others in one draw; null: they can.
+  /// Why primitives of that kind cannot be the rasterizer's, beside `obstacle`: smooth sprites,
+  /// smooth lines or points beside others in one draw; null: they can.
   [[nodiscard]] const char *obstacleOf(swrast::Topology topology) const;
 
   swrast::RasterState raster; ///< without clip, which depends on the target
@@ -175,7 +175,7 @@ public:
   /// What of the state keeps draws with the host: a key of reasons.def, and the state's name.
   const char *obstacle = nullptr;
   const char *obstacleDetail = nullptr;
-  bool smoothPoints = false, smoothLines = false, smoothPolygons = false;
+  bool smoothPoints = false, smoothLines = false;
   bool sprites = false; ///< POINT_SPRITE is enabled
   /// Between Begin- and EndConditionalRender; GL has no question for it, so their handlers say it.
   bool conditional = false;

@@ -195,8 +195,6 @@ TEST(Mirror, SmoothPointsPolygonsAndMixturesAreTheHosts) {
   EXPECT_EQ(mirror.coverageOf(Topology::Quads), abi::Coverage::Whole);
   mirror.sprites = true;
   EXPECT_STREQ(mirror.obstacleOf(Topology::Points), "state");
-  mirror.smoothPolygons = true;
-  EXPECT_STREQ(mirror.obstacleOf(Topology::TriangleFan), "state");
 }
 
 TEST(Mirror, CurrentValuesAreAskedForOnce) {

@@ -63,7 +63,7 @@ void move(Context &context, const BitmapCommand &command) {
 
 bool drawBits(Context &context, const PlacedBits &bits) {
   return conclude(context, outcomeOf(context, [&] {
-                    const Outcome outcome = decideByPath(context);
+                    const Outcome outcome = decideFragments(context);
                     return outcome.ok() ? pipelineOf(context).shadeBits(context, bits) : outcome;
                   }));
 }

@@ -71,6 +71,15 @@ bool usesRasterizer(Context &context) {
 
 Outcome decideByPath(Context &context) { return judgePath(context); }
 
+Outcome decideFragments(Context &context) {
+  const Outcome path = judgePath(context);
+  if (!path.ok() && path.reason() != Fallback::BackedOff)
+    return path;
+  Pipeline &pipeline = pipelineOf(context);
+  const Outcome outcome = pipeline.chooseFragments(context);
+  return !outcome.ok() || pipeline.readsRasterValues() ? outcome : path;
+}
+
 namespace {
 
 [[gnu::always_inline]] inline Outcome choose(Context &context, const Pipeline::Kind &kind) {
@@ -100,7 +109,8 @@ Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials) {
 bool waitsForCode(Context &context, const Outcome &outcome) {
   const ContextState &state = *context.software;
   if (outcome.ok() || outcome.reason() != Fallback::Compiling ||
-      !(meetsDepths(state) || state.history.look.isRasterizers()))
+      !(meetsDepths(state) || state.history.look.isRasterizers() ||
+        pipelineOf(context).readsRasterValues()))
     return false;
   awaitCompiler(std::nullopt);
   return true;

@@ -30,6 +30,9 @@ class Pipeline;
 /// What keeps any draw of now with the host, as far as that is known without looking at state: the
 /// path, lists, neighbours, and how the rasterizer has fared. Requires: usesRasterizer().
 Outcome decideByPath(Context &context);
+/// The same, and what fragments at the raster position are drawn with (Pipeline::chooseFragments).
+/// Those that hosts draw with fewer values are the rasterizer's in the host's frames, too.
+Outcome decideFragments(Context &context);
 /// Looks at all state that decides about a draw of `count` vertices (0: not known yet), and has its
 /// functions made: ok where the rasterizer draws it, with what pipelineOf() has chosen and with the
 /// current values that its vertices read, else the reason why the host does. Nothing is written.
@@ -39,10 +42,11 @@ Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask 
 /// Of a draw that was decided about, and of which that turns out later: others vary.
 Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials);
 
-/// True where the outcome is that machine code is still being made, but the draw must meet depths
-/// that the rasterizer wrote in this frame, which the host's would not, or looks of the context are
-/// the rasterizer's: the code has been waited for, and the draw is to be tried again. What takes
-/// longer than a part of a second is not in the making (fp_compiler's budget).
+/// True where the outcome is that machine code is still being made, but the host cannot draw the
+/// same: the draw must meet depths that the rasterizer wrote in this frame, looks of the context are
+/// the rasterizer's, or its fragments have values of the raster position. The code has been waited
+/// for, and the draw is to be tried again. What takes longer than a part of a second is not in the
+/// making (fp_compiler's budget).
 [[nodiscard]] bool waitsForCode(Context &context, const Outcome &outcome);
 /// What a draw comes to: `attempt`, again while it waits for code.
 template <typename Attempt> Outcome outcomeOf(Context &context, Attempt attempt) {

@@ -318,13 +318,6 @@ std::int32_t pixelAt(float raster, float origin) {
 
 } // namespace
 
-bool Pipeline::readsRasterValues() const {
-  const auto &inputs = m_program->functions->prepared()->shape().inputs;
-  return std::any_of(inputs.begin(), inputs.end(), [](const fp::jit::FragmentInput &input) {
-    return input.attribute.kind != AttributeKind::ColorPrimary;
-  });
-}
-
 Outcome Pipeline::readyFragments(Context &context, const swrast::Shading *&shading,
                                  swrast::BitFragments &fragments) {
   if (const Outcome outcome = chooseFragments(context); !outcome.ok())

@@ -52,8 +52,10 @@ public:
                       const Joining &joining);
   /// For fragments that no vertices give, but the current raster position.
   Outcome chooseFragments(Context &context) { return chooseFor(context, nullptr); }
-  /// True if the chosen program reads more of the raster position's values than its colour.
-  [[nodiscard]] bool readsRasterValues() const;
+  /// True if the chosen draw is of fragments at the raster position, and their program reads more
+  /// of its values than its colour: hosts have no others, so the draw is the rasterizer's in any
+  /// frame.
+  [[nodiscard]] bool readsRasterValues() const { return m_readsRasterValues; }
   /// Chooses, and draws bits (bitmap.h) as fragments that have the current raster position's
   /// values.
   Outcome shadeBits(Context &context, const PlacedBits &bits);
@@ -143,6 +145,7 @@ private:
   swrast::Topology m_topology = swrast::Topology::Triangles;
   bool m_many = false; ///< vertices
   Wait m_wait = Wait::Briefly;
+  bool m_readsRasterValues = false;
   const CompiledProgram *m_compiled = nullptr; ///< null: fixed function
   ProgramTable<Program> m_programs;
   Program *m_program = nullptr; ///< current; one of m_programs

@@ -129,13 +129,14 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
       return Fallback::Target;
     m_looks |= looksOf(target.format.layout);
   }
-  if (m_looks != 0 && !context.software->forced && keepsLook(context, false).isHosts())
+  if (m_looks != 0 && !m_readsRasterValues && !context.software->forced &&
+      keepsLook(context, false).isHosts())
     return Fallback::Look;
   if (mirror.clampFixedOnly && m_floatTarget)
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
     return Fallback::State;
-  if (!testsDepth() || context.software->mayTestDepth()) {
+  if (!testsDepth() || context.software->mayTestDepth() || m_readsRasterValues) {
     const Outcome bound = m_units.bind(context, mirror, shape.samplers, m_key.samplers);
     return bound.ok() && hasVertices ? m_vertices.bindTextures(context, mirror, m_wait) : bound;
   }
@@ -217,17 +218,18 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
   if (!m_program->looks)
     m_program->looks = lookBasisOf(*m_program->source, !m_compiled);
   m_units.refresh(context, mirror, m_program->looks->samplers);
+  m_readsRasterValues = !vertices && m_program->looks->readsRasterValues;
   m_looks = looksOf({mirror, *m_program->looks, vertices == nullptr,
                      vertices ? swrast::Topology(vertices->mode) : swrast::Topology::Points});
   const bool testsDepths = testsAny(mirror.pixelOps.depthStencil);
   if (!m_program->functions || !m_program->functions->prepared())
     m_looks |= looksOfObject(context); // a draw without code comes to no key
-  const bool keeps = m_looks != 0 && !state.forced;
+  const bool keeps = m_looks != 0 && !state.forced && !m_readsRasterValues;
   if (keeps && keepsLook(context, testsDepths).isHosts())
     return Fallback::Look;
-  const bool isMixed = testsDepths && !state.mayTestDepth();
+  const bool isMixed = testsDepths && !state.mayTestDepth() && !m_readsRasterValues;
   const bool isPlain = state.drawsPlain && !context.linkedProgram;
-  m_wait = state.steady || keeps                                    ? Wait::UntilDone
+  m_wait = state.steady || keeps || m_readsRasterValues             ? Wait::UntilDone
            : (isMixed || isPlain) && state.mayGoUnjudged(isPlain)   ? Wait::Not
            : (testsDepths || isPlain) && state.history.waitsForCode ? Wait::ForDisk
                                                                     : Wait::Briefly;
@@ -261,7 +263,8 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *ver
   // draw that will be the host's whatever its size (makeKey()).
   Residency &residency = context.software->residency;
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
-  const bool isMixed = testsAny(depth) && !context.software->mayTestDepth();
+  const bool isMixed =
+      testsAny(depth) && !context.software->mayTestDepth() && !m_readsRasterValues;
   m_targets = isMixed ? residency.targetsBefore() : nullptr;
   if (!m_targets || !testsAny(depth, *m_targets)) {
     const char *reason = nullptr;

@@ -11,17 +11,13 @@ bool shadesRasterValues(Context &context) {
   if (context.insideBeginEnd || context.listMode != 0 || !usesRasterizer(context) ||
       !context.software)
     return false;
-  Pipeline &pipeline = pipelineOf(context);
-  const Outcome outcome = outcomeOf(context, [&] {
-    const Outcome path = decideByPath(context);
-    return path.ok() ? pipeline.chooseFragments(context) : path;
-  });
-  return outcome.ok() && pipeline.readsRasterValues();
+  const Outcome outcome = outcomeOf(context, [&] { return decideFragments(context); });
+  return outcome.ok() && pipelineOf(context).readsRasterValues();
 }
 
 bool tryPixels(Context &context, const imaging::Pixels &pixels) {
   return conclude(context, outcomeOf(context, [&] {
-                    const Outcome outcome = decideByPath(context);
+                    const Outcome outcome = decideFragments(context);
                     return outcome.ok() ? pipelineOf(context).shadePixels(context, pixels)
                                         : outcome;
                   }));

@@ -4,23 +4,44 @@
 
 #include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/frames/leave.h"
 #include "state/raster_draw/functions/functions.h"
 #include "util/json.h"
 #include "util/record/record_text.h"
 
 namespace arbiter::state::software {
 
+namespace {
+
+Figures figuresOf(const ContextState &state) {
+  Figures figures;
+  figures.drawn = state.drawn;
+  figures.fallbacks = state.fallbacks;
+  const BackOff::Statistics &backOff = state.history.backOff.statistics();
+  figures.trials = backOff.trials;
+  figures.framesBackedOff = backOff.framesBackedOff;
+  figures.residency = state.residency.statistics();
+  return figures;
+}
+
+} // namespace
+
 void Figures::add(const Context &context) {
-  if (!context.software)
-    return;
-  ++contexts;
-  drawn += context.software->drawn;
+  if (context.software || context.leftAlone)
+    ++contexts;
+  if (context.software)
+    add(figuresOf(*context.software));
+  if (context.leftAlone)
+    add(context.leftAlone->figures);
+}
+
+void Figures::add(const Figures &others) {
+  drawn += others.drawn;
   for (std::size_t i = 0; i < fallbacks.size(); ++i)
-    fallbacks[i] += context.software->fallbacks[i];
-  const BackOff::Statistics &backOff = context.software->history.backOff.statistics();
-  trials += backOff.trials;
-  framesBackedOff += backOff.framesBackedOff;
-  const ResidencyStatistics &moved = context.software->residency.statistics();
+    fallbacks[i] += others.fallbacks[i];
+  trials += others.trials;
+  framesBackedOff += others.framesBackedOff;
+  const ResidencyStatistics &moved = others.residency;
   residency.copiesShared += moved.copiesShared;
   residency.copiesInMemory += moved.copiesInMemory;
   residency.downloads += moved.downloads;

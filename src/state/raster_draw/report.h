@@ -19,7 +19,9 @@ struct Figures {
   std::uint64_t trials = 0, framesBackedOff = 0;
   ResidencyStatistics residency;
 
+  /// Adds those of a context, and of the time before it was left alone (frames/leave.h).
   void add(const Context &context);
+  void add(const Figures &others);
 };
 
 /// The figures as a run of counters, machine code's among them.

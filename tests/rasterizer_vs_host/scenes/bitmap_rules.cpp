@@ -1,6 +1,7 @@
 #include "bitmap_rules.h"
 
 #include <cstddef>
+#include <functional>
 
 #include "surface.h"
 
@@ -108,6 +109,30 @@ void rules() {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     glEnable(GL_TEXTURE_2D);
   });
+}
+
+void frames(const std::function<void()> &swap) {
+  constexpr float kColor[4] = {0.25f, 0.5f, 0.75f, 1};
+  constexpr GLubyte kBit = 0x80;
+  glViewport(0, 0, kEdge, kEdge);
+  for (int frame = 0; frame < 40; ++frame) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_POINT_SMOOTH); // smooth sprites are the host's
+    glEnable(GL_POINT_SPRITE);
+    glBegin(GL_POINTS);
+    glVertex2f(-0.5f, -0.5f);
+    glEnd();
+    glDisable(GL_POINT_SPRITE);
+    setFog(GL_FOG_COORD);
+    glColor4fv(kColor);
+    glRasterPos2f(0.25f, 0.25f);
+    glBitmap(1, 1, 0, 0, 1, 0, &kBit);
+    glDrawPixels(1, 1, GL_RGBA, GL_FLOAT, kColor);
+    glDisable(GL_FOG);
+    record("frame " + std::to_string(frame), readRgba(kEdge * 5 / 8, kEdge * 5 / 8, 2, 1));
+    swap();
+  }
 }
 
 void letters(int change, int draw) {

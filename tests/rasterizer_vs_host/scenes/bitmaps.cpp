@@ -1,11 +1,12 @@
 // Bitmaps under random state: rasterizer-bitmaps [shared] SEED COUNT [COMMANDS], or
-// rasterizer-bitmaps rules, fonts or letters CHANGE DRAW.
+// rasterizer-bitmaps rules, frames, fonts or letters CHANGE DRAW.
 //   SEED COUNT  scenes of so many commands, each in a context of its own: the picture, the depths,
 //               where the raster position is left, GL's errors
 //   shared      each scene is drawn by two contexts of a share group, by turns: they have
 //               programs, lists and buffers of bits in common, and the window
 //   rules       what the specification says and hosts do not all do: run_bitmaps.py knows the
 //               colours
+//   frames      the fog of the rules in frames that are the host's
 //   fonts       texts by glXUseXFont
 //   letters     bitmaps whose fragments sample, then what ends that, then a draw: by number
 // Programs of the scenes read no texture coordinates, fog coordinate or secondary colour: a host
@@ -372,6 +373,11 @@ int main(int argc, char **argv) {
   }
   if (onlyFonts) {
     fonts(screen, window);
+    return 0;
+  }
+  if (argc == 2 && std::strcmp(argv[1], "frames") == 0) {
+    screen.makeCurrent(window, screen.makeContext());
+    frames([&] { screen.swap(window); });
     return 0;
   }
   if (onlyRules) {

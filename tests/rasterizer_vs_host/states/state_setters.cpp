@@ -58,6 +58,7 @@ void setRasterState(const Scene &scene) {
   glPointSize(float(scene.number("point_size")));
   enable(GL_LINE_SMOOTH, scene.choice("antialias") != 0);
   enable(GL_POINT_SMOOTH, scene.choice("antialias") != 0);
+  enable(GL_POLYGON_SMOOTH, scene.choice("antialias") != 0);
   enable(GL_LINE_STIPPLE, scene.choice("stipple") == 1);
   glLineStipple(2, 0x5b3d);
   enable(GL_POLYGON_STIPPLE, scene.choice("stipple") == 2);

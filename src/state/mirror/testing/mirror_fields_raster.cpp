@@ -86,14 +86,11 @@ constexpr Field kRaster[] = {
      [](Numbers &n) -> Check {
        constexpr GLenum kModes[] = {GL_POINT, GL_LINE, GL_FILL};
        const GLenum front = n.of(kModes), back = n.of(kModes);
-       const bool smooth = n.chance(30);
        glPolygonMode(GL_FRONT, front);
        glPolygonMode(GL_BACK, back);
-       turn(GL_POLYGON_SMOOTH, smooth);
        return [=](const Mirror &m) {
          EXPECT_EQ(m.raster.front, modeOf(front));
          EXPECT_EQ(m.raster.back, modeOf(back));
-         EXPECT_EQ(m.smoothPolygons, smooth);
        };
      }},
     {"polygon offset", dirty::kRaster,

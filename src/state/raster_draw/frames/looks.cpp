@@ -54,7 +54,7 @@ Looks looksOf(const LookedAt &draw) {
   if (draw.fragments.isFixed && options.colorSum && options.fog != fp::ir::FogMode::None)
     looks |= bitOf(Look::SumInFog);
   if (draw.isBitmap)
-    return draw.fragments.readsRasterValues ? looks | bitOf(Look::Bitmaps) : looks;
+    return looks;
   if (mirror.raster.lineStippleFactor != 0 && mirror.drawsLines(draw.topology))
     looks |= bitOf(Look::StippledLines);
   if (stencilHasSides(mirror.pixelOps.depthStencil, mirror.constants) &&

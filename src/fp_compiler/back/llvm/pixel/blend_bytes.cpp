@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <llvm/IR/IntrinsicsX86.h>
+
 namespace arbiter::fp::llvm_back {
 
 namespace {
@@ -124,14 +126,20 @@ private:
     llvm_unreachable("a blend factor");
   }
 
-  /// The upper half of the product of words, and a half more of a byte.
-  Value *upper(Value *a, Value *b) {
+  /// The upper half of the product of words.
+  Value *upperHalf(Value *a, Value *b) {
+    static constexpr std::array<llvm::Intrinsic::ID, 3> kX86 = {
+        llvm::Intrinsic::x86_avx512_pmulhu_w_512, llvm::Intrinsic::x86_avx2_pmulhu_w,
+        llvm::Intrinsic::x86_sse2_pmulhu_w}; // by family
     llvm::IRBuilder<> &ir = m_code.ir;
+    if (m_code.cpu.family != Cpu::Family::Neon)
+      return ir.CreateIntrinsic(kX86[std::size_t(m_code.cpu.family)], {}, {a, b});
     auto *const wide = llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(count()) / 2);
     Value *const product = ir.CreateMul(ir.CreateZExt(a, wide), ir.CreateZExt(b, wide));
-    Value *const half = ir.CreateTrunc(ir.CreateLShr(product, 16), words());
-    return ir.CreateAdd(half, word(128));
+    return ir.CreateTrunc(ir.CreateLShr(product, 16), words());
   }
+  /// The same, and a half more of the upper byte.
+  Value *upper(Value *a, Value *b) { return m_code.ir.CreateAdd(upperHalf(a, b), word(128)); }
 
   /// A product of 255ths, as the nearest of them; null for zero. A byte b that is doubled in a word
   /// is 257 * b there, and v * b / 255 is v * 257 * b / 65536 to the nearest.
