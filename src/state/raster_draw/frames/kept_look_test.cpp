@@ -43,5 +43,18 @@ TEST(KeptLook, TheHostsAreChosenAnewEachTimeLater) {
   EXPECT_EQ(framesUntilUndecided(look, 10'000), 4 * first);
 }
 
+TEST(KeptLook, AMixedFrameNowAndThenCostsLittle) {
+  KeptLook look;
+  look.meets(true);
+  const int first = framesUntilUndecided(look, 10'000);
+  for (int i = 0; i < 20; ++i) {
+    look.meets(false);
+    for (int frame = 0; frame < 100 * first; ++frame)
+      EXPECT_FALSE(look.frameEnded(true));
+    look.becomesHosts();
+    EXPECT_EQ(framesUntilUndecided(look, 10'000), first);
+  }
+}
+
 } // namespace
 } // namespace arbiter::state::software
