@@ -258,6 +258,14 @@ TEST(Image, FillsKeepWhatTheMaskLeavesOut) {
     EXPECT_EQ(bytesAt(image, x, y), (std::vector<int>{255, 255, 255, 255}));
 }
 
+TEST(Image, BytesAreRoundedAsHostsRoundThem) {
+  // 0.7 times 255 is a little less than 178.5, 0.3 times 255 a little more than 76.5.
+  Image image = makeImage(kRgba8, 4, 4);
+  const float color[4] = {0.7f, 0.3f, 0.5f, 0.1f};
+  fill(image, {0, 0, 4, 4}, color);
+  EXPECT_EQ(bytesAt(image, 1, 1), (std::vector<int>{178, 76, 128, 26}));
+}
+
 TEST(Image, FloatFillsAreNotClamped) {
   Image image = makeImage(kRgba32f, 2, 2);
   const float value[4] = {-3, 7, 0.5f, 1e20f};

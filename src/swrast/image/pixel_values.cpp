@@ -72,6 +72,16 @@ float scaled(float value, float largest) {
   return value >= 1 ? largest : std::floor(value * largest + 0.5f);
 }
 
+/// To the nearest byte, as hosts round a colour that they clear to: of two that are nearly as near
+/// the even one, as the sum has 8 bits of a byte's fraction.
+std::uint8_t toByte(float value) {
+  if (!(value > 0))
+    return 0;
+  return value >= 1
+             ? 255
+             : std::uint8_t(std::bit_cast<std::uint32_t>(value * (255.0f / 256.0f) + 32768.0f));
+}
+
 void storeBits(Layout layout, std::uint8_t *pixel, int component, float value) {
   std::uint32_t word = 0;
   std::memcpy(&word, pixel, std::size_t(abi::bytesOf(layout)));
@@ -86,7 +96,7 @@ void store(Kind kind, std::uint8_t *pixel, int component, float value) {
   std::uint16_t bits = 0;
   switch (kind) {
   case Kind::U8:
-    pixel[component] = std::uint8_t(scaled(value, 255));
+    pixel[component] = toByte(value);
     return;
   case Kind::U16:
     bits = std::uint16_t(scaled(value, 65535));
