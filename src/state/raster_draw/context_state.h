@@ -56,6 +56,7 @@ struct ContextState {
   /// rasterizers are not equal to the bit, and passes that compare them for equality meet only if
   /// one of the two draws all: mayTestDepth().
   std::uint64_t hostTurns = 0;
+  std::uint64_t lookTurns = 0; ///< of those, the ones that are the host's for their look alone
   /// The host drew something in this frame of which it is not known whether the rasterizer lacks
   /// it, as the engine or a program is still being made.
   bool unjudged = false;
@@ -88,13 +89,18 @@ struct ContextState {
   /// waits for machine code. An application that makes programs in each frame would never be
   /// judged.
   [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
-    return !readsPixels && !history.waitsForCode &&
+    return !readsPixels && !history.waitsForCode && !history.look.isRasterizers() &&
            history.unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
   }
   static constexpr int kMostUnjudged = 2, kMostUnjudgedPlain = 20;
-  /// Whether the rasterizer may test depth or stencil now.
+  /// Whether the rasterizer may test depth or stencil now. Where it is the one to draw a look, the
+  /// first frames are taken for whole ones, though the host has begun them while there was no code:
+  /// of what it drew the depths are nearly always those that the rasterizer would have made.
   [[nodiscard]] bool mayTestDepth() const {
-    return forced || (history.wholeFrames && !hostDrew && hostTurns == 0);
+    return forced || (hostTurns == 0 && ((history.wholeFrames && !hostDrew) || isFirstOfLook()));
+  }
+  [[nodiscard]] bool isFirstOfLook() const {
+    return !history.judged && history.look.isRasterizers();
   }
   std::uint64_t workSeen = 0;        ///< draws, at the end of the last frame
   bool presents = false;             ///< a window was shown

@@ -35,8 +35,10 @@ namespace {
     if (context.path != Path::NoProgram || applicationShades(context))
       return Fallback::NoFragmentProgram;
   }
-  if (!context.software->residency.syncWithNeighbours())
+  if (!context.software->residency.syncWithNeighbours()) [[unlikely]] {
+    context.software->history.look.becomesHosts(); // whatever its look
     return Fallback::Shared;
+  }
   if (!context.software->history.backOff.engaged())
     return Fallback::BackedOff;
   return {};
@@ -96,7 +98,9 @@ Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials) {
 }
 
 bool waitsForCode(Context &context, const Outcome &outcome) {
-  if (outcome.ok() || outcome.reason() != Fallback::Compiling || !meetsDepths(*context.software))
+  const ContextState &state = *context.software;
+  if (outcome.ok() || outcome.reason() != Fallback::Compiling ||
+      !(meetsDepths(state) || state.history.look.isRasterizers()))
     return false;
   awaitCompiler(std::nullopt);
   return true;
@@ -117,6 +121,7 @@ void giveToHost(Context &context, Fallback reason) {
   // What the rasterizer will take later, or leaves for this alone, says nothing about the frame.
   const bool says = reason != Fallback::Compiling && reason != Fallback::Mixed &&
                     reason != Fallback::BackedOff && reason != Fallback::Observed;
+  state.lookTurns += reason == Fallback::Look ? 1 : 0;
   if (says)
     state.hostDraws(fallbackName(reason));
   else

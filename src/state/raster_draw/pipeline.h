@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/fixed_function/fixed_fragment.h"
+#include "state/raster_draw/frames/looks.h"
 #include "state/raster_draw/functions/functions.h"
 #include "state/raster_draw/functions/program_table.h"
 #include "state/raster_draw/outcome.h"
@@ -74,6 +76,7 @@ private:
     std::uint64_t selections = 0; ///< Context::selections
     std::uint64_t images = 0;     ///< Residency::version()
     bool mayTestDepth = false;    ///< ContextState::mayTestDepth()
+    KeptLook::Side look = {};     ///< FrameHistory::look
     /// Where there are vertices; the rest is of them.
     bool vertices = false;
     std::uint32_t vertexState = 0; ///< VertexState::version
@@ -95,10 +98,11 @@ private:
   Outcome chooseFor(Context &context, const Kind *vertices);
   Outcome chooseAnew(Context &context, Mirror &mirror, const Kind *vertices);
   /// The fragment program and the targets.
-  Outcome choosePixels(Context &context, Mirror &mirror);
+  Outcome choosePixels(Context &context, Mirror &mirror, const Kind *vertices);
+  /// The current program's looks, and whether its code is waited for. Not ok: the host draws looks.
+  Outcome chooseSide(Context &context, Mirror &mirror, const Kind *vertices);
   /// Assembly, and the vertex program. Requires: choosePixels().
   Outcome chooseVertices(Context &context, Mirror &mirror, const Kind &kind);
-  void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
   /// What pixels' functions are compiled for. Requires: all else is chosen, as what the rasterizer
   /// lacks is judged before the frame is.
   Outcome makeKey(Context &context, Mirror &mirror, abi::Coverage coverage, bool hasVertices);
@@ -121,6 +125,7 @@ private:
     std::shared_ptr<FragmentFunctions> functions;
     std::unique_ptr<ProgramValues> values; ///< null until it is prepared
     RecentFunctions<FragmentFunctions, abi::FragmentKey> recent;
+    std::optional<LookBasis> looks; ///< none until the first draw
   };
 
   swrast::Topology m_topology = swrast::Topology::Triangles;
@@ -138,7 +143,8 @@ private:
 
   // --- What was chosen, and when ---
   bool m_chosen = false;
-  bool m_isMixed = false; ///< the choice was that the frame is a mixed one
+  std::optional<Fallback> m_isHosts; ///< the choice was that the host draws for now
+  Looks m_looks = 0;
   Basis m_basis;
   std::uint64_t m_seen = 0; ///< GenerationCounter
   bool m_floatTarget = false;

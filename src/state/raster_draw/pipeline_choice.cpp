@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/ir/ir.h"
+#include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/variants/point_sprites.h"
@@ -34,11 +35,41 @@ bool anyFloat(const DrawTargets &targets) {
       [](const swrast::Image *image) { return image && abi::isFloat(image->format.layout); });
 }
 
+bool testsAny(const abi::DepthStencilKey &depth) {
+  return depth.depthTest != 0 || depth.stencilTest != 0;
+}
+
 /// Draws with this key test depth or stencil of these targets.
 bool testsAny(const abi::DepthStencilKey &depth, const DrawTargets &targets) {
   return targets.depthStencil && targets.depthStencil->format.layout != abi::Layout::None &&
          ((depth.depthTest != 0 && targets.depthBits != 0) ||
           (depth.stencilTest != 0 && targets.stencilBits != 0));
+}
+
+/// Before a draw that has a look: which side draws looks now. One that tests depths in a mixed
+/// frame is the host's.
+const KeptLook &keepsLook(Context &context, bool testsDepths) {
+  ContextState &state = *context.software;
+  KeptLook &look = state.history.look;
+  look.meets(state.history.backOff.followsHost());
+  if (testsDepths && !state.mayTestDepth())
+    look.becomesHosts();
+  return look;
+}
+
+/// Returns the looks that draws to a framebuffer object have. A window's are not asked for, as its
+/// size may have to be measured for that.
+Looks looksOfObject(Context &context) {
+  GLint bound = 0;
+  context.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const char *reason = nullptr;
+  const DrawTargets *const targets =
+      bound != 0 ? context.software->residency.describeTargets(reason) : nullptr;
+  Looks looks = 0;
+  for (int i = 0; targets && i < abi::kMaxColorTargets; ++i)
+    if (targets->color[i])
+      looks |= looksOf(targets->color[i]->format.layout);
+  return looks;
 }
 
 using SpriteThird = swrast::RasterState::SpriteThird;
@@ -69,12 +100,6 @@ bool isOneValue(const abi::Format &format) { return format.swizzle[3] == abi::Fr
 
 } // namespace
 
-void Pipeline::takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source) {
-  m_program = &m_programs.find(source, m_program);
-  if (!m_program->functions)
-    m_program->functions = fragmentFunctions(source, context.numerics, m_wait);
-}
-
 Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage coverage,
                           bool hasVertices) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
@@ -102,7 +127,10 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
     target.writeMask &= std::uint8_t(storedMask(target.format));
     if (target.blend.enabled && isOneValue(target.format))
       return Fallback::Target;
+    m_looks |= looksOf(target.format.layout);
   }
+  if (m_looks != 0 && !context.software->forced && keepsLook(context, false).isHosts())
+    return Fallback::Look;
   if (mirror.clampFixedOnly && m_floatTarget)
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
@@ -122,7 +150,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
 Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
                                   const Kind *vertices) {
   Basis basis = {context.selections, context.software->residency.version(),
-                 context.software->mayTestDepth()};
+                 context.software->mayTestDepth(), context.software->history.look.side()};
   if (vertices) {
     basis.vertices = true;
     basis.vertexState = mirror.vertex.version;
@@ -140,20 +168,22 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
   mirror.raster.spriteThird = spriteThirdNow(context);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
-  if (m_chosen || m_isMixed) {
+  if (m_chosen || m_isHosts) {
     mirror.refreshVertexState(m_floatTarget);
     const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
     if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
         (context.dirty & dirty::kFramebuffer) == 0 &&
         basisOf(context, mirror, vertices) == m_basis) {
       m_seen = mirror.clock.now();
-      return m_isMixed ? Outcome(Fallback::Mixed) : Outcome();
+      return m_isHosts ? Outcome(*m_isHosts) : Outcome();
     }
   }
-  m_chosen = m_isMixed = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
+  m_chosen = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
+  m_isHosts.reset();
   const Outcome outcome = chooseAnew(context, mirror, vertices);
   m_chosen = outcome.ok();
-  m_isMixed = !outcome.ok() && outcome.reason() == Fallback::Mixed;
+  if (!outcome.ok() && (outcome.reason() == Fallback::Mixed || outcome.reason() == Fallback::Look))
+    m_isHosts = outcome.reason();
   if (!outcome.ok() && outcome.reason() == Fallback::Compiling) {
     ContextState &state = *context.software;
     if (m_wait == Wait::Not || m_wait == Wait::ForDisk)
@@ -162,7 +192,7 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
     if (m_wait == Wait::ForDisk)
       state.history.waitsForCode = false;
   }
-  if (m_chosen || m_isMixed) {
+  if (m_chosen || m_isHosts) {
     m_basis = basisOf(context, mirror, vertices);
     m_seen = mirror.clock.now();
   }
@@ -171,7 +201,7 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
 
 Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *vertices) {
   m_many = false;
-  if (const Outcome outcome = choosePixels(context, mirror); !outcome.ok())
+  if (const Outcome outcome = choosePixels(context, mirror, vertices); !outcome.ok())
     return outcome;
   if (vertices)
     if (const Outcome outcome = chooseVertices(context, mirror, *vertices); !outcome.ok())
@@ -180,28 +210,45 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *verti
                  vertices != nullptr);
 }
 
-Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
-  const ContextState &state = *context.software;
-  const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
-  const bool testsDepths = depth.depthTest != 0 || depth.stencilTest != 0;
+Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *vertices) {
+  ContextState &state = *context.software;
+  if (!m_program->looks)
+    m_program->looks = lookBasisOf(*m_program->source, !m_compiled);
+  m_units.refresh(context, mirror, m_program->looks->samplers);
+  m_looks = looksOf({mirror, *m_program->looks, vertices == nullptr,
+                     vertices ? swrast::Topology(vertices->mode) : swrast::Topology::Points});
+  const bool testsDepths = testsAny(mirror.pixelOps.depthStencil);
+  if (!m_program->functions || !m_program->functions->prepared())
+    m_looks |= looksOfObject(context); // a draw without code comes to no key
+  const bool keeps = m_looks != 0 && !state.forced;
+  if (keeps && keepsLook(context, testsDepths).isHosts())
+    return Fallback::Look;
   const bool isMixed = testsDepths && !state.mayTestDepth();
   const bool isPlain = state.drawsPlain && !context.linkedProgram;
-  m_wait = state.steady                                             ? Wait::UntilDone
+  m_wait = state.steady || keeps                                    ? Wait::UntilDone
            : (isMixed || isPlain) && state.mayGoUnjudged(isPlain)   ? Wait::Not
            : (testsDepths || isPlain) && state.history.waitsForCode ? Wait::ForDisk
                                                                     : Wait::Briefly;
+  return {};
+}
+
+Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *vertices) {
   if (context.numerics == fp::Numerics::Fp24)
-    return Fallback::NotCompiled;
-  if (m_wait == Wait::Not && awaitsEngine())
-    return Fallback::Compiling;
-  if (!engine())
     return Fallback::NotCompiled;
   m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
   Outcome outcome;
   const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
   if (!outcome.ok())
     return outcome;
-  takeProgram(context, m_compiled ? m_compiled->program : fixed);
+  m_program = &m_programs.find(m_compiled ? m_compiled->program : fixed, m_program);
+  if (outcome = chooseSide(context, mirror, vertices); !outcome.ok())
+    return outcome;
+  if (m_wait == Wait::Not && awaitsEngine())
+    return Fallback::Compiling;
+  if (!engine())
+    return Fallback::NotCompiled;
+  if (!m_program->functions)
+    m_program->functions = fragmentFunctions(m_program->source, context.numerics, m_wait);
   const fp::jit::FragmentProgram *const prepared = m_program->functions->prepared();
   if (!prepared)
     return m_program->functions->progress() == Progress::Making ? Fallback::Compiling
@@ -211,6 +258,8 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
   // A window that the host draws to and shows is measured by reads, anew in each frame: not for a
   // draw that will be the host's whatever its size (makeKey()).
   Residency &residency = context.software->residency;
+  const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
+  const bool isMixed = testsAny(depth) && !context.software->mayTestDepth();
   m_targets = isMixed ? residency.targetsBefore() : nullptr;
   if (!m_targets || !testsAny(depth, *m_targets)) {
     const char *reason = nullptr;

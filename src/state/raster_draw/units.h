@@ -26,6 +26,8 @@ class Units {
 public:
   using Samplers = std::vector<fp::jit::Sampler>;
   using Keys = std::array<abi::SamplerKey, abi::kMaxUnits>;
+  /// The sampler state of the units comes to be up to date.
+  void refresh(Context &context, Mirror &mirror, const Samplers &samplers);
   /// Why the host draws whatever is in the images of the units that are sampled: their sampler
   /// state, or their formats. No pixel is moved.
   [[nodiscard]] Outcome judge(Context &context, Mirror &mirror, const Samplers &samplers);
@@ -43,9 +45,6 @@ public:
   [[nodiscard]] std::uint32_t levelsMatter() const { return m_levelsMatter; }
 
 private:
-  /// The sampler state of the units is up to date.
-  void refresh(Context &context, Mirror &mirror, const Samplers &samplers);
-
   std::vector<SamplerUse> m_uses;
   std::array<abi::TextureView, abi::kMaxUnits> m_views;
   std::array<std::uint8_t, abi::kMaxUnits> m_imageCount{};

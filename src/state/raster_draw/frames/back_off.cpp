@@ -18,6 +18,7 @@ void BackOff::look(float time) {
 }
 
 void BackOff::tryAgain() {
+  m_wasHost = m_phase == Phase::Host;
   m_looksAgain = m_phase == Phase::Host && !isStale();
   m_patience = isStale() ? std::min(2 * m_patience, kKeepFrames) : kLeastPatience;
   enter(Phase::TrySoftware);
@@ -114,6 +115,11 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   if (!engaged())
     ++m_statistics.framesBackedOff;
   ++m_frames;
+  if (frame.keeps && m_phase != Phase::Host) {
+    if (m_phase != Phase::Software)
+      enter(Phase::Software);
+    return;
+  }
   switch (m_phase) {
   case Phase::Software:
     m_moving = frame.moved ? m_moving + 1 : 0;

@@ -16,9 +16,15 @@ public:
     bool moved =
         false; ///< images went up to the host or came down in it, beyond what showing it takes
     bool plain = false; ///< all of it was fixed function, and drawn by the rasterizer
+    bool keeps = false; ///< the host's would look otherwise (kept_look.h)
   };
   /// False: draws are the host's for now.
   [[nodiscard]] bool engaged() const { return m_phase != Phase::TryHost && m_phase != Phase::Host; }
+  /// These are frames of the rasterizer's after others of the host's: what the host drew is known
+  /// by its looks.
+  [[nodiscard]] bool followsHost() const {
+    return m_wasHost && (m_phase == Phase::TrySoftware || m_phase == Phase::Confirm);
+  }
   void frameEnded(Frame frame, std::chrono::steady_clock::time_point now);
   /// A frame ended that says nothing: the next one's time is counted from its end.
   void frameIgnored(std::chrono::steady_clock::time_point now) {
@@ -84,6 +90,7 @@ private:
   int m_keep = kDoubtFrames;    ///< frames until a doubt is followed by a trial
   int m_keepHost = kKeepFrames; ///< the host's frames until the next trial
   bool m_looksAgain = false;    ///< a trial of what the host was kept for, by frames that are alike
+  bool m_wasHost = false;       ///< a trial of frames that were the host's
   int m_moving = 0;             ///< frames in a row that moved images
   int m_plain = 0;              ///< and that were plain
   bool m_triedMoving = false;   ///< most frames of the trial moved images

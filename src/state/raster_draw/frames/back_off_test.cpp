@@ -206,6 +206,42 @@ TEST(BackOff, ASlowFrameOfALookIsOutvoted) {
   EXPECT_EQ(backOff.statistics().lastSoftwareMilliseconds, 5.0);
 }
 
+TEST(BackOff, FramesOfALookAreNeverTheHostsToTry) {
+  BackOff backOff;
+  Clock::time_point now(std::chrono::seconds(1));
+  const auto frame = [&](bool keeps) {
+    now += std::chrono::milliseconds(backOff.engaged() ? 10 : 1);
+    backOff.frameEnded({false, backOff.engaged(), keeps}, now);
+  };
+  for (int i = 0; i < 3000; ++i) {
+    frame(true);
+    ASSERT_TRUE(backOff.engaged()) << i;
+  }
+  EXPECT_EQ(backOff.statistics().trials, 0u);
+  // A look that is first drawn while a trial goes on ends it.
+  while (backOff.engaged())
+    frame(false);
+  EXPECT_FALSE(backOff.followsHost());
+  while (!backOff.engaged())
+    frame(false);
+  frame(true);
+  for (int i = 0; i < 100; ++i) {
+    frame(true);
+    ASSERT_TRUE(backOff.engaged()) << i;
+  }
+}
+
+TEST(BackOff, ATrialOfTheHostsFramesFollowsIt) {
+  BackOff backOff;
+  Frames frames(backOff);
+  EXPECT_FALSE(backOff.followsHost());
+  frames.run(200, true, 10, 4);
+  ASSERT_FALSE(backOff.engaged());
+  while (!backOff.engaged())
+    frames.run(1, true, 10, 4);
+  EXPECT_TRUE(backOff.followsHost());
+}
+
 TEST(BackOff, ForcedItIsNeverInDoubt) {
   BackOff backOff;
   backOff.setForced(true);

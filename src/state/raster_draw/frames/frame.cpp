@@ -25,9 +25,29 @@ std::uint64_t workOf(const ContextState &state) {
 /// A frame whose draws were the host's for a client's sake is as if there had been none.
 void passOver(ContextState &state) {
   state.unjudged = state.observed = state.hostDrew = state.depthsTested = false;
-  state.hostTurns = 0;
+  state.hostTurns = state.lookTurns = 0;
   state.workSeen = workOf(state);
   state.history.backOff.frameIgnored(std::chrono::steady_clock::now());
+}
+
+/// A frame ended in which something was drawn.
+void judgeWhole(ContextState &state) {
+  FrameHistory &history = state.history;
+  history.waitsForCode = false;
+  // Nor does one that the host drew before anything could be said of it.
+  if (state.hostTurns != 0 || !state.unjudged) {
+    history.judged = true;
+    history.wholeFrames = history.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
+    if (!state.steady)
+      noteFrame(state.hostTurns == 0);
+  }
+  const bool lookedAt = history.backOff.engaged() && !state.unjudged;
+  if (history.look.frameEnded(lookedAt && state.hostTurns == state.lookTurns))
+    history.wholeFrames = true;
+  history.unjudgedFrames = state.unjudged ? history.unjudgedFrames + 1 : 0;
+  state.unjudged = false;
+  state.hostTurns = state.lookTurns = 0;
+  state.workSeen = workOf(state);
 }
 
 void judge(Context &context, bool moved) {
@@ -39,21 +59,11 @@ void judge(Context &context, bool moved) {
   const bool drew = workOf(state) != state.workSeen;
   if (drew) {
     frameEndsForCompiler();
-    state.history.waitsForCode = false;
-    // Nor does one that the host drew before anything could be said of it.
-    if (state.hostTurns != 0 || !state.unjudged) {
-      state.history.wholeFrames =
-          state.history.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
-      if (!state.steady)
-        noteFrame(state.hostTurns == 0);
-    }
-    state.history.unjudgedFrames = state.unjudged ? state.history.unjudgedFrames + 1 : 0;
-    state.unjudged = false;
-    state.hostTurns = 0;
-    state.workSeen = workOf(state);
+    judgeWhole(state);
   }
   state.hostDrew = state.depthsTested = false;
-  state.history.backOff.frameEnded({moved, plain}, std::chrono::steady_clock::now());
+  state.history.backOff.frameEnded({moved, plain, state.history.look.isRasterizers()},
+                                   std::chrono::steady_clock::now());
   if (drew && !state.steady)
     keepHistory(state.history);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "state/raster_draw/frames/back_off.h"
 #include "state/raster_draw/frames/frame_trials.h"
+#include "state/raster_draw/frames/kept_look.h"
 
 namespace arbiter::state::software {
 
@@ -8,6 +9,8 @@ namespace arbiter::state::software {
 struct FrameHistory {
   BackOff backOff;
   FrameTrials trials;
+  KeptLook look;
+  bool judged = false; ///< of a frame it was said whether it is a whole one
   bool wholeFrames =
       false;              ///< the last frames had no turn of the host, as many as `trials` asks for
   int unjudgedFrames = 0; ///< in a row

@@ -1,0 +1,77 @@
+// A still picture, shown again and again: rasterizer-still SCENE FRAMES [two]. Records the first
+// picture, and each picture that is not the one before, as the window shows them: an application
+// that reads its pixels may be treated otherwise. `two`: frames are drawn by two contexts by turns.
+// rasterizer-still list names the scenes.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "still_scenes.h"
+#include "surface.h"
+
+namespace software {
+namespace {
+
+constexpr int kMostRecords = 8; // a picture that flickers is told by its first changes
+
+void drawFrame(const StillScene &scene) {
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  glClearColor(0.4F, 0.5F, 0.7F, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  scene.draw();
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glPopClientAttrib();
+  glPopAttrib();
+}
+
+int drawStill(const StillScene &scene, int frames, bool two) {
+  Screen screen;
+  if (!screen.open())
+    return 1;
+  const GLXDrawable window = screen.makeWindow(kStillEdge, kStillEdge);
+  const GLXContext first = screen.makeContext();
+  const GLXContext second = two ? screen.makeContext(first) : nullptr;
+  for (const GLXContext context : {second, first})
+    if (context) {
+      screen.makeCurrent(window, context);
+      if (scene.prepare)
+        scene.prepare();
+    }
+  std::vector<unsigned char> shown;
+  int recorded = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    if (two)
+      screen.makeCurrent(window, frame % 2 == 0 ? first : second);
+    drawFrame(scene);
+    screen.swap(window);
+    std::vector<unsigned char> picture = screen.grab(kStillEdge, kStillEdge);
+    if (picture == shown)
+      continue;
+    shown = std::move(picture);
+    record("frame " + std::to_string(frame), shown);
+    if (++recorded == kMostRecords)
+      break;
+  }
+  record("errors" + takeErrors(), {});
+  return 0;
+}
+
+} // namespace
+} // namespace software
+
+int main(int argc, char **argv) {
+  if (argc == 2 && !std::strcmp(argv[1], "list")) {
+    for (const software::StillScene &scene : software::stillScenes())
+      std::printf("%s\n", scene.name);
+    return 0;
+  }
+  const bool two = argc == 4 && !std::strcmp(argv[3], "two");
+  for (const software::StillScene &scene : software::stillScenes())
+    if ((argc == 3 || two) && !std::strcmp(argv[1], scene.name))
+      return software::drawStill(scene, std::atoi(argv[2]), two);
+  return 2;
+}
