@@ -138,6 +138,7 @@ IdentityRules identityRules() {
   rules.nvAsHost = activeProfile().fromHost;
   rules.nvFragmentOptions = activeProfile().fragment.nvOptions;
   rules.nvVertexOptions = activeProfile().vertex.nvOptions;
+  rules.nvVertexProgram = activeProfile().vertex.nvVertexProgram;
   rules.generalCombiners = activeProfile().combiners.general;
   rules.perStageConstants = activeProfile().combiners.perStageConstants != 0;
   rules.textureShaders = activeProfile().textureShaders;
@@ -157,29 +158,29 @@ IdentityRules identityRules() {
 namespace {
 
 /// An extension of NVIDIA's program languages, and from which step of the profile's options on it
-/// is there. NVIDIA's own languages come with the first step of both. Those that promise clip
-/// distances need a host that has them.
+/// is there, and whether with NV_vertex_program alone, whose commands those languages share. Those
+/// that promise clip distances need a host that has them.
 struct NvExtension {
   const char *name;
-  std::uint32_t fragment, vertex;
+  std::uint32_t fragment, vertex, program;
   bool clips = false;
 };
 constexpr NvExtension kNvExtensions[] = {
-    {"GL_NV_fragment_program", 1, 1},
-    {"GL_NV_fragment_program_option", 1, 0},
-    {"GL_NV_fragment_program2", 2, 0},
-    {"GL_NV_vertex_program", 1, 1},
-    {"GL_NV_vertex_program1_1", 1, 1},
-    {"GL_NV_vertex_program2", 1, 1, true},
-    {"GL_NV_vertex_program2_option", 0, 1, true},
-    {"GL_NV_vertex_program3", 0, 2, true},
+    {"GL_NV_fragment_program", 1, 0, 1},
+    {"GL_NV_fragment_program_option", 1, 0, 0},
+    {"GL_NV_fragment_program2", 2, 0, 0},
+    {"GL_NV_vertex_program", 0, 0, 1},
+    {"GL_NV_vertex_program1_1", 0, 0, 1},
+    {"GL_NV_vertex_program2", 0, 1, 1, true},
+    {"GL_NV_vertex_program2_option", 0, 1, 0, true},
+    {"GL_NV_vertex_program3", 0, 2, 0, true},
 };
 
 void addNvExtensions(FilteredExtensions &extensions, const HostCaps &caps,
                      const IdentityRules &rules) {
   for (const NvExtension &row : kNvExtensions) {
     if (rules.nvFragmentOptions < row.fragment || rules.nvVertexOptions < row.vertex ||
-        (rules.nvAsHost && !caps.has(row.name)) || (row.clips && !caps.clipDistances()))
+        rules.nvVertexProgram < row.program || (rules.nvAsHost && !caps.has(row.name)) || (row.clips && !caps.clipDistances()))
       continue;
     extensions.names.emplace_back(row.name);
     extensions.joined += std::string(row.name) + " ";

@@ -23,6 +23,7 @@ struct IdentityRules {
   bool perStageConstants = false;         ///< and NV_register_combiners2
   std::uint32_t textureShaders = 0;       ///< the first so many of NV_texture_shader, 2 and 3
   bool nvAsHost = false; ///< of NVIDIA's extensions only those that the host announces too
+  std::uint32_t nvVertexProgram = 0; ///< Limits::nvVertexProgram
 
   [[nodiscard]] bool cutExtensions() const { return card || maxYear != 0 || maxLength != 0; }
 };

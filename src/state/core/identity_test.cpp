@@ -2,6 +2,7 @@
 #include "state/core/identity.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -49,10 +50,12 @@ TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
   HostCaps host = caps();
   host.bitEncoding = true;
   host.extensions.emplace_back("GL_ARB_shader_texture_lod");
-  const auto announced = [&](std::uint32_t fragment, std::uint32_t vertex, bool asHost = false) {
+  const auto announced = [&](std::uint32_t fragment, std::uint32_t vertex, std::uint32_t program,
+                             bool asHost = false) {
     IdentityRules rules;
     rules.nvFragmentOptions = fragment;
     rules.nvVertexOptions = vertex;
+    rules.nvVertexProgram = program;
     rules.nvAsHost = asHost;
     Names found;
     for (const std::string &name : makeIdentity(host, true, rules).extensions.names)
@@ -60,22 +63,23 @@ TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
         found.push_back(name.substr(6));
     return found;
   };
-  EXPECT_EQ(announced(0, 0), Names{});
-  EXPECT_EQ(announced(1, 0), Names{"fragment_program_option"});
-  EXPECT_EQ(announced(0, 2), (Names{"vertex_program2_option", "vertex_program3"}));
+  EXPECT_EQ(announced(0, 0, 0), Names{});
+  EXPECT_EQ(announced(1, 0, 0), Names{"fragment_program_option"});
+  EXPECT_EQ(announced(0, 2, 0), (Names{"vertex_program2_option", "vertex_program3"}));
   host.glslVersion = 120;
-  EXPECT_EQ(announced(0, 2), Names{}) << "they promise clip distances";
+  EXPECT_EQ(announced(0, 2, 0), Names{}) << "they promise clip distances";
   host.glslVersion = 450;
-  // NVIDIA's own languages, which need both stages.
-  EXPECT_EQ(announced(1, 1),
+  EXPECT_EQ(announced(0, 0, 1), (Names{"vertex_program", "vertex_program1_1"}))
+      << "cards before the GeForce FX";
+  EXPECT_EQ(announced(1, 1, 1),
             (Names{"fragment_program", "fragment_program_option", "vertex_program",
                    "vertex_program1_1", "vertex_program2", "vertex_program2_option"}));
-  EXPECT_EQ(announced(2, 2).size(), 8u);
-  EXPECT_EQ(announced(2, 2, true), Names{}) << "the host announces none";
+  EXPECT_EQ(announced(2, 2, 1).size(), 8u);
+  EXPECT_EQ(announced(2, 2, 1, true), Names{}) << "the host announces none";
   host.extensions.emplace_back("GL_NV_vertex_program");
-  EXPECT_EQ(announced(2, 2, true), Names{"vertex_program"});
+  EXPECT_EQ(announced(2, 2, 1, true), Names{"vertex_program"});
   host.bitEncoding = false; // what GLSL lacks there
-  EXPECT_EQ(announced(2, 2), Names{});
+  EXPECT_EQ(announced(2, 2, 1), Names{});
 }
 
 TEST(Identity, ACardsListIsCutToWhatWorks) {
@@ -162,6 +166,18 @@ TEST(Extensions, ALengthIsKeptToTheByteAndCutsBetweenNames) {
     if (cut.joined.size() < whole.size()) { // the next name would not have fitted
       ASSERT_GT(whole.find(' ', cut.joined.size()) + 1, length);
     }
+  }
+}
+
+TEST(ExtensionYears, NoCardLosesWhatItsOwnDriverNamed) {
+  for (const std::string_view name : fp::hw::builtinNames()) {
+    const fp::hw::Identity &identity = fp::hw::findBuiltin(name)->identity;
+    if (identity.year.value.empty())
+      continue;
+    std::istringstream names(identity.extensions.value);
+    for (std::string each; names >> each;)
+      EXPECT_LE(extensionYear(each).value_or(9999), std::uint32_t(std::stoi(identity.year.value)))
+          << name << ": " << each;
   }
 }
 

@@ -97,6 +97,8 @@ bool nvValue(const Context &context, GLenum pname, GLint &value) {
   const ProgramTarget &fragment = context.row(Target::Fragment);
   if (pname == GL_VERTEX_PROGRAM_BINDING_NV)
     value = GLint(context.row(Target::Vertex).bound->name);
+  else if (fragment.limits.nvOptions == 0)
+    return false;
   else if (pname == GL_FRAGMENT_PROGRAM_BINDING_NV)
     value = GLint(fragment.bound->name);
   else

@@ -33,6 +33,7 @@ fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &
   const bool fromHost = profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram);
   fp::Limits limits = fromHost ? queryHostLimits(infoOf(target).name, host, caps) : ofProfile;
   limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
+  limits.nvVertexProgram = caps.drawsNvOptions() ? ofProfile.nvVertexProgram : 0;
   // Vertex programs that sample may name the units of all stages.
   const GLint imageUnits = vertex && limits.nvOptions >= 2
                                ? std::min(caps.maxCombinedImageUnits, kMostImageUnits)
@@ -71,10 +72,10 @@ void offer(Context &context, Target target, fp::Limits limits) {
   context.group->setDefaultLocals(target, row.localsOfObject());
 }
 
-/// NVIDIA's own languages and their API, where the profile has its options.
+/// NVIDIA's own languages and their API, where the profile has the first of them.
 void offerNvPrograms(Context &context) {
   const fp::Limits limits = context.row(Target::Vertex).limits;
-  if (limits.nvOptions == 0 || context.row(Target::Fragment).limits.nvOptions == 0)
+  if (limits.nvVertexProgram == 0)
     return;
   context.row(Target::VertexState).limits = limits;
   context.nv = std::make_unique<NvState>();

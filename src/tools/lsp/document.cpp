@@ -122,7 +122,7 @@ const Analysis &Document::analysis(const fp::hw::Profile &profile) {
   made.limits = limitsOf(profile, made.language);
   made.tokens = tokensOf(m_text, made.language);
   made.nv = nvOptionOf(m_text, made.tokens, made.limits);
-  if (made.limits.nvOptions != 0)
+  if (fp::takesLanguage(made.limits, fp::nativeLanguageOf(m_text)))
     made.ownLanguage = fp::nativeLanguageOf(m_text);
   fp::CompileOptions options;
   options.limits = made.limits;
