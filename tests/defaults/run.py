@@ -142,14 +142,16 @@ def check_every_setting(place):
     place.put('config/arbiter/defaults.d/all.toml',
               entry('client', "profile = 'nv30'\nidentity = 'profile'\nnumerics = 'legacy'\n"
                               "backend = 'host'\nlimits = 'report'\nfixed_function = 'always'\n"
-                              "threads = 2\nextensions_max_year = 2001"))
+                              "threads = 2\nextensions_max_year = 2001\n"
+                              "extensions = 'GL_EXT_abgr=off'"))
     seen = place.run('client', 100000, ARBITER_LOG='info')
     expect(seen.returncode == 0, seen)
     report = json.loads(place.stats.read_text())
     expect((report['profile'], report['identity'], report['numerics']) == ('nv30', 'profile', 'legacy'),
            {key: report[key] for key in ('profile', 'identity', 'numerics')})
-    expect(len(report['defaults']['settings']) == 8, report['defaults'])
-    for name in ('PROFILE', 'BACKEND', 'LIMITS', 'THREADS', 'FIXED_FUNCTION', 'EXTENSIONS_MAX_YEAR'):
+    expect(len(report['defaults']['settings']) == 9, report['defaults'])
+    for name in ('PROFILE', 'BACKEND', 'LIMITS', 'THREADS', 'FIXED_FUNCTION', 'EXTENSIONS_MAX_YEAR',
+                 'EXTENSIONS'):
         expect(f'ARBITER_{name}=' in seen.stderr, f'{name} is not in the log: {seen.stderr}')
 
 

@@ -124,6 +124,6 @@ struct FilteredExtensions {
 };
 /// The host's list, plus what the layer implements, less the extensions that offer fragment program
 /// text in a language that the layer refuses.
-[[nodiscard]] FilteredExtensions filterExtensions(const HostCaps &caps, bool offered);
+[[nodiscard]] std::vector<std::string> filterExtensions(const HostCaps &caps, bool offered);
 
 } // namespace arbiter::state

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "state/testing/current_context.h"
+#include "util/flags.h"
 
 namespace arbiter::state {
 namespace {
@@ -167,6 +168,56 @@ TEST(Extensions, ALengthIsKeptToTheByteAndCutsBetweenNames) {
       ASSERT_GT(whole.find(' ', cut.joined.size()) + 1, length);
     }
   }
+}
+
+using Switches = std::vector<ExtensionSwitch>;
+
+Identity switched(const HostCaps &host, const Switches &switches, IdentityRules rules = {}) {
+  rules.switches = &switches;
+  return makeIdentity(host, true, rules);
+}
+
+bool announces(const Identity &identity, const std::string &name) {
+  const Names &names = identity.extensions.names;
+  const bool listed = std::find(names.begin(), names.end(), name) != names.end();
+  EXPECT_EQ((" " + identity.extensions.joined).find(" " + name + " ") != std::string::npos, listed);
+  return listed;
+}
+
+TEST(ExtensionSwitches, HideNamesOfTheLayersAndOfTheHosts) {
+  const Identity identity = switched(
+      caps(), {{"GL_EXT_abgr", false}, {"GL_ARB_fragment_program", false}, {"GL_X", false}});
+  EXPECT_FALSE(announces(identity, "GL_EXT_abgr"));
+  EXPECT_FALSE(announces(identity, "GL_ARB_fragment_program"));
+  EXPECT_TRUE(announces(identity, "GL_ARB_multitexture"));
+  EXPECT_EQ(identity.absent, Names{});
+}
+
+TEST(ExtensionSwitches, AnnounceWhatARuleHides) {
+  const fp::hw::Identity c = card();
+  IdentityRules rules;
+  rules.card = &c;
+  EXPECT_FALSE(announces(makeIdentity(caps(), true, rules), "GL_KHR_no_error"));
+  EXPECT_TRUE(announces(switched(caps(), {{"GL_KHR_no_error", true}}, rules), "GL_KHR_no_error"));
+  HostCaps host = caps();
+  host.bitEncoding = true;
+  host.extensions.emplace_back("GL_ARB_shader_texture_lod");
+  IdentityRules asHost;
+  asHost.nvAsHost = true;
+  asHost.nvVertexProgram = 1;
+  EXPECT_FALSE(announces(makeIdentity(host, true, asHost), "GL_NV_vertex_program"));
+  EXPECT_TRUE(
+      announces(switched(host, {{"GL_NV_vertex_program", true}}, asHost), "GL_NV_vertex_program"));
+}
+
+TEST(ExtensionSwitches, WhatNobodyHasIsNotAnnouncedAndIsSaid) {
+  HostCaps host = caps();
+  host.extensions.emplace_back("GL_NV_gpu_program4"); // a language that the layer refuses
+  const Identity identity = switched(
+      host, {{"GL_NOT_there", true}, {"GL_NV_gpu_program4", true}, {"GLX_ARB_multisample", true}});
+  EXPECT_EQ(identity.absent, (Names{"GL_NOT_there", "GL_NV_gpu_program4"}));
+  EXPECT_FALSE(announces(identity, "GL_NOT_there"));
+  EXPECT_FALSE(announces(identity, "GLX_ARB_multisample")) << "glXQueryExtensionsString's";
 }
 
 TEST(ExtensionYears, NoCardLosesWhatItsOwnDriverNamed) {

@@ -15,6 +15,7 @@
 #include "state/core/memory.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
@@ -161,6 +162,8 @@ void initialise(Context &context) {
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
   if (settings().alwaysFixedFunction)
     context.attention |= attention::kProgram; // the first draw is looked at
+  if (!settings().extensions.empty())
+    static_cast<void>(applicationIdentity(context)); // what is asked for and is not there is said
 }
 
 /// A context that is half made is none: the next make-current tries again.
