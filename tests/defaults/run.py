@@ -37,6 +37,13 @@ TITLES = {
     'Star Wars Jedi Knight II: Jedi Outcast': ('jk2sp.exe', 4096),
     'Star Wars Jedi Knight: Jedi Academy': ('jamp.exe', 4096),
     'Savage: The Battle for Newerth (Linux)': ('silverback.bin', 4096),
+    'Stubbs the Zombie': ('Stubbs.exe', 4096),
+    'Wolfenstein: Enemy Territory (Linux)': ('et.x86', 4096),
+    'Wolfenstein: Enemy Territory (Windows)': ('ET.exe', 4096),
+    'ET: Legacy (Linux)': ('etl.x86_64', 8192),
+    'ET: Legacy (Windows)': ('etl.exe', 8192),
+    'OpenArena (Linux)': ('openarena.x86_64', 8192),
+    'OpenArena (Windows)': ('openarena.exe', 8192),
 }
 OVERFLOWN = -signal.SIGSEGV
 # What Wine 8 puts behind the string.
@@ -110,7 +117,9 @@ def check_titles(place):
         bare = place.run(name, size, ARBITER_DEFAULTS='0')
         if bare.returncode == 77:
             return False
-        expect(bare.returncode == OVERFLOWN, f'{title} without defaults: {bare}')
+        # The strings of some hosts of today fit into the larger fields, and those of others do not.
+        fits = bare.returncode == 0 and size > 8000
+        expect(fits or bare.returncode == OVERFLOWN, f'{title} without defaults: {bare}')
         held = place.run(name, size)
         expect(held.returncode == 0, f'{title}: {held}')
         report = place.defaults()

@@ -189,6 +189,7 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   querySoftwareCaps(caps, gl);
   if (!caps.compatibility)
     return caps;
+  caps.extensionBytes = std::strlen(getString(host, GL_EXTENSIONS));
   caps.maxAttribStackDepth = getInteger(host, GL_MAX_ATTRIB_STACK_DEPTH, 16);
   caps.maxTextureUnits = getInteger(host, GL_MAX_TEXTURE_UNITS, 2);
   caps.maxClipPlanes = getInteger(host, GL_MAX_CLIP_PLANES, 6);

@@ -94,6 +94,7 @@ struct HostCaps {
   /// where parameters change before each draw (host_draw/fragment_assembly.h).
   bool ownFragments = false;
   std::vector<std::string> extensions;
+  std::size_t extensionBytes = 0; ///< of GL_EXTENSIONS as one string; 0: not known
 
   [[nodiscard]] bool has(const char *extension) const;
 
@@ -115,10 +116,10 @@ struct HostCaps {
 [[nodiscard]] fp::Limits queryHostLimits(GLenum target, const host::HostTable &host,
                                          const HostCaps &caps);
 
-/// The extension list that the application sees.
+/// The extensions that the application sees.
 struct FilteredExtensions {
-  std::vector<std::string> names;
-  std::string joined;
+  std::vector<std::string> names; ///< one by one (GetStringi)
+  std::string joined;             ///< as one string (GetString), which may have fewer
 
   bool operator==(const FilteredExtensions &) const = default;
 };

@@ -87,6 +87,27 @@ void eraseByRules(std::vector<std::string> &names, const IdentityRules &rules) {
     eraseLater(names, rules.maxYear);
 }
 
+/// The last year of the drivers that profiles tell of: no program of their time knows a later name.
+constexpr std::uint32_t kLastYearOfTheEra = 2006;
+
+/// Leaves the newest of the host's own names out of the string until that is no longer than the
+/// host's: engines that were patched for long ones have fields of 8192 bytes. The list keeps them,
+/// as programs that know such names ask for it by index.
+void fitString(FilteredExtensions &extensions, const HostCaps &caps, const IdentityRules &rules) {
+  std::vector<std::string> modern;
+  for (const std::string &name : extensions.names)
+    if (extensionYear(name).value_or(kUnknownYear) > kLastYearOfTheEra && caps.has(name.c_str()) &&
+        !(rules.switches && isSwitchedOn(*rules.switches, name)))
+      modern.push_back(name);
+  sortByYear(modern);
+  for (std::string &joined = extensions.joined;
+       joined.size() > caps.extensionBytes && !modern.empty(); modern.pop_back()) {
+    const std::string name = modern.back() + " ";
+    const std::size_t at = joined.starts_with(name) ? 0 : joined.find(" " + name) + 1;
+    joined.erase(at, name.size());
+  }
+}
+
 void nameCard(Identity &identity, const HostCaps &caps, const fp::hw::Identity &card) {
   identity.vendor = card.vendor.value;
   identity.renderer = card.renderer.value;
@@ -248,6 +269,8 @@ Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &r
   if (rules.cutExtensions())
     sortByYear(extensions.names);
   join(extensions, rules.maxLength);
+  if (offered && !rules.cutExtensions() && caps.extensionBytes != 0)
+    fitString(extensions, caps, rules);
   if (rules.card)
     nameCard(identity, caps, *rules.card);
   return identity;

@@ -220,6 +220,48 @@ TEST(ExtensionSwitches, WhatNobodyHasIsNotAnnouncedAndIsSaid) {
   EXPECT_FALSE(announces(identity, "GLX_ARB_multisample")) << "glXQueryExtensionsString's";
 }
 
+/// A host with modern names, and the bytes of its string.
+HostCaps modernHost() {
+  HostCaps host = caps();
+  host.extensions = {"GL_EXT_abgr"};
+  for (int i = 0; i < 4; ++i)
+    host.extensions.push_back("GL_NEW_" + std::to_string(i) + "_of_no_known_year");
+  host.extensions.insert(host.extensions.end(),
+                         {"GL_ARB_vertex_program", "GL_KHR_no_error", "GL_ARB_sync"});
+  for (const std::string &name : host.extensions)
+    host.extensionBytes += name.size() + 1;
+  return host;
+}
+
+// Engines that were patched for long strings have fields of 8192 bytes; hosts are near that.
+TEST(ExtensionString, IsNoLongerThanTheHosts) {
+  const HostCaps host = modernHost();
+  const FilteredExtensions seen = makeIdentity(host, true, {}).extensions;
+  EXPECT_LE(seen.joined.size(), host.extensionBytes);
+  EXPECT_EQ(seen.joined.find("NEW_3"), std::string::npos) << "the newest go first";
+  for (const char *old : {"GL_EXT_abgr ", "GL_ARB_vertex_program ", "GL_ARB_fragment_program "})
+    EXPECT_NE(seen.joined.find(old), std::string::npos) << old;
+  // By index all are there, for programs of the host's time.
+  for (const std::string &name : host.extensions)
+    EXPECT_EQ(std::count(seen.names.begin(), seen.names.end(), name), 1) << name;
+  // What was asked for stays, whatever its year.
+  const Switches keep = {{"GL_NEW_3_of_no_known_year", true}};
+  IdentityRules rules;
+  rules.switches = &keep;
+  const std::string kept = makeIdentity(host, true, rules).extensions.joined;
+  EXPECT_NE(kept.find("NEW_3"), std::string::npos);
+  EXPECT_EQ(kept.find("NEW_2"), std::string::npos);
+}
+
+TEST(ExtensionString, KeepsWhatProgramsOfTheEraMayKnow) {
+  HostCaps host = caps();
+  host.extensions = {"GL_EXT_abgr", "GL_ARB_multitexture", "GL_ARB_vertex_program"};
+  host.extensionBytes = 10;
+  const FilteredExtensions seen = makeIdentity(host, true, {}).extensions;
+  for (const std::string &name : host.extensions)
+    EXPECT_NE(seen.joined.find(name + " "), std::string::npos) << name;
+}
+
 TEST(ExtensionYears, NoCardLosesWhatItsOwnDriverNamed) {
   for (const std::string_view name : fp::hw::builtinNames()) {
     const fp::hw::Identity &identity = fp::hw::findBuiltin(name)->identity;
