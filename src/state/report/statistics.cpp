@@ -206,7 +206,7 @@ void noteProgress(const Context &context) {
 }
 
 void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
-                       const fp::CheckResult &result) {
+                       const fp::CheckResult &result, const Refusal &refusal) {
   if (!wanted())
     return;
   ProgramRow row;
@@ -220,6 +220,7 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
   row.nativeCounts = result.nativeCounts;
   row.underNativeLimits = result.underNativeLimits;
   row.errorPosition = result.errorPosition();
+  row.refusal = refusal;
   (result.ok() ? row.warning : row.error) = context.errorString;
   addProgram(row);
 }

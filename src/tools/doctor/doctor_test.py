@@ -34,6 +34,19 @@ int main(int n, char **) {
   return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;
 }
 '''
+# The same, with a program that is longer than the default profile's card takes, twice.
+LONG = CLIENT.replace('int main', '''#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <string>
+int main''').replace('return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;', '''
+  if (!eglMakeCurrent(d, nullptr, nullptr, c)) return 1;
+  std::string text = "!!ARBfp1.0\\nTEMP r;\\n";
+  for (int i = 0; i < 90; ++i) text += "MAD r, fragment.color, fragment.color, fragment.color;\\n";
+  text += "MOV result.color, r;\\nEND";
+  for (int i = 0; i < 2; ++i)
+    glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, text.size(), text.c_str());
+  return 0;''')
 
 
 class Doctor(Temporary):
@@ -310,6 +323,34 @@ class Doctor(Temporary):
         if 'host_unknown' in found:
             self.skipTest('no context without a window')
         self.assertEqual(self.obstacles(found), {'core_profile'})
+
+    def test_a_run_that_is_refused_a_program(self):
+        """What the profile alone refuses is said, and how to load it."""
+        game = self.compile('game', LONG, '-lEGL', '-lGL')
+        found = self.ask(game, options=('--run',))
+        if 'host_unknown' in found:
+            self.skipTest('no context without a window')
+        self.assertEqual(self.obstacles(found), set())
+        for part in ('The profile r300 refuses 1 program ', 'line 67: more than 64 ALU instructions'):
+            self.assertIn(part, found['refused']['what'])
+        self.assertIn('--limits report or --profile host', found['refused']['remedy'])
+        self.assertNotIn('refused', self.ask(game, options=('--run',), ARBITER_LIMITS='report'))
+
+    def test_a_refused_program_is_named_once_and_in_the_statistics(self):
+        game, stats = self.compile('game', LONG, '-lEGL', '-lGL'), self.root / 'stats.json'
+        for limits, log in (('enforce', 'warn'), ('enforce', 'error'), ('report', 'warn')):
+            done = arbiter('run', '--library', LAYER, '--stats', stats, '--limits', limits, '--log', log, '--', game,
+                           EGL_PLATFORM='surfaceless')
+            if done.returncode == 1:
+                self.skipTest('no context without a window')
+            said = [line for line in done.stderr.splitlines() if 'refused by the profile' in line]
+            self.assertEqual(len(said), int((limits, log) == ('enforce', 'warn')), done.stderr)
+            programs = json.loads(stats.read_text())['programs']
+            refused = [program['error']['refused_by_profile'] for program in programs if program['error']]
+            self.assertEqual(len(refused), 0 if limits == 'report' else 2)
+            for each in refused:
+                self.assertIn('64 ALU instructions', each['reason'])
+                self.assertEqual(each['remedy'], '--limits report or --profile host')
 
     def test_a_run_names_what_a_launcher_starts(self):
         """A launcher whose file tells nothing: the run does."""
