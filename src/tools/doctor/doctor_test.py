@@ -41,7 +41,7 @@ LONG = CLIENT.replace('int main', '''#define GL_GLEXT_PROTOTYPES
 #include <string>
 int main''').replace('return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;', '''
   if (!eglMakeCurrent(d, nullptr, nullptr, c)) return 1;
-  std::string text = "!!ARBfp1.0\\nTEMP r;\\n";
+  std::string text = "!!ARBfp1.0TEMP r;\\n";
   for (int i = 0; i < 90; ++i) text += "MAD r, fragment.color, fragment.color, fragment.color;\\n";
   text += "MOV result.color, r;\\nEND";
   for (int i = 0; i < 2; ++i)
@@ -331,7 +331,7 @@ class Doctor(Temporary):
         if 'host_unknown' in found:
             self.skipTest('no context without a window')
         self.assertEqual(self.obstacles(found), set())
-        for part in ('The profile r300 refuses 1 program ', 'line 67: more than 64 ALU instructions'):
+        for part in ('The profile r300 refuses 1 program ', 'line 66: more than 64 ALU instructions'):
             self.assertIn(part, found['refused']['what'])
         self.assertIn('--limits report or --profile host', found['refused']['remedy'])
         self.assertNotIn('refused', self.ask(game, options=('--run',), ARBITER_LIMITS='report'))
@@ -346,6 +346,8 @@ class Doctor(Temporary):
             said = [line for line in done.stderr.splitlines() if 'refused by the profile' in line]
             self.assertEqual(len(said), int((limits, log) == ('enforce', 'warn')), done.stderr)
             programs = json.loads(stats.read_text())['programs']
+            # The header ends with its version, though a word follows at once.
+            self.assertEqual({program['language'] for program in programs}, {'ARBfp1.0'})
             refused = [program['error']['refused_by_profile'] for program in programs if program['error']]
             self.assertEqual(len(refused), 0 if limits == 'report' else 2)
             for each in refused:
