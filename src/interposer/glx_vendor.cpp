@@ -89,7 +89,9 @@ GLXContext remember(Display *display, GLXContext context, GLXContext share) {
   if (!context)
     return nullptr;
   watchDisplay(display);
-  if (registry::created(key(display, context), table(), share))
+  const HostFunction<decltype(glXIsDirect)> isDirect{hostLookup("glXIsDirect")};
+  const bool indirect = isDirect.function && !isDirect(display, context);
+  if (registry::created(key(display, context), table(), share, indirect))
     return context;
   g_host->destroyContext(display, context);
   return nullptr;

@@ -146,6 +146,8 @@ bool HostCaps::has(const char *extension) const {
 }
 
 const char *HostCaps::obstacle() const {
+  if (indirect && (major < 2 || glslVersion < 120))
+    return "the context is indirect: the X server draws, and takes no GLSL";
   if (!compatibility)
     return "the context has no fixed function (core profile or OpenGL ES)";
   if (major < 2)

@@ -20,6 +20,7 @@ struct HostCaps {
   int glslVersion = 0; ///< 120, 330; 0 if there is none
   bool embedded = false;
   bool compatibility = false; ///< fixed function is there
+  bool indirect = false;      ///< the X server draws what the host is told
   bool vertexProgram = false;
   bool fragmentProgram = false;
   bool parameterRuns = false; ///< EXT_gpu_program_parameters: several parameters in one call

@@ -16,6 +16,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 CXX = sys.argv.pop(4)
 from command_session import FAKE as LAYER, Temporary, arbiter  # noqa: E402
+from x_server import XServer  # noqa: E402
 
 GL_CALL = 'extern "C" void glFinish(); int main(int n, char **) { if (n > 9) glFinish(); }\n'
 OPENS = ('#include <dlfcn.h>\nint main() {{ void *l = dlopen("{}", RTLD_NOW); '
@@ -47,6 +48,24 @@ int main''').replace('return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;', '
   for (int i = 0; i < 2; ++i)
     glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, text.size(), text.c_str());
   return 0;''')
+GLX_CLIENT = '''
+#include <GL/glx.h>
+int main() {
+  Display *d = XOpenDisplay(nullptr);
+  int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, None};
+  XVisualInfo *v = glXChooseVisual(d, DefaultScreen(d), wanted);
+  XSetWindowAttributes a = {};
+  a.colormap = XCreateColormap(d, RootWindow(d, v->screen), v->visual, AllocNone);
+  Window w = XCreateWindow(d, RootWindow(d, v->screen), 0, 0, 32, 32, 0, v->depth, InputOutput, v->visual,
+                           CWColormap, &a);
+  GLXContext c = glXCreateContext(d, v, nullptr, True);
+  XSetErrorHandler([](Display *, XErrorEvent *) { return 0; });
+  glXMakeCurrent(d, w, c);
+  return 0;
+}
+'''
+GLX_CALL = ('extern "C" int glXIsDirect(void *, void *);\n'
+            'int main(int n, char **) { if (n > 9) glXIsDirect(nullptr, nullptr); }\n')
 
 
 class Doctor(Temporary):
@@ -353,6 +372,26 @@ class Doctor(Temporary):
             for each in refused:
                 self.assertIn('64 ALU instructions', each['reason'])
                 self.assertEqual(each['remedy'], '--limits report or --profile host')
+
+    def test_indirect_contexts(self):
+        """The X server would draw, whatever the layer does; a program that uses no GLX does not care."""
+        game = self.compile('game', GLX_CALL, '-lGL')
+        self.assertEqual(self.obstacles(self.ask(game, LIBGL_ALWAYS_INDIRECT='1')), {'indirect'})
+        for value in ('', '0', 'false'):
+            self.assertNotIn('indirect', self.ask(game, LIBGL_ALWAYS_INDIRECT=value))
+        found = self.ask(self.compile('other', GL_CALL, '-lGL'), LIBGL_ALWAYS_INDIRECT='1')
+        self.assertEqual((self.obstacles(found), found['indirect']['level']), (set(), 'possible'))
+
+    def test_a_run_of_indirect_contexts(self):
+        """On an X server of the test's own."""
+        if not shutil.which('Xvfb'):
+            self.skipTest('no Xvfb')
+        game = self.compile('game', GLX_CLIENT, '-lGL', '-lX11')
+        with XServer(options=('+iglx',)) as display:
+            found = self.ask(game, options=('--run',), DISPLAY=display, LIBGL_ALWAYS_INDIRECT='1')
+            self.assertEqual(self.obstacles(found), {'indirect'}, found)
+            self.assertIn('the X server draws', found['indirect']['what'])
+            self.assertNotIn('indirect', self.ask(game, options=('--run',), DISPLAY=display))
 
     def test_a_run_names_what_a_launcher_starts(self):
         """A launcher whose file tells nothing: the run does."""

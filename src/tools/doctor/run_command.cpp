@@ -158,7 +158,8 @@ std::string howItEnded(const End &end) {
 
 void dropDisproved(Examination &examination) {
   std::erase_if(examination.findings, [](const Finding &each) {
-    return each.level == Level::Possible || each.id == "no_gl" || each.id == "vulkan_only";
+    return each.level == Level::Possible || each.id == "no_gl" || each.id == "vulkan_only" ||
+           each.id == kIndirect;
   });
 }
 
@@ -201,7 +202,10 @@ void add(Examination &examination, const CommandFile &command, const Report &rep
     addRefused(examination, command, report);
     return;
   }
-  if (report.obstacle.find("older") != std::string::npos ||
+  if (report.obstacle.find("indirect") != std::string::npos)
+    examination.add({kIndirect, Level::Obstacle, command.path,
+                     ran + "; " + made + ", and " + report.obstacle + ".", kDirectRemedy});
+  else if (report.obstacle.find("older") != std::string::npos ||
            report.obstacle.find("GLSL") != std::string::npos)
     examination.add(
         {"old_driver", Level::Obstacle, command.path,
