@@ -32,6 +32,7 @@ WITHOUT_TEXT = {
     'GL_ATI_blend_equation_separate': (2003, MESA),
     'GL_ATI_texture_compression_3dc': (2004, MESA),
     'GL_EXT_Cg_shader': (2002, NVIDIA + '; Cg was published in 2002'),
+    'GL_EXT_texgen_reflection': (1999, FGLRX + '; as GL_NV_texgen_reflection'),
     'GL_EXT_texture_edge_clamp': (1997, MESA),
     'GL_EXT_texture_lod': (1997, NVIDIA + '; as GL_SGIS_texture_lod'),
     'GL_EXT_texture_rectangle': (2004, MESA),

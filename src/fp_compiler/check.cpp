@@ -21,10 +21,13 @@ namespace {
 /// A text of NVIDIA's own languages, where the target has them.
 std::optional<ParseResult> parseNative(ir::Language target, std::string_view text,
                                        const CompileOptions &options, NameTable *names) {
-  if (options.limits.nvOptions == 0 || !native::stageOfHeader(text))
-    return std::nullopt;
   const ir::NativeLanguage language = nativeLanguageOf(text);
-  if (language != ir::NativeLanguage::None && stageOf(language) == target)
+  const bool named = language != ir::NativeLanguage::None;
+  const bool any = options.limits.nvOptions != 0 || options.limits.nvVertexProgram != 0;
+  if (!any || !native::stageOfHeader(text) ||
+      (named && stageOf(language) == target && !takesLanguage(options.limits, language)))
+    return std::nullopt;
+  if (named && stageOf(language) == target)
     return native::parse(language, text, options, names);
   ParseResult refused;
   Reporter reporter;

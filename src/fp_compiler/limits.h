@@ -49,6 +49,8 @@ struct Limits {
   /// NVIDIA's options that programs may ask for (ir::NvOption): 0 none, 1 NV_fragment_program or
   /// NV_vertex_program2, 2 their successors too.
   std::uint32_t nvOptions = 0;
+  /// 1: NV_vertex_program and NV_vertex_program1_1 are there, with their languages and commands.
+  std::uint32_t nvVertexProgram = 0;
   NativeModel nativeModel = NativeModel::Documented;
   /// 1: the chip samples rectangle textures at [0,1], so that each sample costs a MUL before it.
   std::uint32_t scaleRectangles = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fp_compiler/ir/interface.h"
+#include "fp_compiler/limits.h"
 
 /// What GL has to know of a program in one of NVIDIA's languages of their own, beside its IR.
 namespace arbiter::fp {
@@ -58,6 +59,16 @@ inline constexpr std::uint32_t kMostNamedParameters = 256;
     if (text.starts_with(headerOf(language)))
       return language;
   return NativeLanguage::None;
+}
+
+/// Whether a target of these limits takes texts of that language. Those of NV_vertex_program are
+/// there before the options, and with them.
+[[nodiscard]] constexpr bool takesLanguage(const Limits &limits, ir::NativeLanguage language) {
+  using ir::NativeLanguage;
+  const bool first = language == NativeLanguage::Vp1 || language == NativeLanguage::Vp11 ||
+                     language == NativeLanguage::Vsp1;
+  return language != NativeLanguage::None &&
+         (limits.nvOptions != 0 || (first && limits.nvVertexProgram != 0));
 }
 
 /// ArbFragment or ArbVertex: the target that programs of that language are drawn with. Requires

@@ -23,6 +23,7 @@
 
 #include "dispatch/entry_points.h"
 #include "interposer/glx_array_memory.h"
+#include "interposer/glx_extensions.h"
 #include "interposer/host_choice.h"
 #include "interposer/process.h"
 #include "interposer/provider.h"
@@ -59,6 +60,7 @@ struct GlxHost {
       swapBuffersMsc;
   HostFunction<void *(const GLubyte *)> getProcAddress, getProcAddressArb;
   HostFunction<decltype(glXQueryDrawable)> queryDrawable;
+  HostFunction<decltype(glXQueryExtensionsString)> queryExtensionsString;
   HostFunction<decltype(glXCreateWindow)> createWindow;
   HostFunction<decltype(glXDestroyWindow)> destroyWindow;
   HostFunction<void(Display *, GLXDrawable, int, int, int, int)> copySubBuffer;
@@ -87,7 +89,9 @@ GLXContext remember(Display *display, GLXContext context, GLXContext share) {
   if (!context)
     return nullptr;
   watchDisplay(display);
-  if (registry::created(key(display, context), table(), share))
+  const HostFunction<decltype(glXIsDirect)> isDirect{hostLookup("glXIsDirect")};
+  const bool indirect = isDirect.function && !isDirect(display, context);
+  if (registry::created(key(display, context), table(), share, indirect))
     return context;
   g_host->destroyContext(display, context);
   return nullptr;
@@ -299,6 +303,10 @@ void releaseTexImage(Display *display, GLXDrawable drawable, int buffer) {
   g_host->releaseTexImage(display, drawable, buffer);
 }
 
+const char *queryExtensionsString(Display *display, int screen) {
+  return switchedExtensions(g_host->queryExtensionsString(display, screen));
+}
+
 void *getProcAddress(const GLubyte *name);
 
 // Casts alone: a call would have the table filled at run time, in memory that may be written.
@@ -345,6 +353,9 @@ const Hook kHooks[] = {
      &g_host->bindTexImage.function},
     {"glXReleaseTexImageEXT", reinterpret_cast<void *>(registry::Guarded<releaseTexImage>::call),
      &g_host->releaseTexImage.function},
+    {"glXQueryExtensionsString",
+     reinterpret_cast<void *>(registry::Guarded<queryExtensionsString>::call),
+     &g_host->queryExtensionsString.function},
     {"glXGetProcAddress", reinterpret_cast<void *>(registry::Guarded<getProcAddress>::call),
      &g_host->getProcAddress.function},
     {"glXGetProcAddressARB", reinterpret_cast<void *>(registry::Guarded<getProcAddress>::call),

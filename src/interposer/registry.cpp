@@ -59,7 +59,8 @@ void setCurrent(const void *value) { pthread_setspecific(registry().current, val
 
 } // namespace
 
-bool created(const Key &key, const host::HostTable &table, const void *shareHandle) try {
+bool created(const Key &key, const host::HostTable &table, const void *shareHandle,
+             bool indirect) try {
   Registry &r = registry();
   const std::lock_guard lock(r.mutex);
   state::Context *share = nullptr;
@@ -67,7 +68,7 @@ bool created(const Key &key, const host::HostTable &table, const void *shareHand
     if (const Entry *entry = find(r, {key.provider, key.display, shareHandle}))
       share = entry->context;
   r.entries.reserve(r.entries.size() + 1); // what is made must be found
-  state::Context *const context = state::createContext(key.provider, &table, share);
+  state::Context *const context = state::createContext(key.provider, &table, share, indirect);
   if (Entry *replaced = find(r, key)) {
     state::destroyContext(replaced->context);
     *replaced = {key, context};

@@ -18,8 +18,10 @@ struct Key {
 };
 
 /// The host made a context. A key in use by a context that was never seen destroyed is taken over.
+/// \param indirect the X server draws what the context is told
 /// \return false if there is no memory: then it is not known here, and the host's must go
-[[nodiscard]] bool created(const Key &key, const host::HostTable &table, const void *shareHandle);
+[[nodiscard]] bool created(const Key &key, const host::HostTable &table, const void *shareHandle,
+                           bool indirect = false);
 
 /// The host destroyed a context: the key is free again, the context lives on while it is current.
 /// Call before the host does, or another thread may meet the handle in its next life.

@@ -25,7 +25,7 @@ thread_local Context *t_now = nullptr;
 int g_unbinds = 0;
 } // namespace
 
-Context *createContext(Provider, const host::HostTable *table, Context *share) {
+Context *createContext(Provider, const host::HostTable *table, Context *share, bool) {
   g_made.push_back(std::make_unique<Context>(Context{share, table, false, false}));
   return g_made.back().get();
 }

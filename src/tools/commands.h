@@ -55,6 +55,7 @@ struct LayerArguments {
   std::string attributes;
   std::string extensionsMaxYear;
   std::string extensionsMaxLength;
+  std::vector<std::string> extensions; ///< "GL_NAME=on"
   std::string stats;
   std::string log;
   std::string debug;

@@ -195,6 +195,11 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
     environment.push_back({ARBITER_ENV_EXTENSIONS_MAX_YEAR, arguments.extensionsMaxYear});
   if (!arguments.extensionsMaxLength.empty())
     environment.push_back({ARBITER_ENV_EXTENSIONS_MAX_LENGTH, arguments.extensionsMaxLength});
+  std::string extensions;
+  for (const std::string &each : arguments.extensions)
+    extensions += (extensions.empty() ? "" : ",") + each;
+  if (!extensions.empty())
+    environment.push_back({ARBITER_ENV_EXTENSIONS, extensions});
   if (!arguments.stats.empty())
     environment.push_back({ARBITER_ENV_STATS, absolutePath(arguments.stats)});
   if (!arguments.capture.empty())

@@ -68,6 +68,7 @@ VALUES = {
     ('report', '--json'): ['@json'],
     ('*', '--extensions-max-year'): ['2003'],
     ('*', '--extensions-max-length'): ['4095'],
+    ('*', '--extension'): ['GL_EXT_abgr=off', 'GL_EXT_bgra=on'],
     ('*', '--stats'): ['@stats.json'],
     ('*', '--log'): ['error', 'info:@log'],
     ('*', '--debug'): ['host'],

@@ -1,6 +1,7 @@
 #include "util/flags.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <unistd.h>
@@ -206,6 +207,35 @@ std::uint32_t readNumber(Reader &reader, Env variable, std::uint32_t least, std:
   return fallback;
 }
 
+/// "NAME=on,NAME=off": of a name that stands there twice the last one counts.
+void readExtensions(Reader &reader, Settings &result) {
+  constexpr std::string_view kOn = "=on", kOff = "=off";
+  std::string_view list = reader.read(Env::Extensions);
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const std::string_view item = list.substr(0, comma);
+    list.remove_prefix(std::min(comma + 1, list.size()));
+    if (item.empty())
+      continue;
+    const bool on = item.ends_with(kOn);
+    const std::string_view name =
+        item.substr(0, item.size() - (on ? kOn.size() : std::min(item.size(), kOff.size())));
+    const bool isName = (name.starts_with("GL_") || name.starts_with("GLX_")) &&
+                        std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                          return std::isalnum(c) != 0 || c == '_';
+                        });
+    if (!isName || (!on && !item.ends_with(kOff))) {
+      reader.warn(Env::Extensions, "expected GL_NAME=on, GL_NAME=off or the same of a GLX_ name, "
+                                   "not " +
+                                       quoted(item));
+      result.extensions.clear();
+      return; // one warning for one bad value
+    }
+    std::erase_if(result.extensions, [&](const ExtensionSwitch &row) { return row.name == name; });
+    result.extensions.push_back({std::string(name), on});
+  }
+}
+
 void readCache(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::Cache);
   if (value == "0")
@@ -272,6 +302,11 @@ const EnvInfo &info(Env variable) { return kEnvironment[std::size_t(variable)]; 
 
 bool isUsable(std::string_view value) { return value.size() <= kMaxEnvBytes && !hasControl(value); }
 
+bool isSwitchedOn(std::span<const ExtensionSwitch> switches, std::string_view name) {
+  return std::any_of(switches.begin(), switches.end(),
+                     [&](const ExtensionSwitch &each) { return each.on && each.name == name; });
+}
+
 Settings parseSettings(const std::function<const char *(const char *)> &lookup,
                        std::vector<std::string> &warnings) {
   Settings result;
@@ -291,6 +326,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   result.threads = readNumber(reader, Env::Threads, 1, 64, 0);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);
+  readExtensions(reader, result);
   result.control = readSwitch(reader, Env::Control);
   result.hud = readSwitch(reader, Env::Hud);
   result.capturePath = reader.read(Env::Capture);

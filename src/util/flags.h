@@ -42,6 +42,17 @@ enum class Backend : std::uint8_t { Auto, Host, Swrast };
 /// ARBITER_ATTRIBUTES.
 enum class Attributes : std::uint8_t { OfProfile, Alias, Apart };
 
+/// An extension that is announced, or is not, whatever else rules the list.
+struct ExtensionSwitch {
+  std::string name; ///< "GL_NV_fence"
+  bool on = false;
+
+  bool operator==(const ExtensionSwitch &) const = default;
+};
+
+/// True if the name is to be announced.
+[[nodiscard]] bool isSwitchedOn(std::span<const ExtensionSwitch> switches, std::string_view name);
+
 /// The environment, parsed. Defaults are those of a process with no ARBITER_ variable.
 struct Settings {
   std::string profile = "r300"; ///< name or path, unresolved: see fp_compiler/hw/profile.h
@@ -56,11 +67,12 @@ struct Settings {
   std::string cpu;           ///< "avx512", "avx2", "sse4.1"; empty: this one
   bool cache = true;         ///< of programs, on disk
   std::uint32_t cacheMaxMegabytes = 64;
-  std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year
-  std::uint32_t extensionsMaxLength = 0; ///< bytes of the joined names; 0: of any length
-  std::string statsPath;                 ///< empty: none; expandPid() is still to be applied
-  std::string capturePath;               ///< a folder; empty: no capture
-  std::string replacePath;               ///< a folder; empty: no replacement
+  std::uint32_t extensionsMaxYear = 0;     ///< 0: of any year
+  std::uint32_t extensionsMaxLength = 0;   ///< bytes of the joined names; 0: of any length
+  std::vector<ExtensionSwitch> extensions; ///< each name once
+  std::string statsPath;                   ///< empty: none; expandPid() is still to be applied
+  std::string capturePath;                 ///< a folder; empty: no capture
+  std::string replacePath;                 ///< a folder; empty: no replacement
   LogLevel logLevel = LogLevel::Warn;
   std::string logPath;     ///< empty: standard error
   std::string hostVendor;  ///< empty: libglvnd's own choice

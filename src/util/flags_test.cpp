@@ -116,6 +116,24 @@ TEST(Settings, TheIdentityIsTheHostsOrTheProfiles) {
   EXPECT_EQ(bad.warnings[0], "ARBITER_IDENTITY: expected host or profile, not \"r300\"; ignored");
 }
 
+TEST(Settings, ExtensionsAreNamesThatAreOnOrOff) {
+  const Parsed good =
+      parse({{"ARBITER_EXTENSIONS", "GL_NV_fence=on,,GL_EXT_abgr=off,GLX_EXT_swap_control=off,"
+                                    "GL_NV_fence=off"}});
+  EXPECT_TRUE(good.warnings.empty());
+  EXPECT_EQ(good.settings.extensions,
+            (std::vector<ExtensionSwitch>{
+                {"GL_EXT_abgr", false}, {"GLX_EXT_swap_control", false}, {"GL_NV_fence", false}}));
+  for (const char *bad : {"GL_NV_fence", "NV_fence=on", "GL_A=on,GL_NV fence=off", "=on", "off",
+                          "GL_A=on=off", "EGL_KHR_image=on"}) {
+    const Parsed parsed = parse({{"ARBITER_EXTENSIONS", bad}});
+    ASSERT_EQ(parsed.warnings.size(), 1u) << bad;
+    EXPECT_EQ(parsed.warnings[0].rfind("ARBITER_EXTENSIONS: expected GL_NAME=on", 0), 0u)
+        << parsed.warnings[0];
+    EXPECT_TRUE(parsed.settings.extensions.empty()) << bad;
+  }
+}
+
 TEST(Settings, FixedFunctionIsAlwaysOrPrograms) {
   EXPECT_TRUE(parse({}).settings.alwaysFixedFunction);
   EXPECT_FALSE(parse({{"ARBITER_FIXED_FUNCTION", "programs"}}).settings.alwaysFixedFunction);

@@ -7,12 +7,14 @@ identity options: strings, glGetStringi, GL_NUM_EXTENSIONS and GetProcAddress mu
 import ctypes
 import json
 import os
+import shutil
 import sys
 import xml.etree.ElementTree as ET
 
 import extensions_table
 import self_client
 from self_client import GL_XML, egl_context, expect, osmesa_context
+from x_server import XServer
 
 GL_NAMES = {'vendor': 0x1F00, 'renderer': 0x1F01, 'version': 0x1F02, 'extensions': 0x1F03,
             'shading': 0x8B8C}
@@ -21,7 +23,21 @@ GL_NUM_EXTENSIONS, GL_MAJOR_VERSION, GL_MINOR_VERSION = 0x821D, 0x821B, 0x821C
 
 # --- The client ---
 
+def glx_client():
+    """What GLX announces; no context is made."""
+    x11, gl = ctypes.CDLL('libX11.so.6'), ctypes.CDLL('libGL.so.1')
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    gl.glXQueryExtensionsString.restype = ctypes.c_char_p
+    display = x11.XOpenDisplay(None)
+    if not display:
+        return 77
+    print(json.dumps(gl.glXQueryExtensionsString(ctypes.c_void_p(display), 0).decode().split()))
+    return 0
+
+
 def client(kind):
+    if kind == 'glx':
+        return glx_client()
     find = {'egl': egl_context, 'core': egl_context, 'osmesa': osmesa_context}[kind](kind == 'core')
     if find is None:
         return 77
@@ -70,9 +86,9 @@ def missing_functions(names, find):
 
 # --- The harness ---
 
-def ask(options, kind, arguments):
+def ask(options, kind, arguments, **variables):
     """Its answers; without arguments (None) the bare host's."""
-    return self_client.ask(__file__, options, kind, arguments)
+    return self_client.ask(__file__, options, kind, arguments, **variables)
 
 
 def offered_by(profile):
@@ -87,7 +103,13 @@ def check_agreement(answers, bare):
     that come with a second extension, are the host's affair."""
     joined = (answers['extensions'] or '').split()
     expect(answers['count'] == len(answers['names']), 'GL_NUM_EXTENSIONS is not the count')
-    expect(not joined or joined == answers['names'], 'the string and glGetStringi differ')
+    left_out = set(answers['names']) - set(joined)
+    expect(not joined or joined == [name for name in answers['names'] if name not in left_out],
+           'the string and glGetStringi differ')
+    if joined:
+        length, host = len(answers['extensions']), len(bare['extensions'])
+        expect(length <= host, f'the string has {length} bytes, and the host\'s {host}')
+        expect(left_out <= set(bare['names']), f'of the layer\'s own names the string lacks {left_out}')
     expect(not answers['behind'] and answers['last_error'] == 0x501,
            'an index after the last is not GL_INVALID_VALUE')
     missing = [name for name in answers['missing'] if name not in bare['missing']]
@@ -115,7 +137,9 @@ def check_kind(options, kind):
     expect({'GL_ARB_fragment_program', 'GL_ARB_vertex_program', 'GL_EXT_texture3D'} <= names,
            f'the card lost what works: {sorted(names)}')
     expect(names <= works, f'announced and not there: {sorted(names - works)}')
-    expect('GL_ARB_direct_state_access' not in names, 'an extension of 2014 on a card of 2003')
+    expect('GL_ARB_direct_state_access' not in names, 'an extension of 2014 on a card of 2002')
+    kept = {'GL_EXT_texture_rectangle', 'GL_EXT_texture_mirror_clamp'} & set(bare['names'])
+    expect(kept <= names, f'the card\'s driver had {kept - names}')
 
     for profile, vendor in (('nv30', 'NVIDIA Corporation'), ('i915', 'Tungsten Graphics, Inc')):
         other = ask(options, kind, ['--identity', 'profile', '--profile', profile])
@@ -141,8 +165,37 @@ def check_kind(options, kind):
     short = ask(options, kind, ['--extensions-max-length', '1024'])
     check_agreement(short, bare)
     expect(900 < len(short['extensions']) <= 1024, f'{len(short["extensions"])} bytes of 1024')
+    check_switches(options, kind)
     print(f'{kind}: {len(works)} extensions, {len(names)} as r300, {len(old["names"])} to 2003, '
           f'{len(short["names"])} in 1024 bytes')
+    return True
+
+
+def check_switches(options, kind):
+    """Single names that come and go, with a profile's identity and without."""
+    switched = ask(options, kind, ['--extension', 'GL_EXT_abgr=off', '--extension', 'GL_ARB_vertex_program=off'])
+    for name in ('GL_EXT_abgr', 'GL_ARB_vertex_program'):
+        expect(name not in switched['names'] and f'{name} ' not in switched['extensions'], f'{name} is still there')
+    expect('GL_ARB_fragment_program' in switched['names'], 'what was not named went')
+    card = ['--identity', 'profile', '--profile', 'r300']
+    switched = ask(options, kind, [*card, '--extension', 'GL_ARB_direct_state_access=on', '--extension',
+                                   'GL_NV_fence=on'])
+    for name in ('GL_ARB_direct_state_access', 'GL_NV_fence'):
+        expect(name in switched['names'], f'{name} was asked for: {switched["names"]}')
+    host = ask(options, kind, ['--profile', 'host', '--extension', 'GL_NV_vertex_program=on'])
+    expect('GL_NV_vertex_program' in host['names'], 'the profile host has it, and was asked for it')
+
+
+def check_glx(options):
+    """Names of GLX are hidden alone: what the host lacks of it nobody has."""
+    if not shutil.which('Xvfb'):
+        return False
+    with XServer() as display:
+        bare = ask(options, 'glx', None, DISPLAY=display)
+        expect(set(ask(options, 'glx', [], DISPLAY=display)) == set(bare), 'GLX\'s names without an option')
+        asked = ['--extension', f'{bare[0]}=off', '--extension', f'{bare[1]}=on', '--extension', 'GLX_NOT_there=on']
+        seen = ask(options, 'glx', asked, DISPLAY=display)
+        expect(set(seen) == set(bare[1:]), f'{bare[0]} was to go: {seen}')
     return True
 
 
@@ -158,7 +211,8 @@ def check_core(options):
 
 
 def check(options):
-    return any([check_kind(options, 'egl'), check_kind(options, 'osmesa'), check_core(options)])
+    return any([check_kind(options, 'egl'), check_kind(options, 'osmesa'), check_core(options),
+                check_glx(options)])
 
 
 if __name__ == '__main__':

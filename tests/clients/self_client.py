@@ -52,13 +52,13 @@ def osmesa_context(_):
     return lambda name: library.OSMesaGetProcAddress(name)
 
 
-def ask(script, options, kind, arguments):
+def ask(script, options, kind, arguments, **variables):
     """What `script --client kind` prints under `arbiter run` with the arguments; on the bare host if they
     are None. None where the client cannot run here."""
     command = [PYTHON, str(pathlib.Path(script).resolve()), '--client', kind]
     if arguments is not None:
         command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
-    environment = plain(EGL_PLATFORM='surfaceless')
+    environment = plain(EGL_PLATFORM='surfaceless', **variables)
     result = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120,
                             check=False)
     if result.returncode == SKIPPED:

@@ -6,14 +6,17 @@
 //
 // Prints "GL_EXTENSIONS: " and the string with a newline into N bytes, as the engines do that print
 // it to their consoles; without the variable it ends before it knows of any GL. Its words are for
-// those who look at its command line.
+// those who look at its command line. With PROGRAM_INSTRUCTIONS=M it loads a fragment program of M
+// instructions too, and ends with status 3 where that is refused.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <cstdio>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <initializer_list>
+#include <string>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -32,6 +35,22 @@ char *buffer(std::size_t bytes) {
   if (memory == MAP_FAILED || mprotect(memory + whole, page, PROT_NONE) != 0)
     return nullptr;
   return memory + whole - bytes;
+}
+
+template <typename T> T command(void *egl, const char *name) {
+  return reinterpret_cast<T>(
+      function<decltype(&eglGetProcAddress)>(egl, "eglGetProcAddress")(name));
+}
+
+bool loads(void *egl, int instructions) {
+  std::string text = "!!ARBfp1.0\nTEMP r;\nMOV r, fragment.color;\n";
+  for (int i = 2; i < instructions; ++i)
+    text += "MAD r, r, r, r;\n";
+  text += "MOV result.color, r;\nEND\n";
+  command<PFNGLBINDPROGRAMARBPROC>(egl, "glBindProgramARB")(GL_FRAGMENT_PROGRAM_ARB, 1);
+  command<PFNGLPROGRAMSTRINGARBPROC>(egl, "glProgramStringARB")(
+      GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.c_str());
+  return command<decltype(&glGetError)>(egl, "glGetError")() == GL_NO_ERROR;
 }
 
 } // namespace
@@ -53,8 +72,10 @@ int main() {
   if (!function<decltype(&eglMakeCurrent)>(egl, "eglMakeCurrent")(display, EGL_NO_SURFACE,
                                                                   EGL_NO_SURFACE, context))
     return 77;
-  const auto getString = reinterpret_cast<decltype(&glGetString)>(
-      function<decltype(&eglGetProcAddress)>(egl, "eglGetProcAddress")("glGetString"));
+  const char *const instructions = std::getenv("PROGRAM_INSTRUCTIONS");
+  if (instructions && !loads(egl, std::atoi(instructions)))
+    return 3;
+  const auto getString = command<decltype(&glGetString)>(egl, "glGetString");
   const auto *const extensions = reinterpret_cast<const char *>(getString(GL_EXTENSIONS));
   char *const text = buffer(std::size_t(std::atol(size)));
   if (!extensions || !text)

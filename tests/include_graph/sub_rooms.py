@@ -87,7 +87,7 @@ ALLOWED = {
     RESIDENCY: {CORE, SHARE, MIRROR},
     # What watches drawing stands above what draws, which knows hooks of it (core/control_hooks.h).
     CONTROL: {CORE, SHARE, PROGRAMS, HOST_DRAW, REPORT, MIRROR, RASTER_DRAW, HUD, PIXELS},
-    HUD: {CORE, SHARE, MIRROR, RASTER_DRAW, CONTROL, PIXELS},
+    HUD: {CORE, SHARE, REPORT, MIRROR, RASTER_DRAW, CONTROL, PIXELS},
     # Words and panels come first; textures and meshes are made of them; the document has all.
     "scene": set(),
     "scene/panel": set(),

@@ -1,7 +1,8 @@
-// scenes [--png FOLDER]: draws each scene in each way that is offered, and compares it with plain
-// C++. Ends with a line of JSON; status 1 if a picture is further off than its scene allows.
-// scenes --pace SCENE [SIZE]: draws frames of one, for a benchmark: a line "WAY COUNT" on standard
-// input is answered by the milliseconds of a frame, and those of all its threads' processor time.
+// scenes [--png FOLDER | --require WAY]: draws each scene in each way that is offered, and compares
+// it with plain C++. Ends with a line of JSON, where ways that are not offered are null; status 1
+// if a picture is further off than its scene allows, or the required way is not offered. scenes
+// --pace SCENE [SIZE]: draws frames of one, for a benchmark: a line "WAY COUNT" on standard input
+// is answered by the milliseconds of a frame, and those of all its threads' processor time.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -71,7 +72,7 @@ double drawn(const Picture &picture) {
   return double(count) / double(picture.size() / 4);
 }
 
-bool compare(const Scene &scene, const std::string &folder) {
+bool compare(const Scene &scene, const std::string &folder, const std::string &required) {
   scene.prepare();
   const Canvas canvas = scene.reference(g_size);
   const Picture reference = canvas.bytes();
@@ -83,8 +84,11 @@ bool compare(const Scene &scene, const std::string &folder) {
   bool agrees = drawn(reference) > 0.05 && undecided < kMostUndecided;
   std::printf("\"%s\": {", scene.name);
   for (const Way &way : scene.ways) {
-    if (!isOffered(way))
+    if (!isOffered(way)) {
+      std::printf("\"%s\": null, ", way.name);
+      agrees = agrees && way.name != required;
       continue;
+    }
     way.begin();
     way.draw();
     way.draw(); // where the first frame makes programs, the second shows that they last
@@ -100,11 +104,11 @@ bool compare(const Scene &scene, const std::string &folder) {
   return agrees;
 }
 
-int compareAll(const std::string &folder) {
+int compareAll(const std::string &folder, const std::string &required) {
   bool agree = true;
   std::printf("{");
   for (const Scene &scene : {furScene(), shadowScene(), skinningScene()})
-    agree = compare(scene, folder) && agree;
+    agree = compare(scene, folder, required) && agree;
   const GLenum error = glGetError();
   std::printf("\"error\": %u}\n", error);
   return agree && error == GL_NO_ERROR ? 0 : 1;
@@ -176,8 +180,9 @@ int pictureSize() { return g_size; }
 int run(const std::vector<std::string> &arguments) {
   const std::string option = arguments.empty() ? "" : arguments[0];
   const bool paced = option == "--pace" && (arguments.size() == 2 || arguments.size() == 3);
-  if (!paced && !arguments.empty() && !(option == "--png" && arguments.size() == 2)) {
-    std::fprintf(stderr, "usage: scenes [--png FOLDER | --pace SCENE [SIZE]]\n");
+  const bool known = option == "--png" || option == "--require";
+  if (!paced && !arguments.empty() && !(known && arguments.size() == 2)) {
+    std::fprintf(stderr, "usage: scenes [--png FOLDER | --require WAY | --pace SCENE [SIZE]]\n");
     return 2;
   }
   if (!openContextWith("GL_ARB_vertex_program"))
@@ -185,7 +190,10 @@ int run(const std::vector<std::string> &arguments) {
   if (paced && arguments.size() == 3)
     g_size = std::max(std::atoi(arguments[2].c_str()), 16);
   bindTarget(g_size);
-  return paced ? pace(arguments[1]) : compareAll(arguments.empty() ? "" : arguments[1]);
+  if (paced)
+    return pace(arguments[1]);
+  return compareAll(option == "--png" ? arguments[1] : "",
+                    option == "--require" ? arguments[1] : "");
 }
 
 } // namespace scenes

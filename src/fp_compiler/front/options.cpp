@@ -116,10 +116,15 @@ void Parser::refuseOption(const Token &token) {
   const std::string option = "OPTION " + std::string(name.substr(0, 48));
   std::vector<std::string_view> offered;
   bool other = false;
+  ir::Options asked; // what the option would set
   for (const OptionRow &row : kOptions) {
     other |= row.name == name && row.language != m_language.language;
-    if (row.language == m_language.language && !row.name.starts_with("NV_"))
+    if (row.language != m_language.language)
+      continue;
+    if (!row.name.starts_with("NV_"))
       offered.push_back(row.name);
+    else if (row.name == name)
+      row.apply(asked);
   }
   if (other)
     error(DiagnosticId::UnsupportedOption, token.span,
@@ -129,8 +134,10 @@ void Parser::refuseOption(const Token &token) {
               : "remove it");
   else if (name.starts_with("NV_"))
     error(DiagnosticId::UnsupportedOption, token.span, option + " is not offered",
-          "this implementation offers ARB_fragment_program and ARB_vertex_program as published; "
-          "use a path of the application that needs no NV option");
+          asked.nv == ir::NvOption::First ? "the profiles from nv30 to nv40 have it, and host"
+          : asked.nv == ir::NvOption::Second
+              ? "the profiles nv40 and host have it"
+              : "no profile has it; use a path of the application that needs no such option");
   else
     error(DiagnosticId::UnsupportedOption, token.span, "OPTION " + quote(name) + " is not offered",
           didYouMean(name, offered));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/header.h"
+#include "fp_compiler/front/nv/words.h"
 #include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/suggest.h"
 
@@ -130,6 +131,21 @@ bool Parser::isForeignStatement(std::string_view word) const {
   return beginsStatement(classify(word, other).keyword);
 }
 
+std::string Parser::ofNvOptions() const {
+  return std::string(" belongs to the ") + m_language.nvOptions + " options, " +
+         (m_limits.nvOptions == 0 ? "which are not offered" : "which the text does not ask for");
+}
+
+std::string Parser::nvOptionsHint(std::string_view word) const {
+  using ir::NvOption;
+  const bool later = nv::baseOf(word, m_language, NvOption::Second) &&
+                     !nv::baseOf(word, m_language, NvOption::First);
+  if (m_limits.nvOptions >= std::uint32_t(later ? NvOption::Second : NvOption::First))
+    return "an OPTION directly after the header asks for them";
+  return later ? "the profiles nv40 and host have them"
+               : "the profiles from nv30 to nv40 have them, and host";
+}
+
 bool Parser::unknownStatement(const Token &first) {
   const std::string_view word = text(first);
   if (isForeignStatement(word)) {
@@ -145,9 +161,8 @@ bool Parser::unknownStatement(const Token &first) {
     if (word == "ADDRESS" && m_tokens.at(TokenKind::Identifier))
       m_symbols.declare(text(m_tokens.peek()), {});
   } else if (isNvInstruction(word, m_language) || isNvVariant(word)) {
-    error(DiagnosticId::NvOnly, first.span,
-          quote(word) + " belongs to the " + m_language.nvOptions + " options, " + kNotOffered,
-          isNvVariant(word) ? "write " + std::string(word.substr(0, 3)) : "");
+    error(DiagnosticId::NvOnly, first.span, quote(word) + ofNvOptions(),
+          isNvVariant(word) ? "write " + std::string(word.substr(0, 3)) : nvOptionsHint(word));
   } else if (word == "KIL_SAT" && m_language.saturates) {
     error(DiagnosticId::UnknownInstruction, first.span, "KIL writes nothing and takes no _SAT",
           "write KIL");

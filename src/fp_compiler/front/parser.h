@@ -62,6 +62,9 @@ private:
   void parseEnd();
   bool unknownStatement(const Token &first);
   bool isNvVariant(std::string_view word) const;
+  /// The end of an error that refuses a word of the NV options, and what to do about it.
+  std::string ofNvOptions() const;
+  std::string nvOptionsHint(std::string_view word) const;
   bool isForeignStatement(std::string_view word) const;
   void recover();
   bool expect(TokenKind kind, const char *what, const char *hint = "");

@@ -113,6 +113,9 @@ void Profile::set(Row row, std::uint32_t value, std::string source) {
   // it can have its own (NV_vertex_program3: any unit number, no more than four of them).
   if (vertex.nvOptions >= 2)
     vertex.textureImageUnits = std::min(vertex.textureImageUnits + 4, 32u);
+  // NV_vertex_program2 came to chips that had what was before it.
+  if (vertex.nvOptions >= 1)
+    vertex.nvVertexProgram = 1;
   sources[std::size_t(row)] = std::move(source);
 }
 

@@ -28,6 +28,23 @@ TEST(Profiles, TheDefaultIsARadeon9700) {
   EXPECT_FALSE(profile->fromHost);
 }
 
+// NV_vertex_program came with the GeForce3, and in its drivers to the chips before that; and to
+// Mesa's drivers.
+TEST(Profiles, CardsHaveTheVertexProgramsThatTheirDriversNamed) {
+  for (const std::string_view name : builtinNames()) {
+    const Profile &profile = *findBuiltin(name);
+    const std::string &names = profile.identity.extensions.value;
+    const bool named = names.find("GL_NV_vertex_program1_1 ") != std::string::npos;
+    const bool nvidias = name.starts_with("nv") || profile.fromHost;
+    EXPECT_EQ(profile.vertex.nvVertexProgram, named || nvidias ? 1u : 0u) << name;
+    EXPECT_EQ(named, !names.empty() && (nvidias || name == "i915")) << name;
+  }
+  // A file that says no more than it did before there was a row for it.
+  const auto old = parseProfile("inherits = \"r300\"\n[model]\nnv_vertex_options = 1\n", "p.toml");
+  ASSERT_TRUE(old) << errorOf("");
+  EXPECT_EQ(old.value().vertex.nvVertexProgram, 1u);
+}
+
 TEST(Profiles, CatalystAnnouncedMoreThanTheChipHas) {
   const Profile *profile = findBuiltin("r300-catalyst-2004");
   ASSERT_NE(profile, nullptr);

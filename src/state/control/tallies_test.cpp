@@ -92,9 +92,12 @@ TEST(Hud, HasALetterForAllThatIsSaid) {
   figures.last = 16.7;
   figures.draws = {{"host-glsl", 3}, {"rasterizer", 120}};
   figures.programs = 5;
+  EXPECT_EQ(hud::linesOf(figures)[2], "programs 5  over native 0");
+  figures.refused = 2;
   const std::vector<std::string> lines = hud::linesOf(figures);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[1], "host-glsl 3  rasterizer 120");
+  EXPECT_EQ(lines[2], "programs 5  over native 0  refused 2");
   for (const std::string &line : lines)
     for (const char letter : line) {
       int ink = 0;

@@ -1,10 +1,18 @@
 #include "state/core/active_profile.h"
 
+#include <algorithm>
+
+#include "state/core/host_caps.h"
+#include "state/core/target.h"
 #include "util/defaults/choice.h"
 #include "util/flags.h"
 #include "util/log.h"
 
 namespace arbiter::state {
+
+namespace {
+constexpr GLint kMostImageUnits = 32; ///< that the compiler numbers
+} // namespace
 
 const fp::hw::Profile &activeProfile() {
   static const fp::hw::Profile *const s_profile = [] {
@@ -27,5 +35,42 @@ fp::Numerics activeNumerics() {
 }
 
 std::string_view nameOf(fp::Numerics numerics) { return fp::kNumericsNames[std::size_t(numerics)]; }
+
+fp::Limits limitsUnder(const fp::hw::Profile &profile, Target target, const host::HostTable &host,
+                       const HostCaps &caps) {
+  const bool vertex = target == Target::Vertex;
+  const fp::Limits &ofProfile = vertex ? profile.vertex : profile.fragment;
+  const bool fromHost = profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram);
+  fp::Limits limits = fromHost ? queryHostLimits(infoOf(target).name, host, caps) : ofProfile;
+  limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
+  limits.nvVertexProgram = caps.drawsNvOptions() ? ofProfile.nvVertexProgram : 0;
+  // Vertex programs that sample may name the units of all stages.
+  const GLint imageUnits = vertex && limits.nvOptions >= 2
+                               ? std::min(caps.maxCombinedImageUnits, kMostImageUnits)
+                               : caps.maxTextureImageUnits;
+  if (fromHost) {
+    limits.textureImageUnits = std::uint32_t(imageUnits);
+    return limits;
+  }
+  const auto clamp = [](std::uint32_t &value, GLint host_) {
+    value = std::min(value, std::uint32_t(std::max(host_, 0)));
+  };
+  clamp(limits.textureCoords, caps.maxTextureCoords);
+  clamp(limits.textureImageUnits, imageUnits);
+  clamp(limits.textureUnits, caps.maxTextureUnits);
+  clamp(limits.programMatrices, caps.maxProgramMatrices);
+  clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
+  clamp(limits.vertexAttribs, caps.maxVertexAttribs);
+  // These are limits of all drawing, so that the host answers for them unless the card is asked to
+  // (cardValue() in gets.cpp). A program may use what the query promises, no more and no less.
+  if (!settings().identityOfProfile)
+    limits.drawBuffers = limits.clipPlanes = UINT32_MAX;
+  clamp(limits.drawBuffers, caps.maxDrawBuffers);
+  clamp(limits.clipPlanes, caps.maxClipPlanes);
+  // GLSL has no names for them, so that no program could read them.
+  limits.paletteMatrices = 0;
+  limits.vertexUnits = 1;
+  return limits;
+}
 
 } // namespace arbiter::state

@@ -216,7 +216,8 @@ public:
     row = &context.row(Target::AtiText);
     break;
   case GL_FRAGMENT_PROGRAM_NV: // one enable and one binding with the ARB's
-    return context.nv ? &context.row(Target::Fragment) : nullptr;
+    row = &context.row(Target::Fragment);
+    return context.nv && row->limits.nvOptions != 0 ? row : nullptr;
   default:
     return nullptr;
   }

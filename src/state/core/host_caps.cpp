@@ -137,6 +137,8 @@ bool HostCaps::has(const char *extension) const {
 }
 
 const char *HostCaps::obstacle() const {
+  if (indirect && (major < 2 || glslVersion < 120))
+    return "the context is indirect: the X server draws, and takes no GLSL";
   if (!compatibility)
     return "the context has no fixed function (core profile or OpenGL ES)";
   if (major < 2)
@@ -180,6 +182,7 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   querySoftwareCaps(caps, gl);
   if (!caps.compatibility)
     return caps;
+  caps.extensionBytes = std::strlen(getString(host, GL_EXTENSIONS));
   caps.maxAttribStackDepth = getInteger(host, GL_MAX_ATTRIB_STACK_DEPTH, 16);
   caps.maxTextureUnits = getInteger(host, GL_MAX_TEXTURE_UNITS, 2);
   caps.maxClipPlanes = getInteger(host, GL_MAX_CLIP_PLANES, 6);
@@ -248,7 +251,7 @@ fp::Limits queryHostLimits(GLenum target, const host::HostTable &host, const Hos
   return limits;
 }
 
-FilteredExtensions filterExtensions(const HostCaps &caps, bool offered) {
+std::vector<std::string> filterExtensions(const HostCaps &caps, bool offered) {
   // Program text in these languages is refused, so an application must not count on them.
   static constexpr const char *kHidden[] = {
       "GL_NV_fragment_program",       "GL_NV_fragment_program_option",
@@ -263,7 +266,7 @@ FilteredExtensions filterExtensions(const HostCaps &caps, bool offered) {
   static constexpr const char *kOurs[] = {"GL_ARB_fragment_program", "GL_ARB_vertex_program",
                                           "GL_ATI_fragment_shader", "GL_ATI_text_fragment_shader",
                                           "GL_ARBITER_feedback"};
-  FilteredExtensions out;
+  std::vector<std::string> names;
   for (const std::string &name : caps.extensions) {
     const bool hidden = offered && std::any_of(std::begin(kHidden), std::end(kHidden),
                                                [&](const char *h) { return name == h; });
@@ -272,23 +275,19 @@ FilteredExtensions filterExtensions(const HostCaps &caps, bool offered) {
                      (name == "GL_ARB_fragment_program" ||
                       name == "GL_ARB_fragment_program_shadow" || name == "GL_ARB_vertex_program");
     if (!hidden && !lie)
-      out.names.push_back(name);
+      names.push_back(name);
   }
   if (offered) {
     const auto add = [&](const char *name) {
-      if (std::find(out.names.begin(), out.names.end(), name) == out.names.end())
-        out.names.emplace_back(name);
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        names.emplace_back(name);
     };
     for (const char *name : kOurs)
       add(name);
     if (caps.shadow)
       add("GL_ARB_fragment_program_shadow");
   }
-  for (const std::string &name : out.names) {
-    out.joined += name;
-    out.joined += ' ';
-  }
-  return out;
+  return names;
 }
 
 } // namespace arbiter::state

@@ -21,6 +21,7 @@ struct HostCaps {
   int glslVersion = 0; ///< 120, 330; 0 if there is none
   bool embedded = false;
   bool compatibility = false; ///< fixed function is there
+  bool indirect = false;      ///< the X server draws what the host is told
   bool vertexProgram = false;
   bool fragmentProgram = false;
   bool parameterRuns = false; ///< EXT_gpu_program_parameters: several parameters in one call
@@ -96,6 +97,7 @@ struct HostCaps {
   bool ownFragments = false;
   std::uint32_t faults = 0; ///< bits of HostFault (host_draw/faults/host_faults.h)
   std::vector<std::string> extensions;
+  std::size_t extensionBytes = 0; ///< of GL_EXTENSIONS as one string; 0: not known
 
   [[nodiscard]] bool has(const char *extension) const;
 
@@ -117,15 +119,15 @@ struct HostCaps {
 [[nodiscard]] fp::Limits queryHostLimits(GLenum target, const host::HostTable &host,
                                          const HostCaps &caps);
 
-/// The extension list that the application sees.
+/// The extensions that the application sees.
 struct FilteredExtensions {
-  std::vector<std::string> names;
-  std::string joined;
+  std::vector<std::string> names; ///< one by one (GetStringi)
+  std::string joined;             ///< as one string (GetString), which may have fewer
 
   bool operator==(const FilteredExtensions &) const = default;
 };
 /// The host's list, plus what the layer implements, less the extensions that offer fragment program
 /// text in a language that the layer refuses.
-[[nodiscard]] FilteredExtensions filterExtensions(const HostCaps &caps, bool offered);
+[[nodiscard]] std::vector<std::string> filterExtensions(const HostCaps &caps, bool offered);
 
 } // namespace arbiter::state

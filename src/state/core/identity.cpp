@@ -65,11 +65,10 @@ void eraseLater(std::vector<std::string> &names, std::uint32_t year) {
   });
 }
 
+/// Each name has a space behind it, the last one too: programs search for "GL_name ".
 void join(FilteredExtensions &extensions, std::uint32_t maxLength) {
-  extensions.joined.clear();
   std::size_t kept = 0;
   for (const std::string &name : extensions.names) {
-    // Each name has a space behind it, the last one too: programs search for "GL_name ".
     if (maxLength != 0 && extensions.joined.size() + name.size() + 1 > maxLength)
       break;
     extensions.joined += name;
@@ -79,15 +78,34 @@ void join(FilteredExtensions &extensions, std::uint32_t maxLength) {
   extensions.names.resize(kept);
 }
 
-void cutExtensions(FilteredExtensions &extensions, const IdentityRules &rules) {
+void eraseByRules(std::vector<std::string> &names, const IdentityRules &rules) {
   if (rules.card && !rules.card->extensions.value.empty())
-    eraseOthers(extensions.names, rules.card->extensions.value);
+    eraseOthers(names, rules.card->extensions.value);
   if (rules.card && !rules.card->year.value.empty())
-    eraseLater(extensions.names, std::uint32_t(std::atoi(rules.card->year.value.c_str())));
+    eraseLater(names, std::uint32_t(std::atoi(rules.card->year.value.c_str())));
   if (rules.maxYear != 0)
-    eraseLater(extensions.names, rules.maxYear);
-  sortByYear(extensions.names);
-  join(extensions, rules.maxLength);
+    eraseLater(names, rules.maxYear);
+}
+
+/// The last year of the drivers that profiles tell of: no program of their time knows a later name.
+constexpr std::uint32_t kLastYearOfTheEra = 2006;
+
+/// Leaves the newest of the host's own names out of the string until that is no longer than the
+/// host's: engines that were patched for long ones have fields of 8192 bytes. The list keeps them,
+/// as programs that know such names ask for it by index.
+void fitString(FilteredExtensions &extensions, const HostCaps &caps, const IdentityRules &rules) {
+  std::vector<std::string> modern;
+  for (const std::string &name : extensions.names)
+    if (extensionYear(name).value_or(kUnknownYear) > kLastYearOfTheEra && caps.has(name.c_str()) &&
+        !(rules.switches && isSwitchedOn(*rules.switches, name)))
+      modern.push_back(name);
+  sortByYear(modern);
+  for (std::string &joined = extensions.joined;
+       joined.size() > caps.extensionBytes && !modern.empty(); modern.pop_back()) {
+    const std::string name = modern.back() + " ";
+    const std::size_t at = joined.starts_with(name) ? 0 : joined.find(" " + name) + 1;
+    joined.erase(at, name.size());
+  }
 }
 
 void nameCard(Identity &identity, const HostCaps &caps, const fp::hw::Identity &card) {
@@ -138,11 +156,14 @@ IdentityRules identityRules() {
   rules.nvAsHost = activeProfile().fromHost;
   rules.nvFragmentOptions = activeProfile().fragment.nvOptions;
   rules.nvVertexOptions = activeProfile().vertex.nvOptions;
+  rules.nvVertexProgram = activeProfile().vertex.nvVertexProgram;
   rules.generalCombiners = activeProfile().combiners.general;
   rules.perStageConstants = activeProfile().combiners.perStageConstants != 0;
   rules.textureShaders = activeProfile().textureShaders;
   rules.maxYear = settings().extensionsMaxYear;
   rules.maxLength = settings().extensionsMaxLength;
+  if (!settings().extensions.empty())
+    rules.switches = &settings().extensions;
   if (!settings().identityOfProfile)
     return rules;
   const fp::hw::Profile &profile = activeProfile();
@@ -157,45 +178,43 @@ IdentityRules identityRules() {
 namespace {
 
 /// An extension of NVIDIA's program languages, and from which step of the profile's options on it
-/// is there. NVIDIA's own languages come with the first step of both. Those that promise clip
-/// distances need a host that has them.
+/// is there, and whether with NV_vertex_program alone, whose commands those languages share. Those
+/// that promise clip distances need a host that has them.
 struct NvExtension {
   const char *name;
-  std::uint32_t fragment, vertex;
+  std::uint32_t fragment, vertex, program;
   bool clips = false;
 };
 constexpr NvExtension kNvExtensions[] = {
-    {"GL_NV_fragment_program", 1, 1},
-    {"GL_NV_fragment_program_option", 1, 0},
-    {"GL_NV_fragment_program2", 2, 0},
-    {"GL_NV_vertex_program", 1, 1},
-    {"GL_NV_vertex_program1_1", 1, 1},
-    {"GL_NV_vertex_program2", 1, 1, true},
-    {"GL_NV_vertex_program2_option", 0, 1, true},
-    {"GL_NV_vertex_program3", 0, 2, true},
+    {"GL_NV_fragment_program", 1, 0, 1},
+    {"GL_NV_fragment_program_option", 1, 0, 0},
+    {"GL_NV_fragment_program2", 2, 0, 0},
+    {"GL_NV_vertex_program", 0, 0, 1},
+    {"GL_NV_vertex_program1_1", 0, 0, 1},
+    {"GL_NV_vertex_program2", 0, 1, 1, true},
+    {"GL_NV_vertex_program2_option", 0, 1, 0, true},
+    {"GL_NV_vertex_program3", 0, 2, 0, true},
 };
 
-void addNvExtensions(FilteredExtensions &extensions, const HostCaps &caps,
-                     const IdentityRules &rules) {
-  for (const NvExtension &row : kNvExtensions) {
-    if (rules.nvFragmentOptions < row.fragment || rules.nvVertexOptions < row.vertex ||
-        (rules.nvAsHost && !caps.has(row.name)) || (row.clips && !caps.clipDistances()))
-      continue;
-    extensions.names.emplace_back(row.name);
-    extensions.joined += std::string(row.name) + " ";
-  }
+/// \param asHost only those that the host announces too
+void addNvExtensions(std::vector<std::string> &names, const HostCaps &caps,
+                     const IdentityRules &rules, bool asHost) {
+  if (!caps.drawsNvOptions())
+    return;
+  for (const NvExtension &row : kNvExtensions)
+    if (rules.nvFragmentOptions >= row.fragment && rules.nvVertexOptions >= row.vertex &&
+        rules.nvVertexProgram >= row.program && (!asHost || caps.has(row.name)) &&
+        (!row.clips || caps.clipDistances()))
+      names.emplace_back(row.name);
 }
 
 /// A host that has register combiners or texture shaders itself is not asked for them: the layer's
 /// answer in every context that offers them, as ATI's fragment shaders are.
-void addStateShaders(FilteredExtensions &extensions, const HostCaps &caps,
+void addStateShaders(std::vector<std::string> &names, const HostCaps &caps,
                      const IdentityRules &rules) {
   const auto announce = [&](const char *name, bool offered) {
-    const auto known = std::find(extensions.names.begin(), extensions.names.end(), name);
-    if (!offered || known != extensions.names.end())
-      return;
-    extensions.names.emplace_back(name);
-    extensions.joined += std::string(name) + " ";
+    if (offered && std::find(names.begin(), names.end(), name) == names.end())
+      names.emplace_back(name);
   };
   announce("GL_NV_register_combiners", rules.generalCombiners != 0);
   announce("GL_NV_register_combiners2", rules.perStageConstants);
@@ -205,10 +224,35 @@ void addStateShaders(FilteredExtensions &extensions, const HostCaps &caps,
   announce("GL_NV_texture_shader3", shaders >= 3);
 }
 
-void addEraExtensions(FilteredExtensions &extensions, const HostCaps &caps) {
-  for (const char *const name : eraOffers(caps).names) {
-    extensions.names.emplace_back(name);
-    extensions.joined += std::string(name) + " ";
+/// What host and layer have in a context.
+std::vector<std::string> implemented(const HostCaps &caps, bool offered, const IdentityRules &rules,
+                                     bool nvAsHost) {
+  std::vector<std::string> names = filterExtensions(caps, offered);
+  if (!offered)
+    return names;
+  addNvExtensions(names, caps, rules, nvAsHost);
+  addStateShaders(names, caps, rules);
+  for (const char *const name : eraOffers(caps).names)
+    names.emplace_back(name);
+  return names;
+}
+
+/// Adds and hides names by the switches.
+/// \param absent gets those that are to be announced and that nothing implements
+void follow(const std::vector<ExtensionSwitch> &switches, const std::vector<std::string> &there,
+            std::vector<std::string> &names, std::vector<std::string> &absent) {
+  for (const ExtensionSwitch &each : switches) {
+    const auto isIn = [&](const std::vector<std::string> &list) {
+      return std::find(list.begin(), list.end(), each.name) != list.end();
+    };
+    if (each.name.starts_with("GLX_"))
+      continue; // glXQueryExtensionsString's
+    if (!each.on)
+      std::erase(names, each.name);
+    else if (!isIn(there))
+      absent.push_back(each.name);
+    else if (!isIn(names))
+      names.push_back(each.name);
   }
 }
 
@@ -216,15 +260,17 @@ void addEraExtensions(FilteredExtensions &extensions, const HostCaps &caps) {
 
 Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &rules) {
   Identity identity;
-  identity.extensions = filterExtensions(caps, offered);
-  if (offered && caps.drawsNvOptions())
-    addNvExtensions(identity.extensions, caps, rules);
-  if (offered)
-    addStateShaders(identity.extensions, caps, rules);
-  if (offered)
-    addEraExtensions(identity.extensions, caps);
+  FilteredExtensions &extensions = identity.extensions;
+  extensions.names = implemented(caps, offered, rules, rules.nvAsHost);
+  eraseByRules(extensions.names, rules);
+  if (rules.switches)
+    follow(*rules.switches, implemented(caps, offered, rules, false), extensions.names,
+           identity.absent);
   if (rules.cutExtensions())
-    cutExtensions(identity.extensions, rules);
+    sortByYear(extensions.names);
+  join(extensions, rules.maxLength);
+  if (offered && !rules.cutExtensions() && caps.extensionBytes != 0)
+    fitString(extensions, caps, rules);
   if (rules.card)
     nameCard(identity, caps, *rules.card);
   return identity;

@@ -3,9 +3,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fp_compiler/hw/profile.h"
 #include "state/core/host_caps.h"
+
+namespace arbiter {
+struct ExtensionSwitch;
+}
 
 /// Whom a compatibility context says it is: GL_VENDOR, GL_RENDERER, GL_VERSION,
 /// GL_SHADING_LANGUAGE_VERSION and the extensions. What is announced works: a card's list is cut to
@@ -23,6 +28,9 @@ struct IdentityRules {
   bool perStageConstants = false;         ///< and NV_register_combiners2
   std::uint32_t textureShaders = 0;       ///< the first so many of NV_texture_shader, 2 and 3
   bool nvAsHost = false; ///< of NVIDIA's extensions only those that the host announces too
+  std::uint32_t nvVertexProgram = 0; ///< Limits::nvVertexProgram
+  /// Names that are announced, or are not, whatever the rules above say; null: none.
+  const std::vector<ExtensionSwitch> *switches = nullptr;
 
   [[nodiscard]] bool cutExtensions() const { return card || maxYear != 0 || maxLength != 0; }
 };
@@ -41,6 +49,7 @@ struct Identity {
   int major = 0;                     ///< of `version`; 0: the host's
   int minor = 0;
   FilteredExtensions extensions;
+  std::vector<std::string> absent; ///< to be announced, and neither host nor layer has them
 
   bool operator==(const Identity &) const = default;
 };

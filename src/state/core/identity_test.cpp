@@ -2,11 +2,13 @@
 #include "state/core/identity.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "state/testing/current_context.h"
+#include "util/flags.h"
 
 namespace arbiter::state {
 namespace {
@@ -49,10 +51,12 @@ TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
   HostCaps host = caps();
   host.bitEncoding = true;
   host.extensions.emplace_back("GL_ARB_shader_texture_lod");
-  const auto announced = [&](std::uint32_t fragment, std::uint32_t vertex, bool asHost = false) {
+  const auto announced = [&](std::uint32_t fragment, std::uint32_t vertex, std::uint32_t program,
+                             bool asHost = false) {
     IdentityRules rules;
     rules.nvFragmentOptions = fragment;
     rules.nvVertexOptions = vertex;
+    rules.nvVertexProgram = program;
     rules.nvAsHost = asHost;
     Names found;
     for (const std::string &name : makeIdentity(host, true, rules).extensions.names)
@@ -60,22 +64,23 @@ TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
         found.push_back(name.substr(6));
     return found;
   };
-  EXPECT_EQ(announced(0, 0), Names{});
-  EXPECT_EQ(announced(1, 0), Names{"fragment_program_option"});
-  EXPECT_EQ(announced(0, 2), (Names{"vertex_program2_option", "vertex_program3"}));
+  EXPECT_EQ(announced(0, 0, 0), Names{});
+  EXPECT_EQ(announced(1, 0, 0), Names{"fragment_program_option"});
+  EXPECT_EQ(announced(0, 2, 0), (Names{"vertex_program2_option", "vertex_program3"}));
   host.glslVersion = 120;
-  EXPECT_EQ(announced(0, 2), Names{}) << "they promise clip distances";
+  EXPECT_EQ(announced(0, 2, 0), Names{}) << "they promise clip distances";
   host.glslVersion = 450;
-  // NVIDIA's own languages, which need both stages.
-  EXPECT_EQ(announced(1, 1),
+  EXPECT_EQ(announced(0, 0, 1), (Names{"vertex_program", "vertex_program1_1"}))
+      << "cards before the GeForce FX";
+  EXPECT_EQ(announced(1, 1, 1),
             (Names{"fragment_program", "fragment_program_option", "vertex_program",
                    "vertex_program1_1", "vertex_program2", "vertex_program2_option"}));
-  EXPECT_EQ(announced(2, 2).size(), 8u);
-  EXPECT_EQ(announced(2, 2, true), Names{}) << "the host announces none";
+  EXPECT_EQ(announced(2, 2, 1).size(), 8u);
+  EXPECT_EQ(announced(2, 2, 1, true), Names{}) << "the host announces none";
   host.extensions.emplace_back("GL_NV_vertex_program");
-  EXPECT_EQ(announced(2, 2, true), Names{"vertex_program"});
+  EXPECT_EQ(announced(2, 2, 1, true), Names{"vertex_program"});
   host.bitEncoding = false; // what GLSL lacks there
-  EXPECT_EQ(announced(2, 2), Names{});
+  EXPECT_EQ(announced(2, 2, 1), Names{});
 }
 
 TEST(Identity, ACardsListIsCutToWhatWorks) {
@@ -162,6 +167,110 @@ TEST(Extensions, ALengthIsKeptToTheByteAndCutsBetweenNames) {
     if (cut.joined.size() < whole.size()) { // the next name would not have fitted
       ASSERT_GT(whole.find(' ', cut.joined.size()) + 1, length);
     }
+  }
+}
+
+using Switches = std::vector<ExtensionSwitch>;
+
+Identity switched(const HostCaps &host, const Switches &switches, IdentityRules rules = {}) {
+  rules.switches = &switches;
+  return makeIdentity(host, true, rules);
+}
+
+bool announces(const Identity &identity, const std::string &name) {
+  const Names &names = identity.extensions.names;
+  const bool listed = std::find(names.begin(), names.end(), name) != names.end();
+  EXPECT_EQ((" " + identity.extensions.joined).find(" " + name + " ") != std::string::npos, listed);
+  return listed;
+}
+
+TEST(ExtensionSwitches, HideNamesOfTheLayersAndOfTheHosts) {
+  const Identity identity = switched(
+      caps(), {{"GL_EXT_abgr", false}, {"GL_ARB_fragment_program", false}, {"GL_X", false}});
+  EXPECT_FALSE(announces(identity, "GL_EXT_abgr"));
+  EXPECT_FALSE(announces(identity, "GL_ARB_fragment_program"));
+  EXPECT_TRUE(announces(identity, "GL_ARB_multitexture"));
+  EXPECT_EQ(identity.absent, Names{});
+}
+
+TEST(ExtensionSwitches, AnnounceWhatARuleHides) {
+  const fp::hw::Identity c = card();
+  IdentityRules rules;
+  rules.card = &c;
+  EXPECT_FALSE(announces(makeIdentity(caps(), true, rules), "GL_KHR_no_error"));
+  EXPECT_TRUE(announces(switched(caps(), {{"GL_KHR_no_error", true}}, rules), "GL_KHR_no_error"));
+  HostCaps host = caps();
+  host.bitEncoding = true;
+  host.extensions.emplace_back("GL_ARB_shader_texture_lod");
+  IdentityRules asHost;
+  asHost.nvAsHost = true;
+  asHost.nvVertexProgram = 1;
+  EXPECT_FALSE(announces(makeIdentity(host, true, asHost), "GL_NV_vertex_program"));
+  EXPECT_TRUE(
+      announces(switched(host, {{"GL_NV_vertex_program", true}}, asHost), "GL_NV_vertex_program"));
+}
+
+TEST(ExtensionSwitches, WhatNobodyHasIsNotAnnouncedAndIsSaid) {
+  HostCaps host = caps();
+  host.extensions.emplace_back("GL_NV_gpu_program4"); // a language that the layer refuses
+  const Identity identity = switched(
+      host, {{"GL_NOT_there", true}, {"GL_NV_gpu_program4", true}, {"GLX_ARB_multisample", true}});
+  EXPECT_EQ(identity.absent, (Names{"GL_NOT_there", "GL_NV_gpu_program4"}));
+  EXPECT_FALSE(announces(identity, "GL_NOT_there"));
+  EXPECT_FALSE(announces(identity, "GLX_ARB_multisample")) << "glXQueryExtensionsString's";
+}
+
+/// A host with modern names, and the bytes of its string.
+HostCaps modernHost() {
+  HostCaps host = caps();
+  host.extensions = {"GL_EXT_abgr"};
+  for (int i = 0; i < 4; ++i)
+    host.extensions.push_back("GL_NEW_" + std::to_string(i) + "_of_no_known_year");
+  host.extensions.insert(host.extensions.end(),
+                         {"GL_ARB_vertex_program", "GL_KHR_no_error", "GL_ARB_sync"});
+  for (const std::string &name : host.extensions)
+    host.extensionBytes += name.size() + 1;
+  return host;
+}
+
+// Engines that were patched for long strings have fields of 8192 bytes; hosts are near that.
+TEST(ExtensionString, IsNoLongerThanTheHosts) {
+  const HostCaps host = modernHost();
+  const FilteredExtensions seen = makeIdentity(host, true, {}).extensions;
+  EXPECT_LE(seen.joined.size(), host.extensionBytes);
+  EXPECT_EQ(seen.joined.find("NEW_3"), std::string::npos) << "the newest go first";
+  for (const char *old : {"GL_EXT_abgr ", "GL_ARB_vertex_program ", "GL_ARB_fragment_program "})
+    EXPECT_NE(seen.joined.find(old), std::string::npos) << old;
+  // By index all are there, for programs of the host's time.
+  for (const std::string &name : host.extensions)
+    EXPECT_EQ(std::count(seen.names.begin(), seen.names.end(), name), 1) << name;
+  // What was asked for stays, whatever its year.
+  const Switches keep = {{"GL_NEW_3_of_no_known_year", true}};
+  IdentityRules rules;
+  rules.switches = &keep;
+  const std::string kept = makeIdentity(host, true, rules).extensions.joined;
+  EXPECT_NE(kept.find("NEW_3"), std::string::npos);
+  EXPECT_EQ(kept.find("NEW_2"), std::string::npos);
+}
+
+TEST(ExtensionString, KeepsWhatProgramsOfTheEraMayKnow) {
+  HostCaps host = caps();
+  host.extensions = {"GL_EXT_abgr", "GL_ARB_multitexture", "GL_ARB_vertex_program"};
+  host.extensionBytes = 10;
+  const FilteredExtensions seen = makeIdentity(host, true, {}).extensions;
+  for (const std::string &name : host.extensions)
+    EXPECT_NE(seen.joined.find(name + " "), std::string::npos) << name;
+}
+
+TEST(ExtensionYears, NoCardLosesWhatItsOwnDriverNamed) {
+  for (const std::string_view name : fp::hw::builtinNames()) {
+    const fp::hw::Identity &identity = fp::hw::findBuiltin(name)->identity;
+    if (identity.year.value.empty())
+      continue;
+    std::istringstream names(identity.extensions.value);
+    for (std::string each; names >> each;)
+      EXPECT_LE(extensionYear(each).value_or(9999), std::uint32_t(std::stoi(identity.year.value)))
+          << name << ": " << each;
   }
 }
 

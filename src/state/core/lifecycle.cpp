@@ -15,6 +15,7 @@
 #include "state/core/memory.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/draw.h"
 #include "state/host_draw/faults/kept_letters.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
@@ -148,7 +149,9 @@ namespace {
 void initialise(Context &context) {
   context.initialised = true;
   const HostErrorScope scope(*context.host, context.pendingError);
+  const bool indirect = context.caps.indirect; // the window system has said so
   context.caps = queryHostCaps(*context.host);
+  context.caps.indirect = indirect;
   if (!context.caps.compatibility) {
     logInfo("state", "context %u: passed through: %s", context.serial, context.caps.obstacle());
     return;
@@ -164,6 +167,8 @@ void initialise(Context &context) {
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
   if (settings().alwaysFixedFunction)
     context.attention |= attention::kProgram; // the first draw is looked at
+  if (!settings().extensions.empty())
+    static_cast<void>(applicationIdentity(context)); // what is asked for and is not there is said
 }
 
 /// A context that is half made is none: the next make-current tries again.
@@ -210,7 +215,8 @@ void drawHeldOf(Context *context) {
 
 } // namespace
 
-Context *createContext(Provider provider, const host::HostTable *table, Context *share) {
+Context *createContext(Provider provider, const host::HostTable *table, Context *share,
+                       bool indirect) {
   // What was finished before there was another context to see it must be with the host, too.
   if (share && currentContext() && currentContext()->group == share->group)
     exchange(Exchange::Read, "a context is made that shares");
@@ -218,6 +224,7 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
                                            share ? share->group : std::make_shared<ShareGroup>());
   if (share) // either may make one by commands that the layer does not see, as of a core profile
     context->group->depthImagesUsed.store(true, std::memory_order_relaxed);
+  context->caps.indirect = indirect;
   noteContextCreated(*context);
   if (!withinMemory(*context, "capture", [&] { captureContextMade(*context); }))
     context->pendingError = GL_NO_ERROR; // a capture without this context, and no error of its own

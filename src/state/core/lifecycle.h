@@ -14,8 +14,9 @@ struct Drawable;
 
 /// A context in the share group of `share`, or in one of its own if `share` is null. Asks nothing
 /// of the host: the host's context need not be current.
+/// \param indirect the X server draws what the context is told
 [[nodiscard]] Context *createContext(Provider provider, const host::HostTable *table,
-                                     Context *share);
+                                     Context *share, bool indirect = false);
 
 /// Makes `context` (null: the null context) the calling thread's, after the host's make-current
 /// succeeded. The first time, asks the host for its limits and extensions.

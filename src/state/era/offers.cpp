@@ -4,6 +4,7 @@
 
 #include "state/core/active_profile.h"
 #include "state/core/host_caps.h"
+#include "util/flags.h"
 
 namespace arbiter::state {
 
@@ -60,8 +61,9 @@ EraOffers eraOffers(const HostCaps &caps) {
   EraOffers offers;
   const fp::hw::Profile &profile = activeProfile();
   for (const Row &row : kRows) {
-    if (caps.has(row.name) || !hasCard(profile, row) || (row.needs && !caps.has(row.needs)) ||
-        (row.needsToo && !caps.has(row.needsToo)))
+    if (caps.has(row.name) ||
+        !(hasCard(profile, row) || isSwitchedOn(settings().extensions, row.name)) ||
+        (row.needs && !caps.has(row.needs)) || (row.needsToo && !caps.has(row.needsToo)))
       continue;
     offers.names.push_back(row.name);
     if (row.state)

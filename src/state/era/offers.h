@@ -28,7 +28,8 @@ struct EraOffers {
 };
 
 /// By profile: a card's profile has what its driver announced (its [identity]; a profile of
-/// NVIDIA's options without such a list has what all those cards had), the host's own has all. What
+/// NVIDIA's options without such a list has what all those cards had), the host's own has all, and
+/// ARBITER_EXTENSIONS may ask for single ones. What
 /// the host has itself stays the host's, and what rests on a function that it lacks is not offered.
 [[nodiscard]] EraOffers eraOffers(const HostCaps &caps);
 

@@ -1,6 +1,7 @@
 // Get, GetString and GetStringi: the few values that are the layer's, or that its objects on the
 // host would show.
 #include <algorithm>
+#include <atomic>
 #include <climits>
 #include <cmath>
 #include <type_traits>
@@ -9,6 +10,7 @@
 #include "fp_compiler/ati/shader.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/core/active_profile.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/draw.h"
@@ -97,6 +99,8 @@ bool nvValue(const Context &context, GLenum pname, GLint &value) {
   const ProgramTarget &fragment = context.row(Target::Fragment);
   if (pname == GL_VERTEX_PROGRAM_BINDING_NV)
     value = GLint(context.row(Target::Vertex).bound->name);
+  else if (fragment.limits.nvOptions == 0)
+    return false;
   else if (pname == GL_FRAGMENT_PROGRAM_BINDING_NV)
     value = GLint(fragment.bound->name);
   else
@@ -297,12 +301,27 @@ template <typename T, typename Host> void get(Context &context, GLenum pname, T 
 
 } // namespace
 
+namespace {
+/// Says once what ARBITER_EXTENSIONS asks for in vain.
+void sayAbsent(const Identity &identity) {
+  static std::atomic<bool> s_said;
+  if (identity.absent.empty() || s_said.exchange(true))
+    return;
+  for (const std::string &name : identity.absent)
+    logError("state",
+             "ARBITER_EXTENSIONS: %s=on: neither the host nor Arbiter under the profile %s "
+             "implements it; it is not announced",
+             name.c_str(), activeProfile().name.c_str());
+}
+} // namespace
+
 const Identity &applicationIdentity(Context &context) {
   if (!context.identity) {
     context.identity = &internIdentity(
         makeIdentity(context.caps, context.caps.obstacle() == nullptr, identityRules()));
     logInfo("state", "context %u: %zu extensions are announced", context.serial,
             context.identity->extensions.names.size());
+    sayAbsent(*context.identity);
   }
   return *context.identity;
 }

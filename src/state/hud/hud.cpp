@@ -16,6 +16,7 @@
 #include "state/hud/hud_text.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
+#include "state/report/refusals.h"
 #include "state/share/share_group.h"
 #include "util/log.h"
 
@@ -75,6 +76,7 @@ Figures figuresOf(Context &context, Counters &counters) {
       ++figures.programs;
       figures.overNative += compiled->underNativeLimits ? 0u : 1u;
     }
+  figures.refused = refusedTexts();
   return figures;
 }
 

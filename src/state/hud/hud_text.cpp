@@ -37,7 +37,8 @@ std::vector<std::string> linesOf(const Figures &figures) {
     draws += (draws.empty() ? "" : "  ") + std::string(row.path) + " " + std::to_string(row.count);
   lines.push_back(draws.empty() ? "no draws" : draws);
   lines.push_back("programs " + std::to_string(figures.programs) + "  over native " +
-                  std::to_string(figures.overNative));
+                  std::to_string(figures.overNative) +
+                  (figures.refused == 0 ? "" : "  refused " + std::to_string(figures.refused)));
   return lines;
 }
 

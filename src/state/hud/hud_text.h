@@ -16,6 +16,7 @@ struct Figures {
   };
   std::vector<Draws> draws; ///< of this frame
   std::size_t programs = 0, overNative = 0;
+  std::uint64_t refused = 0; ///< texts that the profile alone refuses
 };
 
 [[nodiscard]] std::vector<std::string> linesOf(const Figures &figures);

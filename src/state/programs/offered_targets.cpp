@@ -17,51 +17,10 @@
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
-#include "util/flags.h"
 
 namespace arbiter::state {
 
 namespace {
-
-constexpr GLint kMostImageUnits = 32; ///< that the compiler numbers
-
-/// The profile's limits of the target, no higher than the host can keep: what is promised must
-/// draw.
-fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &caps) {
-  const fp::hw::Profile &profile = activeProfile();
-  const bool vertex = target == Target::Vertex;
-  const fp::Limits &ofProfile = vertex ? profile.vertex : profile.fragment;
-  const bool fromHost = profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram);
-  fp::Limits limits = fromHost ? queryHostLimits(infoOf(target).name, host, caps) : ofProfile;
-  limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
-  // Vertex programs that sample may name the units of all stages.
-  const GLint imageUnits = vertex && limits.nvOptions >= 2
-                               ? std::min(caps.maxCombinedImageUnits, kMostImageUnits)
-                               : caps.maxTextureImageUnits;
-  if (fromHost) {
-    limits.textureImageUnits = std::uint32_t(imageUnits);
-    return limits;
-  }
-  const auto clamp = [](std::uint32_t &value, GLint host_) {
-    value = std::min(value, std::uint32_t(std::max(host_, 0)));
-  };
-  clamp(limits.textureCoords, caps.maxTextureCoords);
-  clamp(limits.textureImageUnits, imageUnits);
-  clamp(limits.textureUnits, caps.maxTextureUnits);
-  clamp(limits.programMatrices, caps.maxProgramMatrices);
-  clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
-  clamp(limits.vertexAttribs, caps.maxVertexAttribs);
-  // These are limits of all drawing, so that the host answers for them unless the card is asked to
-  // (cardValue() in gets.cpp). A program may use what the query promises, no more and no less.
-  if (!settings().identityOfProfile)
-    limits.drawBuffers = limits.clipPlanes = UINT32_MAX;
-  clamp(limits.drawBuffers, caps.maxDrawBuffers);
-  clamp(limits.clipPlanes, caps.maxClipPlanes);
-  // GLSL has no names for them, so that no program could read them.
-  limits.paletteMatrices = 0;
-  limits.vertexUnits = 1;
-  return limits;
-}
 
 /// The target is the layer's from now on.
 void offer(Context &context, Target target, fp::Limits limits) {
@@ -72,10 +31,10 @@ void offer(Context &context, Target target, fp::Limits limits) {
   context.group->setDefaultLocals(target, row.localsOfObject());
 }
 
-/// NVIDIA's own languages and their API, where the profile has its options.
+/// NVIDIA's own languages and their API, where the profile has the first of them.
 void offerNvPrograms(Context &context) {
   const fp::Limits limits = context.row(Target::Vertex).limits;
-  if (limits.nvOptions == 0 || context.row(Target::Fragment).limits.nvOptions == 0)
+  if (limits.nvVertexProgram == 0)
     return;
   context.row(Target::VertexState).limits = limits;
   context.nv = std::make_unique<NvState>();
@@ -137,7 +96,7 @@ void offerTextureShaders(Context &context) {
 
 void offerTargets(Context &context) {
   for (const Target target : {Target::Fragment, Target::Vertex})
-    offer(context, target, limitsOf(target, *context.host, context.caps));
+    offer(context, target, limitsUnder(activeProfile(), target, *context.host, context.caps));
   if (context.offered) {
     const fp::Limits limits = fp::ati::limitsOf(context.row(Target::Fragment).limits);
     offer(context, Target::AtiText, limits);

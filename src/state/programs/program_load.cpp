@@ -10,6 +10,7 @@
 #include "fp_compiler/front/ati/write.h"
 #include "fp_compiler/ir/print.h"
 #include "host/host_table.h"
+#include "state/core/active_profile.h"
 #include "state/core/errors.h"
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
@@ -22,6 +23,7 @@
 #include "state/programs/program_cache.h"
 #include "state/programs/replacement.h"
 #include "state/report/capture.h"
+#include "state/report/refusals.h"
 #include "state/report/statistics.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
@@ -152,6 +154,35 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   return compiled;
 }
 
+namespace {
+
+/// Whether it is the profile alone that refuses the text.
+Refusal refusalOf(const Context &context, const ProgramTarget &row, std::string_view text,
+                  const fp::CheckResult &refused) {
+  const auto loads = [&](const fp::CompileOptions &options) {
+    return !isOfOtherTarget(row.target, text) &&
+           fp::checkProgram(row.info().language, text, options).ok();
+  };
+  return noteRefusal(row.info().word, text, [&] {
+    Refusal refusal;
+    fp::CompileOptions options = compileOptions(row);
+    options.limits =
+        limitsUnder(*fp::hw::findBuiltin("host"), row.target, *context.host, context.caps);
+    if (!loads(options))
+      return refusal;
+    options = compileOptions(row);
+    options.policy = fp::LimitPolicy::Report;
+    refusal.byReport = loads(options);
+    for (const fp::Diagnostic &each : refused.diagnostics)
+      if (each.severity == fp::Severity::Error && refusal.reason.empty())
+        refusal.reason =
+            "line " + std::to_string(fp::locate(text, each.span.begin).line) + ": " + each.message;
+    return refusal;
+  });
+}
+
+} // namespace
+
 void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
                  const void *string) {
   if (!checkArguments(context, format, length))
@@ -186,7 +217,8 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
     replacement = findReplacement(object.target, hashBytes(text), compileOptions(row));
   std::shared_ptr<const CompiledProgram> compiled =
       compileProgram(context, object.target, text, own, replacement ? &*replacement : nullptr);
-  noteLoadedProgram(context, object, text, result);
+  const Refusal refusal = compiled ? Refusal() : refusalOf(context, row, text, result);
+  noteLoadedProgram(context, object, text, result, refusal);
   captureLoad(context, object, text, result, compiled.get());
   if (!compiled) {
     logInfo("state", "context %u: program %u refused:\n%s", context.serial, object.name,

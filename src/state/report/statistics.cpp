@@ -64,15 +64,17 @@ Registry &registry() {
 
 bool wanted() { return !settings().statsPath.empty(); }
 
-/// "!!ARBfp1.0" without the marks: the first word of the text, as far as it is one.
+/// "!!ARBfp1.0" without the marks: the text's first word up to the end of its version.
 std::string languageOf(std::string_view text) {
   if (text.substr(0, 2) != "!!")
     return "unknown";
   std::string name;
   for (const char c : text.substr(2, 16)) {
-    const bool word = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (!word && c != '.')
-      break;
+    const bool digit = c >= '0' && c <= '9';
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool versioned = name.find('.') != name.npos;
+    if ((!digit && !letter && c != '.') || (versioned && !digit))
+      break; // behind its version a word may follow at once: "!!ARBfp1.0TEMP r;"
     name += c;
   }
   return name.empty() ? "unknown" : name;
@@ -206,7 +208,7 @@ void noteProgress(const Context &context) {
 }
 
 void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
-                       const fp::CheckResult &result) {
+                       const fp::CheckResult &result, const Refusal &refusal) {
   if (!wanted())
     return;
   ProgramRow row;
@@ -220,6 +222,7 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
   row.nativeCounts = result.nativeCounts;
   row.underNativeLimits = result.underNativeLimits;
   row.errorPosition = result.errorPosition();
+  row.refusal = refusal;
   (result.ok() ? row.warning : row.error) = context.errorString;
   addProgram(row);
 }

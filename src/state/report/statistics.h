@@ -15,6 +15,7 @@ namespace arbiter::state {
 class Context;
 struct CompiledProgram;
 struct ProgramObject;
+struct Refusal;
 
 /// Version of the JSON's form; grows when a member changes its meaning or goes.
 inline constexpr int kStatisticsSchema = 2;
@@ -25,8 +26,9 @@ void noteContextDestroyed(const Context &context);
 /// A frame of the context's ended, or it is current for the first time.
 void noteProgress(const Context &context);
 /// A program string was given to our compiler. Kept only if statistics are asked for.
+/// \param refusal empty where it loads, or the host would not load it either
 void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
-                       const fp::CheckResult &result);
+                       const fp::CheckResult &result, const Refusal &refusal);
 /// EndFragmentShaderATI: `compiled` is null where `error` says why. Kept as a loaded program is.
 void noteFragmentShader(const Context &context, const ProgramObject &object,
                         const CompiledProgram *compiled, std::string_view error);

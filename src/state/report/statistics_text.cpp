@@ -51,6 +51,12 @@ void writeProgram(JsonWriter &json, const ProgramRow &row) {
     json.key("error").beginObject();
     json.key("position").value(row.errorPosition);
     json.key("text").value(row.error);
+    if (!row.refusal.reason.empty()) {
+      json.key("refused_by_profile").beginObject();
+      json.key("reason").value(row.refusal.reason);
+      json.key("remedy").value(row.refusal.remedy());
+      json.endObject();
+    }
     json.endObject();
   }
   json.endObject();

@@ -7,6 +7,7 @@
 #include "fp_compiler/numerics.h"
 #include "state/core/context.h"
 #include "state/raster_draw/report.h"
+#include "state/report/refusals.h"
 #include "util/hash.h"
 #include "util/record/live_record.h"
 
@@ -55,6 +56,7 @@ struct ProgramRow {
   bool underNativeLimits = false;
   std::int32_t errorPosition = -1;
   std::string error;
+  Refusal refusal;     ///< where the profile alone is why
   std::string warning; ///< of a program that loaded
 };
 

@@ -42,7 +42,8 @@ void print(const Examination &examination, bool ran) {
       std::printf("  %s\n", each.remedy.c_str());
   }
   if (isReached(examination))
-    std::printf(ran ? "Nothing is in the way.\n"
+    std::printf(ran ? examination.has("refused") ? "Nothing else is in the way.\n"
+                                                 : "Nothing is in the way.\n"
                     : "Nothing that a look at the files can tell is in the way (--run looks at a "
                       "run of it).\n");
 }

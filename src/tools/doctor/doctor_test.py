@@ -16,6 +16,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 CXX = sys.argv.pop(4)
 from command_session import FAKE as LAYER, Temporary, arbiter  # noqa: E402
+from x_server import XServer  # noqa: E402
 
 GL_CALL = 'extern "C" void glFinish(); int main(int n, char **) { if (n > 9) glFinish(); }\n'
 OPENS = ('#include <dlfcn.h>\nint main() {{ void *l = dlopen("{}", RTLD_NOW); '
@@ -34,6 +35,37 @@ int main(int n, char **) {
   return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;
 }
 '''
+# The same, with a program that is longer than the default profile's card takes, twice.
+LONG = CLIENT.replace('int main', '''#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <string>
+int main''').replace('return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;', '''
+  if (!eglMakeCurrent(d, nullptr, nullptr, c)) return 1;
+  std::string text = "!!ARBfp1.0TEMP r;\\n";
+  for (int i = 0; i < 90; ++i) text += "MAD r, fragment.color, fragment.color, fragment.color;\\n";
+  text += "MOV result.color, r;\\nEND";
+  for (int i = 0; i < 2; ++i)
+    glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, text.size(), text.c_str());
+  return 0;''')
+GLX_CLIENT = '''
+#include <GL/glx.h>
+int main() {
+  Display *d = XOpenDisplay(nullptr);
+  int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, None};
+  XVisualInfo *v = glXChooseVisual(d, DefaultScreen(d), wanted);
+  XSetWindowAttributes a = {};
+  a.colormap = XCreateColormap(d, RootWindow(d, v->screen), v->visual, AllocNone);
+  Window w = XCreateWindow(d, RootWindow(d, v->screen), 0, 0, 32, 32, 0, v->depth, InputOutput, v->visual,
+                           CWColormap, &a);
+  GLXContext c = glXCreateContext(d, v, nullptr, True);
+  XSetErrorHandler([](Display *, XErrorEvent *) { return 0; });
+  glXMakeCurrent(d, w, c);
+  return 0;
+}
+'''
+GLX_CALL = ('extern "C" int glXIsDirect(void *, void *);\n'
+            'int main(int n, char **) { if (n > 9) glXIsDirect(nullptr, nullptr); }\n')
 
 
 class Doctor(Temporary):
@@ -310,6 +342,56 @@ class Doctor(Temporary):
         if 'host_unknown' in found:
             self.skipTest('no context without a window')
         self.assertEqual(self.obstacles(found), {'core_profile'})
+
+    def test_a_run_that_is_refused_a_program(self):
+        """What the profile alone refuses is said, and how to load it."""
+        game = self.compile('game', LONG, '-lEGL', '-lGL')
+        found = self.ask(game, options=('--run',))
+        if 'host_unknown' in found:
+            self.skipTest('no context without a window')
+        self.assertEqual(self.obstacles(found), set())
+        for part in ('The profile r300 refuses 1 program ', 'line 66: more than 64 ALU instructions'):
+            self.assertIn(part, found['refused']['what'])
+        self.assertIn('--limits report or --profile host', found['refused']['remedy'])
+        self.assertNotIn('refused', self.ask(game, options=('--run',), ARBITER_LIMITS='report'))
+
+    def test_a_refused_program_is_named_once_and_in_the_statistics(self):
+        game, stats = self.compile('game', LONG, '-lEGL', '-lGL'), self.root / 'stats.json'
+        for limits, log in (('enforce', 'warn'), ('enforce', 'error'), ('report', 'warn')):
+            done = arbiter('run', '--library', LAYER, '--stats', stats, '--limits', limits, '--log', log, '--', game,
+                           EGL_PLATFORM='surfaceless')
+            if done.returncode == 1:
+                self.skipTest('no context without a window')
+            said = [line for line in done.stderr.splitlines() if 'refused by the profile' in line]
+            self.assertEqual(len(said), int((limits, log) == ('enforce', 'warn')), done.stderr)
+            programs = json.loads(stats.read_text())['programs']
+            # The header ends with its version, though a word follows at once.
+            self.assertEqual({program['language'] for program in programs}, {'ARBfp1.0'})
+            refused = [program['error']['refused_by_profile'] for program in programs if program['error']]
+            self.assertEqual(len(refused), 0 if limits == 'report' else 2)
+            for each in refused:
+                self.assertIn('64 ALU instructions', each['reason'])
+                self.assertEqual(each['remedy'], '--limits report or --profile host')
+
+    def test_indirect_contexts(self):
+        """The X server would draw, whatever the layer does; a program that uses no GLX does not care."""
+        game = self.compile('game', GLX_CALL, '-lGL')
+        self.assertEqual(self.obstacles(self.ask(game, LIBGL_ALWAYS_INDIRECT='1')), {'indirect'})
+        for value in ('', '0', 'false'):
+            self.assertNotIn('indirect', self.ask(game, LIBGL_ALWAYS_INDIRECT=value))
+        found = self.ask(self.compile('other', GL_CALL, '-lGL'), LIBGL_ALWAYS_INDIRECT='1')
+        self.assertEqual((self.obstacles(found), found['indirect']['level']), (set(), 'possible'))
+
+    def test_a_run_of_indirect_contexts(self):
+        """On an X server of the test's own."""
+        if not shutil.which('Xvfb'):
+            self.skipTest('no Xvfb')
+        game = self.compile('game', GLX_CLIENT, '-lGL', '-lX11')
+        with XServer(options=('+iglx',)) as display:
+            found = self.ask(game, options=('--run',), DISPLAY=display, LIBGL_ALWAYS_INDIRECT='1')
+            self.assertEqual(self.obstacles(found), {'indirect'}, found)
+            self.assertIn('the X server draws', found['indirect']['what'])
+            self.assertNotIn('indirect', self.ask(game, options=('--run',), DISPLAY=display))
 
     def test_a_run_names_what_a_launcher_starts(self):
         """A launcher whose file tells nothing: the run does."""

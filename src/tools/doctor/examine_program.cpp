@@ -270,6 +270,20 @@ bool examineUse(Program &program) {
   return false;
 }
 
+/// Mesa's variable: contexts of GLX, and no others, are then drawn by the X server.
+void examineIndirect(Program &program) {
+  const char *const value = std::getenv("LIBGL_ALWAYS_INDIRECT");
+  constexpr std::string_view kNo[] = {"", "0", "n", "no", "f", "false"};
+  if (value == nullptr || std::find(std::begin(kNo), std::end(kNo), value) != std::end(kNo))
+    return;
+  const bool glx = program.imports([](const std::string &name) { return name.starts_with("glX"); });
+  program.add(
+      kIndirect, glx ? Level::Obstacle : Level::Possible,
+      "LIBGL_ALWAYS_INDIRECT is set: the X server draws for contexts of GLX then, and takes "
+      "no GLSL, which the layer draws by.",
+      kDirectRemedy);
+}
+
 void addNoElf(Examination &examination, const std::string &path) {
   std::string start(2, '\0');
   if (FILE *const file = std::fopen(path.c_str(), "rbe")) {
@@ -305,8 +319,10 @@ void examineProgram(Examination &examination, const std::string &path,
   examineWidth(program);
   examineMissing(program);
   examineOwn(program);
-  if (examineUse(program))
+  if (examineUse(program)) {
     examineGlvnd(program);
+    examineIndirect(program);
+  }
 }
 
 } // namespace arbiter::tools::doctor

@@ -41,6 +41,12 @@ struct Surroundings {
   std::string root;  ///< of the system that is looked at; empty: this one
 };
 
+/// The finding of contexts that the X server draws for.
+inline constexpr const char *kIndirect = "indirect";
+inline constexpr const char *kDirectRemedy =
+    "Unset LIBGL_ALWAYS_INDIRECT, and show it on a display of this machine (ssh -X and its like "
+    "make contexts indirect, too).";
+
 /// Looks at the command's file, at what a script starts, and at their libraries. Runs nothing.
 [[nodiscard]] Examination examine(const CommandFile &command, const Surroundings &surroundings);
 

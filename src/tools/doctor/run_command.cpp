@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -94,9 +95,26 @@ End runFor(const std::vector<Assignment> &environment, const std::vector<std::st
 /// What the processes of a run reported.
 struct Report {
   int contexts = 0, offered = 0;
-  std::string names;    ///< of the programs that made contexts
-  std::string obstacle; ///< of a context that has no programs of the layer's
+  std::string names;                   ///< of the programs that made contexts
+  std::string obstacle;                ///< of a context that has no programs of the layer's
+  std::set<std::string> refused;       ///< programs that the profile alone refuses, by their hash
+  std::string profile, reason, remedy; ///< of the first of them
 };
+
+void readRefused(const Json &statistics, Report &report) {
+  for (const Json &program : statistics.value("programs", Json::array())) {
+    const Json error = program.value("error", Json());
+    if (!error.is_object() || !error.contains("refused_by_profile"))
+      continue;
+    const Json &refusal = error["refused_by_profile"];
+    if (report.refused.empty()) {
+      report.profile = statistics.value("profile", "");
+      report.reason = refusal.value("reason", "");
+      report.remedy = refusal.value("remedy", "");
+    }
+    report.refused.insert(program.value("target", "") + " " + program.value("hash", ""));
+  }
+}
 
 void read(const Json &statistics, Report &report) {
   const Json contexts = statistics.value("contexts", Json::array());
@@ -109,6 +127,7 @@ void read(const Json &statistics, Report &report) {
                : defaults["program"].value("name", "?");
   if (report.names.find(name) == std::string::npos)
     report.names += (report.names.empty() ? "" : ", ") + name;
+  readRefused(statistics, report);
   for (const Json &context : contexts) {
     ++report.contexts;
     report.offered += context.value("offered", false) ? 1 : 0;
@@ -139,8 +158,23 @@ std::string howItEnded(const End &end) {
 
 void dropDisproved(Examination &examination) {
   std::erase_if(examination.findings, [](const Finding &each) {
-    return each.level == Level::Possible || each.id == "no_gl" || each.id == "vulkan_only";
+    return each.level == Level::Possible || each.id == "no_gl" || each.id == "vulkan_only" ||
+           each.id == kIndirect;
   });
+}
+
+void addRefused(Examination &examination, const CommandFile &command, const Report &report) {
+  if (report.refused.empty())
+    return;
+  const std::size_t count = report.refused.size();
+  examination.add({"refused", Level::Possible, command.path,
+                   "The profile " + report.profile + " refuses " + std::to_string(count) +
+                       (count == 1 ? " program" : " programs") + " that the profile host loads (" +
+                       (count == 1 ? "" : "the first at ") + report.reason +
+                       "): what is drawn with " + (count == 1 ? "it" : "them") +
+                       " may look different.",
+                   "If something looks wrong, load " + std::string(count == 1 ? "it" : "them") +
+                       ": arbiter run " + report.remedy + "."});
 }
 
 void add(Examination &examination, const CommandFile &command, const Report &report,
@@ -165,10 +199,14 @@ void add(Examination &examination, const CommandFile &command, const Report &rep
                      ran + "; " + made + " through the layer, " + std::to_string(report.offered) +
                          " of them with its programs.",
                      {}});
+    addRefused(examination, command, report);
     return;
   }
-  if (report.obstacle.find("older") != std::string::npos ||
-      report.obstacle.find("GLSL") != std::string::npos)
+  if (report.obstacle.find("indirect") != std::string::npos)
+    examination.add({kIndirect, Level::Obstacle, command.path,
+                     ran + "; " + made + ", and " + report.obstacle + ".", kDirectRemedy});
+  else if (report.obstacle.find("older") != std::string::npos ||
+           report.obstacle.find("GLSL") != std::string::npos)
     examination.add(
         {"old_driver", Level::Obstacle, command.path,
          ran + "; " + made + ", and the layer can do nothing there: " + report.obstacle + ".",

@@ -76,7 +76,6 @@ void Completion::addHeaders() {
     m_replaced = {m_replaced.begin, m_replaced.begin};
     return;
   }
-  const fp::Limits &limits = m_view.analysis.limits;
   const auto offered = [&](fp::ir::Language language) {
     const fp::Limits own = limitsOf(m_view.profile, language);
     return language == fp::ir::Language::TextureShaders ? own.textureShaders != 0
@@ -85,8 +84,7 @@ void Completion::addHeaders() {
   for (const LanguageRow &row : languageRows())
     if (!isNvparse(row.language) || offered(row.language))
       add(row.header, kKeyword, "the first bytes of the text");
-  if (limits.nvOptions != 0)
-    addOwnHeaders();
+  addOwnHeaders();
 }
 
 void Completion::behindDot() {

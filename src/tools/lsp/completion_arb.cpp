@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/nv/words.h"
+#include "tools/language.h"
 
 namespace arbiter::tools::lsp {
 
@@ -185,8 +186,11 @@ void Completion::inInstruction() {
 // Statements of NVIDIA's own languages, whose registers have numbers and are not declared.
 
 void Completion::addOwnHeaders() {
-  for (const HeaderRow &row : kHeaders)
-    add(row.header, kKeyword, std::string(row.doc));
+  for (const HeaderRow &row : kHeaders) {
+    const fp::ir::NativeLanguage language = fp::nativeLanguageOf(row.header);
+    if (fp::takesLanguage(limitsOf(m_view.profile, fp::stageOf(language)), language))
+      add(row.header, kKeyword, std::string(row.doc));
+  }
 }
 
 void Completion::inOwnStatement() {

@@ -131,8 +131,9 @@ Analysis Document::analysed(const fp::FileProgram &program, const fp::hw::Profil
   made.limits = limitsOf(profile, made.language);
   made.tokens = tokensOf(m_text, program);
   made.nv = nvOptionOf(m_text, made.tokens, made.limits);
-  if (made.limits.nvOptions != 0)
-    made.ownLanguage = fp::nativeLanguageOf(program.in(m_text));
+  const fp::NativeLanguage native = fp::nativeLanguageOf(program.in(m_text));
+  if (fp::takesLanguage(made.limits, native))
+    made.ownLanguage = native;
   fp::CompileOptions options;
   options.limits = made.limits;
   made.inspection = fp::inspectProgramIn(m_text, program, options);

@@ -34,6 +34,10 @@ void addLayer(Verb &verb, LayerArguments &layer) {
   verb.option("--extensions-max-length", layer.extensionsMaxLength,
               "keep the oldest extensions, as many as fit into this many bytes of the string")
       .range(1, 1048576);
+  verb.option("--extension", layer.extensions,
+              "NAME=on or NAME=off: announce an extension (GL_... or GLX_...) that is there, or "
+              "hide it; may be repeated")
+      .repeatable();
   verb.option("--stats", layer.stats,
               "write statistics as JSON at exit; %p becomes the process id");
   verb.option("--log", layer.log, "off, error, warn, info, debug, FILE or LEVEL:FILE");

@@ -14,6 +14,7 @@ constexpr Env kVariables[] = {
     Env::Identity,
     Env::ExtensionsMaxYear,
     Env::ExtensionsMaxLength,
+    Env::Extensions,
     Env::Numerics,
     Env::Backend,
     Env::FixedFunction,

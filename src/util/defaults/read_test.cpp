@@ -36,6 +36,7 @@ limits = "report"
 identity = "profile"
 extensions_max_year = 2001
 extensions_max_length = 4095
+extensions = "GL_EXT_abgr=off"
 numerics = "legacy"
 backend = "host"
 fixed_function = "always"

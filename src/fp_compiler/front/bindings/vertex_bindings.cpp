@@ -105,8 +105,7 @@ bool Parser::parseVertexResult(ir::Output &output) {
 bool Parser::parseClipDistance(ir::Output &output) {
   const Token word = m_tokens.next();
   if (m_options.nv == ir::NvOption::None) {
-    error(DiagnosticId::NvOnly, word.span,
-          std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
+    error(DiagnosticId::NvOnly, word.span, "result.clip" + ofNvOptions(),
           "OPTION ARB_position_invariant clips as fixed function does");
     return false;
   }

@@ -31,9 +31,6 @@ struct ArbLanguage {
   bool addresses;              ///< ADDRESS, ARL and relative operands
 };
 
-/// The end of every refusal of an NV feature: "... which are not offered".
-inline constexpr const char *kNotOffered = "which are not offered";
-
 /// The row of ArbFragment or ArbVertex.
 [[nodiscard]] const ArbLanguage &arbLanguage(ir::Language language);
 

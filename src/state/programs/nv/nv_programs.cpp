@@ -39,8 +39,8 @@ ProgramTarget *nvRowOf(Context &context, GLenum target) {
   switch (target) {
   case GL_VERTEX_PROGRAM_NV:
     return &context.row(Target::Vertex);
-  case GL_FRAGMENT_PROGRAM_NV:
-    return &context.row(Target::Fragment);
+  case GL_FRAGMENT_PROGRAM_NV: // an enumerant of NV_fragment_program
+    return rowOf(context, target);
   default:
     return nullptr;
   }
