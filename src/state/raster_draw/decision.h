@@ -43,10 +43,10 @@ Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask 
 Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials);
 
 /// True where the outcome is that machine code is still being made, but the host cannot draw the
-/// same: the draw must meet depths that the rasterizer wrote in this frame, looks of the context are
-/// the rasterizer's, or its fragments have values of the raster position. The code has been waited
-/// for, and the draw is to be tried again. What takes longer than a part of a second is not in the
-/// making (fp_compiler's budget).
+/// same: the draw must meet depths that the rasterizer wrote in this frame, looks of the context
+/// are the rasterizer's, or its fragments have values of the raster position. The code has been
+/// waited for, and the draw is to be tried again. What takes longer than a part of a second is not
+/// in the making (fp_compiler's budget).
 [[nodiscard]] bool waitsForCode(Context &context, const Outcome &outcome);
 /// What a draw comes to: `attempt`, again while it waits for code.
 template <typename Attempt> Outcome outcomeOf(Context &context, Attempt attempt) {

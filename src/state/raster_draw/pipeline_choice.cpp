@@ -263,8 +263,7 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *ver
   // draw that will be the host's whatever its size (makeKey()).
   Residency &residency = context.software->residency;
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
-  const bool isMixed =
-      testsAny(depth) && !context.software->mayTestDepth() && !m_readsRasterValues;
+  const bool isMixed = testsAny(depth) && !context.software->mayTestDepth() && !m_readsRasterValues;
   m_targets = isMixed ? residency.targetsBefore() : nullptr;
   if (!m_targets || !testsAny(depth, *m_targets)) {
     const char *reason = nullptr;

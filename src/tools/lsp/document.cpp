@@ -131,7 +131,7 @@ Analysis Document::analysed(const fp::FileProgram &program, const fp::hw::Profil
   made.limits = limitsOf(profile, made.language);
   made.tokens = tokensOf(m_text, program);
   made.nv = nvOptionOf(m_text, made.tokens, made.limits);
-  const fp::NativeLanguage native = fp::nativeLanguageOf(program.in(m_text));
+  const fp::ir::NativeLanguage native = fp::nativeLanguageOf(program.in(m_text));
   if (fp::takesLanguage(made.limits, native))
     made.ownLanguage = native;
   fp::CompileOptions options;

@@ -9,16 +9,8 @@ namespace {
 /// What rules how a program is answered and drawn. Where reports go, who may look on and what is
 /// kept on disk are the user's to say, not a file's.
 constexpr Env kVariables[] = {
-    Env::Profile,
-    Env::Limits,
-    Env::Identity,
-    Env::ExtensionsMaxYear,
-    Env::ExtensionsMaxLength,
-    Env::Extensions,
-    Env::Numerics,
-    Env::Backend,
-    Env::FixedFunction,
-    Env::Attributes,
+    Env::Profile,    Env::Limits,   Env::Identity, Env::ExtensionsMaxYear, Env::ExtensionsMaxLength,
+    Env::Extensions, Env::Numerics, Env::Backend,  Env::FixedFunction,     Env::Attributes,
     Env::Threads,
 };
 
