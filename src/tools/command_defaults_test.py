@@ -122,7 +122,7 @@ class Defaults(Temporary):
         self.assertEqual(result.returncode, 0, result.stdout)
         entry, = json.loads(result.stdout)['entries']
         self.assertEqual(set(entry['match']), {'name', 'path', 'windows', 'xxh128'})
-        self.assertEqual(len(entry['set']), 10, 'a key that the template does not show')
+        self.assertEqual(len(entry['set']), 11, 'a key that the template does not show')
 
     def test_what_cannot_be_found(self):
         result = arbiter('defaults', '--', './none')
