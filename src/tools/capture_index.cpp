@@ -232,10 +232,10 @@ std::string CapturedProgram::path() const {
   std::vector<std::pair<std::string, std::uint64_t>> sorted(drawsBy.begin(), drawsBy.end());
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto &a, const auto &b) { return a.second > b.second; });
-  std::string text;
+  std::string all;
   for (const auto &[name, count] : sorted)
-    text += (text.empty() ? "" : ", ") + name + " " + std::to_string(count);
-  return text;
+    all += (all.empty() ? "" : ", ") + name + " " + std::to_string(count);
+  return all;
 }
 
 const CaptureTarget *findCaptureTarget(std::string_view word) {

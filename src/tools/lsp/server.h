@@ -74,11 +74,11 @@ private:
       views.push_back({document, analysis, profile});
     return views;
   }
-  /// Everything that `answer` says of each of the document's programs.
-  template <typename Answer> [[nodiscard]] Json ofEach(Document &document, Answer answer) {
+  /// Returns everything that `say` says of each of the document's programs.
+  template <typename Say> [[nodiscard]] Json ofEach(Document &document, Say say) {
     Json all = Json::array();
     for (const View &view : viewsOf(document))
-      for (Json &each : answer(view))
+      for (Json &each : say(view))
         all.push_back(std::move(each));
     return all;
   }
