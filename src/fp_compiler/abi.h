@@ -260,13 +260,9 @@ struct DepthStencilKey {
   bool operator==(const DepthStencilKey &) const = default;
 };
 
-/// How an input varies over a primitive.
-enum class Interpolation : std::uint8_t {
-  Flat,
-  Linear, ///< as its plane has it
-  Even,   ///< Perspective where all w are the same: inverseW is its constant
-  Perspective,
-};
+/// How an input varies over a primitive: Linear as its plane has it, Even as Perspective where all
+/// w are the same, one by inverseW's constant.
+enum class Interpolation : std::uint8_t { Flat, Linear, Even, Perspective };
 
 /// Which pixels lie in the lanes of a vector.
 enum class Lanes : std::uint8_t {
@@ -323,9 +319,8 @@ struct FragmentData {
   std::uint8_t stencilWriteMask[2] = {0xFF, 0xFF};
   float fogColor[4] = {};
   float fogDensity = 1, fogStart = 0, fogEnd = 1, fogScale = 1; ///< scale: 1/(end-start)
-  float windowHeight = 0; ///< for fragment.position with the origin at the upper left
-  /// Row in whose first pixel all planes begin.
-  std::int32_t originY = 0;
+  float windowHeight = 0;   ///< for fragment.position with the origin at the upper left
+  std::int32_t originY = 0; ///< row in whose first pixel all planes begin
   float depthMinimum = 0, depthMaximum = 1; ///< what fragment depth is clamped to
 };
 
@@ -333,9 +328,8 @@ struct FragmentData {
 struct Plane {
   float c = 0, dx = 0, dy = 0;
 };
-/// Its value at the centre of pixel (x, originY + y) by the steps of hosts, where each product and
-/// its sum are rounded once. What this and a fused multiplication differ in, once in 2^28 numbers,
-/// is that the double is rounded too.
+/// Its value at the centre of pixel (x, originY + y): each product and its sum are rounded once, as
+/// hosts have it, and once in 2^28 numbers twice, as the double is rounded too.
 [[nodiscard]] inline float planeAt(const Plane &plane, std::int32_t x, std::int32_t y) {
   const auto along = float(double(plane.dx) * x + double(plane.c));
   return float(double(plane.dy) * y + double(along));
@@ -352,7 +346,7 @@ struct DepthPlane {
 }
 
 /// A triangle, or a line or point made of such, ready to be shaded. Even and Perspective inputs
-/// hold attribute/w, and are multiplied by what 1 divided by the plane of 1/w is.
+/// hold attribute/w, and are multiplied by one divided by the plane of 1/w.
 struct Primitive {
   std::uint32_t backFacing = 0; ///< stencil side
   DepthPlane z;

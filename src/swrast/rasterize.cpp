@@ -91,9 +91,10 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
       return {};
   }
   Draw all = drawOf(state, shading, topology, vertices, indices, first, count);
-  Shape shape;
-  if (!rectangle.pixels.empty() && shapeOfRectangle(all, rectangle, shape))
-    return {1, shadeInBands(state, shading, &shape, 1)};
+  Shape shapes[2];
+  const int parts = rectangle.pixels.empty() ? 0 : shapesOfRectangle(all, rectangle, shapes);
+  if (parts != 0)
+    return {std::uint64_t(parts), shadeInBands(state, shading, shapes, std::size_t(parts))};
   all.provokingAt = provokingAt;
   placeVertices(all, scratch().window, scratch().bounds);
   if (isPolygonal(topology) && all.isFilled())

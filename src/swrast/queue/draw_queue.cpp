@@ -100,15 +100,18 @@ std::optional<bool> DrawQueue::addRectangle(const GivenDraw &given) {
     return true;
   if (fillsPicture(given, areaOf(pixels)))
     return false;
-  Shape shape;
+  Shape shapes[2];
   const Draw draw = drawOf(given.state, given.shading, given.topology, given.vertices,
                            given.indices, given.first, given.count);
-  if (!shapeOfRectangle(draw, rectangle, shape))
+  const int parts = shapesOfRectangle(draw, rectangle, shapes);
+  if (parts == 0)
     return std::nullopt;
   closeJoined();
   Chunk &chunk = filling().next().begin();
   chunk.clear(TileGrid::of(pixels));
-  chunk.addShape(shape, given.shading.inputCount, given.shading.opaque && !shape.stippled);
+  for (int i = 0; i < parts; ++i)
+    chunk.addShape(shapes[i], given.shading.inputCount,
+                   given.shading.opaque && !shapes[i].stippled);
   filling().add(given.state, given.shading, given.use, given.isSameState);
   return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 /// Where the inputs of what was cut come from, step by step, as hosts make them.

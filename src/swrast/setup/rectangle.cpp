@@ -150,12 +150,12 @@ bool isLevel(const PlanePlan &plan, const abi::Primitive &primitive) {
 
 } // namespace
 
-bool shapeOfRectangle(const Draw &draw, const Rectangle &rectangle, Shape &shape) {
+int shapesOfRectangle(const Draw &draw, const Rectangle &rectangle, Shape (&shapes)[2]) {
   const RasterState &state = draw.state;
   bool isCut = false;
   for (const WindowVertex &corner : rectangle.corner)
     isCut = isCut || corner.outcode != 0;
-  abi::Primitive halves[2];
+  int halves = 0;
   for (std::uint32_t i = 0; i < 2; ++i) {
     const TriangleCorners corners =
         triangleAt(draw.topology, draw.count, i, provokesFirst(state, draw.topology),
@@ -167,18 +167,24 @@ bool shapeOfRectangle(const Draw &draw, const Rectangle &rectangle, Shape &shape
     }
     triangle.provoking = draw.vertexAt(corners.provoking);
     triangle.backFacing = rectangle.backFacing;
-    makePlanes(state, draw.plan, triangle, state.offsetFill, halves[i]);
+    Shape &half = shapes[halves];
+    if (!isCut && !shapeOf(rectangle.pixels, triangle.corner, areaOf(triangle.corner), half))
+      continue; // the scissor leaves nothing of it
+    makePlanes(state, draw.plan, triangle, state.offsetFill, half.primitive);
+    half.stippled = state.polygonStipple != nullptr;
+    ++halves;
   }
-  if (!isAlike(draw.plan, halves[0], halves[1]) || (isCut && !isLevel(draw.plan, halves[0])))
-    return false;
-  shape.left = rectangle.pixels.x;
-  shape.bottom = rectangle.pixels.y;
-  shape.right = rectangle.pixels.x + rectangle.pixels.width;
-  shape.top = rectangle.pixels.y + rectangle.pixels.height;
-  shape.edgeCount = 0;
-  shape.stippled = state.polygonStipple != nullptr;
-  shape.primitive = halves[0];
-  return true;
+  Shape &whole = shapes[0];
+  if (halves == 2 && !isAlike(draw.plan, whole.primitive, shapes[1].primitive))
+    return isCut ? 0 : 2;
+  if (isCut && !isLevel(draw.plan, whole.primitive))
+    return 0;
+  whole.left = rectangle.pixels.x;
+  whole.bottom = rectangle.pixels.y;
+  whole.right = rectangle.pixels.x + rectangle.pixels.width;
+  whole.top = rectangle.pixels.y + rectangle.pixels.height;
+  whole.edgeCount = 0;
+  return 1;
 }
 
 Rect surelyCovered(const RasterState &state, Topology topology, const Vertices &vertices,

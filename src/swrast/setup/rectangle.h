@@ -31,9 +31,11 @@ struct Rectangle {
 [[nodiscard]] bool findRectangle(const RasterState &state, Topology topology,
                                  const Vertices &vertices, const std::uint32_t *indices,
                                  std::uint32_t first, std::uint32_t count, Rectangle &rectangle);
-/// The rectangle as one shape, in place of two triangles; false if they do not have the same planes
-/// to the last bit. \param draw nothing of it is placed
-[[nodiscard]] bool shapeOfRectangle(const Draw &draw, const Rectangle &rectangle, Shape &shape);
+/// The rectangle as one shape, or as its two triangles where these do not have the same planes to
+/// the last bit; returns how many, and 0 where it is to be cut as other triangles are.
+/// \param draw nothing of it is placed
+[[nodiscard]] int shapesOfRectangle(const Draw &draw, const Rectangle &rectangle,
+                                    Shape (&shapes)[2]);
 
 /// The region that the draw surely overwrites whole, if it is as simple as a rectangle (a quad, two
 /// triangles, a strip or fan of four): else empty. Needs no more than positions and state.

@@ -215,17 +215,13 @@ std::optional<Affine> AffineFlow::attribute(int index, int component) {
   Value *const along = product(slope, wide(m_spans.x())), *const up = product(slopeY, y);
   Value *const row = sum(wide(m_interpolator.constant(plane)), along);
   Value *const base = sum(row, up);
-  // Each sum is rounded, and where the processor does not multiply and add in one each product;
-  // each is the greatest at an end of the span.
-  Value *const across = product(slope, wide(m_spans.count()));
-  const auto most = [&](Value *first) {
-    return greater(magnitudeOf(first), magnitudeOf(sum(first, across)));
-  };
-  Affine value{base, slope, slopeY, greater(most(row), most(base)), 2};
-  if (m_code.cpu.family == Cpu::Family::Sse41) {
-    value.magnitude = greater(value.magnitude, greater(most(along), magnitudeOf(up)));
-    value.rounds = 4;
-  }
+  // Each sum is rounded, and where the processor does not multiply and add in one each product.
+  Value *most = greater(magnitudeOf(row), magnitudeOf(base));
+  const bool inOne = m_code.cpu.family != Cpu::Family::Sse41;
+  if (!inOne)
+    most = greater(most, greater(magnitudeOf(along), magnitudeOf(up)));
+  Value *const across = magnitudeOf(product(slope, wide(m_spans.count())));
+  const Affine value{base, slope, slopeY, sum(most, across), inOne ? 2 : 4};
   return how == abi::Interpolation::Even ? multiply(value, uniform(wide(m_interpolator.evenW())))
                                          : value;
 }

@@ -204,10 +204,14 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
   auto *const done = block("bytes.done");
   // The tables cost some hundreds of pixels.
   constexpr unsigned kLeastPixels = 4096;
-  Value *const first = ir.CreateZExt(code.field(ir.getInt16Ty(), items, offsetof(abi::Span, count)),
-                                     ir.getInt32Ty());
+  // Of a rectangle's spans any one is like the others, of a triangle's the middle one.
+  Value *const half = ir.CreateZExt(ir.CreateLShr(itemCount, 1), ir.getInt64Ty());
+  Value *const middle =
+      ir.CreateGEP(ir.getInt8Ty(), items, ir.CreateMul(half, ir.getInt64(sizeof(abi::Span))));
+  Value *const width = ir.CreateZExt(
+      code.field(ir.getInt16Ty(), middle, offsetof(abi::Span, count)), ir.getInt32Ty());
   llvm::BasicBlock *const before = ir.GetInsertBlock();
-  ir.CreateCondBr(ir.CreateICmpUGE(ir.CreateMul(first, itemCount), ir.getInt32(kLeastPixels)), fill,
+  ir.CreateCondBr(ir.CreateICmpUGE(ir.CreateMul(width, itemCount), ir.getInt32(kLeastPixels)), fill,
                   done);
 
   ir.SetInsertPoint(fill);
