@@ -149,7 +149,7 @@ struct SamplerKey {
   MipFilter mip = MipFilter::None;
   std::uint8_t shadow = 0; ///< 1: compare the third coordinate (2nd of 1D too: z) with `compare`
   Compare compare = Compare::LessEqual;
-  std::uint8_t powerOfTwo = 0;  ///< 1: every size is a power of two (Repeat is a mask)
+  std::uint8_t powerOfTwo = 0;  ///< bit an axis: its size is one (Repeat is a mask)
   std::uint8_t hasBias = 0;     ///< 1: lodBias, minLod or maxLod differ from GL's initial values
   std::uint8_t anisotropic = 0; ///< 1: several samples along a long footprint; only with mipmaps
   bool operator==(const SamplerKey &) const = default;

@@ -49,8 +49,8 @@ struct TextureLevels {
 struct TextureImages {
   abi::Format format;
   abi::Dimension dimension = abi::Dimension::Tex2D;
-  bool complete = false; ///< with mipmaps as `mipmapped` asked; else nothing below is set
-  bool powerOfTwo = false;
+  bool complete = false;       ///< with mipmaps as `mipmapped` asked; else nothing below is set
+  std::uint8_t powerOfTwo = 0; ///< abi::SamplerKey's
   bool srgb = false;     ///< colours are encoded, for the sampler to decode (OpenGL 2.1, 3.8.15)
   abi::TextureView view; ///< levels and levelCount only; valid until the texture changes
   swrast::Storage *const *storages = nullptr; ///< of view.levels, one each

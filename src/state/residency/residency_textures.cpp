@@ -90,9 +90,10 @@ public:
     view.format = base->shadow.format;
     view.complete = true;
     view.srgb = base->srgb;
-    view.powerOfTwo = std::has_single_bit(unsigned(base->width)) &&
-                      std::has_single_bit(unsigned(base->height)) &&
-                      std::has_single_bit(unsigned(base->depth));
+    const int sizes[3] = {base->width, base->height, base->depth};
+    for (unsigned axis = 0; axis < 3; ++axis)
+      if (std::has_single_bit(unsigned(sizes[axis])))
+        view.powerOfTwo |= std::uint8_t(1u << axis);
     view.view.levels = m_texture.levels.data();
     view.view.levelCount = levels;
     view.storages = m_texture.storages.data();

@@ -129,7 +129,7 @@ std::unique_ptr<Case> prepare(jit::Engine &engine, const Workload &workload) {
     sampler.format.layout = sampled.layout;
     sampler.wrap = {sampled.wrap, sampled.wrap, sampled.wrap};
     sampler.magnify = sampler.minify = sampled.filter;
-    sampler.powerOfTwo = 1;
+    sampler.powerOfTwo = 7;
     result->textures.push_back(makeTexture(sampler, sampled.width ? sampled.width : g_size,
                                            sampled.height ? sampled.height : g_size,
                                            std::uint32_t(i + 1)));

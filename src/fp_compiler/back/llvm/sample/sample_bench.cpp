@@ -78,7 +78,7 @@ abi::SamplerKey keyOf(const Bench &bench) {
   key.magnify = key.minify = bench.filter;
   key.mip = bench.mip;
   key.wrap = {bench.wrap, bench.wrap, bench.wrap};
-  key.powerOfTwo = 1;
+  key.powerOfTwo = 7;
   key.anisotropic = bench.longer > 0;
   return key;
 }

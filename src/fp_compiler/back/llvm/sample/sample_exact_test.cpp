@@ -38,7 +38,7 @@ TEST_P(Sample, OneToOneIsExactWhicheverWay) {
          {abi::Wrap::Repeat, abi::Wrap::ClampToEdge, abi::Wrap::MirroredRepeat}) {
       abi::SamplerKey nearest = plainKey(abi::Filter::Nearest);
       nearest.wrap.fill(wrap);
-      nearest.powerOfTwo = (width & (width - 1)) == 0;
+      nearest.powerOfTwo = (width & (width - 1)) == 0 ? 7 : 0;
       abi::SamplerKey linear = nearest;
       linear.magnify = linear.minify = abi::Filter::Linear;
       SampleOptions row, quad, texels;
@@ -185,7 +185,8 @@ TEST_P(Sample, BiasIsClampedAsASum) {
   std::mt19937 random(11);
   abi::SamplerKey key = plainKey(abi::Filter::Nearest);
   key.mip = abi::MipFilter::Nearest;
-  key.hasBias = key.powerOfTwo = 1;
+  key.hasBias = 1;
+  key.powerOfTwo = 7;
   GuardedTexture texture(key, {64, 64, 1}, random);
   SampleOptions options;
   options.derivatives = options.bias = true;
@@ -220,7 +221,7 @@ TEST_P(Sample, ReachesAllOfABigTexture) {
   const abi::TextureLevel level = {memory.data(), kSize * 4, 0, kSize, kSize, 1};
   const abi::TextureView view = {&level, 1};
   abi::SamplerKey key = plainKey(abi::Filter::Nearest);
-  key.powerOfTwo = 1;
+  key.powerOfTwo = 7;
   std::string reason;
   const auto function = SampleFunction::make(*m_cpu, key, {}, reason);
   ASSERT_TRUE(function) << reason;

@@ -9,7 +9,7 @@ using abi::Layout;
 AxisKey axisKey(const abi::SamplerKey &key, int axis) {
   return {key.dimension == abi::Dimension::Cube ? abi::Wrap::ClampToEdge
                                                 : key.wrap[std::size_t(axis)],
-          key.dimension != abi::Dimension::Rect, key.powerOfTwo != 0};
+          key.dimension != abi::Dimension::Rect, (key.powerOfTwo >> axis & 1) != 0};
 }
 
 /// Whether the integer filter takes it: bytes as they are, none of them the border's.

@@ -94,9 +94,9 @@ Case caseOf(const Choice &c) {
     test.size[1] = 1;
   if (key.dimension != Dimension::Tex3D)
     test.size[2] = 1;
-  key.powerOfTwo = 1;
-  for (const int extent : test.size)
-    key.powerOfTwo &= (extent & (extent - 1)) == 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if ((test.size[axis] & (test.size[axis] - 1)) == 0)
+      key.powerOfTwo |= std::uint8_t(1u << axis);
   test.options.lanes = abi::Lanes(c[Lane]);
   test.options.derivatives = c[Lane] == int(abi::Lanes::Row);
   test.options.bias = c[Bias] & 2;
