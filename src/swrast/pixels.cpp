@@ -1,7 +1,9 @@
 #include "swrast/pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
@@ -61,6 +63,42 @@ void shadeRun(const Shading &shading, const abi::Primitive &primitive, std::int3
   }
 }
 
+/// Pixels of a colour each, as many in a vector as it has lanes.
+class PackedRows {
+public:
+  PackedRows(const Shading &shading, const abi::Primitive &primitive, int colorInput)
+      : m_shading(shading) {
+    for (int column = 0; column < abi::PrimitiveColumns::kColumns; ++column)
+      m_columns.set(column, primitive);
+    for (std::size_t c = 0; c < 4; ++c)
+      m_rows[c] = abi::PrimitiveColumns::rowOf(
+          offsetof(abi::Primitive, inputs) +
+          (std::size_t(colorInput) * 4 + c) * sizeof(abi::Plane) + offsetof(abi::Plane, c));
+  }
+  /// Shades pixels (x, y) to (x + count - 1, y). \param columns which colour of `row` each has
+  void shade(std::int32_t x, std::int32_t y, std::int32_t count, const float (*row)[4],
+             const std::int32_t *columns) {
+    m_columns.baseY = y;
+    for (std::int32_t done = 0; done < count; done += m_shading.lanes) {
+      m_columns.baseX = x + done;
+      abi::Pixel pixels[abi::PrimitiveColumns::kColumns];
+      for (int i = 0; i < m_shading.lanes; ++i) {
+        const bool isLast = done + i >= count;
+        pixels[i] = {std::uint8_t(isLast ? 0 : i), 0, std::uint8_t(i),
+                     isLast ? abi::Pixel::kHelper : std::uint8_t(0)};
+        for (std::size_t c = 0; c < 4 && !isLast; ++c)
+          std::memcpy(&m_columns.rows[m_rows[c]][i], &row[columns[done + i]][c], sizeof(float));
+      }
+      m_shading.packed(m_shading.data, &m_columns, pixels, std::uint32_t(m_shading.lanes));
+    }
+  }
+
+private:
+  const Shading &m_shading;
+  abi::PrimitiveColumns m_columns;
+  std::array<std::size_t, 4> m_rows = {};
+};
+
 } // namespace
 
 DrawStatistics rasterizePixels(const RasterState &state, const Shading &shading,
@@ -76,6 +114,16 @@ DrawStatistics rasterizePixels(const RasterState &state, const Shading &shading,
   const auto rows = sourcesOf(rect.y, rect.height, image.y, image.zoomY, image.height);
   state.clears.reach(rect);
   const FlushMode mode;
+  const std::uint64_t count = std::uint64_t(rect.width) * std::uint64_t(rect.height);
+  if (shading.packed && !shading.packsQuads && colorInput >= 0 &&
+      shading.depth.layout == abi::Layout::None) {
+    PackedRows packed(shading, primitive, colorInput);
+    for (std::int32_t y = 0; y < rect.height; ++y)
+      packed.shade(rect.x, rect.y + y, rect.width,
+                   image.colors + std::ptrdiff_t(rows[std::size_t(y)]) * image.width,
+                   columns.data());
+    return {1, count};
+  }
   for (std::int32_t y = 0; y < rect.height; ++y) {
     const float(*const row)[4] = image.colors + std::ptrdiff_t(rows[std::size_t(y)]) * image.width;
     for (std::int32_t x = 0; x < rect.width;) {
@@ -90,7 +138,7 @@ DrawStatistics rasterizePixels(const RasterState &state, const Shading &shading,
       shadeRun(shading, primitive, rect.x + from, rect.y + y, x - from);
     }
   }
-  return {1, std::uint64_t(rect.width) * std::uint64_t(rect.height)};
+  return {1, count};
 }
 
 } // namespace arbiter::swrast

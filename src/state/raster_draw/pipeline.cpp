@@ -377,7 +377,13 @@ Outcome Pipeline::shadePixels(Context &context, const imaging::Pixels &pixels) {
   const auto color = std::find_if(inputs.begin(), inputs.end(), [](const auto &input) {
     return input.attribute.kind == AttributeKind::ColorPrimary;
   });
-  (void)swrast::rasterizePixels(m_raster, *shading, image, fragments,
+  swrast::Shading each = *shading;
+  const bool levels =
+      m_units.levelsMatter() != 0 || m_program->functions->prepared()->shape().derivatives;
+  Fallback whyNotPacked = Fallback::NotCompiled;
+  if (!each.packed && !levels && engine()->lanes() >= kLeastPackedLanes)
+    choosePacked(false, each, whyNotPacked);
+  (void)swrast::rasterizePixels(m_raster, each, image, fragments,
                                 color != inputs.end() ? int(color - inputs.begin()) : -1);
   return {};
 }
