@@ -256,6 +256,46 @@ TEST_F(AliasedAttributes, TheApplicationsGlslHasItsGenericOnes) {
   glDeleteProgram(program);
 }
 
+/// OpenGL 2.1 has no generic attribute stand for a conventional one in GLSL, and linkers give them
+/// numbers as they like.
+TEST_F(AliasedAttributes, TheApplicationsGlslKeepsThemApart) {
+  const GLuint program =
+      makeGlsl("#version 120\nattribute vec4 given;\nvarying vec4 color;\n"
+               "void main() { gl_Position = gl_Vertex; color = vec4(given.r, gl_Color.g, 0, 1); }",
+               "#version 120\nvarying vec4 color;\nvoid main() { gl_FragColor = color; }");
+  glBindAttribLocation(program, 3, "given");
+  glLinkProgram(program);
+  glDisable(kVertex);
+  glUseProgram(program);
+  const auto draw = [] {
+    glColor4f(0, 1, 0, 1);
+    glVertexAttrib4f(3, 1, 0, 0, 1);
+    quad();
+    glBegin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i) {
+      glColor4f(0, 1, 0, 1);
+      glVertexAttrib4f(3, 1, 0, 0, 1);
+      glVertex2fv(kCorners + 2 * i);
+    }
+    glEnd();
+  };
+  constexpr Pixel kYellowPixel = {255, 255, 0, 255};
+  EXPECT_EQ(pixelOf(draw), kYellowPixel);
+  const GLuint list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  draw();
+  glEndList();
+  EXPECT_EQ(pixelOf([&] { glCallList(list); }), kYellowPixel);
+  glDeleteLists(list, 1);
+  GLfloat current[4] = {};
+  glGetVertexAttribfv(3, GL_CURRENT_VERTEX_ATTRIB, current);
+  EXPECT_EQ(current[0], 1) << "the generic one's own";
+  glUseProgram(0);
+  glVertexAttrib4f(3, 0, 0, 1, 1);
+  EXPECT_EQ(pixelOf(quad), kBluePixel) << "fixed function has one again";
+  glDeleteProgram(program);
+}
+
 /// The default profile's card keeps them apart, and so does the host.
 TEST_F(ApiTest, AttributesAreApartWhereTheyDoNotAlias) {
   if (attributesAlias() || !epoxy_has_gl_extension("GL_ARB_vertex_program"))

@@ -16,6 +16,7 @@
 #include "state/host_draw/variants/point_sprites.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
+#include "state/mirror/attribute_aliases.h"
 #include "state/mirror/attribute_groups.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
@@ -34,6 +35,11 @@ void useProgram(Context &context, GLuint name) {
   context.host->UseProgram(guardedName(context, name));
   context.applicationProgramKnown = false;
   invalidateProgram(context);
+  if (!context.aliases) [[likely]]
+    return;
+  GLint current = 0;
+  context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
+  context.aliases->ofGlsl = current != 0 && stagesOf(context, GLuint(current)).vertex;
 }
 
 void pushEnables(Context &context, GLbitfield mask) {

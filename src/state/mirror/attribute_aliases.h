@@ -35,7 +35,9 @@ inline constexpr std::uint32_t kAliasedRegisters = 0xFF3C;
 
 /// The state of such registers in a context that has NVIDIA's programs, or whose attributes alias.
 struct AttributeAliases {
-  bool areOne = false;    ///< the host's attributes are such registers themselves
+  bool areOne = false; ///< the host's attributes are such registers themselves
+  bool ofGlsl =
+      false; ///< the application's GLSL shades vertices: it has the two apart (OpenGL 2.1)
   bool immediate = false; ///< what is drawn comes between Begin and End: `arrays` is 0
   /// A command gave the normal, the secondary colour or the fog coordinate components that their
   /// conventional commands do not have, and other values than those leave there.

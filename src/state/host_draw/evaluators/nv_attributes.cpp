@@ -132,7 +132,7 @@ Vec4 hostsRegister(const host::HostTable &host, GLuint index) {
 
 template <typename T>
 bool getAliased(const ContextHot &hot, const host::HostTable &host, GLuint index, T *values) {
-  if (hot.insideBeginEnd || !values)
+  if (hot.insideBeginEnd || !values || static_cast<const Context &>(hot).aliases->ofGlsl)
     return false;
   const Vec4 value = hostsRegister(host, index);
   std::transform(value.begin(), value.end(), values,
@@ -152,6 +152,12 @@ void setNvAttribute(Context &context, GLuint index, const Vec4 &value) {
 
 void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given) {
   auto &context = static_cast<Context &>(hot);
+  if (context.aliases->ofGlsl) {
+    if (!hot.recorder)
+      return hot.host->VertexAttrib4fv(index, value.data());
+    return hot.recorder->set(software::kGeneric0 + int(index), value[0], value[1], value[2],
+                             value[3], given);
+  }
   noteWider(context, index, value);
   if (hot.recorder)
     return record(*hot.recorder, index, value, given, !areOne(context));

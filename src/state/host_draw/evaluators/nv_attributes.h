@@ -21,7 +21,8 @@ struct ContextHot;
 void setNvAttribute(Context &context, GLuint index, const Vec4 &value);
 
 /// Does VertexAttrib, the ARB's and OpenGL's, of an aliased register where attributes alias. The
-/// host's generic attribute is given the value too, for the application's own GLSL.
+/// host's generic attribute is given the value too, and while the application's own GLSL shades
+/// vertices it alone is.
 /// \param given components that the command has
 void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given);
 
