@@ -132,14 +132,16 @@ TEST(Report, CostsStayWithTheirLinesWhileATextIsEdited) {
     make(edit, text, report);
     const QStringList lines = text.split(u'\n');
     for (auto cost = report.lines.constBegin(); cost != report.lines.constEnd(); ++cost)
-      if (removed[0] != 'M')
+      if (removed[0] != 'M') {
         EXPECT_TRUE(lines[cost.key() - 1].contains(cost->slotCount == 3 ? u"MUL" : u"SUB"))
             << at << " " << cost.key();
+      }
     make(edit.inverse(), text, report);
     EXPECT_EQ(text, before);
     EXPECT_EQ(report.lines[4].slotCount, 4) << at;
-    if (removed[0] != 'M')
+    if (removed[0] != 'M') {
       EXPECT_EQ(report.lines[3].slotCount, 3) << at;
+    }
   }
 }
 
