@@ -19,12 +19,12 @@ constexpr HeaderRow kHeaders[] = {
     {"!!ATIfs1.0", "this is a fragment shader; load it for GL_TEXT_FRAGMENT_SHADER_ATI"},
     {"!!RC1.0", "these are register combiners; no program target takes them"},
     {"!!TS1.0", "these are texture shaders; no program target takes them"},
-    {"!!VP", "this is an NV_vertex_program; the profiles from nv10 to nv40 have it, i915 and host"},
-    {"!!VP2.0", "this is an NV_vertex_program2; the profiles from nv30 to nv40 have it, and host"},
+    {"!!VP", "this is an NV_vertex_program; the profiles from nv10 to nv40, i915 and host have it"},
+    {"!!VP2.0", "this is an NV_vertex_program2; the profiles from nv30 to nv40 and host have it"},
     {"!!VP3.0", "NV_vertex_program3 is an option of !!ARBvp1.0, under the profiles nv40 and host"},
-    {"!!VSP", "this is NV_vertex_program's state program; the profiles from nv10 to nv40 have it, "
-              "i915 and host"},
-    {"!!FP", "this is an NV_fragment_program; the profiles from nv30 to nv40 have it, and host"},
+    {"!!VSP", "this is NV_vertex_program's state program; the profiles from nv10 to nv40, "
+              "i915 and host have it"},
+    {"!!FP", "this is an NV_fragment_program; the profiles from nv30 to nv40 and host have it"},
     {"!!FCP", "this is NV_fragment_program's combiner program, which no profile has"},
     {"!!NVfp", "this is an NV_gpu_program4, which no profile has"},
     {"!!NVvp", "this is an NV_gpu_program4, which no profile has"},

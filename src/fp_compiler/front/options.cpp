@@ -134,7 +134,7 @@ void Parser::refuseOption(const Token &token) {
               : "remove it");
   else if (name.starts_with("NV_"))
     error(DiagnosticId::UnsupportedOption, token.span, option + " is not offered",
-          asked.nv == ir::NvOption::First ? "the profiles from nv30 to nv40 have it, and host"
+          asked.nv == ir::NvOption::First ? "the profiles from nv30 to nv40 and host have it"
           : asked.nv == ir::NvOption::Second
               ? "the profiles nv40 and host have it"
               : "no profile has it; use a path of the application that needs no such option");

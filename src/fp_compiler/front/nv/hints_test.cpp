@@ -21,7 +21,7 @@ struct Text {
   const char *hint;
 };
 
-constexpr const char *kFromNv30 = "the profiles from nv30 to nv40 have it, and host";
+constexpr const char *kFromNv30 = "the profiles from nv30 to nv40 and host have it";
 
 const Text kTexts[] = {
     {Language::ArbFragment,
@@ -31,11 +31,11 @@ const Text kTexts[] = {
     {Language::ArbVertex,
      "!!VP1.0\nMOV o[HPOS], v[OPOS];\nEND",
      {"nv10", "nv20", "nv25", "nv30", "nv35", "nv40", "i915", "host"},
-     "the profiles from nv10 to nv40 have it, i915 and host"},
+     "the profiles from nv10 to nv40, i915 and host have it"},
     {Language::ArbVertex,
      "!!VP1.1\nMOV o[HPOS], v[OPOS];\nEND",
      {"nv10", "nv20", "nv25", "nv30", "nv35", "nv40", "i915", "host"},
-     "the profiles from nv10 to nv40 have it, i915 and host"},
+     "the profiles from nv10 to nv40, i915 and host have it"},
     {Language::ArbVertex,
      "!!VP2.0\nMOV o[HPOS], v[OPOS];\nEND",
      {"nv30", "nv35", "nv40", "host"},
@@ -43,7 +43,7 @@ const Text kTexts[] = {
     {Language::ArbVertex,
      "!!VSP1.0\nMOV c[90], v[0];\nEND",
      {"nv10", "nv20", "nv25", "nv30", "nv35", "nv40", "i915", "host"},
-     "the profiles from nv10 to nv40 have it, i915 and host"},
+     "the profiles from nv10 to nv40, i915 and host have it"},
     {Language::ArbFragment,
      "!!ARBfp1.0\nOPTION NV_fragment_program;\nMOV result.color, fragment.color;\nEND",
      {"nv30", "nv35", "nv40", "host"},
