@@ -69,6 +69,9 @@ struct RasterState {
   bool flatShade = false;        ///< colours (inputs whose key is Flat) of the provoking vertex
   bool provokingIsFirst = false; ///< as the application chose
   bool quadsProvokingIsFirst = false; ///< of quads and quad strips, for which it need not count
+  /// The triangles are those of fans or polygons, whose provoking vertex is the other one. Hosts
+  /// walk around them as the application chose all the same.
+  bool partsProvokeOtherwise = false;
   bool depthClamp = false;
   PolygonMode front = PolygonMode::Fill, back = PolygonMode::Fill;
   bool offsetFill = false, offsetLine = false, offsetPoint = false;

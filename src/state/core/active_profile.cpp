@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/ati/limits.h"
 #include "state/core/host_caps.h"
 #include "state/core/target.h"
 #include "util/defaults/choice.h"
@@ -38,10 +39,14 @@ std::string_view nameOf(fp::Numerics numerics) { return fp::kNumericsNames[std::
 
 fp::Limits limitsUnder(const fp::hw::Profile &profile, Target target, const host::HostTable &host,
                        const HostCaps &caps) {
-  const bool vertex = target == Target::Vertex;
+  if (target == Target::AtiText || target == Target::AtiApi)
+    return fp::ati::limitsOf(limitsUnder(profile, Target::Fragment, host, caps));
+  const bool vertex = target == Target::Vertex || target == Target::VertexState;
   const fp::Limits &ofProfile = vertex ? profile.vertex : profile.fragment;
   const bool fromHost = profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram);
-  fp::Limits limits = fromHost ? queryHostLimits(infoOf(target).name, host, caps) : ofProfile;
+  // The host knows the ARB's two targets alone.
+  const GLenum asked = infoOf(vertex ? Target::Vertex : Target::Fragment).name;
+  fp::Limits limits = fromHost ? queryHostLimits(asked, host, caps) : ofProfile;
   limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
   limits.nvVertexProgram = caps.drawsNvOptions() ? ofProfile.nvVertexProgram : 0;
   // Vertex programs that sample may name the units of all stages.

@@ -249,7 +249,7 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
   if (const Outcome outcome = readyPixels(context, indices, count, inputs, topology, shading);
       !outcome.ok())
     return outcome;
-  m_raster.provokingIsFirst = primitives.provokingIsFirst;
+  m_raster.partsProvokeOtherwise = primitives.provokingIsFirst != m_raster.provokingIsFirst;
   m_raster.secondDiagonal = source.fromList || (m_raster.flatShade && hasFlatInput(*shading));
   m_raster.inOtherPath = takesOtherPath(context.software->mirror, m_vertices.isTwoSided());
   swrast::DrawQueue &draws = context.software->draws;

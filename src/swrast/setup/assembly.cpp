@@ -6,7 +6,9 @@ bool isPolygonal(Topology topology) { return topology >= Topology::Triangles; }
 
 bool provokesFirst(const RasterState &state, Topology topology) {
   const bool quads = topology == Topology::Quads || topology == Topology::QuadStrip;
-  return quads ? state.quadsProvokingIsFirst : state.provokingIsFirst;
+  if (quads)
+    return state.quadsProvokingIsFirst;
+  return state.provokingIsFirst != (topology == Topology::Triangles && state.partsProvokeOtherwise);
 }
 
 std::uint32_t triangleCount(Topology topology, std::uint32_t count) {
