@@ -1,11 +1,11 @@
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <random>
 #include <vector>
 
+#include "swrast/image/copy_pixels.h"
 #include "swrast/image/image.h"
 #include "swrast/queue/draw_queue.h"
 #include "swrast/rasterize.h"
