@@ -26,7 +26,7 @@ struct ProgramFile {
   fp::Span place; ///< of the program in the text
 
   [[nodiscard]] fp::FileProgram program() const { return {language, place}; }
-  /// What GL is given.
+  /// Returns the text that GL is given.
   [[nodiscard]] std::string_view source() const { return program().in(text); }
 };
 

@@ -38,7 +38,7 @@ TEST(Rasterize, AScreenQuadMapsTexelsToPixelsExactly) {
         for (const int i : {0, 1, 2, 2, 3, 0})
           corner(i);
       const DrawStatistics statistics = drawAll(canvas, topology, vertices);
-      // Where two triangles begin at different corners, planes are the same if nothing rounds.
+      // Planes of two triangles that begin at different corners are the same if nothing rounds.
       if (topology != Topology::Triangles || (size & (size - 1)) == 0) {
         EXPECT_EQ(statistics.primitives, 1u) << "one rectangle";
       }

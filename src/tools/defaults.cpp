@@ -181,7 +181,7 @@ int showDefaults(const DefaultsArguments &arguments) {
     defaults::Program program = defaults::programOf(factsOf(command));
     if (command.found.empty()) {
       complain(command.problem);
-      // What a loader that is not here would run is known by its name all the same.
+      // A program that a missing loader would run is known by its name all the same.
       if (program.windows.empty())
         return kExitUsage;
     }

@@ -72,7 +72,7 @@ inline constexpr std::uint32_t kHeld = 4096;
 inline constexpr std::uint32_t kRecorded = 16384;
 /// The host keeps bitmaps that it draws at its next draw (host_draw/faults/kept_letters.h).
 inline constexpr std::uint32_t kLetters = 32768;
-/// What stays where other programs become effective, and where they are validated.
+/// Bits that stay when other programs become effective or are validated.
 inline constexpr std::uint32_t kRemains = kList | kLetters;
 inline constexpr std::uint32_t kSprites = 8192; ///< stays: points may need a form of their own
 } // namespace attention

@@ -224,7 +224,7 @@ void addStateShaders(std::vector<std::string> &names, const HostCaps &caps,
   announce("GL_NV_texture_shader3", shaders >= 3);
 }
 
-/// What host and layer have in a context.
+/// Returns the extensions that the host and the layer implement in a context.
 std::vector<std::string> implemented(const HostCaps &caps, bool offered, const IdentityRules &rules,
                                      bool nvAsHost) {
   std::vector<std::string> names = filterExtensions(caps, offered);

@@ -244,7 +244,7 @@ TEST(ExtensionString, IsNoLongerThanTheHosts) {
   // By index all are there, for programs of the host's time.
   for (const std::string &name : host.extensions)
     EXPECT_EQ(std::count(seen.names.begin(), seen.names.end(), name), 1) << name;
-  // What was asked for stays, whatever its year.
+  // A name that was switched on stays, whatever its year.
   const Switches keep = {{"GL_NEW_3_of_no_known_year", true}};
   IdentityRules rules;
   rules.switches = &keep;

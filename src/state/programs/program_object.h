@@ -69,8 +69,7 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   /// Of a vertex program, whose `glsl` user clip planes do not clip: the form that they do. Null of
   /// that form itself.
   std::shared_ptr<const ClippedVariant> clipped;
-  /// Of a vertex program whose attributes alias, but for those forms: its forms by the arrays that
-  /// it is drawn with.
+  /// The variants of a vertex program whose attributes alias, by the arrays that it is drawn with.
   std::shared_ptr<const ArrayVariants> arrays;
   /// Of a fragment program, or a form of an ATI shader: its forms beside GLSL 1.30.
   std::shared_ptr<const DepthVariants> depths;

@@ -31,7 +31,7 @@ class Pipeline;
 /// path, lists, neighbours, and how the rasterizer has fared. Requires: usesRasterizer().
 Outcome decideByPath(Context &context);
 /// The same, and what fragments at the raster position are drawn with (Pipeline::chooseFragments).
-/// Those that hosts draw with fewer values are the rasterizer's in the host's frames, too.
+/// The rasterizer takes those that hosts draw with fewer values in the host's frames, too.
 Outcome decideFragments(Context &context);
 /// Looks at all state that decides about a draw of `count` vertices (0: not known yet), and has its
 /// functions made: ok where the rasterizer draws it, with what pipelineOf() has chosen and with the

@@ -14,7 +14,7 @@ struct Refusal {
   std::string reason;    ///< "line 66: more than 64 ALU instructions"; empty: it is no such text
   bool byReport = false; ///< ARBITER_LIMITS=report loads it, too; the profile `host` always does
 
-  /// What loads it, as options of `arbiter run`: "--limits report or --profile host".
+  /// Returns the options of `arbiter run` that load it: "--limits report or --profile host".
   [[nodiscard]] const char *remedy() const;
 };
 

@@ -1,4 +1,4 @@
-/// What is said of programs that the profile alone refuses: r300, as no variable asks for another.
+/// Reports of programs that the profile alone refuses: r300, as no variable asks for another.
 #include "state/report/refusals.h"
 
 #include <filesystem>
@@ -32,7 +32,7 @@ std::string longText(int instructions, int mark = 0) {
   return text + "MOV result.color, r;\nEND";
 }
 
-/// What the log got since it was opened.
+/// Collects the lines that the log gets.
 class Log {
 public:
   Log()

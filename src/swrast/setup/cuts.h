@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Where the inputs of what was cut come from, step by step, as hosts make them.
+/// The steps by which hosts make the inputs of vertices that clipping creates.
 namespace arbiter::swrast {
 
 /// Places that are made of a primitive's vertices: places 0 to 2 are those, each further one lies
@@ -13,7 +13,7 @@ struct Cuts {
     std::uint8_t near, far;
     float share; ///< of the way from `near` to `far`
   };
-  /// As many as all planes cut off, twice each, and two more for the stipple of a line.
+  /// All planes cut twice each at most, and the stipple of a line twice more.
   static constexpr int kMost = 40;
   static constexpr int kVertices = 3;
   std::array<Step, kMost> step;

@@ -19,7 +19,7 @@ HostOrder::HostOrder(const RasterState &state, const Triangle &triangle) {
   const int first = state.provokingIsFirst ? provoking : (provoking + 1) % 3;
   for (int k = 0; k < 3; ++k)
     corner[k] = (first + k) % 3;
-  // As hosts have them in pixels, whose rows may run the other way.
+  // Hosts count pixels' rows from the top, so the other way round.
   const std::int64_t area = areaOf(triangle.corner);
   if ((state.upsideDownHeight != 0 ? -area : area) > 0)
     std::swap(corner[1], corner[state.provokingIsFirst ? 2 : 0]);
@@ -163,7 +163,7 @@ LineSteps::LineSteps(const RasterState &state, const WindowVertex &from, const W
     : m_x(from.x - to.x), m_y(from.y - to.y), m_fromX(from.x), m_fromY(from.y),
       m_turns(state.upsideDownHeight != 0) {
   m_inverse = 1.0f / (m_x * m_x + m_y * m_y);
-  // As if values varied along the greater direction alone.
+  // Values vary along the greater direction alone.
   if (std::fabs(m_x) >= std::fabs(m_y)) {
     const float slope = m_y / m_x;
     m_x *= 1.0f + slope * slope;

@@ -15,8 +15,8 @@ struct Triangle {
   std::uint32_t vertex[3] = {};
   std::uint32_t provoking = 0;
   bool backFacing = false;
-  /// Of what was cut: corner k has the inputs of place[k] of the cuts, rather than of vertex k.
-  /// Else null.
+  /// Not null if the triangle was cut: corner k has the inputs of place[k] of the cuts then, rather
+  /// than those of vertex k.
   const Cuts *cuts = nullptr;
   std::uint8_t place[3] = {0, 1, 2};
 };
@@ -41,16 +41,15 @@ struct PlanePlan {
   return state.upsideDownHeight != 0 ? state.upsideDownHeight - 1 : 0;
 }
 
-/// What all planes of a triangle are made with, by the very steps of llvmpipe (Mesa 22.3.6): in
-/// single precision, and from the corner of the window, so that all values are the host's to the
-/// last bit. Of two surfaces in one plane the same one is seen at each pixel, what one of them
-/// draws may be tested for equality by the other, and a coordinate on an edge of texels takes the
-/// host's.
+/// Makes the planes of a triangle by the very steps of llvmpipe (Mesa 22.3.6): in single precision,
+/// and from the corner of the window, so that all values are the host's to the last bit. Of two
+/// surfaces in one plane the same one is seen at each pixel, what one of them draws may be tested
+/// for equality by the other, and a coordinate on an edge of texels takes the host's.
 class PlaneSteps {
 public:
   /// \param corner in the order of hosts (HostOrder)
   PlaneSteps(const RasterState &state, const WindowVertex *const (&corner)[3]);
-  /// Of values in the order of the corners.
+  /// Returns the plane of three values, given in the order of the corners.
   [[nodiscard]] abi::Plane plane(const float (&f)[3]) const;
 
 private:
@@ -91,7 +90,7 @@ void makePlanes(const PlanePlan &plan, const Triangle &triangle, const PlaneStep
 /// Depth and all planes of a line: its ends are corners 0 and 1 of `line`.
 void makeLinePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &line,
                     abi::Primitive &primitive);
-/// Of a point: nothing varies, all is as at corner 0 of `point`.
+/// Makes all planes of a point: nothing varies, and all values are those of corner 0 of `point`.
 void makePointPlanes(const PlanePlan &plan, const Triangle &point, abi::Primitive &primitive);
 /// What polygon offset adds to depth (3.5.5).
 [[nodiscard]] float depthOffset(const RasterState &state,

@@ -17,7 +17,7 @@ struct Rectangle {
   bool backFacing = false;
   Rect pixels; ///< clipped
 
-  /// Where a vertex is in the window. Requires: it is one of the draw's.
+  /// Returns a vertex's place in the window. Requires: it is one of the draw's.
   [[nodiscard]] const WindowVertex &cornerOf(std::uint32_t number) const {
     for (int i = 0; i < otherCount; ++i)
       if (others[i] == number)

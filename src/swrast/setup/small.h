@@ -78,7 +78,7 @@ GroupSetUp setUpSmallAvx512(const SmallSetUp &with, const WindowVertex *window,
 
 /// A small triangle with its corners, as planes are made of it.
 [[nodiscard]] Triangle triangleOf(const SmallTriangle &small, const WindowVertex *window);
-/// What its planes are made with.
+/// Returns the steps that its planes are made with.
 [[nodiscard]] PlaneSteps stepsOf(const RasterState &state, const SmallTriangle &small,
                                  const WindowVertex *window);
 /// All of its planes but that of depth, which has been made.

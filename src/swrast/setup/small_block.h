@@ -107,7 +107,8 @@ struct BlockEdge {
   }
 };
 
-/// Where hosts begin to walk around a triangle, and which way: HostOrder. \param clockwise to them
+/// Turns vertices into the order in which hosts walk around a triangle (HostOrder). \param
+/// clockwise to them
 inline void walkAsHosts(bool provokingIsFirst, const Ints &clockwise, Ints (&vertex)[3],
                         const Ints &provoking, WindowCorner (&v)[3]) {
   Ints isAt[3];

@@ -30,7 +30,7 @@ struct Canvas {
     shading.blockHeight = lanes == 16 ? 4 : 2;
     shading.quad = lanes == 16 ? countQuad<4, 4> : lanes == 8 ? countQuad<4, 2> : countQuad<2, 2>;
   }
-  /// As hosts keep windows, whose first row in memory is the upper one.
+  /// Turns the rows as hosts keep windows: the first row in memory is the upper one.
   void turn(bool upsideDown) {
     state.upsideDownHeight = upsideDown ? height : 0;
     data.originY = planesBegin(state);

@@ -22,7 +22,7 @@ class CheckedFile {
 public:
   std::string name; ///< as given; "-" is shown as "<stdin>"
   std::string text; ///< of the file; every span is a place in it
-  /// What of the text is the program; none: all of it.
+  /// The bytes of the text that are the program; none: all of it.
   std::optional<fp::Span> part;
   bool hasSiblings = false; ///< the file has other programs
   fp::ir::Language language = fp::ir::Language::ArbFragment;

@@ -23,7 +23,7 @@ struct View {
     return document.map().line(document.map().lineOf(analysis.program.span.begin));
   }
 };
-/// Those of a document, in text order.
+/// The views of a document, in text order.
 using Views = std::vector<View>;
 
 /// Diagnostic[]: what the compiler says, with its hints, and of the text's panel with the first of

@@ -81,8 +81,8 @@ bool Document::change(const Json &change) {
   return true;
 }
 
-/// As their headers say; without one, a text of the language that the editor or the file's name
-/// says.
+/// Finds them by their headers. A text without one is of the language that the editor or the file's
+/// name says.
 std::vector<fp::FileProgram> Document::programs() const {
   std::vector<fp::FileProgram> found = fp::programsOf(m_text);
   if (fp::languageOfText(found.front().in(m_text)))

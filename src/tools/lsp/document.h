@@ -50,8 +50,8 @@ public:
     return std::string_view(m_text).substr(span.begin, span.end - span.begin);
   }
   [[nodiscard]] const TextMap &map() const { return m_map; }
-  /// Of the text's programs, in their order; at least one. Made when it is first asked for after a
-  /// change or forget(), by the profile of that moment.
+  /// Returns the analyses of the text's programs, in their order; at least one. They are made when
+  /// they are first asked for after a change or forget(), by the profile of that moment.
   [[nodiscard]] const std::vector<Analysis> &analyses(const fp::hw::Profile &profile);
   /// The program that a byte is in; beside all of them the one before it, or the first.
   [[nodiscard]] const Analysis &analysis(const fp::hw::Profile &profile, std::uint32_t offset = 0);

@@ -9,9 +9,9 @@ namespace {
 constexpr int kInvalidParams = -32602;
 }
 
-/// What `arbiter check --json` says of the program at the position, or else of the first fragment
-/// program, for an editor's gauges: counts against limits, and why the native ones are what they
-/// are.
+/// Answers what `arbiter check --json` says of the program at the position, or else of the first
+/// fragment program, for an editor's gauges: counts against limits, and why the native ones are
+/// what they are.
 Server::Reply Server::reportOf(const Json &params) {
   Document *document = find(params);
   if (!document)

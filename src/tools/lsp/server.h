@@ -62,7 +62,7 @@ private:
   Document *find(const Json &params);
   [[nodiscard]] static std::optional<fp::Span> rangeOf(const Document &document,
                                                        const Json &params);
-  /// Of the program that the byte is in.
+  /// Returns the view of the program that the byte is in.
   [[nodiscard]] View viewAt(Document &document, std::uint32_t offset) {
     const fp::hw::Profile &profile = profileOf(document);
     return {document, document.analysis(profile, offset), profile};

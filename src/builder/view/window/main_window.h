@@ -44,7 +44,7 @@ public:
   void showPanel(const QString &name);
   /// Opens a file in the place of the document, when unsaved text is kept or given up.
   void openInstead(const QString &path);
-  /// Those of all panels, in the order of the menu.
+  /// Returns the names of all panels, in the order of the menu.
   [[nodiscard]] static QStringList panelNames();
   void setScheme(const QString &name);
   /// What was said last of what has just happened.

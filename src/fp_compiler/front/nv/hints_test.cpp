@@ -73,7 +73,7 @@ TEST(NvHints, NameTheProfilesThatTakeTheText) {
       const CheckResult result = checkProgram(row.language, row.text, options);
       const bool takes = std::find(row.takers.begin(), row.takers.end(), name) != row.takers.end();
       EXPECT_EQ(result.ok(), takes) << name << "\n" << result.errorString(row.text) << row.text;
-      // Where the profile has other languages of NVIDIA's a header that is none is named as such.
+      // A profile that has other languages of NVIDIA's names a header that belongs to none of them.
       const bool none = row.takers.empty() && profile.vertex.nvVertexProgram != 0;
       if (!result.ok() && !none) {
         EXPECT_NE(result.errorString(row.text).find(row.hint), std::string::npos)

@@ -19,8 +19,8 @@ void checkOffered(std::uint32_t offered, Span header, bool shaders, Reporter &re
     return;
   std::string message = std::string(shaders ? "NV_texture_shader" : "NV_register_combiners") +
                         " is not offered under this profile";
-  std::string hint = std::string("the profiles from ") + (shaders ? "nv20" : "nv10") +
-                     " to nv40 and host have it";
+  std::string hint =
+      std::string("the profiles from ") + (shaders ? "nv20" : "nv10") + " to nv40 and host have it";
   if (policy == LimitPolicy::Enforce)
     reporter.error(DiagnosticId::NvparseNotOffered, header, std::move(message), std::move(hint));
   else

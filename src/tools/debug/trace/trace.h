@@ -65,7 +65,7 @@ struct Row {
   fp::ir::Opcode op = fp::ir::Opcode::Mov;
   std::vector<Operand> operands;
   std::string destination; ///< as it stands in the program: "offset.xy"; empty of KIL
-  /// Of the register: the destination without its mask, as the register's first row has it. An
+  /// The register's name: the destination without its mask, as the register's first row has it. An
   /// alias is the same register.
   std::string name;
   fp::ir::File file = fp::ir::File::Temporary;

@@ -204,7 +204,7 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
   auto *const done = block("bytes.done");
   // The tables cost some hundreds of pixels.
   constexpr unsigned kLeastPixels = 4096;
-  // Of a rectangle's spans any one is like the others, of a triangle's the middle one.
+  // Any span of a rectangle is like the others, and the middle one of a triangle is.
   Value *const half = ir.CreateZExt(ir.CreateLShr(itemCount, 1), ir.getInt64Ty());
   Value *const middle =
       ir.CreateGEP(ir.getInt8Ty(), items, ir.CreateMul(half, ir.getInt64(sizeof(abi::Span))));

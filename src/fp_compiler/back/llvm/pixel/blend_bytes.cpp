@@ -8,7 +8,7 @@ namespace arbiter::fp::llvm_back {
 
 namespace {
 
-/// What bytes are multiplied by: 255ths, four bytes a lane.
+/// A factor of bytes, in 255ths: four bytes a lane.
 struct ByteFactor {
   Value *bytes = nullptr; ///< null: by one, or by zero
   bool isZero = false;

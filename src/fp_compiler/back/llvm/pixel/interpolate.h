@@ -48,7 +48,7 @@ public:
   /// Where the primitive's back is seen, a mask.
   [[nodiscard]] Value *backFacing();
 
-  // What the affine coordinates are made of: scalars of the entry's block. The plane's constant,
+  // The parts of affine coordinates: scalars of the entry's block. The plane's constant,
   // its dx or dy, the row where it begins as i32, and what Even inputs are multiplied with.
   [[nodiscard]] Value *constant(std::size_t planeOffset);
   [[nodiscard]] Value *slope(std::size_t planeOffset, bool ofY);

@@ -276,9 +276,9 @@ TEST_P(Sample, SrgbIsDecoded) {
   }
 }
 
-// Of components of one size z is the axis before y and y before x, the side is the sign's, zeros'
-// too, and where all are zero the texel is the middle one: so hosts have it, as pictures of all
-// such directions on Mesa 22.3.6 show. Table 3.21 leaves it open.
+// Where components are of one size, z is the axis before y and y before x. The sign tells the side,
+// that of a zero too, and the texel is the middle one where all are zero. Pictures of all such
+// directions on Mesa 22.3.6 show this. Table 3.21 leaves it open.
 TEST_P(Sample, TiesOfACubeMapsAxes) {
   constexpr int kFaces = 6, kEdge = 3, kPad = 64;
   abi::SamplerKey key = plainKey(abi::Filter::Nearest);
