@@ -17,10 +17,10 @@ void checkOffered(std::uint32_t offered, Span header, bool shaders, Reporter &re
                   LimitPolicy policy) {
   if (offered != 0)
     return;
-  std::string message = std::string(shaders ? "NV_texture_shader" : "NV_register_combiners") +
-                        " is not offered under this profile";
-  std::string hint =
-      std::string("the profiles from ") + (shaders ? "nv20" : "nv10") + " to nv40 and host have it";
+  std::string message = shaders ? "NV_texture_shader is not offered under this profile"
+                                : "NV_register_combiners is not offered under this profile";
+  std::string hint = shaders ? "the profiles from nv20 to nv40 and host have it"
+                             : "the profiles from nv10 to nv40 and host have it";
   if (policy == LimitPolicy::Enforce)
     reporter.error(DiagnosticId::NvparseNotOffered, header, std::move(message), std::move(hint));
   else
