@@ -66,7 +66,7 @@ def aliases_itself(table, name):
 IMAGED = ("CopyPixels", "DrawPixels")
 
 
-# What hosts may keep for later (state/host_draw/faults/kept_letters.h).
+# The command whose pixels hosts may keep for later (state/host_draw/faults/kept_letters.h).
 LETTERS = "Bitmap"
 
 

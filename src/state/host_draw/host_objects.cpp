@@ -122,8 +122,8 @@ std::string textOfNvidias(const Context &context, const CompiledProgram &compile
   return isOfArb ? fp::emitAssembly(program, fp::PartlyWritten::Zero, most) : std::string();
 }
 
-/// The program with its colours clamped as they are written: fog is of the clamped colour
-/// (ARB_fragment_program 3.11.4.5.1), and NVIDIA's driver has it of the other.
+/// Returns the program with its colours clamped as they are written. Fog applies to the clamped
+/// colour (ARB_fragment_program 3.11.4.5.1), but NVIDIA's driver applies it before the clamp.
 fp::ir::Program withClampedColors(fp::ir::Program program) {
   for (fp::ir::Instruction &instruction : program.code)
     if (instruction.dst.file == fp::ir::File::Output && fp::ir::writeMask(instruction) != 0 &&

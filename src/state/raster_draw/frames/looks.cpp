@@ -8,7 +8,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Whether a raster position has such a value in a bitmap's fragments alone.
+/// True if a bitmap's fragments have this value of the raster position, and hosts give another.
 bool isRasterValue(const fp::ir::Attribute &attribute) {
   return attribute.kind == fp::ir::AttributeKind::TexCoord ||
          attribute.kind == fp::ir::AttributeKind::FogCoord ||

@@ -276,7 +276,7 @@ TEST_P(Sample, SrgbIsDecoded) {
   }
 }
 
-// Where components are of one size, z is the axis before y and y before x. The sign tells the side,
+// If components are of one size, z is the axis before y and y before x. The sign tells the side,
 // that of a zero too, and the texel is the middle one where all are zero. Pictures of all such
 // directions on Mesa 22.3.6 show this. Table 3.21 leaves it open.
 TEST_P(Sample, TiesOfACubeMapsAxes) {
