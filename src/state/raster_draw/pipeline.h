@@ -112,6 +112,11 @@ private:
   Outcome choosePixels(Context &context, Mirror &mirror, const Kind *vertices);
   /// The current program's looks, and whether its code is waited for. Not ok: the host draws looks.
   Outcome chooseSide(Context &context, Mirror &mirror, const Kind *vertices);
+  /// The draw has a look, which one side draws for the whole context. Like isMixed(), false of a
+  /// draw that only the rasterizer can draw right.
+  [[nodiscard]] bool keepsLooks(const ContextState &state) const;
+  /// The draw tests depths, and in this frame the host has them.
+  [[nodiscard]] bool isMixed(const ContextState &state, bool testsDepths) const;
   /// Assembly, and the vertex program. Requires: choosePixels().
   Outcome chooseVertices(Context &context, Mirror &mirror, const Kind &kind);
   /// What pixels' functions are compiled for. Requires: all else is chosen, as what the rasterizer

@@ -129,14 +129,13 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
       return Fallback::Target;
     m_looks |= looksOf(target.format.layout);
   }
-  if (m_looks != 0 && !m_readsRasterValues && !context.software->forced &&
-      keepsLook(context, false).isHosts())
+  if (keepsLooks(*context.software) && keepsLook(context, false).isHosts())
     return Fallback::Look;
   if (mirror.clampFixedOnly && m_floatTarget)
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
     return Fallback::State;
-  if (!testsDepth() || context.software->mayTestDepth() || m_readsRasterValues) {
+  if (!isMixed(*context.software, testsDepth())) {
     const Outcome bound = m_units.bind(context, mirror, shape.samplers, m_key.samplers);
     return bound.ok() && hasVertices ? m_vertices.bindTextures(context, mirror, m_wait) : bound;
   }
@@ -213,6 +212,14 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *verti
                  vertices != nullptr);
 }
 
+bool Pipeline::keepsLooks(const ContextState &state) const {
+  return m_looks != 0 && !state.forced && !m_readsRasterValues;
+}
+
+bool Pipeline::isMixed(const ContextState &state, bool testsDepths) const {
+  return testsDepths && !state.mayTestDepth() && !m_readsRasterValues;
+}
+
 Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *vertices) {
   ContextState &state = *context.software;
   if (!m_program->looks)
@@ -224,13 +231,13 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
   const bool testsDepths = testsAny(mirror.pixelOps.depthStencil);
   if (!m_program->functions || !m_program->functions->prepared())
     m_looks |= looksOfObject(context); // a draw without code comes to no key
-  const bool keeps = m_looks != 0 && !state.forced && !m_readsRasterValues;
+  const bool keeps = keepsLooks(state);
   if (keeps && keepsLook(context, testsDepths).isHosts())
     return Fallback::Look;
-  const bool isMixed = testsDepths && !state.mayTestDepth() && !m_readsRasterValues;
   const bool isPlain = state.drawsPlain && !context.linkedProgram;
+  const bool mayWait = isMixed(state, testsDepths) || isPlain;
   m_wait = state.steady || keeps || m_readsRasterValues             ? Wait::UntilDone
-           : (isMixed || isPlain) && state.mayGoUnjudged(isPlain)   ? Wait::Not
+           : mayWait && state.mayGoUnjudged(isPlain)                ? Wait::Not
            : (testsDepths || isPlain) && state.history.waitsForCode ? Wait::ForDisk
                                                                     : Wait::Briefly;
   return {};
@@ -263,8 +270,8 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *ver
   // draw that will be the host's whatever its size (makeKey()).
   Residency &residency = context.software->residency;
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
-  const bool isMixed = testsAny(depth) && !context.software->mayTestDepth() && !m_readsRasterValues;
-  m_targets = isMixed ? residency.targetsBefore() : nullptr;
+  const bool mixed = isMixed(*context.software, testsAny(depth));
+  m_targets = mixed ? residency.targetsBefore() : nullptr;
   if (!m_targets || !testsAny(depth, *m_targets)) {
     const char *reason = nullptr;
     m_targets = residency.describeTargets(reason);
