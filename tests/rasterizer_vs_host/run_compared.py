@@ -12,12 +12,11 @@ import sys
 import sides
 
 OTHER = ", t is another"  # what no host says, but OpenGL: pictures are those without it
-IN_FLOATS = {"GALLIVM_PERF": "no_aos_sampling"}
 
 
 def judge(bare, layer):
     wrong = sides.differences([each for each in bare if OTHER not in each[0]],
-                              [each for each in layer if OTHER not in each[0]], 2)
+                              [each for each in layer if OTHER not in each[0]])
     ours = dict(layer)
     for what, picture in layer:
         far, worst = sides.distances(picture, ours[what.replace(OTHER, "")], 0)
@@ -28,7 +27,7 @@ def judge(bare, layer):
 
 def main():
     args = sides.seeded_arguments(__doc__, 1)
-    bare, wrong, part = sides.compare(args, "rasterizer-compared", judge, IN_FLOATS)
+    bare, wrong, part = sides.compare(args, "rasterizer-compared", judge)
     if args.backend == "swrast" and (not part.get("drawn") or part.get("given_to_host")):
         wrong.append("draws of the host's")
     return sides.conclude(args, "seeds", bare, wrong, part)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Random draws through random fragment programs with nearest filters, on the bare host and under the layer: the same to
-the last bit, of bytes and of floats. Inputs often lie on the edges of texels and on ties of cube maps' axes, where
+"""Random draws through random fragment programs with nearest and linear filters, on the bare host and under the layer:
+the same to the last bit, of bytes and of floats. Inputs often lie on the edges of texels and on ties of cube maps' axes, where
 the last bit of an input is seen as another texel.
 
   run_exact.py --build build [--first SEED] [--count N] [--backend swrast]

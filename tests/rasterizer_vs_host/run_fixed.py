@@ -12,10 +12,6 @@ import sys
 import sides
 from x_server import XServer
 
-# Blending over what is off by one may be off by more.
-ROUNDING = 3
-# llvmpipe calculates simple scenes with bytes, unless it is told not to: then both sides use floats.
-IN_FLOATS = {"LP_PERF": "no_rast_linear", "GALLIVM_PERF": "no_aos_sampling"}
 
 
 def of_whole_lists(args, bare):
@@ -23,7 +19,7 @@ def of_whole_lists(args, bare):
     Mesa 25.0.7 gives the first vertices of a list the normal that a command behind them sets."""
     with XServer() as display:
         whole = sides.run([args.build.resolve() / "tests/rasterizer_vs_host/rasterizer-fixed", args.first, args.count],
-                          sides.environment(extra={**IN_FLOATS, "DISPLAY": display, "LISTS_WHOLE": "1"}))
+                          sides.environment(extra={"DISPLAY": display, "LISTS_WHOLE": "1"}))
     return [theirs if sides.distances(mine[1], theirs[1])[0] else mine
             for mine, theirs in zip(bare, whole, strict=True)]
 
@@ -36,9 +32,8 @@ def main():
         # Of the second it is asked alone that nothing is the rasterizer's.
         args.count = count if mode == "always" else max(count // 5, 1)
         bare, wrong, part = sides.compare(args, "rasterizer-fixed",
-                                          lambda bare, layer: sides.differences(of_whole_lists(args, bare), layer,
-                                                                                ROUNDING),
-                                          {**IN_FLOATS, "ARBITER_FIXED_FUNCTION": mode})
+                                          lambda bare, layer: sides.differences(of_whole_lists(args, bare), layer),
+                                          {"ARBITER_FIXED_FUNCTION": mode})
         drawn, given = part.get("drawn", 0), part.get("given_to_host", {})
         if mode == "programs" and (drawn or given):
             wrong.append("the rasterizer is used where no program is")

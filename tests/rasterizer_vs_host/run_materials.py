@@ -13,11 +13,6 @@ import sys
 import sides
 from x_server import XServer
 
-ROUNDING = 4  # of a sum of lights, blended
-FEW_PIXELS = 2
-# llvmpipe calculates simple scenes with bytes, unless it is told not to: then both sides use floats.
-IN_FLOATS = {"LP_PERF": "no_rast_linear", "GALLIVM_PERF": "no_aos_sampling"}
-
 
 def has_picture(what):
     """Whether the bare host's picture is to be that of the layer. Mesa 22.3.6 draws some primitives wrong that get a
@@ -27,40 +22,30 @@ def has_picture(what):
 
 
 def judge(bare, layer):
-    lines = sides.differences([(what, b"") for what, _ in bare], [(what, b"") for what, _ in layer])
-    return lines + far_pictures([row for row in bare if has_picture(row[0])],
-                                [row for row in layer if has_picture(row[0])], "")
-
-
-def far_pictures(some, others, side):
-    lines = []
-    for (what, one), (_, other) in zip(some, others):
-        far, worst = sides.distances(one, other, ROUNDING)
-        if far > FEW_PIXELS:
-            lines.append(f"'{what}'{side}: {far} pixels differ, by up to {worst}")
-    return lines
+    def shown(records):
+        return [(what, picture if has_picture(what) else b"") for what, picture in records]
+    return sides.differences(shown(bare), shown(layer))
 
 
 def judge_cut(args, layer):
     """What the layer makes of the same materials outside of primitives."""
     with XServer() as display:
-        env = sides.environment(sides.layer_of(args.build.resolve()), args.backend, {**IN_FLOATS, "DISPLAY": display})
+        env = sides.environment(sides.layer_of(args.build.resolve()), args.backend, {"DISPLAY": display})
         cut = sides.run([args.build.resolve() / "tests/rasterizer_vs_host/rasterizer-materials", args.first, args.count,
                          "cut"], env)
-    return sides.differences([(what, b"") for what, _ in cut], [(what, b"") for what, _ in layer]) + \
-        far_pictures(cut, layer, ", of primitives without materials within")
+    return [f"{line}, of primitives without materials within" for line in sides.differences(cut, layer)]
 
 
 def main():
     args = sides.seeded_arguments(__doc__, 20)
     bare, wrong, part = sides.compare(args, "rasterizer-materials",
-                                      lambda bare, layer: judge(bare, layer) + judge_cut(args, layer), IN_FLOATS)
+                                      lambda bare, layer: judge(bare, layer) + judge_cut(args, layer))
     # What another command than Material(f)(v) sets in a strip is the host's, and what is asked within.
     if not sides.mostly_ours(args, part, 5):
         wrong.append("too many draws are the host's")
     if args.backend == "swrast":  # and with code that is compiled meanwhile, so that some primitives are the host's
         auto = argparse.Namespace(**{**vars(args), "backend": "auto", "count": max(args.count // 4, 1)})
-        wrong += [f"auto: {line}" for line in sides.compare(auto, "rasterizer-materials", judge, IN_FLOATS)[1]]
+        wrong += [f"auto: {line}" for line in sides.compare(auto, "rasterizer-materials", judge)[1]]
     return sides.conclude(args, "seeds", bare, wrong, part)
 
 

@@ -70,11 +70,6 @@ class Program:
         """Ends what the program leaves running."""
 
 
-# For cases that look up a texture where another one says. llvmpipe filters textures of bytes with weights
-# of 8 bits to 8 bits, and the second lookup enlarges that to noise; told to filter as it does other formats,
-# in floats, it and the rasterizer agree.
-HOST_FILTERS_IN_FLOATS = {"GALLIVM_PERF": "no_aos_sampling"}
-
 # For cases with anisotropic textures: the filter is each implementation's own. llvmpipe's is a weighted mean
 # of whole texels of one level, the rasterizer's one of trilinear samples (tests/rasterizer_vs_host/run_anisotropy.py):
 # in 0ad's terrain single pixels are 33 apart, at the edges of magnified texels 47. What is lost or moved is

@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import picture
 import session
-from cases import DATA, HOST_FILTERS_IN_FLOATS, PrepareError, shell
+from cases import DATA, PrepareError, shell
 
 PACKAGES = ("wine", "wine64", "g++-mingw-w64-x86-64", "xvfb", "libgl1-mesa-dri")
 KEY = r"HKCU\Software\Wine\Direct3D"
@@ -35,7 +35,7 @@ BACKENDS = ("auto", "host")
 
 
 def environment(prefix: Path, display: str) -> dict[str, str]:
-    made = {**os.environ, **HOST_FILTERS_IN_FLOATS, "LIBGL_ALWAYS_SOFTWARE": "1", "DISPLAY": display,
+    made = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "DISPLAY": display,
             "WINEPREFIX": str(prefix), "WINEARCH": "win64", "WINEDEBUG": "-all",
             "WINEDLLOVERRIDES": "mscoree,mshtml=;winemenubuilder.exe=d"}
     for name in ("WAYLAND_DISPLAY", "XAUTHORITY"):

@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import picture
 import session
-from cases import DATA, HOST_FILTERS_IN_FLOATS, PrepareError, shell
+from cases import DATA, PrepareError, shell
 
 KEY = r"HKCU\Software\Wine\Direct3D"
 COMPILERS = {64: "x86_64-w64-mingw32-g++", 32: "i686-w64-mingw32-g++"}
@@ -35,7 +35,7 @@ OTHERS = 4  # and how many may be more: where a comparison of a shader falls the
 
 
 def environment(prefix: Path, windows: str, display: str) -> dict[str, str]:
-    made = {**os.environ, **HOST_FILTERS_IN_FLOATS, "LIBGL_ALWAYS_SOFTWARE": "1", "DISPLAY": display,
+    made = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "DISPLAY": display,
             "WINEPREFIX": str(prefix), "WINEARCH": windows, "WINEDEBUG": "-all",
             "WINEDLLOVERRIDES": "mscoree,mshtml=;winemenubuilder.exe=d"}
     for name in ("WAYLAND_DISPLAY", "XAUTHORITY"):

@@ -1,7 +1,7 @@
 // Random draws whose every bit is compared: rasterizer-exact SEED COUNT. Each seed is a primitive
 // of each kind by a random transform, whole or cut by the view volume, with random inputs, many of
-// them on the edges of texels, through a random fragment program with nearest filters, into the
-// window or into a buffer of floats. Writes the pixels as records; run_exact.py compares.
+// them on the edges of texels, through a random fragment program with nearest and linear filters,
+// into the window or into a buffer of floats. Writes the pixels as records; run_exact.py compares.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -69,8 +69,9 @@ private:
       const GLint wrap = target == GL_TEXTURE_RECTANGLE || m_random.once(2) ? clamp : GL_REPEAT;
       for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTexParameteri(target, axis, wrap);
-      glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-      glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+      const GLint filter = m_random.once(4) ? GL_NEAREST : GL_LINEAR;
+      glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+      glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
       setImages(target, other);
     }
     glActiveTexture(GL_TEXTURE0);

@@ -9,7 +9,7 @@ import gzip
 import shutil
 from pathlib import Path
 
-from cases import HOST_FILTERS_IN_FLOATS, Case, PrepareError, Program, shell
+from cases import Case, PrepareError, Program, shell
 
 SOURCES = Path("/usr/share/doc/libirrlicht-dev")
 FRAMES = 12
@@ -39,10 +39,8 @@ class Irrlicht(Program):
                 source.write_text(self._patched(folder, work))
                 shell(["g++", "-O1", "-w", "-I/usr/include/irrlicht", str(source), "-o",
                        str(binary), "-lIrrlicht"])
-            # Example 11 shifts its coordinates by a texture's heights.
-            environment = HOST_FILTERS_IN_FLOATS if number == "11" else {}
             cases.append(Case(f"irrlicht-{number}", [str(binary)], stdin=answers, size=(640, 480),
-                              environment=environment, least_programs=8))
+                              least_programs=8))
         return cases
 
     @staticmethod

@@ -5,21 +5,19 @@ data/pyopengl has a file each. They draw a fixed number of frames and end.
 
 from pathlib import Path
 
-from cases import DATA, HOST_FILTERS_IN_FLOATS, Case, Program
+from cases import DATA, Case, Program
 
 # Name, the fragment programs that it draws with, and those that are mistakes.
 CLIENTS = (("feedback", 2, 0), ("lists", 1, 0), ("buffers", 1, 0), ("framebuffers", 3, 0),
            ("targets", 4, 0), ("mixed", 2, 0), ("windows", 1, 0), ("texts", 47, 13),
            ("parallax", 1, 0))
-DEPENDENT = ("texts", "parallax")
 
 
 class PyOpenGl(Program):
     def cases(self, work: Path) -> list[Case]:
         # Debian's own python3 is the one that finds Debian's python3-opengl.
         return [Case(f"pyopengl-{name}", ["/usr/bin/python3", str(DATA / "pyopengl" / f"{name}.py")],
-                     environment={"PYTHONDONTWRITEBYTECODE": "1",
-                                  **(HOST_FILTERS_IN_FLOATS if name in DEPENDENT else {})},
+                     environment={"PYTHONDONTWRITEBYTECODE": "1"},
                      recorded=True, least_programs=programs, refused=refused)
                 for name, programs, refused in CLIENTS]
 

@@ -8,7 +8,7 @@ import os
 import subprocess
 from pathlib import Path
 
-from cases import DATA, HOST_FILTERS_IN_FLOATS, Case, Program, shell
+from cases import DATA, Case, Program, shell
 
 KEY = r"HKCU\Software\Wine\Direct3D"
 
@@ -26,9 +26,8 @@ class Wine(Program):
             (work / "prefix" / "ready").touch()
         tiles = self._compiled(work, "tiles", ["-ld3d9", "-ld3dx9_43"])
         stages = self._compiled(work, "stages", [])
-        # Tiles of wine-d3d9 look up textures where another texture says.
         return [Case("wine-d3d9", ["wine", str(tiles)], output="o.ppm", least_programs=6,
-                     environment={**environment, **HOST_FILTERS_IN_FLOATS}),
+                     environment=environment),
                 Case("wine-d3d8", ["wine", str(stages)], environment=environment, recorded=True,
                      least_programs=4)]
 

@@ -19,14 +19,13 @@ bool isWords(abi::Layout layout) {
          abi::bytesOf(layout) % 4 == 0;
 }
 
-/// A linear filter that gives the texel alone at its centre. One that reaches the border, or whose
-/// texels are decoded, weighs in floats, which keep the least part of a neighbour.
+/// A linear filter that gives the texel alone near its centre: one of bytes (sample_bytes.cpp).
+/// What is weighed in floats keeps the least part of a neighbour.
 bool isPlainLinear(const abi::SamplerKey &sampler) {
-  const auto reaches = [](abi::Wrap wrap) {
-    return wrap == abi::Wrap::Clamp || wrap == abi::Wrap::ClampToBorder ||
-           wrap == abi::Wrap::MirrorClamp || wrap == abi::Wrap::MirrorClampToBorder;
+  const auto isSimple = [](abi::Wrap wrap) {
+    return wrap == abi::Wrap::Repeat || wrap == abi::Wrap::ClampToEdge;
   };
-  return abi::isPlainWord(sampler.format) && !reaches(sampler.wrap[0]) && !reaches(sampler.wrap[1]);
+  return abi::isPlainWord(sampler.format) && isSimple(sampler.wrap[0]) && isSimple(sampler.wrap[1]);
 }
 } // namespace
 
@@ -64,13 +63,20 @@ ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &p
         found[i] = find(i, *flow.coordinate(i));
     if (found.empty())
       return;
-    // Whole vectors: an incomplete one costs the edges' loop no more. Behind a row 64 bytes may be
-    // read, which are less than a vector of larger texels.
+    // Whole vectors: an incomplete one costs the edges' loop no more. The vectors of a long span
+    // begin where columns are multiples of theirs: half of a rectangle begins anywhere, and stores
+    // across lines of the cache cost more than one more vector. Behind a row 64 bytes may be read,
+    // which are less than a vector of larger texels.
     bool large = false;
     for (const auto &[index, sample] : found)
       large |= abi::bytesOf(samplerOf(program, key, index).format.layout) > 4;
     Value *const mask = integer(-code.lanes);
-    m_begin = ir.CreateAnd(ir.CreateAdd(m_begin, integer(code.lanes - 1)), mask);
+    constexpr int kLongVectors = 8;
+    Value *const isLong = ir.CreateICmpSGE(spans.count(), integer(kLongVectors * code.lanes));
+    Value *const beyond =
+        ir.CreateSelect(isLong, ir.CreateAnd(spans.x(), ir.CreateNot(mask)), integer(0));
+    m_begin = ir.CreateAdd(ir.CreateAdd(m_begin, beyond), integer(code.lanes - 1));
+    m_begin = ir.CreateSub(ir.CreateAnd(m_begin, mask), beyond);
     Value *const length = ir.CreateSub(m_end, m_begin);
     Value *const whole = ir.CreateAdd(m_begin, ir.CreateAnd(length, mask));
     m_end = large ? whole : ir.CreateSelect(ir.CreateICmpEQ(m_end, spans.count()), m_end, whole);
@@ -237,11 +243,7 @@ ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Valu
   // How far from the texel's edge, or centre, every pixel must stay.
   Value *low = error, *high = ir.CreateFSub(number(1), error);
   if (linear) {
-    const auto smallest = [&](Value *a, Value *b) {
-      return ir.CreateSelect(ir.CreateFCmpOLT(a, b), a, b);
-    };
-    Value *const reach =
-        smallest(ir.CreateFSub(number(kLinearReachRounded), error), number(kLinearReach));
+    Value *const reach = ir.CreateFSub(number(kLinearReach), error);
     low = ir.CreateFSub(number(0.5), reach);
     high = ir.CreateFAdd(number(0.5), reach);
   }

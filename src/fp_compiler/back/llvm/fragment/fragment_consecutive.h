@@ -7,13 +7,9 @@
 /// The decision, once a span, whether all samples with affine coordinates read consecutive texels.
 namespace arbiter::fp::llvm_back {
 
-/// A linear filter reads the texel alone where its coordinate stays near the texel's centre. Both
-/// bounds are in texels. The exact coordinate is a neighbour's weight: at most a quarter of a step
-/// of 8-bit components. What the lanes compute differs from it by roundings, which grow with the
-/// texture's size: with them the weight is less than half a step, which storing rounds away. Other
-/// formats take the general code.
-inline constexpr double kLinearReach = 1.0 / 1024;
-inline constexpr double kLinearReachRounded = 1.0 / 512;
+/// How far from a texel's centre, in texels, a linear filter of bytes gives that texel alone: half
+/// a step of its weights.
+inline constexpr double kLinearReach = 1.0 / 512;
 
 /// How a loop reads the samples whose texels are consecutive: like any other, as loads that need no
 /// wrapping, or as loads on both sides of the texture's edge. Given: the one sample is at hand.
@@ -32,9 +28,8 @@ public:
   [[nodiscard]] bool any() const { return !m_samples.empty(); }
   /// i1: whether all of them are consecutive over the whole span, but for wrapping.
   [[nodiscard]] Value *good() const { return m_good; }
-  /// Pixels [begin, end) of the span, counted from its first, in which none wraps: a whole number
-  /// of vectors after its start, and whole ones unless it ends with the span. Both are the span's
-  /// count where there are none.
+  /// Pixels [begin, end) of the span, counted from its first, in which none wraps: whole vectors,
+  /// unless they end with the span. Both are the span's count where there are none.
   [[nodiscard]] Value *begin() const { return m_begin; }
   [[nodiscard]] Value *end() const { return m_end; }
   /// Whether the texture instruction \p index is one of them.

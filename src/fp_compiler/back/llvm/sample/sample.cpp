@@ -111,6 +111,8 @@ private:
     for (std::size_t i = 0; i < 4; ++i)
       if (big.rgba[i])
         both.rgba[i] = m_code.select(magnified, big.rgba[i], small.rgba[i]);
+    if (big.packed && small.packed)
+      both.packed = m_code.select(magnified, big.packed, small.packed);
     return both;
   }
 
@@ -120,10 +122,10 @@ private:
     return either(
         m_code, anyLane(m_code, wanted),
         [&] {
-          Texel texel = sampled();
-          texel.packed = nullptr;
+          const Texel texel = sampled();
           for (std::size_t i = 0; i < 4; ++i)
             zeros.rgba[i] = texel.rgba[i] ? m_code.splat(0.0f) : nullptr;
+          zeros.packed = texel.packed ? m_code.splat(0) : nullptr;
           return texel;
         },
         [&] { return zeros; });
@@ -133,15 +135,16 @@ private:
     if (m_key.mip == abi::MipFilter::None)
       return atLevel(nullptr, m_key.minify);
     const LevelChoice levels = chooseLevels(m_code, m_key, m_lookup.view, lambda);
-    Texel first = atLevel(levels.first, m_key.minify);
+    const Texel first = atLevel(levels.first, m_key.minify);
     if (!levels.second)
       return first;
-    first.packed = nullptr;
     Value *const between = m_code.ir.CreateFCmpOGT(levels.fraction, m_code.splat(0.0f));
     return either(
         m_code, anyLane(m_code, between),
         [&] {
           const Texel second = atLevel(levels.second, m_key.minify);
+          if (filtersBytes(m_lookup))
+            return mixBytes(m_code, m_lookup, first.packed, second.packed, levels.fraction);
           Texel mixed;
           for (std::size_t i = 0; i < 4; ++i)
             if (first.rgba[i])
@@ -251,8 +254,15 @@ Texel sample(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *vi
     return {incomplete(code, needed)};
   if (at.texels)
     return consecutive(code, key.format, at.texels, needed);
-  return key.shadow ? shadowLookup(code, key, lanes, view, at, needed)
-                    : Sampling(code, key, lanes, view, at, needed).texel();
+  if (key.shadow)
+    return shadowLookup(code, key, lanes, view, at, needed);
+  Texel texel = Sampling(code, key, lanes, view, at, needed).texel();
+  // A filter makes no more bytes than are needed.
+  const bool isFiltered = key.magnify == abi::Filter::Linear || key.minify == abi::Filter::Linear ||
+                          key.mip == abi::MipFilter::Linear;
+  if (!abi::isPlainWord(key.format) || (isFiltered && bytesNeeded(key.format, needed) != 3))
+    texel.packed = nullptr;
+  return texel;
 }
 
 } // namespace arbiter::fp::llvm_back

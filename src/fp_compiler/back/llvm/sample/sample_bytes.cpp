@@ -2,46 +2,16 @@
 
 #include <llvm/IR/IntrinsicsX86.h>
 
-/// The linear filter of texels of 8-bit components, as integers with weights of 14 bits: exact to
-/// 0.05 of their 255 steps, the same on every processor and whichever way the texels were read, and
-/// exactly the texel where it has all the weight.
+/// The linear filter of texels of 8-bit components, by the host's steps: llvmpipe (Mesa 22.3.6)
+/// weighs with 8 bits, and rounds to a byte along each dimension. It is the same on every processor
+/// and whichever way the texels were read, and exactly the texel where that has all the weight.
 namespace arbiter::fp::llvm_back {
 namespace {
 
 using abi::From;
 
-constexpr int kFullWeight = 1 << kWeightBits;
-
-/// Products of signed 16-bit halves, summed in pairs: low * low + high * high.
-Value *dot2(Code &code, Value *a, Value *b) {
-  llvm::Intrinsic::ID id = llvm::Intrinsic::not_intrinsic;
-  switch (code.cpu.family) {
-  case Cpu::Family::Avx512:
-    id = llvm::Intrinsic::x86_avx512_pmaddw_d_512;
-    break;
-  case Cpu::Family::Avx2:
-    id = llvm::Intrinsic::x86_avx2_pmadd_wd;
-    break;
-  case Cpu::Family::Sse41:
-    id = llvm::Intrinsic::x86_sse2_pmadd_wd;
-    break;
-  case Cpu::Family::Neon: {
-    const auto low = [&](Value *v) {
-      return code.ir.CreateAShr(code.ir.CreateShl(v, code.splat(16)), code.splat(16));
-    };
-    const auto high = [&](Value *v) { return code.ir.CreateAShr(v, code.splat(16)); };
-    return code.ir.CreateAdd(code.ir.CreateMul(low(a), low(b)),
-                             code.ir.CreateMul(high(a), high(b)));
-  }
-  }
-  auto *const halves = llvm::FixedVectorType::get(code.ir.getInt16Ty(), unsigned(code.lanes) * 2);
-  return code.ir.CreateIntrinsic(
-      id, {}, {code.ir.CreateBitCast(a, halves), code.ir.CreateBitCast(b, halves)});
-}
-
 /// 16-bit halves: (a * b + 2^14) >> 15.
 Value *multiplyHigh(Code &code, Value *a, Value *b) {
-  auto *const halves = llvm::FixedVectorType::get(code.ir.getInt16Ty(), unsigned(code.lanes) * 2);
   llvm::Intrinsic::ID id = llvm::Intrinsic::not_intrinsic;
   switch (code.cpu.family) {
   case Cpu::Family::Avx512:
@@ -55,86 +25,76 @@ Value *multiplyHigh(Code &code, Value *a, Value *b) {
     break;
   case Cpu::Family::Neon: {
     auto *const words = llvm::FixedVectorType::get(code.ir.getInt32Ty(), unsigned(code.lanes) * 2);
-    const auto wide = [&](Value *v) {
-      return code.ir.CreateSExt(code.ir.CreateBitCast(v, halves), words);
-    };
-    Value *const half = llvm::ConstantInt::get(words, 1 << 14);
-    Value *const product = code.ir.CreateAdd(code.ir.CreateMul(wide(a), wide(b)), half);
-    return code.ir.CreateBitCast(code.ir.CreateTrunc(code.ir.CreateAShr(product, 15), halves),
-                                 code.i32);
+    Value *const product =
+        code.ir.CreateMul(code.ir.CreateSExt(a, words), code.ir.CreateSExt(b, words));
+    Value *const rounded = code.ir.CreateAdd(product, llvm::ConstantInt::get(words, 1 << 14));
+    return code.ir.CreateTrunc(code.ir.CreateAShr(rounded, 15), a->getType());
   }
   }
-  return code.ir.CreateBitCast(
-      code.ir.CreateIntrinsic(id, {},
-                              {code.ir.CreateBitCast(a, halves), code.ir.CreateBitCast(b, halves)}),
-      code.i32);
+  return code.ir.CreateIntrinsic(id, {}, {a, b});
 }
 
-/// Pairs of weights: of the row's first and second texel. Four of them sum up to kFullWeight.
-struct Weights {
-  Value *row0 = nullptr, *row1 = nullptr;
-};
-Weights weightsOf(Code &code, Value *x, Value *y) {
+llvm::VectorType *halves(Code &code) {
+  return llvm::FixedVectorType::get(code.ir.getInt16Ty(), unsigned(code.lanes) * 2);
+}
+
+/// A weight in both halves, in units of 2^-15.
+Value *weightOf(Code &code, Value *weight) {
   llvm::IRBuilder<> &ir = code.ir;
-  // kFullWeight - x in the low half, x in the high one. As a sum LLVM would make a product of it.
-  Value *const columns =
-      ir.CreateOr(ir.CreateShl(x, code.splat(16)), ir.CreateSub(code.splat(kFullWeight), x));
-  if (!y)
-    return {columns, nullptr};
-  // Twice y in both halves. The full weight would not fit: it is 2^-15 less there.
-  Value *const twice =
-      ir.CreateBinaryIntrinsic(llvm::Intrinsic::umin, ir.CreateAdd(y, y), code.splat(0x7FFF));
-  Value *const rows = ir.CreateOr(twice, ir.CreateShl(twice, code.splat(16)));
-  Value *const row1 = multiplyHigh(code, columns, rows);
-  // Neither half of row1 is more than its column's.
-  return {ir.CreateSub(columns, row1), row1};
+  constexpr int kUp = 15 - kWeightBits;
+  Value *const low = ir.CreateShl(weight, code.splat(kUp));
+  return ir.CreateBitCast(ir.CreateOr(low, ir.CreateShl(weight, code.splat(16 + kUp))),
+                          halves(code));
 }
 
-/// Component `component` of two texels as a pair of 16-bit numbers.
-Value *componentPair(Code &code, const TexelPair &texels, int component) {
-  Value *halves = component < 2 ? texels.low : texels.high;
-  if (component % 2)
-    halves = code.ir.CreateLShr(halves, code.splat(8));
-  return code.ir.CreateAnd(halves, code.splat(0x00FF00FF));
-}
+/// Bytes 0 and 2 of a texel, or 1 and 3, as numbers of 16 bits; null where none is wanted.
+using Bytes = std::array<Value *, 2>;
 
-/// A component's weighted sum, times kFullWeight.
-Value *weighted(Code &code, const std::array<TexelPair, 2> &rows, const Weights &weights,
-                int component) {
-  Value *const first = dot2(code, componentPair(code, rows[0], component), weights.row0);
-  if (!rows[1].low)
-    return first;
-  return code.ir.CreateAdd(first,
-                           dot2(code, componentPair(code, rows[1], component), weights.row1));
-}
-
-/// The sums of all four components rounded to bytes, as a texel.
-Value *packedSums(Code &code, const Vec &sums) {
+Bytes split(Code &code, const Lookup &lookup, Value *texel) {
   llvm::IRBuilder<> &ir = code.ir;
-  Value *packed = nullptr;
-  for (int i = 0; i < 4; ++i) {
-    Value *const rounded = ir.CreateAdd(sums[std::size_t(i)], code.splat(kFullWeight / 2));
-    const int up = 8 * i - kWeightBits;
-    Value *const moved =
-        up < 0 ? ir.CreateLShr(rounded, code.splat(-up)) : ir.CreateShl(rounded, code.splat(up));
-    Value *const byte =
-        i == 0 || i == 3 ? moved : ir.CreateAnd(moved, code.splat(int(0xFFu << 8 * i)));
-    // The top byte keeps no fraction below itself.
-    Value *const clean = i == 3 ? ir.CreateAnd(byte, code.splat(int(0xFF000000u))) : byte;
-    packed = packed ? ir.CreateOr(packed, clean) : clean;
-  }
-  return packed;
+  const unsigned needed = bytesNeeded(lookup.image.format, lookup.needed);
+  Bytes bytes = {};
+  for (std::size_t odd = 0; odd < 2; ++odd)
+    if (needed >> odd & 1) {
+      Value *const moved = odd ? ir.CreateLShr(texel, code.splat(8)) : texel;
+      bytes[odd] = ir.CreateBitCast(ir.CreateAnd(moved, code.splat(0x00FF00FF)), halves(code));
+    }
+  return bytes;
+}
+
+/// Bytes between two by a weight: bytes again.
+Bytes between(Code &code, const Bytes &first, const Bytes &second, Value *weight) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Bytes bytes = {};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (first[i])
+      bytes[i] =
+          ir.CreateAdd(first[i], multiplyHigh(code, ir.CreateSub(second[i], first[i]), weight));
+  return bytes;
 }
 
 /// The filter along x and y, in one slice of a 3D texture.
-Texel filterSlice(Code &code, const Lookup &lookup, const AxisTexels &x, Value *row0, Value *row1,
-                  const Weights &weights) {
-  const auto rows = fetchFootprint(code, lookup.lanes, lookup.image, x, row0, row1);
-  const abi::Format &format = lookup.image.format;
-  Vec sums = {}, stored = {};
+/// \param y null in one dimension
+Bytes filterSlice(Code &code, const Lookup &lookup, const AxisTexels &texels, Value *row0,
+                  Value *row1, Value *x, Value *y) {
+  const auto rows = fetchFootprint(code, lookup.lanes, lookup.image, texels, row0, row1);
+  const auto along = [&](const TexelPair &row) {
+    return between(code, split(code, lookup, row.first), split(code, lookup, row.second), x);
+  };
+  const Bytes first = along(rows[0]);
+  return y ? between(code, first, along(rows[1]), y) : first;
+}
+
+/// The bytes as the texel's components, and as it lies in memory.
+Texel texelOf(Code &code, const Lookup &lookup, const Bytes &bytes) {
+  llvm::IRBuilder<> &ir = code.ir;
+  std::array<Value *, 2> words = {};
+  for (std::size_t i = 0; i < 2; ++i)
+    words[i] = bytes[i] ? ir.CreateBitCast(bytes[i], code.i32) : nullptr;
   Texel texel;
+  Vec numbers = {};
   for (std::size_t i = 0; i < 4; ++i) {
-    const From from = format.swizzle[i];
+    const From from = lookup.image.format.swizzle[i];
     if (!(lookup.needed >> i & 1))
       continue;
     if (from > From::C3) {
@@ -142,40 +102,53 @@ Texel filterSlice(Code &code, const Lookup &lookup, const AxisTexels &x, Value *
       continue;
     }
     const auto at = std::size_t(from);
-    if (!stored[at]) {
-      sums[at] = weighted(code, rows, weights, int(from));
-      // With all weight on one texel this is decode's product, to the bit.
-      stored[at] = code.ir.CreateFMul(code.toFloat(sums[at]),
-                                      code.splat(1.0f / 255.0f / float(kFullWeight)));
+    if (!numbers[at]) {
+      Value *const word = words[at % 2];
+      Value *const byte =
+          at < 2 ? ir.CreateAnd(word, code.splat(0xFFFF)) : ir.CreateLShr(word, code.splat(16));
+      // decode()'s product, to the bit
+      numbers[at] = ir.CreateFMul(code.toFloat(byte), code.splat(1.0f / 255.0f));
     }
-    texel.rgba[i] = stored[at];
+    texel.rgba[i] = numbers[at];
   }
-  if (sums[0] && sums[1] && sums[2] && sums[3])
-    texel.packed = packedSums(code, sums);
+  Value *const upper = words[1] ? ir.CreateShl(words[1], code.splat(8)) : code.splat(0);
+  texel.packed = words[0] ? ir.CreateOr(words[0], upper) : upper;
   return texel;
 }
 
 } // namespace
 
+unsigned bytesNeeded(const abi::Format &format, unsigned needed) {
+  unsigned bytes = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (const From from = format.swizzle[i]; (needed >> i & 1) && from <= From::C3)
+      bytes |= 1u << (unsigned(from) % 2);
+  return bytes;
+}
+
+Texel mixBytes(Code &code, const Lookup &lookup, Value *first, Value *second, Value *fraction) {
+  Value *const weight =
+      code.toInt(code.ir.CreateFMul(fraction, code.splat(float(1 << kWeightBits))));
+  return texelOf(code, lookup,
+                 between(code, split(code, lookup, first), split(code, lookup, second),
+                         weightOf(code, weight)));
+}
+
 Texel filterBytes(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> &axes) {
   const Steps steps = stepsOf(code, lookup.image, axes, lookup.dimensions);
+  Value *const x = weightOf(code, axes[0].weight);
   if (lookup.dimensions == 1)
-    return filterSlice(code, lookup, axes[0], code.splat(0), nullptr,
-                       weightsOf(code, axes[0].weight, nullptr));
-  const Weights weights = weightsOf(code, axes[0].weight, axes[1].weight);
+    return texelOf(code, lookup,
+                   filterSlice(code, lookup, axes[0], code.splat(0), nullptr, x, nullptr));
+  Value *const y = weightOf(code, axes[1].weight);
   if (lookup.dimensions == 2)
-    return filterSlice(code, lookup, axes[0], steps[1][0], steps[1][1], weights);
-  std::array<Texel, 2> slices;
+    return texelOf(code, lookup,
+                   filterSlice(code, lookup, axes[0], steps[1][0], steps[1][1], x, y));
+  std::array<Bytes, 2> slices;
   for (std::size_t z = 0; z < 2; ++z)
     slices[z] = filterSlice(code, lookup, axes[0], code.ir.CreateAdd(steps[1][0], steps[2][z]),
-                            code.ir.CreateAdd(steps[1][1], steps[2][z]), weights);
-  Value *const depth =
-      code.ir.CreateFMul(code.toFloat(axes[2].weight), code.splat(1.0f / float(kFullWeight)));
-  Texel texel;
-  for (std::size_t i = 0; i < 4; ++i)
-    if (slices[0].rgba[i])
-      texel.rgba[i] = lerp(code, slices[0].rgba[i], slices[1].rgba[i], depth);
-  return texel;
+                            code.ir.CreateAdd(steps[1][1], steps[2][z]), x, y);
+  return texelOf(code, lookup, between(code, slices[0], slices[1], weightOf(code, axes[2].weight)));
 }
 
 } // namespace arbiter::fp::llvm_back

@@ -34,18 +34,23 @@ Value *gatherWord(Code &code, const ImageCode &image, Value *index, int word) {
   return gather(code, image, index, word, code.ir.getInt32Ty());
 }
 
-/// Words `word` and the next one: half as many loads as two gathers.
-void gatherPair(Code &code, const ImageCode &image, Value *index, int word, Words &words) {
-  Value *const both = code.ir.CreateBitCast(
-      gather(code, image, index, word, code.ir.getInt64Ty()),
-      llvm::FixedVectorType::get(code.ir.getInt32Ty(), unsigned(code.lanes) * 2));
+/// The lower and the upper words of a lane's 64 bits.
+std::array<Value *, 2> splitWords(Code &code, Value *both) {
+  Value *const words = code.ir.CreateBitCast(
+      both, llvm::FixedVectorType::get(code.ir.getInt32Ty(), unsigned(code.lanes) * 2));
   llvm::SmallVector<int, 16> low, high;
   for (int lane = 0; lane < code.lanes; ++lane) {
     low.push_back(2 * lane);
     high.push_back(2 * lane + 1);
   }
-  words[std::size_t(word)] = code.ir.CreateShuffleVector(both, low);
-  words[std::size_t(word) + 1] = code.ir.CreateShuffleVector(both, high);
+  return {code.ir.CreateShuffleVector(words, low), code.ir.CreateShuffleVector(words, high)};
+}
+
+/// Words `word` and the next one: half as many loads as two gathers.
+void gatherPair(Code &code, const ImageCode &image, Value *index, int word, Words &words) {
+  const auto [low, high] = splitWords(code, gather(code, image, index, word, code.ir.getInt64Ty()));
+  words[std::size_t(word)] = low;
+  words[std::size_t(word) + 1] = high;
 }
 
 /// Lane i of the result is lane index[i] of `values`.
@@ -99,15 +104,6 @@ bool sharesWindows(Code &code, abi::Lanes lanes, const ImageCode &image) {
          abi::bytesOf(image.format.layout) == 4;
 }
 
-Value *packHalves(Code &code, Value *both, int which) {
-  auto *const halves = llvm::FixedVectorType::get(code.ir.getInt16Ty(), unsigned(code.lanes) * 4);
-  llvm::SmallVector<int, 32> from;
-  for (int lane = 0; lane < code.lanes; ++lane)
-    from.append({4 * lane + which, 4 * lane + which + 2});
-  return code.ir.CreateBitCast(
-      code.ir.CreateShuffleVector(code.ir.CreateBitCast(both, halves), from), code.i32);
-}
-
 /// Lanes [4 i, 4 i + 2) of two registers' worth of pairs where `second` is not set, else the two
 /// behind: what shuffles within parts of 128 bits bring into order.
 Value *loadPairs(Code &code, const ImageCode &image, Value *first, bool second) {
@@ -127,49 +123,35 @@ Value *loadPairs(Code &code, const ImageCode &image, Value *first, bool second) 
   return pairs;
 }
 
-/// Two neighbours of 32 bits with a load of 64, single loads: each pair's halves (a0, a1, b0, b1)
-/// become (a0, b0, a1, b1), and are then dealt out as words.
+/// Two neighbours of 32 bits with a load of 64, single loads.
 TexelPair loadNeighbours(Code &code, const ImageCode &image, Value *first) {
   llvm::IRBuilder<> &ir = code.ir;
-  auto *const halves = llvm::FixedVectorType::get(ir.getInt16Ty(), unsigned(code.lanes) * 2);
-  llvm::SmallVector<int, 16> mixed, low, high;
-  for (int i = 0; i < code.lanes / 2; ++i)
-    mixed.append({4 * i, 4 * i + 2, 4 * i + 1, 4 * i + 3});
+  std::array<Value *, 2> words;
+  for (std::size_t i = 0; i < 2; ++i)
+    words[i] = ir.CreateBitCast(loadPairs(code, image, first, i == 1), code.i32);
+  llvm::SmallVector<int, 16> firsts, seconds;
   for (int part = 0; part < code.lanes; part += 4)
     for (const int from : {part, code.lanes + part})
       for (const int pair : {from, from + 2}) {
-        low.push_back(pair);
-        high.push_back(pair + 1);
+        firsts.push_back(pair);
+        seconds.push_back(pair + 1);
       }
-  std::array<Value *, 2> words;
-  for (std::size_t i = 0; i < 2; ++i) {
-    Value *const pairs = ir.CreateBitCast(loadPairs(code, image, first, i == 1), halves);
-    words[i] = ir.CreateBitCast(ir.CreateShuffleVector(pairs, mixed), code.i32);
-  }
-  return {ir.CreateShuffleVector(words[0], words[1], low),
-          ir.CreateShuffleVector(words[0], words[1], high)};
+  return {ir.CreateShuffleVector(words[0], words[1], firsts),
+          ir.CreateShuffleVector(words[0], words[1], seconds)};
 }
 
 /// Two neighbours of 32 bits with one load of 64. Reads one texel beyond the last at most.
 TexelPair gatherNeighbours(Code &code, const ImageCode &image, Value *first) {
   if (code.cpu.family == Cpu::Family::Avx2 || code.cpu.family == Cpu::Family::Sse41)
     return loadNeighbours(code, image, first);
-  Value *const both = gather(code, image, first, 0, code.ir.getInt64Ty());
-  return {packHalves(code, both, 0), packHalves(code, both, 1)};
-}
-
-TexelPair pairOf(Code &code, Value *first, Value *second) {
-  llvm::IRBuilder<> &ir = code.ir;
-  return {
-      ir.CreateOr(ir.CreateAnd(first, code.splat(0xFFFF)), ir.CreateShl(second, code.splat(16))),
-      ir.CreateOr(ir.CreateLShr(first, code.splat(16)),
-                  ir.CreateAnd(second, code.splat(int(0xFFFF0000u))))};
+  const auto [low, high] = splitWords(code, gather(code, image, first, 0, code.ir.getInt64Ty()));
+  return {low, high};
 }
 
 /// A row's or two rows' values for control flow, and back.
 using Pairs = std::array<TexelPair, 2>;
 Values valuesOf(const Pairs &pairs) {
-  return {pairs[0].low, pairs[0].high, pairs[1].low, pairs[1].high};
+  return {pairs[0].first, pairs[0].second, pairs[1].first, pairs[1].second};
 }
 Pairs pairsOf(const Values &values) {
   return {TexelPair{values[0], values[1]}, TexelPair{values[2], values[3]}};
@@ -200,8 +182,8 @@ Pairs gatherFootprint(Code &code, const ImageCode &image, const Footprint &footp
   };
   const auto each = [&] {
     return forRows([&](std::size_t line) {
-      return pairOf(code, gatherWord(code, image, footprint.index(code, 0, line), 0),
-                    gatherWord(code, image, footprint.index(code, 1, line), 0));
+      return TexelPair{gatherWord(code, image, footprint.index(code, 0, line), 0),
+                       gatherWord(code, image, footprint.index(code, 1, line), 0)};
     });
   };
   if (gathersQuickly(code.cpu) || abi::bytesOf(image.format.layout) != 4)
@@ -262,8 +244,8 @@ std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes, const Imag
       // The second texels' window is one further: it ends 64 bytes after the last row at most.
       const Window &window = windows[line];
       Value *const secondBase = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
-      pairs[line] = pairOf(code, loadWindow(code, image, window.base, window.lane),
-                           loadWindow(code, image, secondBase, window.lane));
+      pairs[line] = {loadWindow(code, image, window.base, window.lane),
+                     loadWindow(code, image, secondBase, window.lane)};
     }
     return valuesOf(pairs);
   };

@@ -12,23 +12,12 @@ AxisKey axisKey(const abi::SamplerKey &key, int axis) {
           key.dimension != abi::Dimension::Rect, (key.powerOfTwo >> axis & 1) != 0};
 }
 
-/// Whether the integer filter takes it: bytes as they are, none of them the border's.
-bool filtersBytes(const Lookup &lookup) {
-  const auto &[layout, swizzle, srgb] = lookup.image.format;
-  if ((layout != Layout::U8x1 && layout != Layout::U8x2 && layout != Layout::U8x4) || srgb != 0)
-    return false;
-  for (int i = 0; i < lookup.dimensions; ++i)
-    if (reachesBorder(axisKey(lookup.key, i).wrap, true))
-      return false;
-  return true;
-}
-
-std::array<AxisTexels, 3> linearAxes(Code &code, const Lookup &lookup, bool weights) {
+std::array<AxisTexels, 3> linearAxes(Code &code, const Lookup &lookup, bool bytes) {
   std::array<AxisTexels, 3> axes;
   for (int i = 0; i < lookup.dimensions; ++i) {
     const auto at = std::size_t(i);
-    axes[at] = linearTexels(code, axisKey(lookup.key, i), lookup.coordinate[at],
-                            lookup.image.size[at], weights);
+    axes[at] = (bytes ? linearTexelsOfBytes : linearTexels)(
+        code, axisKey(lookup.key, i), lookup.coordinate[at], lookup.image.size[at]);
   }
   return axes;
 }
@@ -76,7 +65,7 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
     for (std::size_t i = 0; i < 4; ++i)
       if (texel.rgba[i])
         texel.rgba[i] = code.select(outside, border[i], texel.rgba[i]);
-  } else if (abi::isPlainWord(lookup.image.format)) {
+  } else if (abi::isPlainWord(lookup.image.format) || filtersBytes(lookup)) {
     texel.packed = words[0];
   }
   if (lookup.key.shadow)
@@ -85,6 +74,18 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
 }
 
 } // namespace
+
+bool filtersBytes(const Lookup &lookup) {
+  const auto &[layout, swizzle, srgb] = lookup.key.format;
+  if ((layout != Layout::U8x1 && layout != Layout::U8x2 && layout != Layout::U8x4) || srgb != 0)
+    return false;
+  for (int i = 0; i < lookup.dimensions; ++i) {
+    const abi::Wrap wrap = axisKey(lookup.key, i).wrap;
+    if (wrap != abi::Wrap::Repeat && wrap != abi::Wrap::ClampToEdge)
+      return false;
+  }
+  return true;
+}
 
 Value *lerp(Code &code, Value *a, Value *b, Value *weight) {
   return code.ir.CreateFAdd(a, code.ir.CreateFMul(weight, code.ir.CreateFSub(b, a)));

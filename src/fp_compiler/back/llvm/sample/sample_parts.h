@@ -32,15 +32,15 @@ struct ImageCode {
 [[nodiscard]] ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *image,
                                   int dimensions);
 
-/// Fraction bits of the integer weights by which texels of bytes are filtered.
-inline constexpr int kWeightBits = 14;
+/// Fraction bits of the integer weights by which texels of bytes are filtered: the host's.
+inline constexpr int kWeightBits = 8;
 
 /// A dimension's texels: the one of a nearest filter, or the two neighbours of a linear one.
 struct AxisTexels {
   std::array<Value *, 2> index = {};   ///< i32, in [0, size) whatever the coordinate was
   std::array<Value *, 2> outside = {}; ///< lanes where it is the border instead; null: none
   Value *fraction = nullptr;           ///< weight of the second, in [0,1)
-  Value *weight = nullptr;             ///< the same as an integer in [0, 2^kWeightBits], rounded
+  Value *weight = nullptr;             ///< of bytes, as an integer in [0, 2^kWeightBits)
   /// Which texel the second one is, where that is known.
   enum class Next {
     Any,
@@ -57,9 +57,12 @@ struct AxisKey {
 /// The texel that a nearest filter takes. \param size i32, of the dimension, in texels
 [[nodiscard]] AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate,
                                       Value *size);
-/// The two texels that a linear filter takes. \param weights AxisTexels::weight is wanted too
+/// The two texels that a linear filter takes.
 [[nodiscard]] AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate,
-                                      Value *size, bool weights);
+                                      Value *size);
+/// The same with AxisTexels::weight, by the host's steps. The wrap mode is one of filtersBytes().
+[[nodiscard]] AxisTexels linearTexelsOfBytes(Code &code, const AxisKey &key, Value *coordinate,
+                                             Value *size);
 /// Whether the border colour can be among a filter's texels with this wrap mode.
 [[nodiscard]] bool reachesBorder(abi::Wrap wrap, bool linear);
 
@@ -77,11 +80,10 @@ using Words = std::array<Value *, 4>;
 /// \param words the bits of wordsNeeded(); the other words are null
 [[nodiscard]] Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *index,
                                 unsigned words);
-/// Two neighbours of a row, of a format of 32 bits or less, as pairs of 16-bit halves: the first
-/// one's in the low half.
+/// Two neighbours of a row, of a format of 32 bits or less, as words: a smaller texel's in the low
+/// bits.
 struct TexelPair {
-  Value *low = nullptr;  ///< their bytes 0 and 1
-  Value *high = nullptr; ///< their bytes 2 and 3; null of smaller texels
+  Value *first = nullptr, *second = nullptr;
 };
 /// \param row0,row1 what the rows add to a texel's index, i32; row1 may be null, as its pair then
 /// is
@@ -183,7 +185,16 @@ using Steps = std::array<std::array<Value *, 2>, 3>;
 [[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
 /// The mean of 2, 4 or 8 texels by their weights, after a shadow comparison of each.
 [[nodiscard]] Texel filterLinear(Code &code, const Lookup &lookup);
-/// The linear filter of texels of bytes, in integers; no texel is the border's.
+/// Whether the host filters such a lookup in bytes, between levels too: texels of bytes as they
+/// are, with a wrap mode that needs neither a border nor a mirror.
+[[nodiscard]] bool filtersBytes(const Lookup &lookup);
+/// Which bytes of a texel are filtered for `needed` components: bit 0: 0 and 2, bit 1: 1 and 3.
+[[nodiscard]] unsigned bytesNeeded(const abi::Format &format, unsigned needed);
+/// Between two levels' texels, as they lie in memory. Requires: filtersBytes().
+[[nodiscard]] Texel mixBytes(Code &code, const Lookup &lookup, Value *first, Value *second,
+                             Value *fraction);
+/// The linear filter of texels of bytes, in integers. Texel::packed has the bytes that are needed,
+/// whatever the format. Requires: filtersBytes().
 [[nodiscard]] Texel filterBytes(Code &code, const Lookup &lookup,
                                 const std::array<AxisTexels, 3> &axes);
 

@@ -171,12 +171,7 @@ private:
       const Color raw = referenceTexel(test.key.format, bytes);
       for (std::size_t i = 0; i < 4; ++i) {
         if (test.options.needed >> i & 1) {
-          // A filtered texel is rounded to its bytes.
-          const bool filtered =
-              test.key.magnify == abi::Filter::Linear || test.key.minify == abi::Filter::Linear;
-          ASSERT_NEAR(raw[i], double(pixels.result[i][std::size_t(pixel)]),
-                      filtered ? 0.5001 / 255 : 1e-6)
-              << "packed";
+          ASSERT_NEAR(raw[i], double(pixels.result[i][std::size_t(pixel)]), 1e-6) << "packed";
         }
       }
     }

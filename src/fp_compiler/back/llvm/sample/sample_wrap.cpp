@@ -1,12 +1,14 @@
 #include "fp_compiler/back/llvm/math/math.h"
 #include "fp_compiler/back/llvm/sample/sample_parts.h"
 
-#include <llvm/IR/Intrinsics.h>
+#include <llvm/IR/IntrinsicsX86.h>
 
 namespace arbiter::fp::llvm_back {
 namespace {
 
 using abi::Wrap;
+
+constexpr unsigned kCurrentMode = 4; ///< of AVX-512's operand: rounding as MXCSR says
 
 Value *clamp(Code &code, Value *value, Value *low, Value *high) {
   return code.min(code.max(value, low), high); // max first: a NaN becomes `low`
@@ -72,20 +74,21 @@ Value *mask(Code &code, const Size &size) {
   return code.splat(code.ir.CreateSub(size.scalar, code.ir.getInt32(1)));
 }
 
-/// A fraction as an integer weight, rounded. Adding 2^9 leaves just these bits at the low end.
-Value *weightOf(Code &code, Value *fraction) {
-  Value *const bits =
-      code.ir.CreateBitCast(code.ir.CreateFAdd(fraction, code.splat(512.0f)), code.i32);
-  return code.ir.CreateAnd(bits, code.splat((2 << kWeightBits) - 1));
-}
-
-/// Of a clamped coordinate: texels in fixed point hold both the index and the weight.
-/// \param texel in [0, size - 1]
-void splitFixed(Code &code, Value *texel, AxisTexels &axis) {
-  Value *const scaled = code.ir.CreateFMul(texel, code.splat(float(1 << kWeightBits)));
-  Value *const fixed = code.toInt(code.ir.CreateFAdd(scaled, code.splat(0.5f)));
-  axis.index[0] = code.ir.CreateLShr(fixed, code.splat(kWeightBits));
-  axis.weight = code.ir.CreateAnd(fixed, code.splat((1 << kWeightBits) - 1));
+/// To the nearest integer, and of two to the even one; what does not fit gives anything.
+Value *roundToInt(Code &code, Value *a) {
+  llvm::IRBuilder<> &ir = code.ir;
+  switch (code.cpu.family) {
+  case Cpu::Family::Avx512:
+    return ir.CreateIntrinsic(llvm::Intrinsic::x86_avx512_mask_cvtps2dq_512, {},
+                              {a, code.splat(0), ir.getInt16(0xFFFF), ir.getInt32(kCurrentMode)});
+  case Cpu::Family::Avx2:
+    return ir.CreateIntrinsic(llvm::Intrinsic::x86_avx_cvt_ps2dq_256, {}, {a});
+  case Cpu::Family::Sse41:
+    return ir.CreateIntrinsic(llvm::Intrinsic::x86_sse2_cvtps2dq, {}, {a});
+  case Cpu::Family::Neon:
+    break;
+  }
+  return code.toInt(ir.CreateUnaryIntrinsic(llvm::Intrinsic::nearbyint, a));
 }
 
 } // namespace
@@ -127,8 +130,7 @@ AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate, Value
   return axis;
 }
 
-static AxisTexels split(Code &code, const AxisKey &key, Value *coordinate, Value *sizeValue,
-                        bool weights) {
+AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value *sizeValue) {
   const Size size = sizeOf(code, sizeValue);
   AxisTexels axis;
   Value *const half = code.splat(0.5f);
@@ -170,12 +172,8 @@ static AxisTexels split(Code &code, const AxisKey &key, Value *coordinate, Value
     return axis;
   }
   texel = clamp(code, code.ir.CreateFSub(texel, half), code.splat(0.0f), size.last);
-  if (weights) {
-    splitFixed(code, texel, axis);
-  } else {
-    axis.index[0] = code.toInt(texel);
-    axis.fraction = code.ir.CreateFSub(texel, code.toFloat(axis.index[0]));
-  }
+  axis.index[0] = code.toInt(texel);
+  axis.fraction = code.ir.CreateFSub(texel, code.toFloat(axis.index[0]));
   // At the last texel the fraction is 0: its neighbour has no weight.
   axis.index[1] = code.ir.CreateBinaryIntrinsic(
       llvm::Intrinsic::smin, code.ir.CreateAdd(axis.index[0], code.splat(1)), mask(code, size));
@@ -183,11 +181,43 @@ static AxisTexels split(Code &code, const AxisKey &key, Value *coordinate, Value
   return axis;
 }
 
-AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value *size,
-                        bool weights) {
-  AxisTexels axis = split(code, key, coordinate, size, weights);
-  if (weights && !axis.weight)
-    axis.weight = weightOf(code, axis.fraction);
+AxisTexels linearTexelsOfBytes(Code &code, const AxisKey &key, Value *coordinate,
+                               Value *sizeValue) {
+  llvm::IRBuilder<> &ir = code.ir;
+  const Size size = sizeOf(code, sizeValue);
+  const bool folds = key.wrap == Wrap::Repeat && !(key.powerOfTwo && key.normalized);
+  if (folds)
+    coordinate = folded(code, key.wrap, coordinate);
+  // In 256ths of a texel. What does not fit an integer becomes some texel's below.
+  Value *const scale = code.splat(float(1 << kWeightBits));
+  Value *const scaled = key.normalized ? ir.CreateFMul(coordinate, ir.CreateFMul(size.real, scale))
+                                       : ir.CreateFMul(coordinate, scale);
+  Value *fixed = ir.CreateSub(roundToInt(code, scaled), code.splat(1 << (kWeightBits - 1)));
+  Value *const last = mask(code, size), *const zero = code.splat(0), *const one = code.splat(1);
+  AxisTexels axis;
+  if (key.wrap != Wrap::Repeat) {
+    // At either end it is the texel, without a weight.
+    fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smax, fixed, zero);
+    fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, fixed,
+                                     ir.CreateShl(last, code.splat(kWeightBits)));
+    axis.next = AxisTexels::Next::Edge;
+  } else {
+    axis.next = AxisTexels::Next::Repeat;
+  }
+  axis.weight = ir.CreateAnd(fixed, code.splat((1 << kWeightBits) - 1));
+  Value *first = ir.CreateAShr(fixed, code.splat(kWeightBits));
+  if (folds) { // -1 to size - 1, or what a NaN gave
+    first = code.select(ir.CreateICmpSLT(first, zero), last, first);
+    first = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, first, last);
+  } else if (key.wrap == Wrap::Repeat) {
+    first = ir.CreateAnd(first, last);
+  }
+  axis.index[0] = first;
+  Value *const second = ir.CreateAdd(first, one);
+  axis.index[1] = key.wrap != Wrap::Repeat
+                      ? ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, second, last)
+                  : folds ? code.select(ir.CreateICmpEQ(first, last), zero, second)
+                          : ir.CreateAnd(second, last);
   return axis;
 }
 

@@ -127,8 +127,73 @@ Color texelOrBorder(const abi::SamplerKey &key, const abi::TextureView &view,
   return swizzled(key.format.swizzle, {passes(key.compare, reference, depth) ? 1.0 : 0.0, 0, 0, 0});
 }
 
+/// Whether the host filters bytes in bytes (sample_bytes.cpp).
+bool filtersBytes(const abi::SamplerKey &key) {
+  const Layout layout = key.format.layout;
+  const bool isBytes = layout == Layout::U8x1 || layout == Layout::U8x2 || layout == Layout::U8x4;
+  bool isSimple = true;
+  for (int i = 0; i < dimensions(key.dimension) && key.dimension != Dimension::Cube; ++i)
+    isSimple &=
+        key.wrap[std::size_t(i)] == Wrap::Repeat || key.wrap[std::size_t(i)] == Wrap::ClampToEdge;
+  return isBytes && key.format.srgb == 0 && isSimple;
+}
+
+/// A byte between two by a weight of 256ths.
+double between(double a, double b, double weight) {
+  return std::floor((a * (256 - weight) + b * weight) / 256 + 0.5);
+}
+
+/// \param s of a linear filter, in 256ths of a texel, before half a texel is taken off
+Axis axisOfBytes(Wrap wrap, double s, int size) {
+  const auto fixed = std::int64_t(std::nearbyint(s)) - 128;
+  const auto floored =
+      wrap == Wrap::Repeat ? fixed : std::clamp<std::int64_t>(fixed, 0, 256 * (size - 1));
+  const auto first = floored >> 8, weight = floored & 255;
+  Axis axis;
+  for (int i = 0; i < 2; ++i)
+    axis.index[i] = wrap == Wrap::Repeat ? int(((first + i) % size + size) % size)
+                                         : int(std::min<std::int64_t>(first + i, size - 1));
+  axis.weight[1] = double(weight);
+  return axis;
+}
+
+/// The same of a linear filter of bytes.
+Color sampleBytes(const abi::SamplerKey &key, const abi::TextureView &view, const Place &place) {
+  const abi::TextureLevel &level = view.levels[place.image];
+  const int size[3] = {level.width, level.height, level.depth};
+  const int count = dimensions(key.dimension);
+  Axis axes[3];
+  for (int i = 0; i < count; ++i) {
+    const auto at = std::size_t(i);
+    const Wrap wrap = key.dimension == Dimension::Cube ? Wrap::ClampToEdge : key.wrap[at];
+    const bool normalized = key.dimension != Dimension::Rect;
+    const bool folds = wrap == Wrap::Repeat && !(normalized && (key.powerOfTwo >> i & 1));
+    const double s = place.coordinate[at] - (folds ? std::floor(place.coordinate[at]) : 0);
+    axes[i] = axisOfBytes(wrap, s * 256 * (normalized ? size[i] : 1), size[i]);
+  }
+  Color corners[8];
+  for (int corner = 0; corner < 1 << count; ++corner) {
+    int at[3];
+    for (int i = 0; i < 3; ++i)
+      at[i] = axes[i].index[corner >> i & 1];
+    corners[corner] = texelOrBorder(key, view, level, at, 0);
+    for (double &component : corners[corner])
+      component = std::round(component * 255);
+  }
+  for (int i = 0; i < count; ++i)
+    for (int corner = 0; corner < 1 << (count - 1 - i); ++corner)
+      for (std::size_t c = 0; c < 4; ++c)
+        corners[corner][c] =
+            between(corners[2 * corner][c], corners[2 * corner + 1][c], axes[i].weight[1]);
+  for (double &component : corners[0])
+    component /= 255;
+  return corners[0];
+}
+
 Color sampleImage(const abi::SamplerKey &key, const abi::TextureView &view, const Place &place,
                   abi::Filter filter) {
+  if (filter == abi::Filter::Linear && filtersBytes(key))
+    return sampleBytes(key, view, place);
   const abi::TextureLevel &level = view.levels[place.image];
   const int size[3] = {level.width, level.height, level.depth};
   Axis axes[3];
@@ -309,7 +374,11 @@ Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
   const Color b = sampleLevel(key, view, place, second, key.minify);
   Color result;
   for (std::size_t i = 0; i < 4; ++i)
-    result[i] = first == second ? a[i] : (1 - fraction) * a[i] + fraction * b[i];
+    result[i] = first == second     ? a[i]
+                : filtersBytes(key) ? between(std::round(255 * a[i]), std::round(255 * b[i]),
+                                              std::floor(256 * fraction)) /
+                                          255
+                                    : (1 - fraction) * a[i] + fraction * b[i];
   return result;
 }
 
