@@ -26,6 +26,11 @@ constexpr Kind kKinds[] = {
     {"upright", GL_QUADS, 4},       {"many", GL_TRIANGLES, 180},      {"points", GL_POINTS, 5},
     {"lines", GL_LINES, 8},         {"line strip", GL_LINE_STRIP, 5}};
 
+constexpr GLint kWraps[] = {GL_REPEAT, GL_REPEAT,          GL_CLAMP_TO_EDGE,
+                            GL_CLAMP,  GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT};
+constexpr GLint kFormats[] = {GL_RGB8,  GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8, GL_ALPHA8, GL_RGB5,
+                              GL_RGBA4, GL_RGB5_A1,    GL_INTENSITY8,        GL_RGBA16, GL_RGBA32F};
+
 using Corner = std::array<float, 4>;
 
 class Scene {
@@ -65,35 +70,34 @@ private:
       const GLenum target = kExactTargets[unit];
       glActiveTexture(GL_TEXTURE0 + GLenum(unit));
       glBindTexture(target, m_textures[std::size_t(unit)]);
-      const GLint clamp = GL_CLAMP_TO_EDGE;
-      const GLint wrap = target == GL_TEXTURE_RECTANGLE || m_random.once(2) ? clamp : GL_REPEAT;
+      const GLint wrap = target == GL_TEXTURE_RECTANGLE ? GL_CLAMP_TO_EDGE : m_random.pick(kWraps);
       for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTexParameteri(target, axis, wrap);
       const GLint filter = m_random.once(4) ? GL_NEAREST : GL_LINEAR;
       glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
       glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
-      setImages(target, other);
+      setImages(target, m_random.once(2) ? GL_RGBA8 : m_random.pick(kFormats), other);
     }
     glActiveTexture(GL_TEXTURE0);
   }
 
-  void setImages(GLenum target, int other) {
+  void setImages(GLenum target, GLint format, int other) {
     std::vector<unsigned char> texels(std::size_t(m_size) * std::size_t(std::max(m_size, other)) *
                                       std::size_t(std::max(m_size, other)) * 4);
     for (unsigned char &byte : texels)
       byte = static_cast<unsigned char>(m_random.bits() >> 20);
     if (target == GL_TEXTURE_1D)
-      return glTexImage1D(target, 0, GL_RGBA8, m_size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+      return glTexImage1D(target, 0, format, m_size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     if (target == GL_TEXTURE_3D)
-      return glTexImage3D(target, 0, GL_RGBA8, m_size, other, other, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+      return glTexImage3D(target, 0, format, m_size, other, other, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                           texels.data());
     if (target != GL_TEXTURE_CUBE_MAP)
-      return glTexImage2D(target, 0, GL_RGBA8, m_size, other, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+      return glTexImage2D(target, 0, format, m_size, other, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                           texels.data());
     for (int face = 0; face < 6; ++face) {
       for (unsigned char &byte : texels)
         byte = static_cast<unsigned char>(m_random.bits() >> 20);
-      glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), 0, GL_RGBA8, m_size, m_size, 0,
+      glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), 0, format, m_size, m_size, 0,
                    GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     }
   }

@@ -50,6 +50,7 @@ Value *weightOf(Code &code, Value *weight) {
 /// Bytes 0 and 2 of a texel, or 1 and 3, as numbers of 16 bits; null where none is wanted.
 using Bytes = std::array<Value *, 2>;
 
+/// \param texel a packed one is bytes already
 Bytes split(Code &code, const Lookup &lookup, Value *texel) {
   llvm::IRBuilder<> &ir = code.ir;
   const unsigned needed = bytesNeeded(lookup.image.format, lookup.needed);
@@ -78,8 +79,12 @@ Bytes between(Code &code, const Bytes &first, const Bytes &second, Value *weight
 Bytes filterSlice(Code &code, const Lookup &lookup, const AxisTexels &texels, Value *row0,
                   Value *row1, Value *x, Value *y) {
   const auto rows = fetchFootprint(code, lookup.lanes, lookup.image, texels, row0, row1);
+  const auto bytesOf = [&](Value *texel) {
+    const abi::Layout layout = lookup.image.format.layout;
+    return split(code, lookup, abi::isPacked(layout) ? bytesOfPacked(code, layout, texel) : texel);
+  };
   const auto along = [&](const TexelPair &row) {
-    return between(code, split(code, lookup, row.first), split(code, lookup, row.second), x);
+    return between(code, bytesOf(row.first), bytesOf(row.second), x);
   };
   const Bytes first = along(rows[0]);
   return y ? between(code, first, along(rows[1]), y) : first;
@@ -123,6 +128,24 @@ unsigned bytesNeeded(const abi::Format &format, unsigned needed) {
   for (std::size_t i = 0; i < 4; ++i)
     if (const From from = format.swizzle[i]; (needed >> i & 1) && from <= From::C3)
       bytes |= 1u << (unsigned(from) % 2);
+  return bytes;
+}
+
+Value *bytesOfPacked(Code &code, abi::Layout layout, Value *word) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *bytes = nullptr;
+  for (int i = 0; i < abi::componentsOf(layout); ++i) {
+    const abi::BitField field = abi::bitsOf(layout, i);
+    Value *const bits = ir.CreateAnd(ir.CreateLShr(word, code.splat(field.shift)),
+                                     code.splat((1 << field.bits) - 1));
+    // Repeated until the byte is full, from its highest bit on.
+    for (int at = 8 * i + 8 - field.bits; at > 8 * i - field.bits; at -= field.bits) {
+      const int below = 8 * i - at; // bits that the byte has no room for
+      Value *const kept = below > 0 ? ir.CreateLShr(bits, code.splat(below)) : bits;
+      Value *const moved = ir.CreateShl(kept, code.splat(below > 0 ? 8 * i : at));
+      bytes = bytes ? ir.CreateOr(bytes, moved) : moved;
+    }
+  }
   return bytes;
 }
 

@@ -1,3 +1,4 @@
+#include "fp_compiler/back/llvm/math/math.h"
 #include "fp_compiler/back/llvm/sample/sample_parts.h"
 
 /// Nearest and linear filters of one image.
@@ -57,15 +58,20 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
     outside = anyOf(code, outside, axes[at].outside[std::size_t(which[at])]);
   }
   const unsigned used = wordsNeeded(lookup.image.format, lookup.needed);
-  const Words words = fetchTexels(code, lookup.lanes, lookup.image, index, used);
+  Words words = fetchTexels(code, lookup.lanes, lookup.image, index, used);
+  abi::Format format = lookup.image.format;
+  if (filtersBytes(lookup) && abi::isPacked(format.layout) && used != 0) {
+    words[0] = bytesOfPacked(code, format.layout, words[0]);
+    format.layout = Layout::U8x4;
+  }
   Texel texel;
-  texel.rgba = decodeWords(code, lookup.image.format, words, lookup.needed);
+  texel.rgba = decodeWords(code, format, words, lookup.needed);
   if (outside) {
     const Vec border = borderColor(code, lookup);
     for (std::size_t i = 0; i < 4; ++i)
       if (texel.rgba[i])
         texel.rgba[i] = code.select(outside, border[i], texel.rgba[i]);
-  } else if (abi::isPlainWord(lookup.image.format) || filtersBytes(lookup)) {
+  } else if (abi::isPlainWord(format) || filtersBytes(lookup)) {
     texel.packed = words[0];
   }
   if (lookup.key.shadow)
@@ -76,8 +82,7 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
 } // namespace
 
 bool filtersBytes(const Lookup &lookup) {
-  const auto &[layout, swizzle, srgb] = lookup.key.format;
-  if ((layout != Layout::U8x1 && layout != Layout::U8x2 && layout != Layout::U8x4) || srgb != 0)
+  if (!abi::fitsBytes(lookup.key.format))
     return false;
   for (int i = 0; i < lookup.dimensions; ++i) {
     const abi::Wrap wrap = axisKey(lookup.key, i).wrap;
@@ -88,7 +93,7 @@ bool filtersBytes(const Lookup &lookup) {
 }
 
 Value *lerp(Code &code, Value *a, Value *b, Value *weight) {
-  return code.ir.CreateFAdd(a, code.ir.CreateFMul(weight, code.ir.CreateFSub(b, a)));
+  return multiplyAdd(code, weight, code.ir.CreateFSub(b, a), a); // as hosts have it
 }
 
 Steps stepsOf(Code &code, const ImageCode &image, const std::array<AxisTexels, 3> &axes,

@@ -185,9 +185,12 @@ using Steps = std::array<std::array<Value *, 2>, 3>;
 [[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
 /// The mean of 2, 4 or 8 texels by their weights, after a shadow comparison of each.
 [[nodiscard]] Texel filterLinear(Code &code, const Lookup &lookup);
-/// Whether the host filters such a lookup in bytes, between levels too: texels of bytes as they
-/// are, with a wrap mode that needs neither a border nor a mirror.
+/// Whether the host filters such a lookup in bytes, between levels too: texels that fit bytes, with a
+/// wrap mode that needs neither a border nor a mirror.
 [[nodiscard]] bool filtersBytes(const Lookup &lookup);
+/// A packed texel whose components have 8 bits or less as one of bytes, by the host's steps: it
+/// repeats their bits.
+[[nodiscard]] Value *bytesOfPacked(Code &code, abi::Layout layout, Value *word);
 /// Which bytes of a texel are filtered for `needed` components: bit 0: 0 and 2, bit 1: 1 and 3.
 [[nodiscard]] unsigned bytesNeeded(const abi::Format &format, unsigned needed);
 /// Between two levels' texels, as they lie in memory. Requires: filtersBytes().

@@ -102,6 +102,36 @@ int dimensions(Dimension dimension) {
   return dimension == Dimension::Tex1D ? 1 : dimension == Dimension::Tex3D ? 3 : 2;
 }
 
+/// Whether the host filters bytes in bytes (sample_bytes.cpp).
+bool filtersBytes(const abi::SamplerKey &key) {
+  bool isSimple = true;
+  for (int i = 0; i < dimensions(key.dimension) && key.dimension != Dimension::Cube; ++i)
+    isSimple &=
+        key.wrap[std::size_t(i)] == Wrap::Repeat || key.wrap[std::size_t(i)] == Wrap::ClampToEdge;
+  return abi::fitsBytes(key.format) && isSimple;
+}
+
+/// A component of `bits` bits as the byte that repeats them.
+double repeated(double component, int bits) {
+  const auto value = int(std::lround(component * ((1 << bits) - 1)));
+  int byte = 0;
+  for (int at = 8 - bits; at > -bits; at -= bits)
+    byte |= at >= 0 ? value << at : value >> -at;
+  return byte / 255.0;
+}
+
+/// A texel, of a packed one whose components fit bytes these.
+Color texelOf(const abi::SamplerKey &key, const std::uint8_t *bytes) {
+  abi::Format stored = key.format;
+  stored.swizzle = abi::kRgba;
+  Color color = referenceTexel(stored, bytes);
+  if (!abi::isPacked(key.format.layout) || !filtersBytes(key))
+    return referenceTexel(key.format, bytes);
+  for (int i = 0; i < abi::componentsOf(key.format.layout); ++i)
+    color[std::size_t(i)] = repeated(color[std::size_t(i)], abi::bitsOf(key.format.layout, i).bits);
+  return swizzled(key.format.swizzle, color);
+}
+
 /// What a filter sees of a texel: the comparison's result where there is one (3.8.14).
 Color texelOrBorder(const abi::SamplerKey &key, const abi::TextureView &view,
                     const abi::TextureLevel &level, const int (&at)[3], double reference) {
@@ -113,9 +143,8 @@ Color texelOrBorder(const abi::SamplerKey &key, const abi::TextureView &view,
   if (outside)
     std::copy(std::begin(view.borderColor), std::end(view.borderColor), color.begin());
   else
-    color = referenceTexel(key.format, level.base + at[2] * level.sliceStride +
-                                           at[1] * level.rowStride +
-                                           at[0] * abi::bytesOf(key.format.layout));
+    color = texelOf(key, level.base + at[2] * level.sliceStride + at[1] * level.rowStride +
+                             at[0] * abi::bytesOf(key.format.layout));
   if (!key.shadow)
     return color;
   double depth = 0;
@@ -125,17 +154,6 @@ Color texelOrBorder(const abi::SamplerKey &key, const abi::TextureView &view,
   if (key.format.layout != Layout::Depth32F)
     reference = clampTo(reference, 0, 1);
   return swizzled(key.format.swizzle, {passes(key.compare, reference, depth) ? 1.0 : 0.0, 0, 0, 0});
-}
-
-/// Whether the host filters bytes in bytes (sample_bytes.cpp).
-bool filtersBytes(const abi::SamplerKey &key) {
-  const Layout layout = key.format.layout;
-  const bool isBytes = layout == Layout::U8x1 || layout == Layout::U8x2 || layout == Layout::U8x4;
-  bool isSimple = true;
-  for (int i = 0; i < dimensions(key.dimension) && key.dimension != Dimension::Cube; ++i)
-    isSimple &=
-        key.wrap[std::size_t(i)] == Wrap::Repeat || key.wrap[std::size_t(i)] == Wrap::ClampToEdge;
-  return isBytes && key.format.srgb == 0 && isSimple;
 }
 
 /// A byte between two by a weight of 256ths.
