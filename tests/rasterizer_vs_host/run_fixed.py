@@ -13,7 +13,6 @@ import sides
 from x_server import XServer
 
 
-
 def of_whole_lists(args, bare):
     """The bare host's records; where lists that set the normal that is current draw something else, theirs.
     Mesa 25.0.7 gives the first vertices of a list the normal that a command behind them sets."""

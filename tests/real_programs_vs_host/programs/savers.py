@@ -13,9 +13,9 @@ SAVERS = (
     ("drempels", (), 4.0, 60),
 )
 # In fixed function. hufo_smoke's colours are at times no numbers, which the host clamps to 1.
-PLAIN = ("biof", "busyspheres", "colorfire", "cyclone", "euphoria", "feedback", "fieldlines", "flocks", "flux", "hufo_smoke",
-         "hufo_tunnel", "lattice", "lorenz", "matrixview", "pixelcity", "plasma", "skyrocket", "solarwinds",
-         "spirographx", "sundancer2")
+PLAIN = ("biof", "busyspheres", "colorfire", "cyclone", "euphoria", "feedback", "fieldlines", "flocks", "flux",
+         "hufo_smoke", "hufo_tunnel", "lattice", "lorenz", "matrixview", "pixelcity", "plasma", "skyrocket",
+         "solarwinds", "spirographx", "sundancer2")
 PLAIN_SECONDS = 4.0
 
 
