@@ -99,12 +99,6 @@ struct Format {
   std::uint8_t srgb = 0;
   bool operator==(const Format &) const = default;
 };
-/// Components of 8 bits or less that nothing decodes.
-[[nodiscard]] constexpr bool fitsBytes(const Format &format) {
-  return ((format.layout >= Layout::U8x1 && format.layout <= Layout::U8x4) ||
-          (isPacked(format.layout) && format.layout != Layout::Bits1010102)) &&
-         format.srgb == 0;
-}
 /// A 32-bit word of four bytes that are the components as they are.
 [[nodiscard]] constexpr bool isPlainWord(const Format &format) {
   return format.layout == Layout::U8x4 && format.srgb == 0;

@@ -82,7 +82,7 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
 } // namespace
 
 bool filtersBytes(const Lookup &lookup) {
-  if (!abi::fitsBytes(lookup.key.format))
+  if (!fitsBytes(lookup.key.format))
     return false;
   for (int i = 0; i < lookup.dimensions; ++i) {
     const abi::Wrap wrap = axisKey(lookup.key, i).wrap;

@@ -185,8 +185,15 @@ using Steps = std::array<std::array<Value *, 2>, 3>;
 [[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
 /// The mean of 2, 4 or 8 texels by their weights, after a shadow comparison of each.
 [[nodiscard]] Texel filterLinear(Code &code, const Lookup &lookup);
-/// Whether the host filters such a lookup in bytes, between levels too: texels that fit bytes, with a
-/// wrap mode that needs neither a border nor a mirror.
+/// Components of 8 bits or less that nothing decodes.
+[[nodiscard]] constexpr bool fitsBytes(const abi::Format &format) {
+  using abi::Layout;
+  return ((format.layout >= Layout::U8x1 && format.layout <= Layout::U8x4) ||
+          (abi::isPacked(format.layout) && format.layout != Layout::Bits1010102)) &&
+         format.srgb == 0;
+}
+/// Whether the host filters such a lookup in bytes, between levels too: texels that fit bytes, with
+/// a wrap mode that needs neither a border nor a mirror.
 [[nodiscard]] bool filtersBytes(const Lookup &lookup);
 /// A packed texel whose components have 8 bits or less as one of bytes, by the host's steps: it
 /// repeats their bits.

@@ -181,6 +181,43 @@ AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value
   return axis;
 }
 
+/// Of a wrap mode that repeats: the texels by a coordinate in 256ths of a texel.
+/// \param folded the coordinate was in [0,1], or no number
+static AxisTexels repeatedBytes(Code &code, Value *fixed, Value *last, bool folded) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *first = ir.CreateAShr(fixed, code.splat(kWeightBits));
+  Value *second = nullptr;
+  if (folded) {
+    first = code.select(ir.CreateICmpSLT(first, code.splat(0)), last, first);
+    first = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, first, last);
+    second = code.select(ir.CreateICmpEQ(first, last), code.splat(0),
+                         ir.CreateAdd(first, code.splat(1)));
+  } else {
+    first = ir.CreateAnd(first, last);
+    second = ir.CreateAnd(ir.CreateAdd(first, code.splat(1)), last);
+  }
+  AxisTexels axis;
+  axis.index = {first, second};
+  axis.next = AxisTexels::Next::Repeat;
+  axis.weight = ir.CreateAnd(fixed, code.splat((1 << kWeightBits) - 1));
+  return axis;
+}
+
+/// The same of one that clamps: at either end it is the texel, without a weight.
+static AxisTexels clampedBytes(Code &code, Value *fixed, Value *last) {
+  llvm::IRBuilder<> &ir = code.ir;
+  fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smax, fixed, code.splat(0));
+  fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, fixed,
+                                   ir.CreateShl(last, code.splat(kWeightBits)));
+  AxisTexels axis;
+  axis.index[0] = ir.CreateAShr(fixed, code.splat(kWeightBits));
+  axis.index[1] = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin,
+                                           ir.CreateAdd(axis.index[0], code.splat(1)), last);
+  axis.next = AxisTexels::Next::Edge;
+  axis.weight = ir.CreateAnd(fixed, code.splat((1 << kWeightBits) - 1));
+  return axis;
+}
+
 AxisTexels linearTexelsOfBytes(Code &code, const AxisKey &key, Value *coordinate,
                                Value *sizeValue) {
   llvm::IRBuilder<> &ir = code.ir;
@@ -188,37 +225,14 @@ AxisTexels linearTexelsOfBytes(Code &code, const AxisKey &key, Value *coordinate
   const bool folds = key.wrap == Wrap::Repeat && !(key.powerOfTwo && key.normalized);
   if (folds)
     coordinate = folded(code, key.wrap, coordinate);
-  // In 256ths of a texel. What does not fit an integer becomes some texel's below.
+  // What does not fit an integer becomes some texel's.
   Value *const scale = code.splat(float(1 << kWeightBits));
   Value *const scaled = key.normalized ? ir.CreateFMul(coordinate, ir.CreateFMul(size.real, scale))
                                        : ir.CreateFMul(coordinate, scale);
-  Value *fixed = ir.CreateSub(roundToInt(code, scaled), code.splat(1 << (kWeightBits - 1)));
-  Value *const last = mask(code, size), *const zero = code.splat(0), *const one = code.splat(1);
-  AxisTexels axis;
-  if (key.wrap != Wrap::Repeat) {
-    // At either end it is the texel, without a weight.
-    fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smax, fixed, zero);
-    fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, fixed,
-                                     ir.CreateShl(last, code.splat(kWeightBits)));
-    axis.next = AxisTexels::Next::Edge;
-  } else {
-    axis.next = AxisTexels::Next::Repeat;
-  }
-  axis.weight = ir.CreateAnd(fixed, code.splat((1 << kWeightBits) - 1));
-  Value *first = ir.CreateAShr(fixed, code.splat(kWeightBits));
-  if (folds) { // -1 to size - 1, or what a NaN gave
-    first = code.select(ir.CreateICmpSLT(first, zero), last, first);
-    first = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, first, last);
-  } else if (key.wrap == Wrap::Repeat) {
-    first = ir.CreateAnd(first, last);
-  }
-  axis.index[0] = first;
-  Value *const second = ir.CreateAdd(first, one);
-  axis.index[1] = key.wrap != Wrap::Repeat
-                      ? ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, second, last)
-                  : folds ? code.select(ir.CreateICmpEQ(first, last), zero, second)
-                          : ir.CreateAnd(second, last);
-  return axis;
+  Value *const fixed = ir.CreateSub(roundToInt(code, scaled), code.splat(1 << (kWeightBits - 1)));
+  Value *const last = mask(code, size);
+  return key.wrap == Wrap::Repeat ? repeatedBytes(code, fixed, last, folds)
+                                  : clampedBytes(code, fixed, last);
 }
 
 } // namespace arbiter::fp::llvm_back

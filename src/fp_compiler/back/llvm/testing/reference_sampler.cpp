@@ -102,13 +102,20 @@ int dimensions(Dimension dimension) {
   return dimension == Dimension::Tex1D ? 1 : dimension == Dimension::Tex3D ? 3 : 2;
 }
 
+/// Components of 8 bits or less that nothing decodes.
+bool fitsBytes(const abi::Format &format) {
+  const bool isBytes = format.layout >= Layout::U8x1 && format.layout <= Layout::U8x4;
+  const bool isPacked = abi::isPacked(format.layout) && format.layout != Layout::Bits1010102;
+  return (isBytes || isPacked) && format.srgb == 0;
+}
+
 /// Whether the host filters bytes in bytes (sample_bytes.cpp).
 bool filtersBytes(const abi::SamplerKey &key) {
   bool isSimple = true;
   for (int i = 0; i < dimensions(key.dimension) && key.dimension != Dimension::Cube; ++i)
     isSimple &=
         key.wrap[std::size_t(i)] == Wrap::Repeat || key.wrap[std::size_t(i)] == Wrap::ClampToEdge;
-  return abi::fitsBytes(key.format) && isSimple;
+  return fitsBytes(key.format) && isSimple;
 }
 
 /// A component of `bits` bits as the byte that repeats them.
