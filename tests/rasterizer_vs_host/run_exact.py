@@ -30,7 +30,7 @@ STEP = 2.0 ** -23
 # The last instruction of a program "about" one of these is compared with the row's bounds, bytes with a
 # step of 255. OpenGL 2.1, 2.1.1, asks of a result to be "accurate to about 1 part in 10^5", and of no order.
 ABOUT = {
-    "RSQ": Row("2.1.1", "the host divides by a root, which takes longer than an estimate and a step", relative=2 * STEP),
+    "RSQ": Row("2.1.1", "the host divides by a root, in more time than an estimate and a step", relative=2 * STEP),
     "LG2": Row("2.1.1", "the host divides, and loses the last bits below 1", relative=2 * STEP, absolute=2 * STEP),
     "POW": Row("2.1.1", "the host's LG2 times the exponent, which enlarges its errors", relative=2.0 ** -15),
     "LIT": Row("2.1.1", "its z is POW", relative=2.0 ** -15),
@@ -49,6 +49,7 @@ UNDEFINED = {
     "TXP with a fourth component not above 0": Row("3.11.6.2", "undefined"),
     "lookups beyond 2^31 texels": Row("3.8.7", "CLAMP_TO_EDGE is the last texel, and the first on the host"),
     "lookups at infinities and at no number": Row("3.8.7", "undefined"),
+    "flat colours": Row("2.14.7", "of the provoking vertex, and interpolated in the host's own fragment programs"),
     "levels of detail": Row("3.8.8", "may be approximated: run_levels.py"),
 }
 
