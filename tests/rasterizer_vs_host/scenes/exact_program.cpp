@@ -317,7 +317,8 @@ std::string exactProgram(Random &random) {
 std::string nearProgram(Random &random) {
   Writer writer(random);
   const Near near = random.pick(kNear);
-  std::string body = writer.start() + writer.some(random.between(0, 3));
+  std::string body = writer.start();
+  body += writer.some(random.between(0, 3));
   for (const char *at = near.text; *at; ++at) {
     const bool isOperand = *at >= 'A' && *at <= 'C' && (at[1] == ';' || at[1] == ',');
     body += isOperand ? writer.operand() : std::string(1, *at);
