@@ -7,6 +7,9 @@ namespace {
 /// first; 1 + f * p is within 2^-28.8 of 2^f.
 constexpr float kExp2[] = {0x1.62e42cp-1f, 0x1.ebfd58p-3f,  0x1.c68912p-5f,
                            0x1.3d0b92p-7f, 0x1.46d64ep-10f, 0x1.c54170p-13f};
+/// 2^f as llvmpipe approximates it, within 2^-21.8.
+constexpr float kHostExp2[] = {1.0f,           0x1.62e4f6p-1f, 0x1.ebd5a8p-3f,
+                               0x1.c95446p-5f, 0x1.26900cp-7f, 0x1.ec320ap-10f};
 constexpr int kMantissaBits = 23, kBias = 127;
 } // namespace
 
@@ -22,13 +25,19 @@ Mantissa mantissaOf(Code &code, Value *x) {
   return result;
 }
 
-Value *assembled(Code &code, Value *whole, Value *f) {
-  Value *const mantissa = multiplyAdd(code, f, polynomial<float>(code, f, kExp2), code.splat(1.0f));
+Value *exp2OfFraction(Code &code, Value *f) { return evenAndOdd(code, f, kHostExp2); }
+
+Value *scaledByBits(Code &code, Value *mantissa, Value *whole) {
   // Below the normal numbers this makes a zero, above them an infinity, of the exponent's bits.
   Value *const biased = code.ir.CreateAdd(code.toInt(whole), code.splat(kBias));
   return code.ir.CreateFMul(
       mantissa,
       code.ir.CreateBitCast(code.ir.CreateShl(biased, code.splat(kMantissaBits)), code.f32));
+}
+
+Value *assembled(Code &code, Value *whole, Value *f) {
+  return scaledByBits(
+      code, multiplyAdd(code, f, polynomial<float>(code, f, kExp2), code.splat(1.0f)), whole);
 }
 
 Value *clampedExponent(Code &code, Value *x) {

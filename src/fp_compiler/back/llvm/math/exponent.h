@@ -13,11 +13,17 @@ struct Mantissa {
 };
 [[nodiscard]] Mantissa mantissaOf(Code &code, Value *x);
 
-/// 2^whole * 2^f for f in [0, 1] and a whole number of [-127, 128]: zero at the lower end, infinity
-/// at the upper one.
+/// 2^f for f in [0, 1], to the bit as llvmpipe has it.
+[[nodiscard]] Value *exp2OfFraction(Code &code, Value *f);
+
+/// \p mantissa * 2^whole for a whole number of [-127, 128]: zero at the lower end, infinity at the
+/// upper one.
+[[nodiscard]] Value *scaledByBits(Code &code, Value *mantissa, Value *whole);
+
+/// The same of 2^f for f in [0, 1], for powers: closer than exp2OfFraction().
 [[nodiscard]] Value *assembled(Code &code, Value *whole, Value *f);
 
-/// In the range that assembled() takes; NaN stays NaN. Floats or doubles.
+/// In the range that scaledByBits() takes; NaN stays NaN. Floats or doubles.
 [[nodiscard]] Value *clampedExponent(Code &code, Value *x);
 
 } // namespace arbiter::fp::llvm_back

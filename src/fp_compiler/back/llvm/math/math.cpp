@@ -1,6 +1,7 @@
 #include "fp_compiler/back/llvm/math/math.h"
 
 #include <limits>
+#include <span>
 
 #include "fp_compiler/back/llvm/math/exponent.h"
 #include "fp_compiler/back/llvm/math/math_avx2.h"
@@ -23,14 +24,14 @@ constexpr double kLog2Long[] = {
     0x1.71547652ef963p+0, -0x1.7154767baea14p-1, 0x1.ec709c00ea859p-2, -0x1.715435ebca40dp-2,
     0x1.277732d075b21p-2, -0x1.ec8d73c7629d9p-3, 0x1.a615cad3b3dfcp-3, -0x1.6eb02b88c7707p-3,
     0x1.45a2992a1a9f1p-3, -0x1.417feceec5d4ep-3, 0x1.3d25d9cacb37bp-3, -0x1.61ac19a585028p-4};
-/// (sin(r)/r - 1) / r^2 and (cos(r) - 1 + r^2/2) / r^4 in r^2, for |r| up to pi/4: within 2^-28.
-constexpr float kSine[] = {-0x1.555546p-3f, 0x1.11075ep-7f, -0x1.994dd6p-13f};
-constexpr float kCosine[] = {0x1.55554ap-5f, -0x1.6c0c8ap-10f, 0x1.9a0194p-16f};
+/// (sin(r)/r - 1) / r^2 and (cos(r) - 1 + r^2/2) / r^4 in r^2, for |r| up to pi/4, as llvmpipe has
+/// them.
+constexpr float kSine[] = {-0x1.555546p-3f, 0x1.11073cp-7f, -0x1.9943f2p-13f};
+constexpr float kCosine[] = {0x1.55554ap-5f, -0x1.6c0c34p-10f, 0x1.99eb9cp-16f};
 
-/// pi/2 in two parts, the first of 33 bits, so that small multiples of it are exact.
-constexpr double kHalfPiHigh = 0x1.921fb544p+0;
-constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
-constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
+/// pi/4 in three parts of few bits, so that small multiples of the first two are exact.
+constexpr float kQuarterPi[] = {0x1.92p-1f, 0x1.fb4p-13f, 0x1.4442d2p-25f};
+constexpr float kFourOverPi = 0x1.45f306p+0f;
 
 llvm::Type *doubles(Code &code) {
   return llvm::FixedVectorType::get(code.ir.getDoubleTy(), unsigned(code.lanes));
@@ -42,6 +43,42 @@ const llvm::APFloat *constantOf(Value *value) {
   const auto *const number =
       vector ? llvm::dyn_cast_or_null<llvm::ConstantFP>(vector->getSplatValue()) : nullptr;
   return number && !number->getValueAPF().isNaN() ? &number->getValueAPF() : nullptr;
+}
+
+constexpr int kSignBit = std::numeric_limits<int>::min();
+
+/// By Horner's rule.
+Value *byHorner(Code &code, Value *x, std::span<const float> coefficients) {
+  Value *sum = code.splat(coefficients.back());
+  for (std::size_t i = coefficients.size() - 1; i-- > 0;)
+    sum = multiplyAdd(code, sum, x, code.splat(coefficients[i]));
+  return sum;
+}
+
+/// \p size less so many quarters of pi. The products are exact up to 2^22 of them if sums are
+/// fused, and else in doubles, in which one product does.
+Value *restOfQuarters(Code &code, Value *size, Value *quarters) {
+  if (code.cpu.family == Cpu::Family::Sse41) {
+    Value *const count = code.ir.CreateSIToFP(quarters, doubles(code));
+    const double quarter = double(kQuarterPi[0]) + double(kQuarterPi[1]) + double(kQuarterPi[2]);
+    Value *const rest = multiplyAdd(code, count, constantLike(count, -quarter),
+                                    code.ir.CreateFPExt(size, doubles(code)));
+    return code.ir.CreateFPTrunc(rest, code.f32);
+  }
+  Value *const count = code.toFloat(quarters);
+  for (const float part : kQuarterPi)
+    size = multiplyAdd(code, count, code.splat(-part), size);
+  return size;
+}
+
+/// A sine or cosine of a finite angle clamped to [-1, 1], as the polynomials give anything for a
+/// huge one, NaN too, which counts as 1. NaN for an angle that is not finite.
+Value *clampedUnit(Code &code, Value *x, Value *size) {
+  Value *const low = code.splat(-1.0f), *const high = code.splat(1.0f);
+  Value *const below = code.select(code.ir.CreateFCmpOLT(x, high), x, high);
+  Value *const unit = code.select(code.ir.CreateFCmpOGT(below, low), below, low);
+  Value *const isFinite = code.ir.CreateFCmpOLT(size, code.splat(kInfinity));
+  return code.select(isFinite, unit, code.splat(kNan));
 }
 
 Value *extremum(Code &code, Value *a, Value *b, bool larger) {
@@ -87,7 +124,7 @@ Value *exp2(Code &code, Value *x) {
     return avx512::exp2(code, x);
   Value *const inRange = clampedExponent(code, x);
   Value *const whole = code.floor(inRange);
-  return assembled(code, whole, code.ir.CreateFSub(inRange, whole));
+  return scaledByBits(code, exp2OfFraction(code, code.ir.CreateFSub(inRange, whole)), whole);
 }
 
 Value *log2(Code &code, Value *x) {
@@ -131,40 +168,32 @@ Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
 }
 
 SineCosine sineCosine(Code &code, Value *angle) {
-  Value *const x = code.ir.CreateFPExt(angle, doubles(code));
-  Value *const turns = code.ir.CreateUnaryIntrinsic(
-      llvm::Intrinsic::rint, code.ir.CreateFMul(x, constantLike(x, kTwoOverPi)));
-  Value *rest = multiplyAdd(code, turns, constantLike(x, -kHalfPiHigh), x);
-  rest = multiplyAdd(code, turns, constantLike(x, -kHalfPiLow), rest);
-  // Of an angle too large for this the rest is anything: it is held where the polynomials are.
-  Value *r = code.ir.CreateFPTrunc(rest, code.f32);
-  Value *const low = code.splat(-0.7854f), *const high = code.splat(0.7854f);
-  r = code.select(code.ir.CreateFCmpOGT(low, r), low, r);
-  r = code.select(code.ir.CreateFCmpOLT(high, r), high, r);
-  // The quadrant, of a number that may be beyond 32 bits.
-  Value *const fours = code.floor(code.ir.CreateFMul(turns, constantLike(x, 0.25)));
-  Value *const quadrant = code.ir.CreateFreeze(code.ir.CreateFPToSI(
-      code.ir.CreateFSub(turns, code.ir.CreateFMul(fours, constantLike(x, 4.0))), code.i32));
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *const size = absolute(code, angle);
+  // The nearest even number of quarters of pi; anything of an angle beyond 32 bits.
+  Value *const whole = code.toInt(ir.CreateFMul(size, code.splat(kFourOverPi)));
+  Value *const quarters = ir.CreateAnd(ir.CreateAdd(whole, code.splat(1)), code.splat(~1));
+  Value *const r = restOfQuarters(code, size, quarters);
 
-  Value *const square = code.ir.CreateFMul(r, r);
-  Value *const sine =
-      multiplyAdd(code, code.ir.CreateFMul(r, square), polynomial<float>(code, square, kSine), r);
-  Value *const cosine = multiplyAdd(code, code.ir.CreateFMul(square, square),
-                                    polynomial<float>(code, square, kCosine),
-                                    multiplyAdd(code, square, code.splat(-0.5f), code.splat(1.0f)));
-  Value *const odd =
-      code.ir.CreateICmpNE(code.ir.CreateAnd(quadrant, code.splat(1)), code.splat(0));
+  Value *const square = ir.CreateFMul(r, r);
+  Value *const sine = multiplyAdd(code, ir.CreateFMul(byHorner(code, square, kSine), square), r, r);
+  Value *const tail = ir.CreateFMul(ir.CreateFMul(byHorner(code, square, kCosine), square), square);
+  Value *const cosine =
+      ir.CreateFAdd(ir.CreateFSub(tail, ir.CreateFMul(square, code.splat(0.5f))), code.splat(1.0f));
+
+  Value *const odd = ir.CreateICmpNE(ir.CreateAnd(quarters, code.splat(2)), code.splat(0));
+  // Bit 2 of the quarters is the sign, where the size was; the angle's own is a sine's too.
   const auto negatedWhere = [&](Value *value, Value *bits) {
-    Value *const sign = code.ir.CreateShl(code.ir.CreateAnd(bits, code.splat(2)), code.splat(30));
-    return code.ir.CreateBitCast(code.ir.CreateXor(code.ir.CreateBitCast(value, code.i32), sign),
-                                 code.f32);
+    Value *const sign = ir.CreateAnd(bits, code.splat(kSignBit));
+    Value *const signedValue = ir.CreateXor(ir.CreateBitCast(value, code.i32), sign);
+    return clampedUnit(code, ir.CreateBitCast(signedValue, code.f32), size);
   };
+  const auto halfTurns = [&](Value *count) { return ir.CreateShl(count, code.splat(29)); };
   SineCosine result;
-  result.sine = negatedWhere(code.select(odd, cosine, sine), quadrant);
-  // The sum that makes the rest loses the sign of a zero.
-  result.sine = code.select(code.ir.CreateFCmpOEQ(angle, code.splat(0.0f)), angle, result.sine);
-  result.cosine =
-      negatedWhere(code.select(odd, sine, cosine), code.ir.CreateAdd(quadrant, code.splat(1)));
+  result.sine = negatedWhere(code.select(odd, cosine, sine),
+                             ir.CreateXor(ir.CreateBitCast(angle, code.i32), halfTurns(quarters)));
+  result.cosine = negatedWhere(code.select(odd, sine, cosine),
+                               halfTurns(ir.CreateAdd(quarters, code.splat(2))));
   return result;
 }
 

@@ -10,7 +10,7 @@ namespace arbiter::fp::llvm_back {
 /// own MAD is two operations.
 [[nodiscard]] Value *multiplyAdd(Code &code, Value *a, Value *b, Value *c);
 
-/// 2^x within 2^-22.5 of it; infinity above 128, zero below -126.
+/// 2^x within 2^-21.8 of it, to the bit as llvmpipe has it; infinity above 128, zero below -126.
 [[nodiscard]] Value *exp2(Code &code, Value *x);
 /// log2 x within 2^-22.5 of it; of 0 -infinity, NaN below zero.
 [[nodiscard]] Value *log2(Code &code, Value *x);
@@ -21,8 +21,9 @@ namespace arbiter::fp::llvm_back {
 struct SineCosine {
   Value *sine = nullptr, *cosine = nullptr;
 };
-/// Both, within 2^-22 of them for angles up to 2^22 in magnitude; of larger ones a number of
-/// [-1, 1], of an infinite one NaN. What is not used costs nothing.
+/// Both, within 2^-23 of 1 for angles up to 2^22 in magnitude, and for those up to 2^8 within 2^-22
+/// of themselves, to the bit as llvmpipe has them; of larger ones a number of [-1, 1], of an
+/// infinite one NaN. What is not used costs nothing.
 [[nodiscard]] SineCosine sineCosine(Code &code, Value *angle);
 
 /// 1/x, correctly rounded.

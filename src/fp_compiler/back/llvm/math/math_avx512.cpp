@@ -4,6 +4,7 @@
 
 #include <llvm/IR/IntrinsicsX86.h>
 
+#include "fp_compiler/back/llvm/math/exponent.h"
 #include "fp_compiler/back/llvm/math/long_log.h"
 
 namespace arbiter::fp::llvm_back::avx512 {
@@ -13,9 +14,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Minimax polynomials for the relative error (Remez exchange), lowest power first.
 
-/// (2^f - 1) / f for f in [0, 1], and in [-1/2, 1/2]: 1 + f * p is within 2^-28.8 of 2^f.
-constexpr float kExp2[] = {0x1.62e42cp-1f, 0x1.ebfd58p-3f,  0x1.c68912p-5f,
-                           0x1.3d0b92p-7f, 0x1.46d64ep-10f, 0x1.c54170p-13f};
+/// (2^f - 1) / f for f in [-1/2, 1/2]: 1 + f * p is within 2^-28.8 of 2^f.
 constexpr float kExp2Centred[] = {0x1.62e430p-1f, 0x1.ebfbdap-3f,  0x1.c6aed4p-5f,
                                   0x1.3b2dbcp-7f, 0x1.5f456ap-10f, 0x1.41d32ep-13f};
 /// log2(1 + t) / t for t in [-1/4, 1/2], within 2^-25.1.
@@ -115,11 +114,11 @@ Value *extremum(Code &code, Value *a, Value *b, bool larger) {
 }
 
 Value *exp2(Code &code, Value *x) {
-  // x - floor(x), of infinities 0.
-  constexpr unsigned kDown = 1;
+  // Rounded to nearest, as vreduceps down does not. An infinity has no fraction: any will do.
+  Value *const fraction = code.ir.CreateFSub(x, code.floor(x));
   Value *const f =
-      whole(code, llvm::Intrinsic::x86_avx512_mask_reduce_ps_512, x, code.ir.getInt32(kDown));
-  return scaled(code, multiplyAdd(code, f, polynomial<float>(code, f, kExp2), code.splat(1.0f)), x);
+      code.select(code.ir.CreateFCmpOLT(fraction, code.splat(1.0f)), fraction, code.splat(1.0f));
+  return scaled(code, exp2OfFraction(code, f), x);
 }
 
 Value *log2(Code &code, Value *x) {

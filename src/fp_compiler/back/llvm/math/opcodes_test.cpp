@@ -26,7 +26,7 @@ std::vector<float> values() {
 }
 
 /// How far, relative to its size, a result may be from the interpreter's; 0 is to the bit.
-float relativeTolerance(Opcode op) { return approximates(op) ? 0x1p-22f : 0; }
+float relativeTolerance(Opcode op) { return approximates(op) ? 0x1.2p-22f : 0; }
 
 /// False where a result is one of the operands, 0 or 1, or a sign apart from them.
 bool rounds(Opcode op) {

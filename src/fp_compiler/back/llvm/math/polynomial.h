@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,20 @@ template <typename Number>
   for (std::size_t i = alone; i-- > 0;)
     sum = multiplyAdd(code, sum, x, constantLike(x, double(coefficients[i])));
   return sum;
+}
+
+/// The polynomial as its even powers and x times its odd ones, each by Horner's rule in x * x: the
+/// order in which llvmpipe evaluates, so that with its coefficients the bits are its own. Requires
+/// at least two.
+[[nodiscard]] inline Value *evenAndOdd(Code &code, Value *x, std::span<const float> coefficients) {
+  Value *const square = code.ir.CreateFMul(x, x);
+  std::array<Value *, 2> sums = {};
+  for (std::size_t i = coefficients.size(); i-- > 0;) {
+    Value *const coefficient = code.splat(coefficients[i]);
+    Value *&sum = sums[i % 2];
+    sum = sum ? multiplyAdd(code, square, sum, coefficient) : coefficient;
+  }
+  return multiplyAdd(code, sums[1], x, sums[0]);
 }
 
 /// An i1 a lane: where a power is 1 whatever the polynomials say: x^0 and, with \p oneStaysOne (in

@@ -6,7 +6,7 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The opcodes whose machine code is within 2^-22 of the result, and not equal to it.
+/// The opcodes whose machine code is within 2^-21.8 of the result, and not equal to it.
 [[nodiscard]] bool approximates(ir::Opcode op);
 
 /// Runs programs as machine code and on the interpreter and compares to the bit. Where an opcode's
