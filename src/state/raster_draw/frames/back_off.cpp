@@ -8,13 +8,8 @@ namespace arbiter::state::software {
 void BackOff::enter(Phase phase) {
   m_phase = phase;
   m_frames = m_tried = 0;
-  m_moving = m_plain = m_others = 0;
-}
-
-void BackOff::look(float time) {
-  const bool isOther =
-      m_decidedTime > 0 && (time > m_decidedTime * kOther || time * kOther < m_decidedTime);
-  m_others = isOther ? m_others + 1 : 0;
+  m_moving = m_plain = 0;
+  m_others.restart();
 }
 
 void BackOff::tryAgain() {
@@ -57,7 +52,7 @@ void BackOff::decide() {
                ? std::min(4 * m_keep, kMostKeepFrames)
                : kKeepFrames;
   m_keepHost = kKeepFrames;
-  m_decidedTime = isHost ? host : m_softwareTime;
+  m_others.decide(isHost ? host : m_softwareTime);
   enter(isHost ? Phase::Host : Phase::Software);
 }
 
@@ -124,7 +119,7 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   case Phase::Software:
     m_moving = frame.moved ? m_moving + 1 : 0;
     m_plain = frame.plain ? m_plain + 1 : 0;
-    look(time);
+    m_others.look(time);
     // After a trial that was won the next one waits, too.
     if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames)
       tryAgain();
@@ -140,7 +135,7 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
       answer();
     break;
   case Phase::Host:
-    look(time);
+    m_others.look(time);
     if (m_frames > m_keepHost || isStale())
       tryAgain();
     break;

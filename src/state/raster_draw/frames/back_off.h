@@ -2,6 +2,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "state/raster_draw/frames/other_times.h"
+
 namespace arbiter::state::software {
 
 /// Decides by measurement whether the rasterizer or the host draws. It only doubts where pixels are
@@ -56,8 +58,6 @@ private:
   /// What frames differ by through chance. Where images move the rasterizer is to be faster by more
   /// than that, as the images cost memory, and the host's caches, too; otherwise the host.
   static constexpr float kFaster = 0.96f, kClearlySlower = 1.25f;
-  /// Frames of so many times the time, or such a part of it, are others than were tried.
-  static constexpr float kOther = 1.5f;
   /// Frames before others lead to a trial: twice as many after each such trial, as an application
   /// may always have frames of several kinds.
   static constexpr int kLeastPatience = 32;
@@ -77,9 +77,8 @@ private:
   /// The rasterizer's frames, looked at again, are clearly slower than the host's were.
   void keepHost();
   [[nodiscard]] bool isHostFaster() const;
-  /// A frame of a side that was decided for took \p time.
-  void look(float time);
-  [[nodiscard]] bool isStale() const { return m_others >= kDoubtFrames && m_frames > m_patience; }
+  /// Frames of the side that was decided for take another time than those that were tried.
+  [[nodiscard]] bool isStale() const { return m_others.areOthers() && m_frames > m_patience; }
   /// Ends a side's phase: the next trial begins.
   void tryAgain();
 
@@ -98,8 +97,7 @@ private:
   std::chrono::steady_clock::time_point m_before;
   float m_times[kTrialFrames] = {};
   float m_softwareTime = 0, m_hostTime = 0;
-  float m_decidedTime = 0; ///< a frame's, of the side that was decided for; 0: none was
-  int m_others = 0;        ///< frames in a row that took another time
+  OtherTimes m_others; ///< than a frame's of the side that was decided for
   int m_patience = kLeastPatience;
   Statistics m_statistics;
 };

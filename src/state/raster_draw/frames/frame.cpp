@@ -24,7 +24,7 @@ std::uint64_t workOf(const ContextState &state) {
 
 /// A frame whose draws were the host's for a client's sake is as if there had been none.
 void passOver(ContextState &state) {
-  state.unjudged = state.observed = state.hostDrew = state.depthsTested = false;
+  state.unjudged = state.observed = state.hostDrew = state.depthsTested = state.lacked = false;
   state.hostTurns = state.lookTurns = 0;
   state.workSeen = workOf(state);
   state.history.backOff.frameIgnored(std::chrono::steady_clock::now());
@@ -46,6 +46,8 @@ void judgeWhole(ContextState &state) {
     history.wholeFrames = true;
   history.unjudgedFrames = state.unjudged ? history.unjudgedFrames + 1 : 0;
   state.unjudged = false;
+  state.lacked = state.hostTurns > state.lookTurns && history.backOff.engaged() &&
+                 !history.look.isRasterizers();
   state.hostTurns = state.lookTurns = 0;
   state.workSeen = workOf(state);
 }

@@ -126,6 +126,23 @@ TEST_F(Frame, ThoseOfFinishAndOfWindowsEndThereAlone) {
   EXPECT_FALSE(state().history.wholeFrames);
 }
 
+TEST_F(Frame, LacksWhatIsTheHostsForMoreThanItsLook) {
+  const auto frame = [&](std::uint64_t turns, std::uint64_t looks) {
+    drawn();
+    state().hostTurns = turns;
+    state().lookTurns = looks;
+    finishFrame(context());
+    return state().lacked;
+  };
+  EXPECT_FALSE(frame(0, 0));
+  EXPECT_TRUE(frame(1, 0));
+  EXPECT_TRUE(frame(3, 2));
+  EXPECT_FALSE(frame(2, 2));
+  state().history.look = {};
+  state().history.look.meets(false);
+  EXPECT_FALSE(frame(1, 0)) << "the host would draw looks of the rasterizer's";
+}
+
 // While machine code is made nothing is known of what the host draws in its place.
 TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
   const auto frame = [&](bool unjudged) {
