@@ -1,5 +1,6 @@
 #include "state/raster_draw/frames/frame.h"
 
+#include <ctime>
 #include <numeric>
 
 #include "state/core/context.h"
@@ -20,6 +21,13 @@ std::uint64_t transfers(const ContextState &state) {
 std::uint64_t workOf(const ContextState &state) {
   return std::accumulate(state.fallbacks.begin(), state.fallbacks.end(),
                          state.drawn + state.hostTurns);
+}
+
+std::chrono::nanoseconds processorTime() {
+  timespec time{};
+  if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time) != 0)
+    return {};
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 /// A frame whose draws were the host's for a client's sake is as if there had been none.
@@ -64,7 +72,8 @@ void judge(Context &context, bool moved) {
     judgeWhole(state);
   }
   state.hostDrew = state.depthsTested = false;
-  state.history.backOff.frameEnded({moved, plain, state.history.look.isRasterizers()},
+  state.history.backOff.frameEnded(
+      {moved, plain, state.history.look.isRasterizers(), processorTime()},
                                    std::chrono::steady_clock::now());
   if (drew && !state.steady)
     keepHistory(state.history);
