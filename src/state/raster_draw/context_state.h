@@ -106,6 +106,7 @@ struct ContextState {
     return !history.judged && history.look.isRasterizers();
   }
   std::uint64_t workSeen = 0;        ///< draws, at the end of the last frame
+  std::uint64_t drawnSeen = 0;       ///< of those, the rasterizer's
   bool presents = false;             ///< a window was shown
   bool finishes = false;             ///< Finish was called, and no window shown
   const void *frameTarget = nullptr; ///< whose clears are the frames' ends (clearsTarget())

@@ -35,11 +35,21 @@ void passOver(ContextState &state) {
   state.unjudged = state.observed = state.hostDrew = state.depthsTested = state.lacked = false;
   state.hostTurns = state.lookTurns = 0;
   state.workSeen = workOf(state);
+  state.drawnSeen = state.drawn;
   state.history.backOff.frameIgnored(std::chrono::steady_clock::now());
 }
 
+/// Whether the rasterizer drew so little of a frame that it is not worth the images that were moved
+/// for it. Programs may be costly on the host, however few their draws are.
+bool mixedInVain(const ContextState &state, bool moved) {
+  constexpr std::uint64_t kLeastShare = 4;
+  const std::uint64_t drawn = state.drawn - state.drawnSeen;
+  return moved && state.drawsPlain && drawn != 0 &&
+         drawn * kLeastShare < workOf(state) - state.workSeen;
+}
+
 /// A frame ended in which something was drawn.
-void judgeWhole(ContextState &state) {
+void judgeWhole(ContextState &state, bool moved) {
   FrameHistory &history = state.history;
   history.waitsForCode = false;
   // Nor does one that the host drew before anything could be said of it.
@@ -56,8 +66,11 @@ void judgeWhole(ContextState &state) {
   state.unjudged = false;
   state.lacked = state.hostTurns > state.lookTurns && history.backOff.engaged() &&
                  !history.look.isRasterizers();
+  history.mixesInVain =
+      state.hostTurns != 0 && (history.mixesInVain || (state.lacked && mixedInVain(state, moved)));
   state.hostTurns = state.lookTurns = 0;
   state.workSeen = workOf(state);
+  state.drawnSeen = state.drawn;
 }
 
 void judge(Context &context, bool moved) {
@@ -69,7 +82,7 @@ void judge(Context &context, bool moved) {
   const bool drew = workOf(state) != state.workSeen;
   if (drew) {
     frameEndsForCompiler();
-    judgeWhole(state);
+    judgeWhole(state, moved);
   }
   state.hostDrew = state.depthsTested = false;
   state.history.backOff.frameEnded(
