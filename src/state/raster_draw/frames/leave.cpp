@@ -13,7 +13,6 @@ namespace arbiter::state::software {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::uint64_t kNever = ~std::uint64_t(0);
 
 LeftAlone::Seen seenOf(const ContextState &state) {
   const auto countOf = [&](Fallback reason) { return state.fallbacks[std::size_t(reason)]; };
@@ -55,6 +54,9 @@ void leave(Context &context, LeftAlone &left) {
   Figures figures;
   figures.add(context);
   const std::uint64_t patience = left.patience;
+  // A look between, for other times, puts the regular one off by nothing.
+  const std::uint64_t until =
+      left.until > context.frames ? left.until : context.frames + kFramesAlone;
   const bool keepsLists = left.refusedFrames < kRefusedAgain;
   state.residency.leave();
   context.software = nullptr;
@@ -65,7 +67,7 @@ void leave(Context &context, LeftAlone &left) {
   left.keepsLists = keepsLists;
   left.figures = figures;
   left.since = context.frames;
-  left.until = context.frames + kFramesAlone;
+  left.until = until;
   left.patience = patience;
 }
 
@@ -87,7 +89,7 @@ void time(LeftAlone &left, std::uint64_t frame, Clock::time_point now) {
 
 /// Whether a context that is left alone is to be looked at again.
 bool isToReturn(LeftAlone &left, std::uint64_t frames, Clock::time_point now) {
-  if (left.until == kNever)
+  if (left.returns)
     return false;
   time(left, frames - left.since, now);
   if (frames >= left.until) {
@@ -114,7 +116,7 @@ void leaveOrReturn(Context &context, Clock::time_point now) {
     if (gainsNothing(left))
       leave(context, left);
   } else if (!state && context.leftAlone && isToReturn(*context.leftAlone, context.frames, now)) {
-    context.leftAlone->until = kNever;
+    context.leftAlone->returns = true;
     context.softwareRefused = false; // the next draw engages it
     invalidateProgram(context);
   }

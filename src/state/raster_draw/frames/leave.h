@@ -37,7 +37,8 @@ struct LeftAlone {
   int refusedFrames = 0;  ///< in a row, whose draws were all refused for their target
   int gainlessFrames = 0; ///< in a row, whose draws were the host's, as the rasterizer lacks some
   int mostGainless = kGainlessFrames;
-  bool before = false; ///< the context was left alone once
+  bool before = false;  ///< the context was left alone once
+  bool returns = false; ///< it is to have a ContextState, with its next draw
   /// Other draws than to a target that the rasterizer lacks may be its own one day: lists that are
   /// compiled meanwhile are to be kept, but for those that change.
   bool keepsLists = false;

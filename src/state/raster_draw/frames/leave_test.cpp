@@ -154,6 +154,10 @@ TEST_F(Leave, FramesOfAnotherTimeAreLookedAtSoon) {
   ASSERT_FALSE(context().software);
   lasts(10, 20);
   EXPECT_EQ(20 + lasts(20, 500), int(2 * kLeastAlone) + 1) << "in vain before";
+  engage(context());
+  gainless(kRefusedAgain);
+  const int since = 500 + kOtherFrames + int(2 * kLeastAlone) + 1 + 2 * kRefusedAgain;
+  EXPECT_EQ(lasts(20, 1000), int(kFramesAlone) - since) << "as if it had not been looked at between";
 }
 
 TEST_F(Leave, ListsThatChangeMeanwhileAreTheHosts) {
