@@ -129,7 +129,8 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
       return Fallback::Target;
     m_looks |= looksOf(target.format.layout);
   }
-  if (keepsLooks(*context.software) && keepsLook(context, needsWhole(*context.software, false)).isHosts())
+  if (keepsLooks(*context.software) &&
+      keepsLook(context, needsWhole(*context.software, false)).isHosts())
     return Fallback::Look;
   if (mirror.clampFixedOnly && m_floatTarget)
     m_key.clampColors = 0;

@@ -87,7 +87,7 @@ void judge(Context &context, bool moved) {
   state.hostDrew = state.depthsTested = false;
   state.history.backOff.frameEnded(
       {moved, plain, state.history.look.isRasterizers(), processorTime()},
-                                   std::chrono::steady_clock::now());
+      std::chrono::steady_clock::now());
   if (drew && !state.steady)
     keepHistory(state.history);
 }

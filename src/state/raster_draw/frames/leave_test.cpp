@@ -157,7 +157,8 @@ TEST_F(Leave, FramesOfAnotherTimeAreLookedAtSoon) {
   engage(context());
   gainless(kRefusedAgain);
   const int since = 500 + kOtherFrames + int(2 * kLeastAlone) + 1 + 2 * kRefusedAgain;
-  EXPECT_EQ(lasts(20, 1000), int(kFramesAlone) - since) << "as if it had not been looked at between";
+  EXPECT_EQ(lasts(20, 1000), int(kFramesAlone) - since)
+      << "as if it had not been looked at between";
 }
 
 TEST_F(Leave, ListsThatChangeMeanwhileAreTheHosts) {
