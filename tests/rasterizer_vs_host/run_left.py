@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""A window of several samples a pixel, in which every draw is the host's: the context is left alone, and its
-pictures are the bare host's before and after. Where it begins to draw to a texture that is the rasterizer's again.
+"""Windows in which every draw is the host's, for several samples a pixel or for what each frame has that only the
+host draws: the context is left alone, and its pictures are the bare host's before and after. What it draws later
+that the rasterizer can, to a texture or in whole frames, is the rasterizer's again.
 
   run_left.py --build build
 
@@ -17,8 +18,13 @@ from x_server import XServer
 
 FRAMES = 1080
 # Draws of a frame that are refused for their target, with a list's; such frames until the context is left alone,
-# and those in which it is looked at again and draws to a texture, too.
-DRAWS, REFUSED_FRAMES = 4, 8 + 80
+# those in which it is looked at again and draws to a texture, too, and two of each look between: on a busy machine
+# frames take another time, which is looked at after 32, 64, ... 512 frames.
+DRAWS, REFUSED_FRAMES = 4, 8 + 80 + 2 * 5
+
+
+# The same of mixed frames; those that are the rasterizer's later are judged by what it draws.
+MIXED_FRAMES = 8 + 2 * 6 + 4
 
 
 def judge(bare, layer, part):
@@ -29,34 +35,52 @@ def judge(bare, layer, part):
     return wrong
 
 
-def judge_again(bare, layer, part):
-    """The same of a start that finds its machine code: the frames that draw to the texture are over before a busy
-    machine has made it."""
-    wrong = judge(bare, layer, part)
-    if part.get("drawn", 0) < DRAWS:
-        wrong.append(f"the rasterizer drew {part.get('drawn', 0)} to the texture: {part.get('given_to_host')}")
+def judge_mixed(bare, layer, part):
+    wrong = sides.differences(bare, layer)
+    refused = part.get("given_to_host", {}).get("mixed-frame", 0)
+    if refused > DRAWS * MIXED_FRAMES:
+        wrong.append(f"{refused} draws are the host's for the frame's sake")
     return wrong
+
+
+def again(judged):
+    """The same of a start that finds its machine code: the frames that are the rasterizer's are over before a busy
+    machine has made it."""
+
+    def judge_again(bare, layer, part):
+        wrong = judged(bare, layer, part)
+        if part.get("drawn", 0) < DRAWS:
+            wrong.append(f"the rasterizer drew {part.get('drawn', 0)}: {part.get('given_to_host')}")
+        return wrong
+
+    return judge_again
+
+
+def alike(bare, layer, _):
+    return sides.differences(bare, layer)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
     build = parser.parse_args().build.resolve()
-    command = [build / "tests/rasterizer_vs_host/rasterizer-left", FRAMES]
+    # While there is no machine code a frame says nothing, so that the first start has more that are mixed.
+    windows = (("a window of four samples", "samples", judge, judge),
+               ("a window of mixed frames", "mixed", alike, judge_mixed))
     tally = sides.Tally()
     with tempfile.TemporaryDirectory(prefix="arbiter-left-") as scratch, XServer() as display:
         stats = pathlib.Path(scratch) / "stats.json"
         extra = {"DISPLAY": display, "XDG_CACHE_HOME": scratch}
-        try:
-            bare = sides.run(command, sides.environment(extra=extra))
-            ways = ("auto", judge), ("swrast", lambda *records: sides.differences(*records[:2])), ("auto", judge_again)
-            for backend, answer in ways:
-                layer = sides.run(command, sides.environment(sides.layer_of(build), backend,
-                                                             {**extra, "ARBITER_STATS": str(stats)}))
-                tally.row(f"a window of four samples, {backend}",
-                          answer(bare, layer, sides.software_statistics(stats)))
-        except sides.Died as death:
-            tally.row("a window of four samples", [str(death)])
+        for words, kind, first, judged in windows:
+            command = [build / "tests/rasterizer_vs_host/rasterizer-left", FRAMES, kind]
+            try:
+                bare = sides.run(command, sides.environment(extra=extra))
+                for backend, answer in ("auto", first), ("swrast", alike), ("auto", again(judged)):
+                    layer = sides.run(command, sides.environment(sides.layer_of(build), backend,
+                                                                 {**extra, "ARBITER_STATS": str(stats)}))
+                    tally.row(f"{words}, {backend}", answer(bare, layer, sides.software_statistics(stats)))
+            except sides.Died as death:
+                tally.row(words, [str(death)])
     return tally.end()
 
 

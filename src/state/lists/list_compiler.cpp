@@ -45,6 +45,16 @@ bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) 
   return true;
 }
 
+/// A list that is compiled again while the context is left alone, as one may be in each frame, is
+/// the host's.
+bool changesAlone(Context &context, GLuint name) {
+  if (context.software || !context.leftAlone)
+    return false;
+  if (const auto list = context.group->lists.find(name))
+    return !list->items.empty();
+  return context.host->IsList(name) == GL_TRUE;
+}
+
 /// Room for so many more items: what is added then cannot fail half-way.
 void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
   if (items.capacity() - items.size() < more)
@@ -74,7 +84,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_kind = Kind::None;
   m_arraysDirty = true;
   m_mode = std::uint16_t(mode);
-  m_keeps = software::keepsLists(context);
+  m_keeps = software::keepsLists(context) && !changesAlone(context, name);
   context.listIsExecuted = executes();
   if (m_keeps) {
     context.softwareListens = true;

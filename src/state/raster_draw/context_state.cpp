@@ -4,6 +4,7 @@
 #include "state/core/context.h"
 #include "state/core/exit_notice.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/frames/leave.h"
 #include "state/raster_draw/functions/start_note.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
@@ -18,7 +19,7 @@ bool mayBeUsed(const Context &context) {
 
 bool keepsLists(const Context &context) {
   if (context.software || context.softwareRefused)
-    return context.software != nullptr;
+    return context.software || (context.leftAlone && context.leftAlone->keepsLists);
   return (settings().alwaysFixedFunction ||
           context.group->programApiUsed.load(std::memory_order_relaxed)) &&
          mayBeUsed(context);

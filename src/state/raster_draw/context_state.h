@@ -57,6 +57,9 @@ struct ContextState {
   /// one of the two draws all: mayTestDepth().
   std::uint64_t hostTurns = 0;
   std::uint64_t lookTurns = 0; ///< of those, the ones that are the host's for their look alone
+  /// The last frame in which something was drawn had turns of the host's for what the rasterizer
+  /// lacks, and is no matter of looks or of which side is the faster one.
+  bool lacked = false;
   /// The host drew something in this frame of which it is not known whether the rasterizer lacks
   /// it, as the engine or a program is still being made.
   bool unjudged = false;
@@ -103,6 +106,7 @@ struct ContextState {
     return !history.judged && history.look.isRasterizers();
   }
   std::uint64_t workSeen = 0;        ///< draws, at the end of the last frame
+  std::uint64_t drawnSeen = 0;       ///< of those, the rasterizer's
   bool presents = false;             ///< a window was shown
   bool finishes = false;             ///< Finish was called, and no window shown
   const void *frameTarget = nullptr; ///< whose clears are the frames' ends (clearsTarget())

@@ -86,6 +86,7 @@ private:
     std::uint64_t selections = 0; ///< Context::selections
     std::uint64_t images = 0;     ///< Residency::version()
     bool mayTestDepth = false;    ///< ContextState::mayTestDepth()
+    bool mixesInVain = false;     ///< FrameHistory's
     KeptLook::Side look = {};     ///< FrameHistory::look
     /// Where there are vertices; the rest is of them.
     bool vertices = false;
@@ -115,7 +116,10 @@ private:
   /// The draw has a look, which one side draws for the whole context. Like isMixed(), false of a
   /// draw that only the rasterizer can draw right.
   [[nodiscard]] bool keepsLooks(const ContextState &state) const;
-  /// The draw tests depths, and in this frame the host has them.
+  /// The rasterizer draws it in frames that it draws as a whole: it tests depths, or was too little
+  /// beside the host's draws.
+  [[nodiscard]] bool needsWhole(const ContextState &state, bool testsDepths) const;
+  /// That, and in this frame the host draws.
   [[nodiscard]] bool isMixed(const ContextState &state, bool testsDepths) const;
   /// Assembly, and the vertex program. Requires: choosePixels().
   Outcome chooseVertices(Context &context, Mirror &mirror, const Kind &kind);

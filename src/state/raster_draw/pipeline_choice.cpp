@@ -46,13 +46,13 @@ bool testsAny(const abi::DepthStencilKey &depth, const DrawTargets &targets) {
           (depth.stencilTest != 0 && targets.stencilBits != 0));
 }
 
-/// Before a draw that has a look: which side draws looks now. One that tests depths in a mixed
-/// frame is the host's.
-const KeptLook &keepsLook(Context &context, bool testsDepths) {
+/// Before a draw that has a look: which side draws looks now. One that needs a whole frame is the
+/// host's in a mixed one.
+const KeptLook &keepsLook(Context &context, bool needsWhole) {
   ContextState &state = *context.software;
   KeptLook &look = state.history.look;
   look.meets(state.history.backOff.followsHost());
-  if (testsDepths && !state.mayTestDepth())
+  if (needsWhole && !state.mayTestDepth())
     look.becomesHosts();
   return look;
 }
@@ -129,7 +129,8 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
       return Fallback::Target;
     m_looks |= looksOf(target.format.layout);
   }
-  if (keepsLooks(*context.software) && keepsLook(context, false).isHosts())
+  if (keepsLooks(*context.software) &&
+      keepsLook(context, needsWhole(*context.software, false)).isHosts())
     return Fallback::Look;
   if (mirror.clampFixedOnly && m_floatTarget)
     m_key.clampColors = 0;
@@ -150,7 +151,8 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
 Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
                                   const Kind *vertices) {
   Basis basis = {context.selections, context.software->residency.version(),
-                 context.software->mayTestDepth(), context.software->history.look.side()};
+                 context.software->mayTestDepth(), context.software->history.mixesInVain,
+                 context.software->history.look.side()};
   if (vertices) {
     basis.vertices = true;
     basis.vertexState = mirror.vertex.version;
@@ -216,8 +218,12 @@ bool Pipeline::keepsLooks(const ContextState &state) const {
   return m_looks != 0 && !state.forced && !m_readsRasterValues;
 }
 
+bool Pipeline::needsWhole(const ContextState &state, bool testsDepths) const {
+  return testsDepths || (!m_compiled && state.history.mixesInVain);
+}
+
 bool Pipeline::isMixed(const ContextState &state, bool testsDepths) const {
-  return testsDepths && !state.mayTestDepth() && !m_readsRasterValues;
+  return needsWhole(state, testsDepths) && !state.mayTestDepth() && !m_readsRasterValues;
 }
 
 Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *vertices) {
@@ -232,7 +238,7 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
   if (!m_program->functions || !m_program->functions->prepared())
     m_looks |= looksOfObject(context); // a draw without code comes to no key
   const bool keeps = keepsLooks(state);
-  if (keeps && keepsLook(context, testsDepths).isHosts())
+  if (keeps && keepsLook(context, needsWhole(state, testsDepths)).isHosts())
     return Fallback::Look;
   const bool isPlain = state.drawsPlain && !context.linkedProgram;
   const bool mayWait = isMixed(state, testsDepths) || isPlain;

@@ -146,11 +146,12 @@ bool Residency::clear(GLbitfield mask) {
   const GLbitfield done = clearOurs(images, mask);
   if (done == mask)
     return true;
-  if (done == 0)
-    return false;
-  // The rest is the host's, whose copy of it is valid.
-  const GLbitfield rest = mask & ~done;
   const Framebuffers &f = framebuffersOf(images);
+  if (f.reason || (done == 0 && (mask & GL_COLOR_BUFFER_BIT) != 0))
+    return false;
+  // The rest is the host's, whose copy of it is valid. Depths that the rasterizer does not use move
+  // no colours, though they be cleared by a command of their own.
+  const GLbitfield rest = mask & ~done;
   if ((rest & GL_COLOR_BUFFER_BIT) != 0)
     for (PixelImage *image : f.color)
       if (image) {

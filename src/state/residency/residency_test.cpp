@@ -170,6 +170,19 @@ TEST_F(Residency, ClearIsInMemoryWhereTheShadowIsValid) {
   EXPECT_EQ(hostPixel(6, 5), 0xFF00FF00u);
 }
 
+TEST_F(Residency, AClearOfDepthsThatTheHostHasMovesNoColours) {
+  drawAll(0x10203040);
+  const ResidencyStatistics before = statistics();
+  gl().ClearDepth(0.25);
+  EXPECT_TRUE(residency().clear(GL_DEPTH_BUFFER_BIT));
+  GLfloat depth = -1;
+  gl().ReadPixels(1, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+  EXPECT_NEAR(depth, 0.25f, 1e-6f);
+  EXPECT_EQ(shadowPixel(1, 1), 0x10203040u);
+  EXPECT_EQ(statistics().uploads, before.uploads);
+  EXPECT_EQ(statistics().downloads, before.downloads);
+}
+
 TEST_F(Residency, FinishShowsThePixelsInTheApplicationsMemory) {
   drawAll(0x10203040);
   residency().flush(true);

@@ -1,8 +1,10 @@
-// A window of four samples a pixel, in which nothing is the rasterizer's: rasterizer-left FRAMES.
-// Lists, Begin and End, arrays and a program draw in each frame. In the last hundred frames a
-// texture is drawn to as well.
+// Windows in which nothing is the rasterizer's: rasterizer-left FRAMES samples|mixed. Lists, Begin
+// and End, arrays and a program draw in each frame. The one has four samples a pixel, and in the
+// last hundred frames a texture is drawn to as well. In the other pixels that only the host draws
+// are in all frames but the last hundred.
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include "glx_windows.h"
 #include "surface.h"
@@ -11,28 +13,28 @@ namespace software {
 namespace {
 
 constexpr int kEdge = 64;
-constexpr int kLast = 100; ///< frames that draw to a texture too
+constexpr int kLast = 100; ///< frames that are the rasterizer's too
 
-GLXFBConfig chooseSampled(Display *display) {
-  constexpr int kWanted[] = {GLX_RENDER_TYPE,
-                             GLX_RGBA_BIT,
-                             GLX_RED_SIZE,
-                             8,
-                             GLX_GREEN_SIZE,
-                             8,
-                             GLX_BLUE_SIZE,
-                             8,
-                             GLX_DEPTH_SIZE,
-                             24,
-                             GLX_DOUBLEBUFFER,
-                             True,
-                             GLX_SAMPLE_BUFFERS,
-                             1,
-                             GLX_SAMPLES,
-                             4,
-                             None};
+GLXFBConfig choose(Display *display, int samples) {
+  const int wanted[] = {GLX_RENDER_TYPE,
+                        GLX_RGBA_BIT,
+                        GLX_RED_SIZE,
+                        8,
+                        GLX_GREEN_SIZE,
+                        8,
+                        GLX_BLUE_SIZE,
+                        8,
+                        GLX_DEPTH_SIZE,
+                        24,
+                        GLX_DOUBLEBUFFER,
+                        True,
+                        GLX_SAMPLE_BUFFERS,
+                        samples != 0 ? 1 : 0,
+                        GLX_SAMPLES,
+                        samples,
+                        None};
   int count = 0;
-  GLXFBConfig *const all = glXChooseFBConfig(display, DefaultScreen(display), kWanted, &count);
+  GLXFBConfig *const all = glXChooseFBConfig(display, DefaultScreen(display), wanted, &count);
   return count > 0 ? all[0] : nullptr;
 }
 
@@ -87,11 +89,23 @@ GLuint makeFramebuffer() {
   return framebuffer;
 }
 
-void draw(Display *display, GLXDrawable window, int frames) {
-  (void)makeProgram(GL_FRAGMENT_PROGRAM_ARB,
-                    "!!ARBfp1.0\nMUL result.color, fragment.color, {1, 0.5, 0.25, 1};\nEND\n");
+/// Pixels whose components are scaled are the host's.
+void drawPixels() {
+  constexpr unsigned char kPixels[16] = {255, 128, 64, 255, 10,  20, 30, 255,
+                                         200, 0,   0,  255, 255, 1,  2,  255};
+  glPixelTransferf(GL_RED_SCALE, 0.5f);
+  glRasterPos2f(-0.5f, 0.5f);
+  glDrawPixels(2, 2, GL_RGBA, GL_UNSIGNED_BYTE, kPixels);
+  glPixelTransferf(GL_RED_SCALE, 1);
+}
+
+void recordSome(int frame) {
+  if (frame < 20 || frame % 50 == 0)
+    record("frame " + std::to_string(frame), readRgba(0, 0, kEdge, kEdge));
+}
+
+void drawSampled(Display *display, GLXDrawable window, int frames) {
   const GLuint list = makeList(), framebuffer = makeFramebuffer();
-  glViewport(0, 0, kEdge, kEdge);
   for (int frame = 0; frame < frames; ++frame) {
     const float place = float(frame % 7) / 8;
     if (frame >= frames - kLast) {
@@ -102,11 +116,20 @@ void draw(Display *display, GLXDrawable window, int frames) {
       glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
     drawScene(list, place);
-    if (frame < 20 || frame % 50 == 0)
-      record("frame " + std::to_string(frame), readRgba(0, 0, kEdge, kEdge));
+    recordSome(frame);
     glXSwapBuffers(display, window);
   }
-  record("errors" + takeErrors(), {});
+}
+
+void drawMixed(Display *display, GLXDrawable window, int frames) {
+  const GLuint list = makeList();
+  for (int frame = 0; frame < frames; ++frame) {
+    drawScene(list, float(frame % 7) / 8);
+    if (frame < frames - kLast)
+      drawPixels();
+    recordSome(frame);
+    glXSwapBuffers(display, window);
+  }
 }
 
 } // namespace
@@ -114,9 +137,10 @@ void draw(Display *display, GLXDrawable window, int frames) {
 
 int main(int argc, char **argv) {
   using namespace software;
+  const bool sampled = argc == 3 && std::string_view(argv[2]) == "samples";
   Display *const display = XOpenDisplay(nullptr);
-  GLXFBConfig const config = display ? chooseSampled(display) : nullptr;
-  if (!config || argc != 2)
+  GLXFBConfig const config = display ? choose(display, sampled ? 4 : 0) : nullptr;
+  if (!config || argc != 3)
     return 1;
   const GLXDrawable window = glXCreateWindow(
       display, config, software::makeWindow(display, config, kEdge, kEdge), nullptr);
@@ -125,8 +149,12 @@ int main(int argc, char **argv) {
     return 1;
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  if (samples != 4)
+  if (samples != (sampled ? 4 : 0))
     return 1;
-  draw(display, window, std::atoi(argv[1]));
+  (void)makeProgram(GL_FRAGMENT_PROGRAM_ARB,
+                    "!!ARBfp1.0\nMUL result.color, fragment.color, {1, 0.5, 0.25, 1};\nEND\n");
+  glViewport(0, 0, kEdge, kEdge);
+  (sampled ? drawSampled : drawMixed)(display, window, std::atoi(argv[1]));
+  record("errors" + takeErrors(), {});
   return 0;
 }

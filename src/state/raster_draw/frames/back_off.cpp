@@ -1,20 +1,16 @@
 #include "state/raster_draw/frames/back_off.h"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
+#include <utility>
 
 namespace arbiter::state::software {
 
 void BackOff::enter(Phase phase) {
   m_phase = phase;
   m_frames = m_tried = 0;
-  m_moving = m_plain = m_others = 0;
-}
-
-void BackOff::look(float time) {
-  const bool isOther =
-      m_decidedTime > 0 && (time > m_decidedTime * kOther || time * kOther < m_decidedTime);
-  m_others = isOther ? m_others + 1 : 0;
+  m_moving = m_plain = 0;
+  m_others.restart();
 }
 
 void BackOff::tryAgain() {
@@ -24,10 +20,21 @@ void BackOff::tryAgain() {
   enter(Phase::TrySoftware);
 }
 
-float BackOff::median() {
-  float *const middle = m_times + m_tried / 2;
-  std::nth_element(m_times, middle, m_times + m_tried);
-  return *middle;
+namespace {
+
+/// The mean without the quarter that is highest, and the one that is lowest. A median would be one
+/// kind of frame, by chance, where an application has two by turns.
+float middleOf(float *values, int count) {
+  std::sort(values, values + count);
+  const int left = count > 2 ? std::max(count / 4, 1) : 0;
+  return std::accumulate(values + left, values + count - left, 0.0f) / float(count - 2 * left);
+}
+
+} // namespace
+
+BackOff::Side BackOff::tried() {
+  const bool known = std::all_of(m_busy, m_busy + m_tried, [](float busy) { return busy > 0; });
+  return {middleOf(m_times, m_tried), known ? middleOf(m_busy, m_tried) : 0};
 }
 
 bool BackOff::areSlower(float than) const {
@@ -43,27 +50,29 @@ bool BackOff::areFaster(float than) const {
 }
 
 bool BackOff::isHostFaster() const {
-  return m_hostTime * (m_triedMoving ? kFaster : 1 / kFaster) < m_softwareTime;
+  const bool wait = m_host.waits() && m_software.waits();
+  const float host = wait ? m_host.busy : m_host.time;
+  return host * (m_triedMoving ? kFaster : 1 / kFaster) <
+         (wait ? m_software.busy : m_software.time);
 }
 
 /// Both ways have been tried.
 void BackOff::decide() {
-  const float host = m_hostTime;
   ++m_statistics.trials;
-  m_statistics.lastSoftwareMilliseconds = double(m_softwareTime);
-  m_statistics.lastHostMilliseconds = double(host);
+  m_statistics.lastSoftwareMilliseconds = double(m_software.time);
+  m_statistics.lastHostMilliseconds = double(m_host.time);
   const bool isHost = isHostFaster();
-  m_keep = !isHost && host > m_softwareTime * kClearlySlower && m_keep >= kKeepFrames
+  m_keep = !isHost && m_host.time > m_software.time * kClearlySlower && m_keep >= kKeepFrames
                ? std::min(4 * m_keep, kMostKeepFrames)
                : kKeepFrames;
   m_keepHost = kKeepFrames;
-  m_decidedTime = isHost ? host : m_softwareTime;
+  m_others.decide(isHost ? m_host.time : m_software.time);
   enter(isHost ? Phase::Host : Phase::Software);
 }
 
 void BackOff::keepHost() {
   ++m_statistics.trials;
-  m_statistics.lastSoftwareMilliseconds = double(median());
+  m_statistics.lastSoftwareMilliseconds = double(tried().time);
   m_keepHost = std::min(2 * m_keepHost, kMostHostFrames);
   enter(Phase::Host);
 }
@@ -73,11 +82,11 @@ bool BackOff::isAnswered() const {
     return true;
   switch (m_phase) {
   case Phase::TrySoftware:
-    return m_looksAgain && areSlower(m_hostTime);
+    return m_looksAgain && areSlower(m_host.time);
   case Phase::TryHost:
-    return areSlower(m_softwareTime) || areFaster(m_softwareTime);
+    return areSlower(m_software.time) || areFaster(m_software.time);
   case Phase::Confirm:
-    return areSlower(m_hostTime);
+    return areSlower(m_host.time);
   case Phase::Software:
   case Phase::Host:
     break;
@@ -87,19 +96,20 @@ bool BackOff::isAnswered() const {
 
 void BackOff::answer() {
   if (m_phase == Phase::TrySoftware) {
-    if (m_looksAgain && areSlower(m_hostTime))
+    if (m_looksAgain && areSlower(m_host.time))
       return keepHost();
-    m_softwareTime = median();
+    m_software = tried();
     m_triedMoving = m_moving > kTrialFrames / 2;
     enter(Phase::TryHost);
   } else if (m_phase == Phase::TryHost) {
-    m_hostTime = median();
+    m_host = tried();
     if (isHostFaster())
       enter(Phase::Confirm);
     else
       decide();
   } else {
-    m_softwareTime = std::min(m_softwareTime, median());
+    const Side again = tried();
+    m_software = {std::min(m_software.time, again.time), std::min(m_software.busy, again.busy)};
     decide();
   }
 }
@@ -110,6 +120,11 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   const float time =
       m_hasBefore ? std::chrono::duration<float, std::milli>(now - m_before).count() : 0.0f;
   const bool measured = m_hasBefore;
+  const auto before = std::exchange(m_processorBefore, frame.processor);
+  const float busy =
+      before.count() != 0
+          ? std::chrono::duration<float, std::milli>(frame.processor - before).count()
+          : 0.0f;
   m_before = now;
   m_hasBefore = true;
   if (!engaged())
@@ -124,7 +139,7 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   case Phase::Software:
     m_moving = frame.moved ? m_moving + 1 : 0;
     m_plain = frame.plain ? m_plain + 1 : 0;
-    look(time);
+    m_others.look(time);
     // After a trial that was won the next one waits, too.
     if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames)
       tryAgain();
@@ -134,13 +149,15 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   case Phase::Confirm:
     m_moving += m_phase == Phase::TrySoftware && frame.moved ? 1 : 0;
     // The first frame after a change of sides pays for the change.
-    if (m_frames > 1 && measured)
+    if (m_frames > 1 && measured) {
+      m_busy[m_tried] = busy;
       m_times[m_tried++] = time;
+    }
     if (isAnswered())
       answer();
     break;
   case Phase::Host:
-    look(time);
+    m_others.look(time);
     if (m_frames > m_keepHost || isStale())
       tryAgain();
     break;

@@ -1,5 +1,6 @@
 #include "state/raster_draw/frames/frame.h"
 
+#include <ctime>
 #include <numeric>
 
 #include "state/core/context.h"
@@ -22,16 +23,33 @@ std::uint64_t workOf(const ContextState &state) {
                          state.drawn + state.hostTurns);
 }
 
+std::chrono::nanoseconds processorTime() {
+  timespec time{};
+  if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time) != 0)
+    return {};
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
 /// A frame whose draws were the host's for a client's sake is as if there had been none.
 void passOver(ContextState &state) {
-  state.unjudged = state.observed = state.hostDrew = state.depthsTested = false;
+  state.unjudged = state.observed = state.hostDrew = state.depthsTested = state.lacked = false;
   state.hostTurns = state.lookTurns = 0;
   state.workSeen = workOf(state);
+  state.drawnSeen = state.drawn;
   state.history.backOff.frameIgnored(std::chrono::steady_clock::now());
 }
 
+/// Whether the rasterizer drew so little of a frame that it is not worth the images that were moved
+/// for it. Programs may be costly on the host, however few their draws are.
+bool mixedInVain(const ContextState &state, bool moved) {
+  constexpr std::uint64_t kLeastShare = 4;
+  const std::uint64_t drawn = state.drawn - state.drawnSeen;
+  return moved && state.drawsPlain && drawn != 0 &&
+         drawn * kLeastShare < workOf(state) - state.workSeen;
+}
+
 /// A frame ended in which something was drawn.
-void judgeWhole(ContextState &state) {
+void judgeWhole(ContextState &state, bool moved) {
   FrameHistory &history = state.history;
   history.waitsForCode = false;
   // Nor does one that the host drew before anything could be said of it.
@@ -46,8 +64,13 @@ void judgeWhole(ContextState &state) {
     history.wholeFrames = true;
   history.unjudgedFrames = state.unjudged ? history.unjudgedFrames + 1 : 0;
   state.unjudged = false;
+  state.lacked = state.hostTurns > state.lookTurns && history.backOff.engaged() &&
+                 !history.look.isRasterizers();
+  history.mixesInVain =
+      state.hostTurns != 0 && (history.mixesInVain || (state.lacked && mixedInVain(state, moved)));
   state.hostTurns = state.lookTurns = 0;
   state.workSeen = workOf(state);
+  state.drawnSeen = state.drawn;
 }
 
 void judge(Context &context, bool moved) {
@@ -59,11 +82,12 @@ void judge(Context &context, bool moved) {
   const bool drew = workOf(state) != state.workSeen;
   if (drew) {
     frameEndsForCompiler();
-    judgeWhole(state);
+    judgeWhole(state, moved);
   }
   state.hostDrew = state.depthsTested = false;
-  state.history.backOff.frameEnded({moved, plain, state.history.look.isRasterizers()},
-                                   std::chrono::steady_clock::now());
+  state.history.backOff.frameEnded(
+      {moved, plain, state.history.look.isRasterizers(), processorTime()},
+      std::chrono::steady_clock::now());
   if (drew && !state.steady)
     keepHistory(state.history);
 }

@@ -14,6 +14,9 @@ struct FrameHistory {
   bool wholeFrames =
       false;              ///< the last frames had no turn of the host, as many as `trials` asks for
   int unjudgedFrames = 0; ///< in a row
+  /// The last frames were mixed ones, in which the rasterizer drew little beside the host, by fixed
+  /// function alone, and images were moved for it: not until a frame is a whole one again.
+  bool mixesInVain = false;
   /// The first frame of a program that ran before: its machine code is on disk, and waited for.
   bool waitsForCode = false;
 };

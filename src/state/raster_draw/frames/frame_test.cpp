@@ -126,6 +126,47 @@ TEST_F(Frame, ThoseOfFinishAndOfWindowsEndThereAlone) {
   EXPECT_FALSE(state().history.wholeFrames);
 }
 
+TEST_F(Frame, LacksWhatIsTheHostsForMoreThanItsLook) {
+  const auto frame = [&](std::uint64_t turns, std::uint64_t looks) {
+    drawn();
+    state().hostTurns = turns;
+    state().lookTurns = looks;
+    finishFrame(context());
+    return state().lacked;
+  };
+  EXPECT_FALSE(frame(0, 0));
+  EXPECT_TRUE(frame(1, 0));
+  EXPECT_TRUE(frame(3, 2));
+  EXPECT_FALSE(frame(2, 2));
+  state().history.look = {};
+  state().history.look.meets(false);
+  EXPECT_FALSE(frame(1, 0)) << "the host would draw looks of the rasterizer's";
+}
+
+TEST_F(Frame, MixesInVainWhereLittleIsDrawnBesideTheHost) {
+  const auto frame = [&](int drawnHere, int hosts, bool moved) {
+    clear(kBoth);
+    finishFrame(context());
+    state().drawn += std::uint64_t(drawnHere);
+    for (int i = 0; i < hosts; ++i)
+      state().fellBack(Fallback::Mixed);
+    state().hostTurns += hosts != 0 ? 1 : 0;
+    if (!moved)
+      state().transfersSeen = 0;
+    else
+      --state().transfersSeen;
+    finishFrame(context());
+    return state().history.mixesInVain;
+  };
+  EXPECT_FALSE(frame(1, 40, false)) << "nothing is moved for it";
+  EXPECT_FALSE(frame(20, 40, true));
+  EXPECT_TRUE(frame(1, 40, true));
+  EXPECT_TRUE(frame(0, 41, false)) << "the host draws all of it now";
+  EXPECT_FALSE(frame(41, 0, false)) << "a whole one";
+  state().drawsPlain = false;
+  EXPECT_FALSE(frame(1, 40, true)) << "a program may be worth it";
+}
+
 // While machine code is made nothing is known of what the host draws in its place.
 TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
   const auto frame = [&](bool unjudged) {

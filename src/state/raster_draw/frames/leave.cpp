@@ -1,6 +1,8 @@
 #include "state/raster_draw/frames/leave.h"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "state/core/context.h"
 #include "state/programs/program_bind.h"
@@ -10,39 +12,99 @@ namespace arbiter::state::software {
 
 namespace {
 
-constexpr std::uint64_t kNever = ~std::uint64_t(0);
+using Clock = std::chrono::steady_clock;
 
-/// Counts a frame whose draws were refused for their target, where nothing was drawn or refused for
-/// another reason but that the host keeps a list. A frame without draws says nothing.
+LeftAlone::Seen seenOf(const ContextState &state) {
+  const auto countOf = [&](Fallback reason) { return state.fallbacks[std::size_t(reason)]; };
+  LeftAlone::Seen seen = {.drawn = state.drawn,
+                          .refused = countOf(Fallback::Target),
+                          .lists = countOf(Fallback::List),
+                          .passing = countOf(Fallback::Shared) + countOf(Fallback::Compiling)};
+  seen.others = std::accumulate(state.fallbacks.begin(), state.fallbacks.end(), std::uint64_t(0)) -
+                seen.refused - seen.lists;
+  return seen;
+}
+
+/// Counts a frame in which the rasterizer drew nothing. A frame without draws says nothing.
 void judge(const ContextState &state, LeftAlone &left) {
-  const std::uint64_t refused = state.fallbacks[std::size_t(Fallback::Target)];
-  const std::uint64_t others =
-      std::accumulate(state.fallbacks.begin(), state.fallbacks.end(), state.drawn) - refused -
-      state.fallbacks[std::size_t(Fallback::List)];
-  if (others != left.othersSeen)
+  const LeftAlone::Seen now = seenOf(state), before = std::exchange(left.seen, now);
+  const bool drew = now.drawn != before.drawn;
+  if (drew || now.others != before.others)
     left.refusedFrames = 0;
-  else if (refused != left.refusedSeen)
+  else if (now.refused != before.refused)
     ++left.refusedFrames;
-  left.refusedSeen = refused;
-  left.othersSeen = others;
+  if (drew || now.passing != before.passing)
+    left.gainlessFrames = 0;
+  else if (now.refused + now.lists + now.others != before.refused + before.lists + before.others)
+    left.gainlessFrames = state.lacked ? left.gainlessFrames + 1 : 0;
+  if (drew)
+    left.mostGainless = kGainlessFrames;
+}
+
+bool gainsNothing(const LeftAlone &left) {
+  return left.refusedFrames >= (left.before ? kRefusedAgain : kRefusedFrames) ||
+         left.gainlessFrames >= left.mostGainless;
 }
 
 void leave(Context &context, LeftAlone &left) {
+  ContextState &state = *context.software;
   invalidateProgram(context);
+  state.history.look.becomesHosts(); // whatever is drawn meanwhile
+  keepHistory(state.history);
   Figures figures;
   figures.add(context);
-  context.software->residency.leave();
+  const std::uint64_t patience = left.patience;
+  // A look between, for other times, puts the regular one off by nothing.
+  const std::uint64_t until =
+      left.until > context.frames ? left.until : context.frames + kFramesAlone;
+  const bool keepsLists = left.refusedFrames < kRefusedAgain;
+  state.residency.leave();
   context.software = nullptr;
   context.softwarePossible = context.softwareListens = context.hostIsBehind = false;
   left = {};
   left.before = true;
+  left.mostGainless = kRefusedAgain;
+  left.keepsLists = keepsLists;
   left.figures = figures;
-  left.until = context.frames + kFramesAlone;
+  left.since = context.frames;
+  left.until = until;
+  left.patience = patience;
+}
+
+/// A frame of the host's took its time. The first one pays for the change of sides.
+void time(LeftAlone &left, std::uint64_t frame, Clock::time_point now) {
+  const auto took = now - std::exchange(left.frameEnd, now);
+  const float milliseconds = std::chrono::duration<float, std::milli>(took).count();
+  if (frame < 2)
+    return;
+  if (frame - 2 >= LeftAlone::kTimedFrames)
+    return left.times.look(milliseconds);
+  left.timed[frame - 2] = milliseconds;
+  if (frame - 2 == LeftAlone::kTimedFrames - 1) {
+    float *const middle = left.timed + LeftAlone::kTimedFrames / 2;
+    std::nth_element(left.timed, middle, left.timed + LeftAlone::kTimedFrames);
+    left.times.decide(*middle);
+  }
+}
+
+/// Whether a context that is left alone is to be looked at again.
+bool isToReturn(LeftAlone &left, std::uint64_t frames, Clock::time_point now) {
+  if (left.returns)
+    return false;
+  time(left, frames - left.since, now);
+  if (frames >= left.until) {
+    left.patience = kLeastAlone;
+    return true;
+  }
+  if (!left.times.areOthers() || frames - left.since <= left.patience)
+    return false;
+  left.patience = std::min(2 * left.patience, kFramesAlone);
+  return true;
 }
 
 } // namespace
 
-void leaveOrReturn(Context &context) {
+void leaveOrReturn(Context &context, Clock::time_point now) {
   if (context.insideBeginEnd || context.listMode != 0)
     return;
   const ContextState *const state = context.software.get();
@@ -51,10 +113,10 @@ void leaveOrReturn(Context &context) {
       context.leftAlone = std::make_unique<LeftAlone>();
     LeftAlone &left = *context.leftAlone;
     judge(*state, left);
-    if (left.refusedFrames >= (left.before ? kRefusedAgain : kRefusedFrames))
+    if (gainsNothing(left))
       leave(context, left);
-  } else if (!state && context.leftAlone && context.frames >= context.leftAlone->until) {
-    context.leftAlone->until = kNever;
+  } else if (!state && context.leftAlone && isToReturn(*context.leftAlone, context.frames, now)) {
+    context.leftAlone->returns = true;
     context.softwareRefused = false; // the next draw engages it
     invalidateProgram(context);
   }

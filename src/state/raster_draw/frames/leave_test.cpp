@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/handlers.h"
+#include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/real_host.h"
 
@@ -26,9 +28,27 @@ protected:
       if (context().software)
         context().software->fellBack(reason);
       ++context().frames;
-      leaveOrReturn(context());
+      leaveOrReturn(context(), m_now);
     }
   }
+
+  /// Frames in which the host has a turn for what the rasterizer lacks, and draws for its sake.
+  void gainless(int count) {
+    for (int i = 0; i < count; ++i) {
+      if (context().software) {
+        context().software->lacked = true;
+        context().software->fellBack(Fallback::State);
+      }
+      frames(1, Fallback::Mixed);
+    }
+  }
+  /// A draw after long enough.
+  void returns() {
+    frames(int(kFramesAlone), Fallback::Mixed);
+    engage(context());
+    ASSERT_TRUE(context().software);
+  }
+  std::chrono::steady_clock::time_point m_now{std::chrono::seconds(1)};
 
 private:
   RealHost m_host;
@@ -77,6 +97,86 @@ TEST_F(Leave, NotWhereAnythingElseIsDrawnOrRefused) {
   for (int i = 0; i < 2 * kRefusedFrames; ++i)
     leaveOrReturn(context()); // frames without a draw
   EXPECT_TRUE(context().software);
+}
+
+TEST_F(Leave, WhoseFramesTheHostDrawsForWhatIsLacked) {
+  gainless(kGainlessFrames - 1);
+  EXPECT_TRUE(context().software);
+  gainless(1);
+  EXPECT_FALSE(context().software);
+  EXPECT_TRUE(keepsLists(context())) << "the rasterizer's own draws may come";
+}
+
+TEST_F(Leave, NotWhereTheRasterizerDrawsOrMayDrawSoon) {
+  for (int i = 0; i < 2 * kGainlessFrames; ++i) {
+    ++context().software->drawn;
+    gainless(1);
+  }
+  ASSERT_TRUE(context().software);
+  context().software->lacked = false;
+  frames(2 * kGainlessFrames, Fallback::Mixed);
+  ASSERT_TRUE(context().software) << "nothing is lacked";
+  for (const Fallback passing : {Fallback::Compiling, Fallback::Shared})
+    for (int i = 0; i < 2 * kGainlessFrames; ++i) {
+      context().software->fellBack(passing);
+      gainless(1);
+    }
+  EXPECT_TRUE(context().software);
+}
+
+TEST_F(Leave, FramesThatGainAgainAreWaitedForAsBefore) {
+  gainless(kGainlessFrames);
+  returns();
+  gainless(kRefusedAgain - 1);
+  ASSERT_TRUE(context().software);
+  ++context().software->drawn;
+  gainless(kGainlessFrames);
+  EXPECT_TRUE(context().software);
+  gainless(1);
+  EXPECT_FALSE(context().software);
+}
+
+TEST_F(Leave, FramesOfAnotherTimeAreLookedAtSoon) {
+  gainless(kGainlessFrames);
+  const auto lasts = [&](int milliseconds, int most) {
+    int count = 0;
+    for (; context().softwareRefused && count < most; ++count) {
+      m_now += std::chrono::milliseconds(milliseconds);
+      ++context().frames;
+      leaveOrReturn(context(), m_now);
+    }
+    return count;
+  };
+  EXPECT_EQ(lasts(10, 500), 500) << "as they were";
+  EXPECT_EQ(lasts(20, 500), kOtherFrames) << "behind a title, for one";
+  engage(context());
+  gainless(kRefusedAgain);
+  ASSERT_FALSE(context().software);
+  lasts(10, 20);
+  EXPECT_EQ(20 + lasts(20, 500), int(2 * kLeastAlone) + 1) << "in vain before";
+  engage(context());
+  gainless(kRefusedAgain);
+  const int since = 500 + kOtherFrames + int(2 * kLeastAlone) + 1 + 2 * kRefusedAgain;
+  EXPECT_EQ(lasts(20, 1000), int(kFramesAlone) - since)
+      << "as if it had not been looked at between";
+}
+
+TEST_F(Leave, ListsThatChangeMeanwhileAreTheHosts) {
+  const auto compile = [&] {
+    handlers::NewList(context(), 1, GL_COMPILE);
+    handlers::Begin(context(), GL_POINTS);
+    const bool kept = context().list->keeps();
+    handlers::End(context());
+    handlers::EndList(context());
+    return kept;
+  };
+  EXPECT_TRUE(compile());
+  EXPECT_TRUE(compile());
+  gainless(kGainlessFrames);
+  EXPECT_FALSE(compile());
+  EXPECT_FALSE(compile()) << "known to the host alone";
+  returns();
+  EXPECT_TRUE(compile());
 }
 
 TEST_F(Leave, NotInTheMiddleOfAListOrWhereTheRasterizerIsChosen) {
