@@ -98,7 +98,7 @@ bool isEach(Context &context) {
   return !isHosts(context) && usesRasterizer(context);
 }
 
-/// One of them. Requires: isEach().
+/// True: one of them is drawn. Requires: isEach().
 bool takes(Context &context, const DrawCommand &command) {
   if (context.listMode == 0)
     return drawArrays(context, command);
@@ -106,6 +106,10 @@ bool takes(Context &context, const DrawCommand &command) {
     return true;
   context.list->notePixels();
   return false;
+}
+
+bool takesOrAliases(Context &context, const DrawCommand &command) {
+  return command.count == 0 || takes(context, command) || aliasedDraw(context, command);
 }
 
 } // namespace
@@ -134,10 +138,7 @@ bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const
       return leavesToHost(context);
   if (!isEach(context))
     return false;
-  for (GLsizei i = 0; i < drawCount; ++i)
-    if (const DrawCommand command = {mode, first[i], count[i]};
-        count[i] > 0 && !takes(context, command) && !aliasedDraw(context, command))
-      context.host->DrawArrays(mode, first[i], count[i]);
+  drawEach(context, {mode, first, count, drawCount}, takesOrAliases);
   return true;
 }
 
@@ -151,16 +152,7 @@ bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, G
       return leavesToHost(context);
   if (!isEach(context))
     return false;
-  for (GLsizei i = 0; i < drawCount; ++i) {
-    const GLint base = baseVertices ? baseVertices[i] : 0;
-    const DrawCommand command = {mode, 0, count[i], type, indices[i], base};
-    if (count[i] == 0 || takes(context, command) || aliasedDraw(context, command))
-      continue;
-    if (baseVertices)
-      context.host->DrawElementsBaseVertex(mode, count[i], type, indices[i], base);
-    else
-      context.host->DrawElements(mode, count[i], type, indices[i]);
-  }
+  drawEach(context, {mode, nullptr, count, drawCount, type, indices, baseVertices}, takesOrAliases);
   return true;
 }
 

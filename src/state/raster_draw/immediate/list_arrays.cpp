@@ -315,13 +315,18 @@ bool drawsNone(Context &context, GLenum mode, const GLsizei *count, GLsizei draw
 
 } // namespace
 
+void drawEach(Context &context, const MultiDraw &draws,
+              bool (*takes)(Context &, const DrawCommand &)) {
+  for (GLsizei i = 0; i < draws.drawCount; ++i)
+    if (const DrawCommand command = draws.at(i); !takes(context, command))
+      drawOnHost(*context.host, command, nullptr);
+}
+
 bool aliasedMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
                             GLsizei drawCount) {
   if (drawsNone(context, mode, count, drawCount)) [[likely]]
     return false;
-  for (GLsizei i = 0; i < drawCount; ++i)
-    if (!aliasedDraw(context, {mode, first[i], count[i]}))
-      context.host->DrawArrays(mode, first[i], count[i]);
+  drawEach(context, {mode, first, count, drawCount}, aliasedDraw);
   return true;
 }
 
@@ -330,15 +335,7 @@ bool aliasedMultiDrawElements(Context &context, GLenum mode, const GLsizei *coun
                               const GLint *baseVertices) {
   if (drawsNone(context, mode, count, drawCount)) [[likely]]
     return false;
-  for (GLsizei i = 0; i < drawCount; ++i) {
-    const GLint base = baseVertices ? baseVertices[i] : 0;
-    if (aliasedDraw(context, {mode, 0, count[i], type, indices[i], base}))
-      continue;
-    if (baseVertices)
-      context.host->DrawElementsBaseVertex(mode, count[i], type, indices[i], base);
-    else
-      context.host->DrawElements(mode, count[i], type, indices[i]);
-  }
+  drawEach(context, {mode, nullptr, count, drawCount, type, indices, baseVertices}, aliasedDraw);
   return true;
 }
 

@@ -62,6 +62,9 @@ private:
 [[nodiscard]] bool aliasedDraw(Context &context, const DrawCommand &command);
 [[nodiscard]] bool aliasedDrawRange(Context &context, GLuint start, GLuint end,
                                     const DrawCommand &command);
+/// Draws each of several draws by `takes`, or else on the host.
+void drawEach(Context &context, const MultiDraw &draws,
+              bool (*takes)(Context &, const DrawCommand &));
 [[nodiscard]] bool aliasedMultiDrawArrays(Context &context, GLenum mode, const GLint *first,
                                           const GLsizei *count, GLsizei drawCount);
 [[nodiscard]] bool aliasedMultiDrawElements(Context &context, GLenum mode, const GLsizei *count,

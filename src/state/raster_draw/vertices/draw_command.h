@@ -14,4 +14,25 @@ struct DrawCommand {
   GLint baseVertex = 0;
 };
 
+/// Several draws that are one command. Requires: all arrays are as long as `drawCount`; `first` or
+/// `indices` may be null, and `baseVertices`.
+struct MultiDraw {
+  GLenum mode;
+  const GLint *first;
+  const GLsizei *count;
+  GLsizei drawCount;
+  GLenum indexType = 0;
+  const void *const *indices = nullptr;
+  const GLint *baseVertices = nullptr;
+
+  [[nodiscard]] DrawCommand at(GLsizei i) const {
+    return {.mode = mode,
+            .first = first ? first[i] : 0,
+            .count = count[i],
+            .indexType = indexType,
+            .indices = indices ? indices[i] : nullptr,
+            .baseVertex = baseVertices ? baseVertices[i] : 0};
+  }
+};
+
 } // namespace arbiter::state::software
