@@ -2,9 +2,9 @@
 
 namespace arbiter::state::software {
 
-/// Frames of so many times the time, or such a part of it, are others.
+/// A frame is another one if it takes so many times the time, or such a part of it.
 inline constexpr float kOtherTime = 1.5f;
-/// So many of them in a row are no chance.
+/// The number of such frames in a row that is no chance.
 inline constexpr int kOtherFrames = 8;
 
 /// Tells when an application's frames are others than those that something was decided by, as where

@@ -19,8 +19,8 @@ bool isWords(abi::Layout layout) {
          abi::bytesOf(layout) % 4 == 0;
 }
 
-/// A linear filter that gives the texel alone near its centre: one of bytes (sample_bytes.cpp).
-/// What is weighed in floats keeps the least part of a neighbour.
+/// True if the linear filter gives the texel alone near its centre: one of bytes does
+/// (sample_bytes.cpp), one of floats keeps the least part of a neighbour.
 bool isPlainLinear(const abi::SamplerKey &sampler) {
   const auto isSimple = [](abi::Wrap wrap) {
     return wrap == abi::Wrap::Repeat || wrap == abi::Wrap::ClampToEdge;

@@ -198,7 +198,8 @@ using Steps = std::array<std::array<Value *, 2>, 3>;
 /// A packed texel whose components have 8 bits or less as one of bytes, by the host's steps: it
 /// repeats their bits.
 [[nodiscard]] Value *bytesOfPacked(Code &code, abi::Layout layout, Value *word);
-/// Which bytes of a texel are filtered for `needed` components: bit 0: 0 and 2, bit 1: 1 and 3.
+/// Returns the bytes of a texel that are filtered for `needed` components: bit 0 for 0 and 2, bit 1
+/// for 1 and 3.
 [[nodiscard]] unsigned bytesNeeded(const abi::Format &format, unsigned needed);
 /// Between two levels' texels, as they lie in memory. Requires: filtersBytes().
 [[nodiscard]] Texel mixBytes(Code &code, const Lookup &lookup, Value *first, Value *second,

@@ -181,7 +181,7 @@ AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value
   return axis;
 }
 
-/// Of a wrap mode that repeats: the texels by a coordinate in 256ths of a texel.
+/// Returns the texels of a wrap mode that repeats, by a coordinate in 256ths of a texel.
 /// \param folded the coordinate was in [0,1], or no number
 static AxisTexels repeatedBytes(Code &code, Value *fixed, Value *last, bool folded) {
   llvm::IRBuilder<> &ir = code.ir;
@@ -203,7 +203,7 @@ static AxisTexels repeatedBytes(Code &code, Value *fixed, Value *last, bool fold
   return axis;
 }
 
-/// The same of one that clamps: at either end it is the texel, without a weight.
+/// Returns those of one that clamps: beyond either end it is the last texel, without a weight.
 static AxisTexels clampedBytes(Code &code, Value *fixed, Value *last) {
   llvm::IRBuilder<> &ir = code.ir;
   fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smax, fixed, code.splat(0));
@@ -225,7 +225,7 @@ AxisTexels linearTexelsOfBytes(Code &code, const AxisKey &key, Value *coordinate
   const bool folds = key.wrap == Wrap::Repeat && !(key.powerOfTwo && key.normalized);
   if (folds)
     coordinate = folded(code, key.wrap, coordinate);
-  // What does not fit an integer becomes some texel's.
+  // A coordinate that does not fit an integer becomes some texel's.
   Value *const scale = code.splat(float(1 << kWeightBits));
   Value *const scaled = key.normalized ? ir.CreateFMul(coordinate, ir.CreateFMul(size.real, scale))
                                        : ir.CreateFMul(coordinate, scale);
