@@ -10,12 +10,9 @@ import sys
 
 import sides
 
-ROUNDING = 2
-FEW_PIXELS = 8  # along what was cut
-
 
 def judge(bare, layer):
-    return sides.far_pictures(bare, layer, ROUNDING, FEW_PIXELS) + sides.empty_pictures(bare)
+    return sides.differences(bare, layer) + sides.empty_pictures(bare)
 
 
 def main():

@@ -239,7 +239,24 @@ bool hasFlatInput(const swrast::Shading &shading) {
   return std::find(shading.interpolation, end, abi::Interpolation::Flat) != end;
 }
 
+/// True if no vertex has a colour of its own: the fragments of hosts' fixed function have no such
+/// inputs then.
+bool hasOneColor(const VertexSource &source) {
+  return !source.arrays[kColor].base && !source.arrays[kSecondary].base;
+}
+
 } // namespace
+
+/// As llvmpipe cuts quads: in lists and by indices, and where the provoking vertex counts.
+bool Pipeline::cutsSecondDiagonal(const Context &context, const VertexSource &source,
+                                  const IndexRange &indices, const swrast::Shading &shading) const {
+  if (source.fromList || indices.indices)
+    return true;
+  const bool isFixed = !m_compiled && hasFixedVertices();
+  const bool isUnlit = !context.software->mirror.vertex.lighting;
+  return m_raster.flatShade && hasFlatInput(shading) &&
+         !(isFixed && isUnlit && hasOneColor(source));
+}
 
 Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
                             std::uint32_t count, abi::Interpolation inputs,
@@ -250,7 +267,7 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
       !outcome.ok())
     return outcome;
   m_raster.partsProvokeOtherwise = primitives.provokingIsFirst != m_raster.provokingIsFirst;
-  m_raster.secondDiagonal = source.fromList || (m_raster.flatShade && hasFlatInput(*shading));
+  m_raster.secondDiagonal = cutsSecondDiagonal(context, source, indices, *shading);
   m_raster.inOtherPath = takesOtherPath(context.software->mirror, m_vertices.isTwoSided());
   swrast::DrawQueue &draws = context.software->draws;
   if (draws.add(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0, count,

@@ -102,6 +102,9 @@ private:
                     std::uint32_t first, std::uint32_t count, bool later);
   Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t count, abi::Interpolation inputs, const Joining &primitives);
+  [[nodiscard]] bool cutsSecondDiagonal(const Context &context, const VertexSource &source,
+                                        const IndexRange &indices,
+                                        const swrast::Shading &shading) const;
   /// The functions, the targets and what pixels are drawn with; nothing has been drawn before.
   Outcome readyPixels(Context &context, const IndexRange &indices, std::uint32_t count,
                       abi::Interpolation inputs, swrast::Topology topology,

@@ -1,8 +1,9 @@
 // Filled polygons of any corners: rasterizer-polygons SEED COUNT. Each seed is a picture of each
-// kind, of quads that are not flat and cross themselves too, by either provoking vertex, in lists,
-// lit on both sides, culled, stippled, cut by the view or by planes of the application. What
-// overlaps tells which half of a quad is drawn first, and how it is cut. Writes the pictures as
-// records. run_polygons.py compares.
+// kind, of quads that are not flat and cross themselves too, by either provoking vertex, from Begin
+// and End, arrays, elements and lists, with one colour or many, in fog, lit on both sides, culled,
+// stippled, cut by the view or by planes of the application. What overlaps tells which half of a
+// quad is drawn first, and colours and fog how it is cut. Writes the pictures as records.
+// run_polygons.py compares.
 #include <array>
 #include <string>
 
@@ -23,9 +24,35 @@ constexpr Kind kKinds[] = {{"triangles", GL_TRIANGLES, 6},   {"strip", GL_TRIANG
                            {"fan", GL_TRIANGLE_FAN, 6},      {"quads", GL_QUADS, 8},
                            {"quad strip", GL_QUAD_STRIP, 8}, {"polygon", GL_POLYGON, 5}};
 
+constexpr std::size_t kMostCorners = 8;
+constexpr const char *kWays[] = {"by Begin", "by arrays", "by elements"};
+
 class Picture : PictureByChance {
 public:
   explicit Picture(std::uint64_t seed) : PictureByChance(seed) {}
+
+  /// All ways to give quads in fog, and what decides how they are cut.
+  void drawWays(const std::string &seed, const Kind &kind) {
+    for (const GLenum shade : {GL_FLAT, GL_SMOOTH})
+      for (const GLenum provoking : {GL_FIRST_VERTEX_CONVENTION, GL_LAST_VERTEX_CONVENTION})
+        for (const char *const way : kWays)
+          for (const bool oneColor : {false, true}) {
+            glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+            glShadeModel(shade);
+            glProvokingVertex(provoking);
+            fog(true);
+            m_way = way;
+            m_oneColor = oneColor;
+            for (int i = 0; i < kPrimitives; ++i) {
+              glFlush(); // Mesa takes a colour behind vertices that wait for one of theirs
+              primitive(kind, 0.95f);
+            }
+            record(seed + " " + kind.name + (shade == GL_FLAT ? " flat" : "") +
+                       (provoking == GL_FIRST_VERTEX_CONVENTION ? " first " : " ") + way +
+                       (oneColor ? " of one colour" : ""),
+                   readRgba(0, 0, kEdge, kEdge));
+          }
+  }
 
   void draw(const std::string &seed, const Kind &kind) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -41,6 +68,10 @@ public:
       byte = GLubyte(m_random.below(256));
     glPolygonStipple(pattern.data());
     cut(some("cut"));
+    fog(some("fogged"));
+    m_way = m_random.pick(kWays);
+    m_name += std::string(" ") + m_way;
+    m_oneColor = some("of one colour");
     const float reach = some("leaving") ? 1.7f : 0.95f;
     const bool listed = some("listed");
     for (int i = 0; i < kPrimitives; ++i) {
@@ -68,6 +99,15 @@ private:
     set(GL_COLOR_MATERIAL, on);
   }
 
+  static void fog(bool on) {
+    constexpr GLfloat kBlue[] = {0, 0.2f, 1, 1};
+    set(GL_FOG, on);
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    glFogf(GL_FOG_START, -1);
+    glFogf(GL_FOG_END, 1);
+    glFogfv(GL_FOG_COLOR, kBlue);
+  }
+
   void cut(bool on) {
     for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 2; ++plane) {
       const std::array<GLdouble, 4> equation = {double(real(-1, 1)), double(real(-1, 1)),
@@ -80,13 +120,40 @@ private:
   void primitive(const Kind &kind, float reach) {
     const float x = real(-0.6f, 0.6f), y = real(-0.6f, 0.6f), size = real(0.1f, 1);
     const auto at = [&](float middle) { return reach * (middle + size * real(-0.4f, 0.4f)); };
-    glBegin(kind.mode);
-    for (int i = 0; i < kind.corners; ++i) {
-      glColor4f(real(0.1f, 1), real(0.1f, 1), 0, 1);
-      glVertex3f(at(x), at(y), reach * real(-0.9f, 0.9f));
+    std::array<std::array<float, 4>, kMostCorners> colors;
+    std::array<std::array<float, 3>, kMostCorners> places;
+    for (auto &color : colors)
+      color = {real(0.1f, 1), real(0.1f, 1), 0, 1};
+    for (auto &place : places)
+      place = {at(x), at(y), reach * real(-0.9f, 0.9f)};
+    if (m_oneColor)
+      glColor4fv(colors[0].data());
+    if (m_way == kWays[0]) {
+      glBegin(kind.mode);
+      for (std::size_t i = 0; i < std::size_t(kind.corners); ++i) {
+        if (!m_oneColor)
+          glColor4fv(colors[i].data());
+        glVertex3fv(places[i].data());
+      }
+      glEnd();
+      return;
     }
-    glEnd();
+    glVertexPointer(3, GL_FLOAT, 0, places.data());
+    glColorPointer(4, GL_FLOAT, 0, colors.data());
+    glEnableClientState(GL_VERTEX_ARRAY);
+    if (!m_oneColor)
+      glEnableClientState(GL_COLOR_ARRAY);
+    constexpr GLubyte kIndices[kMostCorners] = {0, 1, 2, 3, 4, 5, 6, 7};
+    if (m_way == kWays[1])
+      glDrawArrays(kind.mode, 0, kind.corners);
+    else
+      glDrawElements(kind.mode, kind.corners, GL_UNSIGNED_BYTE, kIndices);
+    glDisableClientState(GL_VERTEX_ARRAY);
+    glDisableClientState(GL_COLOR_ARRAY);
   }
+
+  const char *m_way = nullptr; ///< one of kWays
+  bool m_oneColor = false;
 };
 
 } // namespace
@@ -99,7 +166,10 @@ int main(int argc, char **argv) {
               [seed](const std::string &name, const Kind &kind, std::size_t index) {
                 glEnable(GL_DEPTH_TEST);
                 glDepthFunc(GL_ALWAYS);
-                Picture(std::uint64_t(seed) * std::size(kKinds) + index).draw(name, kind);
+                Picture picture(std::uint64_t(seed) * std::size(kKinds) + index);
+                if (index == 0 && seed % 4 == 0) // before any state is set
+                  picture.drawWays(name, kKinds[3]);
+                picture.draw(name, kind);
               });
   };
   return drawSeeds(argc, argv, kEdge, nullptr, draw);
