@@ -116,7 +116,7 @@ private:
     const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, *m_flow, *m_spans,
                                      m_function->getArg(0), inGroup);
     if (!samples.any()) {
-      writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count);
+      writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
       m_ir.CreateBr(next);
       return;
     }
@@ -124,7 +124,7 @@ private:
     auto *const some = block("some");
     m_ir.CreateCondBr(samples.good(), some, general);
     m_ir.SetInsertPoint(general);
-    writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count);
+    writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
     m_ir.CreateBr(next);
 
     auto *const edge = block("edge");
@@ -136,11 +136,11 @@ private:
     llvm::PHINode *const end = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
     begin->addIncoming(m_ir.getInt32(0), some);
     end->addIncoming(samples.begin(), some);
-    writeLoop(SamplePath::Edge, &samples, begin, end);
+    writeLoop(SamplePath::Edge, &samples, begin, end, count);
     m_ir.CreateCondBr(m_ir.CreateICmpEQ(end, count), next, fast);
     m_ir.SetInsertPoint(fast);
     const auto writeFast = [&](SamplePath path) {
-      writeLoop(path, &samples, samples.begin(), samples.end());
+      writeLoop(path, &samples, samples.begin(), samples.end(), count);
       begin->addIncoming(samples.end(), m_ir.GetInsertBlock());
       end->addIncoming(count, m_ir.GetInsertBlock());
       m_ir.CreateBr(edge);
@@ -173,8 +173,9 @@ private:
                          m_bytes.target, nullptr);
   }
 
-  /// Vectors of the span's pixels [begin, end), of which the last may be incomplete.
-  void writeLoop(SamplePath path, const ConsecutiveSamples *samples, Value *begin, Value *end) {
+  /// Vectors of [begin, end); the last may be incomplete only where the span ends.
+  void writeLoop(SamplePath path, const ConsecutiveSamples *samples, Value *begin, Value *end,
+                 Value *count) {
     llvm::BasicBlock *const before = m_ir.GetInsertBlock();
     auto *const body = block("pixels");
     auto *const after = block("after");
@@ -185,7 +186,7 @@ private:
     PixelPlace place;
     place.lanes = abi::Lanes::Row;
     place.column = column;
-    place.remaining = m_ir.CreateSub(end, column);
+    place.remaining = m_ir.CreateSub(count, column);
     place.covered = m_ir.CreateICmpSLT(m_code.iota(), m_code.splat(place.remaining));
     m_interpolator.setLanes(m_ir.CreateAdd(m_code.splat(column), m_code.iota()), nullptr);
     m_pixels.prefetch(place);

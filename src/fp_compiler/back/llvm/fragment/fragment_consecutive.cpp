@@ -63,20 +63,13 @@ ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &p
         found[i] = find(i, *flow.coordinate(i));
     if (found.empty())
       return;
-    // Whole vectors: an incomplete one costs the edges' loop no more. The vectors of a long span
-    // begin where columns are multiples of theirs: half of a rectangle begins anywhere, and stores
-    // across lines of the cache cost more than one more vector. Behind a row 64 bytes may be read,
-    // which are less than a vector of larger texels.
+    // Whole vectors: an incomplete one costs the edges' loop no more. Behind a row 64 bytes may be
+    // read, which are less than a vector of larger texels.
     bool large = false;
     for (const auto &[index, sample] : found)
       large |= abi::bytesOf(samplerOf(program, key, index).format.layout) > 4;
     Value *const mask = integer(-code.lanes);
-    constexpr int kLongVectors = 8;
-    Value *const isLong = ir.CreateICmpSGE(spans.count(), integer(kLongVectors * code.lanes));
-    Value *const beyond =
-        ir.CreateSelect(isLong, ir.CreateAnd(spans.x(), ir.CreateNot(mask)), integer(0));
-    m_begin = ir.CreateAdd(ir.CreateAdd(m_begin, beyond), integer(code.lanes - 1));
-    m_begin = ir.CreateSub(ir.CreateAnd(m_begin, mask), beyond);
+    m_begin = ir.CreateAnd(ir.CreateAdd(m_begin, integer(code.lanes - 1)), mask);
     Value *const length = ir.CreateSub(m_end, m_begin);
     Value *const whole = ir.CreateAdd(m_begin, ir.CreateAnd(length, mask));
     m_end = large ? whole : ir.CreateSelect(ir.CreateICmpEQ(m_end, spans.count()), m_end, whole);

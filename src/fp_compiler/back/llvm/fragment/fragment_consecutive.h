@@ -28,8 +28,9 @@ public:
   [[nodiscard]] bool any() const { return !m_samples.empty(); }
   /// i1: whether all of them are consecutive over the whole span, but for wrapping.
   [[nodiscard]] Value *good() const { return m_good; }
-  /// Pixels [begin, end) of the span, counted from its first, in which none wraps: whole vectors,
-  /// unless they end with the span. Both are the span's count where there are none.
+  /// Pixels [begin, end) of the span, counted from its first, in which none wraps: a whole number
+  /// of vectors after its start, and whole ones unless it ends with the span. Both are the span's
+  /// count where there are none.
   [[nodiscard]] Value *begin() const { return m_begin; }
   [[nodiscard]] Value *end() const { return m_end; }
   /// Whether the texture instruction \p index is one of them.

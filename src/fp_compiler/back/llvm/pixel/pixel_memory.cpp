@@ -148,7 +148,7 @@ void PixelMemory::store(const PixelPlace &place, Value *value, int parts, Value 
     ir.CreateMaskedStore(value, pointer, align, widened(mask, parts));
     return;
   }
-  // Only the last vector of a stretch may be incomplete.
+  // Only a span's last vector may be incomplete.
   llvm::Function *const function = ir.GetInsertBlock()->getParent();
   auto *const whole = llvm::BasicBlock::Create(m_code.context(), "whole", function);
   auto *const tail = llvm::BasicBlock::Create(m_code.context(), "tail", function);
