@@ -20,10 +20,13 @@ public:
         false; ///< images went up to the host or came down in it, beyond what showing it takes
     bool plain = false; ///< all of it was fixed function, and drawn by the rasterizer
     bool keeps = false; ///< the host's would look otherwise (kept_look.h)
-    std::chrono::nanoseconds processor{}; ///< the process's time at the frame's end; 0: not known
+    /// The process's time at the frame's end; 0: not known. Only frames that are tried want it.
+    std::chrono::nanoseconds processor{};
   };
   /// False: draws are the host's for now.
   [[nodiscard]] bool engaged() const { return m_phase != Phase::TryHost && m_phase != Phase::Host; }
+  /// Frames are compared: those of one side are drawn now.
+  [[nodiscard]] bool tries() const { return m_phase != Phase::Software && m_phase != Phase::Host; }
   /// These are frames of the rasterizer's after others of the host's: what the host drew is known
   /// by its looks.
   [[nodiscard]] bool followsHost() const {

@@ -86,7 +86,8 @@ void judge(Context &context, bool moved) {
   }
   state.hostDrew = state.depthsTested = false;
   state.history.backOff.frameEnded(
-      {moved, plain, state.history.look.isRasterizers(), processorTime()},
+      {moved, plain, state.history.look.isRasterizers(),
+       state.history.backOff.tries() ? processorTime() : std::chrono::nanoseconds()},
       std::chrono::steady_clock::now());
   if (drew && !state.steady)
     keepHistory(state.history);
