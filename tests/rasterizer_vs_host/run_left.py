@@ -16,21 +16,18 @@ import tempfile
 import sides
 from x_server import XServer
 
-FRAMES = 1080
-# Draws of a frame that are refused for their target, with a list's; such frames until the context is left alone,
-# those in which it is looked at again and draws to a texture, too, and two of each look between: on a busy machine
-# frames take another time, which is looked at after 32, 64, ... 512 frames.
-DRAWS, REFUSED_FRAMES = 4, 8 + 80 + 2 * 5
-
-
-# The same of mixed frames; those that are the rasterizer's later are judged by what it draws.
-MIXED_FRAMES = 8 + 2 * 6 + 4
+FRAMES = 1300  # of which the last 300 have what is the rasterizer's
+DRAWS = 4  # of a frame
+# A context that is left alone has few draws that are refused, but for those of the last frames to the window of four
+# samples; another has all. A busy machine looks at it more often, as frames take another time, and leaves it later, as
+# a frame says nothing while machine code is made. Half of all draws tells one from the other.
+MOST = DRAWS * FRAMES // 2
 
 
 def judge(bare, layer, part):
     wrong = sides.differences(bare, layer)
     refused = part.get("given_to_host", {}).get("target", 0)
-    if not 0 < refused <= DRAWS * REFUSED_FRAMES:
+    if not 0 < refused <= MOST:
         wrong.append(f"{refused} draws are refused for their target")
     return wrong
 
@@ -38,7 +35,7 @@ def judge(bare, layer, part):
 def judge_mixed(bare, layer, part):
     wrong = sides.differences(bare, layer)
     refused = part.get("given_to_host", {}).get("mixed-frame", 0)
-    if refused > DRAWS * MIXED_FRAMES:
+    if refused > MOST:
         wrong.append(f"{refused} draws are the host's for the frame's sake")
     return wrong
 

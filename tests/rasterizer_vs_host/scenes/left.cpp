@@ -1,7 +1,7 @@
 // Windows in which nothing is the rasterizer's: rasterizer-left FRAMES samples|mixed. Lists, Begin
 // and End, arrays and a program draw in each frame. The one has four samples a pixel, and in the
-// last hundred frames a texture is drawn to as well. In the other pixels that only the host draws
-// are in all frames but the last hundred.
+// last 300 frames a texture is drawn to as well. In the other pixels that only the host draws
+// are in all frames but the last 300.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace software {
 namespace {
 
 constexpr int kEdge = 64;
-constexpr int kLast = 100; ///< frames that are the rasterizer's too
+constexpr int kLast = 300; ///< frames that are the rasterizer's too
 
 GLXFBConfig choose(Display *display, int samples) {
   const int wanted[] = {GLX_RENDER_TYPE,
