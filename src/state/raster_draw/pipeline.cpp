@@ -247,7 +247,8 @@ bool hasOneColor(const VertexSource &source) {
 
 } // namespace
 
-/// As llvmpipe cuts quads: in lists and by indices, and where the provoking vertex counts.
+/// True where llvmpipe cuts quads from the second corner to the fourth: in lists, by indices, and
+/// where the provoking vertex counts.
 bool Pipeline::cutsSecondDiagonal(const Context &context, const VertexSource &source,
                                   const IndexRange &indices, const swrast::Shading &shading) const {
   if (source.fromList || indices.indices)

@@ -30,7 +30,7 @@ struct LeftAlone {
     std::uint64_t refused = 0; ///< for their target
     std::uint64_t others = 0;  ///< refused for another reason, but that the host keeps a list
     std::uint64_t lists = 0;   ///< that the host keeps
-    /// Those of `others` that say nothing: a neighbour may be gone, and code there, in a moment.
+    /// Part of `others` that says nothing: a neighbour may be gone, and code there, in a moment.
     std::uint64_t passing = 0;
   };
   Seen seen;
