@@ -95,8 +95,8 @@ struct RasterState {
   std::int32_t lineStippleFactor = 0; ///< 0: off
   const std::uint8_t *polygonStipple =
       nullptr; ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
-  /// Quads are cut from their second corner to the fourth: so do hosts where they come from a list,
-  /// and where the provoking vertex counts, as the fourth one then is in both triangles.
+  /// Quads are cut from their second corner to the fourth. Hosts do so in a list, by indices, and
+  /// where the provoking vertex counts, as the fourth one then is in both triangles.
   bool secondDiagonal = false;
   /// Hosts draw it in the path in which they clip (cutsOtherwise()).
   bool inOtherPath = false;

@@ -27,7 +27,7 @@ struct LineEnds {
 [[nodiscard]] bool provokesFirst(const RasterState &state, Topology topology);
 /// Whether quads of a draw are cut otherwise (triangleAt()). Hosts clip and stipple in another path
 /// than the plain one, which cuts them so; and the plain one does, but not with strips, where the
-/// provoking vertex counts or is the first, and in lists.
+/// provoking vertex counts or is the first, by indices and in lists.
 [[nodiscard]] inline bool cutsOtherwise(const RasterState &state, Topology topology, bool clipped) {
   return clipped || state.inOtherPath || state.polygonStipple != nullptr ||
          (topology != Topology::QuadStrip && (state.secondDiagonal || state.provokingIsFirst));

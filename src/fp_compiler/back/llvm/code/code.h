@@ -83,9 +83,8 @@ struct SampleAt {
 /// \param unit the TextureView
 struct Texel {
   Vec rgba = {};
-  /// Where the texel is one U8x4 texel as it lies in memory (nearest filter, or a map that is
-  /// exact) and no arithmetic was done: the raw 32 bits, so that storing it unchanged needs none
-  /// either.
+  /// The 32 bits of a U8x4 texel as it lies in memory, where it is one or a filter made its bytes:
+  /// storing it unchanged needs no arithmetic. Else null.
   Value *packed = nullptr;
 };
 [[nodiscard]] Texel sample(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
