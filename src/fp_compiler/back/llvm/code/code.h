@@ -87,6 +87,10 @@ struct Texel {
   /// storing it unchanged needs no arithmetic. Else null.
   Value *packed = nullptr;
 };
+/// True if hosts filter bytes in bytes with the wrap mode: it needs neither a border nor a mirror.
+[[nodiscard]] constexpr bool isSimple(abi::Wrap wrap) {
+  return wrap == abi::Wrap::Repeat || wrap == abi::Wrap::ClampToEdge;
+}
 [[nodiscard]] Texel sample(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
                            const SampleAt &at, unsigned needed);
 

@@ -22,9 +22,6 @@ bool isWords(abi::Layout layout) {
 /// True if the linear filter gives the texel alone near its centre: one of bytes does
 /// (sample_bytes.cpp), one of floats keeps the least part of a neighbour.
 bool isPlainLinear(const abi::SamplerKey &sampler) {
-  const auto isSimple = [](abi::Wrap wrap) {
-    return wrap == abi::Wrap::Repeat || wrap == abi::Wrap::ClampToEdge;
-  };
   return abi::isPlainWord(sampler.format) && isSimple(sampler.wrap[0]) && isSimple(sampler.wrap[1]);
 }
 } // namespace

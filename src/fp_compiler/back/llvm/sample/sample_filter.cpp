@@ -84,11 +84,9 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
 bool filtersBytes(const Lookup &lookup) {
   if (!fitsBytes(lookup.key.format))
     return false;
-  for (int i = 0; i < lookup.dimensions; ++i) {
-    const abi::Wrap wrap = axisKey(lookup.key, i).wrap;
-    if (wrap != abi::Wrap::Repeat && wrap != abi::Wrap::ClampToEdge)
+  for (int i = 0; i < lookup.dimensions; ++i)
+    if (!isSimple(axisKey(lookup.key, i).wrap))
       return false;
-  }
   return true;
 }
 
