@@ -227,8 +227,8 @@ def ati_words(tables):
 
 def nvparse_words(tables):
     out = ["\n## nvparse's texts\n",
-           'Register combiners (`!!RC1.0`, [register_combiners.md](register_combiners.md)) and texture '
-           'shaders (`!!TS1.0`, [texture_shaders.md](texture_shaders.md)). The number is that of the '
+           'Register combiners (`!!RC1.0`, [register_combiners.md](../write/register_combiners.md)) and texture '
+           'shaders (`!!TS1.0`, [texture_shaders.md](../write/texture_shaders.md)). The number is that of the '
            'NV_texture_shader that has the stage.\n', '| word | text | what it is |', '|---|---|---|']
     for _, word, count, doc in rows_of(tables, 'RC_REGISTER'):
         names = f'`{word}`' if count == '0' else f'`{word}0` to `{word}{int(count) - 1}`'
@@ -301,8 +301,8 @@ def panel_argument(row):
 def panel_words():
     source = 'src/scene/words.def'
     out = ['# Words of `#@` lines\n', GENERATED.format(source=source),
-           'docs/builder.md says how a line is written. An argument is its name and a number; in '
-           'the tables stand its default and its range.\n',
+           '[The Shader Builder](../write/builder.md) says how a line is written. An argument is its name and '
+           'a number; the tables have its default and its range.\n',
            '## Settings\n', '| word | what follows | meaning |', '|---|---|---|']
     for _, word, form, meaning in rows_of(ROOT / source, 'PANEL_SETTING'):
         form = form.replace('|', '\\|')
@@ -353,7 +353,7 @@ def manual7():
 def entry_points():
     """A check where another gl.xml, or none, is installed takes the page as it stands: it names the
     one that it was made from."""
-    path = DOCS / 'entry_points.md'
+    path = DOCS / 'reference' / 'entry_points.md'
     written = path.read_text() if path.exists() else ''
     other = not coverage.GL_XML.exists() or f'gl.xml ({coverage.digest()})' not in written
     if '--check' in sys.argv and written and other:
@@ -362,13 +362,13 @@ def entry_points():
 
 
 PAGES = {
-    'entry_points.md': entry_points,
-    'opcodes.md': opcodes,
-    'keywords.md': words,
-    'flags.md': flags,
-    'profiles.md': profiles,
-    'diagnostics.md': diagnostics,
-    'panel_words.md': panel_words,
+    'reference/entry_points.md': entry_points,
+    'reference/opcodes.md': opcodes,
+    'reference/keywords.md': words,
+    'reference/flags.md': flags,
+    'reference/profiles.md': profiles,
+    'reference/diagnostics.md': diagnostics,
+    'reference/panel_words.md': panel_words,
     'man/arbiter.7': manual7,
 }
 

@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034  # the arrays are read by ./dev
-# Debian's packages by what needs them; docs/dependencies.md says why each is here. NAME|OTHER is what one
+# Debian's packages by what needs them; docs/design/dependencies.md says why each is here. NAME|OTHER is what one
 # release of Debian calls differently from another: the first that is installed or can be.
 
 # The layer, the command and the demonstrations: what compiles, and the software GL they run on.
