@@ -17,6 +17,7 @@ sys.path.insert(0, str(ROOT / 'src' / 'fp_compiler' / 'hw'))
 sys.path.insert(0, str(ROOT / 'src' / 'dispatch'))
 import coverage  # noqa: E402
 import generate_profiles  # noqa: E402
+import tried_programs  # noqa: E402
 
 
 class Broken(Exception):
@@ -369,6 +370,7 @@ PAGES = {
     'reference/profiles.md': profiles,
     'reference/diagnostics.md': diagnostics,
     'reference/panel_words.md': panel_words,
+    'use/programs.md': tried_programs.page,
     'man/arbiter.7': manual7,
 }
 
