@@ -30,6 +30,7 @@ text { font: 13px "DejaVu Sans", Verdana, sans-serif; fill: #1f2328; }
   .bar0 { fill: #4493f8; } .bar1 { fill: #d29922; } .bound { stroke: #f85149; }
 }
 """
+SCENES = {"scene, fixed-function vertices": "100,000 triangles", "scene, vertex program": "with a vertex program"}
 LEFT, WIDTH, BAR, GAP, TOP = 170, 760, 11, 12, 62
 
 
@@ -58,7 +59,7 @@ def draw(documents):
            "<title>How many times faster than llvmpipe Arbiter's rasterizer draws</title>",
            f"<style>{STYLE}</style>", f'<rect class="back" width="{WIDTH}" height="{height}"/>',
            '<text class="title" x="12" y="22">Times faster than llvmpipe '
-           f'({size}x{size}; the red line is the bound that a test holds)</text>']
+           f'({size}x{size}; the red line is the bound that is aimed at)</text>']
     for index, document in enumerate(documents):
         x = 12 + 260 * index
         out.append(f'<rect class="bar{index}" x="{x}" y="34" width="12" height="12"/>'
@@ -69,7 +70,7 @@ def draw(documents):
                    f'<text class="small" x="{x:.1f}" y="{height - 10}" text-anchor="middle">{place}</text>')
     for line, name in enumerate(rows):
         y = TOP + line * step
-        label = name.replace("scene, ", "").replace("fixed-function vertices", "100,000 triangles")
+        label = SCENES.get(name, name)
         out.append(f'<text x="{LEFT - 8}" y="{y + step / 2 - 1:.1f}" text-anchor="end">{escape(label)}</text>')
         for index, document in enumerate(documents):
             row = next(row for row in shown_rows(document) if row["name"] == name)

@@ -24,7 +24,8 @@ SETTINGS = '''
 ## Programs with settings built in
 
 Arbiter sets these by itself when it finds a program of that name. The column "set" is what you would give to
-`arbiter run` for another build of the program under another name. [Defaults](defaults.md) explains how entries are found and added.
+`arbiter run` for another build of the program under another name. [Defaults](defaults.md) explains how entries are
+found and added.
 
 Most of these programs copy the list of extensions into a buffer that is too small for a driver of today. The faults
 are documented in the sources of each row. A test starts a client of the project under each name, which

@@ -35,6 +35,8 @@ packages_package=(dpkg-dev debhelper fakeroot ccache)
 # mmdebstrap asks arch-test whether programs of a second architecture run here.
 packages_package_chroot=(mmdebstrap arch-test)
 packages_package_check=(lintian g++-mingw-w64-x86-64 g++-mingw-w64-i686)
+packages_docs=(mkdocs chromium)
+packages_pictures=(mplayer ffmpeg xvfb python3-pil fonts-dejavu-core)
 packages_tarball=(patchelf xz-utils)
 packages_arm64=(g++-aarch64-linux-gnu qemu-user)
 packages_i386=(g++-i686-linux-gnu patchelf)
