@@ -23,8 +23,7 @@ import links  # noqa: E402
 from references import tracked  # noqa: E402
 
 ROOT_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "bench/README.md", "demos/README.md", "editors/README.md")
-SECTIONS = (("Run programs", "use"), ("Write programs", "write"), ("Work on a driver", "driver"), ("Design", "design"),
-            ("Reference", "reference"))
+SECTIONS = (("Run", "use"), ("Write", "write"), ("Driver", "driver"), ("Design", "design"), ("Reference", "reference"))
 EXTRA = {"css": HERE / "site.css", "js": HERE / "site.js"}
 
 
@@ -88,7 +87,7 @@ def navigation(titles):
     index = (ROOT / links.INDEX).read_text()
     order = [links.resolved(links.INDEX, target.partition("#")[0])
              for target in links.LINK.findall(links.FENCE.sub(links.blank, index))]
-    nav = [{"Arbiter": "README.md"}, {"All pages": links.INDEX}]
+    nav = [{"Arbiter": "README.md"}, {"Pages": links.INDEX}]
     for title, folder in SECTIONS:
         pages = [page for page in order if page in titles and page.startswith(f"docs/{folder}/")]
         nav.append({title: [{titles[page]: page} for page in pages]})
