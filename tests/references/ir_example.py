@@ -27,7 +27,8 @@ def main(command, root):
             told = subprocess.run([command, "compile", *options, str(program)], capture_output=True, text=True)
             if told.stdout != written or told.returncode:
                 wrong += 1
-                print(f"{PAGE}: arbiter compile {' '.join(options)} prints\n{told.stdout}{told.stderr}", file=sys.stderr)
+                print(f"{PAGE}: arbiter compile {' '.join(options)} prints\n{told.stdout}{told.stderr}",
+                      file=sys.stderr)
     print(f"{len(EMITTED) - wrong} passed, {wrong} failed, 0 skipped")
     return 1 if wrong else 0
 
