@@ -94,7 +94,7 @@ def table(documents):
         window = shown.get(row["name"] + ", shown")
         cells = [row["name"].replace("scene, ", "100,000 triangles, "),
                  *(f"{row[side]:g}" if side in row else "" for side in ("bare", "layered")), tidy(row["figure"]),
-                 f"{row['low']:g} to {row['high']:g}" if "low" in row else "", f"{row['bound']:g}",
+                 f"{row['low']:g}–{row['high']:g}" if "low" in row else "", f"{row['bound']:g}",
                  tidy(window["figure"]) if window else ""]
         for other in others:
             cells.append(tidy(next(each["figure"] for each in shown_rows(other) if each["name"] == row["name"])))

@@ -196,7 +196,7 @@ def shoot(address, folder, scheme):
                 file = pathlib.Path(profile) / "frame.html"
                 file.write_text(frame)
                 subprocess.run(chromium(profile, scheme, f"--window-size={max(width, 500)},1400",
-                                        f"--screenshot={png}", file.as_uri()),
+                                        "--virtual-time-budget=5000", f"--screenshot={png}", file.as_uri()),
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=60)
 
 
