@@ -245,10 +245,10 @@ def nvparse_words(tables):
 def flags():
     source = 'src/util/flags.def'
     out = ['# Environment variables and debug flags\n', GENERATED.format(source=source),
+           'Normally no variable needs to be set. `arbiter run` sets these variables from its options. '
            'The environment is read once per process with `secure_getenv`, so a set-user-id program '
            'sees none of it. A value that cannot be used (unknown, longer than 4096 bytes, with '
-           'control characters) is reported once in the log and ignored. `arbiter run` sets these '
-           'variables from its options.\n',
+           'control characters) is reported once in the log and ignored.\n',
            '| variable | values | default | meaning |', '|---|---|---|---|']
     for _, name, values, fallback, doc in rows_of(ROOT / source, 'ARBITER_ENV'):
         shown = values.replace('|', '\\|')
