@@ -331,7 +331,8 @@ def unread_flags():
 
 
 def profiles():
-    return generate_profiles.as_markdown(*generate_profiles.read_all())
+    page = generate_profiles.as_markdown(*generate_profiles.read_all())
+    return re.sub(r'(?<=\| )docs/(\w+)/(\w+\.md)', r'[\2](../\1/\2)', page)  # sources
 
 
 def roff(text):
