@@ -17,6 +17,7 @@ sys.path.insert(0, str(ROOT / 'src' / 'fp_compiler' / 'hw'))
 sys.path.insert(0, str(ROOT / 'src' / 'dispatch'))
 import coverage  # noqa: E402
 import generate_profiles  # noqa: E402
+import tried_programs  # noqa: E402
 
 
 class Broken(Exception):
@@ -227,8 +228,8 @@ def ati_words(tables):
 
 def nvparse_words(tables):
     out = ["\n## nvparse's texts\n",
-           'Register combiners (`!!RC1.0`, [register_combiners.md](register_combiners.md)) and texture '
-           'shaders (`!!TS1.0`, [texture_shaders.md](texture_shaders.md)). The number is that of the '
+           'Register combiners (`!!RC1.0`, [register_combiners.md](../write/register_combiners.md)) and texture '
+           'shaders (`!!TS1.0`, [texture_shaders.md](../write/texture_shaders.md)). The number is that of the '
            'NV_texture_shader that has the stage.\n', '| word | text | what it is |', '|---|---|---|']
     for _, word, count, doc in rows_of(tables, 'RC_REGISTER'):
         names = f'`{word}`' if count == '0' else f'`{word}0` to `{word}{int(count) - 1}`'
@@ -244,10 +245,10 @@ def nvparse_words(tables):
 def flags():
     source = 'src/util/flags.def'
     out = ['# Environment variables and debug flags\n', GENERATED.format(source=source),
+           'Normally no variable needs to be set. `arbiter run` sets these variables from its options. '
            'The environment is read once per process with `secure_getenv`, so a set-user-id program '
            'sees none of it. A value that cannot be used (unknown, longer than 4096 bytes, with '
-           'control characters) is reported once in the log and ignored. `arbiter run` sets these '
-           'variables from its options.\n',
+           'control characters) is reported once in the log and ignored.\n',
            '| variable | values | default | meaning |', '|---|---|---|---|']
     for _, name, values, fallback, doc in rows_of(ROOT / source, 'ARBITER_ENV'):
         shown = values.replace('|', '\\|')
@@ -301,8 +302,8 @@ def panel_argument(row):
 def panel_words():
     source = 'src/scene/words.def'
     out = ['# Words of `#@` lines\n', GENERATED.format(source=source),
-           'docs/builder.md says how a line is written. An argument is its name and a number; in '
-           'the tables stand its default and its range.\n',
+           '[The Shader Builder](../write/builder.md) says how a line is written. An argument is its name and '
+           'a number; the tables have its default and its range.\n',
            '## Settings\n', '| word | what follows | meaning |', '|---|---|---|']
     for _, word, form, meaning in rows_of(ROOT / source, 'PANEL_SETTING'):
         form = form.replace('|', '\\|')
@@ -330,7 +331,8 @@ def unread_flags():
 
 
 def profiles():
-    return generate_profiles.as_markdown(*generate_profiles.read_all())
+    page = generate_profiles.as_markdown(*generate_profiles.read_all())
+    return re.sub(r'(?<=\| )docs/(\w+)/(\w+\.md)', r'[\2](../\1/\2)', page)  # sources
 
 
 def roff(text):
@@ -353,7 +355,7 @@ def manual7():
 def entry_points():
     """A check where another gl.xml, or none, is installed takes the page as it stands: it names the
     one that it was made from."""
-    path = DOCS / 'entry_points.md'
+    path = DOCS / 'reference' / 'entry_points.md'
     written = path.read_text() if path.exists() else ''
     other = not coverage.GL_XML.exists() or f'gl.xml ({coverage.digest()})' not in written
     if '--check' in sys.argv and written and other:
@@ -362,13 +364,14 @@ def entry_points():
 
 
 PAGES = {
-    'entry_points.md': entry_points,
-    'opcodes.md': opcodes,
-    'keywords.md': words,
-    'flags.md': flags,
-    'profiles.md': profiles,
-    'diagnostics.md': diagnostics,
-    'panel_words.md': panel_words,
+    'reference/entry_points.md': entry_points,
+    'reference/opcodes.md': opcodes,
+    'reference/keywords.md': words,
+    'reference/flags.md': flags,
+    'reference/profiles.md': profiles,
+    'reference/diagnostics.md': diagnostics,
+    'reference/panel_words.md': panel_words,
+    'use/programs.md': tried_programs.page,
     'man/arbiter.7': manual7,
 }
 

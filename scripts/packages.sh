@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034  # the arrays are read by ./dev
-# Debian's packages by what needs them; docs/dependencies.md says why each is here. NAME|OTHER is what one
+# Debian's packages by what needs them; docs/design/dependencies.md says why each is here. NAME|OTHER is what one
 # release of Debian calls differently from another: the first that is installed or can be.
 
 # The layer, the command and the demonstrations: what compiles, and the software GL they run on.
@@ -35,6 +35,8 @@ packages_package=(dpkg-dev debhelper fakeroot ccache)
 # mmdebstrap asks arch-test whether programs of a second architecture run here.
 packages_package_chroot=(mmdebstrap arch-test)
 packages_package_check=(lintian g++-mingw-w64-x86-64 g++-mingw-w64-i686)
+packages_docs=(mkdocs chromium)
+packages_pictures=(libwildmagic-examples ffmpeg xvfb python3-pil fonts-dejavu-core)
 packages_tarball=(patchelf xz-utils)
 packages_arm64=(g++-aarch64-linux-gnu qemu-user)
 packages_i386=(g++-i686-linux-gnu patchelf)

@@ -10,7 +10,7 @@ the same under those modes of arithmetic; wild: programs that multiply infinitie
 unwritten: programs that read what nothing wrote and leave results, or a position, unwritten.
 swrast-...: the layer's rasterizer draws, by machine code of each program; its statistics must show
 that it drew every one of them and gave the host nothing. --shard and --engine spread the programs
-over machines (docs/shards.md).
+over machines (docs/driver/shards.md).
 """
 
 import argparse

@@ -38,8 +38,9 @@ cp -a "$work/staged$prefix/." "$work/$name/"
 rm -rf "$work/$name/bin/arbiter-builder" "$work/$name"/share/{applications,icons} \
   "$work/$name/share/man/man1/arbiter-builder.1"
 find "$work/$name" -name 'libGLX_arbiter.so' -delete
-mkdir -p "$work/$name/share/doc/arbiter"
-cp -a "$root/README.md" "$root/LICENSE" "$root"/docs/*.md "$work/$name/share/doc/arbiter/"
+mkdir -p "$work/$name/share/doc/arbiter/docs"
+cp -a "$root/README.md" "$root/CONTRIBUTING.md" "$root/SECURITY.md" "$root/LICENSE" "$work/$name/share/doc/arbiter/"
+cp -a "$root"/docs/{README.md,use,write,driver,design,reference,pictures} "$work/$name/share/doc/arbiter/docs/"
 cp -a "$root/editors" "$work/$name/share/arbiter/editors"
 
 # Shared libraries of the command and the demonstrations that are no part of a desktop's base.

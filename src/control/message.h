@@ -8,7 +8,7 @@
 
 #include "util/result.h"
 
-/// JSON-RPC 2.0 as control speaks it: a message a line (docs/control.md).
+/// JSON-RPC 2.0 as control speaks it: a message a line (docs/write/control.md).
 namespace arbiter::control {
 
 using Json = nlohmann::json;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/entry_points.md: for each command of gl.xml, whether it is Arbiter's own, validated,
+"""Writes docs/reference/entry_points.md: for each command of gl.xml, whether it is Arbiter's own, validated,
 guarded or passed on, and why.
 
 The ways come from entry_points.toml, the reasons from reasons.toml. A command without a reason, and

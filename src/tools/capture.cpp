@@ -64,7 +64,7 @@ bool assemble(const std::string &folder) {
   for (const std::string &fault : index.faults)
     complain(fault);
   if (index.programs.empty() && index.processes.empty())
-    complain("no process made a GL context that the layer saw (docs/debugging.md)");
+    complain("no process made a GL context that the layer saw (docs/driver/debugging.md)");
   bool good = true;
   std::size_t refused = 0;
   for (const CapturedProgram &program : index.programs) {

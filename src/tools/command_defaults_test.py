@@ -117,7 +117,7 @@ class Defaults(Temporary):
         self.assertIn('sets     numerics = legacy', result.stdout)
 
     def test_the_template_is_good_and_shows_every_key(self):
-        template = ROOT / 'docs/defaults_template.toml'
+        template = ROOT / 'docs/use/defaults_template.toml'
         result = arbiter('defaults', '--json', '--check', template)
         self.assertEqual(result.returncode, 0, result.stdout)
         entry, = json.loads(result.stdout)['entries']

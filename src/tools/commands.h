@@ -167,7 +167,7 @@ struct RenderArguments {
   bool bare = false;        ///< without the layer
   bool inLayer = false;     ///< this is the process that the layer was preloaded into
 };
-/// Draws documents for the process at the other end of a socket (docs/control.md).
+/// Draws documents for the process at the other end of a socket (docs/write/control.md).
 /// \param argv the whole command line, to be executed again under the layer
 [[nodiscard]] int render(const RenderArguments &arguments, const std::vector<std::string> &argv);
 

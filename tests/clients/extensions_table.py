@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/extensions.md against the extension strings of contexts, on the bare host and under the layer with
+"""docs/driver/extensions.md against the extension strings of contexts, on the bare host and under the layer with
 each profile that a row names.
 
 A row of the layer's is there under the profiles that it names, and under no other unless the host has it;
@@ -13,7 +13,7 @@ import self_client
 from self_client import expect
 
 HERE = pathlib.Path(__file__).resolve().parent
-TABLE = HERE.parents[1] / 'docs/extensions.md'
+TABLE = HERE.parents[1] / 'docs/driver/extensions.md'
 ROW = re.compile(r'^\| (GL_\w+) \| ([\w\' ]+) \|([^|]*)\|', re.M)
 OURS = ("the layer's", 'where missing')
 OTHERS = ("the host's", 'not yet', 'refused')

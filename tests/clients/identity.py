@@ -92,7 +92,7 @@ def ask(options, kind, arguments, **variables):
 
 
 def offered_by(profile):
-    """What docs/extensions.md has the layer offer under a profile."""
+    """What docs/driver/extensions.md has the layer offer under a profile."""
     rows = extensions_table.table(extensions_table.TABLE.read_text())
     return {name for name, (whose, profiles) in rows.items()
             if whose in extensions_table.OURS and profile in profiles}

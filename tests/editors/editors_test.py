@@ -212,7 +212,7 @@ class Neovim(unittest.TestCase):
     def test_the_documented_settings_show_diagnostics(self):
         if not shutil.which('nvim'):
             self.skipTest('no Neovim on this machine')
-        page = (ROOT / 'docs' / 'editors.md').read_text()
+        page = (ROOT / 'docs' / 'write' / 'editors.md').read_text()
         settings = re.search(r'## Neovim\n+```\n(.*?)```', page, re.S).group(1)
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails if what is installed and docs/dependencies.md do not name the same packages.
+"""Fails if what is installed and docs/design/dependencies.md do not name the same packages.
 
 Installed is what scripts/packages.sh lists and what the real programs ask for."""
 
@@ -18,12 +18,12 @@ def main():
     if real.exists():
         installed.update(subprocess.run([sys.executable, str(real), "--packages"], check=True,
                                         capture_output=True, text=True).stdout.split())
-    rows = re.findall(r"^\| (`[^|]*) \|", (root / "docs/dependencies.md").read_text(), re.M)
+    rows = re.findall(r"^\| (`[^|]*) \|", (root / "docs/design/dependencies.md").read_text(), re.M)
     documented = {name for row in rows for name in re.findall(r"`([^`]+)`", row)}
     for name in sorted(installed - documented):
-        print("docs/dependencies.md does not say why %s is installed" % name, file=sys.stderr)
+        print("docs/design/dependencies.md does not say why %s is installed" % name, file=sys.stderr)
     for name in sorted(documented - installed):
-        print("docs/dependencies.md names %s, which nothing installs" % name, file=sys.stderr)
+        print("docs/design/dependencies.md names %s, which nothing installs" % name, file=sys.stderr)
     return 1 if installed != documented or not installed else 0
 
 

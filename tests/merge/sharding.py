@@ -27,7 +27,7 @@ def count_option(text):
 
 
 def add_options(parser):
-    group = parser.add_argument_group("on several machines (docs/shards.md)")
+    group = parser.add_argument_group("on several machines (docs/driver/shards.md)")
     group.add_argument("--shard", type=shard_option, metavar="I/N",
                        help="only this part, into a result file that tests/merge/merge.py joins")
     group.add_argument("--result", type=pathlib.Path, help="that file, in the results' folder without")

@@ -5,7 +5,7 @@ Both sides run now, on this machine: nothing but the expected differences is sto
 expectations/PROFILE.txt, each with its reason. A difference that no line explains is run again on
 both sides; if it does not stay, it is a flake and is reported as one. Ends with
 "N passed, N failed, N skipped": passed is the same result as on the bare host or an explained
-one, skipped is skipped by both. --shard and --engine spread the tests over machines (docs/shards.md).
+one, skipped is skipped by both. --shard and --engine spread the tests over machines (docs/driver/shards.md).
 """
 
 import argparse

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when docs/builder_answers.md names a test that is not there, or a row of its tables none.
+"""Fails when docs/design/builder_answers.md names a test that is not there, or a row of its tables none.
 
 `Suite.Name` is a TEST of that suite and name in some source, `Class.test_name` a method of a Python
 test, and a word alone a name that a meson.build gives to a test.
@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-PAGE = "docs/builder_answers.md"
+PAGE = "docs/design/builder_answers.md"
 CPP = re.compile(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", re.M)
 PYTHON = re.compile(r"^(?:class (\w+)|    def (test_\w+))", re.M)
 BUILD = re.compile(r"\btest\(\s*'([\w:-]+)'")
@@ -79,7 +79,7 @@ def complaints_of(root):
 def self_test():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        (root / "docs").mkdir()
+        (root / PAGE).parent.mkdir(parents=True)
         (root / "a_test.cpp").write_text("TEST_F(Window, Opens) {}\nTEST(Session,\n     Draws) {}\n")
         (root / "a.py").write_text("class Other:\n    def test_b(self):\nclass A:\n    def test_a(self):\n")
         (root / "meson.build").write_text("test('gallery', exe)\n")

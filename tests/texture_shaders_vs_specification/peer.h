@@ -1,8 +1,8 @@
 #pragma once
 #include "fp_compiler/texture_shader/environment.h"
 
-/// What NVIDIA's driver does otherwise (docs/texture_shaders.md, "Where NVIDIA's driver answers
-/// otherwise") is left out of random states.
+/// What NVIDIA's driver does otherwise (docs/write/texture_shaders.md, "Where NVIDIA's driver
+/// answers otherwise") is left out of random states.
 namespace shaded {
 
 /// Stages that the driver takes otherwise become the nearest that it does not.

@@ -30,8 +30,9 @@ struct Colored {
 
 class Scene {
 public:
-  /// \param peer for NVIDIA's driver: what it does otherwise (docs/texture_shaders.md) is left out
-  /// \param fx9 of Numerics::Fx9: register combiners of random states stand behind the stages
+  /// \param peer for NVIDIA's driver: what it does otherwise (docs/write/texture_shaders.md) is
+  /// left out \param fx9 of Numerics::Fx9: register combiners of random states stand behind the
+  /// stages
   Scene(bool peer, bool fx9);
   /// New stages and new values for everything around them; GL is set to it.
   void arrange(arbiter::fp::testing::Random &random, int units);

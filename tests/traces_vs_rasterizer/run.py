@@ -7,7 +7,7 @@ Half of the traces are of the gallery's documents, every pass of them at several
 programs on a quad and on a torus. A trace is what the interpreter makes of the pixel's inputs; the
 rasterizer's colour must be that to the bit (NaNs are equal), or both must discard. Where a program calls a
 function the colours may differ by 2^-16, of a value above 1: machine code has functions of its own, within
-2^-21.8 (docs/architecture/machine_code.md).
+2^-21.8 (docs/design/machine_code.md).
 Where the bits are equal and the pass neither blends nor is masked, the picture has the trace's 8 bits too, but
 for one in a hundred: in a draw of the whole picture attributes may have another last bit than in that of one
 quad, and a sample of the nearest texel, or a KIL, then goes the other way. Each document is first traced by

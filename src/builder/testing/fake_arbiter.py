@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A stand-in of `arbiter render` (docs/control.md) that draws no GL: a text is a colour.
+"""A stand-in of `arbiter render` (docs/write/control.md) that draws no GL: a text is a colour.
 
 The picture is 4x2 pixels, all of the colour that stands behind "colour " in the text as six digits,
 but the bottom left one, which is white. "wrong" in the text is refused, "crash" ends the process by a

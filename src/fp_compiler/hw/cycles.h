@@ -4,7 +4,7 @@
 #include "fp_compiler/hw/slots.h"
 
 /// How long a pixel keeps one pipe of a card busy, from what was published or measured of it. The
-/// sources of the numbers are with them, in cycles.cpp, and in docs/native_model.md.
+/// sources of the numbers are with them, in cycles.cpp, and in docs/write/native_model.md.
 namespace arbiter::fp::hw {
 
 /// Clock cycles of the R300's nodes, ALU and texture units side by side.

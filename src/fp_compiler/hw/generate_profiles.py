@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns profiles/*.toml into the table of built-in profiles and into docs/profiles.md.
+"""Turns profiles/*.toml into the table of built-in profiles and into docs/reference/profiles.md.
 
 A row that is missing, has no source, or is out of range stops the build: a limit is a number with
 its source, or it is not a limit.
@@ -236,10 +236,10 @@ temporaries = { value = 16, source = "an experiment" }   # or just: temporaries 
 parameters = 96
 
 [model]                         # what no query answers
-fragment = "r300"               # how native counts come about (docs/native_model.md)
+fragment = "r300"               # how native counts come about (docs/write/native_model.md)
 numerics = "fp24"               # the arithmetic, where ARBITER_NUMERICS does not say
 
-[identity]                      # what ARBITER_IDENTITY=profile answers (docs/identity.md)
+[identity]                      # what ARBITER_IDENTITY=profile answers (docs/use/identity.md)
 renderer = "RADEON 9700 PRO x86/SSE2"
 ```
 

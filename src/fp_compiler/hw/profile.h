@@ -12,7 +12,8 @@
 #include "util/result.h"
 
 /// Hardware profiles: limits as data, each number with its source. Built-in ones come from
-/// profiles/*.toml at build time; a user's is a TOML file of the same form (docs/profiles.md).
+/// profiles/*.toml at build time; a user's is a TOML file of the same form
+/// (docs/reference/profiles.md).
 namespace arbiter::fp::hw {
 
 enum class Row : std::uint8_t {

@@ -23,7 +23,7 @@ struct RandomNvOptions {
   /// result while it reads, ignores the level of TXB in vertex programs, leaves the rest of an
   /// indexed result undefined, loses the sign of constants in condition codes, takes a condition
   /// for what it was before a subroutine that sets it, and makes a branch of a derivative with one
-  /// (docs/nv_programs.md).
+  /// (docs/write/nv_programs.md).
   bool peer = false;
   /// DDX and DDY also where fragments of a quad may have left the loop: undefined on hosts.
   bool loopDerivatives = false;

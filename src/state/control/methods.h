@@ -8,7 +8,7 @@
 #include "control/server.h"
 #include "state/control/session.h"
 
-/// What clients may ask for (docs/control.md).
+/// What clients may ask for (docs/write/control.md).
 namespace arbiter::state::remote {
 
 /// One request on the application's thread.

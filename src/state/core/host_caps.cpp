@@ -80,7 +80,8 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   caps.lineEndsAsEdges = llvmpipe && mesa >= kFogAndLines;
   // Seen of NVIDIA's driver (580.159): coordinates in GLSL and in ARB_fragment_program, whose fog
   // options are right; that planes clip what is GLSL, and of its own programs the
-  // position-invariant ones; and what a draw costs it by either way (docs/performance_gpu.md).
+  // position-invariant ones; and what a draw costs it by either way
+  // (docs/driver/performance_gpu.md).
   const bool nvidia = std::string_view(getString(host, GL_VENDOR)).starts_with("NVIDIA");
   caps.negativeFogDistances = nvidia;
   caps.planesClipPrograms = !nvidia;

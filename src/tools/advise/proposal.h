@@ -25,7 +25,7 @@ struct Derived {
 };
 
 struct Proposal {
-  const char *rule = ""; ///< stable, kebab-case: "select-by-cmp"; listed in docs/advice.md
+  const char *rule = ""; ///< stable, kebab-case: "select-by-cmp"; listed in docs/write/advice.md
   fp::Span span;         ///< what it is about
   std::string message;   ///< one line, no full stop
   Edits edits;           ///< sorted; empty: nothing can be measured, advice alone

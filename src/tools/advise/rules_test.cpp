@@ -137,7 +137,7 @@ TEST(Rules, HaveAnExampleEach) {
 }
 
 TEST(Rules, AreInTheDocumentation) {
-  std::ifstream file(ARBITER_SOURCE_ROOT "/docs/advice.md");
+  std::ifstream file(ARBITER_SOURCE_ROOT "/docs/write/advice.md");
   const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   for (const RuleInfo &rule : ruleList())
     EXPECT_NE(page.find("| `" + std::string(rule.id) + "` |"), std::string::npos) << rule.id;

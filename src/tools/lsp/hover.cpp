@@ -229,8 +229,8 @@ private:
 Json hover(const View &view, std::uint32_t offset) {
   if (const auto place = scene::explainPanel(view.document.text(), offset)) {
     const scene::Candidate &word = place->candidates.front();
-    const std::string markdown =
-        codeBlock(word.word) + "\n" + std::string(word.meaning) + " (docs/panel_words.md)";
+    const std::string markdown = codeBlock(word.word) + "\n" + std::string(word.meaning) +
+                                 " (docs/reference/panel_words.md)";
     return {{"contents", {{"kind", "markdown"}, {"value", markdown}}},
             {"range", view.range(place->replaced)}};
   }

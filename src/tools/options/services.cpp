@@ -41,7 +41,7 @@ void addRender(CLI::App &app, RenderArguments &render) {
       .range(0, 1048576);
   verb.flag("--bare", render.bare, "without the layer: the host's own implementation");
   verb.flag("--in-layer", render.inLayer).hidden(); // what render passes to itself
-  verb.footer("The builder starts it. The messages are those of docs/control.md; frames go "
+  verb.footer("The builder starts it. The messages are those of docs/write/control.md; frames go "
               "through shared memory.\n"
               "Exit code: 0 the client is gone; 1 usage, or no socket; 4 no GL.\n"
               "Example:\n  arbiter render --folder shaders");
@@ -50,9 +50,10 @@ void addRender(CLI::App &app, RenderArguments &render) {
 void addLsp(CLI::App &app, LspArguments &lsp) {
   Verb verb(app, "lsp", "A language server for editors, on standard input and output (LSP 3.17)");
   verb.option("--profile", lsp.profile, kChosenProfileHelp);
-  verb.footer("An editor starts it; docs/editors.md says how. The profile can be changed while "
-              "it runs, by the setting arbiter.profile.\n"
-              "Exit code: 0 after shutdown and exit; 1 otherwise.");
+  verb.footer(
+      "An editor starts it; docs/write/editors.md says how. The profile can be changed while "
+      "it runs, by the setting arbiter.profile.\n"
+      "Exit code: 0 after shutdown and exit; 1 otherwise.");
 }
 
 void addBuilder(CLI::App &app, BuilderArguments &builder) {
@@ -67,15 +68,16 @@ void addBuilder(CLI::App &app, BuilderArguments &builder) {
       "without a display too");
   verb.option("--size", builder.size, "WxH: the window's size in the picture; 1280x800 without")
       .needs(screenshot);
-  verb.footer("The window is the program arbiter-builder, which needs Qt 6; docs/builder_window.md "
-              "says what it has.\n"
-              "Exit code: that of the window; 1 where arbiter-builder is not installed, there is "
-              "no display, or the picture cannot be taken.\n"
-              "Examples:\n"
-              "  arbiter builder --screenshot window.png --size 1024x700 shader.fp\n"
-              "  arbiter builder\n"
-              "  arbiter builder shader.fp\n"
-              "  arbiter builder gallery:twirl");
+  verb.footer(
+      "The window is the program arbiter-builder, which needs Qt 6; docs/write/builder_window.md "
+      "says what it has.\n"
+      "Exit code: that of the window; 1 where arbiter-builder is not installed, there is "
+      "no display, or the picture cannot be taken.\n"
+      "Examples:\n"
+      "  arbiter builder --screenshot window.png --size 1024x700 shader.fp\n"
+      "  arbiter builder\n"
+      "  arbiter builder shader.fp\n"
+      "  arbiter builder gallery:twirl");
 }
 
 } // namespace arbiter::tools

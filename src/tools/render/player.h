@@ -28,7 +28,7 @@ public:
     std::int64_t revision = 0;
   };
   /// Takes the document's place that was drawn, where it is right: what is wrong is in the answer
-  /// (docs/control.md, scene.set), and the one before goes on.
+  /// (docs/write/control.md, scene.set), and the one before goes on.
   [[nodiscard]] control::Json set(const Text &text);
 
   [[nodiscard]] bool hasScene() const { return m_renderer != nullptr; }

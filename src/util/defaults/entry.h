@@ -8,8 +8,8 @@
 #include "util/flags.h"
 
 /// Defaults of single programs: settings that hold for a program unless the environment has others
-/// (docs/defaults.md). Read from TOML files; an entry says which programs it is for, and what it
-/// sets.
+/// (docs/use/defaults.md). Read from TOML files; an entry says which programs it is for, and what
+/// it sets.
 namespace arbiter::defaults {
 
 /// A setting that an entry may have: its key in the file is the variable's name without ARBITER_,

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-/// What an application that is attached to has, as docs/control.md says it.
+/// What an application that is attached to has, as docs/write/control.md says it.
 namespace arbiter::builder {
 
 /// A process that listens.

@@ -26,8 +26,8 @@ struct Problem {
 /// read has an empty range at the text's begin.
 [[nodiscard]] QList<Problem> problemsOf(const QJsonArray &diagnostics, const QString &text);
 
-/// A diagnostic of the control protocol (docs/control.md), whose places are bytes of `bytes`. As
-/// above, nothing fails.
+/// A diagnostic of the control protocol (docs/write/control.md), whose places are bytes of `bytes`.
+/// As above, nothing fails.
 [[nodiscard]] Problem problemOfControl(const QJsonValue &json, const QByteArray &bytes);
 
 /// The problem to go to from a place: the next one behind it, or before it, and round at the ends.

@@ -13,8 +13,8 @@ class Client;
 
 namespace arbiter::builder {
 
-/// The client of docs/control.md (src/control) in Qt's event loop, with Qt's JSON. A side that
-/// sends what cannot be understood is hung up on.
+/// The client of docs/write/control.md (src/control) in Qt's event loop, with Qt's JSON. A side
+/// that sends what cannot be understood is hung up on.
 class ControlClient : public QObject {
   Q_OBJECT
 public:

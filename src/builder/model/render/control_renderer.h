@@ -7,7 +7,7 @@
 
 namespace arbiter::builder {
 
-/// `arbiter render`, over a socket that it is started with (docs/control.md).
+/// `arbiter render`, over a socket that it is started with (docs/write/control.md).
 class ControlRenderer : public Renderer {
   Q_OBJECT
 public:

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kKeyMilliseconds = 15; ///< faster than anyone types
 
-/// How often the renderer is killed. docs/builder_answers.md has the figures of 50.
+/// How often the renderer is killed. docs/design/builder_answers.md has the figures of 50.
 int kills() { return std::max(1, qEnvironmentVariableIntValue("ARBITER_TEST_KILLS")); }
 
 /// Milliseconds until a picture of a new process: 1 s is what is promised. A machine that runs

@@ -11,7 +11,7 @@
 #include "fp_compiler/front/words/word_tokens.h"
 
 /// The text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed grammar has
-/// gaps; docs/ati_fragment_shader.md says how each is read.
+/// gaps; docs/write/ati_fragment_shader.md says how each is read.
 namespace arbiter::fp::ati {
 
 inline constexpr std::string_view kHeader = "!!ATIfs1.0";

@@ -11,8 +11,8 @@
 #include "fp_compiler/texture_shader/state.h"
 
 /// The texts that NVIDIA's library nvparse read: register combiners (!!RC1.0) and texture shaders
-/// (!!TS1.0), as the state that the API would have set. docs/register_combiners.md and
-/// docs/texture_shaders.md have the grammar, and what is taken here beside it.
+/// (!!TS1.0), as the state that the API would have set. docs/write/register_combiners.md and
+/// docs/write/texture_shaders.md have the grammar, and what is taken here beside it.
 namespace arbiter::fp::nvparse {
 
 inline constexpr std::string_view kCombinerHeader = "!!RC1.0";
