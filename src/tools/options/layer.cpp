@@ -50,7 +50,7 @@ void addLayer(Verb &verb, LayerArguments &layer) {
             "runs");
   verb.flagOrValue("--hud", layer.hud,
                    "show figures in each frame: version, host, frames a second, draws by path, "
-                   "programs over native limits; --hud=fps,top-right chooses (docs/flags.md)");
+                   "programs over native limits; --hud=fps,top-right chooses (docs/reference/flags.md)");
   verb.option("--host-vendor", layer.hostVendor,
               "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
   verb.option("--library", layer.library, "the layer's library, where it is not beside us");
