@@ -265,6 +265,7 @@ def main():
     parser.add_argument("--shots", type=pathlib.Path)
     parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # so that a browser ends too
     if not shutil.which("chromium"):
         print("check.py: chromium is not installed", file=sys.stderr)
         return 77
