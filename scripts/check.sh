@@ -47,6 +47,7 @@ check_meson() {
 
 check_generated() {
   python3 "$root/docs/generate.py" --check --build "$build" &&
+    python3 "$root/bench/chart.py" --check &&
     python3 "$root/editors/generate.py" --check
 }
 
