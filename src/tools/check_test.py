@@ -180,9 +180,9 @@ do not fit:
         result = check('.', 'empty', 'none.fp', cwd=self.folder)
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr, '''\
-arbiter: empty: no programs in this folder
-arbiter: ./gone.fp: No such file or directory
-arbiter: none.fp: No such file or directory
+arbiter check: empty: no programs in this folder
+arbiter check: ./gone.fp: No such file or directory
+arbiter check: none.fp: No such file or directory
 ''')
         self.assertIn('3 files under r300: 1 valid, 2 unreadable\n', result.stdout)
         document = json.loads(check('--json', '.', 'empty', cwd=self.folder).stdout)
@@ -207,7 +207,7 @@ arbiter: none.fp: No such file or directory
                 result = subprocess.run([ARBITER, 'check', *words], stdout=full, text=True,
                                         stderr=subprocess.PIPE, env=environment(), timeout=60)
                 self.assertEqual(result.returncode, 1)
-                self.assertEqual(result.stderr, 'arbiter: standard output cannot be written\n')
+                self.assertEqual(result.stderr, 'arbiter check: standard output cannot be written\n')
 
     def test_names_that_are_not_text(self):
         odd = os.fsencode(self.folder) + b'/\xff\x1b[2J.fp'

@@ -75,7 +75,7 @@ class Check(Temporary):
         self.assertEqual(arbiter(*catalyst, good, wide, bad).returncode, 2)
         result = arbiter(*catalyst, wide, bad, none, good)
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr, f'arbiter: {none}: No such file or directory\n')
+        self.assertEqual(result.stderr, f'arbiter check: {none}: No such file or directory\n')
         self.assertIn('good.fp: valid', result.stdout)
 
     def test_over_native_says_so(self):
