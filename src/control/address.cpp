@@ -88,7 +88,7 @@ std::string remedy() {
   return "for the program and for this alike: " +
          (there ? "export XDG_RUNTIME_DIR=" + usual
                 : "export XDG_RUNTIME_DIR=/tmp/run-" + std::to_string(geteuid()) +
-                      "; mkdir -m 700 $XDG_RUNTIME_DIR");
+                      "; mkdir -pm 700 $XDG_RUNTIME_DIR");
 }
 
 } // namespace

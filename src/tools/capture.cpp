@@ -76,9 +76,9 @@ bool assemble(const std::string &folder) {
   good = write(folder + "/index.json", indexJson(index)) && good;
   good = write(folder + "/index.html", indexPage(index)) && good;
   if (good)
-    complain("programs: " + std::to_string(index.programs.size()) +
-             ", refused: " + std::to_string(refused) + ", processes: " +
-             std::to_string(index.processes.size()) + "; see " + folder + "/index.html");
+    complain("programs: " + std::to_string(index.programs.size()) + ", refused: " +
+             std::to_string(refused) + ", processes: " + std::to_string(index.processes.size()) +
+             "; see " + folder + "/index.html");
   return good;
 }
 

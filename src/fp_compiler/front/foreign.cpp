@@ -39,11 +39,52 @@ constexpr std::size_t kLooked = 64u << 10;
 
 /// A word that begins a statement of an assembly program, and none of the languages below.
 constexpr std::string_view kStatements[] = {
-    "ABS",  "ADD",   "ADDRESS", "ALIAS",  "ARL", "ATTRIB", "CMP", "COS",    "DP3",   "DP4",
-    "DPH",  "DST",   "END",     "EX2",    "EXP", "FLR",    "FRC", "KIL",    "LG2",   "LIT",
-    "LOG",  "LRP",   "MAD",     "MAX",    "MIN", "MOV",    "MUL", "OPTION", "OUTPUT", "PARAM",
-    "POW",  "RCP",   "RSQ",     "SCS",    "SGE", "SIN",    "SLT", "SUB",    "SWZ",   "TEMP",
-    "TEX",  "TXB",   "TXP",     "XPD",    "StartConstants",       "StartPrelimPass",
+    "ABS",
+    "ADD",
+    "ADDRESS",
+    "ALIAS",
+    "ARL",
+    "ATTRIB",
+    "CMP",
+    "COS",
+    "DP3",
+    "DP4",
+    "DPH",
+    "DST",
+    "END",
+    "EX2",
+    "EXP",
+    "FLR",
+    "FRC",
+    "KIL",
+    "LG2",
+    "LIT",
+    "LOG",
+    "LRP",
+    "MAD",
+    "MAX",
+    "MIN",
+    "MOV",
+    "MUL",
+    "OPTION",
+    "OUTPUT",
+    "PARAM",
+    "POW",
+    "RCP",
+    "RSQ",
+    "SCS",
+    "SGE",
+    "SIN",
+    "SLT",
+    "SUB",
+    "SWZ",
+    "TEMP",
+    "TEX",
+    "TXB",
+    "TXP",
+    "XPD",
+    "StartConstants",
+    "StartPrelimPass",
     "StartOutputPass",
 };
 
@@ -70,12 +111,11 @@ struct Seen {
 constexpr std::string_view kGlslVectors[] = {"vec2", "vec3", "vec4", "mat3", "mat4", "ivec2"};
 constexpr std::string_view kVectors[] = {"float2", "float3", "float4",   "half2",    "half3",
                                          "half4",  "int4",   "float3x3", "float4x4", "float4x3"};
-constexpr std::string_view kCgWords[] = {"samplerRECT", "texRECT", "fixed2", "fixed3", "fixed4",
-                                         "tex2Dproj",   "f4tex2D", "half4x4"};
-constexpr std::string_view kHlslWords[] = {"cbuffer",      "SV_Target",    "SV_POSITION",
-                                           "SV_Position",  "SV_TARGET",    "SV_Target0",
-                                           "Texture2D",    "SamplerState", "technique",
-                                           "sampler_state", "register"};
+constexpr std::string_view kCgWords[] = {"samplerRECT", "texRECT",   "fixed2",  "fixed3",
+                                         "fixed4",      "tex2Dproj", "f4tex2D", "half4x4"};
+constexpr std::string_view kHlslWords[] = {
+    "cbuffer",   "SV_Target",    "SV_POSITION", "SV_Position",   "SV_TARGET", "SV_Target0",
+    "Texture2D", "SamplerState", "technique",   "sampler_state", "register"};
 
 /// "ps_2_0", "vs.1.1"
 bool isVersion(std::string_view word, std::string_view behind) {
@@ -90,9 +130,9 @@ bool isVersion(std::string_view word, std::string_view behind) {
 
 void look(Seen &seen, std::string_view word, bool statement, std::string_view before) {
   seen.assembly = seen.assembly || (statement && isOneOf(word, kStatements));
-  seen.glsl = seen.glsl || word.starts_with("gl_Frag") ||
-              word.starts_with("gl_Pos") || word.starts_with("gl_Tex") ||
-              word.starts_with("gl_Vert") || word.starts_with("gl_Mod");
+  seen.glsl = seen.glsl || word.starts_with("gl_Frag") || word.starts_with("gl_Pos") ||
+              word.starts_with("gl_Tex") || word.starts_with("gl_Vert") ||
+              word.starts_with("gl_Mod");
   seen.vectors = seen.vectors || isOneOf(word, kGlslVectors);
   seen.cgOrHlsl = seen.cgOrHlsl || isOneOf(word, kVectors);
   seen.cg = seen.cg || isOneOf(word, kCgWords);

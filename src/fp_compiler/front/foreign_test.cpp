@@ -24,9 +24,10 @@ TEST(Foreign, OtherLanguagesAreKnown) {
                         "float4 main(float2 uv : TEXCOORD0) : SV_Target {\n"
                         "  return image.Sample(linear, uv);\n}\n"),
             "HLSL");
-  EXPECT_EQ(foreignKind("void main(half2 uv : TEXCOORD0, uniform samplerRECT image,\n"
-                        "          out half4 colour : COLOR) {\n  colour = texRECT(image, uv);\n}\n"),
-            "Cg");
+  EXPECT_EQ(
+      foreignKind("void main(half2 uv : TEXCOORD0, uniform samplerRECT image,\n"
+                  "          out half4 colour : COLOR) {\n  colour = texRECT(image, uv);\n}\n"),
+      "Cg");
   EXPECT_EQ(foreignKind("float4 main(float2 uv : TEXCOORD0) : COLOR { return uv.xyxy; }\n"),
             "Cg or HLSL");
   EXPECT_EQ(foreignKind("ps_2_0\ndcl t0\ndef c0, 1, 0, 0, 0\nmov oC0, c0\n"),
@@ -68,7 +69,8 @@ TEST(Foreign, ProgramsWithAWrongHeaderAreNot) {
 }
 
 TEST(Foreign, TheDiagnosticSaysSo) {
-  const CheckResult result = checkProgram(ir::Language::ArbFragment, "void main() { gl_FragColor; }", {});
+  const CheckResult result =
+      checkProgram(ir::Language::ArbFragment, "void main() { gl_FragColor; }", {});
   ASSERT_EQ(result.diagnostics.size(), 1u);
   EXPECT_EQ(result.diagnostics[0].message, "this is GLSL, Arbiter reads assembly programs");
   EXPECT_STREQ(result.diagnostics[0].id, "header-missing");

@@ -19,7 +19,7 @@ struct Absent {
 constexpr const char *kOfR200 = "the chip, an R200, has no ARB_fragment_program; its ATI fragment "
                                 "shaders have the same limits under every profile";
 constexpr Absent kAbsent[] = {
-    {"r200", kOfR200}, {"radeon8500", kOfR200}, {"8500", kOfR200},
+    {"r200", kOfR200},       {"radeon8500", kOfR200}, {"8500", kOfR200},
     {"radeon9000", kOfR200}, {"radeon9200", kOfR200},
 };
 

@@ -128,10 +128,10 @@ TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
 
 TEST(Profiles, ACardIsKnownByWhatPeopleCallIt) {
   for (const auto &[typed, name] :
-       {std::pair("radeon9700", "r300"), std::pair("9700", "r300"), std::pair("Radeon 9700", "r300"), std::pair("R300", "r300"),
-        std::pair("geforcefx", "nv30"), std::pair("GeForce-FX", "nv30"),
-        std::pair("geforce4", "nv25"), std::pair("geforce3", "nv20"),
-        std::pair("r300-catalyst-2004", "r300-catalyst-2004")}) {
+       {std::pair("radeon9700", "r300"), std::pair("9700", "r300"),
+        std::pair("Radeon 9700", "r300"), std::pair("R300", "r300"), std::pair("geforcefx", "nv30"),
+        std::pair("GeForce-FX", "nv30"), std::pair("geforce4", "nv25"),
+        std::pair("geforce3", "nv20"), std::pair("r300-catalyst-2004", "r300-catalyst-2004")}) {
     const Profile *const profile = findBuiltin(typed);
     ASSERT_NE(profile, nullptr) << typed;
     EXPECT_EQ(profile->name, name);

@@ -31,7 +31,7 @@ int waitSeconds(Session &session, const Words &words) {
 
 constexpr std::size_t kAny = 64;
 constexpr ActionRow kActions[] = {
-    {"programs", "", 0, 0, listPrograms, "the programs that are loaded, and half a second's draws"},
+    {"programs", "", 0, 0, listPrograms, "the programs that are loaded, and a quarter second's draws"},
     {"get", "ID", 1, 1, getText, "the text that is drawn with"},
     {"set", "ID FILE", 2, 2, setProgram, "draws with that text, and with what it becomes"},
     {"reset", "[ID]", 0, 1, resetPrograms, "the application's own text again"},
@@ -75,8 +75,7 @@ const ActionRow *findAction(const std::string &name) {
   for (const ActionRow &each : kActions)
     names.emplace_back(each.name);
   const std::string_view near = closest(name, names);
-  complain("no action " + name +
-           (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
+  complain("no action " + name + (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
            " (arbiter ctl --help)");
   return nullptr;
 }

@@ -17,7 +17,7 @@ namespace {
 using wire::Json;
 
 /// For so long draws are counted before they are shown.
-constexpr std::chrono::milliseconds kCounted{500};
+constexpr std::chrono::milliseconds kCounted{250};
 
 std::string textAt(const Json &object, const char *name) {
   const auto found = object.find(name);

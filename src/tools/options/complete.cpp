@@ -18,9 +18,7 @@ using Words = std::vector<std::string>;
 constexpr const char *kFiles = ":files";
 
 /// "write a picture" of "write a picture of the window; without a display too"
-std::string shortHelp(const std::string &help) {
-  return help.substr(0, help.find_first_of(";\n"));
-}
+std::string shortHelp(const std::string &help) { return help.substr(0, help.find_first_of(";\n")); }
 
 bool takesValue(const CLI::Option &option) { return option.get_items_expected_max() != 0; }
 
@@ -168,10 +166,9 @@ int completeWords(const CLI::App &app, const Words &words, bool withCommand) {
     return kExitOk;
   const Line line = readLine(*verbs.front(), words, withCommand);
   const std::size_t equals = typed.find('=');
-  const CLI::Option *const assigned =
-      typed.starts_with("--") && equals != std::string::npos
-          ? optionOf(*line.verb, typed.substr(0, equals))
-          : nullptr;
+  const CLI::Option *const assigned = typed.starts_with("--") && equals != std::string::npos
+                                          ? optionOf(*line.verb, typed.substr(0, equals))
+                                          : nullptr;
   if (line.command != 0 || (withCommand && !line.valueOf && !typed.starts_with("-")))
     std::printf(":command %zu\n", line.command != 0 ? line.command : words.size() - 1);
   else if (line.valueOf)

@@ -83,8 +83,7 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
               "glsl, llvm, machine, the passes, and fx9 of combiners: for this arithmetic")
       .oneOf({"host", "legacy", "fp24", "fx9"})
       .showDefault();
-  verb.flag("--json", compile.json,
-            "what is emitted as one JSON document, with the diagnostics");
+  verb.flag("--json", compile.json, "what is emitted as one JSON document, with the diagnostics");
   verb.option("-o,--output", compile.output, "file to write; - is standard output").showDefault();
   verb.option("FILE", compile.file, "a program text; - is standard input").required();
   verb.footer("Exit code: as for check, without 3.\n"

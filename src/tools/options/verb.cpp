@@ -22,7 +22,8 @@ std::string listed(const std::vector<std::string> &words, const char *last) {
 /// One of the words, or what `other` takes. CLI11's own says "x not in {a,b}".
 CLI::Validator among(std::vector<std::string> words, const std::string &other,
                      const std::function<bool(const std::string &)> &takes) {
-  const std::string shown = "{" + CLI::detail::join(words) + "}" + (other.empty() ? "" : " OR FILE");
+  const std::string shown =
+      "{" + CLI::detail::join(words) + "}" + (other.empty() ? "" : " OR FILE");
   const auto check = [words = std::move(words), other, takes](std::string &value) {
     if (std::find(words.begin(), words.end(), value) != words.end() || takes(value))
       return std::string();
