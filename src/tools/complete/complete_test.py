@@ -15,7 +15,7 @@ import tempfile
 import time
 import unittest
 
-ARBITER, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
+ARBITER, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
 SHELLS = ROOT / 'src' / 'tools' / 'complete'
 sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
 from plain_environment import plain  # noqa: E402
