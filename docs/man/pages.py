@@ -111,7 +111,7 @@ def options_of(help_text, hand):
     have, out = described(hand), ''
     for group, title in GROUPS.items():
         rows = [option for option in help_text.options(group)
-                if not set(option.names) & have and '--help' not in option.names]
+                if not set(option.names) & have and not {'--help', '--help-all'} & set(option.names)]
         if rows and not (title == 'OPTIONS' and '.SH OPTIONS' in hand):
             out += f'.SH {title}\n'
             if title == 'LAYER OPTIONS':
