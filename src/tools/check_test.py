@@ -426,7 +426,7 @@ class Compare(Temporary):
         for option in ('--why', '--brief'):
             result = check('--compare', option, path, path)
             self.assertEqual(result.returncode, 1)
-            self.assertIn(f'{option} excludes --compare', result.stderr)
+            self.assertIn(f'{option} cannot be given with --compare', result.stderr)
         result = check('--profile', 'r300', '--profile', 'nv30', path)
         self.assertEqual(result.returncode, 1)
         self.assertIn('--profile twice is for --compare', result.stderr)

@@ -239,7 +239,7 @@ class Whole(unittest.TestCase):
         """Who speaks, what is wrong, what was expected, how to get help."""
         rows = {
             'chek a.fp': 'arbiter: no verb chek; did you mean check? (arbiter --help)',
-            '--jsn check': 'arbiter: no option --jsn (arbiter --help)',
+            '--jsn check': 'arbiter: no option --jsn; did you mean --json? (arbiter --help)',
             'check': 'arbiter check: FILE is missing: expected program texts, each with one program or several '
                      '(arbiter check --help)',
             'check --jsn -': 'arbiter check: no option --jsn; did you mean --json? (arbiter check --help)',
