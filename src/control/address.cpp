@@ -79,11 +79,25 @@ Descriptor::~Descriptor() {
 
 int Descriptor::release() { return std::exchange(m_fd, -1); }
 
+namespace {
+
+/// A login makes the folder; sudo, cron, ssh and containers may not say its name, or have none.
+std::string remedy() {
+  const std::string usual = "/run/user/" + std::to_string(geteuid());
+  const bool there = access(usual.c_str(), W_OK) == 0;
+  return "for the program and for this alike: " +
+         (there ? "export XDG_RUNTIME_DIR=" + usual
+                : "export XDG_RUNTIME_DIR=/tmp/run-" + std::to_string(geteuid()) +
+                      "; mkdir -pm 700 $XDG_RUNTIME_DIR");
+}
+
+} // namespace
+
 Result<std::string, SocketError> socketFolder() {
   const char *const runtime = secure_getenv("XDG_RUNTIME_DIR");
   if (!runtime || *runtime != '/')
-    return SocketError{"XDG_RUNTIME_DIR names no folder; sockets of control lie in its folder "
-                       "arbiter"};
+    return SocketError{"XDG_RUNTIME_DIR names no folder, where processes listen for this user; " +
+                       remedy()};
   const std::string folder = std::string(runtime) + "/arbiter";
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     return failed(folder);

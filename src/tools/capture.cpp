@@ -1,7 +1,6 @@
 #include "tools/capture_index.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <sys/wait.h>
@@ -77,9 +76,9 @@ bool assemble(const std::string &folder) {
   good = write(folder + "/index.json", indexJson(index)) && good;
   good = write(folder + "/index.html", indexPage(index)) && good;
   if (good)
-    std::fprintf(stderr,
-                 "arbiter: programs: %zu, refused: %zu, processes: %zu; see %s/index.html\n",
-                 index.programs.size(), refused, index.processes.size(), folder.c_str());
+    complain("programs: " + std::to_string(index.programs.size()) + ", refused: " +
+             std::to_string(refused) + ", processes: " + std::to_string(index.processes.size()) +
+             "; see " + folder + "/index.html");
   return good;
 }
 

@@ -64,7 +64,7 @@ public:
 
   [[nodiscard]] std::string of(const CheckedFile &file) const {
     return m_full ? fullText(file, file.profile ? *file.profile : m_profile, m_options)
-                  : briefText(file);
+                  : briefText(file, m_options.style);
   }
   void end(const Summary &summary) const {
     if (m_brief || !m_several)

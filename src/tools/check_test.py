@@ -115,6 +115,20 @@ class Terminal(Temporary):
         bar = green.format('[#.........]')
         self.assertEqual(self.row(on_terminal(path)), f'{bar} {bar}')
 
+    def test_diagnostics_have_colours_on_a_terminal(self):
+        """As GCC has them: the place, the kind, the carets and the hint."""
+        path = self.path('bad.fp', '!!ARBfp1.0\nTEMP colour;\nMOV result.color, color;\nEND\n')
+        lines = check(path).stdout.splitlines()
+        self.assertEqual([lines[0].split(': ')[1], lines[2].strip(), lines[3].split(':')[0]],
+                         ['error', '^~~~~', '  hint'])
+        lines[0] = lines[0].replace(f'{path}:3:19:', f'\x1b[1m{path}:3:19:\x1b[0m') \
+            .replace(' error:', ' \x1b[1;31merror:\x1b[0m')
+        lines[2] = f'\x1b[1;31m{lines[2]}\x1b[0m'
+        lines[3] = lines[3].replace('  hint:', '\x1b[1;36m  hint:\x1b[0m')
+        self.assertEqual(on_terminal(path).splitlines()[:4], lines[:4])
+        self.assertEqual(on_terminal('--brief', path).splitlines()[0], lines[0])
+        self.assertNotIn('\x1b', on_terminal(path, NO_COLOR='1'))
+
     def test_over_is_red_on_a_terminal(self):
         seen = on_terminal('--profile', 'r300-catalyst-2004', self.path('wide.fp', alu(70)))
         self.assertIn('\x1b[31m[#########>]\x1b[0m\x1b[31m  over the native limit\x1b[0m\n', seen)
@@ -180,9 +194,9 @@ do not fit:
         result = check('.', 'empty', 'none.fp', cwd=self.folder)
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr, '''\
-arbiter: empty: no programs in this folder
-arbiter: ./gone.fp: No such file or directory
-arbiter: none.fp: No such file or directory
+arbiter check: empty: no programs in this folder
+arbiter check: ./gone.fp: No such file or directory
+arbiter check: none.fp: No such file or directory
 ''')
         self.assertIn('3 files under r300: 1 valid, 2 unreadable\n', result.stdout)
         document = json.loads(check('--json', '.', 'empty', cwd=self.folder).stdout)
@@ -207,7 +221,7 @@ arbiter: none.fp: No such file or directory
                 result = subprocess.run([ARBITER, 'check', *words], stdout=full, text=True,
                                         stderr=subprocess.PIPE, env=environment(), timeout=60)
                 self.assertEqual(result.returncode, 1)
-                self.assertEqual(result.stderr, 'arbiter: standard output cannot be written\n')
+                self.assertEqual(result.stderr, 'arbiter check: standard output cannot be written\n')
 
     def test_names_that_are_not_text(self):
         odd = os.fsencode(self.folder) + b'/\xff\x1b[2J.fp'
@@ -412,7 +426,7 @@ class Compare(Temporary):
         for option in ('--why', '--brief'):
             result = check('--compare', option, path, path)
             self.assertEqual(result.returncode, 1)
-            self.assertIn(f'{option} excludes --compare', result.stderr)
+            self.assertIn(f'{option} cannot be given with --compare', result.stderr)
         result = check('--profile', 'r300', '--profile', 'nv30', path)
         self.assertEqual(result.returncode, 1)
         self.assertIn('--profile twice is for --compare', result.stderr)

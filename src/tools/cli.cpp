@@ -1,4 +1,4 @@
-// With options/verb.cpp all that knows CLI11: the command line becomes the structures of
+// With options/ all that knows CLI11: the command line becomes the structures of
 // commands.h.
 #include <CLI/CLI.hpp>
 #include <GL/arbiter.h>
@@ -6,7 +6,6 @@
 
 #include "tools/input.h"
 #include "tools/options/options.h"
-#include "util/suggest.h"
 
 namespace arbiter::tools {
 
@@ -15,10 +14,14 @@ namespace {
 /// The verbs that take another's command line.
 constexpr std::string_view kWithCommand[] = {"run", "capture", "defaults", "doctor"};
 
+bool takesCommand(const std::vector<std::string> &words) {
+  return !words.empty() && std::find(std::begin(kWithCommand), std::end(kWithCommand), words[0]) !=
+                               std::end(kWithCommand);
+}
+
 /// What stands behind the first "--" of those is the command, whatever it looks like.
 std::vector<std::string> cutCommand(std::vector<std::string> &words) {
-  if (words.empty() || std::find(std::begin(kWithCommand), std::end(kWithCommand), words[0]) ==
-                           std::end(kWithCommand))
+  if (!takesCommand(words))
     return {};
   const auto mark = std::find(words.begin(), words.end(), "--");
   if (mark == words.end())
@@ -40,7 +43,7 @@ bool takeCommand(const CLI::App &subcommand, bool optional, std::vector<std::str
     return false;
   }
   if (!command.empty() && command[0].starts_with("-")) {
-    complain("no option " + command[0] + help);
+    complain(unknownOption(subcommand, command[0]) + help);
     return false;
   }
   if (command.empty() && !optional) {
@@ -122,18 +125,18 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
   return runCommand(app, arguments.run, std::move(command));
 }
 
-/// CLI11 takes an unknown subcommand for a missing one.
-bool knownSubcommand(const CLI::App &app, const std::string &word) {
-  std::vector<std::string> names;
-  for (const CLI::App *command : app.get_subcommands({}))
-    names.push_back(command->get_name());
-  if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end())
-    return true;
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  const std::string_view near = closest(word, known);
-  complain("no subcommand " + word + (near.empty() ? "" : "; did you mean " + std::string(near)) +
-           " (arbiter --help)");
-  return false;
+/// `help VERB` is `VERB --help`.
+void replaceHelp(std::vector<std::string> &words) {
+  if (words.empty() || words.size() > 2 || words[0] != kHelpVerb ||
+      (words.size() == 2 && words[1].starts_with("-")))
+    return;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+}
+
+int refuse(const std::string &fault, const std::string &verb) {
+  complain(fault + " (arbiter " + verb + (verb.empty() ? "" : " ") + "--help)");
+  return kExitUsage;
 }
 
 int interpret(int argc, char **argv) {
@@ -142,27 +145,40 @@ int interpret(int argc, char **argv) {
                "arbiter"};
   Arguments arguments;
   app.require_subcommand(1);
-  app.set_version_flag("--version", "arbiter " ARBITER_VERSION_TEXT);
+  app.set_version_flag("-V,--version", "arbiter " ARBITER_VERSION_TEXT);
   app.set_help_all_flag("--help-all", "help of all subcommands");
   addVerbs(app, arguments);
   app.footer("See arbiter(1), and arbiter(7) for the environment variables.");
 
   const std::vector<std::string> all(argv, argv + argc);
   std::vector<std::string> words(all.begin() + std::min(argc, 1), all.end());
-  if (!words.empty() && !knownSubcommand(app, words[0]))
+  if (words.empty()) {
+    std::fputs(app.help().c_str(), stdout);
     return kExitUsage;
+  }
+  if (words[0] == kCompleteVerb) {
+    words.erase(words.begin(), words.begin() + (words.size() > 1 && words[1] == "--" ? 2 : 1));
+    return completeWords(app, words, takesCommand(words));
+  }
+  replaceHelp(words);
+  if (!words[0].starts_with("-")) {
+    // CLI11 takes an unknown subcommand for a missing one.
+    if (const std::string fault = unknownVerb(app, words[0]); !fault.empty())
+      return refuse(fault, "");
+    speakAs(words[0]);
+  }
+  const std::string name = words[0].starts_with("-") ? std::string() : words[0];
   std::vector<std::string> command = cutCommand(words);
   std::reverse(words.begin(), words.end()); // as CLI11 wants them
   try {
     app.parse(words);
+  } catch (const CLI::Success &asked) { // help, or the version
+    return app.exit(asked);
   } catch (const CLI::ParseError &error) {
-    return app.exit(error) == 0 ? kExitOk : kExitUsage;
+    return refuse(faultOf(app, error), name);
   }
-  const CLI::App &verb = *app.get_subcommands().front();
-  if (const std::string fault = withoutEffect(verb); !fault.empty()) {
-    complain(fault + " (arbiter " + verb.get_name() + " --help)");
-    return kExitUsage;
-  }
+  if (const std::string fault = withoutEffect(*app.get_subcommands().front()); !fault.empty())
+    return refuse(fault, name);
   return dispatch(app, arguments, std::move(command), all);
 }
 

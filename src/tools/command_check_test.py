@@ -4,10 +4,11 @@
 usage: command_check_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
 """
 import json
+import pathlib
 import re
 
 import command_session
-from command_session import BAD, GOOD, PROGRAMS, ROOT, VERTEX, Temporary, alu, arbiter
+from command_session import ARBITER, BAD, GOOD, PROGRAMS, ROOT, VERTEX, Temporary, alu, arbiter
 
 
 class Check(Temporary):
@@ -54,6 +55,24 @@ class Check(Temporary):
                                         '[header-missing]\n')
         self.assertEqual(arbiter('check', '--language', 'cg', '-', text=VERTEX).returncode, 1)
 
+    def test_another_language_is_told_what_it_is(self):
+        glsl = 'uniform sampler2D image;\nvoid main() { gl_FragColor = texture2D(image, vec2(0.5)); }\n'
+        hlsl = 'cbuffer c { float4 tint; };\nfloat4 main() : SV_Target { return tint; }\n'
+        cg = 'fixed4 main(half2 uv : TEXCOORD0, uniform sampler2D i) : COLOR { return tex2D(i, uv); }\n'
+        elf = pathlib.Path(ARBITER).read_bytes()[:4096]
+        picture = (ROOT / 'docs' / 'pictures').glob('*.png').__next__().read_bytes()[:4096]
+        for text, kind in ((glsl, 'GLSL'), (hlsl, 'HLSL'), (cg, 'Cg'), (elf, 'an ELF file'),
+                           (picture, 'a PNG picture')):
+            path = self.path('text.fp')
+            path.write_bytes(text if isinstance(text, bytes) else text.encode())
+            said = f'{path}:1:1: error: this is {kind}, Arbiter reads assembly programs [header-missing]\n'
+            result = arbiter('check', '--brief', path)
+            self.assertEqual((result.returncode, result.stdout), (2, said))
+            self.assertTrue(arbiter('compile', path).stderr.startswith(said))
+        # A program whose header is wrong is a program.
+        for text in (GOOD.replace('!!', '!'), GOOD.replace('fp1.0', 'fp2.0'), GOOD[GOOD.index('MOV'):]):
+            self.assertIn('the header !!ARBfp1.0 is missing', arbiter('check', '--brief', '-', text=text).stdout)
+
     def test_error_line_is_what_editors_read(self):
         path = self.path('bad.fp', BAD)
         result = arbiter('check', '--brief', path)
@@ -75,7 +94,7 @@ class Check(Temporary):
         self.assertEqual(arbiter(*catalyst, good, wide, bad).returncode, 2)
         result = arbiter(*catalyst, wide, bad, none, good)
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr, f'arbiter: {none}: No such file or directory\n')
+        self.assertEqual(result.stderr, f'arbiter check: {none}: No such file or directory\n')
         self.assertIn('good.fp: valid', result.stdout)
 
     def test_over_native_says_so(self):

@@ -89,7 +89,7 @@ class Defaults(Temporary):
         text = GOOD.replace('match.name = "game"', 'match.windows = "game.exe"')
         folder = self.folder_of(a=text)
         seen = arbiter('defaults', '--', 'wine', 'Game.EXE', ARBITER_DEFAULTS=folder, PATH='/none')
-        self.assertEqual((seen.returncode, seen.stderr), (0, 'arbiter: wine: not found in PATH\n'))
+        self.assertEqual((seen.returncode, seen.stderr), (0, 'arbiter defaults: wine: not found in PATH\n'))
         self.assertIn('entry    A game, by windows Game.EXE', seen.stdout)
         seen = arbiter('defaults', '--', 'wine', 'game', ARBITER_DEFAULTS=folder, PATH='/none')
         self.assertEqual((seen.returncode, seen.stdout), (1, ''))
@@ -126,7 +126,7 @@ class Defaults(Temporary):
 
     def test_what_cannot_be_found(self):
         result = arbiter('defaults', '--', './none')
-        self.assertEqual((result.returncode, result.stderr), (1, 'arbiter: ./none: no such file\n'))
+        self.assertEqual((result.returncode, result.stderr), (1, 'arbiter defaults: ./none: no such file\n'))
 
     def test_the_command_itself_follows_none(self):
         text = GOOD.replace('"game"', '"arbiter"').replace('numerics = "legacy"', 'profile = "nv30"')

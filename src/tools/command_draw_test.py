@@ -155,7 +155,7 @@ class Draw(Temporary):
     def test_a_sample_without_an_image_is_said(self):
         result = self.draw('!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[2], CUBE;\nEND\n')
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(result.stderr, 'arbiter: <stdin>: texture[2] (CUBE) has no image, so a '
+        self.assertEqual(result.stderr, 'arbiter draw: <stdin>: texture[2] (CUBE) has no image, so a '
                                         'checker with its number stands in for one\n')
 
     def test_the_number_of_a_unit_without_an_image_is_drawn(self):
@@ -186,12 +186,12 @@ class Draw(Temporary):
         sampling = '!!ARBfp1.0\nTEX result.color, fragment.texcoord[0], texture[0], 2D;\nEND\n'
         seen = self.draw(sampling, '--texture', '0=/none.png')
         self.assertEqual((seen.returncode, seen.stderr),
-                         (1, 'arbiter: --texture 0: /none.png: No such file or directory\n'))
+                         (1, 'arbiter draw: --texture 0: /none.png: No such file or directory\n'))
         mesh = self.path('empty.obj', 'v 1\n')
         seen = self.draw(GOOD, '--mesh', mesh)
-        self.assertEqual((seen.returncode, seen.stderr), (1, f'arbiter: {mesh}: it has no face\n'))
+        self.assertEqual((seen.returncode, seen.stderr), (1, f'arbiter draw: {mesh}: it has no face\n'))
         seen = self.draw(GOOD, '--texture', '99=checker')
-        self.assertRegex(seen.stderr, '^arbiter: --texture 99')
+        self.assertRegex(seen.stderr, '^arbiter draw: --texture 99')
 
     def test_usage_errors(self):
         for options in (('--texture', '0'), ('--texture', 'x=checker'), ('--texture', '0=/none.png'),

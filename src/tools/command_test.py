@@ -3,13 +3,15 @@
 
 usage: command_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
 """
+import json
 import os
 import pathlib
 import re
+import tomllib
 import unittest
 
 import command_session
-from command_session import BAD, GOOD, ROOT, Temporary, arbiter
+from command_session import BAD, GOOD, ROOT, VERTEX, Temporary, arbiter
 
 
 class Compile(Temporary):
@@ -63,7 +65,7 @@ class Compile(Temporary):
     def test_native_wants_a_model(self):
         result = arbiter('compile', '--emit', 'native', '--profile', 'host', '-', text=GOOD)
         self.assertEqual((result.returncode, result.stdout), (1, ''))
-        self.assertEqual(result.stderr, 'arbiter: -: the profile host has no model that runs '
+        self.assertEqual(result.stderr, 'arbiter compile: -: the profile host has no model that runs '
                                         'ARBfp1.0 programs: its limits are documented numbers\n')
         self.assertEqual(arbiter('compile', '--emit', 'native', '-', text=BAD).returncode, 2)
 
@@ -98,6 +100,21 @@ class Compile(Temporary):
             self.assertEqual((refused.returncode, refused.stdout), (1, ''))
             self.assertIn('--numerics has no effect with --emit ir but beside --optimise', refused.stderr)
 
+    def test_json(self):
+        result = arbiter('compile', '--json', '-', text=GOOD)
+        said = json.loads(result.stdout)
+        self.assertEqual((result.returncode, result.stderr, said['emit'], said['profile']), (0, '', 'glsl', 'r300'))
+        program, = said['programs']
+        self.assertEqual((program['valid'], program['diagnostics']), (True, []))
+        self.assertEqual(program['text'], arbiter('compile', '-', text=GOOD).stdout)
+        result = arbiter('compile', '--json', '-', text=BAD)
+        program, = json.loads(result.stdout)['programs']
+        self.assertEqual((result.returncode, result.stderr, program['valid']), (2, '', False))
+        self.assertEqual([each['id'] for each in program['diagnostics']], ['undeclared-name'])
+        both = json.loads(arbiter('compile', '--json', '-', text=GOOD + VERTEX).stdout)
+        self.assertEqual([(each['language'], each['line']) for each in both['programs']],
+                         [('ARBfp1.0', 1), ('ARBvp1.0', 4)])
+
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')
         result = arbiter('compile', '-o', output, '-', text=GOOD)
@@ -118,7 +135,8 @@ class Profiles(Temporary):
     def test_list(self):
         result = arbiter('profiles')
         self.assertEqual(result.returncode, 0)
-        self.assertEqual([line.split()[0] for line in result.stdout.splitlines()],
+        self.assertIn('also geforcefx,', result.stdout)
+        self.assertEqual([line.split()[0] for line in result.stdout.splitlines() if line[0] != ' '],
                          ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv10', 'nv20',
                           'nv25', 'nv30', 'nv35', 'nv40', 'i915', 'host'])
 
@@ -128,6 +146,28 @@ class Profiles(Temporary):
             self.assertEqual(printed.returncode, 0)
             again = arbiter('profiles', self.path(name + '.toml', printed.stdout))
             self.assertEqual(again.stdout, printed.stdout)
+
+    def test_json_has_what_the_text_has(self):
+        listed = json.loads(arbiter('profiles', '--json').stdout)
+        self.assertEqual(listed['default'], 'r300')
+        names = [line.split()[0] for line in arbiter('profiles').stdout.splitlines() if line[0] != ' ']
+        self.assertEqual([profile['name'] for profile in listed['profiles']], names)
+        self.assertIn('radeon9700', listed['profiles'][0]['aliases'])
+        for name in names:
+            one = json.loads(arbiter('profiles', '--json', name).stdout)
+            text = tomllib.loads(arbiter('profiles', name).stdout)
+            for table, rows in text.items():
+                if table == 'identity':
+                    self.assertEqual({key: row['value'] for key, row in one[table].items()},
+                                     {key: str(row['value']) for key, row in rows.items()})
+                else:
+                    self.assertEqual(one[table], rows, f'{name}: {table}')
+
+    def test_a_card_by_what_people_call_it(self):
+        for typed, name in (('radeon9700', 'r300'), ('9700', 'r300'), ('GeForce FX', 'nv30'), ('geforce4', 'nv25')):
+            self.assertEqual(arbiter('profiles', typed).stdout, arbiter('profiles', name).stdout)
+        self.assertIn('native limits of nv30\n',
+                      arbiter('check', '--profile', 'geforcefx', '-', text=GOOD).stdout)
 
     def test_unknown(self):
         result = arbiter('profiles', 'voodoo')
@@ -155,6 +195,18 @@ class Cache(Temporary):
         self.assertEqual(os.listdir(folder), ['notes.txt'])
         self.assertFalse(os.path.exists(code) and os.listdir(code))
 
+    def test_json(self):
+        folder = self.path('arbiter/programs/2a')
+        os.makedirs(folder)
+        pathlib.Path(folder, '2a' * 16).write_bytes(b'x' * 100)
+        home = {'XDG_CACHE_HOME': self.path('')}
+        for clear, files in (((), 1), (('--clear',), 0)):
+            seen = json.loads(arbiter('cache', '--json', *clear, **home, ARBITER_CACHE_MAX_MB='2').stdout)
+            self.assertEqual(seen['enabled'], True)
+            self.assertEqual(seen['kinds'][0], {
+                'kind': 'programs', 'folder': str(self.path('arbiter/programs')), 'files': files,
+                'bytes': 100 * files, 'limit_bytes': 2 << 20})
+
     def test_without_a_home_it_says_so(self):
         result = arbiter('cache', XDG_CACHE_HOME='relative', HOME='')
         self.assertEqual(result.returncode, 1)
@@ -163,24 +215,69 @@ class Cache(Temporary):
 
 class Whole(unittest.TestCase):
     def test_usage(self):
-        self.assertEqual(arbiter().returncode, 1)
         self.assertEqual(arbiter('check').returncode, 1)
         self.assertEqual(arbiter('check', '--bogus', '-').returncode, 1)
-        self.assertIn('did you mean check', arbiter('chek').stderr)
         for words in (('--help',), ('check', '--help'), ('run', '--help'), ('--version',)):
             self.assertEqual(arbiter(*words).returncode, 0, words)
         header = (ROOT / 'include' / 'GL' / 'arbiter.h').read_text()
         version = '.'.join(re.findall(r'ARBITER_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)', header))
-        self.assertEqual(arbiter('--version').stdout, f'arbiter {version}\n')
+        for word in ('--version', '-V'):
+            self.assertEqual(arbiter(word).stdout, f'arbiter {version}\n')
         self.assertIn(f"version: '{version}'", (ROOT / 'meson.build').read_text())
 
+    def test_help(self):
+        alone = arbiter()
+        self.assertEqual((alone.returncode, alone.stderr), (1, ''))
+        for words in (('--help',), ('help',)):
+            shown = arbiter(*words)
+            self.assertEqual((shown.returncode, shown.stdout), (0, alone.stdout))
+        self.assertEqual(arbiter('help', 'check').stdout, arbiter('check', '--help').stdout)
+        self.assertEqual(arbiter('help', 'chek').stderr,
+                         'arbiter: no verb chek; did you mean check? (arbiter --help)\n')
+
+    def test_one_voice(self):
+        """Who speaks, what is wrong, what was expected, how to get help."""
+        rows = {
+            'chek a.fp': 'arbiter: no verb chek; did you mean check? (arbiter --help)',
+            '--jsn check': 'arbiter: no option --jsn; did you mean --json? (arbiter --help)',
+            'check': 'arbiter check: FILE is missing: expected program texts, each with one program or several '
+                     '(arbiter check --help)',
+            'check --jsn -': 'arbiter check: no option --jsn; did you mean --json? (arbiter check --help)',
+            'check --jsn': 'arbiter check: no option --jsn; did you mean --json? (arbiter check --help)',
+            'run --huhd -- true': 'arbiter run: no option --huhd; did you mean --hud? (arbiter run --help)',
+            'check --fix -': 'arbiter check: --fix needs --advise (arbiter check --help)',
+            'check --compare --brief - -': 'arbiter check: --compare cannot be given with --brief '
+                                           '(arbiter check --help)',
+            'check --why --json -': 'arbiter check: --why has no effect with --json (arbiter check --help)',
+            'compile --emit asembly -': 'arbiter compile: --emit asembly: expected tokens, ir, assembly, glsl, native, '
+                                        'llvm or machine; did you mean assembly? (arbiter compile --help)',
+            'compile --emit': 'arbiter compile: --emit has no value: expected tokens, ir '
+                              '(arbiter compile --help)',
+            'compile - x': 'arbiter compile: unexpected x (arbiter compile --help)',
+            'ctl --pid abc list': 'arbiter ctl: --pid abc: expected a whole number from 1 to 4194304 '
+                                  '(arbiter ctl --help)',
+            'ctl --timeout 0 list': 'arbiter ctl: --timeout 0: expected a number from 0.001 to 3600 '
+                                    '(arbiter ctl --help)',
+            'draw --mesh cub -': 'arbiter draw: --mesh cub: expected quad, grid, plane, cube, sphere, torus, cylinder, '
+                                 'knot, billboards or a file; did you mean cube? (arbiter draw --help)',
+            'debug -': 'arbiter debug: --pixel is missing: expected X,Y (arbiter debug --help)',
+            'check gallery:twril': 'arbiter check: gallery:twril: the gallery has no such document; did you mean '
+                                   'gallery:twirl? (arbiter check --help)',
+            'check none.fp': 'arbiter check: none.fp: No such file or directory',
+            'doctor': 'arbiter doctor: no command to run (arbiter doctor --help)',
+        }
+        for words, said in rows.items():
+            result = arbiter(*words.split())
+            self.assertEqual((result.returncode, result.stderr), (1, said + '\n'), words)
+
     def test_the_manual_has_every_option(self):
-        manual = (ROOT / 'docs' / 'man' / 'arbiter.1').read_text().replace('\\-', '-')
-        for command in ('check', 'compile', 'draw', 'run', 'profiles', 'cache', 'lsp', 'builder', 'defaults', 'doctor'):
-            self.assertIn(f'arbiter {command}', manual)
-            for option in re.findall(r'(?<![\w-])--[a-z-]+', arbiter(command, '--help').stdout):
+        names = re.findall(r'^  ([a-z]+)  ', arbiter('--help').stdout.partition('Subcommands:')[2], re.M)
+        self.assertIn('doctor', names)
+        for name in sorted(set(names) - {'help', 'builder'}):
+            manual = (ROOT / 'docs' / 'man' / f'arbiter-{name}.1').read_text().replace('\\-', '-')
+            for option in re.findall(r'(?<![\w-])--[a-z-]+', arbiter(name, '--help').stdout):
                 if option not in ('--help', '--help-all'):
-                    self.assertIn(option, manual, command)
+                    self.assertIn(option, manual, name)
 
     def test_the_header_names_every_variable(self):
         header = (ROOT / 'include' / 'GL' / 'arbiter.h').read_text()

@@ -38,6 +38,7 @@ struct CompileArguments {
   std::string language = "auto"; ///< by the header; or a name of languageRows()
   std::string numerics = "host"; ///< glsl, and the passes; a name of fp::kNumericsNames
   bool optimise = false;         ///< ir: after the passes
+  bool json = false;             ///< what is emitted, and the diagnostics, as one document
   std::string output = "-";
   std::string file;
 };
@@ -94,6 +95,7 @@ struct DoctorArguments {
 
 struct StatsArguments {
   std::string file; ///< as ARBITER_STATS had it, %p and all
+  bool json = false;
 };
 /// Makes the statistics of processes that were killed where no other process did.
 [[nodiscard]] int stats(const StatsArguments &arguments);
@@ -185,6 +187,7 @@ struct CtlArguments {
 [[nodiscard]] std::string ctlActions();
 
 struct CacheArguments {
+  bool json = false;
   bool clear = false;
 };
 [[nodiscard]] int cache(const CacheArguments &arguments);
@@ -205,6 +208,7 @@ struct BuilderArguments {
 
 struct ProfilesArguments {
   std::string name; ///< empty: list all
+  bool json = false;
 };
 [[nodiscard]] int profiles(const ProfilesArguments &arguments);
 

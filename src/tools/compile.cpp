@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "fp_compiler/back/assembly/assembly.h"
@@ -7,6 +8,8 @@
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/semantics.h"
+#include "tools/check/json.h"
+#include "tools/check/rendered.h"
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/language.h"
@@ -51,11 +54,22 @@ std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
   return arguments.emit == "assembly" ? fp::emitAssembly(program) : fp::ir::print(program);
 }
 
-/// Writes the checked program in the form asked for into `emitted`.
+constexpr int kSchema = 1; ///< of --json
+
+/// One program of the file, and what became of it.
+struct Emitted {
+  fp::FileProgram program;
+  std::vector<fp::Diagnostic> diagnostics;
+  std::string text;
+  int code = kExitOk;
+};
+
+/// Writes the checked program in the form asked for into `into`.
 /// \returns an exit code, after a complaint unless it is kExitOk.
-int emitProgram(std::string_view text, const fp::FileProgram &program,
-                const CompileArguments &arguments, const fp::hw::Profile &profile,
-                std::string &emitted) {
+int emitProgram(std::string_view text, const CompileArguments &arguments,
+                const fp::hw::Profile &profile, Emitted &into) {
+  const fp::FileProgram &program = into.program;
+  std::string &emitted = into.text;
   const fp::ir::Language language = program.language;
   const bool isIr = arguments.emit == "ir" || arguments.emit == "assembly";
   if (isIr && arguments.numerics == "fx9" && !arguments.optimise && !fp::ir::isNvparse(language)) {
@@ -69,8 +83,9 @@ int emitProgram(std::string_view text, const fp::FileProgram &program,
   options.numerics = fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host);
   fp::CheckResult result = fp::checkProgramIn(text, program, options);
   const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
-  for (const fp::Diagnostic &diagnostic : result.diagnostics)
-    std::fputs(fp::render(name, text, diagnostic).c_str(), stderr);
+  into.diagnostics = result.diagnostics;
+  if (!arguments.json)
+    std::fputs(rendered(name, text, result.diagnostics, styleOfErrors()).c_str(), stderr);
   if (!result.ok())
     return kExitInvalid;
   if (arguments.emit == "assembly" && language == fp::ir::Language::AtiFragment) {
@@ -123,23 +138,45 @@ std::string heading(std::string_view text, const fp::FileProgram &program,
          "\n";
 }
 
-/// The programs of the file that are meant, one after the other, into `emitted`.
-/// \returns as emitProgram()
-int emitAll(std::string_view text, const CompileArguments &arguments,
-            const fp::hw::Profile &profile, std::string &emitted) {
-  const std::vector<fp::FileProgram> programs = choosePrograms(arguments.language, text);
-  int worst = kExitOk;
-  for (const fp::FileProgram &program : programs) {
-    std::string own;
+/// The programs of the file that are meant, one after the other.
+std::vector<Emitted> emitAll(std::string_view text, const CompileArguments &arguments,
+                             const fp::hw::Profile &profile) {
+  std::vector<Emitted> all;
+  for (const fp::FileProgram &program : choosePrograms(arguments.language, text)) {
+    Emitted &each = all.emplace_back();
+    each.program = program;
     if (arguments.emit == "tokens")
-      own = tokenListing(text, program);
-    else if (const int code = emitProgram(text, program, arguments, profile, own); code != kExitOk)
-      worst = worst == kExitOk ? code : worst;
-    if (programs.size() > 1)
-      emitted += heading(text, program, arguments);
-    emitted += own;
+      each.text = tokenListing(text, program);
+    else
+      each.code = emitProgram(text, arguments, profile, each);
   }
-  return worst;
+  return all;
+}
+
+std::string joined(std::string_view text, const CompileArguments &arguments,
+                   const std::vector<Emitted> &all) {
+  std::string emitted;
+  for (const Emitted &each : all)
+    emitted += (all.size() > 1 ? heading(text, each.program, arguments) : "") + each.text;
+  return emitted;
+}
+
+std::string asJson(std::string_view text, const CompileArguments &arguments,
+                   const fp::hw::Profile &profile, const std::vector<Emitted> &all) {
+  JsonWriter json;
+  json.beginObject().key("schema").value(kSchema);
+  json.key("file").value(arguments.file == "-" ? "<stdin>" : arguments.file);
+  json.key("profile").value(profile.name).key("emit").value(arguments.emit);
+  json.key("programs").beginArray();
+  for (const Emitted &each : all) {
+    json.beginObject();
+    json.key("language").value(languageTitle(each.program.language, each.program.in(text)));
+    json.key("line").value(fp::locate(text, each.program.span.begin).line);
+    json.key("valid").value(each.code == kExitOk);
+    writeDiagnostics(json, text, each.diagnostics);
+    json.key("text").value(each.text).endObject();
+  }
+  return json.endArray().endObject().take();
 }
 
 } // namespace
@@ -160,22 +197,26 @@ int compile(const CompileArguments &arguments) {
     return kExitUsage;
   }
   const std::string &text = input.value();
-  std::string emitted;
   if (arguments.emit == "tokens" && text.size() > fp::kMaxTextBytes) {
     complain(arguments.file + ": longer than 1 MiB");
     return kExitInvalid;
   }
-  const int code = emitAll(
-      text, arguments,
-      profiles.value().of(arguments.file == "-" ? std::string() : arguments.file, text), emitted);
-  if (code != kExitOk)
+  const fp::hw::Profile &profile =
+      profiles.value().of(arguments.file == "-" ? std::string() : arguments.file, text);
+  const std::vector<Emitted> all = emitAll(text, arguments, profile);
+  const auto failed = std::find_if(all.begin(), all.end(),
+                                   [](const Emitted &each) { return each.code != kExitOk; });
+  const int code = failed == all.end() ? int(kExitOk) : failed->code;
+  if (code != kExitOk && (!arguments.json || code != kExitInvalid))
     return code;
+  const std::string emitted =
+      arguments.json ? asJson(text, arguments, profile, all) : joined(text, arguments, all);
   const std::string fault = writeOutput(arguments.output, emitted);
   if (!fault.empty()) {
     complain(fault);
     return kExitUsage;
   }
-  return kExitOk;
+  return code;
 }
 
 } // namespace arbiter::tools

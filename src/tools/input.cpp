@@ -27,6 +27,11 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
+std::string &speaker() {
+  static std::string s_speaker = "arbiter";
+  return s_speaker;
+}
+
 } // namespace
 
 Result<std::string, FileError> readInput(const std::string &name) {
@@ -103,6 +108,10 @@ std::string whyNotWritable(const std::string &path) {
   return {};
 }
 
-void complain(const std::string &text) { std::fprintf(stderr, "arbiter: %s\n", text.c_str()); }
+void complain(const std::string &text) {
+  std::fprintf(stderr, "%s: %s\n", speaker().c_str(), text.c_str());
+}
+
+void speakAs(const std::string &verb) { speaker() = "arbiter " + verb; }
 
 } // namespace arbiter::tools

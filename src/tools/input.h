@@ -30,7 +30,9 @@ struct FileError {
 /// can. For what another process writes when it is too late to say so.
 [[nodiscard]] std::string whyNotWritable(const std::string &path);
 
-/// "arbiter: text" on standard error.
+/// "arbiter VERB: text" on standard error, "arbiter: text" before speakAs().
 void complain(const std::string &text);
+/// Names the verb that this process runs, so that the output of many commands says who spoke.
+void speakAs(const std::string &verb);
 
 } // namespace arbiter::tools

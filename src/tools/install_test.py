@@ -111,9 +111,15 @@ class Installed(unittest.TestCase):
         self.assertEqual(self.package('--modversion'), version)
 
     def test_manuals(self):
-        for name in ('arbiter.1', 'arbiter.7', 'arbiter-defaults.5'):
+        for name in ('arbiter.1', 'arbiter-check.1', 'arbiter-doctor.1', 'arbiter.7', 'arbiter-defaults.5'):
             page = self.prefix / 'share' / 'man' / f'man{name[-1]}' / name
             self.assertTrue(page.is_file(), page)
+
+    def test_completions(self):
+        share = self.prefix / 'share'
+        for name in ('bash-completion/completions/arbiter', 'fish/vendor_completions.d/arbiter.fish'):
+            self.assertTrue((share / name).is_file(), name)
+        self.assertEqual(len(list((share / 'zsh').glob('*/_arbiter'))), 1)
 
 
 if __name__ == '__main__':

@@ -131,6 +131,7 @@ OPERANDS = {
     'ctl': [['list'], ['programs'], ['nothing'], ['get'], ['-']],
     # A descriptor that is none: a renderer that listens runs on.
     'render': [['--fd', '1001']],
+    'help': [[], ['check'], ['chek']],
     'builder': [['good.fp', 'bad.fp']],  # too many: what is taken opens a window
 }
 # Statuses of the command that is run beside those of the verb.
@@ -251,7 +252,8 @@ def faults_of(verb, options, operands, result):
     if status == 0 and not quiet and not out and not written:
         yield 'success, and nothing written'
     printed = status != 1 if verb.name == 'check' else verb.name == 'debug' and status in (0, 5)
-    printed = printed or verb.name in ('defaults', 'doctor') and status != 1
+    printed = printed or verb.name in ('defaults', 'doctor', 'profiles', 'cache', 'stats') and status != 1
+    printed = printed or verb.name == 'compile' and status != 1 and '--output' not in names
     texts = [out] if '--json' in names and printed else []
     texts += [written[name] for name in written if name.endswith('.json')]
     for text in texts:

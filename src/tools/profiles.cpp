@@ -1,19 +1,75 @@
 #include <cstdio>
 
+#include "fp_compiler/hw/names.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "util/json.h"
 
 namespace arbiter::tools {
 
 namespace {
+
+constexpr int kSchema = 1; ///< of --json
 
 void list() {
   for (const std::string_view name : fp::hw::builtinNames()) {
     const fp::hw::Profile *profile = fp::hw::findBuiltin(name);
     std::printf("%-20s%s%s\n", profile->name.c_str(), profile->description.c_str(),
                 name == fp::hw::kDefaultProfile ? " (default)" : "");
+    if (const auto aliases = fp::hw::aliasesOf(name); !aliases.empty())
+      std::printf("%-20salso %s\n", "", fp::hw::joined(aliases).c_str());
   }
+}
+
+void writeHead(JsonWriter &json, const fp::hw::Profile &profile) {
+  json.key("name").value(profile.name).key("description").value(profile.description);
+  json.key("from_host").value(profile.fromHost);
+}
+
+void listAsJson() {
+  JsonWriter json;
+  json.beginObject().key("schema").value(kSchema);
+  json.key("default").value(fp::hw::kDefaultProfile).key("profiles").beginArray();
+  for (const std::string_view name : fp::hw::builtinNames()) {
+    writeHead(json.beginObject(), *fp::hw::findBuiltin(name));
+    json.key("aliases").beginArray();
+    for (const std::string_view alias : fp::hw::aliasesOf(name))
+      json.value(alias);
+    json.endArray().endObject();
+  }
+  std::fputs(json.endArray().endObject().take().c_str(), stdout);
+}
+
+/// A table for each of the profile's, a value and its source for each key.
+void printAsJson(const fp::hw::Profile &profile) {
+  JsonWriter json;
+  writeHead(json.beginObject().key("schema").value(kSchema), profile);
+  const auto writeSource = [&](const std::string &source) {
+    json.key("source").value(source).endObject();
+  };
+  for (const std::string_view table : fp::hw::tables()) {
+    json.key(table).beginObject();
+    for (const fp::hw::RowInfo &row : fp::hw::rows())
+      if (table == row.table) {
+        json.key(row.key).beginObject().key("value").value(profile.value(row.row));
+        writeSource(profile.sources[std::size_t(row.row)]);
+      }
+    if (table == fp::hw::kModelTable)
+      for (const fp::hw::ChoiceInfo &choice : fp::hw::choices()) {
+        json.key(choice.key).beginObject().key("value");
+        json.value(choice.names[profile.value(choice.choice)]);
+        writeSource(profile.choiceSources[std::size_t(choice.choice)]);
+      }
+    json.endObject();
+  }
+  json.key("identity").beginObject();
+  for (const fp::hw::IdentityKey &row : fp::hw::identityKeys())
+    if (const auto &text = profile.identity.*row.member; !text.value.empty()) {
+      json.key(row.key).beginObject().key("value").value(text.value);
+      writeSource(text.source);
+    }
+  std::fputs(json.endObject().endObject().take().c_str(), stdout);
 }
 
 std::string quoted(std::string_view text) {
@@ -62,7 +118,7 @@ void print(const fp::hw::Profile &profile) {
 
 int profiles(const ProfilesArguments &arguments) {
   if (arguments.name.empty()) {
-    list();
+    arguments.json ? listAsJson() : list();
     return kExitOk;
   }
   const auto profile = fp::hw::loadProfile(arguments.name);
@@ -70,7 +126,7 @@ int profiles(const ProfilesArguments &arguments) {
     complain(profile.error().message);
     return kExitUsage;
   }
-  print(profile.value());
+  arguments.json ? printAsJson(profile.value()) : print(profile.value());
   return kExitOk;
 }
 

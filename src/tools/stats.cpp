@@ -3,6 +3,7 @@
 
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "util/json.h"
 #include "util/record/live_record.h"
 
 namespace arbiter::tools {
@@ -19,7 +20,13 @@ int stats(const StatsArguments &arguments) {
     complain("no process that was killed left a record of " + arguments.file);
     return kExitUsage;
   }
-  std::printf("%d\n", made);
+  if (arguments.json) {
+    JsonWriter json;
+    json.beginObject().key("schema").value(1).key("file").value(arguments.file);
+    std::fputs(json.key("made").value(made).endObject().take().c_str(), stdout);
+  } else {
+    std::printf("%d\n", made);
+  }
   return kExitOk;
 }
 

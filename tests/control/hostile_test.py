@@ -9,6 +9,7 @@ import json
 import os
 import random
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -53,6 +54,22 @@ class Hostile(Controlled):
                                 capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(result.returncode, 1)
         self.assertIn('XDG_RUNTIME_DIR', result.stderr)
+        result = subprocess.run([ARBITER, 'ctl', 'dance'], env=environment, capture_output=True, text=True,
+                                timeout=PATIENCE)
+        self.assertEqual((result.returncode, result.stderr),
+                         (1, 'arbiter ctl: no action dance (arbiter ctl --help)\n'))
+        result = subprocess.run([ARBITER, 'ctl', 'programs'], env=environment, capture_output=True, text=True,
+                                timeout=PATIENCE)
+        remedy = result.stderr.partition('for the program and for this alike: ')[2]
+        self.assertTrue(remedy.startswith('export XDG_RUNTIME_DIR=/'), result.stderr)
+        # Done as it says, the command has its folder.
+        folder = remedy.split(';')[0].split('=')[1].strip()
+        there = os.path.isdir(folder)
+        done = subprocess.run(['sh', '-ec', f'{remedy}\n"$0" ctl programs', ARBITER], env=environment,
+                              capture_output=True, text=True, timeout=PATIENCE)
+        if not there:
+            shutil.rmtree(folder)
+        self.assertIn('no process listens', done.stderr)
 
     METHODS = ('hello', 'ping', 'program.list', 'program.get', 'program.set', 'program.reset', 'program.enable',
                'param.list', 'param.set', 'param.reset', 'texture.list', 'texture.get', 'texture.set',

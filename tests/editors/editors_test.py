@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of editors/: the syntax file and plugin in a real vim, the extension in node, the JSON files.
+"""Tests of editors/: the syntax files and plugins in a real vim, Neovim and Emacs,
+the extension in node and as a package, the JSON files.
 
 usage: editors_test.py ARBITER SOURCE_ROOT [unittest arguments]
 """
@@ -12,6 +13,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
+from xml.etree import ElementTree
 
 ARBITER, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
 VIM, VSCODE = ROOT / 'editors' / 'vim', ROOT / 'editors' / 'vscode'
@@ -198,6 +201,32 @@ class VsCode(unittest.TestCase):
         self.assertEqual(self.scope('vertex', 'SIN a, a;', 'SIN'), '')
         self.assertEqual(self.scope('ati', 'DOT2ADD r0.2x, r1', '2x'), 'variable.other.property')
 
+    def test_package(self):
+        """The manifest names what is in the archive, and two packings are one."""
+        with tempfile.TemporaryDirectory() as name:
+            first, second = pathlib.Path(name, 'a.vsix'), pathlib.Path(name, 'b.vsix')
+            for output in (first, second):
+                subprocess.run([sys.executable, ROOT / 'editors' / 'vsix.py', output], check=True, timeout=60)
+            self.assertEqual(first.read_bytes(), second.read_bytes())
+            archive = zipfile.ZipFile(first)
+            names = set(archive.namelist())
+            for path in VSCODE.rglob('*'):
+                if path.is_file():
+                    packed = f'extension/{path.relative_to(VSCODE)}'
+                    self.assertEqual(archive.read(packed), path.read_bytes())
+            space = '{http://schemas.microsoft.com/developer/vsx-schema/2011}'
+            manifest = ElementTree.fromstring(archive.read('extension.vsixmanifest'))
+            identity = manifest.find(f'{space}Metadata/{space}Identity').attrib
+            package = self.read('package.json')
+            self.assertEqual((identity['Id'], identity['Version'], identity['Publisher']),
+                             (package['name'], package['version'], package['publisher']))
+            assets = [asset.attrib['Path'] for asset in manifest.iter(f'{space}Asset')]
+            self.assertIn('extension/package.json', assets)
+            self.assertLessEqual(set(assets), names)
+            types = ElementTree.fromstring(archive.read('[Content_Types].xml'))
+            endings = {each.attrib['Extension'] for each in types}
+            self.assertLessEqual({pathlib.PurePath(each).suffix for each in names - {'[Content_Types].xml'}}, endings)
+
     def test_extension(self):
         if not shutil.which('node'):
             self.skipTest('no node on this machine')
@@ -206,6 +235,28 @@ class VsCode(unittest.TestCase):
         done = subprocess.run(['node', pathlib.Path(__file__).with_name('vscode_test.js'), VSCODE,
                                ARBITER], capture_output=True, text=True, timeout=90)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class Emacs(unittest.TestCase):
+    def test_mode(self):
+        """The faces of words, the mode of files, and the language server's command."""
+        if not shutil.which('emacs'):
+            self.skipTest('no Emacs on this machine')
+        with tempfile.TemporaryDirectory() as name:
+            file = pathlib.Path(name, 'a.fp')
+            file.write_text(FRAGMENT)
+            show = ''.join(f'(goto-char (point-min)) (search-forward "{mark}") '
+                           '(princ (get-text-property (match-beginning 0) (quote face))) (princ "\\n")'
+                           for mark in ('!!ARBfp', 'MOV in', 'OPTION', 'ARB_fog', 'TEX ', 'rgb', 'fragment', 'MOVE,'))
+            done = subprocess.run(
+                ['emacs', '--batch', '-Q', '-l', ROOT / 'editors' / 'emacs' / 'arbprogram-mode.el', '--eval',
+                 f'(progn (find-file "{file}") (princ major-mode) (princ "\\n") '
+                 f'(font-lock-ensure) {show} (princ comment-start))'],
+                capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.stdout.splitlines(), [
+            'arbprogram-mode', 'font-lock-preprocessor-face', 'font-lock-comment-face', 'font-lock-keyword-face',
+            'font-lock-type-face', 'font-lock-function-name-face', 'font-lock-constant-face',
+            'font-lock-variable-name-face', 'nil', '# '], done.stderr)
 
 
 class Neovim(unittest.TestCase):

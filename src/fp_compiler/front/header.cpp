@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/front/foreign.h"
 #include "fp_compiler/limits.h"
 
 namespace arbiter::fp {
@@ -58,9 +59,12 @@ bool checkHeader(std::string_view header, std::string_view text, Reporter &repor
   for (const HeaderRow &row : kHeaders)
     if (text.starts_with(row.begin))
       hint = row.hint;
+  const std::string kind(foreignKind(text));
   reporter.error(DiagnosticId::HeaderMissing,
                  {wrong, std::min(wrong + 1, std::uint32_t(text.size()))},
-                 "the header " + std::string(header) + " is missing", std::move(hint));
+                 kind.empty() ? "the header " + std::string(header) + " is missing"
+                              : "this is " + kind + ", Arbiter reads assembly programs",
+                 std::move(hint));
   return false;
 }
 

@@ -21,6 +21,7 @@ inline constexpr int kIdentityKeyCount = 6;
 struct BuiltinProfile {
   const char *name;
   const char *description;
+  const char *aliases; ///< "radeon9700|9700"
   bool fromHost;
   BuiltinRow rows[kRowCount];              ///< in the order of rows.def
   BuiltinRow choices[kChoiceCount];        ///< in the order of choices.def

@@ -1,11 +1,62 @@
 #include "fp_compiler/hw/names.h"
 
-#include <vector>
+#include <algorithm>
 
-#include "fp_compiler/hw/profile.h"
+#include "fp_compiler/hw/builtin.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp::hw {
+
+namespace {
+
+constexpr std::size_t kMostName = 64;
+
+/// A card that people ask for and that no profile is of.
+struct Absent {
+  std::string_view name;
+  const char *why;
+};
+constexpr const char *kOfR200 = "the chip, an R200, has no ARB_fragment_program; its ATI fragment "
+                                "shaders have the same limits under every profile";
+constexpr Absent kAbsent[] = {
+    {"r200", kOfR200},       {"radeon8500", kOfR200}, {"8500", kOfR200},
+    {"radeon9000", kOfR200}, {"radeon9200", kOfR200},
+};
+
+/// "radeon9700", of "Radeon 9700".
+std::string plain(std::string_view typed) {
+  std::string name;
+  for (const char c : typed.substr(0, kMostName))
+    if (c != ' ' && c != '-' && c != '_')
+      name += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return name;
+}
+
+} // namespace
+
+std::vector<std::string_view> aliasesOf(std::string_view builtin) {
+  std::vector<std::string_view> aliases;
+  for (const BuiltinProfile &profile : builtinTable())
+    if (profile.name == builtin)
+      for (std::string_view rest = profile.aliases; !rest.empty();) {
+        const std::size_t end = std::min(rest.find('|'), rest.size());
+        aliases.push_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+      }
+  return aliases;
+}
+
+std::string_view builtinMeant(std::string_view typed) {
+  const std::string name = plain(typed);
+  for (const BuiltinProfile &profile : builtinTable()) {
+    if (profile.name == typed || plain(profile.name) == name)
+      return profile.name;
+    const std::vector<std::string_view> aliases = aliasesOf(profile.name);
+    if (std::find(aliases.begin(), aliases.end(), name) != aliases.end())
+      return profile.name;
+  }
+  return {};
+}
 
 std::string meant(std::string_view typed, std::span<const std::string_view> known) {
   const std::string_view near = closest(typed, known);
@@ -20,9 +71,17 @@ std::string joined(std::span<const std::string_view> names) {
 }
 
 std::string unknownProfile(std::string_view name) {
+  const std::string start = "no profile \"" + std::string(name.substr(0, kMostName)) + "\"";
+  for (const Absent &absent : kAbsent)
+    if (absent.name == plain(name))
+      return start + ": " + absent.why;
   const std::vector<std::string_view> names = builtinNames();
-  return "no profile \"" + std::string(name.substr(0, 64)) + "\"" + meant(name, names) +
-         " (built in: " + joined(names) + "; or the path of a TOML file)";
+  std::vector<std::string_view> known = names;
+  for (const std::string_view builtin : names)
+    for (const std::string_view alias : aliasesOf(builtin))
+      known.push_back(alias);
+  return start + meant(name, known) + " (built in: " + joined(names) +
+         "; or the path of a TOML file)";
 }
 
 } // namespace arbiter::fp::hw

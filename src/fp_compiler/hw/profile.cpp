@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/hw/builtin.h"
+#include "fp_compiler/hw/names.h"
 
 namespace arbiter::fp::hw {
 
@@ -152,8 +153,9 @@ std::vector<std::string_view> builtinNames() {
 }
 
 const Profile *findBuiltin(std::string_view name) {
+  const std::string_view meant = builtinMeant(name);
   for (const Profile &profile : builtins())
-    if (profile.name == name)
+    if (profile.name == meant)
       return &profile;
   return nullptr;
 }

@@ -126,6 +126,28 @@ TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
   EXPECT_EQ(findBuiltin("r3000"), nullptr);
 }
 
+TEST(Profiles, ACardIsKnownByWhatPeopleCallIt) {
+  for (const auto &[typed, name] :
+       {std::pair("radeon9700", "r300"), std::pair("9700", "r300"),
+        std::pair("Radeon 9700", "r300"), std::pair("R300", "r300"), std::pair("geforcefx", "nv30"),
+        std::pair("GeForce-FX", "nv30"), std::pair("geforce4", "nv25"),
+        std::pair("geforce3", "nv20"), std::pair("r300-catalyst-2004", "r300-catalyst-2004")}) {
+    const Profile *const profile = findBuiltin(typed);
+    ASSERT_NE(profile, nullptr) << typed;
+    EXPECT_EQ(profile->name, name);
+  }
+  for (const char *const none : {"", " ", "-", "|", "radeon9700|9700"})
+    EXPECT_EQ(findBuiltin(none), nullptr) << none;
+  const auto near = loadProfile("r9700");
+  ASSERT_FALSE(near);
+  EXPECT_TRUE(near.error().message.starts_with("no profile \"r9700\"; did you mean \"9700\"?"));
+  const auto absent = loadProfile("Radeon 8500");
+  ASSERT_FALSE(absent);
+  EXPECT_EQ(absent.error().message,
+            "no profile \"Radeon 8500\": the chip, an R200, has no ARB_fragment_program; its ATI "
+            "fragment shaders have the same limits under every profile");
+}
+
 TEST(Profiles, TheVertexTargetHasItsOwnNumbers) {
   const Limits &vertex = findBuiltin(kDefaultProfile)->vertex;
   EXPECT_EQ(vertex.api.instructions, 256u);

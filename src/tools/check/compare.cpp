@@ -143,7 +143,7 @@ std::string Comparison::text(const Style &style) const {
   std::string text;
   const Side *const sides[] = {&m_a, &m_b};
   for (const Side *side : sides) {
-    text += briefText(side->file);
+    text += briefText(side->file, style);
     text += (side == &m_a ? "A: " : "B: ") + shown(side->file.name) + ": " +
             verdict(side->file, *side->profile) +
             (side->file.counted() ? "" : " under " + side->profile->name) + "\n";

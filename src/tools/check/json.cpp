@@ -174,6 +174,15 @@ void writeHead(JsonWriter &json, const fp::hw::Profile &profile) {
   json.endObject();
 }
 
+void writeDiagnostics(JsonWriter &json, std::string_view text,
+                      const std::vector<fp::Diagnostic> &diagnostics) {
+  const SourceText source(text);
+  json.key("diagnostics").beginArray();
+  for (const fp::Diagnostic &diagnostic : diagnostics)
+    writeDiagnostic(json, source, diagnostic);
+  json.endArray();
+}
+
 void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile *profile) {
   json.beginObject();
   json.key("file").value(file.name);
@@ -195,10 +204,7 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile 
   json.key("bytes").value(std::uint64_t(file.source().size()));
   json.key("hash").value(toHex(hashBytes(file.source())));
   json.key("error_position").value(errorPositionOf(file));
-  json.key("diagnostics").beginArray();
-  for (const fp::Diagnostic &diagnostic : file.result.diagnostics)
-    writeDiagnostic(json, source, diagnostic);
-  json.endArray();
+  writeDiagnostics(json, file.text, file.result.diagnostics);
   if (file.counted())
     writeCounts(json, file);
   if (file.counted()) {

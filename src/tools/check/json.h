@@ -14,6 +14,10 @@ void writeHead(JsonWriter &json, const fp::hw::Profile &profile);
 /// \param profile named in the element, where the document has files of several; else nullptr
 void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile *profile = nullptr);
 
+/// "diagnostics" of a text, whose object is open.
+void writeDiagnostics(JsonWriter &json, std::string_view text,
+                      const std::vector<fp::Diagnostic> &diagnostics);
+
 /// The model's name, as a profile says it: "documented", "r300".
 [[nodiscard]] std::string name(fp::NativeModel model);
 

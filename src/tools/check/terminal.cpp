@@ -69,8 +69,15 @@ Style styleOf(std::string_view gauges) {
   return style;
 }
 
+Style styleOfErrors() {
+  Style style;
+  style.colour = ::isatty(STDERR_FILENO) != 0 && coloursWanted();
+  return style;
+}
+
 std::string painted(std::string_view text, Colour colour, const Style &style) {
-  constexpr std::string_view kCodes[] = {"\x1b[32m", "\x1b[33m", "\x1b[31m", "\x1b[2m"};
+  constexpr std::string_view kCodes[] = {"\x1b[32m",   "\x1b[33m",   "\x1b[31m",   "\x1b[2m",
+                                         "\x1b[1;31m", "\x1b[1;35m", "\x1b[1;36m", "\x1b[1m"};
   if (!style.colour)
     return std::string(text);
   return std::string(kCodes[std::size_t(colour)]) + std::string(text) + "\x1b[0m";

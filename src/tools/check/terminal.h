@@ -20,8 +20,10 @@ struct Style {
 ///        wherever the locale's is; "never": numbers alone
 /// Colours are for terminals only, and not where NO_COLOR is set or TERM is "dumb".
 [[nodiscard]] Style styleOf(std::string_view gauges);
+/// Likewise for standard error, where there are no gauges.
+[[nodiscard]] Style styleOfErrors();
 
-enum class Colour : std::uint8_t { Good, Close, Bad, Dim };
+enum class Colour : std::uint8_t { Good, Close, Bad, Dim, Error, Warning, Note, Place };
 /// The text in that colour, or as it is.
 [[nodiscard]] std::string painted(std::string_view text, Colour colour, const Style &style);
 

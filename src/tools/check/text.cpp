@@ -5,6 +5,7 @@
 
 #include "fp_compiler/resources.h"
 #include "tools/advise/show.h"
+#include "tools/check/rendered.h"
 #include "tools/check/why.h"
 
 namespace arbiter::tools {
@@ -109,10 +110,10 @@ std::string adviceText(const CheckedFile &file) {
 
 } // namespace
 
-std::string briefText(const CheckedFile &file) {
+std::string briefText(const CheckedFile &file, const Style &style) {
   std::string text;
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics)
-    text += fp::renderLine(shown(file.name), file.text, diagnostic) + "\n";
+    text += renderedLine(shown(file.name), file.text, diagnostic, style) + "\n";
   text += fixedText(file);
   for (const advise::Advice &advice : adviceOf(file))
     text += advise::lineText(shown(file.name), file.text, advice);
@@ -136,7 +137,7 @@ std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
                      const TextOptions &options) {
   std::string text = fixedText(file);
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
-    text += fp::render(shown(file.name), file.text, diagnostic);
+    text += rendered(shown(file.name), file.text, diagnostic, options.style);
     if (text.back() != '\n')
       text += '\n';
   }

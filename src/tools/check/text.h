@@ -12,7 +12,7 @@ struct TextOptions {
 };
 
 /// The first lines of the diagnostics: "file:line:col: error: text [ID]".
-[[nodiscard]] std::string briefText(const CheckedFile &file);
+[[nodiscard]] std::string briefText(const CheckedFile &file, const Style &style);
 
 /// Diagnostics with source, caret and hint; the verdict; for a program that has counts a gauge for
 /// each resource, with its reasons where it is over.

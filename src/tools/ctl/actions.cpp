@@ -31,7 +31,7 @@ int waitSeconds(Session &session, const Words &words) {
 
 constexpr std::size_t kAny = 64;
 constexpr ActionRow kActions[] = {
-    {"programs", "", 0, 0, listPrograms, "the programs that are loaded"},
+    {"programs", "", 0, 0, listPrograms, "the programs that are loaded, and a quarter second's draws"},
     {"get", "ID", 1, 1, getText, "the text that is drawn with"},
     {"set", "ID FILE", 2, 2, setProgram, "draws with that text, and with what it becomes"},
     {"reset", "[ID]", 0, 1, resetPrograms, "the application's own text again"},
@@ -66,19 +66,24 @@ void printJson(const wire::Json &answer) {
   std::printf("%s\n", answer.dump(2, ' ', false, wire::Json::error_handler_t::replace).c_str());
 }
 
+const ActionRow *findAction(const std::string &name) {
+  const auto *const row = std::find_if(std::begin(kActions), std::end(kActions),
+                                       [&](const ActionRow &each) { return name == each.name; });
+  if (row != std::end(kActions))
+    return row;
+  std::vector<std::string_view> names = {"list"};
+  for (const ActionRow &each : kActions)
+    names.emplace_back(each.name);
+  const std::string_view near = closest(name, names);
+  complain("no action " + name + (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
+           " (arbiter ctl --help)");
+  return nullptr;
+}
+
 int runAction(Session &session, const Words &words) {
-  const auto *const row =
-      std::find_if(std::begin(kActions), std::end(kActions),
-                   [&](const ActionRow &each) { return words[0] == each.name; });
-  if (row == std::end(kActions)) {
-    std::vector<std::string_view> names = {"list"};
-    for (const ActionRow &each : kActions)
-      names.emplace_back(each.name);
-    const std::string_view near = closest(words[0], names);
-    return fail({kExitUsage, "no action " + words[0] +
-                                 (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
-                                 " (arbiter ctl --help)"});
-  }
+  const ActionRow *const row = findAction(words[0]);
+  if (!row)
+    return kExitUsage;
   const Words rest(words.begin() + 1, words.end());
   if (rest.size() < row->least || rest.size() > row->most)
     return fail({kExitUsage, "usage: arbiter ctl " + std::string(row->name) +

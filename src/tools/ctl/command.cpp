@@ -123,20 +123,22 @@ std::string ctlActions() {
 int controlProcess(const CtlArguments &arguments) {
   if (arguments.words[0] == "list" && arguments.words.size() == 1)
     return listProcesses(arguments.json);
+  const bool lines = arguments.words[0] == "-" && arguments.words.size() == 1;
+  if (!lines && !findAction(arguments.words[0]))
+    return kExitUsage;
   auto opened = Connection::open(pid_t(arguments.process),
                                  std::chrono::milliseconds(std::int64_t(arguments.timeout * 1000)));
   if (!opened)
     return fail(opened.error());
   endAtSignals();
   Session session{*opened.value(), arguments.json, arguments.output, false, {}, 0};
-  if (arguments.words[0] == "-" && arguments.words.size() == 1)
+  if (lines)
     return runLines(session);
   const int code = runAction(session, arguments.words);
   if (code != kExitOk || !session.changed)
     return code;
-  std::fprintf(stderr, "arbiter: held %s\n",
-               arguments.holdSeconds > 0 ? "for a while"
-                                         : "until this ends (Ctrl+C); then it is undone");
+  complain(arguments.holdSeconds > 0 ? "held for a while"
+                                     : "held until this ends (Ctrl+C); then it is undone");
   return hold(session, arguments.holdSeconds);
 }
 

@@ -77,6 +77,16 @@ Result<wire::Json, Failure> Connection::ask(const std::string &method, wire::Jso
   return Failure{kExitUsage, method + ": " + answer.error().message};
 }
 
+void Connection::awaitAge(std::chrono::milliseconds age) {
+  while (m_client.connected()) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        m_since + age - std::chrono::steady_clock::now());
+    if (left.count() <= 0)
+      return;
+    m_client.await(left);
+  }
+}
+
 Result<wire::Frame, Failure> Connection::frame() {
   if (auto wanted = ask("frame.want", {{"every", 1}}); !wanted)
     return wanted.error();

@@ -32,6 +32,9 @@ public:
   /// The next frame that the process shows.
   [[nodiscard]] Result<wire::Frame, Failure> frame();
 
+  /// Waits until it has been open for so long, or is not any more.
+  void awaitAge(std::chrono::milliseconds age);
+
   [[nodiscard]] wire::Client &client() { return m_client; }
   [[nodiscard]] pid_t process() const { return m_process; }
 
@@ -40,6 +43,7 @@ private:
   pid_t m_process;
   wire::Client m_client;
   std::chrono::milliseconds m_patience;
+  std::chrono::steady_clock::time_point m_since = std::chrono::steady_clock::now();
 };
 
 } // namespace arbiter::tools::ctl

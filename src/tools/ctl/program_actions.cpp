@@ -16,6 +16,9 @@ namespace {
 
 using wire::Json;
 
+/// For so long draws are counted before they are shown.
+constexpr std::chrono::milliseconds kCounted{250};
+
 std::string textAt(const Json &object, const char *name) {
   const auto found = object.find(name);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -108,6 +111,8 @@ bool isFileName(const std::string &name) {
 } // namespace
 
 int listPrograms(Session &session, const Words &) {
+  // The process counts for its clients, from the moment that the first of them came.
+  session.connection.awaitAge(kCounted);
   const auto answer = session.connection.ask("program.list", Json::object());
   if (!answer)
     return fail(answer.error());

@@ -9,6 +9,7 @@
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
+#include "tools/check/rendered.h"
 #include "tools/draw/drawing.h"
 #include "tools/draw/renderer.h"
 #include "tools/draw/uses.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr int kSchema = 1; ///< of --json
 
 void print(const scene::ProgramFile &file, const std::vector<fp::Diagnostic> &diagnostics) {
-  std::fputs(fp::renderAll(file.name, file.text, diagnostics).c_str(), stderr);
+  std::fputs(rendered(file.name, file.text, diagnostics, styleOfErrors()).c_str(), stderr);
 }
 
 /// With the file's name and carets. Where the compiler of this command has no complaint (the host

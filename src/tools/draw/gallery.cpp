@@ -57,6 +57,11 @@ GalleryError unknown(const std::string &name, const std::vector<std::string> &na
 
 } // namespace
 
+std::vector<std::string> galleryNames() {
+  const fs::path gallery = folder();
+  return gallery.empty() ? std::vector<std::string>() : namesIn(gallery);
+}
+
 Result<std::string, GalleryError> documentPath(const std::string &name) {
   if (!name.starts_with(kGalleryScheme))
     return name;

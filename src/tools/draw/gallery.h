@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "util/result.h"
 
@@ -15,5 +16,8 @@ struct GalleryError {
 /// installed with this command (or of the folder that ARBITER_GALLERY names, or of the build's
 /// source tree); any other name is itself. Errors: no gallery, no document of that name.
 [[nodiscard]] Result<std::string, GalleryError> documentPath(const std::string &name);
+
+/// The names of its documents, sorted; none where there is no gallery.
+[[nodiscard]] std::vector<std::string> galleryNames();
 
 } // namespace arbiter::tools

@@ -79,6 +79,7 @@ void addStats(CLI::App &app, StatsArguments &stats) {
             "Make the statistics of processes that were killed, from what they left behind");
   verb.option("FILE", stats.file, "what ARBITER_STATS was; %p stands for any process's number")
       .required();
+  verb.flag("--json", stats.json, "as one JSON document");
   verb.footer("What `arbiter run` starts needs no such step. Prints how many were made.\n"
               "Exit code: 0 some were; 1 usage, or there was nothing to be made.\n"
               "Example:\n"
@@ -108,6 +109,7 @@ void addCapture(CLI::App &app, CaptureArguments &capture) {
 void addCache(CLI::App &app, CacheArguments &cache) {
   Verb verb(app, "cache", "Show where compiled programs are kept on disk, and how many");
   verb.flag("--clear", cache.clear, "remove them");
+  verb.flag("--json", cache.json, "as one JSON document");
   verb.footer("ARBITER_CACHE and ARBITER_CACHE_MAX_MB rule the cache; see arbiter(7).\n"
               "Examples:\n  arbiter cache\n  arbiter cache --clear");
 }

@@ -21,7 +21,9 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addRender(app, arguments.render);
   addLsp(app, arguments.lsp);
   Verb(app, kDrawsVerb, "").hide();
+  Verb(app, kCompleteVerb, "").hide();
   addBuilder(app, arguments.builder);
+  addHelp(app, arguments.helpOf);
 }
 
 } // namespace arbiter::tools

@@ -5,6 +5,7 @@
 
 namespace CLI {
 class App;
+class ParseError;
 } // namespace CLI
 
 /// The verbs of `arbiter` with their options, as CLI11 has them.
@@ -28,13 +29,32 @@ struct Arguments {
   RenderArguments render;
   LspArguments lsp;
   BuilderArguments builder;
+  std::string helpOf;
 };
 
 /// The group, in help, of the options that verbs which load the layer share.
 inline constexpr const char *kLayerGroup = "Options of the layer";
 
+/// The verb that shows the help of another; the words become that verb's --help.
+inline constexpr const char *kHelpVerb = "help";
+
 /// Adds every verb; parsing fills \p arguments, which must outlive the application.
 void addVerbs(CLI::App &app, Arguments &arguments);
+
+/// "no option --jsn; did you mean --json?"
+[[nodiscard]] std::string unknownOption(const CLI::App &verb, const std::string &word);
+/// Likewise of a verb; empty if there is one of that name.
+[[nodiscard]] std::string unknownVerb(const CLI::App &app, const std::string &word);
+/// What CLI11 found wrong with the words of a command line, and what was expected.
+[[nodiscard]] std::string faultOf(const CLI::App &app, const CLI::ParseError &error);
+
+/// The verb, shown in no help, of completeWords().
+inline constexpr const char *kCompleteVerb = "complete";
+/// Prints what the last word may become, a line each: the word, a tab, a help. A line ":files"
+/// means names of files too, ":command N" that another's command line begins at the word of that
+/// number. \param words behind `arbiter`; the last one may be empty \param withCommand the verb
+/// takes another's command line
+int completeWords(const CLI::App &app, const std::vector<std::string> &words, bool withCommand);
 
 /// Says of what a parsed command line gives the first option that has no effect beside the others:
 /// "--why has no effect with --json". Empty if each has one.

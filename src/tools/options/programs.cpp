@@ -83,6 +83,7 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
               "glsl, llvm, machine, the passes, and fx9 of combiners: for this arithmetic")
       .oneOf({"host", "legacy", "fp24", "fx9"})
       .showDefault();
+  verb.flag("--json", compile.json, "what is emitted as one JSON document, with the diagnostics");
   verb.option("-o,--output", compile.output, "file to write; - is standard output").showDefault();
   verb.option("FILE", compile.file, "a program text; - is standard input").required();
   verb.footer("Exit code: as for check, without 3.\n"
@@ -113,6 +114,7 @@ void addReport(CLI::App &app, ReportArguments &report) {
 
 void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
   Verb verb(app, "profiles", "List the hardware profiles, or print one with its sources");
+  verb.flag("--json", profiles.json, "as one JSON document");
   verb.option("NAME", profiles.name, "a name, or a TOML file");
   verb.footer("Examples:\n  arbiter profiles\n  arbiter profiles r300 > mine.toml");
 }

@@ -1,4 +1,4 @@
-// The verbs that talk to other processes: ctl, render, lsp, builder.
+// The verbs that talk to other processes: ctl, render, lsp, builder. And help.
 #include "tools/options/verbs.h"
 
 namespace arbiter::tools {
@@ -17,7 +17,7 @@ void addCtl(CLI::App &app, CtlArguments &ctl) {
               "end after so many seconds; by default what an action changed is held until "
               "this is ended")
       .range(0.001, 86400.0);
-  verb.option("ACTION", ctl.words, "list: the processes that listen; or an action below")
+  verb.option("ACTION", ctl.words, "an action below; or list: the processes that listen")
       .required();
   verb.footer("Actions:\n" + ctlActions() +
               "  -                           actions from standard input, a line each\n"
@@ -78,6 +78,12 @@ void addBuilder(CLI::App &app, BuilderArguments &builder) {
       "  arbiter builder\n"
       "  arbiter builder shader.fp\n"
       "  arbiter builder gallery:twirl");
+}
+
+void addHelp(CLI::App &app, std::string &verb) {
+  Verb help(app, kHelpVerb, "Show the help of a verb, or what verbs there are");
+  help.option("VERB", verb, "a verb of arbiter");
+  help.footer("Example:\n  arbiter help check");
 }
 
 } // namespace arbiter::tools

@@ -1,17 +1,68 @@
 #include "tools/options/verb.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <limits>
 
 #include "tools/draw/gallery.h"
+#include "util/suggest.h"
 
 namespace arbiter::tools {
 
+namespace {
+
+std::string listed(const std::vector<std::string> &words, const char *last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
+  return text;
+}
+
+/// One of the words, or what `other` takes. CLI11's own says "x not in {a,b}".
+CLI::Validator among(std::vector<std::string> words, const std::string &other,
+                     const std::function<bool(const std::string &)> &takes) {
+  const std::string shown =
+      "{" + CLI::detail::join(words) + "}" + (other.empty() ? "" : " OR FILE");
+  const auto check = [words = std::move(words), other, takes](std::string &value) {
+    if (std::find(words.begin(), words.end(), value) != words.end() || takes(value))
+      return std::string();
+    const std::vector<std::string_view> views(words.begin(), words.end());
+    const std::string_view near = closest(value, views);
+    return value + ": expected " + listed(words, other.empty() ? " or " : ", ") + other +
+           (near.empty() ? "" : "; did you mean " + std::string(near) + "?");
+  };
+  return {check, shown};
+}
+
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.7g", value);
+  return text;
+}
+
+template <typename T> CLI::Validator between(T low, T high, const char *what) {
+  const std::string range = numberText(low) + " to " + numberText(high);
+  const auto check = [=](std::string &text) {
+    T value;
+    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high)
+      return std::string();
+    return text + ": expected " + what + " from " + range;
+  };
+  return {check, range};
+}
+
+} // namespace
+
 Option Option::oneOf(std::vector<std::string> words) const {
-  return Option(m_option->check(CLI::IsMember(std::move(words))));
+  return Option(
+      m_option->check(among(std::move(words), "", [](const std::string &) { return false; })));
 }
 
 Option Option::oneOfOrFile(std::vector<std::string> words) const {
-  return Option(m_option->check(CLI::IsMember(std::move(words)) | CLI::ExistingFile));
+  return Option(m_option->check(among(std::move(words), " or a file", [](const std::string &name) {
+    return CLI::ExistingFile(name).empty();
+  })));
 }
 
 Option Option::documents() const {
@@ -25,14 +76,16 @@ Option Option::documents() const {
 }
 
 Option Option::range(int low, int high) const {
-  return Option(m_option->check(CLI::Range(low, high)));
+  return Option(m_option->check(between(low, high, "a whole number")));
 }
 
 Option Option::range(double low, double high) const {
-  return Option(m_option->check(CLI::Range(low, high)));
+  return Option(m_option->check(between(low, high, "a number")));
 }
 
-Option Option::positive() const { return Option(m_option->check(CLI::PositiveNumber)); }
+Option Option::positive() const {
+  return Option(m_option->check(between(1, std::numeric_limits<int>::max(), "a whole number")));
+}
 
 Option Option::showDefault() const { return Option(m_option->capture_default_str()); }
 

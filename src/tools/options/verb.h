@@ -25,7 +25,7 @@ public:
   Option documents() const;
   Option range(int low, int high) const;
   Option range(double low, double high) const;
-  /// A number over 0.
+  /// A whole number over 0.
   Option positive() const;
   /// Help has the value that the variable has now.
   Option showDefault() const;

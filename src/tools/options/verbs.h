@@ -37,5 +37,6 @@ void addCtl(CLI::App &app, CtlArguments &ctl);
 void addRender(CLI::App &app, RenderArguments &render);
 void addLsp(CLI::App &app, LspArguments &lsp);
 void addBuilder(CLI::App &app, BuilderArguments &builder);
+void addHelp(CLI::App &app, std::string &verb);
 
 } // namespace arbiter::tools

@@ -1,4 +1,3 @@
-#include <cstdio>
 
 #include "tools/commands.h"
 #include "tools/input.h"
@@ -55,10 +54,10 @@ int report(const ReportArguments &arguments) {
   if (!arguments.json.empty())
     good = write(arguments.json, reportJson(set)) && good;
   if (good)
-    std::fprintf(stderr,
-                 "arbiter: programs: %zu, fit: %zu, do not fit: %zu, invalid: %zu; see %s\n",
-                 set.programs.size(), set.count(Verdict::Fits), set.count(Verdict::Over),
-                 set.count(Verdict::Invalid), arguments.output.c_str());
+    complain("programs: " + std::to_string(set.programs.size()) +
+             ", fit: " + std::to_string(set.count(Verdict::Fits)) +
+             ", do not fit: " + std::to_string(set.count(Verdict::Over)) + ", invalid: " +
+             std::to_string(set.count(Verdict::Invalid)) + "; see " + arguments.output);
   return good && set.faults.empty() ? kExitOk : kExitUsage;
 }
 

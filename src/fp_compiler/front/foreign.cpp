@@ -1,0 +1,201 @@
+#include "fp_compiler/front/foreign.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace arbiter::fp {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Magic {
+  std::string_view begin;
+  std::string_view kind;
+};
+constexpr Magic kMagics[] = {
+    {"\x7F"
+     "ELF"sv,
+     "an ELF file"},
+    {"\x03\x02\x23\x07"sv, "a SPIR-V module"},
+    {"\x07\x23\x02\x03"sv, "a SPIR-V module"},
+    {"DXBC"sv, "compiled HLSL (DXBC)"},
+    {"\x89PNG"sv, "a PNG picture"},
+    {"\xFF\xD8\xFF"sv, "a JPEG picture"},
+    {"DDS "sv, "a DDS picture"},
+    {"GIF8"sv, "a GIF picture"},
+    {"PK\x03\x04"sv, "a ZIP archive"},
+    {"\x1F\x8B"sv, "a file of gzip"},
+    {"\xFF\xFE"sv, "text in UTF-16"},
+    {"\xFE\xFF"sv, "text in UTF-16"},
+    {"[require]"sv, "a shader_test of piglit"},
+    {"; SPIR-V"sv, "SPIR-V assembly"},
+};
+
+/// What is looked at. A text says sooner what it is.
+constexpr std::size_t kLooked = 64u << 10;
+
+/// A word that begins a statement of an assembly program, and none of the languages below.
+constexpr std::string_view kStatements[] = {
+    "ABS",
+    "ADD",
+    "ADDRESS",
+    "ALIAS",
+    "ARL",
+    "ATTRIB",
+    "CMP",
+    "COS",
+    "DP3",
+    "DP4",
+    "DPH",
+    "DST",
+    "END",
+    "EX2",
+    "EXP",
+    "FLR",
+    "FRC",
+    "KIL",
+    "LG2",
+    "LIT",
+    "LOG",
+    "LRP",
+    "MAD",
+    "MAX",
+    "MIN",
+    "MOV",
+    "MUL",
+    "OPTION",
+    "OUTPUT",
+    "PARAM",
+    "POW",
+    "RCP",
+    "RSQ",
+    "SCS",
+    "SGE",
+    "SIN",
+    "SLT",
+    "SUB",
+    "SWZ",
+    "TEMP",
+    "TEX",
+    "TXB",
+    "TXP",
+    "XPD",
+    "StartConstants",
+    "StartPrelimPass",
+    "StartOutputPass",
+};
+
+bool isOneOf(std::string_view word, std::span<const std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool isOfWord(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+}
+
+/// What a text's words say of it.
+struct Seen {
+  bool assembly = false; ///< a statement of a program
+  bool direct3d = false; ///< the first word is a version of Direct3D's shader assembly
+  bool glsl = false;     ///< a word that GLSL alone has
+  bool hlsl = false;
+  bool cg = false;
+  bool cgOrHlsl = false;
+  bool vectors = false; ///< vec4 and the like, which GLSL has
+  bool main = false;    ///< void main
+};
+
+constexpr std::string_view kGlslVectors[] = {"vec2", "vec3", "vec4", "mat3", "mat4", "ivec2"};
+constexpr std::string_view kVectors[] = {"float2", "float3", "float4",   "half2",    "half3",
+                                         "half4",  "int4",   "float3x3", "float4x4", "float4x3"};
+constexpr std::string_view kCgWords[] = {"samplerRECT", "texRECT",   "fixed2",  "fixed3",
+                                         "fixed4",      "tex2Dproj", "f4tex2D", "half4x4"};
+constexpr std::string_view kHlslWords[] = {
+    "cbuffer",   "SV_Target",    "SV_POSITION", "SV_Position",   "SV_TARGET", "SV_Target0",
+    "Texture2D", "SamplerState", "technique",   "sampler_state", "register"};
+
+/// "ps_2_0", "vs.1.1"
+bool isVersion(std::string_view word, std::string_view behind) {
+  const bool stage = word.starts_with("ps") || word.starts_with("vs");
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (!stage)
+    return false;
+  if (word.size() == 2)
+    return behind.size() > 1 && behind[0] == '.' && digit(behind[1]);
+  return word.size() >= 6 && word[2] == '_' && digit(word[3]) && word[4] == '_';
+}
+
+void look(Seen &seen, std::string_view word, bool statement, std::string_view before) {
+  seen.assembly = seen.assembly || (statement && isOneOf(word, kStatements));
+  seen.glsl = seen.glsl || word.starts_with("gl_Frag") || word.starts_with("gl_Pos") ||
+              word.starts_with("gl_Tex") || word.starts_with("gl_Vert") ||
+              word.starts_with("gl_Mod");
+  seen.vectors = seen.vectors || isOneOf(word, kGlslVectors);
+  seen.cgOrHlsl = seen.cgOrHlsl || isOneOf(word, kVectors);
+  seen.cg = seen.cg || isOneOf(word, kCgWords);
+  seen.hlsl = seen.hlsl || isOneOf(word, kHlslWords);
+  seen.main = seen.main || (word == "main" && before == "void");
+}
+
+/// The text's words, outside of comments. `#` begins a comment of an assembly program and a
+/// directive of the other languages: of those lines only `#version` says something.
+Seen wordsOf(std::string_view text) {
+  Seen seen;
+  bool statement = true; // may begin here
+  bool first = true;
+  std::string_view before;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view rest = text.substr(at);
+    const std::size_t line = std::min(rest.find_first_of("\r\n"), rest.size());
+    if (rest[0] == '#' || rest.starts_with("//")) {
+      seen.glsl = seen.glsl || rest.starts_with("#version ");
+      at += line;
+    } else if (rest.starts_with("/*")) {
+      at = std::min(text.find("*/", at + 2), text.size() - 2) + 2;
+    } else if (isOfWord(rest[0])) {
+      const auto *const end = std::find_if_not(rest.begin(), rest.end(), isOfWord);
+      const std::string_view word = rest.substr(0, std::size_t(end - rest.begin()));
+      seen.direct3d = seen.direct3d || (first && isVersion(word, rest.substr(word.size())));
+      look(seen, word, statement, before);
+      before = word;
+      first = statement = false;
+      at += word.size();
+    } else {
+      // A program's header need not end in a semicolon, and need not be right.
+      statement = rest[0] == ';' || rest[0] == '\n' || rest[0] == '\r' ||
+                  (statement && (rest[0] == ' ' || rest[0] == '\t'));
+      ++at;
+    }
+  }
+  return seen;
+}
+
+} // namespace
+
+std::string_view foreignKind(std::string_view text) {
+  for (const Magic &magic : kMagics)
+    if (text.starts_with(magic.begin))
+      return magic.kind;
+  text = text.substr(0, kLooked);
+  if (text.substr(0, 512).find('\0') != std::string_view::npos)
+    return "a binary file";
+  if (text.find("!!") != std::string_view::npos)
+    return {};
+  const Seen seen = wordsOf(text);
+  if (seen.assembly)
+    return {};
+  if (seen.direct3d)
+    return "Direct3D's shader assembly";
+  if (seen.glsl || (seen.vectors && seen.main))
+    return "GLSL";
+  if (seen.hlsl && (seen.cgOrHlsl || seen.main))
+    return "HLSL";
+  if (seen.cg)
+    return "Cg";
+  return seen.cgOrHlsl ? "Cg or HLSL" : std::string_view();
+}
+
+} // namespace arbiter::fp

@@ -1,0 +1,80 @@
+// Texts as people hand them to `arbiter check` by mistake, and programs that only look like them.
+#include "fp_compiler/front/foreign.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "fp_compiler/compiler.h"
+
+namespace arbiter::fp {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(Foreign, OtherLanguagesAreKnown) {
+  EXPECT_EQ(foreignKind("#version 120\nuniform sampler2D image;\nvoid main() {\n"
+                        "  gl_FragColor = texture2D(image, gl_TexCoord[0].st);\n}\n"),
+            "GLSL");
+  EXPECT_EQ(foreignKind("// a comment\nvoid main(void)\n{\n  gl_Position = ftransform();\n}\n"),
+            "GLSL");
+  EXPECT_EQ(foreignKind("in vec3 normal;\nout vec4 colour;\nvoid main() { colour = vec4(1); }\n"),
+            "GLSL");
+  EXPECT_EQ(foreignKind("Texture2D image;\nSamplerState linear;\n"
+                        "float4 main(float2 uv : TEXCOORD0) : SV_Target {\n"
+                        "  return image.Sample(linear, uv);\n}\n"),
+            "HLSL");
+  EXPECT_EQ(
+      foreignKind("void main(half2 uv : TEXCOORD0, uniform samplerRECT image,\n"
+                  "          out half4 colour : COLOR) {\n  colour = texRECT(image, uv);\n}\n"),
+      "Cg");
+  EXPECT_EQ(foreignKind("float4 main(float2 uv : TEXCOORD0) : COLOR { return uv.xyxy; }\n"),
+            "Cg or HLSL");
+  EXPECT_EQ(foreignKind("ps_2_0\ndcl t0\ndef c0, 1, 0, 0, 0\nmov oC0, c0\n"),
+            "Direct3D's shader assembly");
+  EXPECT_EQ(foreignKind("// of 2001\nvs.1.1\nmov oPos, v0\n"), "Direct3D's shader assembly");
+  EXPECT_EQ(foreignKind("; SPIR-V\n; Version: 1.0\nOpCapability Shader\n"), "SPIR-V assembly");
+  EXPECT_EQ(foreignKind("[require]\nGL >= 2.1\n\n[fragment program]\n!!ARBfp1.0\nEND\n"),
+            "a shader_test of piglit");
+}
+
+TEST(Foreign, FilesThatAreNoTextAreKnown) {
+  EXPECT_EQ(foreignKind("\x7F"
+                        "ELF\x02\x01\x01"s),
+            "an ELF file");
+  EXPECT_EQ(foreignKind("\x89PNG\r\n\x1A\n"s), "a PNG picture");
+  EXPECT_EQ(foreignKind("\x03\x02\x23\x07\x00\x00\x01\x00"s), "a SPIR-V module");
+  EXPECT_EQ(foreignKind("\x07\x23\x02\x03\x00\x01\x00\x00"s), "a SPIR-V module");
+  EXPECT_EQ(foreignKind("abc\0def"s), "a binary file");
+}
+
+TEST(Foreign, ProgramsWithAWrongHeaderAreNot) {
+  for (const char *const text : {
+           "",
+           "\n",
+           "END\n",
+           "ARBfp1.0\nMOV result.color, fragment.color;\nEND\n",
+           "!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n",
+           "!!ARBfp2.0\nTEMP vec4;\nMOV result.color, vec4;\nEND\n",
+           "# void main() { gl_FragColor = vec4(1.0); }\nMOV result.color, fragment.color;\nEND\n",
+           "#version 120\nTEMP half4, float4;\nMOV result.color, half4;\nEND\n",
+           "TEMP varying;\nDP3 varying, fragment.color, fragment.color;\n",
+           "StartOutputPass;\nMOV r0, color0;\nEndPass;\n",
+           "MOV result.color, fragment.texcoord[0];",
+           "{ rgb { spare0 = col0 * tex0; } }\nout.rgb = spare0;\n",
+           "texture_2d();\nnop();\n",
+           "notes about the precision of a varying, and a layout\n",
+       })
+    EXPECT_EQ(foreignKind(text), "") << text;
+}
+
+TEST(Foreign, TheDiagnosticSaysSo) {
+  const CheckResult result =
+      checkProgram(ir::Language::ArbFragment, "void main() { gl_FragColor; }", {});
+  ASSERT_EQ(result.diagnostics.size(), 1u);
+  EXPECT_EQ(result.diagnostics[0].message, "this is GLSL, Arbiter reads assembly programs");
+  EXPECT_STREQ(result.diagnostics[0].id, "header-missing");
+}
+
+} // namespace
+} // namespace arbiter::fp

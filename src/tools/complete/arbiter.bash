@@ -1,0 +1,40 @@
+# Completion of arbiter(1) in bash. The command itself says what a word may become, so that nothing
+# here can be out of date.
+
+_arbiter() {
+  local line=${COMP_LINE:0:COMP_POINT} answer word kept i
+  local -a words
+  read -ra words <<<"$line"
+  [[ $line == *[[:space:]] ]] && words+=('')
+  local typed=${words[-1]}
+  # bash takes what stands behind a colon or an equals sign for a word of its own.
+  kept=${typed%"${typed##*[:=]}"}
+  COMPREPLY=()
+  while IFS= read -r answer; do
+    case $answer in
+      :files)
+        compopt -o filenames
+        while IFS= read -r word; do COMPREPLY+=("${word#"$kept"}"); done \
+          < <(compgen -f -- "$typed")
+        # The value of --option=FILE.
+        [[ $typed == --*=* ]] && while IFS= read -r word; do COMPREPLY+=("$word"); done \
+          < <(compgen -f -- "${typed#*=}")
+        ;;
+      ':command '*)
+        i=${answer#:command }
+        if declare -F _command_offset >/dev/null && [[ ${words[*]:0:i+1} != *[:=]* ]]; then
+          _command_offset $((i + 1))
+        else
+          compopt -o filenames
+          while IFS= read -r word; do COMPREPLY+=("$word"); done \
+            < <(if ((i + 2 == ${#words[@]})); then compgen -c -- "$typed"; else compgen -f -- "$typed"; fi)
+        fi
+        ;;
+      *)
+        word=${answer%%$'\t'*}
+        COMPREPLY+=("${word#"$kept"}")
+        ;;
+    esac
+  done < <("${words[0]}" complete -- "${words[@]:1}" 2>/dev/null)
+}
+complete -F _arbiter arbiter
