@@ -4,6 +4,42 @@
 # With the minutes since the verb began.
 step() { printf '\n==> %s (%d:%02d)\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 
+# The stages of a verb that takes minutes: each says which one it is, and how long the rest will take.
+# usage: plan SECONDS...   of each stage, on two quiet cores
+plan() {
+  planned=("$@")
+  stage_names=()
+  stage_starts=()
+}
+
+# usage: stage NAME   the next of the planned ones begins
+stage() {
+  local at=${#stage_names[@]} done=0 left=0 i
+  for i in "${!planned[@]}"; do
+    if ((i < at)); then done=$((done + planned[i])); else left=$((left + planned[i])); fi
+  done
+  # This machine's pace, once there is one.
+  if ((done > 0 && SECONDS > 60)); then left=$((left * SECONDS / done)); fi
+  stage_names+=("$1")
+  stage_starts+=("$SECONDS")
+  printf '\n==> %d of %d: %s (%d:%02d, about %d minutes left)\n' $((at + 1)) ${#planned[@]} "$1" \
+    $((SECONDS / 60)) $((SECONDS % 60)) $(((left + 59) / 60)) >&2
+}
+
+# The time of each stage as a table, and as JSON. usage: stage_times FILE
+stage_times() {
+  local i end separator=
+  printf '\n%8s  %s\n' seconds stage
+  printf '[' >"$1"
+  for i in "${!stage_names[@]}"; do
+    end=${stage_starts[i + 1]:-$SECONDS}
+    printf '%8d  %s\n' $((end - stage_starts[i])) "${stage_names[i]}"
+    printf '%s{"stage": "%s", "seconds": %d}' "$separator" "${stage_names[i]}" $((end - stage_starts[i])) >>"$1"
+    separator=', '
+  done
+  printf ']\n' >>"$1"
+}
+
 fail() {
   printf 'dev: %s\n' "$*" >&2
   exit 1
@@ -178,7 +214,6 @@ record() {
 meson_tests() {
   local tree=$1
   shift
-  step "unit tests, clients, demonstrations"
   rm -f "$tree/meson-logs/testlog.json"
   record meson test -C "$tree" --no-rebuild --print-errorlogs --num-processes "$jobs" "$@"
   record python3 "$root/scripts/tally.py" meson "$tree/meson-logs/testlog.json" \
@@ -188,6 +223,7 @@ meson_tests() {
 # Ends with the plain line of counts; a part that failed without a count still fails the verb.
 finish_results() {
   step "results"
+  if [[ -n ${planned:-} ]]; then stage_times "$out/test-times.json"; fi
   python3 "$root/scripts/tally.py" total "$out/test" || failures=$((failures + 1))
   [[ $failures == 0 ]] || exit 1
 }

@@ -16,7 +16,7 @@ packages_build=(
 # `./dev test`: unit tests, the clients, piglit and a display for them, a browser for pages.
 packages_test=(
   libgtest-dev libgmock-dev lld glslang-tools xvfb xauth piglit
-  libsdl2-dev libglew-dev chromium vim neovim nodejs parallel rsync libjemalloc2 'libtcmalloc-minimal4|libtcmalloc-minimal4t64' locales valgrind
+  libsdl2-dev libglew-dev chromium xdotool appstream desktop-file-utils shared-mime-info libglib2.0-bin vim neovim nodejs parallel rsync libjemalloc2 'libtcmalloc-minimal4|libtcmalloc-minimal4t64' locales valgrind
 )
 
 # The real programs of `./dev test`: openscad, and recordings of clients in Python.

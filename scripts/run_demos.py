@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Runs the demonstrations headless under the layer: one PNG and one statistics file each.
 
-Prints where the pictures are and what the layer did for each. With --list, prints the names.
+Prints where the pictures are and what the layer did for each, and at the end where the contact sheet is: a page
+with all of them. With --list, prints the names.
 """
 
 import argparse
+import html
 import json
 import os
 import pathlib
@@ -70,6 +72,29 @@ def summary(path):
     return "; ".join(parts)
 
 
+SHEET = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>Demonstrations</title>
+<style>
+:root {{ color-scheme: light dark; font-family: sans-serif; }}
+main {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(16em, 1fr)); gap: 1.5em; }}
+figure {{ margin: 0; }} img {{ width: 100%; }} figcaption small {{ display: block; opacity: 0.7; }}
+</style></head><body><h1>Demonstrations under Arbiter</h1><main>
+{figures}</main></body></html>
+"""
+FIGURE = """<figure><a href="{picture}"><img src="{picture}" alt="{name}"></a>
+<figcaption>{name}<small>{text}</small></figcaption></figure>
+"""
+
+
+def write_sheet(out, shown):
+    """A page of the pictures. shown: [(name, what the layer did)]. Returns its path."""
+    figures = [FIGURE.format(picture=html.escape(name) + ".png", name=html.escape(name), text=html.escape(text))
+               for name, text in shown]
+    sheet = out / "index.html"
+    sheet.write_text(SHEET.format(figures="".join(figures)))
+    return sheet
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=pathlib.Path, required=True)
@@ -96,7 +121,7 @@ def main():
         print("the layer is not built: %s" % layer, file=sys.stderr)
         return 1
     args.out.mkdir(parents=True, exist_ok=True)
-    failed = 0
+    failed, shown = 0, []
     for number, (name, path, options) in enumerate(chosen, 1):
         picture = args.out / (name + ".png")
         stats = args.out / (name + ".json")
@@ -111,12 +136,15 @@ def main():
             print("      failed with status %d" % run.returncode)
             failed += 1
             continue
-        print("      %s\n      %s" % (picture, summary(stats)), flush=True)
+        shown.append((name, summary(stats)))
+        print("      %s\n      %s" % (picture, shown[-1][1]), flush=True)
         if not compiled(stats):
             print("      the layer compiled no program")
             failed += 1
     print("%d of %d demonstrations drew their picture into %s"
           % (len(chosen) - failed, len(chosen), args.out))
+    if shown:
+        print("all of them on one page: %s" % write_sheet(args.out, shown))
     return 1 if failed else 0
 
 

@@ -42,10 +42,20 @@ def cases(test):
 
 
 def from_meson(log, target):
+    tests = [json.loads(line) for line in pathlib.Path(log).read_text(errors="replace").splitlines()]
     total = [0, 0, 0]
-    for line in pathlib.Path(log).read_text(errors="replace").splitlines():
-        total = [a + b for a, b in zip(total, cases(json.loads(line)))]
+    for test in tests:
+        total = [a + b for a, b in zip(total, cases(test))]
     write(target, "meson", total)
+    print_slowest(tests)
+
+
+def print_slowest(tests, count=12):
+    """The tests that take longest, and their part of the whole."""
+    whole = sum(test["duration"] for test in tests)
+    print(f"\n{'seconds':>8}  the {count} slowest of {len(tests)} tests, of {whole:.0f} seconds together")
+    for test in sorted(tests, key=lambda test: -test["duration"])[:count]:
+        print(f"{test['duration']:8.0f}  {test['name'].split(' / ')[-1]}")
 
 
 def write(target, name, counts):

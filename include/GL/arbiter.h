@@ -26,6 +26,13 @@
 #define ARBITER_VERSION                                                                            \
   (ARBITER_VERSION_MAJOR * 10000 + ARBITER_VERSION_MINOR * 100 + ARBITER_VERSION_PATCH)
 
+/* "major.minor.patch" */
+#define ARBITER_TEXT_OF(x) #x
+#define ARBITER_TEXT(x) ARBITER_TEXT_OF(x)
+#define ARBITER_VERSION_TEXT                                                                       \
+  ARBITER_TEXT(ARBITER_VERSION_MAJOR)                                                              \
+  "." ARBITER_TEXT(ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH)
+
 /* The file name to preload, and its soname. */
 #define ARBITER_PRELOAD_LIBRARY "libGLX_arbiter.so.0"
 

@@ -15,6 +15,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
+#include "interposer/x_keys.h"
 #include "state/share/neighbours.h"
 #include "util/log.h"
 
@@ -62,6 +63,7 @@ registry::Key key(EGLDisplay display, EGLContext context) {
 
 EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext share,
                          const EGLint *attributes) {
+  offerHudKey();
   const EGLContext context = g_host->createContext(display, config, share, attributes);
   if (context == EGL_NO_CONTEXT || registry::created(key(display, context), table(), share))
     return context;

@@ -7,7 +7,6 @@
 
 #include <cstring>
 #include <exception>
-#include <iterator>
 #include <mutex>
 #include <vector>
 
@@ -29,6 +28,7 @@
 #include "interposer/provider.h"
 #include "interposer/registry.h"
 #include "interposer/x_display.h"
+#include "interposer/x_keys.h"
 #include "interposer/x_present.h"
 #include "util/log.h"
 
@@ -89,6 +89,7 @@ GLXContext remember(Display *display, GLXContext context, GLXContext share) {
   if (!context)
     return nullptr;
   watchDisplay(display);
+  offerHudKey();
   const HostFunction<decltype(glXIsDirect)> isDirect{hostLookup("glXIsDirect")};
   const bool indirect = isDirect.function && !isDirect(display, context);
   if (registry::created(key(display, context), table(), share, indirect))

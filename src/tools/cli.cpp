@@ -12,11 +12,6 @@ namespace arbiter::tools {
 
 namespace {
 
-#define ARBITER_TEXT_OF(x) #x
-#define ARBITER_TEXT(x) ARBITER_TEXT_OF(x)
-constexpr const char *kVersion = "arbiter " ARBITER_TEXT(ARBITER_VERSION_MAJOR) "." ARBITER_TEXT(
-    ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH);
-
 /// The verbs that take another's command line.
 constexpr std::string_view kWithCommand[] = {"run", "capture", "defaults", "doctor"};
 
@@ -147,7 +142,7 @@ int interpret(int argc, char **argv) {
                "arbiter"};
   Arguments arguments;
   app.require_subcommand(1);
-  app.set_version_flag("--version", kVersion);
+  app.set_version_flag("--version", "arbiter " ARBITER_VERSION_TEXT);
   app.set_help_all_flag("--help-all", "help of all subcommands");
   addVerbs(app, arguments);
   app.footer("See arbiter(1), and arbiter(7) for the environment variables.");

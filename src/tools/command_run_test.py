@@ -100,6 +100,26 @@ class Run(Temporary):
         spaced.write_bytes(pathlib.Path(FAKE).read_bytes())
         self.assertIn('cannot hold', arbiter('run', '--library', spaced, '--', 'true').stderr)
 
+    def test_a_folder_with_a_space_is_reached_by_a_link(self):
+        folder, runtime = self.path('a: b'), self.path('runtime')
+        folder.mkdir()
+        runtime.mkdir(mode=0o700)
+        library = folder / 'libGLX_arbiter.so.0'
+        library.write_bytes(pathlib.Path(FAKE).read_bytes())
+        preloads = [arbiter('run', '--library', library, '--', 'sh', '-c', 'echo "$LD_PRELOAD"',
+                            XDG_RUNTIME_DIR=str(runtime))
+                    for _ in range(2)]
+        for run in preloads:
+            self.assertEqual((run.returncode, run.stderr), (0, ''))
+        path = pathlib.Path(preloads[0].stdout.strip())
+        self.assertEqual(path.resolve(), library.resolve())
+        self.assertTrue(path.is_relative_to(runtime))
+        self.assertEqual(preloads[1].stdout, preloads[0].stdout)
+        self.assertEqual(len(list((runtime / 'arbiter').iterdir())), 1, 'a link is made once')
+        nowhere = arbiter('run', '--library', library, '--', 'true', XDG_RUNTIME_DIR='')
+        self.assertEqual(nowhere.returncode, 1)
+        self.assertIn('a link to it was not made', nowhere.stderr)
+
     def test_print_environment_is_read_by_a_shell(self):
         result = arbiter('run', '--library', FAKE, '--print-environment', '--stats', "it's.json")
         shell = subprocess.run(['sh', '-c', result.stdout + 'printf %s "$ARBITER_STATS"'],

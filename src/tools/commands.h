@@ -63,7 +63,7 @@ struct LayerArguments {
   std::string capture; ///< a folder that exists when the command starts
   std::string replace; ///< likewise
   bool control = false;
-  bool hud = false;
+  std::string hud; ///< "true", or a value of ARBITER_HUD; empty: none
 };
 
 struct RunArguments {

@@ -10,6 +10,7 @@
 #include "control/address.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/input.h"
+#include "tools/preload_link.h"
 #include "util/flags.h"
 #include "util/loader_path.h"
 
@@ -158,10 +159,12 @@ Result<LayerFiles, LaunchError> findLayer(const std::string &library) {
                      "\nbuild it (./dev build), or name it with --library"};
 }
 
-Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &files,
+Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &found,
                                                               const LayerArguments &arguments) {
-  if (files.preload.find_first_of(": \t\n") != std::string::npos)
-    return LaunchError{files.preload + ": LD_PRELOAD cannot hold a path with a colon or a space"};
+  const auto reached = preloadable(found);
+  if (!reached)
+    return reached.error();
+  const LayerFiles &files = reached.value();
   std::vector<Assignment> environment;
   environment.push_back({"LD_PRELOAD", prepended(files.preloaded, "LD_PRELOAD")});
   // The library selects itself when it is loaded; said beforehand for programs whose own libraries
@@ -212,8 +215,8 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
   }
   if (arguments.control)
     environment.push_back({ARBITER_ENV_CONTROL, "1"});
-  if (arguments.hud)
-    environment.push_back({ARBITER_ENV_HUD, "1"});
+  if (!arguments.hud.empty())
+    environment.push_back({ARBITER_ENV_HUD, arguments.hud == "true" ? "1" : arguments.hud});
   if (!arguments.log.empty())
     environment.push_back({ARBITER_ENV_LOG, absoluteLog(arguments.log)});
   if (!arguments.debug.empty())

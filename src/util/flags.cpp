@@ -254,6 +254,14 @@ bool readSwitch(Reader &reader, Env variable) {
   return value == "1";
 }
 
+void readHud(Reader &reader, Settings &result) {
+  std::string wrong;
+  if (const auto options = parseHudOptions(reader.read(Env::Hud), wrong))
+    result.hud = *options;
+  else
+    reader.warn(Env::Hud, wrong);
+}
+
 /// The name becomes part of a library's file name (libGLX_NAME.so.0), so it may not leave it.
 void readHostVendor(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::HostVendor);
@@ -328,7 +336,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);
   readExtensions(reader, result);
   result.control = readSwitch(reader, Env::Control);
-  result.hud = readSwitch(reader, Env::Hud);
+  readHud(reader, result);
   result.capturePath = reader.read(Env::Capture);
   result.replacePath = reader.read(Env::Replace);
   result.statsPath = reader.read(Env::Stats);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "util/hud_options.h"
 #include "util/log.h"
 
 /// What the environment asks for. One table, flags.def, holds every variable and flag.
@@ -80,7 +81,7 @@ struct Settings {
   std::string hostOsmesa;  ///< empty: the one the front was built for
   std::uint32_t debug = 0; ///< one bit a DebugFlag
   bool control = false;    ///< clients may connect (state/control)
-  bool hud = false;        ///< figures in each frame (state/hud)
+  HudOptions hud;          ///< figures in each frame (state/hud)
 
   [[nodiscard]] bool has(DebugFlag flag) const { return (debug >> unsigned(flag) & 1u) != 0; }
 };

@@ -5,12 +5,14 @@ the socket itself.
 usage: control_test.py ARBITER TICKER PAINTER [unittest arguments]
 """
 import json
+import shutil
 import subprocess
 import time
+import unittest
 import zlib
 
 import controlled
-from controlled import ARBITER, PATIENCE, RED, TICKER, WRONG, Controlled, Painting, pixels
+from controlled import ARBITER, PATIENCE, RED, TICKER, WRONG, Controlled, Painting, pixels, plain
 
 
 class Edits(Controlled):
@@ -196,6 +198,42 @@ class Windows(Painting):
                 self.unchanged(output)
         with self.painting(options=()) as output:
             self.assertTrue(output.waits_for('shown 0'), 'without --hud there are none')
+
+    def counts_reach(self, output, words, is_enough):
+        """Until the client counts so many pixels behind these words."""
+        end, last = time.monotonic() + PATIENCE, None
+        while time.monotonic() < end:
+            output.waits_for('', 0.1)
+            counts = [int(line.split()[-1]) for line in output.seen if line.startswith(words)]
+            last = counts[-1] if counts else None
+            if last is not None and is_enough(last):
+                return True
+        return False
+
+    def test_figures_stand_in_the_corner_that_is_asked_for(self):
+        for more, words in self.CASES:
+            with self.subTest(options=more, words=words), \
+                    self.painting(*words, options=('--hud=draws,programs,top-right', *more)) as output:
+                self.assertTrue(self.counts_reach(output, 'upper right', lambda count: count > 1000))
+                self.assertTrue(self.counts_reach(output, 'shown', lambda count: count == 0))
+                self.unchanged(output)
+
+    @unittest.skipUnless(shutil.which('xdotool'), 'xdotool, which presses the key, is not installed')
+    def test_a_key_shows_and_hides_the_figures(self):
+        with self.painting(options=('--hud=draws,programs,bottom-left,hidden,key=ctrl+F7',)) as output:
+            self.assertTrue(self.counts_reach(output, 'shown', lambda count: count == 0))
+            for is_enough in (lambda count: count > 1000, lambda count: count == 0):
+                for action in ('keydown', 'keyup'):
+                    subprocess.run(['xdotool', action, 'ctrl+F7'], check=True,
+                                   env=plain(DISPLAY=self.display))
+                    time.sleep(0.2)
+                self.assertTrue(self.counts_reach(output, 'shown', is_enough))
+            self.unchanged(output)
+
+    def test_words_for_figures_are_checked(self):
+        run = subprocess.run([ARBITER, 'run', '--hud=fsp', '--', 'true'], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn('did you mean fps?', run.stderr)
 
 
 def green_picture(path, side=16):

@@ -3,6 +3,7 @@
 //
 //   middle R G B     the middle of what it drew, read before the frame is shown
 //   shown N          how many pixels of the shown window's lower left quarter are not the quad's
+//   upper right N    how many of its upper right quarter
 //   state NAME       a value of GL's that it did not set to what it is after a frame
 //   error N          of GL
 //
@@ -237,19 +238,21 @@ std::string middle() {
          std::to_string(pixel[2]);
 }
 
-std::string shown() {
+/// Counts pixels of a quarter of the window that are not what its pixel next to the middle is.
+std::string othersOf(const char *word, int left, int top) {
   XSync(g_display, False);
   XImage *const image =
-      XGetImage(g_display, g_window, 0, kHeight / 2, kWidth / 2, kHeight / 2, AllPlanes, ZPixmap);
+      XGetImage(g_display, g_window, left, top, kWidth / 2, kHeight / 2, AllPlanes, ZPixmap);
   if (!image)
-    return "shown nothing";
+    return std::string(word) + " nothing";
   int other = 0;
-  const unsigned long quad = XGetPixel(image, kWidth / 2 - 1, 0);
+  const unsigned long quad =
+      XGetPixel(image, left == 0 ? kWidth / 2 - 1 : 0, top == 0 ? kHeight / 2 - 1 : 0);
   for (int y = 0; y < kHeight / 2; ++y)
     for (int x = 0; x < kWidth / 2; ++x)
       other += XGetPixel(image, x, y) != quad;
   XDestroyImage(image);
-  return "shown " + std::to_string(other);
+  return std::string(word) + " " + std::to_string(other);
 }
 
 } // namespace
@@ -267,7 +270,7 @@ int main(int argc, char **argv) {
   glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name);
   const std::array<GLuint, 2> buffers = {makeBuffer(GL_PIXEL_PACK_BUFFER),
                                          makeBuffer(GL_PIXEL_UNPACK_BUFFER)};
-  std::string lastMiddle, lastShown, lastState;
+  std::string lastMiddle, lastShown, lastUpper, lastState;
   for (long frame = 0; frame != frames; ++frame) {
     setPlainState();
     depth ? drawDepths() : drawFrame();
@@ -281,8 +284,10 @@ int main(int argc, char **argv) {
         say(lastState, std::string("state ") + kStates[i].word);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
       say(lastState, "error " + std::to_string(error));
-    if (frame % 5 == 4)
-      say(lastShown, shown());
+    if (frame % 5 == 4) {
+      say(lastShown, othersOf("shown", 0, kHeight / 2));
+      say(lastUpper, othersOf("upper right", kWidth / 2, 0));
+    }
     usleep(8000);
   }
   return 0;

@@ -61,7 +61,7 @@ void frameEnds(Context &context) {
   } else if (controlled()) {
     remote::Session::begin(); // in a child of a fork
   }
-  if (settings().hud && isOpen(context))
+  if (settings().hud.on && isOpen(context))
     hud::draw(context);
 }
 
@@ -80,7 +80,7 @@ constexpr ControlHooks kHooks = {frameEnds, beforeDraw, programsLeave, programsE
 } // namespace
 
 void beginWatching() {
-  if (!controlled() && !settings().hud)
+  if (!controlled() && !settings().hud.on)
     return;
   if (controlled())
     remote::Session::begin();

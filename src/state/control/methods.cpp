@@ -13,11 +13,6 @@ namespace arbiter::state::remote {
 
 namespace {
 
-#define ARBITER_TEXT_OF(x) #x
-#define ARBITER_TEXT(x) ARBITER_TEXT_OF(x)
-constexpr const char *kVersion = ARBITER_TEXT(ARBITER_VERSION_MAJOR) "." ARBITER_TEXT(
-    ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH);
-
 constexpr Method kMethods[] = {
     {"program.list", programList},
     {"program.get", programGet},
@@ -57,7 +52,7 @@ wire::Json helloAnswer(const std::string &program) {
     methods.push_back(row.name);
   return wire::Json::object({{"protocol", wire::kProtocol},
                              {"server", "layer"},
-                             {"version", kVersion},
+                             {"version", ARBITER_VERSION_TEXT},
                              {"pid", getpid()},
                              {"program", program},
                              {"methods", std::move(methods)}});

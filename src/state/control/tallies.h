@@ -52,12 +52,13 @@ class FrameTimes {
 public:
   void frameEnded(std::int64_t nanoseconds);
   [[nodiscard]] std::size_t count() const { return m_count; }
+  /// The time of a frame, ms. \param age 0: the last one. Requires: age < count().
+  [[nodiscard]] double of(std::size_t age) const;
   [[nodiscard]] double last() const; ///< ms; 0: none yet
   [[nodiscard]] double mean() const;
   [[nodiscard]] double worst() const;
 
 private:
-  [[nodiscard]] double of(std::size_t age) const;
   std::array<std::int64_t, 64> m_times{};
   std::size_t m_next = 0, m_count = 0;
   std::int64_t m_last = 0; ///< monotonic ns; 0: none

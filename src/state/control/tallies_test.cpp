@@ -69,7 +69,7 @@ TEST(Picture, IsMadeSmallerByMeans) {
 }
 
 TEST(Hud, WritesLettersBottomRowFirst) {
-  const Picture picture = hud::pictureOf({"I"}, 1);
+  const Picture picture = hud::pictureOf({"I"}, {}, 1);
   const auto ink = [&](int x, int y) {
     return picture.bytes[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4] > 128;
   };
@@ -79,7 +79,7 @@ TEST(Hud, WritesLettersBottomRowFirst) {
   EXPECT_EQ(rows, hud::kGlyphHeight);
   EXPECT_FALSE(ink(0, 0));
   // L has its bar below.
-  const Picture l = hud::pictureOf({"L"}, 1);
+  const Picture l = hud::pictureOf({"L"}, {}, 1);
   const auto inkOfL = [&](int x, int y) {
     return l.bytes[(std::size_t(y) * std::size_t(l.width) + std::size_t(x)) * 4] > 128;
   };
@@ -87,17 +87,43 @@ TEST(Hud, WritesLettersBottomRowFirst) {
   EXPECT_FALSE(inkOfL(2 + 4, l.height - 2 - 1));
 }
 
+TEST(Hud, DrawsABarAFrame) {
+  const Picture picture = hud::pictureOf({}, {10, 1000.f / 30, 5}, 1);
+  const auto heightOf = [&](int x) {
+    int rows = 0;
+    for (int y = 0; y < picture.height; ++y)
+      rows +=
+          picture.bytes[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4] > 64;
+    return rows;
+  };
+  EXPECT_EQ(heightOf(2), 7) << "10 of 33.3 ms are three tenths of 24 rows";
+  EXPECT_EQ(heightOf(4), 24) << "the worst one is as high as the graph";
+  EXPECT_EQ(heightOf(6), 3);
+  EXPECT_EQ(heightOf(8), 0) << "the border";
+}
+
+TEST(Hud, LettersGrowWithTheFrame) {
+  EXPECT_EQ(hud::scaleOf({}, 240), 1);
+  EXPECT_EQ(hud::scaleOf({}, 600), 2);
+  EXPECT_EQ(hud::scaleOf({}, 2160), 4);
+  EXPECT_EQ(hud::scaleOf({.scale = 3}, 240), 3);
+}
+
 TEST(Hud, HasALetterForAllThatIsSaid) {
   hud::Figures figures;
-  figures.last = 16.7;
+  figures.version = "Arbiter 0.1.0  profile r300";
+  figures.host = "llvmpipe (LLVM 15.0.6, 256 bits)";
   figures.draws = {{"host-glsl", 3}, {"rasterizer", 120}};
   figures.programs = 5;
-  EXPECT_EQ(hud::linesOf(figures)[2], "programs 5  over native 0");
+  EXPECT_EQ(hud::linesOf(figures, {})[2], "no frames yet");
+  EXPECT_EQ(hud::linesOf(figures, {})[4], "programs 5  over native 0");
+  figures.times = {10, 30};
   figures.refused = 2;
-  const std::vector<std::string> lines = hud::linesOf(figures);
-  ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[1], "host-glsl 3  rasterizer 120");
-  EXPECT_EQ(lines[2], "programs 5  over native 0  refused 2");
+  const std::vector<std::string> lines = hud::linesOf(figures, {});
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[2], "50.0 fps  20.0 ms  worst 30.0");
+  EXPECT_EQ(lines[3], "host-glsl 3  rasterizer 120");
+  EXPECT_EQ(lines[4], "programs 5  over native 0  refused 2");
   for (const std::string &line : lines)
     for (const char letter : line) {
       int ink = 0;
@@ -105,6 +131,13 @@ TEST(Hud, HasALetterForAllThatIsSaid) {
         ink |= hud::glyphRow(letter, row);
       EXPECT_TRUE(letter == ' ' || ink != 0) << letter;
     }
+}
+
+TEST(Hud, HasThePartsThatAreAskedFor) {
+  hud::Figures figures;
+  HudOptions options;
+  options.parts = 1u << unsigned(HudPart::Draws);
+  EXPECT_EQ(hud::linesOf(figures, options), std::vector<std::string>{"no draws"});
 }
 
 TEST(ProgramEdits, TellWhatChangedSince) {

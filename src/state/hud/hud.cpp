@@ -1,5 +1,6 @@
 #include "state/hud/hud.h"
 
+#include <GL/arbiter.h>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/report/refusals.h"
 #include "state/share/share_group.h"
+#include "util/flags.h"
 #include "util/log.h"
 
 namespace arbiter::state::hud {
@@ -39,6 +41,7 @@ GLint get(const host::HostTable &host, GLenum name) {
 struct Counters {
   std::array<std::uint64_t, kPathCount> draws{}; ///< at the end of the last frame
   remote::FrameTimes times;
+  std::string host;     ///< the renderer that the host names
   bool refused = false; ///< by the host: they are not tried again
 };
 
@@ -60,12 +63,25 @@ std::shared_ptr<Counters> countersOf(const Context &context) {
   return counters;
 }
 
+std::string versionLine() {
+  return "Arbiter " ARBITER_VERSION_TEXT "  profile " + settings().profile;
+}
+
+/// The renderer that the host names. It is asked once.
+const std::string &hostOf(const Context &context, Counters &counters) {
+  constexpr std::size_t kMost = 48; // letters
+  if (counters.host.empty())
+    if (const GLubyte *const name = context.host->GetString(GL_RENDERER))
+      counters.host = std::string(reinterpret_cast<const char *>(name)).substr(0, kMost);
+  return counters.host;
+}
+
 Figures figuresOf(Context &context, Counters &counters) {
-  counters.times.frameEnded(remote::nowNanoseconds());
   Figures figures;
-  figures.last = counters.times.last();
-  figures.mean = counters.times.mean();
-  figures.worst = counters.times.worst();
+  figures.version = versionLine();
+  figures.host = hostOf(context, counters);
+  for (std::size_t age = counters.times.count(); age-- > 0;)
+    figures.times.push_back(float(counters.times.of(age)));
   for (std::size_t i = 0; i < counters.draws.size(); ++i) {
     const std::uint64_t now = context.draws[i], before = std::exchange(counters.draws[i], now);
     if (now != before)
@@ -80,22 +96,32 @@ Figures figuresOf(Context &context, Counters &counters) {
   return figures;
 }
 
-/// Over the lower left corner of what the rasterizer holds. False: bytes of another kind.
-bool write(const swrast::Image &image, const Picture &picture) {
+/// The pixels of a frame that the picture covers: a corner of it.
+swrast::Rect placeOf(const Picture &picture, int frameWidth, int frameHeight) {
+  const HudOptions &options = settings().hud;
+  const int width = std::min(picture.width, frameWidth);
+  const int height = std::min(picture.height, frameHeight);
+  return {options.right ? frameWidth - width : 0, options.bottom ? 0 : frameHeight - height, width,
+          height};
+}
+
+/// Copies the picture into what the rasterizer holds. False: bytes of another kind.
+/// \param place inside the image
+bool write(const swrast::Image &image, const Picture &picture, const swrast::Rect &place) {
   using abi::From;
   if (image.format.layout != abi::Layout::U8x4)
     return false;
-  const int height = std::min(picture.height, image.height);
-  const int width = std::min(picture.width, image.width);
   int stored[4] = {-1, -1, -1, -1}; // the byte of each component
   for (int c = 0; c < 4; ++c)
     if (const From from = image.format.swizzle[std::size_t(c)]; from <= From::C3)
       stored[c] = int(from);
-  for (int y = 0; y < height; ++y) {
-    std::uint8_t *to = image.pixel(0, y);
+  // A picture that is higher than the frame loses its lower rows.
+  const int hidden = picture.height - place.height;
+  for (int y = 0; y < place.height; ++y) {
+    std::uint8_t *to = image.pixel(place.x, place.y + y);
     const std::uint8_t *from =
-        picture.bytes.data() + std::size_t(y) * std::size_t(picture.width) * 4;
-    for (int x = 0; x < width; ++x, to += 4, from += 4)
+        picture.bytes.data() + std::size_t(hidden + y) * std::size_t(picture.width) * 4;
+    for (int x = 0; x < place.width; ++x, to += 4, from += 4)
       for (int c = 0; c < 4; ++c)
         if (stored[c] >= 0)
           to[stored[c]] = from[c];
@@ -174,15 +200,16 @@ private:
 };
 
 /// The window is what is drawn to. False: the host refused.
-bool blit(Context &context, const Picture &picture) {
+bool blit(Context &context, const Picture &picture, const swrast::Rect &place) {
   if (!context.caps.framebufferObjects)
     return false;
   HostErrorScope errors(*context.host, context.pendingError);
   upload(context, picture);
   {
     const BlitState state(context);
-    context.host->BlitFramebuffer(0, 0, picture.width, picture.height, 0, 0, picture.width,
-                                  picture.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    context.host->BlitFramebuffer(0, picture.height - place.height, place.width, picture.height,
+                                  place.x, place.y, place.x + place.width, place.y + place.height,
+                                  GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   return !errors.failed();
 }
@@ -196,9 +223,27 @@ bool writeHere(Context &context, const Picture &picture) {
   const software::DrawTargets *const targets = residency.describeTargets(reason);
   if (!targets || !targets->color[0] || !targets->isWindow)
     return false;
-  const swrast::Rect rect = {0, 0, std::min(picture.width, targets->width),
-                             std::min(picture.height, targets->height)};
-  return residency.acquireTargets(rect, false, false) && write(*targets->color[0], picture);
+  const swrast::Rect place = placeOf(picture, targets->width, targets->height);
+  return residency.acquireTargets(place, false, false) && write(*targets->color[0], picture, place);
+}
+
+/// Whether the figures are shown now: the key changes that. It is looked at often enough for a
+/// short press.
+bool isShown() {
+  constexpr std::int64_t kInterval = 20'000'000; // ns
+  static std::atomic<std::int64_t> s_next = 0;
+  static std::atomic<bool> s_shown = !settings().hud.hidden, s_wasDown = false;
+  const auto keyIsDown = g_keyIsDown.load(std::memory_order_acquire);
+  const std::int64_t now = remote::nowNanoseconds();
+  std::int64_t due = s_next.load(std::memory_order_relaxed);
+  if (!keyIsDown || settings().hud.key.keysym == 0 || now < due ||
+      !s_next.compare_exchange_strong(due, now + kInterval))
+    return s_shown;
+  const bool down = keyIsDown(settings().hud.key);
+  if (down && !s_wasDown)
+    s_shown = !s_shown;
+  s_wasDown = down;
+  return s_shown;
 }
 
 } // namespace
@@ -207,18 +252,23 @@ void draw(Context &context) {
   const std::shared_ptr<Counters> counters = countersOf(context);
   if (context.passThrough || counters->refused)
     return;
-  constexpr int kLarge = 480; // pixels: letters are twice as high from there on
+  counters->times.frameEnded(remote::nowNanoseconds());
+  if (!isShown())
+    return;
+  const HudOptions &options = settings().hud;
   int width = 0, height = 0;
   if (!remote::drawableSize(context, width, height))
     return;
-  const Picture picture =
-      pictureOf(linesOf(figuresOf(context, *counters)), height >= kLarge ? 2 : 1);
+  const Figures figures = figuresOf(context, *counters);
+  const Picture picture = pictureOf(
+      linesOf(figures, options), options.has(HudPart::Graph) ? figures.times : std::vector<float>(),
+      scaleOf(options, height));
   const WindowDraw window(context);
   if (writeHere(context, picture))
     return;
   if (context.software)
     context.software->residency.hostTakesTargets("figures in the frame");
-  if (blit(context, picture))
+  if (blit(context, picture, placeOf(picture, width, height)))
     return;
   counters->refused = true;
   logWarn("hud", "the host does not draw the figures (a multisampled window?)");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 
 #include "state/hud/font.h"
 
@@ -10,57 +11,106 @@ namespace arbiter::state::hud {
 namespace {
 
 constexpr int kAdvance = kGlyphWidth + 1, kLine = kGlyphHeight + 2, kBorder = 2;
+constexpr int kGraphHeight = 24, kGraphBar = 2; ///< in pixels of a letter
+constexpr std::uint8_t kPaper = 24, kInk = 236, kBar = 120, kSlowBar = 200;
 
-std::string formatted(const char *format, double a, double b = 0, double c = 0) {
+std::string formatted(const char *format, double a, double b, double c) {
   char text[96];
   std::snprintf(text, sizeof text, format, a, b, c);
   return text;
 }
 
-void fill(remote::Picture &picture, int x, int y, int size, std::uint8_t value) {
-  for (int v = y; v < std::min(y + size, picture.height); ++v)
-    for (int u = x; u < std::min(x + size, picture.width); ++u) {
+void fill(remote::Picture &picture, int x, int y, int width, int height, std::uint8_t value) {
+  for (int v = y; v < std::min(y + height, picture.height); ++v)
+    for (int u = x; u < std::min(x + width, picture.width); ++u) {
       std::uint8_t *const pixel =
           picture.bytes.data() + (std::size_t(v) * std::size_t(picture.width) + std::size_t(u)) * 4;
       pixel[0] = pixel[1] = pixel[2] = value;
     }
 }
 
-} // namespace
+void drawLetter(remote::Picture &picture, int x, int top, char letter, int scale) {
+  for (int row = 0; row < kGlyphHeight; ++row)
+    for (int column = 0; column < kGlyphWidth; ++column)
+      if ((glyphRow(letter, row) >> (kGlyphWidth - 1 - column) & 1) != 0)
+        fill(picture, x + column * scale, top - (row + 1) * scale, scale, scale, kInk);
+}
 
-std::vector<std::string> linesOf(const Figures &figures) {
-  std::vector<std::string> lines;
-  lines.push_back(
-      formatted("%.1f ms  mean %.1f  worst %.1f", figures.last, figures.mean, figures.worst));
+/// Draws a bar a frame. The graph's height is the worst frame's time, or 1/30 s where all are
+/// faster; frames slower than that are lighter.
+void drawGraph(remote::Picture &picture, const std::vector<float> &times, int scale) {
+  constexpr float kSlow = 1000.f / 30;
+  const float most = std::max(kSlow, *std::max_element(times.begin(), times.end()));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const int height = std::max(1, int(times[i] / most * float(kGraphHeight * scale)));
+    fill(picture, (kBorder + int(i) * kGraphBar) * scale, kBorder * scale, kGraphBar * scale,
+         height, times[i] > kSlow ? kSlowBar : kBar);
+  }
+}
+
+std::string speedOf(const std::vector<float> &times) {
+  if (times.empty())
+    return "no frames yet";
+  const float mean = std::accumulate(times.begin(), times.end(), 0.f) / float(times.size());
+  const float worst = *std::max_element(times.begin(), times.end());
+  return formatted("%.1f fps  %.1f ms  worst %.1f", mean > 0 ? 1000 / mean : 0, mean, worst);
+}
+
+std::string drawsOf(const Figures &figures) {
   std::string draws;
   for (const Figures::Draws &row : figures.draws)
     draws += (draws.empty() ? "" : "  ") + std::string(row.path) + " " + std::to_string(row.count);
-  lines.push_back(draws.empty() ? "no draws" : draws);
-  lines.push_back("programs " + std::to_string(figures.programs) + "  over native " +
-                  std::to_string(figures.overNative) +
-                  (figures.refused == 0 ? "" : "  refused " + std::to_string(figures.refused)));
+  return draws.empty() ? "no draws" : draws;
+}
+
+std::string programsOf(const Figures &figures) {
+  return "programs " + std::to_string(figures.programs) + "  over native " +
+         std::to_string(figures.overNative) +
+         (figures.refused == 0 ? "" : "  refused " + std::to_string(figures.refused));
+}
+
+} // namespace
+
+std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options) {
+  std::vector<std::string> lines;
+  if (options.has(HudPart::Version))
+    lines.push_back(figures.version);
+  if (options.has(HudPart::Host))
+    lines.push_back(figures.host);
+  if (options.has(HudPart::Fps))
+    lines.push_back(speedOf(figures.times));
+  if (options.has(HudPart::Draws))
+    lines.push_back(drawsOf(figures));
+  if (options.has(HudPart::Programs))
+    lines.push_back(programsOf(figures));
   return lines;
 }
 
-remote::Picture pictureOf(const std::vector<std::string> &lines, int scale) {
+int scaleOf(const HudOptions &options, int frameHeight) {
+  constexpr int kLarge = 480; // pixels: letters are twice as high from there on
+  if (options.scale != 0)
+    return options.scale;
+  return frameHeight < kLarge ? 1 : std::max(2, frameHeight / kLarge);
+}
+
+remote::Picture pictureOf(const std::vector<std::string> &lines, const std::vector<float> &times,
+                          int scale) {
   std::size_t longest = 0;
   for (const std::string &line : lines)
     longest = std::max(longest, line.size());
+  const int inside = std::max(int(longest) * kAdvance, int(times.size()) * kGraphBar);
+  const int graph = times.empty() ? 0 : kGraphHeight + 2;
   remote::Picture picture;
-  picture.width = (int(longest) * kAdvance + 2 * kBorder) * scale;
-  picture.height = (int(lines.size()) * kLine + 2 * kBorder) * scale;
-  constexpr std::uint8_t kPaper = 24, kInk = 236;
+  picture.width = (inside + 2 * kBorder) * scale;
+  picture.height = (int(lines.size()) * kLine + graph + 2 * kBorder) * scale;
   picture.bytes.assign(std::size_t(picture.width) * std::size_t(picture.height) * 4, 255);
-  for (std::size_t i = 0; i < picture.bytes.size(); ++i)
-    if (i % 4 != 3)
-      picture.bytes[i] = kPaper;
+  fill(picture, 0, 0, picture.width, picture.height, kPaper);
   for (std::size_t line = 0; line < lines.size(); ++line)
     for (std::size_t at = 0; at < lines[line].size(); ++at)
-      for (int row = 0; row < kGlyphHeight; ++row)
-        for (int column = 0; column < kGlyphWidth; ++column)
-          if ((glyphRow(lines[line][at], row) >> (kGlyphWidth - 1 - column) & 1) != 0)
-            fill(picture, (kBorder + int(at) * kAdvance + column) * scale,
-                 picture.height - (kBorder + int(line) * kLine + row + 1) * scale, scale, kInk);
+      drawLetter(picture, (kBorder + int(at) * kAdvance) * scale,
+                 picture.height - (kBorder + int(line) * kLine) * scale, lines[line][at], scale);
+  if (!times.empty())
+    drawGraph(picture, times, scale);
   return picture;
 }
 

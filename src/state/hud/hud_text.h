@@ -3,13 +3,15 @@
 #include <vector>
 
 #include "state/control/host_pixels.h"
-#include "state/control/tallies.h"
+#include "util/hud_options.h"
 
 namespace arbiter::state::hud {
 
-/// What is said of a frame.
+/// The figures of a frame.
 struct Figures {
-  double last = 0, mean = 0, worst = 0; ///< ms, of the last frames
+  std::string version;      ///< of the layer, and its profile
+  std::string host;         ///< the renderer that the host names
+  std::vector<float> times; ///< ms, of the last frames, the newest last
   struct Draws {
     const char *path;
     std::uint64_t count;
@@ -19,8 +21,14 @@ struct Figures {
   std::uint64_t refused = 0; ///< texts that the profile alone refuses
 };
 
-[[nodiscard]] std::vector<std::string> linesOf(const Figures &figures);
-/// The lines, light on dark, each pixel of a letter `scale` pixels wide; bottom row first.
-[[nodiscard]] remote::Picture pictureOf(const std::vector<std::string> &lines, int scale);
+/// The lines of the parts that are asked for.
+[[nodiscard]] std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options);
+/// Pixels of the frame that a pixel of a letter is wide: letters stay readable in a frame of that
+/// height.
+[[nodiscard]] int scaleOf(const HudOptions &options, int frameHeight);
+/// Draws lines light on dark, and below them a bar a frame's time; bottom row first.
+/// \param times ms; empty: no bars \param scale pixels that a pixel of a letter is wide
+[[nodiscard]] remote::Picture pictureOf(const std::vector<std::string> &lines,
+                                        const std::vector<float> &times, int scale);
 
 } // namespace arbiter::state::hud

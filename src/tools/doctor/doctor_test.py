@@ -301,6 +301,31 @@ class Doctor(Temporary):
         game.chmod(0o755)
         self.assertEqual(self.obstacles(self.ask(game)), {'windows_program'})
 
+    def windows_program(self, machine):
+        """A file whose PE header names the machine, and that is nothing else."""
+        game = self.path('GAME.EXE')
+        game.write_bytes(b'MZ' + bytes(0x3A) + struct.pack('<I', 0x80) + bytes(0x40) + b'PE\0\0' +
+                         struct.pack('<H', machine) + bytes(100))
+        return game
+
+    def test_programs_under_wine(self):
+        wine = self.script('wine', '#!/bin/sh\n')
+        found = self.ask(wine, self.windows_program(0x8664), '-fullscreen')
+        self.assertEqual((self.obstacles(found), found['wine']['level']), (set(), 'note'))
+        self.assertIn('64-bit', found['wine']['what'])
+        found = self.ask(wine, self.windows_program(0x14C))
+        self.assertEqual((self.obstacles(found), found['wine']['level']), (set(), 'possible'))
+        self.assertIn('libglx-arbiter0:i386', found['wine']['remedy'])
+        for words in (('explorer',), (self.path('none.exe'),), (self.windows_program(0x200),)):
+            found = self.ask(wine, *words)
+            self.assertIn('width its command line does not tell', found['wine']['what'])
+
+    def test_managers_of_games(self):
+        steam = self.script('steam', '#!/bin/sh\nexec steam.sh\n')
+        found = self.ask(steam)
+        self.assertEqual((self.obstacles(found), found['game_launcher']['level']), (set(), 'possible'))
+        self.assertIn('arbiter run -- %command%', found['game_launcher']['remedy'])
+
     def test_files_that_are_no_programs(self):
         for content in (b'', b'\x7fELF', b'\x7fELF\x02\x01\x01' + bytes(40), os.urandom(5000)):
             game = self.path('game')

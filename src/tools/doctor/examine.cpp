@@ -121,7 +121,8 @@ void examineFile(Examination &examination, const CommandFile &command,
                      "Give it the right to be executed (chmod +x), or name the program itself."});
     return;
   }
-  if (examineSandbox(examination, command, surroundings))
+  if (examineSandbox(examination, command, surroundings) ||
+      examineLauncher(examination, command, surroundings))
     return;
   if (!command.interpreter.empty()) {
     examineScript(examination, command, surroundings, step);

@@ -86,8 +86,9 @@ void examineRights(Examination &examination, const std::string &path) {
                      "Run a copy (cp leaves them out), or take them away: setcap -r."});
 }
 
-/// Where the layer's library for a width and machine would be: its path may have $LIB.
-bool layerServes(const std::string &layer, const ElfFile &elf) {
+} // namespace
+
+bool layerServes(const std::string &layer, int bits, int machine) {
   const std::size_t at = layer.find("$LIB");
   std::vector<std::string> paths;
   if (at == std::string::npos)
@@ -98,13 +99,16 @@ bool layerServes(const std::string &layer, const ElfFile &elf) {
       paths.push_back(layer.substr(0, at) + folder + layer.substr(at + 4));
   return std::any_of(paths.begin(), paths.end(), [&](const std::string &path) {
     const std::optional<ElfFile> library = readElf(path);
-    return library && library->bits == elf.bits && library->machine == elf.machine;
+    return library && library->bits == bits && library->machine == machine;
   });
 }
 
+namespace {
+
 void examineWidth(Program &program) {
   const ElfFile &elf = program.elf;
-  if (program.surroundings.layer.empty() || layerServes(program.surroundings.layer, elf))
+  if (program.surroundings.layer.empty() ||
+      layerServes(program.surroundings.layer, elf.bits, elf.machine))
     return;
   const std::string kind = std::to_string(elf.bits) + "-bit (" + machineName(elf.machine) + ")";
   program.add("other_width", Level::Obstacle,

@@ -50,6 +50,15 @@ inline constexpr const char *kDirectRemedy =
 /// Looks at the command's file, at what a script starts, and at their libraries. Runs nothing.
 [[nodiscard]] Examination examine(const CommandFile &command, const Surroundings &surroundings);
 
+/// Looks at launchers of other programs: Wine, Steam and their like (launchers.cpp). True: the
+/// command is one.
+bool examineLauncher(Examination &examination, const CommandFile &command,
+                     const Surroundings &surroundings);
+
+/// True if there is a library of the layer for processes of that width and machine (EM_386, ...).
+/// \param layer the library's path, which may have $LIB in it
+[[nodiscard]] bool layerServes(const std::string &layer, int bits, int machine);
+
 /// Looks at a program's own file (examine_program.cpp).
 void examineProgram(Examination &examination, const std::string &path,
                     const Surroundings &surroundings);

@@ -41,11 +41,7 @@ Server::Reply Server::initialize(const Json &params) {
     useProfile(*settings);
   m_state = State::Running;
   return Json{{"capabilities", capabilities(m_encoding)},
-              {"serverInfo",
-               {{"name", "arbiter"},
-                {"version", std::to_string(ARBITER_VERSION_MAJOR) + "." +
-                                std::to_string(ARBITER_VERSION_MINOR) + "." +
-                                std::to_string(ARBITER_VERSION_PATCH)}}}};
+              {"serverInfo", {{"name", "arbiter"}, {"version", ARBITER_VERSION_TEXT}}}};
 }
 
 Server::Reply Server::shutdown(const Json &) {

@@ -48,8 +48,9 @@ void addLayer(Verb &verb, LayerArguments &layer) {
   verb.flag("--control", layer.control,
             "let arbiter ctl and the builder look at the programs and change them while it "
             "runs");
-  verb.flag("--hud", layer.hud,
-            "show frame time, draws by path and programs over native limits in each frame");
+  verb.flagOrValue("--hud", layer.hud,
+                   "show figures in each frame: version, host, frames a second, draws by path, "
+                   "programs over native limits; --hud=fps,top-right chooses (docs/reference/flags.md)");
   verb.option("--host-vendor", layer.hostVendor,
               "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
   verb.option("--library", layer.library, "the layer's library, where it is not beside us");

@@ -78,6 +78,10 @@ Option Verb::flag(const std::string &names, bool &value, const std::string &help
   return Option(m_app->add_flag(names, value, help));
 }
 
+Option Verb::flagOrValue(const std::string &names, std::string &value, const std::string &help) {
+  return Option(m_app->add_flag(names, value, help));
+}
+
 void Verb::footer(const std::string &text) { m_app->footer(text); }
 
 void Verb::prefixCommand() { m_app->prefix_command(); }

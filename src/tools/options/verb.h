@@ -58,6 +58,8 @@ public:
   Option option(const std::string &names, int &value, const std::string &help);
   Option option(const std::string &names, double &value, const std::string &help);
   Option flag(const std::string &names, bool &value, const std::string &help = {});
+  /// A flag that may have a value, joined to it by "=". Without one the value is "true".
+  Option flagOrValue(const std::string &names, std::string &value, const std::string &help);
   /// What help says behind the options.
   void footer(const std::string &text);
   /// What begins with the first operand is another's command line.

@@ -128,9 +128,7 @@ std::optional<control::Answer> RenderService::atOnce(control::ClientId client,
       methods.push_back(name);
     return Json::object({{"protocol", control::kProtocol},
                          {"server", "renderer"},
-                         {"version", std::to_string(ARBITER_VERSION_MAJOR) + "." +
-                                         std::to_string(ARBITER_VERSION_MINOR) + "." +
-                                         std::to_string(ARBITER_VERSION_PATCH)},
+                         {"version", ARBITER_VERSION_TEXT},
                          {"pid", getpid()},
                          {"program", program_invocation_short_name},
                          {"methods", std::move(methods)}});

@@ -1,0 +1,123 @@
+// Launchers that start other people's programs: Wine, and managers of games.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <elf.h>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "tools/doctor/finding.h"
+
+namespace arbiter::tools::doctor {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A manager of games, and where a game's own command line is set in it.
+struct Manager {
+  std::string_view command, name, setting, value;
+};
+constexpr Manager kManagers[] = {
+    {"steam", "Steam", "Properties, Launch Options", "arbiter run -- %command%"},
+    {"lutris", "Lutris", "Configure, System options, Command prefix", "arbiter run --"},
+    {"heroic", "Heroic", "Settings, Advanced, Wrapper command", "arbiter run --"},
+};
+
+struct FileCloser {
+  void operator()(FILE *file) const { std::fclose(file); }
+};
+
+/// The width of a Windows program by its PE header (PE format, COFF File Header, Machine). Nothing
+/// where it is none of a processor that the layer runs on.
+std::optional<int> bitsOfWindowsProgram(const std::string &path) {
+  const std::unique_ptr<FILE, FileCloser> file(std::fopen(path.c_str(), "rbe"));
+  constexpr long kHeaderOffset = 0x3C;
+  std::array<unsigned char, 4> offset{};
+  std::array<unsigned char, 6> header{}; // "PE\0\0", then Machine
+  if (!file || std::fseek(file.get(), kHeaderOffset, SEEK_SET) != 0 ||
+      std::fread(offset.data(), 1, offset.size(), file.get()) != offset.size())
+    return std::nullopt;
+  const std::uint32_t at = std::uint32_t(offset[0]) | std::uint32_t(offset[1]) << 8 |
+                           std::uint32_t(offset[2]) << 16 | std::uint32_t(offset[3]) << 24;
+  if (std::fseek(file.get(), long(at), SEEK_SET) != 0 ||
+      std::fread(header.data(), 1, header.size(), file.get()) != header.size() ||
+      std::memcmp(header.data(), "PE\0\0", 4) != 0)
+    return std::nullopt;
+  switch (header[4] | header[5] << 8) {
+  case 0x014C: // I386
+    return 32;
+  case 0x8664: // AMD64
+    return 64;
+  default:
+    return std::nullopt;
+  }
+}
+
+bool isWine(const std::string &name) { return name.starts_with("wine") && name != "winecfg"; }
+
+/// The first word that names a file of Windows; empty: there is none.
+std::string windowsProgramOf(const std::vector<std::string> &words) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::string ending = fs::path(words[i]).extension();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    if (ending == ".exe")
+      return words[i];
+  }
+  return {};
+}
+
+void examineWine(Examination &examination, const CommandFile &command,
+                 const Surroundings &surroundings) {
+  const std::string program = windowsProgramOf(command.words);
+  const std::optional<int> bits = bitsOfWindowsProgram(program);
+  if (!bits) {
+    examination.add({"wine", Level::Possible, command.found,
+                     "Wine runs a program for Windows, whose width its command line does not tell.",
+                     "Run it: arbiter doctor --run."});
+    return;
+  }
+  examination.files.push_back(program);
+  const std::string width = std::to_string(*bits) + "-bit";
+  if (surroundings.layer.empty() ||
+      layerServes(surroundings.layer, *bits, *bits == 32 ? EM_386 : EM_X86_64))
+    examination.add(
+        {"wine", Level::Note, program, "Wine runs this " + width + " program for Windows.", {}});
+  else
+    examination.add({"wine", Level::Possible, program,
+                     "It is a " + width + " program for Windows. Wine draws it by " + width +
+                         " libraries, unless it was built to draw all by those of 64 bits, and the "
+                         "layer for " +
+                         width + " is not here.",
+                     *bits == 32 ? "Install the layer for i386 beside it (libglx-arbiter0:i386 of "
+                                   "the packages)."
+                                 : "Install or build the layer for x86-64."});
+}
+
+} // namespace
+
+bool examineLauncher(Examination &examination, const CommandFile &command,
+                     const Surroundings &surroundings) {
+  const std::string name = fs::path(command.found).filename();
+  if (isWine(name)) {
+    examineWine(examination, command, surroundings);
+    return true;
+  }
+  for (const Manager &manager : kManagers)
+    if (name == manager.command) {
+      const std::string title(manager.name);
+      examination.add({"game_launcher", Level::Possible, command.found,
+                       title + " starts games itself, often from a process that is there already: "
+                               "the layer goes with them only where it is set for each.",
+                       "In " + title + " set for the game: " + std::string(manager.setting) + ": " +
+                           std::string(manager.value) + "."});
+      return true;
+    }
+  return false;
+}
+
+} // namespace arbiter::tools::doctor
