@@ -28,7 +28,7 @@ OTHERS = re.compile(r"(gl|glX|egl|X[A-Z]|wgl|std::|llvm::|pthread_|OSMesa|_mm|__
 OTHER_FILES = re.compile(
     r"(.*/)?(limits|glext|host_table|jit_version|main/config|i915_context|r300_pci_ids|lib(glx|egl)abi)\.h|"
     r"gl\.xml|(entry|software)_points\.cpp|host_table\.cpp|ErrorHandling\.cpp|(FILE|small)\.toml|"
-    r"(.*/)?NAME\w*\.\w+|compile_commands\.json|CHANGELOG\.md")
+    r"(.*/)?NAME\w*\.\w+|compile_commands\.json|CHANGELOG\.md|steam\.sh")
 PROGRAMS = {"dev", "bench/run", "tests/fuzz/run"}  # without a suffix
 OTHER_OPTIONS = {"--snapshot"}  # glretrace's
 
