@@ -36,14 +36,15 @@ std::vector<std::string> cutCommand(std::vector<std::string> &words) {
 bool takeCommand(const CLI::App &subcommand, bool optional, std::vector<std::string> &command) {
   const std::vector<std::string> rest = subcommand.remaining();
   const std::string help = " (arbiter " + subcommand.get_name() + " --help)";
+  const std::vector<std::string> &first = rest.empty() ? command : rest;
+  if (!first.empty() && first[0].starts_with("-")) {
+    complain(unknownOption(subcommand, first[0]) + help);
+    return false;
+  }
   if (command.empty()) {
     command = rest;
   } else if (!rest.empty()) {
-    complain("unexpected " + rest[0] + " before --");
-    return false;
-  }
-  if (!command.empty() && command[0].starts_with("-")) {
-    complain(unknownOption(subcommand, command[0]) + help);
+    complain("unexpected " + rest[0] + " before --" + help);
     return false;
   }
   if (command.empty() && !optional) {

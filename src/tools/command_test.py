@@ -246,7 +246,7 @@ class Whole(unittest.TestCase):
             'check --jsn': 'arbiter check: no option --jsn; did you mean --json? (arbiter check --help)',
             'run --huhd -- true': 'arbiter run: no option --huhd; did you mean --hud? (arbiter run --help)',
             'check --fix -': 'arbiter check: --fix needs --advise (arbiter check --help)',
-            'check --compare --brief - -': 'arbiter check: --compare cannot be given with --brief '
+            'check --compare --brief - -': 'arbiter check: --brief cannot be given with --compare '
                                            '(arbiter check --help)',
             'check --why --json -': 'arbiter check: --why has no effect with --json (arbiter check --help)',
             'compile --emit asembly -': 'arbiter compile: --emit asembly: expected tokens, ir, assembly, glsl, native, '

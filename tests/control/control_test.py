@@ -27,6 +27,8 @@ class Edits(Controlled):
             program = self.effective()
             self.assertRegex(program, r'^[0-9a-f]{32}\.fp$')
             self.assertIn('program.local[0].yyyy', self.ctl('get', program).stdout)
+            line, = (row for row in self.ctl('programs').stdout.splitlines() if row.startswith(program))
+            self.assertGreater(int(line.split()[4]), 0, 'it draws all the time')
             with self.holding('set', program, text):
                 self.assertTrue(output.waits_for('255 0 0'), 'the text is not drawn with')
                 self.assertEqual([row['edited'] for row in self.programs() if row['id'] == program],
