@@ -75,6 +75,16 @@ TEST(EntryTable, HasEachNameOfAnAliasGroup) {
   EXPECT_FALSE(find("glDrawArrays").provided);
 }
 
+TEST(EntryTable, HasTheLayersOwnWithoutASuffix) {
+  EXPECT_EQ(find("glCombinerInput").function, find("glCombinerInputNV").function);
+  EXPECT_EQ(find("glBeginFragmentShader").function, find("glBeginFragmentShaderATI").function);
+  EXPECT_EQ(find("glProgramEnvParameter4f").function, find("glProgramEnvParameter4fARB").function);
+  EXPECT_TRUE(find("glCombinerInput").provided);
+  // GL has other functions of these names.
+  EXPECT_NE(find("glGetProgramiv").function, find("glGetProgramivARB").function);
+  EXPECT_NE(find("glProgramParameteri").function, find("glProgramParameteriEXT").function);
+}
+
 TEST(EntryTable, HasNothingElse) {
   for (const char *name : {"glProgramBufferParametersfvNV", "glPNTrianglesfATI", "glVertex3f",
                            "glBlendFunc", "", "gl", "glzzz"})

@@ -193,6 +193,22 @@ def draws_held(table, command, symbol, action=""):
     return aside, f"  if (software::isHeld(*t_current)) [[unlikely]]\n    return held_{symbol}({arguments});\n"
 
 
+def without_suffix(table, rows):
+    """Rows of the layer's own functions by names without a vendor's suffix, where GL has none of that name.
+
+    Programs of the era ask for glCombinerInput before glCombinerInputNV. libglvnd answers each name with a
+    function, and the one behind a name that nobody has does nothing.
+    """
+    known = {"gl" + each for command in table.commands.values() for each in command.group}
+    found = {}
+    for suffix in ("ARB", "NV", "ATI", "EXT"):
+        for entry, root, provided, software in rows:
+            name = entry.removesuffix(suffix)
+            if provided == "true" and name != entry and name not in known:
+                found.setdefault(name, (name, root, provided, software))
+    return list(found.values())
+
+
 def entry_points_source(table):
     out = [HEADING, '#include "dispatch/entry_points.h"\n\n#include <algorithm>\n'
            '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
@@ -229,6 +245,7 @@ def entry_points_source(table):
             fnmatch.fnmatchcase(name, p) for p in table.config["own"].get("provided", [])) else "false"
         for entry in [root] + aliases:
             rows.append((entry, root, provided, "true" if action == "handled" else "false"))
+    rows += without_suffix(table, rows)
     out.append("\nnamespace arbiter::dispatch {\n\nnamespace {\n\n"
                "struct Row {\n  const char *name;\n  void *function;\n  bool provided;\n  bool forSoftware;\n};\n\n"
                "/// Sorted by name, for a binary search.\nconst Row kRows[] = {\n")
