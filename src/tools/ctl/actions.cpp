@@ -31,7 +31,8 @@ int waitSeconds(Session &session, const Words &words) {
 
 constexpr std::size_t kAny = 64;
 constexpr ActionRow kActions[] = {
-    {"programs", "", 0, 0, listPrograms, "the programs that are loaded, and a quarter second's draws"},
+    {"programs", "", 0, 0, listPrograms,
+     "the programs that are loaded, and a quarter second's draws"},
     {"get", "ID", 1, 1, getText, "the text that is drawn with"},
     {"set", "ID FILE", 2, 2, setProgram, "draws with that text, and with what it becomes"},
     {"reset", "[ID]", 0, 1, resetPrograms, "the application's own text again"},
