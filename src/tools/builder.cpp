@@ -3,7 +3,7 @@
 #include "tools/commands.h"
 #include "tools/draw/gallery.h"
 #include "tools/input.h"
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 
 namespace arbiter::tools {
 

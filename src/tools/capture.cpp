@@ -8,9 +8,9 @@
 #include "tools/capture_page.h"
 #include "tools/commands.h"
 #include "tools/input.h"
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
+#include "tools/launch/supervise.h"
 #include "tools/shader_test.h"
-#include "tools/supervise.h"
 #include "util/file.h"
 
 namespace arbiter::tools {

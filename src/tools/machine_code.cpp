@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 #include "util/flags.h"
 
 namespace arbiter::tools {

@@ -4,8 +4,8 @@
 
 #include "tools/commands.h"
 #include "tools/input.h"
-#include "tools/launch.h"
-#include "tools/supervise.h"
+#include "tools/launch/launch.h"
+#include "tools/launch/supervise.h"
 #include "util/record/live_record.h"
 
 namespace arbiter::tools {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "util/hud_options.h"
+#include "util/hud/hud_options.h"
 #include "util/log.h"
 
 /// What the environment asks for. One table, flags.def, holds every variable and flag.

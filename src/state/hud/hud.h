@@ -1,7 +1,7 @@
 #pragma once
 #include <atomic>
 
-#include "util/hud_options.h"
+#include "util/hud/hud_options.h"
 
 /// Figures in each frame (ARBITER_HUD): version, host, times of frames, draws by path, programs
 /// over native limits.

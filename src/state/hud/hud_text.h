@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "state/control/host_pixels.h"
-#include "util/hud_options.h"
+#include "util/hud/hud_options.h"
 
 namespace arbiter::state::hud {
 

@@ -1,6 +1,6 @@
 #include "tools/debug/start.h"
 
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 
 namespace arbiter::tools::debug {
 

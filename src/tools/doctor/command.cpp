@@ -5,7 +5,7 @@
 #include "tools/commands.h"
 #include "tools/doctor/finding.h"
 #include "tools/input.h"
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 #include "util/json.h"
 
 namespace arbiter::tools {

@@ -15,7 +15,7 @@
 
 #include "tools/doctor/finding.h"
 #include "tools/input.h"
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 #include "util/record/live_record.h"
 
 namespace arbiter::tools::doctor {

@@ -15,7 +15,7 @@
 #include "tools/draw/uses.h"
 #include "tools/input.h"
 #include "tools/language.h"
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 #include "util/flags.h"
 
 namespace arbiter::tools {

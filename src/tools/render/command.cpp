@@ -10,7 +10,7 @@
 #include "tools/commands.h"
 #include "tools/draw/surface.h"
 #include "tools/input.h"
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 #include "tools/render/methods.h"
 
 namespace arbiter::tools {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 
 namespace arbiter::tools {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 
 namespace arbiter::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/preload_link.h"
+#include "tools/launch/preload_link.h"
 
 #include <filesystem>
 #include <unistd.h>

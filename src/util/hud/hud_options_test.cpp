@@ -1,4 +1,4 @@
-#include "util/hud_options.h"
+#include "util/hud/hud_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/supervise.h"
+#include "tools/launch/supervise.h"
 
 #include <cerrno>
 #include <csignal>

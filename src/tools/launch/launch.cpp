@@ -1,4 +1,4 @@
-#include "tools/launch.h"
+#include "tools/launch/launch.h"
 
 #include <GL/arbiter.h>
 #include <cerrno>
@@ -10,7 +10,7 @@
 #include "control/address.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/input.h"
-#include "tools/preload_link.h"
+#include "tools/launch/preload_link.h"
 #include "util/flags.h"
 #include "util/loader_path.h"
 
