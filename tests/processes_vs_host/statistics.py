@@ -53,7 +53,7 @@ class Case:
 
     def reports(self):
         """All reports that were written, once no record is left."""
-        for _ in range(200):
+        for _ in range(1200):  # a minute: a busy machine takes its time
             if not list(self.scratch.glob("*.running")):
                 break
             time.sleep(0.05)
