@@ -34,7 +34,7 @@ constexpr Magic kMagics[] = {
     {"; SPIR-V"sv, "SPIR-V assembly"},
 };
 
-/// What is looked at. A text says sooner what it is.
+/// Bytes that are looked at. A text says within them what it is.
 constexpr std::size_t kLooked = 64u << 10;
 
 /// A word that begins a statement of an assembly program, and none of the languages below.
@@ -96,7 +96,7 @@ bool isOfWord(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
 
-/// What a text's words say of it.
+/// Signs of a language among a text's words.
 struct Seen {
   bool assembly = false; ///< a statement of a program
   bool direct3d = false; ///< the first word is a version of Direct3D's shader assembly

@@ -8,7 +8,7 @@
 #include "control/server.h"
 #include "state/control/session.h"
 
-/// What clients may ask for (docs/write/control.md).
+/// The methods that clients may call (docs/write/control.md).
 namespace arbiter::state::remote {
 
 /// One request on the application's thread.

@@ -1,4 +1,4 @@
-// What a word of a command line may become, from the definition that parses it. The thin files of
+// Completes a word of a command line, by the definition that parses it. The thin files of
 // the shells (data/completions) print what this says.
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -39,7 +39,7 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// What was not expected, an option before any other word.
+/// Says what was not expected: an option before any other word.
 std::string leftOver(const CLI::App &app, const CLI::App &verb) {
   const std::vector<std::string> rest = app.remaining(true);
   const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string &word) {

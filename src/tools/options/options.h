@@ -45,7 +45,7 @@ void addVerbs(CLI::App &app, Arguments &arguments);
 [[nodiscard]] std::string unknownOption(const CLI::App &verb, const std::string &word);
 /// Likewise of a verb; empty if there is one of that name.
 [[nodiscard]] std::string unknownVerb(const CLI::App &app, const std::string &word);
-/// What CLI11 found wrong with the words of a command line, and what was expected.
+/// Says what CLI11 found wrong with a command line, and what was expected.
 [[nodiscard]] std::string faultOf(const CLI::App &app, const CLI::ParseError &error);
 
 /// The verb, shown in no help, of completeWords().

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// What ARBITER_HUD asks for: figures of the layer in each frame.
+/// The value of ARBITER_HUD: which figures of the layer each frame shows.
 namespace arbiter {
 
 enum class HudPart : std::uint8_t { Version, Host, Fps, Graph, Draws, Programs };

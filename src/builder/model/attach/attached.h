@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-/// What an application that is attached to has, as docs/write/control.md says it.
+/// Programs, parameters and textures of an attached application (docs/write/control.md).
 namespace arbiter::builder {
 
 /// A process that listens.

@@ -27,7 +27,7 @@ struct Problem {
 [[nodiscard]] QList<Problem> problemsOf(const QJsonArray &diagnostics, const QString &text);
 
 /// A diagnostic of the control protocol (docs/write/control.md), whose places are bytes of `bytes`.
-/// As above, nothing fails.
+/// It reads every shape, as problemsOf() does.
 [[nodiscard]] Problem problemOfControl(const QJsonValue &json, const QByteArray &bytes);
 
 /// The problem to go to from a place: the next one behind it, or before it, and round at the ends.
