@@ -7,6 +7,7 @@
 #include <QSaveFile>
 #include <utility>
 
+#include "builder/model/text/text_file.h"
 #include "scene/document.h"
 
 namespace arbiter::builder {
@@ -59,7 +60,7 @@ RendererSession::RendererSession(QList<Factory> factories, const QString &memory
   });
   QFile file(m_memory);
   if (!m_memory.isEmpty() && file.open(QIODevice::ReadOnly))
-    for (const QByteArray &line : file.read(kMaxHeld * 65).split('\n'))
+    for (const QByteArray &line : readAtMost(file, kMaxHeld * 65).split('\n'))
       if (line.size() == 64)
         m_held.insert(line);
 }

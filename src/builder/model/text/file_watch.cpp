@@ -51,7 +51,7 @@ void FileWatch::look() {
     return;
   }
   m_gone = false;
-  const QByteArray bytes = file.read(kMaxTextBytes);
+  const QByteArray bytes = readAtMost(file, kMaxTextBytes);
   if (bytes == m_known)
     return;
   m_known = bytes;

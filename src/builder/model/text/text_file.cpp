@@ -32,13 +32,25 @@ QByteArray encodeText(const QString &text, TextFormat format) {
   return format.latin1 && fits ? lines.toLatin1() : lines.toUtf8();
 }
 
+QByteArray readAtMost(QIODevice &device, qint64 most) {
+  constexpr qint64 kPart = 64 << 10;
+  QByteArray bytes;
+  while (bytes.size() < most) {
+    const QByteArray part = device.read(std::min<qint64>(kPart, most - bytes.size()));
+    if (part.isEmpty())
+      break;
+    bytes += part;
+  }
+  return bytes;
+}
+
 Result<TextFile, FileFault> readText(const QString &path) {
   QFile file(path);
   if (QFileInfo(path).isDir())
     return FileFault{path + QStringLiteral(": is a folder; open a program in it")};
   if (!file.open(QIODevice::ReadOnly))
     return FileFault{path + QStringLiteral(": ") + file.errorString()};
-  const QByteArray bytes = file.read(kMaxTextBytes + 1);
+  const QByteArray bytes = readAtMost(file, kMaxTextBytes + 1);
   if (bytes.size() > kMaxTextBytes)
     return FileFault{path + QStringLiteral(": is over 16 MiB, too long for a program")};
   if (file.error() != QFileDevice::NoError)

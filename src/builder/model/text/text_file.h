@@ -1,5 +1,6 @@
 #pragma once
 #include <QByteArray>
+#include <QIODevice>
 #include <QString>
 
 #include "util/result.h"
@@ -25,6 +26,9 @@ struct FileFault {
 /// Texts over this many bytes are no programs and are not opened.
 inline constexpr qint64 kMaxTextBytes = 16 << 20;
 
+/// Reads at most that many bytes, in parts: QIODevice::read() allocates all that it is asked for,
+/// whatever there is.
+[[nodiscard]] QByteArray readAtMost(QIODevice &device, qint64 most);
 [[nodiscard]] Result<TextFile, FileFault> readText(const QString &path);
 [[nodiscard]] TextFile decodeText(const QByteArray &bytes);
 /// Text that Latin-1 has no letters for becomes UTF-8.
