@@ -320,6 +320,9 @@ class Doctor(Temporary):
             found = self.ask(wine, *words)
             self.assertIn('width its command line does not tell', found['wine']['what'])
 
+    def test_tools_of_wine_are_not_wine(self):
+        self.assertNotIn('wine', self.ask(self.script('winetricks', '#!/bin/sh\nexec true\n')))
+
     def test_managers_of_games(self):
         steam = self.script('steam', '#!/bin/sh\nexec steam.sh\n')
         found = self.ask(steam)

@@ -57,7 +57,12 @@ std::optional<int> bitsOfWindowsProgram(const std::string &path) {
   }
 }
 
-bool isWine(const std::string &name) { return name.starts_with("wine") && name != "winecfg"; }
+/// True for wine, wine64 and wine32, and for a release of them such as wine-stable; not for
+/// winetricks, wineserver and their like.
+bool isWine(const std::string &name) {
+  const std::string start = name.substr(0, name.find('-'));
+  return start == "wine" || start == "wine64" || start == "wine32";
+}
 
 /// The first word that names a file of Windows; empty: there is none.
 std::string windowsProgramOf(const std::vector<std::string> &words) {
