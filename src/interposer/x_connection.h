@@ -17,14 +17,17 @@ namespace arbiter::interposer {
 /// The functions of libxcb that are used.
 struct Xcb {
   void *handle, *bridge;
-  xcb_connection_t *(*connectionOf)(void *display); ///< of an Xlib Display
+  /// Gives the connection of an Xlib Display. Null where libX11-xcb is not there.
+  xcb_connection_t *(*connectionOf)(void *display);
 // NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
 #define ARBITER_XCB_FUNCTIONS(X)                                                                   \
+  X(xcb_connect)                                                                                   \
   X(xcb_connection_has_error)                                                                      \
   X(xcb_create_gc_checked)                                                                         \
   X(xcb_depth_next)                                                                                \
   X(xcb_depth_visuals_iterator)                                                                    \
   X(xcb_discard_reply)                                                                             \
+  X(xcb_disconnect)                                                                                \
   X(xcb_flush)                                                                                     \
   X(xcb_generate_id)                                                                               \
   X(xcb_get_extension_data)                                                                        \
@@ -32,22 +35,28 @@ struct Xcb {
   X(xcb_get_geometry_reply)                                                                        \
   X(xcb_get_input_focus)                                                                           \
   X(xcb_get_input_focus_reply)                                                                     \
+  X(xcb_get_keyboard_mapping)                                                                      \
+  X(xcb_get_keyboard_mapping_keysyms)                                                              \
+  X(xcb_get_keyboard_mapping_keysyms_length)                                                       \
   X(xcb_get_setup)                                                                                 \
   X(xcb_get_window_attributes)                                                                     \
   X(xcb_get_window_attributes_reply)                                                               \
+  X(xcb_poll_for_event)                                                                            \
   X(xcb_poll_for_reply)                                                                            \
+  X(xcb_query_keymap)                                                                              \
   X(xcb_request_check)                                                                             \
   X(xcb_screen_allowed_depths_iterator)                                                            \
   X(xcb_screen_next)                                                                               \
   X(xcb_send_request)                                                                              \
   X(xcb_setup_roots_iterator)                                                                      \
-  X(xcb_visualtype_next)
+  X(xcb_visualtype_next)                                                                           \
+  X(xcb_wait_for_reply)
 // NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
 #define ARBITER_XCB_MEMBER(name) decltype(&::name) name;
   ARBITER_XCB_FUNCTIONS(ARBITER_XCB_MEMBER)
 #undef ARBITER_XCB_MEMBER
   decltype(&::xcb_total_read) xcb_total_read; ///< null before libxcb 1.14
-  bool usable;                                ///< all of the others were found
+  bool usable;                                ///< all others of libxcb were found
 };
 [[nodiscard]] const Xcb &xcb();
 

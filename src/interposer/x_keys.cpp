@@ -6,11 +6,9 @@
 #include <mutex>
 #include <vector>
 
-#include <dlfcn.h>
 #include <unistd.h>
-#include <xcb/xcb.h>
-#include <xcb/xcbext.h>
 
+#include "interposer/x_connection.h"
 #include "state/hud/hud.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -18,31 +16,6 @@
 namespace arbiter::interposer {
 
 namespace {
-
-/// The functions of libxcb that are used. Nothing is linked: a process without X must be able to
-/// load the layer.
-struct Xcb {
-  void *handle = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
-  bool usable = handle != nullptr;
-  template <typename Function> Function get(const char *name) {
-    const auto function =
-        handle ? reinterpret_cast<Function>(dlsym(handle, name)) : Function(nullptr);
-    usable = usable && function;
-    return function;
-  }
-// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
-#define ARBITER_XCB(name) decltype(&::name) name = get<decltype(&::name)>(#name)
-  ARBITER_XCB(xcb_connect);
-  ARBITER_XCB(xcb_connection_has_error);
-  ARBITER_XCB(xcb_flush);
-  ARBITER_XCB(xcb_get_keyboard_mapping);
-  ARBITER_XCB(xcb_get_keyboard_mapping_keysyms);
-  ARBITER_XCB(xcb_get_keyboard_mapping_keysyms_length);
-  ARBITER_XCB(xcb_get_setup);
-  ARBITER_XCB(xcb_poll_for_reply);
-  ARBITER_XCB(xcb_query_keymap);
-#undef ARBITER_XCB
-};
 
 class Keyboard {
 public:
@@ -52,10 +25,12 @@ public:
 
 private:
   template <typename Reply> std::unique_ptr<Reply, decltype(&std::free)> poll(unsigned &sequence);
+  void askForMapping();
   void takeMapping();
+  void takeEvents();
   [[nodiscard]] bool isKeysymDown(std::uint32_t keysym) const;
 
-  Xcb m_xcb;
+  const Xcb &m_xcb = xcb();
   pid_t m_owner = getpid();
   xcb_connection_t *m_connection = nullptr; ///< null: there is no server, or it is gone
   unsigned m_mapping = 0, m_state = 0;      ///< requests that are under way; 0: none
@@ -74,6 +49,10 @@ Keyboard::Keyboard() {
     logInfo("hud", "no key shows and hides the figures: there is no X server");
     return;
   }
+  askForMapping();
+}
+
+void Keyboard::askForMapping() {
   const xcb_setup_t *const setup = m_xcb.xcb_get_setup(m_connection);
   m_first = setup->min_keycode;
   m_mapping = m_xcb
@@ -81,6 +60,19 @@ Keyboard::Keyboard() {
                                             std::uint8_t(setup->max_keycode - m_first + 1))
                   .sequence;
   m_xcb.xcb_flush(m_connection);
+}
+
+/// Asks for the keysyms again where another layout was chosen. The server tells every client.
+void Keyboard::takeEvents() {
+  while (xcb_generic_event_t *const event = m_xcb.xcb_poll_for_event(m_connection)) {
+    const bool mapping = (event->response_type & 0x7F) == XCB_MAPPING_NOTIFY;
+    std::free(event);
+    if (!mapping)
+      continue;
+    if (m_mapping != 0)
+      m_xcb.xcb_discard_reply(m_connection, m_mapping);
+    askForMapping();
+  }
 }
 
 /// Takes the answer to a request if it is there, and forgets the request if it has ended.
@@ -116,6 +108,7 @@ bool Keyboard::isKeysymDown(std::uint32_t keysym) const {
 bool Keyboard::isDown(const HudKey &key) {
   if (!m_connection || m_xcb.xcb_connection_has_error(m_connection) != 0)
     return false;
+  takeEvents();
   takeMapping();
   if (const auto reply = poll<xcb_query_keymap_reply_t>(m_state))
     std::copy(std::begin(reply->keys), std::end(reply->keys), m_down);

@@ -225,7 +225,7 @@ bool hostMissedFrames(const state::software::Drawable &drawable, bool forget) {
 
 void offerPresenting(void *display, std::uint32_t name, Drawable &drawable) {
   const NoCancel scope;
-  if (!display || !xcb().usable)
+  if (!display || !xcb().usable || !xcb().connectionOf)
     return;
   const std::shared_ptr<Connection> connection = connectionOf(display);
   xcb_connection_t *const c = connection->xcb;

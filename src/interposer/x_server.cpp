@@ -4,10 +4,9 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <dlfcn.h>
 #include <sys/uio.h>
-#include <xcb/xcb.h>
-#include <xcb/xcbext.h>
+
+#include "interposer/x_connection.h"
 
 namespace arbiter::interposer {
 
@@ -36,24 +35,6 @@ struct Reply {
 };
 
 xcb_extension_t g_glx = {"GLX", 0};
-
-/// libxcb, which libGLX has loaded through libX11; never linked, since a process without X must be
-/// able to load the layer.
-struct Xcb {
-  void *handle = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
-  template <typename Function> Function get(const char *name) const {
-    return handle ? reinterpret_cast<Function>(dlsym(handle, name)) : nullptr;
-  }
-// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
-#define ARBITER_XCB(name) decltype(&::name) name = get<decltype(&::name)>(#name)
-  ARBITER_XCB(xcb_connect);
-  ARBITER_XCB(xcb_connection_has_error);
-  ARBITER_XCB(xcb_disconnect);
-  ARBITER_XCB(xcb_get_extension_data);
-  ARBITER_XCB(xcb_send_request);
-  ARBITER_XCB(xcb_wait_for_reply);
-#undef ARBITER_XCB
-};
 
 std::string queryVendorNames(const Xcb &xcb, xcb_connection_t *connection, int screen) {
   const xcb_query_extension_reply_t *const glx = xcb.xcb_get_extension_data(connection, &g_glx);
@@ -85,9 +66,8 @@ std::string serverVendorNames() {
   const char *const display = secure_getenv("DISPLAY");
   if (!display || !*display)
     return {};
-  const Xcb xcb;
-  if (!xcb.xcb_connect || !xcb.xcb_connection_has_error || !xcb.xcb_disconnect ||
-      !xcb.xcb_get_extension_data || !xcb.xcb_send_request || !xcb.xcb_wait_for_reply)
+  const Xcb &xcb = interposer::xcb();
+  if (!xcb.usable)
     return {};
   int screen = 0;
   xcb_connection_t *const connection = xcb.xcb_connect(nullptr, &screen);
