@@ -320,6 +320,14 @@ class Doctor(Temporary):
             found = self.ask(wine, *words)
             self.assertIn('width its command line does not tell', found['wine']['what'])
 
+    def test_a_program_on_a_drive_of_wine(self):
+        self.windows_program(0x8664)
+        drives = self.path('dosdevices')
+        drives.mkdir()
+        (drives / 'c:').symlink_to('..')
+        found = self.ask(self.script('wine', '#!/bin/sh\n'), 'C:\\game.exe', WINEPREFIX=str(drives.parent))
+        self.assertIn('64-bit', found['wine']['what'])
+
     def test_tools_of_wine_are_not_wine(self):
         self.assertNotIn('wine', self.ask(self.script('winetricks', '#!/bin/sh\nexec true\n')))
 

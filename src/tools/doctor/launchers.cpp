@@ -1,5 +1,4 @@
 // Launchers that start other people's programs: Wine, and managers of games.
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -10,6 +9,7 @@
 #include <optional>
 
 #include "tools/doctor/finding.h"
+#include "util/defaults/program.h"
 
 namespace arbiter::tools::doctor {
 
@@ -57,28 +57,9 @@ std::optional<int> bitsOfWindowsProgram(const std::string &path) {
   }
 }
 
-/// True for wine, wine64 and wine32, and for a release of them such as wine-stable; not for
-/// winetricks, wineserver and their like.
-bool isWine(const std::string &name) {
-  const std::string start = name.substr(0, name.find('-'));
-  return start == "wine" || start == "wine64" || start == "wine32";
-}
-
-/// The first word that names a file of Windows; empty: there is none.
-std::string windowsProgramOf(const std::vector<std::string> &words) {
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    std::string ending = fs::path(words[i]).extension();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    if (ending == ".exe")
-      return words[i];
-  }
-  return {};
-}
-
 void examineWine(Examination &examination, const CommandFile &command,
                  const Surroundings &surroundings) {
-  const std::string program = windowsProgramOf(command.words);
+  const std::string program = defaults::programOf(factsOf(command)).windowsPath;
   const std::optional<int> bits = bitsOfWindowsProgram(program);
   if (!bits) {
     examination.add({"wine", Level::Possible, command.found,
@@ -108,7 +89,7 @@ void examineWine(Examination &examination, const CommandFile &command,
 bool examineLauncher(Examination &examination, const CommandFile &command,
                      const Surroundings &surroundings) {
   const std::string name = fs::path(command.found).filename();
-  if (isWine(name)) {
+  if (defaults::isWine(name)) {
     examineWine(examination, command, surroundings);
     return true;
   }

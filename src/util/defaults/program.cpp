@@ -49,8 +49,6 @@ bool isOf(std::string_view name, std::string_view stem) {
   return name.empty() || name.front() == '-';
 }
 
-bool isWine(std::string_view name) { return isOf(name, "wine"); }
-
 /// Loaders that are given the program's own file as a word.
 bool isElfLoader(std::string_view name) {
   return name.starts_with("ld-linux") || name.starts_with("ld-2.") || name == "ld.so" ||
@@ -120,7 +118,7 @@ std::string fromDrive(const Facts &facts, std::string_view path) {
 /// The file of that name, in any case, that the process has loaded.
 std::string loadedFile(const std::string &maps, std::string_view name) {
   std::string text;
-  if (maps.empty() || !readFile(maps.c_str(), kMaxMaps, text))
+  if (maps.empty() || !arbiter::readFile(maps.c_str(), kMaxMaps, text))
     return {};
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -147,6 +145,8 @@ void takeWindowsWord(Program &program, const Facts &facts, const std::string &wo
 
 } // namespace
 
+bool isWine(std::string_view name) { return isOf(name, "wine"); }
+
 bool isLoader(std::string_view name) { return isWine(name) || isElfLoader(name); }
 
 Facts ownFacts() {
@@ -158,7 +158,7 @@ Facts ownFacts() {
   if (facts.executable.ends_with(kDeleted))
     facts.executable.resize(facts.executable.size() - kDeleted.size());
   std::string line;
-  static_cast<void>(readFile("/proc/self/cmdline", kMaxCommandLine, line));
+  static_cast<void>(arbiter::readFile("/proc/self/cmdline", kMaxCommandLine, line));
   for (std::size_t at = 0; at < line.size();) {
     const std::size_t end = std::min(line.find('\0', at), line.size());
     facts.words.push_back(line.substr(at, end - at));

@@ -36,8 +36,10 @@ struct Facts {
 /// name, which Wine sets, or behind a loader's or Wine's.
 [[nodiscard]] Program programOf(const Facts &facts);
 
-/// Whether an executable's name is one that runs Windows programs (wine, wine64-preloader), or
-/// other machines' (box64, qemu-i386), or any (ld-linux-x86-64.so.2).
+/// Whether an executable's name is Wine's: wine, wine-stable, wine64-preloader. Not winetricks.
+[[nodiscard]] bool isWine(std::string_view name);
+/// Whether it is Wine's, or one that runs other machines' (box64, qemu-i386), or any
+/// (ld-linux-x86-64.so.2).
 [[nodiscard]] bool isLoader(std::string_view name);
 
 /// The 128-bit XXH3 of a file as 32 hexadecimal digits; empty if it cannot be read.
