@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Fails on two functions that sources of one unit keep to themselves under one name with as many
+arguments. A tree that is built once compiles a dozen sources as one unit (units in meson.build), in
+which each sees the others' unnamed namespaces. Two equal functions are an error there, but of two
+that differ in the types of their arguments a call may take the other source's, without a word.
+
+usage: units.py BUILD | units.py --self-test
+"""
+
+import collections
+import pathlib
+import re
+import sys
+
+UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}", re.M | re.S)
+# At the beginning of a line: methods of classes are their classes' own.
+FUNCTION = re.compile(r"^(?! )[^\n;{}()#]*?\b(\w+)\(([^;{}]*?)\)[ \w]*\{", re.M | re.S)
+IN_ANGLES = re.compile(r"<[^<>]*>")
+
+
+def functions(text):
+    """(namespace, name, fewest arguments, most) of each function in an unnamed namespace."""
+    text = re.sub(r"//[^\n]*", "", text)
+    space = re.search(r"^namespace ([\w:]+) \{", text, re.M)
+    for block in UNNAMED.finditer(text):
+        for found in FUNCTION.finditer(block.group(1)):
+            arguments = found.group(2)
+            while arguments != IN_ANGLES.sub("", arguments):
+                arguments = IN_ANGLES.sub("", arguments)
+            most = arguments.count(",") + 1 if arguments.strip() else 0
+            yield space.group(1) if space else "", found.group(1), most - arguments.count("="), most
+
+
+def clashes(sources):
+    """Complaints about one unit. sources: names and texts"""
+    known = collections.defaultdict(list)
+    for name, text in sources:
+        for space, function, fewest, most in functions(text):
+            for other, low, high in known[space, function]:
+                if other != name and low <= most and fewest <= high:
+                    yield f"{name}: {function}() is a function of {other} too, and both are compiled as one unit"
+            known[space, function].append((name, fewest, most))
+
+
+def check(build):
+    units = sorted(build.rglob("*-unity*.cpp"))
+    if not units:
+        print("no units in this tree")
+        return 77
+    failed = 0
+    for unit in units:
+        paths = [build / name for name in re.findall(r"#include\s*<(.*)>", unit.read_text())]
+        for complaint in clashes([(path.name, path.read_text()) for path in paths if path.exists()]):
+            print(complaint)
+            failed += 1
+    print(f"{len(units)} units")
+    return min(failed, 1)
+
+
+def self_test():
+    one = "namespace a {\nnamespace {\nint get(std::map<int, int> x) {\n  return 1;\n}\n} // namespace\n}\n"
+    two = one.replace("std::map<int, int> x", "float x, int y = 0")
+    assert len(list(clashes([("one", one), ("two", two)]))) == 1
+    assert not list(clashes([("one", one), ("two", two.replace(" = 0", ""))]))
+    assert not list(clashes([("one", one), ("two", one.replace("namespace a", "namespace b"))]))
+    assert not list(clashes([("one", one), ("two", one.replace("int get", "  int get"))]))
+    print("4 passed, 0 failed, 0 skipped")
+    return 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sys.exit(self_test() if sys.argv[1] == "--self-test" else check(pathlib.Path(sys.argv[1])))
