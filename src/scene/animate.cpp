@@ -9,7 +9,7 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kPeriod = 2 * std::numbers::pi; ///< of a sine
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -19,7 +19,7 @@ double foldedUp(double x) { return 1 - std::abs(1 - 2 * fraction(x)); }
 double within(AnimationKind kind, double begin, double periods) {
   switch (kind) {
   case AnimationKind::Sine:
-    return 0.5 + 0.5 * std::sin(std::asin(2 * begin - 1) + kTurn * periods);
+    return 0.5 + 0.5 * std::sin(std::asin(2 * begin - 1) + kPeriod * periods);
   case AnimationKind::Saw:
     return begin + periods == 1 ? 1 : fraction(begin + periods);
   case AnimationKind::Triangle:
@@ -33,7 +33,7 @@ double within(AnimationKind kind, double begin, double periods) {
 
 /// x and z about the y axis.
 void turn(const Parameter &parameter, double seconds, std::array<double, 4> &value) {
-  const double angle = kTurn * seconds / parameter.animation->period.value;
+  const double angle = kPeriod * seconds / parameter.animation->period.value;
   const double x = value[0], z = value[2];
   value[0] = x * std::cos(angle) + z * std::sin(angle);
   value[2] = z * std::cos(angle) - x * std::sin(angle);

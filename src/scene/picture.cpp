@@ -8,12 +8,6 @@
 
 namespace arbiter::scene {
 
-namespace {
-
-constexpr png_uint_32 kMaxSide = 8192;
-
-} // namespace
-
 Result<Picture, PictureError> readPng(const std::string &path) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;

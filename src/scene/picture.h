@@ -7,6 +7,8 @@
 
 namespace arbiter::scene {
 
+inline constexpr int kMaxSide = 8192; ///< of a picture, pixels
+
 /// An 8-bit RGBA picture; row 0 is the bottom one, as in GL.
 struct Picture {
   int width = 0;
@@ -18,7 +20,7 @@ struct PictureError {
   std::string message; ///< "name: reason"
 };
 
-/// Any PNG, converted to 8-bit RGBA; at most 8192 pixels a side.
+/// Any PNG, converted to 8-bit RGBA; at most kMaxSide a side.
 [[nodiscard]] Result<Picture, PictureError> readPng(const std::string &path);
 
 /// \returns an empty string, or "name: reason".

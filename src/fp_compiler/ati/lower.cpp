@@ -15,8 +15,6 @@ namespace {
 using ir::Opcode;
 using ir::Target;
 
-constexpr std::uint8_t kAlpha = 8; ///< the mask of an alpha operation
-
 /// The components that operation `op`, writing `mask`, takes of its argument `at`.
 std::uint8_t componentsOf(const Operation &op, std::uint8_t mask, int at) {
   switch (op.op) {
@@ -252,8 +250,7 @@ private:
   ir::Source argument(const Argument &argument, std::uint8_t mask) {
     ir::Source value = source(argument);
     if (argument.replicate != Replicate::None) {
-      constexpr const char *kLetters[] = {"x", "y", "z", "w"};
-      value = value.swz(kLetters[std::size_t(argument.replicate) - 1]);
+      value = value.swz(ir::kLetters[std::size_t(argument.replicate) - 1]);
     }
     const auto step = [&](Opcode op, const ir::Source &a, const ir::Source &b) {
       const Target to = withMask(scratch(), mask);

@@ -17,7 +17,8 @@ inline constexpr int kMaxPasses = 2;
 inline constexpr int kMaxPairs = 8; ///< instruction pairs of a pass
 inline constexpr int kRegisters = 6;
 inline constexpr int kConstants = 8;
-inline constexpr int kTexCoords = 8; ///< TEXTURE0..7 of the API form; the text names t0 to t5
+inline constexpr std::uint8_t kAlpha = 8; ///< in a mask; 1, 2 and 4 are red, green and blue
+inline constexpr int kTexCoords = 8;      ///< TEXTURE0..7 of the API form; the text names t0 to t5
 
 /// Table 3.20: which three components a setup takes, and what divides them.
 enum class Coordinates : std::uint8_t {

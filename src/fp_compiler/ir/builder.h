@@ -8,6 +8,9 @@
 /// Builds programs in tests and generators: `b.op(Opcode::Mad, b.color(), {t.xyz..., ...})`.
 namespace arbiter::fp::ir {
 
+/// Each component as a letter for swz() and mask().
+inline constexpr const char *kLetters[] = {"x", "y", "z", "w"};
+
 /// An operand under construction; every function returns a changed copy.
 struct Source : Operand {
   /// "x", "wzyx", "rgba"-free: one letter of xyzw01 (repeated) or four.

@@ -268,9 +268,8 @@ void Stages::cull(int unit) {
   if (less == 0)
     return void(m_builder.kil(s));
   const Target passes = m_builder.temporary(); // below zero: does not
-  constexpr const char *kComponents[] = {"x", "y", "z", "w"};
   for (int i = 0; i < 4; ++i) {
-    const Target to = passes.mask(kComponents[i]);
+    const Target to = passes.mask(ir::kLetters[i]);
     if ((less >> i & 1) == 0) {
       m_builder.op(Opcode::Mov, to, {s});
       continue;

@@ -14,11 +14,10 @@ namespace arbiter::fp::vertex_shader {
 
 namespace {
 
+using ir::kLetters;
 using ir::Opcode;
 using ir::Source;
 using ir::Target;
-
-constexpr const char *kLetters[] = {"x", "y", "z", "w"};
 
 Target withMask(Target target, std::uint8_t mask) {
   target.Destination::mask = mask;

@@ -9,11 +9,10 @@ namespace arbiter::fp::vertex_shader {
 
 namespace {
 
+using ir::kLetters;
 using ir::Opcode;
 using ir::Source;
 using ir::Target;
-
-constexpr const char *kLetters[] = {"x", "y", "z", "w"};
 
 /// The nearest number that a text can say.
 float finite(float value) {

@@ -155,7 +155,6 @@ struct Panel {
 };
 
 /// Largest values of a text; beyond them is an error.
-inline constexpr int kMaxSide = 8192; ///< of a picture
 inline constexpr int kMaxTextureSide = 4096;
 inline constexpr unsigned kMaxUnits = 32;
 inline constexpr unsigned kMaxParameters = 1024;

@@ -4,6 +4,7 @@
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/numerics.h"
 #include "scene/panel/reader.h"
+#include "scene/picture.h"
 
 namespace arbiter::scene {
 

@@ -4,7 +4,6 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr int kMaxNesting = 3;        ///< of "of"
 constexpr std::size_t kMaxParts = 16; ///< joined by "and"
 constexpr double kFar = 1000;
 

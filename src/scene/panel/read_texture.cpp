@@ -4,7 +4,6 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr int kMaxNesting = 3; ///< of "of"
 constexpr std::size_t kFaces = 6;
 
 bool takesSize(Generator generator) {

@@ -7,6 +7,8 @@
 /// What the parts of the parser share: a place in one line, and how to complain of it.
 namespace arbiter::scene {
 
+inline constexpr int kMaxNesting = 3; ///< of "of"
+
 /// Every read function returns false after an error or a warning; the rest of the clause is then
 /// skipped.
 class Reader {

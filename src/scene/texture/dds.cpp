@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "scene/picture.h"
 #include "scene/texture/dds_format.h"
 #include "scene/texture/read_image.h"
 
@@ -9,7 +10,6 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr unsigned kMaxSide = 8192;
 constexpr std::uint64_t kMaxTexels = std::uint64_t(1) << 26;
 constexpr std::size_t kHeader = 128, kExtendedHeader = 148;
 

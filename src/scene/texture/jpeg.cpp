@@ -6,13 +6,13 @@
 
 #include <jerror.h>
 
+#include "scene/picture.h"
 #include "scene/texture/read_image.h"
 
 namespace arbiter::scene {
 
 namespace {
 
-constexpr JDIMENSION kMaxSide = 8192;
 /// A progressive file may have a scan in a few bytes, each as dear as the whole picture.
 constexpr int kMaxScans = 100;
 

@@ -9,7 +9,7 @@ namespace arbiter::scene {
 
 namespace {
 
-using Images = Result<std::vector<Image>, PictureError>;
+using ReadImages = Result<std::vector<Image>, PictureError>;
 
 std::string firstBytes(const std::string &path) {
   char bytes[4] = {};
@@ -32,7 +32,7 @@ void turnOver(Image &image) {
     turnOver(smaller);
 }
 
-Images ordered(std::vector<Image> images, Rows are, Rows wanted) {
+ReadImages ordered(std::vector<Image> images, Rows are, Rows wanted) {
   if (are != wanted)
     for (Image &image : images)
       turnOver(image);
@@ -41,7 +41,7 @@ Images ordered(std::vector<Image> images, Rows are, Rows wanted) {
 
 } // namespace
 
-Images readImage(const std::string &path, Rows rows) {
+ReadImages readImage(const std::string &path, Rows rows) {
   const std::string first = firstBytes(path);
   const bool dds = first == "DDS ", jpeg = first.starts_with("\xff\xd8");
   if (!dds && !jpeg) {
@@ -56,11 +56,11 @@ Images readImage(const std::string &path, Rows rows) {
   if (dds) {
     auto images = decodeDds(bytes.value());
     return images ? ordered(std::move(images).value(), Rows::TopFirst, rows)
-                  : Images(named(path, images.error()));
+                  : ReadImages(named(path, images.error()));
   }
   const auto picture = decodeJpeg(bytes.value());
   return picture ? ordered({Image(picture.value())}, Rows::TopFirst, rows)
-                 : Images(named(path, picture.error()));
+                 : ReadImages(named(path, picture.error()));
 }
 
 } // namespace arbiter::scene

@@ -7,6 +7,7 @@
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/host_errors.h"
+#include "state/core/host_integer.h"
 #include "state/core/memory.h"
 #include "state/host_draw/linked_program.h"
 
@@ -29,12 +30,6 @@ template <typename Function> Function functionOf(const HostTable &host, const ch
 /// Of a context that another observer was given up in, what that one had.
 const HostTable &trueTable(const HostTable &host) {
   return isObservedTable(host) ? static_cast<const ObservedTable &>(host).observer->host() : host;
-}
-
-GLint get(const HostTable &host, GLenum name) {
-  GLint value = 0;
-  host.GetIntegerv(name, &value);
-  return value;
 }
 
 /// Of a Pick the pixel, of a Hold the quad that programs are drawn in.
@@ -82,12 +77,12 @@ bool DrawObserver::isObservable(GLuint framebuffer) {
   if (m_wish.aim != Observation::Aim::Measure) {
     if (framebuffer != m_wish.framebuffer)
       return false;
-    if (get(m_host, GL_ATTRIB_STACK_DEPTH) >= m_context.caps.maxAttribStackDepth) {
+    if (hostInteger(m_host, GL_ATTRIB_STACK_DEPTH) >= m_context.caps.maxAttribStackDepth) {
       m_trouble = "the application's attribute stack is full";
       return false;
     }
   }
-  if (get(m_host, GL_RENDER_MODE) != GL_RENDER)
+  if (hostInteger(m_host, GL_RENDER_MODE) != GL_RENDER)
     return false;
   GLint query = 0;
   if (m_context.caps.occlusionQuery)
@@ -204,8 +199,9 @@ void DrawObserver::measure(ObservedDraw draw, const Redraw &redraw) {
 /// \returns whether the draw has been made
 bool DrawObserver::look(const char *command, const Redraw &redraw) {
   using Aim = Observation::Aim;
-  const auto framebuffer =
-      m_context.caps.framebufferObjects ? GLuint(get(m_host, GL_DRAW_FRAMEBUFFER_BINDING)) : 0u;
+  const auto framebuffer = m_context.caps.framebufferObjects
+                               ? GLuint(hostInteger(m_host, GL_DRAW_FRAMEBUFFER_BINDING))
+                               : 0u;
   ++m_framebuffers[framebuffer];
   const bool isBehind = m_wish.aim == Aim::Hold && m_count > m_wish.draw;
   if (isBehind || !isObservable(framebuffer))

@@ -6,18 +6,13 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/host_integer.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 
 namespace arbiter::state::remote {
 
 namespace {
-
-GLint get(const host::HostTable &host, GLenum name) {
-  GLint value = 0;
-  host.GetIntegerv(name, &value);
-  return value;
-}
 
 /// What a frame's or a texture's picture may take at most.
 constexpr std::int64_t kMaxPixels = std::int64_t(64) << 20;
@@ -56,8 +51,8 @@ public:
       m_read = bind(GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING);
       m_draw = bind(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING);
     }
-    m_buffer = get(m_host, GL_READ_BUFFER);
-    m_host.ReadBuffer(get(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
+    m_buffer = hostInteger(m_host, GL_READ_BUFFER);
+    m_host.ReadBuffer(hostInteger(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
     context.dirty |= software::dirty::kFramebuffer;
   }
   ~WindowRead() {
@@ -74,7 +69,7 @@ public:
 private:
   /// The window's; \returns what was bound.
   GLint bind(GLenum target, GLenum query) {
-    const GLint bound = get(m_host, query);
+    const GLint bound = hostInteger(m_host, query);
     if (bound != 0)
       m_host.BindFramebufferEXT(target, 0);
     return bound;
@@ -89,7 +84,7 @@ private:
 class ActiveUnit {
 public:
   ActiveUnit(const host::HostTable &host, GLuint unit)
-      : m_host(host), m_previous(get(host, GL_ACTIVE_TEXTURE)) {
+      : m_host(host), m_previous(hostInteger(host, GL_ACTIVE_TEXTURE)) {
     m_host.ActiveTexture(GL_TEXTURE0 + unit);
   }
   ~ActiveUnit() { m_host.ActiveTexture(GLenum(m_previous)); }
@@ -180,7 +175,7 @@ std::vector<BoundTexture> boundTextures(Context &context) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
       if (targets[i].target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
         continue;
-      BoundTexture texture = {get(host, targets[i].query), GLuint(unit), i};
+      BoundTexture texture = {hostInteger(host, targets[i].query), GLuint(unit), i};
       // Units that have no texture of their own share the target's default one.
       if (texture.name == 0 && std::exchange(seenDefault[i], true))
         continue;

@@ -5,6 +5,7 @@
 #include "state/control/host_pixels.h"
 #include "state/core/context.h"
 #include "state/core/host_errors.h"
+#include "state/core/host_integer.h"
 #include "state/core/texture_binding.h"
 
 namespace arbiter::state::remote {
@@ -38,12 +39,6 @@ Layout layoutOf(GLenum format) {
   default:
     return {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
   }
-}
-
-GLint get(const host::HostTable &host, GLenum name) {
-  GLint value = 0;
-  host.GetIntegerv(name, &value);
-  return value;
 }
 
 } // namespace
@@ -128,12 +123,13 @@ std::string ProbeTarget::attachDepthsOf(GLuint source, std::size_t colors, const
 }
 
 HasDepths::HasDepths(const host::HostTable &host)
-    : depth(get(host, GL_DEPTH_BITS) != 0), stencil(get(host, GL_STENCIL_BITS) != 0) {}
+    : depth(hostInteger(host, GL_DEPTH_BITS) != 0),
+      stencil(hostInteger(host, GL_STENCIL_BITS) != 0) {}
 
 namespace {
 
 bool renderbufferSize(const host::HostTable &host, GLuint name, int &width, int &height) {
-  const GLint before = get(host, GL_RENDERBUFFER_BINDING);
+  const GLint before = hostInteger(host, GL_RENDERBUFFER_BINDING);
   host.BindRenderbuffer(GL_RENDERBUFFER, name);
   host.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &width);
   host.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &height);
@@ -182,8 +178,8 @@ bool framebufferSize(Context &context, const host::HostTable &host, int &width, 
 }
 
 TargetScope::TargetScope(const host::HostTable &host)
-    : m_host(host), m_read(get(host, GL_READ_FRAMEBUFFER_BINDING)),
-      m_draw(get(host, GL_DRAW_FRAMEBUFFER_BINDING)) {
+    : m_host(host), m_read(hostInteger(host, GL_READ_FRAMEBUFFER_BINDING)),
+      m_draw(hostInteger(host, GL_DRAW_FRAMEBUFFER_BINDING)) {
   host.PushAttrib(GL_ALL_ATTRIB_BITS);
 }
 

@@ -288,7 +288,8 @@ template <typename T> bool getImaging(Context &context, GLenum pname, T *data) {
   return count != 0;
 }
 
-template <typename T, typename Host> void get(Context &context, GLenum pname, T *data, Host host) {
+template <typename T, typename Host>
+void getValue(Context &context, GLenum pname, T *data, Host host) {
   if (!context.insideBeginEnd && data &&
       (getCombinerColor(context, pname, data) || getTransfer(context, pname, data) ||
        getImaging(context, pname, data)))
@@ -345,19 +346,19 @@ const GLubyte *shadingLanguage(Context &context, const Identity &identity) {
 namespace handlers {
 
 void GetIntegerv(Context &context, GLenum pname, GLint *data) {
-  get(context, pname, data, context.host->GetIntegerv);
+  getValue(context, pname, data, context.host->GetIntegerv);
 }
 void GetFloatv(Context &context, GLenum pname, GLfloat *data) {
-  get(context, pname, data, context.host->GetFloatv);
+  getValue(context, pname, data, context.host->GetFloatv);
 }
 void GetDoublev(Context &context, GLenum pname, GLdouble *data) {
-  get(context, pname, data, context.host->GetDoublev);
+  getValue(context, pname, data, context.host->GetDoublev);
 }
 void GetBooleanv(Context &context, GLenum pname, GLboolean *data) {
-  get(context, pname, data, context.host->GetBooleanv);
+  getValue(context, pname, data, context.host->GetBooleanv);
 }
 void GetInteger64v(Context &context, GLenum pname, GLint64 *data) {
-  get(context, pname, data, context.host->GetInteger64v);
+  getValue(context, pname, data, context.host->GetInteger64v);
 }
 
 const GLubyte *GetString(Context &context, GLenum name) {

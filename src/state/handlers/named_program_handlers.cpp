@@ -41,7 +41,7 @@ void set(Context &context, const ProgramTarget &row, GLuint name, GLuint index, 
 }
 
 template <typename T>
-void get(Context &context, const ProgramTarget &row, GLuint name, GLuint index, T *params) {
+void getLocal(Context &context, const ProgramTarget &row, GLuint name, GLuint index, T *params) {
   if (!outsideBeginEnd(context, "GetNamedProgramLocalParameter between Begin and End"))
     return;
   const auto object = namedProgram(context, row, name);
@@ -123,7 +123,7 @@ void GetNamedProgramLocalParameterfvEXT(Context &context, GLuint program, GLenum
   const ProgramTarget *const row = rowOf(context, target);
   if (!row)
     return context.host->GetNamedProgramLocalParameterfvEXT(program, target, index, params);
-  get(context, *row, program, index, params);
+  getLocal(context, *row, program, index, params);
 }
 
 void GetNamedProgramLocalParameterdvEXT(Context &context, GLuint program, GLenum target,
@@ -131,7 +131,7 @@ void GetNamedProgramLocalParameterdvEXT(Context &context, GLuint program, GLenum
   const ProgramTarget *const row = rowOf(context, target);
   if (!row)
     return context.host->GetNamedProgramLocalParameterdvEXT(program, target, index, params);
-  get(context, *row, program, index, params);
+  getLocal(context, *row, program, index, params);
 }
 
 void GetNamedProgramivEXT(Context &context, GLuint program, GLenum target, GLenum pname,

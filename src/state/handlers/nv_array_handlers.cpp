@@ -2,8 +2,6 @@
 // arrays are the host's generic ones, as on NVIDIA's driver: vertex array objects and the client
 // attribute stack have them. Which of them a program reads is chosen at draws (native_inputs.h).
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
 
 #include "host/handlers.h"
 #include "host/host_table.h"
@@ -41,11 +39,7 @@ GLenum pointerError(GLuint index, GLint size, GLenum type, GLsizei stride) {
   return type == GL_SHORT || type == GL_FLOAT || type == GL_DOUBLE ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
-template <typename T> T given(GLfloat value) {
-  return std::is_integral_v<T> ? T(std::lround(value)) : T(value);
-}
-
-template <typename T> void get(Context &context, GLuint index, GLenum pname, T *params) {
+template <typename T> void getAttribute(Context &context, GLuint index, GLenum pname, T *params) {
   if (!outsideBeginEnd(context, "GetVertexAttrib between Begin and End"))
     return;
   const bool current = pname == GL_CURRENT_ATTRIB_NV;
@@ -58,7 +52,7 @@ template <typename T> void get(Context &context, GLuint index, GLenum pname, T *
     return;
   if (current) {
     const Vec4 value = currentNvAttribute(context, index);
-    std::transform(value.begin(), value.end(), params, given<T>);
+    std::transform(value.begin(), value.end(), params, rounded<T>);
     return;
   }
   GLint value = 0;
@@ -117,19 +111,19 @@ void VertexAttribPointerNV(Context &context, GLuint index, GLint fsize, GLenum t
 void GetVertexAttribfvNV(Context &context, GLuint index, GLenum pname, GLfloat *params) {
   if (!context.nv)
     return absentCommand(context, context.host->GetVertexAttribfvNV, index, pname, params);
-  get(context, index, pname, params);
+  getAttribute(context, index, pname, params);
 }
 
 void GetVertexAttribdvNV(Context &context, GLuint index, GLenum pname, GLdouble *params) {
   if (!context.nv)
     return absentCommand(context, context.host->GetVertexAttribdvNV, index, pname, params);
-  get(context, index, pname, params);
+  getAttribute(context, index, pname, params);
 }
 
 void GetVertexAttribivNV(Context &context, GLuint index, GLenum pname, GLint *params) {
   if (!context.nv)
     return absentCommand(context, context.host->GetVertexAttribivNV, index, pname, params);
-  get(context, index, pname, params);
+  getAttribute(context, index, pname, params);
 }
 
 void GetVertexAttribPointervNV(Context &context, GLuint index, GLenum pname, void **pointer) {

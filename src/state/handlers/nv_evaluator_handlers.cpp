@@ -1,14 +1,13 @@
 // Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): what names one of those,
 // and what evaluates once one was named. All else is the host's (state/core/straight.h).
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <type_traits>
 
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/host_draw/evaluators/evaluation.h"
+#include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/raster_draw/commands.h"
@@ -82,11 +81,7 @@ void define(Context &context, GLenum target, const Side<T> &u, const Side<T> *v,
   context.list->record(context, std::move(command));
 }
 
-template <typename T> T given(GLfloat value) {
-  return std::is_integral_v<T> ? T(std::lround(value)) : T(value);
-}
-
-template <typename T> void get(Context &context, GLenum target, GLenum query, T *v) {
+template <typename T> void getMap(Context &context, GLenum target, GLenum query, T *v) {
   if (!outsideBeginEnd(context, "GetMap between Begin and End"))
     return;
   const GLuint number = evaluatorMapOf(target);
@@ -100,10 +95,10 @@ template <typename T> void get(Context &context, GLenum target, GLenum query, T 
     std::transform(map.order.begin(), map.order.begin() + dimensions, v,
                    [](GLint order) { return T(order); });
   else if (query == GL_DOMAIN)
-    std::transform(map.domain.begin(), map.domain.begin() + 2 * dimensions, v, given<T>);
+    std::transform(map.domain.begin(), map.domain.begin() + 2 * dimensions, v, rounded<T>);
   else
     for (const Vec4 &point : map.points)
-      v = std::transform(point.begin(), point.end(), v, given<T>);
+      v = std::transform(point.begin(), point.end(), v, rounded<T>);
 }
 
 void evaluate(Context &context, const EvaluatorPoint &point) {
@@ -227,19 +222,19 @@ MAPS(d, GLdouble)
 void GetMapfv(Context &context, GLenum target, GLenum query, GLfloat *v) {
   if (!context.nv)
     return context.host->GetMapfv(target, query, v);
-  get(context, target, query, v);
+  getMap(context, target, query, v);
 }
 
 void GetMapdv(Context &context, GLenum target, GLenum query, GLdouble *v) {
   if (!context.nv)
     return context.host->GetMapdv(target, query, v);
-  get(context, target, query, v);
+  getMap(context, target, query, v);
 }
 
 void GetMapiv(Context &context, GLenum target, GLenum query, GLint *v) {
   if (!context.nv)
     return context.host->GetMapiv(target, query, v);
-  get(context, target, query, v);
+  getMap(context, target, query, v);
 }
 
 void EvalPoint1(Context &context, GLint i) { evaluate(context, {1, true, GLdouble(i), 0}); }

@@ -32,7 +32,7 @@ void set(Context &context, GLuint id, GLsizei length, const GLubyte *name, const
 }
 
 template <typename T>
-void get(Context &context, GLuint id, GLsizei length, const GLubyte *name, T *params) {
+void getNamed(Context &context, GLuint id, GLsizei length, const GLubyte *name, T *params) {
   Vec4 value{};
   if (outsideBeginEnd(context, "GetProgramNamedParameter between Begin and End") &&
       namedParameter(context, id, nameOf(length, name), value) && params)
@@ -78,7 +78,7 @@ void GetProgramNamedParameterfvNV(Context &context, GLuint id, GLsizei len, cons
   if (!context.nv)
     return absentCommand(context, context.host->GetProgramNamedParameterfvNV, id, len, name,
                          params);
-  get(context, id, len, name, params);
+  getNamed(context, id, len, name, params);
 }
 
 void GetProgramNamedParameterdvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
@@ -86,7 +86,7 @@ void GetProgramNamedParameterdvNV(Context &context, GLuint id, GLsizei len, cons
   if (!context.nv)
     return absentCommand(context, context.host->GetProgramNamedParameterdvNV, id, len, name,
                          params);
-  get(context, id, len, name, params);
+  getNamed(context, id, len, name, params);
 }
 
 } // namespace handlers

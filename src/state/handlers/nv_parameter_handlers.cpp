@@ -48,7 +48,7 @@ void set(Context &context, GLenum target, GLuint index, const Vec4 &value) {
 }
 
 template <typename T>
-void get(Context &context, GLenum target, GLuint index, GLenum pname, T *params) {
+void getParameter(Context &context, GLenum target, GLuint index, GLenum pname, T *params) {
   if (!outsideBeginEnd(context, "GetProgramParameter between Begin and End"))
     return;
   if (target != GL_VERTEX_PROGRAM_NV || pname != GL_PROGRAM_PARAMETER_NV)
@@ -111,7 +111,7 @@ void GetProgramParameterfvNV(Context &context, GLenum target, GLuint index, GLen
   if (!context.nv)
     return absentCommand(context, context.host->GetProgramParameterfvNV, target, index, pname,
                          params);
-  get(context, target, index, pname, params);
+  getParameter(context, target, index, pname, params);
 }
 
 void GetProgramParameterdvNV(Context &context, GLenum target, GLuint index, GLenum pname,
@@ -119,7 +119,7 @@ void GetProgramParameterdvNV(Context &context, GLenum target, GLuint index, GLen
   if (!context.nv)
     return absentCommand(context, context.host->GetProgramParameterdvNV, target, index, pname,
                          params);
-  get(context, target, index, pname, params);
+  getParameter(context, target, index, pname, params);
 }
 
 } // namespace handlers

@@ -209,7 +209,7 @@ template <typename T> bool getBump(Context &context, GLenum pname, T *params) {
 }
 
 template <typename T, typename Host>
-void get(Context &context, GLenum target, GLenum pname, T *params, Host host) {
+void getEnvironment(Context &context, GLenum target, GLenum pname, T *params, Host host) {
   if (target == GL_POINT_SPRITE)
     releaseSprites(context);
   if (target == GL_TEXTURE_ENV && params && !context.insideBeginEnd && hasBumpMaps(context) &&
@@ -247,10 +247,12 @@ void TexEnviv(Context &context, GLenum target, GLenum pname, const GLint *params
       [&] { context.host->TexEnviv(target, pname, params); });
 }
 void GetTexEnvfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
-  get(context, target, pname, params, [&] { context.host->GetTexEnvfv(target, pname, params); });
+  getEnvironment(context, target, pname, params,
+                 [&] { context.host->GetTexEnvfv(target, pname, params); });
 }
 void GetTexEnviv(Context &context, GLenum target, GLenum pname, GLint *params) {
-  get(context, target, pname, params, [&] { context.host->GetTexEnviv(target, pname, params); });
+  getEnvironment(context, target, pname, params,
+                 [&] { context.host->GetTexEnviv(target, pname, params); });
 }
 
 } // namespace handlers

@@ -13,6 +13,7 @@
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 #include "state/core/context.h"
+#include "state/core/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/hud/hud_text.h"
 #include "state/mirror/dirty_bits.h"
@@ -30,12 +31,6 @@ using remote::Picture;
 
 /// Names that no application makes, as residency's are (residency_host.h).
 constexpr GLuint kOurTexture = 0xFFFFFFFBu, kOurFramebuffer = 0xFFFFFFFBu;
-
-GLint get(const host::HostTable &host, GLenum name) {
-  GLint value = 0;
-  host.GetIntegerv(name, &value);
-  return value;
-}
 
 /// What the figures of a context are reckoned from.
 struct Counters {
@@ -143,12 +138,12 @@ class WindowDraw {
 public:
   explicit WindowDraw(Context &context) : m_context(context), m_host(*context.host) {
     if (context.caps.framebufferObjects) {
-      m_framebuffer = get(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
+      m_framebuffer = hostInteger(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
       if (m_framebuffer != 0)
         m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, 0);
     }
-    m_buffer = get(m_host, GL_DRAW_BUFFER);
-    m_host.DrawBuffer(get(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
+    m_buffer = hostInteger(m_host, GL_DRAW_BUFFER);
+    m_host.DrawBuffer(hostInteger(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
     context.dirty |= software::dirty::kFramebuffer;
   }
   ~WindowDraw() {
@@ -170,7 +165,7 @@ private:
 class BlitState {
 public:
   explicit BlitState(Context &context)
-      : m_host(*context.host), m_read(get(m_host, GL_READ_FRAMEBUFFER_BINDING)),
+      : m_host(*context.host), m_read(hostInteger(m_host, GL_READ_FRAMEBUFFER_BINDING)),
         m_scissor(m_host.IsEnabled(GL_SCISSOR_TEST)),
         m_srgb(context.caps.srgbFramebuffer ? m_host.IsEnabled(GL_FRAMEBUFFER_SRGB)
                                             : GLboolean(GL_FALSE)) {

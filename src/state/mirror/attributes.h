@@ -21,6 +21,8 @@ enum Slot : std::uint8_t {
   kMaterial0 = 32,
   kSlots = 42,
 };
+/// Texture coordinates, one bit a slot.
+inline constexpr std::uint32_t kTexCoords = 0xFFu << kTexCoord0;
 /// One bit each. What is of the application's arrays and current values alone has the lower half.
 using SlotMask = std::uint64_t;
 

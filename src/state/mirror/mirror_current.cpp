@@ -9,8 +9,6 @@ namespace arbiter::state::software {
 
 namespace {
 
-constexpr std::uint32_t kTexCoords = 0xFFu << kTexCoord0;
-
 void querySlot(const HostCaps &caps, const HostQuery &query, int slot,
                std::array<float, 4> &value) {
   value = {0, 0, 0, 1};

@@ -15,8 +15,6 @@ namespace arbiter::state::software {
 
 namespace {
 
-constexpr std::uint32_t kTexCoords = 0xFFu << kTexCoord0;
-
 /// Returns the z to the eye of a raster position: its clip coordinates, taken back through the
 /// projection. Hosts keep no eye coordinates of it, but how far they are from the eye: |z| is no
 /// more than that, also where the projection or the viewport is another one since.

@@ -16,15 +16,15 @@ namespace {
 constexpr std::uint64_t kMostLines = 8; ///< of the log; the rest is counted
 constexpr std::size_t kMostKept = 4096; ///< texts that are known again
 
-struct Registry {
+struct KnownRefusals {
   std::mutex mutex;
   std::map<std::string, Refusal> known; ///< by target and hash
 };
 
 /// Never freed: contexts may load programs after static destructors began.
-Registry &registry() {
-  static Registry *const s_registry = new Registry;
-  return *s_registry;
+KnownRefusals &knownRefusals() {
+  static KnownRefusals *const s_known = new KnownRefusals;
+  return *s_known;
 }
 
 std::atomic<std::uint64_t> g_texts{0};
@@ -55,7 +55,7 @@ const char *Refusal::remedy() const {
 
 Refusal noteRefusal(const char *target, std::string_view text,
                     const std::function<Refusal()> &look) {
-  Registry &r = registry();
+  KnownRefusals &r = knownRefusals();
   const std::string key = target + toHex(hashBytes(text));
   const std::lock_guard lock(r.mutex);
   if (const auto known = r.known.find(key); known != r.known.end())

@@ -3,15 +3,11 @@
 
 #include "state/residency/residency_host.h"
 
+#include "state/core/host_integer.h"
+
 namespace arbiter::state::software {
 
 namespace {
-
-GLint get(const host::HostTable &host, GLenum pname) {
-  GLint value = 0;
-  host.GetIntegerv(pname, &value);
-  return value;
-}
 
 /// Of luminance, alpha or intensity: ReadPixels and copies take other components of such a buffer
 /// than blending and sampling do, and are the host's.
@@ -40,8 +36,9 @@ PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachme
   const auto kind =
       type == GL_RENDERBUFFER ? DeletedNames::Kind::Renderbuffer : DeletedNames::Kind::Texture;
   if (!images.deletedNames.none()) {
-    const GLint bound = get(host, framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING
-                                                                     : GL_DRAW_FRAMEBUFFER_BINDING);
+    const GLint bound =
+        hostInteger(host, framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING
+                                                             : GL_DRAW_FRAMEBUFFER_BINDING);
     if (!images.deletedNames.isAttached(images.serial, GLuint(bound), attachment, kind, name)) {
       foreign = true;
       return nullptr;
@@ -102,16 +99,16 @@ void describeWindow(ResidentImages &images, int width, int height) {
   host.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
   images.doubleBuffered = doubleBuffered != GL_FALSE;
   color.place = {Place::Kind::Window, 0, GLenum(images.doubleBuffered ? GL_BACK : GL_FRONT), 0};
-  if (get(host, GL_SAMPLE_BUFFERS) != 0 || get(host, GL_STEREO) != 0)
+  if (hostInteger(host, GL_SAMPLE_BUFFERS) != 0 || hostInteger(host, GL_STEREO) != 0)
     return;
   HostFormat format;
-  format.red = get(host, GL_RED_BITS);
-  format.green = get(host, GL_GREEN_BITS);
-  format.blue = get(host, GL_BLUE_BITS);
-  format.alpha = get(host, GL_ALPHA_BITS);
+  format.red = hostInteger(host, GL_RED_BITS);
+  format.green = hostInteger(host, GL_GREEN_BITS);
+  format.blue = hostInteger(host, GL_BLUE_BITS);
+  format.alpha = hostInteger(host, GL_ALPHA_BITS);
   GLint floats = 0;
   if (images.caps.has("GL_ARB_color_buffer_float"))
-    floats = get(host, GL_RGBA_FLOAT_MODE_ARB);
+    floats = hostInteger(host, GL_RGBA_FLOAT_MODE_ARB);
   format.type = floats != 0 ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
   // What others see is shown as bytes. Of components of 16 bits the host does not say truly whether
   // they are floats.
@@ -132,8 +129,8 @@ void describeWindow(ResidentImages &images, int width, int height) {
   PixelImage &depth = images.depthStencil;
   depth.place = {Place::Kind::Window, 0, GL_DEPTH, 0};
   HostFormat depthFormat;
-  depthFormat.depth = get(host, GL_DEPTH_BITS);
-  depthFormat.stencil = get(host, GL_STENCIL_BITS);
+  depthFormat.depth = hostInteger(host, GL_DEPTH_BITS);
+  depthFormat.stencil = hostInteger(host, GL_STENCIL_BITS);
   depthFormat.type = GL_UNSIGNED_NORMALIZED;
   if (depthFormat.depth == 0 && depthFormat.stencil == 0)
     return;
@@ -151,12 +148,12 @@ void describeDrawWindow(ResidentImages &images, Framebuffers &f) {
   bool foreign = images.color.base == 0;
   f.width = images.color.width;
   f.height = images.color.height;
-  const GLint buffer = get(host, GL_DRAW_BUFFER);
+  const GLint buffer = hostInteger(host, GL_DRAW_BUFFER);
   if (!foreign && buffer != GL_NONE)
     f.color[0] = windowBuffer(images, GLenum(buffer), foreign);
   const GLint count = std::min(images.caps.maxDrawBuffers, GLint(8));
   for (GLint i = 1; i < count; ++i)
-    foreign = foreign || get(host, GLenum(GL_DRAW_BUFFER0 + i)) != GL_NONE;
+    foreign = foreign || hostInteger(host, GLenum(GL_DRAW_BUFFER0 + i)) != GL_NONE;
   f.depthBits = images.depthBits;
   f.stencilBits = images.stencilBits;
   if (f.depthBits != 0 || f.stencilBits != 0) {
@@ -182,7 +179,7 @@ void describeDrawObject(ResidentImages &images, Framebuffers &f) {
     f.height = std::min(f.height, image->height);
   };
   for (GLint i = 0; i < count; ++i) {
-    const auto buffer = GLenum(get(host, GLenum(GL_DRAW_BUFFER0 + i)));
+    const auto buffer = GLenum(hostInteger(host, GLenum(GL_DRAW_BUFFER0 + i)));
     if (buffer == GL_NONE)
       continue;
     if (std::size_t(i) >= f.color.size())
@@ -224,7 +221,7 @@ void describeDrawObject(ResidentImages &images, Framebuffers &f) {
 
 void describeRead(ResidentImages &images, Framebuffers &f) {
   const host::HostTable &host = *images.hot.host;
-  const auto buffer = GLenum(get(host, GL_READ_BUFFER));
+  const auto buffer = GLenum(hostInteger(host, GL_READ_BUFFER));
   bool foreign = false;
   f.readIsWindow = f.readName == 0;
   if (f.readIsWindow) {
@@ -256,8 +253,8 @@ const Framebuffers &framebuffersOf(ResidentImages &images) {
   HostErrorScope errors = errorScope(images);
   const host::HostTable &host = *images.hot.host;
   f = {};
-  f.drawName = GLuint(get(host, GL_DRAW_FRAMEBUFFER_BINDING));
-  f.readName = GLuint(get(host, GL_READ_FRAMEBUFFER_BINDING));
+  f.drawName = GLuint(hostInteger(host, GL_DRAW_FRAMEBUFFER_BINDING));
+  f.readName = GLuint(hostInteger(host, GL_READ_FRAMEBUFFER_BINDING));
   if (f.drawName == 0 || f.readName == 0)
     refreshWindowSize(images);
   if (f.drawName == 0)

@@ -1,14 +1,10 @@
 #include "state/residency/residency_host.h"
 
+#include "state/core/host_integer.h"
+
 namespace arbiter::state::software {
 
 namespace {
-
-GLint get(const host::HostTable &host, GLenum pname) {
-  GLint value = 0;
-  host.GetIntegerv(pname, &value);
-  return value;
-}
 
 struct TransferNames {
   GLenum scale, bias;
@@ -22,18 +18,19 @@ constexpr TransferNames kTransfers[] = {{GL_RED_SCALE, GL_RED_BIAS},
 PixelModes::Store storeOf(ResidentImages &images, bool pack) {
   const host::HostTable &host = *images.hot.host;
   PixelModes::Store store;
-  store.swapBytes = get(host, pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES);
-  store.lsbFirst = get(host, pack ? GL_PACK_LSB_FIRST : GL_UNPACK_LSB_FIRST);
-  store.rowLength = get(host, pack ? GL_PACK_ROW_LENGTH : GL_UNPACK_ROW_LENGTH);
-  store.imageHeight = get(host, pack ? GL_PACK_IMAGE_HEIGHT : GL_UNPACK_IMAGE_HEIGHT);
-  store.skipRows = get(host, pack ? GL_PACK_SKIP_ROWS : GL_UNPACK_SKIP_ROWS);
-  store.skipPixels = get(host, pack ? GL_PACK_SKIP_PIXELS : GL_UNPACK_SKIP_PIXELS);
-  store.skipImages = get(host, pack ? GL_PACK_SKIP_IMAGES : GL_UNPACK_SKIP_IMAGES);
-  store.alignment = get(host, pack ? GL_PACK_ALIGNMENT : GL_UNPACK_ALIGNMENT);
+  store.swapBytes = hostInteger(host, pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES);
+  store.lsbFirst = hostInteger(host, pack ? GL_PACK_LSB_FIRST : GL_UNPACK_LSB_FIRST);
+  store.rowLength = hostInteger(host, pack ? GL_PACK_ROW_LENGTH : GL_UNPACK_ROW_LENGTH);
+  store.imageHeight = hostInteger(host, pack ? GL_PACK_IMAGE_HEIGHT : GL_UNPACK_IMAGE_HEIGHT);
+  store.skipRows = hostInteger(host, pack ? GL_PACK_SKIP_ROWS : GL_UNPACK_SKIP_ROWS);
+  store.skipPixels = hostInteger(host, pack ? GL_PACK_SKIP_PIXELS : GL_UNPACK_SKIP_PIXELS);
+  store.skipImages = hostInteger(host, pack ? GL_PACK_SKIP_IMAGES : GL_UNPACK_SKIP_IMAGES);
+  store.alignment = hostInteger(host, pack ? GL_PACK_ALIGNMENT : GL_UNPACK_ALIGNMENT);
   if (images.caps.has("GL_ARB_pixel_buffer_object"))
-    store.buffer = get(host, pack ? GL_PIXEL_PACK_BUFFER_BINDING : GL_PIXEL_UNPACK_BUFFER_BINDING);
+    store.buffer =
+        hostInteger(host, pack ? GL_PIXEL_PACK_BUFFER_BINDING : GL_PIXEL_UNPACK_BUFFER_BINDING);
   if (pack && images.caps.has("GL_MESA_pack_invert"))
-    store.invert = get(host, GL_PACK_INVERT_MESA);
+    store.invert = hostInteger(host, GL_PACK_INVERT_MESA);
   return store;
 }
 
@@ -47,7 +44,7 @@ const PixelModes &pixelModes(ResidentImages &images) {
   PixelModes &modes = images.modes;
   modes.pack = storeOf(images, true);
   modes.unpack = storeOf(images, false);
-  modes.transfers = get(*images.hot.host, GL_MAP_COLOR) != 0;
+  modes.transfers = hostInteger(*images.hot.host, GL_MAP_COLOR) != 0;
   modes.transfersDepth = false;
   for (const TransferNames &names : kTransfers) {
     GLfloat scale = 1, bias = 0;
@@ -56,9 +53,10 @@ const PixelModes &pixelModes(ResidentImages &images) {
     if (scale != 1.0f || bias != 0.0f)
       (names.scale == GL_DEPTH_SCALE ? modes.transfersDepth : modes.transfers) = true;
   }
-  modes.transfersDepth = modes.transfersDepth || get(*images.hot.host, GL_INDEX_SHIFT) != 0 ||
-                         get(*images.hot.host, GL_INDEX_OFFSET) != 0 ||
-                         get(*images.hot.host, GL_MAP_STENCIL) != 0;
+  modes.transfersDepth = modes.transfersDepth ||
+                         hostInteger(*images.hot.host, GL_INDEX_SHIFT) != 0 ||
+                         hostInteger(*images.hot.host, GL_INDEX_OFFSET) != 0 ||
+                         hostInteger(*images.hot.host, GL_MAP_STENCIL) != 0;
   return modes;
 }
 
@@ -120,11 +118,11 @@ PlainPixels::PlainPixels(ResidentImages &images, Way way, GLint rowLength, GLint
   change(m_host, way == Way::Pack, m_was, m_is);
   m_transfers = modes.transfers || modes.transfersDepth;
   if (m_transfers) {
-    m_mapColor = get(m_host, GL_MAP_COLOR);
+    m_mapColor = hostInteger(m_host, GL_MAP_COLOR);
     m_host.PixelTransferi(GL_MAP_COLOR, 0);
-    m_index[0] = get(m_host, GL_MAP_STENCIL);
-    m_index[1] = get(m_host, GL_INDEX_SHIFT);
-    m_index[2] = get(m_host, GL_INDEX_OFFSET);
+    m_index[0] = hostInteger(m_host, GL_MAP_STENCIL);
+    m_index[1] = hostInteger(m_host, GL_INDEX_SHIFT);
+    m_index[2] = hostInteger(m_host, GL_INDEX_OFFSET);
     m_host.PixelTransferi(GL_MAP_STENCIL, 0);
     m_host.PixelTransferi(GL_INDEX_SHIFT, 0);
     m_host.PixelTransferi(GL_INDEX_OFFSET, 0);
@@ -140,7 +138,7 @@ PlainPixels::PlainPixels(ResidentImages &images, Way way, GLint rowLength, GLint
     // GL_FIXED_ONLY, the default, leaves floats alone. It stays: a host that was told of another
     // goes on to restore all of GL_COLOR_BUFFER_BIT in PopAttrib, the draw buffers too, whichever
     // framebuffer is bound by then.
-    m_clamp = get(m_host, GL_CLAMP_READ_COLOR);
+    m_clamp = hostInteger(m_host, GL_CLAMP_READ_COLOR);
     m_clamped = m_clamp == GL_TRUE;
     if (m_clamped)
       m_host.ClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
@@ -167,8 +165,8 @@ PlainPixels::~PlainPixels() {
 
 FramebufferBinding::FramebufferBinding(ResidentImages &images, GLuint draw, GLuint read)
     : m_host(*images.hot.host) {
-  m_draw = get(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
-  m_read = get(m_host, GL_READ_FRAMEBUFFER_BINDING);
+  m_draw = hostInteger(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
+  m_read = hostInteger(m_host, GL_READ_FRAMEBUFFER_BINDING);
   m_scissor = m_host.IsEnabled(GL_SCISSOR_TEST);
   // The EXT entry point makes an object of a name that Gen did not give.
   m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, draw);

@@ -13,7 +13,7 @@ constexpr int kRowVectors = 2;
 constexpr std::uint32_t kMostPacked = 8;
 
 /// Bits set in the low 16. The processors that this is built for need not have an instruction.
-unsigned bitsOf(unsigned mask) {
+unsigned coveredPixels(unsigned mask) {
   mask -= (mask >> 1) & 0x5555u;
   mask = (mask & 0x3333u) + ((mask >> 2) & 0x3333u);
   mask = (mask + (mask >> 4)) & 0x0F0Fu;
@@ -140,7 +140,7 @@ template <typename MaskOf> void Emitter::filterBlocks(MaskOf maskOf, BlockSize s
   m_count = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Block item = m_blocks[i];
-    m_pixels -= bitsOf(item.mask);
+    m_pixels -= coveredPixels(item.mask);
     block(item.x, item.y, maskOf(item), size);
   }
 }
@@ -308,7 +308,7 @@ void Emitter::block(int x, int y, unsigned mask, BlockSize size) {
   if (m_count == kBatch)
     flush();
   m_blocks[m_count++] = {std::int16_t(x), std::int16_t(y), std::uint16_t(mask), 0};
-  m_pixels += bitsOf(mask);
+  m_pixels += coveredPixels(mask);
 }
 
 void Emitter::blocks(const Shape &shape, int left, int bottom, int right, int top) {

@@ -27,9 +27,9 @@ void copyBytes(std::uint8_t *to, const std::uint8_t *from, std::size_t bytes) {
 /// same few sets of a cache all of them, and code that goes down a column would not find the row
 /// above it there any more.
 std::int64_t strideOf(std::int64_t bytes) {
-  constexpr std::int64_t kLine = 64, kLong = 1024;
-  const std::int64_t lines = (bytes + kLine - 1) / kLine;
-  return kLine * (bytes < kLong ? lines : lines | 1);
+  constexpr std::int64_t kCacheLine = 64, kLong = 1024;
+  const std::int64_t lines = (bytes + kCacheLine - 1) / kCacheLine;
+  return kCacheLine * (bytes < kLong ? lines : lines | 1);
 }
 
 } // namespace

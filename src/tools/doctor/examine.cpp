@@ -15,14 +15,6 @@ constexpr std::string_view kInterpreters[] = {"python", "perl", "ruby", "java",
                                               "mono",   "lua",  "node", "pypy"};
 constexpr std::string_view kShells[] = {"sh", "bash", "dash", "ksh", "zsh", "busybox"};
 
-template <std::size_t N>
-bool beginsWithOne(const std::string &name, const std::string_view (&words)[N]) {
-  for (const std::string_view word : words)
-    if (name.starts_with(word))
-      return true;
-  return false;
-}
-
 bool isShell(const std::string &name) {
   for (const std::string_view word : kShells)
     if (name == word)

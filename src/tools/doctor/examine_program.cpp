@@ -27,12 +27,6 @@ constexpr std::string_view kGlImports[] = {"glX", "egl", "SDL_GL_", "OSMesa",
 constexpr std::string_view kVulkanImports[] = {"SDL_Vulkan_", "glfwCreateWindowSurface",
                                                "vkCreateInstance", "vkGetInstanceProcAddr"};
 
-template <std::size_t N>
-bool beginsWithOne(std::string_view name, const std::string_view (&words)[N]) {
-  return std::any_of(std::begin(words), std::end(words),
-                     [&](std::string_view word) { return name.starts_with(word); });
-}
-
 /// glBegin, glGetString: an import of GL itself.
 bool isGlCommand(const std::string &name) {
   return name.size() > 3 && name.starts_with("gl") &&

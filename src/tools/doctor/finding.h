@@ -1,11 +1,22 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/command_file.h"
 
 /// What stands between a program and the layer.
 namespace arbiter::tools::doctor {
+
+/// Whether \p name begins with one of the words.
+template <std::size_t N>
+[[nodiscard]] bool beginsWithOne(std::string_view name, const std::string_view (&words)[N]) {
+  return std::any_of(std::begin(words), std::end(words),
+                     [&](std::string_view word) { return name.starts_with(word); });
+}
 
 enum class Level {
   Obstacle, ///< the layer does not reach the program, or can do nothing for it

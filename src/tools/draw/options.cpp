@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <tuple>
 
+#include "scene/picture.h"
+
 namespace arbiter::tools {
 
 namespace {

@@ -5,9 +5,7 @@
 
 namespace arbiter::tools::lsp {
 
-namespace {
-constexpr int kInvalidParams = -32602;
-}
+namespace {}
 
 /// Answers what `arbiter check --json` says of the program at the position, or else of the first
 /// fragment program, for an editor's gauges: counts against limits, and why the native ones are
@@ -15,7 +13,7 @@ constexpr int kInvalidParams = -32602;
 Server::Reply Server::reportOf(const Json &params) {
   Document *document = find(params);
   if (!document)
-    return RpcError{kInvalidParams, "no open document of this URI"};
+    return noDocument();
   CheckedFile file;
   file.name = document->uri();
   file.text = document->text();

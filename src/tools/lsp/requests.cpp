@@ -7,10 +7,8 @@ namespace arbiter::tools::lsp {
 
 namespace {
 
-constexpr int kInvalidParams = -32602;
 constexpr int kRequestFailed = -32803;
 
-RpcError noDocument() { return {kInvalidParams, "no open document of this URI"}; }
 /// An integer that any picture has room for.
 bool isSmall(const Json &json) {
   return json.is_number_integer() && json.get<std::int64_t>() >= 0 &&

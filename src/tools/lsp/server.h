@@ -19,6 +19,10 @@ struct RpcError {
   int code = 0;
   std::string message;
 };
+inline constexpr int kInvalidParams = -32602; ///< of JSON-RPC
+[[nodiscard]] inline RpcError noDocument() {
+  return {kInvalidParams, "no open document of this URI"};
+}
 
 /// A language server of one client (Language Server Protocol 3.17), on one thread. What is asked is
 /// answered in the order it came, but for requests that are cancelled while they wait; diagnostics

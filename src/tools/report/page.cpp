@@ -19,7 +19,7 @@ namespace {
 /// The reasons of one count that are worth a line among those of other programs.
 constexpr std::size_t kMostReasons = 6;
 
-constexpr Column kColumns[] = {
+constexpr Column kPageColumns[] = {
     {"name", "program"},
     {"language", "language"},
     {"status", "status"},
@@ -35,7 +35,7 @@ constexpr Column kColumns[] = {
 };
 
 std::span<const Column> columnsOf(const ProgramSet &set) {
-  return std::span(kColumns).first(std::size(kColumns) - (set.fromCapture ? 0 : 1));
+  return std::span(kPageColumns).first(std::size(kPageColumns) - (set.fromCapture ? 0 : 1));
 }
 
 std::string emptyCells(int count) {

@@ -5,15 +5,12 @@
 
 #include "builder/model/panels/clauses.h"
 #include "builder/model/panels/utf_map.h"
+#include "builder/model/panels/words.h"
 #include "scene/panel/panel.h"
 
 namespace arbiter::builder {
 
 namespace {
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), qsizetype(view.size()));
-}
 
 bool standsAlone(scene::Generator generator) {
   switch (generator) {

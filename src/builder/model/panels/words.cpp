@@ -12,10 +12,6 @@ namespace {
 using fp::ir::Language;
 namespace reference = fp::reference;
 
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), qsizetype(view.size()));
-}
-
 QString signatureOf(fp::ir::Opcode op, const fp::ir::OpInfo &info) {
   QStringList operands;
   if (!info.has(fp::ir::Kills))

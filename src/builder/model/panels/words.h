@@ -1,6 +1,7 @@
 #pragma once
 #include <QList>
 #include <QString>
+#include <string_view>
 
 #include "fp_compiler/ir/ir.h"
 
@@ -20,6 +21,9 @@ struct Word {
   bool fragment = true, vertex = true;
 };
 
+[[nodiscard]] inline QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), qsizetype(utf8.size()));
+}
 [[nodiscard]] QString nameOf(WordKind kind);
 
 /// All words of the ARB languages and of `#@` lines, made of the tables that the parser is made of.

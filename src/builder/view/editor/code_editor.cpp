@@ -15,8 +15,6 @@ namespace arbiter::builder {
 
 namespace {
 
-bool inWord(QChar c) { return c.isLetterOrNumber() || c == u'_' || c == u'$'; }
-
 /// As a text document has it, with \n between lines.
 QString plain(const QTextDocument &document) {
   QString text = document.toRawText(); // toPlainText() makes other spaces of some

@@ -7,9 +7,6 @@ namespace arbiter::builder {
 
 namespace {
 
-bool beginsWord(QChar c) { return c.isLetter() || c == u'_' || c == u'$'; }
-bool inWord(QChar c) { return beginsWord(c) || c.isDigit(); }
-
 QColor colourOf(WordKind kind) {
   const Colours &c = colours();
   switch (kind) {

@@ -7,6 +7,10 @@
 
 namespace arbiter::builder {
 
+/// Characters of an identifier, its first and the others.
+[[nodiscard]] inline bool beginsWord(QChar c) { return c.isLetter() || c == u'_' || c == u'$'; }
+[[nodiscard]] inline bool inWord(QChar c) { return beginsWord(c) || c.isDigit(); }
+
 /// Colours a program's words, by the compiler's tables. Names are what no table has.
 class Highlighter : public QSyntaxHighlighter {
 public:

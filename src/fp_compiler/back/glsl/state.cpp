@@ -7,7 +7,7 @@ using ir::StateItem;
 using ir::StateRef;
 
 namespace {
-StateText variable(std::string text) { return {std::move(text), true}; }
+StateText stateVariable(std::string text) { return {std::move(text), true}; }
 StateText expression(std::string text) { return {std::move(text), false}; }
 
 /// ARB rows against GLSL columns: row r of M is column r of its transpose.
@@ -27,7 +27,7 @@ StateText matrixRow(const std::string &name, const StateRef &ref, const std::str
     suffix = "Inverse";
     break;
   }
-  return variable(name + suffix + index + "[" + std::to_string(ref.row) + "]");
+  return stateVariable(name + suffix + index + "[" + std::to_string(ref.row) + "]");
 }
 
 /// Table X.2.3: the product's rgb, the material's alpha.
@@ -43,23 +43,23 @@ std::optional<StateText> stateText(const StateRef &ref) {
   const std::string light = "gl_LightSource" + bracket;
   switch (ref.item) {
   case StateItem::MaterialAmbient:
-    return variable(material + ".ambient");
+    return stateVariable(material + ".ambient");
   case StateItem::MaterialDiffuse:
-    return variable(material + ".diffuse");
+    return stateVariable(material + ".diffuse");
   case StateItem::MaterialSpecular:
-    return variable(material + ".specular");
+    return stateVariable(material + ".specular");
   case StateItem::MaterialEmission:
-    return variable(material + ".emission");
+    return stateVariable(material + ".emission");
   case StateItem::MaterialShininess:
     return expression("vec4(" + material + ".shininess, 0.0, 0.0, 1.0)");
   case StateItem::LightAmbient:
-    return variable(light + ".ambient");
+    return stateVariable(light + ".ambient");
   case StateItem::LightDiffuse:
-    return variable(light + ".diffuse");
+    return stateVariable(light + ".diffuse");
   case StateItem::LightSpecular:
-    return variable(light + ".specular");
+    return stateVariable(light + ".specular");
   case StateItem::LightPosition:
-    return variable(light + ".position");
+    return stateVariable(light + ".position");
   case StateItem::LightAttenuation:
     return expression("vec4(" + light + ".constantAttenuation, " + light + ".linearAttenuation, " +
                       light + ".quadraticAttenuation, " + light + ".spotExponent)");
@@ -69,7 +69,7 @@ std::optional<StateText> stateText(const StateRef &ref) {
     return expression("vec4(normalize(normalize(" + light +
                       ".position.xyz) + vec3(0.0, 0.0, 1.0)), 1.0)");
   case StateItem::LightModelAmbient:
-    return variable("gl_LightModel.ambient");
+    return stateVariable("gl_LightModel.ambient");
   case StateItem::LightModelSceneColor:
     return expression("vec4(gl_LightModel.ambient.rgb * " + material + ".ambient.rgb + " +
                       material + ".emission.rgb, " + material + ".diffuse.a)");
@@ -80,7 +80,7 @@ std::optional<StateText> stateText(const StateRef &ref) {
   case StateItem::LightProdSpecular:
     return lightProduct(light, material, "specular");
   case StateItem::FogColor:
-    return variable("gl_Fog.color");
+    return stateVariable("gl_Fog.color");
   case StateItem::FogParams:
     return expression("vec4(gl_Fog.density, gl_Fog.start, gl_Fog.end, "
                       "1.0 / (gl_Fog.end - gl_Fog.start))");
@@ -98,11 +98,11 @@ std::optional<StateText> stateText(const StateRef &ref) {
   case StateItem::MatrixTexture:
     return matrixRow("gl_TextureMatrix", ref, bracket);
   case StateItem::TexGenEye:
-    return variable(std::string("gl_EyePlane") + "STRQ"[ref.row & 3] + bracket);
+    return stateVariable(std::string("gl_EyePlane") + "STRQ"[ref.row & 3] + bracket);
   case StateItem::TexGenObject:
-    return variable(std::string("gl_ObjectPlane") + "STRQ"[ref.row & 3] + bracket);
+    return stateVariable(std::string("gl_ObjectPlane") + "STRQ"[ref.row & 3] + bracket);
   case StateItem::ClipPlane:
-    return variable("gl_ClipPlane" + bracket);
+    return stateVariable("gl_ClipPlane" + bracket);
   case StateItem::PointSize:
     return expression("vec4(gl_Point.size, gl_Point.sizeMin, gl_Point.sizeMax, "
                       "gl_Point.fadeThresholdSize)");

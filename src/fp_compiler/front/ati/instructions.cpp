@@ -6,7 +6,6 @@
 namespace arbiter::fp::ati {
 
 namespace {
-constexpr std::uint8_t kAlpha = 8;
 constexpr std::uint8_t kColor = 7;
 } // namespace
 

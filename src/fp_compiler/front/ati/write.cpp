@@ -11,7 +11,6 @@ namespace arbiter::fp::ati {
 namespace {
 
 constexpr int kNamedSets = 6; // t0 to t5
-constexpr int kAlpha = 8;     // in a mask
 
 std::string withNumber(const char *letter, int number) { return letter + std::to_string(number); }
 

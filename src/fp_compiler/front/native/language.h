@@ -28,6 +28,9 @@ struct Traits {
 /// Requires another language than None.
 [[nodiscard]] const Traits &traitsOf(ir::NativeLanguage language);
 
+/// TEX0 to TEX7.
+inline constexpr std::uint32_t kTexCoords = 8;
+
 /// The number behind \p letters: 12 of "R12". Nothing for any other word, "R012" among them.
 [[nodiscard]] std::optional<std::uint32_t> numberBehind(std::string_view word,
                                                         std::string_view letters);

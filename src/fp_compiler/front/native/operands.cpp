@@ -33,7 +33,7 @@ const AttributeRow *findAttribute(bool vertex, std::string_view name) {
                    [&](const auto &row) { return row.vertex == vertex && row.name == name; });
   return found == std::end(kAttributes) ? nullptr : found;
 }
-constexpr std::uint32_t kTexCoords = 8, kFirstTexCoord = 8, kVertexAttributeCount = 16;
+constexpr std::uint32_t kFirstTexCoord = 8, kVertexAttributeCount = 16;
 
 /// v[number], as the attribute that it shares its place with.
 ir::Attribute vertexAttribute(std::uint32_t number) {

@@ -29,7 +29,6 @@ const ResultRow *findResult(bool vertex, std::string_view name) {
       return &row;
   return nullptr;
 }
-constexpr std::uint32_t kTexCoords = 8;     // TEX0 to TEX7
 constexpr std::uint32_t kClipDistances = 6; // CLP0 to CLP5 (NV_vertex_program2, table X.1)
 constexpr std::uint32_t kMostUnits = 64;    // of !!FP1.0's registers
 } // namespace

@@ -11,6 +11,10 @@ Operand registerOf(ir::File file, std::uint16_t index) {
   return operand;
 }
 
+Operand temporary(std::uint16_t index) { return registerOf(ir::File::Temporary, index); }
+
+Operand flagOf(std::uint16_t index) { return component(temporary(index), 0); }
+
 ir::Destination writtenTo(std::uint16_t index, std::uint8_t mask) {
   ir::Destination dst;
   dst.index = index;

@@ -13,6 +13,11 @@ namespace arbiter::fp::nv {
 [[nodiscard]] ir::Operand registerOf(ir::File file, std::uint16_t index);
 /// 0 or 1 in every component; no register is read.
 [[nodiscard]] ir::Operand number(ir::Select select);
+/// Component x as a write mask, and all four.
+inline constexpr std::uint8_t kX = 1, kAll = 0xF;
+/// A temporary as an operand; its x, where flags are.
+[[nodiscard]] ir::Operand temporary(std::uint16_t index);
+[[nodiscard]] ir::Operand flagOf(std::uint16_t index);
 /// Components of a temporary, to write.
 [[nodiscard]] ir::Destination writtenTo(std::uint16_t index, std::uint8_t mask);
 /// An operand's components in another order, each with its sign.

@@ -7,15 +7,11 @@
 
 namespace arbiter::fp::nv {
 
-using ir::File;
 using ir::Opcode;
 using ir::Operand;
 using ir::Select;
 
 namespace {
-constexpr std::uint8_t kX = 1, kAll = 0xF;
-
-Operand flagOf(std::uint16_t index) { return component(registerOf(File::Temporary, index), 0); }
 Operand one() { return number(Select::One); }
 Operand zero() { return number(Select::Zero); }
 } // namespace

@@ -12,12 +12,6 @@ using ir::Opcode;
 using ir::Operand;
 using ir::Select;
 
-namespace {
-constexpr std::uint8_t kX = 1, kAll = 0xF;
-
-Operand temporary(std::uint16_t index) { return registerOf(File::Temporary, index); }
-} // namespace
-
 Lowerer::Lowerer(const std::vector<Statement> &statements, const Sequences &sequences,
                  Binder &binder, Reporter &reporter, const NativeRules &rules)
     : m_statements(statements), m_sequences(sequences), m_rules(rules), m_reporter(reporter),

@@ -16,10 +16,7 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-constexpr std::uint8_t kX = 1, kAll = 0xF;
 constexpr float kLeastAddress = -512, kMostAddress = 511;
-
-Operand temporary(std::uint16_t index) { return registerOf(File::Temporary, index); }
 
 /// The same value of every component: what both read is the same, and neither changes between.
 bool isSame(const Operand &a, const Operand &b) {

@@ -2,17 +2,9 @@
 
 namespace arbiter::fp::nv {
 
-using ir::File;
 using ir::Opcode;
 using ir::Operand;
 using ir::Select;
-
-namespace {
-constexpr std::uint8_t kX = 1, kAll = 0xF;
-
-Operand temporary(std::uint16_t index) { return registerOf(File::Temporary, index); }
-Operand flagOf(std::uint16_t index) { return component(temporary(index), 0); }
-} // namespace
 
 /// True for an IF with nothing but instructions and such IFs until its ENDIF.
 bool Lowerer::selects(const Statement &statement) const {

@@ -9,7 +9,7 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-constexpr std::uint8_t kX = 1, kXyz = 7;
+constexpr std::uint8_t kXyz = 7;
 
 Operand zero() { return number(Select::Zero); }
 Operand one() { return number(Select::One); }

@@ -8,7 +8,6 @@
 
 namespace arbiter::fp::nvparse {
 
-using texture_shader::Mapping;
 using texture_shader::Row;
 using texture_shader::Stage;
 
@@ -162,9 +161,9 @@ bool ShaderParser::parseMapped(Stage &stage) {
   const bool expands = m_tokens.acceptWord("expand");
   const bool forces = !expands && m_tokens.acceptWord("force_blue_to_one");
   if (expands)
-    stage.mapping = Mapping::ExpandNormal;
+    stage.mapping = texture_shader::Mapping::ExpandNormal;
   if (forces) {
-    stage.mapping = Mapping::ForceBlueToOne;
+    stage.mapping = texture_shader::Mapping::ForceBlueToOne;
     if (m_options.limits.textureShaders < 3 && m_options.limits.textureShaders != 0)
       limit(DiagnosticId::LimitShaders, {m_tokens.lastEnd() - 17, m_tokens.lastEnd()},
             "force_blue_to_one() needs NV_texture_shader3");

@@ -45,7 +45,7 @@ template <typename T> void set(Context &context, GLenum pname, const T *param) {
   executeTextureShaderCommand(context, command);
 }
 
-template <typename T> void get(Context &context, GLenum pname, T *param) {
+template <typename T> void getBump(Context &context, GLenum pname, T *param) {
   if (!outsideBeginEnd(context, "GetTexBumpParameter between Begin and End") || !param)
     return;
   const TextureShaderState &state = keepTextures(context);
@@ -94,12 +94,12 @@ void TexBumpParameterivATI(Context &context, GLenum pname, const GLint *param) {
 void GetTexBumpParameterfvATI(Context &context, GLenum pname, GLfloat *param) {
   if (!hasBumpMaps(context))
     return context.host->GetTexBumpParameterfvATI(pname, param);
-  get(context, pname, param);
+  getBump(context, pname, param);
 }
 void GetTexBumpParameterivATI(Context &context, GLenum pname, GLint *param) {
   if (!hasBumpMaps(context))
     return context.host->GetTexBumpParameterivATI(pname, param);
-  get(context, pname, param);
+  getBump(context, pname, param);
 }
 
 } // namespace handlers

@@ -18,7 +18,7 @@ namespace {
 
 using Kind = ImagingCommand::Kind;
 
-bool isOutside(Context &context) {
+bool colorTableAllowed(Context &context) {
   return outsideBeginEnd(context, "a colour table's command between Begin and End");
 }
 
@@ -44,7 +44,7 @@ void give(Context &context, const ImagingCommand &command, GLenum format, GLenum
 template <typename T>
 void setParameter(Context &context, GLenum target, GLenum pname, const T *params) {
   ImagingCommand command{.kind = Kind::TableParameter, .target = target, .pname = pname};
-  if (!isOutside(context))
+  if (!colorTableAllowed(context))
     return;
   if (pname == GL_COLOR_TABLE_SCALE || pname == GL_COLOR_TABLE_BIAS)
     for (std::size_t c = 0; c < 4; ++c)
@@ -58,8 +58,9 @@ int sizeRow(GLenum pname) {
   return at < 6 ? int(at) : -1;
 }
 
-template <typename T> void getParameter(Context &context, GLenum target, GLenum pname, T *params) {
-  if (!isOutside(context))
+template <typename T>
+void getColorTableValue(Context &context, GLenum target, GLenum pname, T *params) {
+  if (!colorTableAllowed(context))
     return;
   const ImagingState &state = *context.imaging;
   bool proxy = false;
@@ -94,7 +95,7 @@ void ColorTable(Context &context, GLenum target, GLenum internalformat, GLsizei 
                 GLenum format, GLenum type, const void *table) {
   if (!context.imaging)
     return context.host->ColorTable(target, internalformat, width, format, type, table);
-  if (!isOutside(context))
+  if (!colorTableAllowed(context))
     return;
   const ImagingCommand command{
       .kind = Kind::Table, .target = target, .pname = internalformat, .width = width};
@@ -113,7 +114,7 @@ void ColorSubTable(Context &context, GLenum target, GLsizei start, GLsizei count
                    GLenum type, const void *data) {
   if (!context.imaging)
     return context.host->ColorSubTable(target, start, count, format, type, data);
-  if (isOutside(context))
+  if (colorTableAllowed(context))
     give(context, {.kind = Kind::SubTable, .target = target, .start = start, .width = count},
          format, type, data);
 }
@@ -122,7 +123,7 @@ void CopyColorTable(Context &context, GLenum target, GLenum internalformat, GLin
                     GLsizei width) {
   if (!context.imaging)
     return context.host->CopyColorTable(target, internalformat, x, y, width);
-  if (isOutside(context))
+  if (colorTableAllowed(context))
     issueImaging(context, {.kind = Kind::CopyTable,
                            .target = target,
                            .pname = internalformat,
@@ -135,7 +136,7 @@ void CopyColorSubTable(Context &context, GLenum target, GLsizei start, GLint x, 
                        GLsizei width) {
   if (!context.imaging)
     return context.host->CopyColorSubTable(target, start, x, y, width);
-  if (isOutside(context))
+  if (colorTableAllowed(context))
     issueImaging(context, {.kind = Kind::CopySubTable,
                            .target = target,
                            .start = start,
@@ -159,7 +160,7 @@ void ColorTableParameteriv(Context &context, GLenum target, GLenum pname, const 
 void GetColorTable(Context &context, GLenum target, GLenum format, GLenum type, void *table) {
   if (!context.imaging)
     return context.host->GetColorTable(target, format, type, table);
-  if (!isOutside(context))
+  if (!colorTableAllowed(context))
     return;
   bool proxy = false;
   const int number = tableOf(target, proxy);
@@ -173,13 +174,13 @@ void GetColorTable(Context &context, GLenum target, GLenum format, GLenum type, 
 void GetColorTableParameterfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
   if (!context.imaging)
     return context.host->GetColorTableParameterfv(target, pname, params);
-  getParameter(context, target, pname, params);
+  getColorTableValue(context, target, pname, params);
 }
 
 void GetColorTableParameteriv(Context &context, GLenum target, GLenum pname, GLint *params) {
   if (!context.imaging)
     return context.host->GetColorTableParameteriv(target, pname, params);
-  getParameter(context, target, pname, params);
+  getColorTableValue(context, target, pname, params);
 }
 
 } // namespace handlers

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = ImagingCommand::Kind;
 
-bool isOutside(Context &context) {
+bool convolutionAllowed(Context &context) {
   return outsideBeginEnd(context, "a convolution's command between Begin and End");
 }
 
@@ -57,7 +57,7 @@ void issueFilter(Context &context, GLenum target, GLenum internalformat, GLsizei
 }
 
 void copyFilter(Context &context, GLenum target, GLenum only, const ImagingCommand &command) {
-  if (!isOutside(context) || !isTarget(context, target, only))
+  if (!convolutionAllowed(context) || !isTarget(context, target, only))
     return;
   if (command.width > ImagingState::kMostFilter || command.height > ImagingState::kMostFilter)
     return raise(context, GL_INVALID_VALUE, "CopyConvolutionFilter: a size");
@@ -74,7 +74,7 @@ template <typename T> float colorValue(T value) {
 
 template <typename T>
 void setParameter(Context &context, GLenum target, GLenum pname, const T *params, bool scalar) {
-  if (!isOutside(context))
+  if (!convolutionAllowed(context))
     return;
   ImagingCommand command{
       .kind = Kind::FilterParameter, .flag = scalar, .target = target, .pname = pname};
@@ -96,8 +96,9 @@ template <typename T> void giveBorderColor(const imaging::Rgba &color, T *to) {
       to[c] = color[c];
 }
 
-template <typename T> void getParameter(Context &context, GLenum target, GLenum pname, T *params) {
-  if (!isOutside(context))
+template <typename T>
+void getConvolutionValue(Context &context, GLenum target, GLenum pname, T *params) {
+  if (!convolutionAllowed(context))
     return;
   const int number = filterTargetOf(target);
   if (number < 0)
@@ -147,7 +148,7 @@ void ConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat,
   if (!context.imaging)
     return context.host->ConvolutionFilter1D(target, internalformat, width, format, type, image);
   std::vector<imaging::Rgba> colors;
-  if (isOutside(context) && isTarget(context, target, GL_CONVOLUTION_1D) &&
+  if (convolutionAllowed(context) && isTarget(context, target, GL_CONVOLUTION_1D) &&
       read(context, {.dimensions = 1, .width = width, .format = format, .type = type}, image,
            colors))
     issueFilter(context, target, internalformat, width, ImagingCommand{}.height, colors);
@@ -159,7 +160,7 @@ void ConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat,
     return context.host->ConvolutionFilter2D(target, internalformat, width, height, format, type,
                                              image);
   std::vector<imaging::Rgba> colors;
-  if (isOutside(context) && isTarget(context, target, GL_CONVOLUTION_2D) &&
+  if (convolutionAllowed(context) && isTarget(context, target, GL_CONVOLUTION_2D) &&
       read(context, {.width = width, .height = height, .format = format, .type = type}, image,
            colors))
     issueFilter(context, target, internalformat, width, height, colors);
@@ -173,7 +174,7 @@ void SeparableFilter2D(Context &context, GLenum target, GLenum internalformat, G
                                            column);
   std::vector<imaging::Rgba> colors;
   const bool inRange = isInRange(width) && isInRange(height); // else nothing is read
-  if (isOutside(context) && isTarget(context, target, GL_SEPARABLE_2D) &&
+  if (convolutionAllowed(context) && isTarget(context, target, GL_SEPARABLE_2D) &&
       read(context, {.dimensions = 1, .width = inRange ? width : 0, .format = format, .type = type},
            row, colors) &&
       read(context,
@@ -225,7 +226,7 @@ void GetConvolutionFilter(Context &context, GLenum target, GLenum format, GLenum
                           void *image) {
   if (!context.imaging)
     return context.host->GetConvolutionFilter(target, format, type, image);
-  if (!isOutside(context))
+  if (!convolutionAllowed(context))
     return;
   const int number = filterTargetOf(target);
   if (number < 0 || number == 2)
@@ -238,7 +239,7 @@ void GetSeparableFilter(Context &context, GLenum target, GLenum format, GLenum t
                         void *column, void *span) {
   if (!context.imaging)
     return context.host->GetSeparableFilter(target, format, type, row, column, span);
-  if (!isOutside(context))
+  if (!convolutionAllowed(context))
     return;
   if (target != GL_SEPARABLE_2D)
     return raise(context, GL_INVALID_ENUM, "GetSeparableFilter: target");
@@ -250,13 +251,13 @@ void GetSeparableFilter(Context &context, GLenum target, GLenum format, GLenum t
 void GetConvolutionParameterfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
   if (!context.imaging)
     return context.host->GetConvolutionParameterfv(target, pname, params);
-  getParameter(context, target, pname, params);
+  getConvolutionValue(context, target, pname, params);
 }
 
 void GetConvolutionParameteriv(Context &context, GLenum target, GLenum pname, GLint *params) {
   if (!context.imaging)
     return context.host->GetConvolutionParameteriv(target, pname, params);
-  getParameter(context, target, pname, params);
+  getConvolutionValue(context, target, pname, params);
 }
 
 } // namespace handlers

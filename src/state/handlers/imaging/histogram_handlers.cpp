@@ -16,13 +16,13 @@ namespace {
 
 using Kind = ImagingCommand::Kind;
 
-bool isOutside(Context &context) {
+bool histogramAllowed(Context &context) {
   return outsideBeginEnd(context, "a histogram's or minmax table's command between Begin and End");
 }
 
 template <typename T>
 void getHistogramParameter(Context &context, GLenum target, GLenum pname, T *params) {
-  if (!isOutside(context))
+  if (!histogramAllowed(context))
     return;
   const ImagingState &state = *context.imaging;
   if (target != GL_HISTOGRAM && target != GL_PROXY_HISTOGRAM)
@@ -50,7 +50,7 @@ void getHistogramParameter(Context &context, GLenum target, GLenum pname, T *par
 
 template <typename T>
 void getMinmaxParameter(Context &context, GLenum target, GLenum pname, T *params) {
-  if (!isOutside(context))
+  if (!histogramAllowed(context))
     return;
   const imaging::Minmax &minmax = context.imaging->contents.minmax;
   if (target != GL_MINMAX || (pname != GL_MINMAX_FORMAT && pname != GL_MINMAX_SINK))
@@ -73,7 +73,7 @@ void Histogram(Context &context, GLenum target, GLsizei width, GLenum internalfo
                GLboolean sink) {
   if (!context.imaging)
     return context.host->Histogram(target, width, internalformat, sink);
-  if (!isOutside(context))
+  if (!histogramAllowed(context))
     return;
   const ImagingCommand command{.kind = Kind::Histogram,
                                .flag = sink != GL_FALSE,
@@ -89,7 +89,7 @@ void Histogram(Context &context, GLenum target, GLsizei width, GLenum internalfo
 void Minmax(Context &context, GLenum target, GLenum internalformat, GLboolean sink) {
   if (!context.imaging)
     return context.host->Minmax(target, internalformat, sink);
-  if (isOutside(context))
+  if (histogramAllowed(context))
     issueImaging(context, {.kind = Kind::Minmax,
                            .flag = sink != GL_FALSE,
                            .target = target,
@@ -99,7 +99,7 @@ void Minmax(Context &context, GLenum target, GLenum internalformat, GLboolean si
 void ResetHistogram(Context &context, GLenum target) {
   if (!context.imaging)
     return context.host->ResetHistogram(target);
-  if (!isOutside(context))
+  if (!histogramAllowed(context))
     return;
   if (target != GL_HISTOGRAM)
     return raise(context, GL_INVALID_ENUM, "ResetHistogram: target");
@@ -109,7 +109,7 @@ void ResetHistogram(Context &context, GLenum target) {
 void ResetMinmax(Context &context, GLenum target) {
   if (!context.imaging)
     return context.host->ResetMinmax(target);
-  if (!isOutside(context))
+  if (!histogramAllowed(context))
     return;
   if (target != GL_MINMAX)
     return raise(context, GL_INVALID_ENUM, "ResetMinmax: target");
@@ -120,7 +120,7 @@ void GetHistogram(Context &context, GLenum target, GLboolean reset, GLenum forma
                   void *values) {
   if (!context.imaging)
     return context.host->GetHistogram(target, reset, format, type, values);
-  if (!isOutside(context))
+  if (!histogramAllowed(context))
     return;
   if (target != GL_HISTOGRAM)
     return raise(context, GL_INVALID_ENUM, "GetHistogram: target");
@@ -137,7 +137,7 @@ void GetMinmax(Context &context, GLenum target, GLboolean reset, GLenum format, 
                void *values) {
   if (!context.imaging)
     return context.host->GetMinmax(target, reset, format, type, values);
-  if (!isOutside(context))
+  if (!histogramAllowed(context))
     return;
   if (target != GL_MINMAX)
     return raise(context, GL_INVALID_ENUM, "GetMinmax: target");

@@ -1,8 +1,6 @@
 #include "state/host_draw/evaluators/nv_attributes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
 
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -135,8 +133,7 @@ bool getAliased(const ContextHot &hot, const host::HostTable &host, GLuint index
   if (hot.insideBeginEnd || !values || static_cast<const Context &>(hot).aliases->ofGlsl)
     return false;
   const Vec4 value = hostsRegister(host, index);
-  std::transform(value.begin(), value.end(), values,
-                 [](GLfloat each) { return T(std::is_integral_v<T> ? std::lround(each) : each); });
+  std::transform(value.begin(), value.end(), values, rounded<T>);
   return true;
 }
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <cmath>
+#include <type_traits>
+
 #include <GL/gl.h>
 
 #include "state/core/target.h"
@@ -16,6 +19,14 @@ namespace arbiter::state {
 
 class Context;
 struct ContextHot;
+
+/// A float as a Get of type \p T answers it: integers are the nearest (OpenGL 1.4, 6.1.2).
+template <typename T> [[nodiscard]] T rounded(GLfloat value) {
+  if constexpr (std::is_integral_v<T>)
+    return T(std::lround(value));
+  else
+    return T(value);
+}
 
 /// VertexAttribNV. Attribute 0 makes a vertex.
 void setNvAttribute(Context &context, GLuint index, const Vec4 &value);

@@ -118,7 +118,8 @@ Wrong output(Context &context, CombinerState &combiners, const CombinerCommand &
     return {GL_INVALID_ENUM, "CombinerOutput: an argument is none of its names"};
   if (alpha && (command.flags & (CombinerCommand::kAbDot | CombinerCommand::kCdDot)) != 0)
     return {GL_INVALID_VALUE, "CombinerOutput: the alpha portion has no dot products"};
-  if (bias != GL_NONE && (*scale == Scale::ByFour || *scale == Scale::ByOneHalf))
+  if (bias != GL_NONE &&
+      (*scale == fp::combiners::Scale::ByFour || *scale == fp::combiners::Scale::ByOneHalf))
     return {GL_INVALID_OPERATION, "CombinerOutput: this scale goes with no bias"};
   Portion result = alpha ? combiners.state().stages[std::size_t(stage)].alpha
                          : combiners.state().stages[std::size_t(stage)].rgb;

@@ -90,8 +90,8 @@ void convert(const ComponentTransfers &transfers, const ComponentFormat &format,
 }
 
 GLenum hostFormatOf(const ComponentFormat &format) {
-  constexpr GLenum kFormats[] = {GL_RG, GL_RGB, GL_RGBA};
-  return format.base == Base::Hilo ? GLenum(GL_RGB) : kFormats[format.components() - 2];
+  constexpr GLenum kHostFormats[] = {GL_RG, GL_RGB, GL_RGBA};
+  return format.base == Base::Hilo ? GLenum(GL_RGB) : kHostFormats[format.components() - 2];
 }
 
 void define(const host::HostTable &host, const ComponentImage &image, GLint internal, GLenum format,

@@ -4,8 +4,6 @@
 namespace arbiter::state::software {
 
 namespace {
-constexpr const char *kComponent[] = {"x", "y", "z", "w"};
-
 bool isMode(std::uint8_t coded, TexGenMode mode) { return coded == 1 + int(mode); }
 } // namespace
 
@@ -44,7 +42,7 @@ fp::ir::Source FixedWriter::generated(int unit) {
   const Target to = temporary();
   for (int c = 0; c < 4; ++c) {
     const std::uint8_t mode = modes[std::size_t(c)];
-    const Target component = to.mask(kComponent[c]);
+    const Target component = to.mask(fp::ir::kLetters[c]);
     if (isMode(mode, TexGenMode::ObjectLinear))
       op(Opcode::Dp4, component,
          {state(StateItem::TexGenObject, unit, c), attribute(Kind::Position)});

@@ -13,9 +13,7 @@ using fp::ir::Source;
 using fp::ir::StateItem;
 using fp::ir::Target;
 
-namespace {
-constexpr const char *kComponent[] = {"x", "y", "z", "w"};
-} // namespace
+namespace {} // namespace
 
 FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs) {
   FixedVertexKey key;
@@ -101,7 +99,7 @@ Source FixedWriter::eye() {
     return *m_eye;
   const Target eye = temporary();
   for (int row = 0; row < 4; ++row)
-    op(Opcode::Dp4, eye.mask(kComponent[row]),
+    op(Opcode::Dp4, eye.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixModelview, 0, row), attribute(Kind::Position)});
   return *(m_eye = eye.read());
 }
@@ -133,7 +131,7 @@ Source FixedWriter::normal() {
     return *m_normal;
   const Target normal = temporary();
   for (int row = 0; row < 3; ++row)
-    op(Opcode::Dp3, normal.mask(kComponent[row]),
+    op(Opcode::Dp3, normal.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixModelview, 0, row, MatrixModifier::InvTrans),
         attribute(Kind::Normal)});
   if (m_key.normalize)
@@ -152,20 +150,20 @@ void FixedWriter::position() {
   const Target result = m_builder.result(OutputKind::Position);
   const Target position = m_key.clipPlanes == 0 ? result : temporary();
   for (int row = 0; row < 4; ++row)
-    op(Opcode::Dp4, position.mask(kComponent[row]),
+    op(Opcode::Dp4, position.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixMvp, 0, row), attribute(Kind::Position)});
   if (m_key.clipPlanes == 0)
     return;
   op(Opcode::Mov, result, {position.read()});
   const Target eye = temporary();
   for (int row = 0; row < 4; ++row)
-    op(Opcode::Dp4, eye.mask(kComponent[row]),
+    op(Opcode::Dp4, eye.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixProjection, 0, row, MatrixModifier::Inverse), position.read()});
   for (int plane = 0; plane < 8; ++plane)
     if ((m_key.clipPlanes >> plane & 1u) != 0)
       op(Opcode::Dp4,
          m_builder.result(OutputKind::TexCoord, kClipDistanceOutput + plane / 4)
-             .mask(kComponent[plane % 4]),
+             .mask(fp::ir::kLetters[plane % 4]),
          {state(StateItem::ClipPlane, plane), eye.read()});
 }
 
@@ -206,7 +204,7 @@ void FixedWriter::texCoords() {
       continue;
     }
     for (int row = 0; row < 4; ++row)
-      op(Opcode::Dp4, to.mask(kComponent[row]),
+      op(Opcode::Dp4, to.mask(fp::ir::kLetters[row]),
          {matrixRow(StateItem::MatrixTexture, unit, row), coordinate});
   }
 }

@@ -8,7 +8,7 @@ namespace {
 using fp::ir::Instruction;
 using fp::ir::Opcode;
 
-constexpr const char *kRule = "clamp-by-sat";
+constexpr const char *kClampBySat = "clamp-by-sat";
 constexpr const char *kMessage =
     "MAX and MIN clamp to [0,1], which _SAT does within the instruction that computes the value";
 
@@ -70,7 +70,7 @@ void proposeCopy(const Subject &subject, const Clamp &clamp, Proposals &proposal
   Draft draft(subject);
   draft.replace(clamp.second,
                 statementText(Opcode::Mov, true, subject.destination(clamp.second), {*text}));
-  proposals.push_back(draft.about(clamp.first, clamp.second, kRule, kMessage));
+  proposals.push_back(draft.about(clamp.first, clamp.second, kClampBySat, kMessage));
 }
 
 /// _SAT on the instruction that computes the value.
@@ -93,7 +93,7 @@ void proposeWriter(const Subject &subject, const Clamp &clamp, Proposals &propos
     draft.replace(clamp.second, statementText(Opcode::Mov, false, subject.destination(clamp.second),
                                               {subject.destinationBase(*writer)}));
   if (instruction.dst.file == fp::ir::File::Temporary)
-    proposals.push_back(draft.about(clamp.first, clamp.second, kRule, kMessage));
+    proposals.push_back(draft.about(clamp.first, clamp.second, kClampBySat, kMessage));
 }
 
 } // namespace

@@ -18,7 +18,7 @@ using fp::ir::Operand;
 constexpr std::size_t kMostProposals = 256, kMostTried = 2048;
 constexpr std::uint32_t kMostApart = 48; ///< of the two chains' first instructions
 constexpr std::size_t kMostSteps = 8;
-constexpr const char *kRule = "scalars-to-vector";
+constexpr const char *kScalarsToVector = "scalars-to-vector";
 
 /// The same operation in both chains.
 struct Step {
@@ -62,7 +62,7 @@ public:
         return std::nullopt;
     if (!endChains(steps.back()))
       return std::nullopt;
-    return m_draft.about(steps.front().early(), steps.back().late(), kRule,
+    return m_draft.about(steps.front().early(), steps.back().late(), kScalarsToVector,
                          std::string(fp::ir::info(m_subject.at(steps.front().at[0]).op).mnemonic) +
                              (steps.size() > 1 ? " and what follows it is" : " is") +
                              " done twice on one component: once on two is enough");

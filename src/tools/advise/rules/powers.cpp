@@ -11,7 +11,7 @@ namespace {
 
 using fp::ir::Opcode;
 
-constexpr const char *kRule = "power-by-products";
+constexpr const char *kPowerByProducts = "power-by-products";
 
 std::string scalarText(Opcode op, const std::string &destination, const std::string &operand) {
   return statementText(op, false, destination, {operand});
@@ -73,7 +73,7 @@ Proposals powers(const Subject &subject) {
     if (!made->before.empty())
       draft.insert(i, made->before);
     draft.replace(i, made->statement);
-    Proposal proposal = draft.about(i, kRule,
+    Proposal proposal = draft.about(i, kPowerByProducts,
                                     "POW is LG2, MUL and EX2; the exponent " +
                                         numberText(*exponent) + " is less work",
                                     Nearness::Rounding);

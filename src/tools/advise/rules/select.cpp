@@ -11,7 +11,7 @@ using fp::ir::Instruction;
 using fp::ir::Opcode;
 using fp::ir::Operand;
 
-constexpr const char *kRule = "select-by-cmp";
+constexpr const char *kSelectByCmp = "select-by-cmp";
 
 /// What CMP chooses between, as operands' texts.
 struct Arms {
@@ -95,7 +95,7 @@ void choose(const Subject &subject, const Chooser &chooser, const Arms &arms,
 }
 
 Proposal finished(const Subject &subject, const Chooser &chooser, const Draft &draft) {
-  return draft.about(chooser.comparison, chooser.index, kRule,
+  return draft.about(chooser.comparison, chooser.index, kSelectByCmp,
                      std::string(fp::ir::info(subject.at(chooser.comparison).op).mnemonic) +
                          " makes 1 or 0 and " +
                          fp::ir::info(subject.at(chooser.index).op).mnemonic +

@@ -8,20 +8,6 @@
 namespace arbiter::fp::llvm_back {
 namespace {
 
-int dimensionsOf(abi::Dimension dimension) {
-  switch (dimension) {
-  case abi::Dimension::Tex1D:
-    return 1;
-  case abi::Dimension::Tex2D:
-  case abi::Dimension::Cube:
-  case abi::Dimension::Rect:
-    return 2;
-  case abi::Dimension::Tex3D:
-    return 3;
-  }
-  llvm_unreachable("a dimension");
-}
-
 /// An incomplete texture (3.11.6 of ARB_fragment_program): (0, 0, 0, 1).
 Vec incomplete(Code &code, unsigned needed) {
   Vec rgba = {};

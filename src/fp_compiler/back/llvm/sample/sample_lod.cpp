@@ -12,10 +12,6 @@ namespace {
 /// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
 constexpr float kMaxBias = 16;
 
-int dimensionsOf(abi::Dimension dimension) {
-  return dimension == abi::Dimension::Tex1D ? 1 : dimension == abi::Dimension::Tex3D ? 3 : 2;
-}
-
 /// The square of the scale factor: of the longer way in texels of the base level that a pixel in x
 /// or in y makes.
 Value *scaleSquared(Code &code, const abi::SamplerKey &key, Value *view, const Derivatives &d,

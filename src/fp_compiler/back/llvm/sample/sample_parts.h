@@ -32,6 +32,11 @@ struct ImageCode {
 [[nodiscard]] ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *image,
                                   int dimensions);
 
+/// The coordinates of one image; those of a cube map's face.
+[[nodiscard]] inline int dimensionsOf(abi::Dimension dimension) {
+  return dimension == abi::Dimension::Tex1D ? 1 : dimension == abi::Dimension::Tex3D ? 3 : 2;
+}
+
 /// Fraction bits of the integer weights by which texels of bytes are filtered: the host's.
 inline constexpr int kWeightBits = 8;
 

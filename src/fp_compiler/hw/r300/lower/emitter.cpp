@@ -19,6 +19,13 @@ Value literals(float value) {
   return valueOf(refs);
 }
 
+bool isLiteral(const Refs &refs, std::uint8_t mask, float value) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((mask >> c & 1) && (refs[c].kind != Ref::Kind::Literal || refs[c].value != value))
+      return false;
+  return true;
+}
+
 Ref negated(Ref ref) {
   if (ref.kind == Ref::Kind::Literal)
     ref.value = -ref.value;

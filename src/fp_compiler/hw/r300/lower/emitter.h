@@ -17,6 +17,8 @@ struct Value {
 [[nodiscard]] inline Value valueOf(const Refs &refs) { return {refs, refs, false}; }
 [[nodiscard]] Ref literal(float value);
 [[nodiscard]] Value literals(float value);
+/// Whether all of \p mask are the literal \p value.
+[[nodiscard]] bool isLiteral(const Refs &refs, std::uint8_t mask, float value);
 [[nodiscard]] Ref negated(Ref ref);
 [[nodiscard]] Value negated(Value value);
 /// Component \p component in all four.

@@ -19,13 +19,6 @@ bool modifierOf(float value, Modifier &modifier) {
   return modifier != Modifier::One;
 }
 
-bool isLiteral(const Refs &refs, std::uint8_t mask, float value) {
-  for (std::size_t c = 0; c < 4; ++c)
-    if ((mask >> c & 1) && (refs[c].kind != Ref::Kind::Literal || refs[c].value != value))
-      return false;
-  return true;
-}
-
 /// The factor that all of \p mask have, if it is one of the output modifier's.
 bool scaleOf(const Value &value, std::uint8_t mask, float &factor) {
   const Ref &first = value.through[std::size_t(std::countr_zero(mask))];

@@ -8,13 +8,6 @@
 namespace arbiter::fp::hw::r300 {
 
 namespace {
-bool isLiteral(const Refs &refs, std::uint8_t components, float value) {
-  for (std::size_t c = 0; c < 4; ++c)
-    if ((components >> c & 1) && (refs[c].kind != Ref::Kind::Literal || refs[c].value != value))
-      return false;
-  return true;
-}
-
 bool plainSource(const FlowArgument &argument) {
   return argument.bank != FlowArgument::Bank::None && !argument.absolute;
 }
