@@ -225,12 +225,31 @@ class Windows(Painting):
         with self.painting(options=('--hud=draws,programs,bottom-left,hidden,key=ctrl+F7',)) as output:
             self.assertTrue(self.counts_reach(output, 'shown', lambda count: count == 0))
             for is_enough in (lambda count: count > 1000, lambda count: count == 0):
-                for action in ('keydown', 'keyup'):
-                    subprocess.run(['xdotool', action, 'ctrl+F7'], check=True,
-                                   env=plain(DISPLAY=self.display))
-                    time.sleep(0.2)
+                self.press('ctrl+F7')
                 self.assertTrue(self.counts_reach(output, 'shown', is_enough))
             self.unchanged(output)
+
+    def press(self, key):
+        for action in ('keydown', 'keyup'):
+            subprocess.run(['xdotool', action, key], check=True, env=plain(DISPLAY=self.display))
+            time.sleep(0.2)
+
+    @unittest.skipUnless(shutil.which('xdotool') and shutil.which('xkbcomp'),
+                         'xdotool, which presses the key, or xkbcomp is not installed')
+    def test_the_key_follows_another_layout(self):
+        layout = subprocess.run(['xkbcomp', '-xkb', self.display, '-'], check=True, capture_output=True,
+                                text=True).stdout
+        other = layout.replace('key <FK07>', 'key <FK00>').replace('key <FK08>', 'key <FK07>')
+        other = other.replace('key <FK00>', 'key <FK08>')
+        self.assertNotEqual(other, layout)
+        with self.painting(options=('--hud=draws,programs,bottom-left,hidden,key=F7',)) as output:
+            self.assertTrue(self.counts_reach(output, 'shown', lambda count: count == 0))
+            self.addCleanup(subprocess.run, ['xkbcomp', '-', self.display], input=layout, text=True,
+                            capture_output=True)
+            subprocess.run(['xkbcomp', '-', self.display], input=other, check=True, text=True,
+                           capture_output=True)
+            self.press('F7')
+            self.assertTrue(self.counts_reach(output, 'shown', lambda count: count > 1000))
 
     def test_words_for_figures_are_checked(self):
         run = subprocess.run([ARBITER, 'run', '--hud=fsp', '--', 'true'], capture_output=True, text=True)
