@@ -3,6 +3,7 @@
 
   run_formats.py --build build
   run_formats.py --build build --only rgb565
+  run_formats.py --build build --sample 2/5
 
 Each texture format is sampled from each target that it can have, between mipmaps and with its
 components in another order; each format of a colour buffer is drawn to plainly, blended, under a
@@ -235,6 +236,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", help="scenes whose name holds this")
+    parser.add_argument("--sample", default="1/1", metavar="N/M", help="one of M scenes, the Nth")
     args = parser.parse_args()
     client = args.build.resolve() / "tests/rasterizer_vs_host/rasterizer-states"
     supported = [s for name, number in (TEXTURES | SRGB | S3TC | DEPTHS).items()
@@ -253,6 +255,9 @@ def main():
     if args.only:
         supported = [s for s in supported if args.only in s[0]]
         left = [s for s in left if args.only in s[1]]
+    part, parts = map(int, args.sample.split("/"))
+    supported = supported[part - 1::parts]
+    left = left[part - 1::parts]
     failed = passed = 0
     with sides.Displays() as displays, concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
 
