@@ -22,7 +22,7 @@ ID = 'org.freedesktop.Platform.VulkanLayer.Arbiter'
 MANIFEST = SOURCE / 'data' / 'flatpak' / f'{ID}.yml'
 METAINFO = MANIFEST.with_suffix('.metainfo.xml')
 
-# What org.freedesktop.Sdk has of what Arbiter asks for, from its release 23.08 on.
+# org.freedesktop.Sdk has these of the dependencies, from its release 23.08 on (freedesktop-sdk's elements/sdk.bst).
 IN_SDK = {'threads', 'libpng', 'libjpeg', 'epoxy', 'libelf'}
 # Meson's own, as far as the manifest may set them.
 OF_MESON = {'buildtype', 'b_pch', 'optimization', 'debug'}
@@ -80,7 +80,7 @@ class Manifest(unittest.TestCase):
         self.assertIn("'lib/x86_64-linux-gnu'", (SOURCE / 'meson.build').read_text())
 
     def test_the_branch_is_the_runtimes(self):
-        # Of another branch it would be mounted in no application.
+        # The runtime mounts no extension of another branch.
         self.assertIsInstance(self.manifest['branch'], str)
         self.assertEqual(self.manifest['branch'], self.manifest['runtime-version'])
         script = (SOURCE / 'scripts' / 'flatpak.sh').read_text()
@@ -97,7 +97,7 @@ class Manifest(unittest.TestCase):
 
     def test_each_dependency_is_given(self):
         options = dict(self.options())
-        # What is left out of required_dependencies() is left out of the build.
+        # The parts that required_dependencies() leaves out are not built.
         self.assertEqual((options['tests'], options['demos'], options['builder']), ('false', 'false', 'disabled'))
         given = written_packages(self.compiled_in['build-commands'])
         asked = required_dependencies()
