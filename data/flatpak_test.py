@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -131,7 +132,9 @@ class Manifest(unittest.TestCase):
 
     @needs('flatpak-builder')
     def test_flatpak_builder_takes_it(self):
-        run = subprocess.run(['flatpak-builder', '--show-manifest', MANIFEST], capture_output=True, text=True)
+        with tempfile.TemporaryDirectory() as folder:  # it makes one of its own where it is started
+            run = subprocess.run(['flatpak-builder', '--show-manifest', MANIFEST], cwd=folder, capture_output=True,
+                                 text=True)
         self.assertEqual((run.returncode, run.stderr), (0, ''))
         read = json.loads(run.stdout)
         self.assertEqual([module['name'] for module in read['modules']], list(self.modules))
