@@ -16,7 +16,7 @@ packages_build=(
 # `./dev test`: unit tests, the clients, piglit and a display for them, a browser for pages.
 packages_test=(
   libgtest-dev libgmock-dev lld glslang-tools xvfb xauth piglit
-  libsdl2-dev libglew-dev chromium xdotool appstream desktop-file-utils shared-mime-info libglib2.0-bin vim neovim emacs-nox nodejs zsh fish man-db parallel rsync libjemalloc2 'libtcmalloc-minimal4|libtcmalloc-minimal4t64' locales valgrind
+  libsdl2-dev libglew-dev chromium xdotool appstream desktop-file-utils shared-mime-info libglib2.0-bin python3-yaml vim neovim emacs-nox nodejs zsh fish man-db parallel rsync libjemalloc2 'libtcmalloc-minimal4|libtcmalloc-minimal4t64' locales valgrind
 )
 
 # The real programs of `./dev test`: openscad, and recordings of clients in Python.
@@ -38,5 +38,6 @@ packages_package_check=(lintian g++-mingw-w64-x86-64 g++-mingw-w64-i686)
 packages_docs=(mkdocs chromium)
 packages_pictures=(libwildmagic-examples ffmpeg xvfb python3-pil fonts-dejavu-core)
 packages_tarball=(patchelf xz-utils)
+packages_flatpak=(flatpak flatpak-builder git)
 packages_arm64=(g++-aarch64-linux-gnu qemu-user)
 packages_i386=(g++-i686-linux-gnu patchelf)

@@ -222,6 +222,14 @@ class Doctor(Temporary):
         found = self.ask(export)
         self.assertEqual(self.obstacles(found), {'flatpak'})
         self.assertIn('org.example.Game', found['flatpak']['what'])
+        remedy = found['flatpak']['remedy']
+        self.assertIn('--command=/usr/lib/extensions/vulkan/Arbiter/bin/arbiter org.example.Game run -- ', remedy)
+        self.assertIn(f'--filesystem={os.path.dirname(LAYER)}:ro --env=LD_PRELOAD={LAYER} org.example.Game.', remedy)
+        # Flatpak refuses to lend files that lie below /usr.
+        installed = arbiter('doctor', '--library', '/usr/bin/env', '--json', '--', export)
+        remedy, = (each['remedy'] for each in json.loads(installed.stdout)['findings'] if each['id'] == 'flatpak')
+        self.assertIn('--command=/usr/lib/extensions/vulkan/Arbiter/bin/arbiter', remedy)
+        self.assertNotIn('--filesystem=', remedy)
         flatpak = self.script('flatpak', '#!/bin/sh\n')
         self.assertEqual(self.obstacles(self.ask(flatpak, 'run', 'org.example.Game')), {'flatpak'})
 

@@ -22,19 +22,28 @@ bool isShell(const std::string &name) {
   return false;
 }
 
+/// The extension brings the layer into each sandbox of Flatpak's, which lends no file below /usr,
+/// where a package has it.
+std::string remedyInFlatpak(const std::string &application, const std::string &layer) {
+  const std::string name = application.empty() ? "APPLICATION" : application;
+  std::string text = "Install Arbiter's extension for Flatpak (./dev flatpak), then: flatpak run "
+                     "--command=/usr/lib/extensions/vulkan/Arbiter/bin/arbiter " +
+                     name + " run -- PROGRAM.";
+  if (!layer.empty() && !layer.starts_with("/usr/"))
+    text += " Or lend the sandbox the layer: flatpak run --filesystem=" +
+            fs::path(layer).parent_path().string() + ":ro --env=LD_PRELOAD=" + layer + " " + name +
+            ".";
+  return text;
+}
+
 void addSandbox(Examination &examination, const std::string &kind, const std::string &application,
                 const std::string &file, const Surroundings &surroundings) {
   const std::string name = application.empty() ? "an application" : application;
-  const std::string folder = fs::path(surroundings.layer).parent_path();
   if (kind == "flatpak")
     examination.add({"flatpak", Level::Obstacle, file,
                      "Flatpak runs " + name +
                          " in a sandbox with libraries of its own, where the layer's file is not.",
-                     "Run a build of it that is installed outside of Flatpak, or try to lend the "
-                     "sandbox the layer: flatpak run --filesystem=" +
-                         (folder.empty() ? "FOLDER" : folder) + ":ro --env=LD_PRELOAD=" +
-                         (surroundings.layer.empty() ? "FILE" : surroundings.layer) + " " +
-                         (application.empty() ? "APPLICATION" : application) + "."});
+                     remedyInFlatpak(application, surroundings.layer)});
   else
     examination.add({"snap", Level::Obstacle, file,
                      "Snap runs " + name +
