@@ -14,11 +14,10 @@ template <typename Function> bool find(void *library, const char *name, Function
 }
 
 constinit Sealed<Xcb> g_xcb;
+constinit Sealed<XlibBridge> g_xlibBridge;
 
 void load(Xcb &xcb) {
   xcb.handle = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
-  xcb.bridge = dlopen("libX11-xcb.so.1", RTLD_LAZY | RTLD_LOCAL);
-  (void)find(xcb.bridge, "XGetXCBConnection", xcb.connectionOf);
   xcb.usable = true;
 #define ARBITER_XCB_FIND(name) xcb.usable = find(xcb.handle, #name, xcb.name) && xcb.usable;
   ARBITER_XCB_FUNCTIONS(ARBITER_XCB_FIND)
@@ -66,6 +65,14 @@ void Connection::listen(const std::function<void()> &takeOwn) {
 const Xcb &xcb() {
   static const Xcb &s_xcb = g_xcb.fill(load);
   return s_xcb;
+}
+
+const XlibBridge &xlibBridge() {
+  static const XlibBridge &s_bridge = g_xlibBridge.fill([](XlibBridge &bridge) {
+    bridge.handle = dlopen("libX11-xcb.so.1", RTLD_LAZY | RTLD_LOCAL);
+    (void)find(bridge.handle, "XGetXCBConnection", bridge.connectionOf);
+  });
+  return s_bridge;
 }
 
 } // namespace arbiter::interposer

@@ -16,9 +16,7 @@ namespace arbiter::interposer {
 
 /// The functions of libxcb that are used.
 struct Xcb {
-  void *handle, *bridge;
-  /// Gives the connection of an Xlib Display. Null where libX11-xcb is not there.
-  xcb_connection_t *(*connectionOf)(void *display);
+  void *handle;
 // NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
 #define ARBITER_XCB_FUNCTIONS(X)                                                                   \
   X(xcb_connect)                                                                                   \
@@ -59,6 +57,14 @@ struct Xcb {
   bool usable;                                ///< all others of libxcb were found
 };
 [[nodiscard]] const Xcb &xcb();
+
+/// libX11-xcb, loaded at the first use: a process without Xlib never needs it.
+struct XlibBridge {
+  void *handle;
+  /// Gives the connection of an Xlib Display. Null where the library is not there.
+  xcb_connection_t *(*connectionOf)(void *display);
+};
+[[nodiscard]] const XlibBridge &xlibBridge();
 
 /// An answer of libxcb's, which is to be freed.
 template <typename Reply> using Answer = std::unique_ptr<Reply, decltype(&std::free)>;

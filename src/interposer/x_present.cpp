@@ -187,7 +187,7 @@ std::shared_ptr<Connection> connectionOf(void *display) {
       if (known->display == display)
         return known;
   }
-  auto made = std::make_shared<Connection>(display, xcb().connectionOf(display));
+  auto made = std::make_shared<Connection>(display, xlibBridge().connectionOf(display));
   made->refused = !made->xcb || !hasSharedMemory(made->xcb);
   const std::lock_guard lock(t.mutex);
   t.connections.push_back(made);
@@ -225,7 +225,7 @@ bool hostMissedFrames(const state::software::Drawable &drawable, bool forget) {
 
 void offerPresenting(void *display, std::uint32_t name, Drawable &drawable) {
   const NoCancel scope;
-  if (!display || !xcb().usable || !xcb().connectionOf)
+  if (!display || !xcb().usable || !xlibBridge().connectionOf)
     return;
   const std::shared_ptr<Connection> connection = connectionOf(display);
   xcb_connection_t *const c = connection->xcb;

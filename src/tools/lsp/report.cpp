@@ -5,8 +5,6 @@
 
 namespace arbiter::tools::lsp {
 
-namespace {}
-
 /// Answers what `arbiter check --json` says of the program at the position, or else of the first
 /// fragment program, for an editor's gauges: counts against limits, and why the native ones are
 /// what they are.

@@ -13,8 +13,6 @@ using fp::ir::Source;
 using fp::ir::StateItem;
 using fp::ir::Target;
 
-namespace {} // namespace
-
 FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs) {
   FixedVertexKey key;
   key.needs = needs;
