@@ -85,7 +85,7 @@ def hides_from_host(table, name):
 
 def straight(command, symbol, dirty, call, handled):
     """A command of the layer's own that mostly is the host's alone: a jump there, by what
-    state/core/straight.h says, and the handler in a function of its own."""
+    state/handlers/straight.h says, and the handler in a function of its own."""
     result = command.result
     give = "return " if result != "void" else ""
     lead = "  ContextHot *const t = t_current;\n"
@@ -216,7 +216,7 @@ def entry_points_source(table):
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
            '#include "state/host_draw/faults/kept_letters.h"\n'
-           '#include "state/core/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
+           '#include "state/handlers/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'
            '#include "state/raster_draw/immediate/held.h"\n'

@@ -1,6 +1,6 @@
 /// The EGL side of the vendor library: libglvnd's vendor interface around the host's own vendor.
 // Before Xlib's macros, which EGL's header includes.
-#include "state/residency/drawable.h"
+#include "state/objects/drawable.h"
 
 #include <cstring>
 #include <iterator>

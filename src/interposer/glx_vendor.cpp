@@ -2,7 +2,7 @@
 /// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
 /// host's.
 // Before Xlib's macros.
-#include "state/residency/drawable.h"
+#include "state/objects/drawable.h"
 #include "state/residency/window_frames.h"
 
 #include <cstring>

@@ -12,7 +12,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
-#include "state/residency/drawable.h"
+#include "state/objects/drawable.h"
 #include "util/flags.h"
 #include "util/log.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <exception>
 
-#include "state/core/lifecycle.h"
+#include "state/contexts/lifecycle.h"
 #include "util/own_exception.h"
 
 /// Which of the state tracker's contexts a host's handle stands for. Locked in create, destroy and

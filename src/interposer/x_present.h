@@ -1,5 +1,5 @@
 #pragma once
-#include "state/residency/drawable.h"
+#include "state/objects/drawable.h"
 
 /// The rasterizer's pixels shown in a window by the X server itself, from memory that both share
 /// (MIT-SHM): one copy where the way through the host takes four, made while the next frame is

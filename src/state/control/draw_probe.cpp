@@ -6,7 +6,7 @@
 #include "state/core/context.h"
 #include "state/core/host_errors.h"
 #include "state/host_draw/draw.h"
-#include "state/host_draw/variants/drop_variants.h"
+#include "state/programs/variants/drop_variants.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"

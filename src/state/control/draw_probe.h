@@ -9,7 +9,7 @@
 
 #include "host/host_table.h"
 #include "state/control/probe_target.h"
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 #include "util/result.h"
 
 namespace arbiter::state {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "state/control/session.h"
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 namespace arbiter::state::remote {
 

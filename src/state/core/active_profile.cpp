@@ -4,7 +4,7 @@
 
 #include "fp_compiler/ati/limits.h"
 #include "state/core/host_caps.h"
-#include "state/core/target.h"
+#include "state/objects/target.h"
 #include "util/defaults/choice.h"
 #include "util/flags.h"
 #include "util/log.h"

@@ -7,7 +7,7 @@
 
 #include <GL/gl.h>
 
-#include "state/era/hints.h"
+#include "state/objects/hints.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {

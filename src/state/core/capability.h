@@ -6,7 +6,7 @@
 #include <GL/glext.h>
 
 #include "state/core/context_hot.h"
-#include "state/core/target.h"
+#include "state/objects/target.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {

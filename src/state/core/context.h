@@ -15,14 +15,14 @@
 #include "state/core/host_caps.h"
 #include "state/core/identity.h"
 #include "state/core/provider.h"
-#include "state/core/target.h"
-#include "state/host_draw/clip_plane_use.h"
+#include "state/objects/target.h"
+#include "state/objects/clip_plane_use.h"
 #include "state/programs/ati_recorder.h"
-#include "state/programs/program_object.h"
-#include "state/report/capture_effective.h"
-#include "state/report/feedback_tracker.h"
-#include "state/residency/drawable.h"
-#include "state/residency/neighbour_epoch.h"
+#include "state/objects/program_object.h"
+#include "state/objects/capture_effective.h"
+#include "state/objects/feedback_tracker.h"
+#include "state/objects/drawable.h"
+#include "state/objects/neighbour_epoch.h"
 
 namespace arbiter::state {
 

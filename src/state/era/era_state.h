@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "state/era/fences.h"
-#include "state/era/hints.h"
+#include "state/objects/hints.h"
 #include "state/era/offers.h"
 #include "state/era/point_sprites.h"
 #include "state/era/vertex_array_objects.h"

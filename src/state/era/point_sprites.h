@@ -15,7 +15,7 @@ struct SpriteForm {
 };
 
 /// NV_point_sprite over ARB_point_sprite: POINT_SPRITE_R_MODE_NV, and what draws on the host need
-/// of it (host_draw/variants/point_sprites.h).
+/// of it (programs/variants/point_sprites.h).
 struct PointSprites {
   static constexpr GLenum kNoPrimitive = ~0u;
 

@@ -8,7 +8,7 @@
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
 #include "state/era/era_state.h"
-#include "state/lists/display_list.h"
+#include "state/objects/display_list.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

@@ -6,7 +6,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/host_draw/variants/drop_variants.h"
+#include "state/programs/variants/drop_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/ati_recorder.h"
 #include "state/programs/fragment_shaders.h"

@@ -1,5 +1,5 @@
 // Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): what names one of those,
-// and what evaluates once one was named. All else is the host's (state/core/straight.h).
+// and what evaluates once one was named. All else is the host's (state/handlers/straight.h).
 #include <algorithm>
 #include <cstdint>
 

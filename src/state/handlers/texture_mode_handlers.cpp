@@ -1,6 +1,6 @@
 // Every command that sets TEXTURE_COMPARE_MODE or DEPTH_TEXTURE_MODE, of a texture or a sampler:
 // once one sets it, draws of programs with plain targets look for textures that compare, and draws
-// beside clip distances for depths that are ALPHA (state/host_draw/variants/alpha_depths.h). A
+// beside clip distances for depths that are ALPHA (state/programs/variants/alpha_depths.h). A
 // list's commands are seen when they are compiled, and PopAttrib restores only what one of these
 // set before.
 #include <string>

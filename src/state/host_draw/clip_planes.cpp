@@ -6,7 +6,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
-#include "state/host_draw/variants/clipped_variant.h"
+#include "state/programs/variants/clipped_variant.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"

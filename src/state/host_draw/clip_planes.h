@@ -4,7 +4,7 @@
 #include <cstdint>
 
 /// Whether user clip planes are enabled beside a vertex program that is GLSL on the host, which is
-/// drawn in a form of its own then (state/host_draw/variants/clipped_variant.h).
+/// drawn in a form of its own then (state/programs/variants/clipped_variant.h).
 namespace arbiter::state {
 
 class Context;

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "state/core/lifecycle.h"
+#include "state/contexts/lifecycle.h"
 #include "state/host_draw/linked_program.h"
-#include "state/host_draw/variants/clipped_variant.h"
+#include "state/programs/variants/clipped_variant.h"
 #include "state/share/share_group.h"
 #include "state/testing/current_context.h"
 

@@ -1,8 +1,8 @@
 #include "state/host_draw/fixed_function.h"
 
 #include "state/core/context.h"
-#include "state/host_draw/variants/ati_variants.h"
-#include "state/host_draw/variants/fixed_function_now.h"
+#include "state/programs/variants/ati_variants.h"
+#include "state/programs/variants/fixed_function_now.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_changes.h"

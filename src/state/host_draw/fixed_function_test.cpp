@@ -1,6 +1,6 @@
 // When the host is asked for fixed-function state, and what an ATI shader becomes under it.
 #include "state/host_draw/fixed_function.h"
-#include "state/host_draw/variants/fixed_function_now.h"
+#include "state/programs/variants/fixed_function_now.h"
 
 #include <gtest/gtest.h>
 

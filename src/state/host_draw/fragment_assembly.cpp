@@ -6,7 +6,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
-#include "state/host_draw/variants/point_sprites.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
 

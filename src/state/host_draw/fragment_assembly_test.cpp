@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/core/lifecycle.h"
+#include "state/contexts/lifecycle.h"
 #include "state/host_draw/change_pace.h"
 #include "state/host_draw/linked_program.h"
 #include "state/programs/program_bind.h"

@@ -6,7 +6,7 @@
 #include <GL/gl.h>
 
 #include "state/host_draw/change_pace.h"
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 namespace arbiter::state {
 

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "state/core/target.h"
-#include "state/programs/program_object.h"
+#include "state/objects/target.h"
+#include "state/objects/program_object.h"
 
 namespace arbiter::state {
 

@@ -2,11 +2,11 @@
 
 #include "host/host_table.h"
 #include "state/core/active_profile.h"
-#include "state/host_draw/variants/array_variants.h"
+#include "state/programs/variants/array_variants.h"
 #include "state/mirror/attribute_aliases.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_state.h"
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "state/core/active_profile.h"
-#include "state/core/lifecycle.h"
+#include "state/contexts/lifecycle.h"
 #include "state/host_draw/linked_program.h"
-#include "state/host_draw/variants/clipped_variant.h"
+#include "state/programs/variants/clipped_variant.h"
 #include "state/programs/program_cache.h"
 #include "state/report/statistics.h"
 #include "state/testing/current_context.h"

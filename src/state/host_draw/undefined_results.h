@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fp_compiler/ir/interface.h"
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 /// Results that a fragment program reads and its vertex program does not write are (0, 0, 0, 1), as
 /// the rasterizer has them. Left alone they are whatever the host's memory holds. Before fixed

@@ -13,7 +13,7 @@
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/host_draw/stages/application_glsl.h"
-#include "state/host_draw/variants/point_sprites.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_aliases.h"

@@ -10,7 +10,7 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/use_program.h"
-#include "state/host_draw/variants/point_sprites.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "state/lists/display_list.h"
+#include "state/objects/display_list.h"
 #include "state/lists/known_state.h"
 #include "state/raster_draw/immediate/geometry.h"
 #include "state/raster_draw/immediate/recorder.h"

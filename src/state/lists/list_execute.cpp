@@ -11,7 +11,7 @@
 #include "state/era/texture_range.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
-#include "state/host_draw/variants/point_sprites.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/imaging/commands.h"
 #include "state/lists/state_commands.h"
 #include "state/programs/combiners/combiner_commands.h"

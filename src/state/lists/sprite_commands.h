@@ -9,7 +9,7 @@ class Context;
 /// others change.
 void issuePrimitiveMode(Context &context, GLenum mode);
 /// TexEnv of POINT_SPRITE is a command of the layer's in a list, as the host's value of
-/// COORD_REPLACE is not always the application's (host_draw/variants/point_sprites.h). False: it is
+/// COORD_REPLACE is not always the application's (programs/variants/point_sprites.h). False: it is
 /// the host's.
 [[nodiscard]] bool recordCoordReplace(Context &context, GLenum pname, GLint value);
 /// After what may change whether sprites are drawn: a list is cut behind it.

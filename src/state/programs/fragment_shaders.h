@@ -1,7 +1,7 @@
 #pragma once
 #include <GL/gl.h>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 
 /// The commands of ATI_fragment_shader that display lists hold, below the entry points.
 namespace arbiter::state {

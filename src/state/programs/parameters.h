@@ -3,7 +3,7 @@
 
 #include <GL/gl.h>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 
 /// Env and local parameters. Ranges that list compilation does not check are checked here.
 namespace arbiter::state {

@@ -3,7 +3,7 @@
 
 #include <GL/gl.h>
 
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 /// Which program objects are bound and enabled, below the entry points: what runs when a command is
 /// executed, be it called or replayed from a display list.

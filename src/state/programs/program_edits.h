@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 #include "util/hash.h"
 
 namespace arbiter::state {

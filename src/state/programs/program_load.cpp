@@ -1,7 +1,7 @@
 // ProgramString (3.11.1; ARB_vertex_program 2.14.1): the text goes to our compiler.
 #include "state/programs/program_load.h"
 #include "state/core/context.h"
-#include "state/host_draw/variants/drop_variants.h"
+#include "state/programs/variants/drop_variants.h"
 
 #include <algorithm>
 #include <cstring>
@@ -12,11 +12,11 @@
 #include "host/host_table.h"
 #include "state/core/active_profile.h"
 #include "state/core/errors.h"
-#include "state/host_draw/variants/array_variants.h"
-#include "state/host_draw/variants/ati_variants.h"
-#include "state/host_draw/variants/attribute_forms.h"
-#include "state/host_draw/variants/clipped_variant.h"
-#include "state/host_draw/variants/depth_variants.h"
+#include "state/programs/variants/array_variants.h"
+#include "state/programs/variants/ati_variants.h"
+#include "state/programs/variants/attribute_forms.h"
+#include "state/programs/variants/clipped_variant.h"
+#include "state/programs/variants/depth_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"

@@ -6,7 +6,7 @@
 
 #include "fp_compiler/compilation.h"
 #include "state/core/context.h"
-#include "state/lists/display_list.h"
+#include "state/objects/display_list.h"
 
 /// A program's text, or a shader's commands, on their way into a program object.
 namespace arbiter::state {

@@ -1,5 +1,5 @@
 #include "state/programs/replacement.h"
-#include "state/host_draw/variants/drop_variants.h"
+#include "state/programs/variants/drop_variants.h"
 
 #include "fp_compiler/file_programs.h"
 #include "state/core/context.h"

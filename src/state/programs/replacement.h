@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fp_compiler/compiler.h"
-#include "state/core/target.h"
+#include "state/objects/target.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/replacement_folder.h"
 

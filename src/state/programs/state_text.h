@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fp_compiler/front/nvparse/text.h"
-#include "state/core/target.h"
+#include "state/objects/target.h"
 #include "util/hash.h"
 
 /// Register combiners and texture shaders as texts, where programs are captured or replaced: a

@@ -3,7 +3,7 @@
 /// Draws of texture shaders and of register combiners depend on which textures are bound and on
 /// what they are: that a texture is consistent, that it has depths, and which of its components the
 /// host does not have, choose among programs. What may have changed that is noted here, and looked
-/// at once, by the next draw (host_draw/variants).
+/// at once, by the next draw (programs/variants).
 namespace arbiter::state {
 
 class Context;

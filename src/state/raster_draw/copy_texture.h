@@ -1,6 +1,6 @@
 #pragma once
 #include "state/core/context.h"
-#include "state/lists/display_list.h"
+#include "state/objects/display_list.h"
 
 /// Feedback below the entry points: a copy from the read buffer to a texture, called or replayed
 /// from a display list.

@@ -6,7 +6,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
-#include "state/host_draw/variants/point_sprites.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/pipeline.h"
 

@@ -5,7 +5,7 @@
 #include "fp_compiler/ir/interface.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/mirror/generation_counter.h"
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 namespace arbiter::state {
 class Context;

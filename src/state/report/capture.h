@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 #include "state/report/capture_record.h"
 
 /// What a context tells the record of ARBITER_CAPTURE. Nothing is done for each draw: the draws of

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "state/core/target.h"
-#include "state/programs/program_object.h"
+#include "state/objects/target.h"
+#include "state/objects/program_object.h"
 #include "util/json.h"
 
 /// A row of a capture's record: one program text, and its use.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 
 namespace arbiter::state {
 

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 namespace arbiter::state {
 

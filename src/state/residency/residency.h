@@ -8,7 +8,7 @@
 #include <GL/glext.h>
 
 #include "fp_compiler/abi.h"
-#include "state/residency/drawable.h"
+#include "state/objects/drawable.h"
 #include "swrast/image/image.h"
 #include "swrast/rect.h"
 

@@ -12,7 +12,7 @@
 #include "state/core/context_hot.h"
 #include "state/core/host_caps.h"
 #include "state/core/host_errors.h"
-#include "state/residency/neighbour_epoch.h"
+#include "state/objects/neighbour_epoch.h"
 #include "state/residency/residency.h"
 #include "state/share/deleted_names.h"
 #include "state/share/texture_views.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "state/residency/drawable.h"
+#include "state/objects/drawable.h"
 
 /// Frames that the layer shows without the host, and what the host must find out of them: that the
 /// window has another size since, as it would have at its own swap.

@@ -7,11 +7,11 @@
 #include <unordered_set>
 #include <vector>
 
-#include "state/host_draw/stages/linked_stages.h"
-#include "state/lists/display_list.h"
-#include "state/programs/program_object.h"
-#include "state/programs/shader_table.h"
-#include "state/programs/vertex_shaders/symbol_table.h"
+#include "state/objects/linked_stages.h"
+#include "state/objects/display_list.h"
+#include "state/objects/program_object.h"
+#include "state/objects/shader_table.h"
+#include "state/objects/symbol_table.h"
 #include "state/share/deleted_names.h"
 #include "state/share/texture_formats.h"
 #include "state/share/texture_ranges.h"

@@ -4,7 +4,7 @@
 
 #include "host/handlers.h"
 #include "state/core/context.h"
-#include "state/core/lifecycle.h"
+#include "state/contexts/lifecycle.h"
 #include "state/share/share_group.h"
 #include "state/testing/fake_host.h"
 

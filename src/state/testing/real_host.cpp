@@ -2,7 +2,7 @@
 
 #include <GL/osmesa.h>
 
-#include "state/core/lifecycle.h"
+#include "state/contexts/lifecycle.h"
 
 namespace arbiter::state::software::testing {
 

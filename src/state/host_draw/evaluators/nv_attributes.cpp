@@ -111,7 +111,7 @@ Vec4 hostsConventional(const host::HostTable &host, GLuint index) {
 }
 
 /// What VertexAttribNV has set, if no conventional command came later: the same choice as programs
-/// make (state/host_draw/variants/attribute_forms.h).
+/// make (state/programs/variants/attribute_forms.h).
 const Vec4 &later(GLuint index, const Vec4 &conventional, const Vec4 &generic) {
   const bool same =
       std::equal(generic.begin(), generic.begin() + fewerComponents(index), conventional.begin());

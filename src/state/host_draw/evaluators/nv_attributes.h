@@ -4,7 +4,7 @@
 
 #include <GL/gl.h>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 
 namespace arbiter::host {
 struct HostTable;
@@ -14,7 +14,7 @@ struct HostTable;
 /// (NV_vertex_program 2.14.1.1, table X.2). Of the normal, the secondary colour and the fog
 /// coordinate the host's conventional attribute has fewer components: all four are given to its
 /// generic one of the same number as well, where programs find the others
-/// (state/host_draw/variants/attribute_forms.h).
+/// (state/programs/variants/attribute_forms.h).
 namespace arbiter::state {
 
 class Context;

@@ -3,7 +3,7 @@
 
 #include <GL/gl.h>
 
-#include "state/host_draw/stages/linked_stages.h"
+#include "state/objects/linked_stages.h"
 
 namespace arbiter::state {
 

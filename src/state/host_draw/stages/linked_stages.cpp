@@ -1,4 +1,4 @@
-#include "state/host_draw/stages/linked_stages.h"
+#include "state/objects/linked_stages.h"
 
 #include <GL/glext.h>
 

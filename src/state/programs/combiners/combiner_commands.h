@@ -5,7 +5,7 @@
 
 #include <GL/gl.h>
 
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 /// The commands of NV_register_combiners and 2 that display lists hold, below the entry points.
 namespace arbiter::state {

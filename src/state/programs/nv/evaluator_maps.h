@@ -6,7 +6,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 
 /// The 32 evaluator maps of NV_vertex_program (table 5.1): MAP1_VERTEX_ATTRIBn_4_NV and
 /// MAP2_VERTEX_ATTRIBn_4_NV. Whether one is enabled is a bit of a mask: n of the former, 16 + n of

@@ -4,7 +4,7 @@
 
 #include <GL/gl.h>
 
-#include "state/core/target.h"
+#include "state/objects/target.h"
 
 /// Program objects as NV_vertex_program ("NVP") and NV_fragment_program ("NFP") have them: by name,
 /// and a name is a program's once a text was loaded. They are the objects that BindProgramARB

@@ -5,7 +5,7 @@
 
 #include <GL/gl.h>
 
-#include "state/programs/program_object.h"
+#include "state/objects/program_object.h"
 
 /// The commands of NV_texture_shader, 2 and 3 and of ATI_envmap_bumpmap that display lists hold,
 /// below the entry points.

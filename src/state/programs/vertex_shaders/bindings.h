@@ -1,7 +1,7 @@
 #pragma once
 #include <GL/gl.h>
 
-#include "state/programs/vertex_shaders/symbol_table.h"
+#include "state/objects/symbol_table.h"
 
 /// Parameters of GL's that shaders of EXT_vertex_shader read: the tables of section 2.14.
 namespace arbiter::state {

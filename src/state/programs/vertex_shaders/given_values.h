@@ -7,7 +7,7 @@
 
 #include <GL/gl.h>
 
-#include "state/programs/vertex_shaders/symbol_table.h"
+#include "state/objects/symbol_table.h"
 
 /// Values of symbols as the application gives them: one number of a scalar, four of a vector,
 /// sixteen of a matrix, column after column.

@@ -10,7 +10,7 @@
 #include <GL/glext.h>
 
 #include "fp_compiler/vertex_shader/shader.h"
-#include "state/programs/vertex_shaders/symbol_table.h"
+#include "state/objects/symbol_table.h"
 
 namespace arbiter::state {
 

@@ -1,4 +1,4 @@
-#include "state/programs/vertex_shaders/symbol_table.h"
+#include "state/objects/symbol_table.h"
 
 namespace arbiter::state {
 

@@ -6,7 +6,7 @@
 #include <GL/gl.h>
 
 #include "state/programs/vertex_shaders/recorder.h"
-#include "state/programs/vertex_shaders/symbol_table.h"
+#include "state/objects/symbol_table.h"
 
 namespace arbiter::state {
 

@@ -2,7 +2,7 @@
 
 #include <dlfcn.h>
 
-#include "state/core/lifecycle.h"
+#include "state/contexts/lifecycle.h"
 #include "swrast/image/copy_pixels.h"
 #include "swrast/image/image.h"
 

@@ -1,0 +1,68 @@
+#pragma once
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "state/objects/program_object.h"
+#include "state/share/name_ranges.h"
+
+namespace arbiter::state {
+
+/// The shader objects of ATI_fragment_shader (3.8.11) or EXT_vertex_shader (2.14) that a share
+/// group has: a name space of their own. They are program objects of target AtiApi or VertexShader,
+/// so that draws and queries know one kind.
+class ShaderTable {
+public:
+  explicit ShaderTable(Target target) : m_target(target) {}
+
+  /// GenFragmentShadersATI and GenVertexShadersEXT: the first of `range` names in a row; 0 if there
+  /// is no such row.
+  [[nodiscard]] GLuint generate(GLuint range) {
+    const std::lock_guard lock(m_mutex);
+    return m_names.reserveRow(range);
+  }
+
+  /// The object of that name, which is not 0; made at first use.
+  [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name) {
+    const std::lock_guard lock(m_mutex);
+    if (const auto it = m_objects.find(name); it != m_objects.end())
+      return it->second;
+    auto object = std::make_shared<ProgramObject>(name, m_target);
+    m_names.reserve(name);
+    m_objects.emplace(name, object);
+    return object;
+  }
+
+  /// Frees the name; the object lives on where it is bound. Null if it had none.
+  std::shared_ptr<ProgramObject> remove(GLuint name) {
+    const std::lock_guard lock(m_mutex);
+    m_names.release(name);
+    const auto it = m_objects.find(name);
+    if (it == m_objects.end())
+      return nullptr;
+    std::shared_ptr<ProgramObject> object = std::move(it->second);
+    m_objects.erase(it);
+    object->deleted.store(true, std::memory_order_release);
+    return object;
+  }
+
+  /// Every object, at this moment.
+  [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects() {
+    const std::lock_guard lock(m_mutex);
+    std::vector<std::shared_ptr<ProgramObject>> all;
+    for (const auto &[name, object] : m_objects)
+      all.push_back(object);
+    return all;
+  }
+
+private:
+  const Target m_target;
+  std::mutex m_mutex;
+  NameRanges m_names;
+  std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;
+};
+
+} // namespace arbiter::state

@@ -1,0 +1,64 @@
+#include "state/programs/variants/alpha_depths.h"
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/texture_names.h"
+#include "state/host_draw/linked_program.h"
+#include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// A unit of another image than depths may have the mode too, where it does nothing.
+bool readsAlpha(Context &context, const fp::GlslSampler &sampler) {
+  const host::HostTable &host = *context.host;
+  const TextureNames image = textureNames(sampler.target);
+  host.ActiveTexture(GL_TEXTURE0 + sampler.unit);
+  GLint mode = GL_LUMINANCE;
+  host.GetTexParameteriv(image.target, GL_DEPTH_TEXTURE_MODE, &mode);
+  if (mode != GL_ALPHA)
+    return false;
+  GLint base = 0;
+  GLint depth = 0;
+  host.GetTexParameteriv(image.target, GL_TEXTURE_BASE_LEVEL, &base);
+  constexpr GLint kMostLevels = 12; // that every host can be asked for
+  host.GetTexLevelParameteriv(image.level, base < kMostLevels ? base : 0, GL_TEXTURE_DEPTH_SIZE,
+                              &depth);
+  return depth != 0;
+}
+
+std::uint32_t unitsOf(Context &context, const CompiledProgram *vertex,
+                      const CompiledProgram *fragment) {
+  constexpr unsigned kUnits = 32;
+  std::uint32_t units = 0;
+  GLint active = GL_TEXTURE0;
+  context.host->GetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  for (const CompiledProgram *stage : {vertex, fragment})
+    if (stage)
+      for (const fp::GlslSampler &sampler : stage->glsl.samplers)
+        if (sampler.unit < kUnits && readsAlpha(context, sampler))
+          units |= 1u << sampler.unit;
+  context.host->ActiveTexture(GLenum(active));
+  return units;
+}
+
+} // namespace
+
+std::uint32_t alphaDepthsOf(Context &context, const ProgramPair &pair) {
+  return unitsOf(context, pair.vertex.get(), pair.fragment.get());
+}
+
+bool mayFollowAlphaDepths(const Context &context) {
+  return context.alphaDepths && context.group->alphaDepthsUsed.load(std::memory_order_relaxed);
+}
+
+void followAlphaDepths(Context &context) {
+  const LinkedProgram *const linked = context.linkedProgram;
+  if (linked &&
+      unitsOf(context, linked->vertex.compiled, linked->fragment.compiled) != *context.alphaDepths)
+    invalidateProgram(context);
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,25 @@
+#include "state/programs/variants/drop_variants.h"
+
+#include "state/core/context.h"
+#include "state/host_draw/linked_program.h"
+#include "state/programs/variants/array_variants.h"
+#include "state/programs/variants/ati_variants.h"
+#include "state/programs/variants/clipped_variant.h"
+#include "state/programs/variants/depth_variants.h"
+
+namespace arbiter::state {
+
+void dropVariants(Context &context, const CompiledProgram &compiled) {
+  context.linkedPrograms->drop(context, &compiled);
+  const auto dropAll = [&](const auto &variants) {
+    if (variants)
+      for (const auto &form : variants->all())
+        dropVariants(context, *form); // which has no such forms
+  };
+  dropAll(compiled.arrays);
+  dropAll(compiled.clipped);
+  dropAll(compiled.ati);
+  dropAll(compiled.depths);
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,85 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+
+#include "fp_compiler/abi.h"
+#include "fp_compiler/emit.h"
+#include "fp_compiler/ir/ir.h"
+#include "state/programs/variants/drop_variants.h"
+#include "state/objects/program_object.h"
+
+namespace arbiter::state {
+
+class Context;
+
+struct StateText;
+
+/// A program that GL state was made into, compiled for this context: there is no text of the
+/// application's, and none of its limits count.
+/// \param text of the state; null where nothing asks for one
+/// \param target whose env parameters the program reads
+/// \param program valid, of language ArbFragment
+[[nodiscard]] std::shared_ptr<const CompiledProgram>
+programOfState(const Context &context, Target target, fp::ir::Program program,
+               const fp::GlslHost &host, const StateText *text);
+
+/// A context's programs of a target that is state, by what they were made for: plain bytes. Each is
+/// made once. An application has some dozens or hundreds; one that makes others for ever begins
+/// again here.
+template <typename Key> class StatePrograms {
+public:
+  /// \param lower gives the program of the key
+  /// \param text as of programOfState()
+  template <typename Lower>
+  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(Context &context, Target target,
+                                                          const Key &key, const fp::GlslHost &host,
+                                                          const StateText *text, Lower lower) {
+    if (const auto it = m_programs.find(key); it != m_programs.end())
+      return it->second;
+    if (m_programs.size() >= kMost)
+      clear(context);
+    return m_programs.emplace(key, programOfState(context, target, lower(key), host, text))
+        .first->second;
+  }
+
+  void clear(Context &context) {
+    for (const auto &known : m_programs)
+      dropVariants(context, *known.second);
+    m_programs.clear();
+  }
+
+private:
+  static constexpr std::size_t kMost = 2048;
+  struct Hash {
+    std::size_t operator()(const Key &key) const {
+      static_assert(std::has_unique_object_representations_v<Key>);
+      return abi::hashOf(key);
+    }
+  };
+  std::unordered_map<Key, std::shared_ptr<const CompiledProgram>, Hash> m_programs;
+};
+
+/// Those of states that have texts, by the text and what stands in for it.
+template <typename Key> class NamedStatePrograms {
+public:
+  [[nodiscard]] StatePrograms<Key> &of(Context &context, const std::string &name) {
+    const auto it = m_programs.find(name);
+    if (it != m_programs.end())
+      return it->second;
+    if (m_programs.size() >= kMost) {
+      for (auto &known : m_programs)
+        known.second.clear(context);
+      m_programs.clear();
+    }
+    return m_programs[name];
+  }
+
+private:
+  static constexpr std::size_t kMost = 512;
+  std::unordered_map<std::string, StatePrograms<Key>> m_programs;
+};
+
+} // namespace arbiter::state
