@@ -66,7 +66,7 @@ def aliases_itself(table, name):
 IMAGED = ("CopyPixels", "DrawPixels")
 
 
-# The command whose pixels hosts may keep for later (state/host_draw/faults/kept_letters.h).
+# The command whose pixels hosts may keep for later (state/host_draw/kept_letters.h).
 LETTERS = "Bitmap"
 
 
@@ -215,7 +215,7 @@ def entry_points_source(table):
            '#include "dispatch/function_set.h"\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
-           '#include "state/host_draw/faults/kept_letters.h"\n'
+           '#include "state/host_draw/kept_letters.h"\n'
            '#include "state/handlers/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'

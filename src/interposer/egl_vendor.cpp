@@ -16,7 +16,7 @@
 #include "interposer/provider.h"
 #include "interposer/registry.h"
 #include "interposer/x_keys.h"
-#include "state/share/neighbours.h"
+#include "state/raster_draw/neighbours.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {

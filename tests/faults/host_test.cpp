@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/core/host_caps.h"
+#include "state/capabilities/host_caps.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

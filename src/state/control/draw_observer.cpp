@@ -7,7 +7,7 @@
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/host_errors.h"
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 #include "state/core/memory.h"
 #include "state/host_draw/linked_program.h"
 

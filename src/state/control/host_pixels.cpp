@@ -6,7 +6,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 

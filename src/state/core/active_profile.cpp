@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/ati/limits.h"
-#include "state/core/host_caps.h"
+#include "state/capabilities/host_caps.h"
 #include "state/objects/target.h"
 #include "util/defaults/choice.h"
 #include "util/flags.h"

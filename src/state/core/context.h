@@ -12,7 +12,7 @@
 #include "fp_compiler/numerics.h"
 #include "state/core/attrib_stack.h"
 #include "state/core/context_hot.h"
-#include "state/core/host_caps.h"
+#include "state/capabilities/host_caps.h"
 #include "state/core/identity.h"
 #include "state/core/provider.h"
 #include "state/objects/target.h"
@@ -70,7 +70,7 @@ inline constexpr std::uint32_t kHeld = 4096;
 /// A primitive is recorded (raster_draw/immediate/replay.h): commands that are errors between Begin
 /// and End are refused.
 inline constexpr std::uint32_t kRecorded = 16384;
-/// The host keeps bitmaps that it draws at its next draw (host_draw/faults/kept_letters.h).
+/// The host keeps bitmaps that it draws at its next draw (host_draw/kept_letters.h).
 inline constexpr std::uint32_t kLetters = 32768;
 /// Bits that stay when other programs become effective or are validated.
 inline constexpr std::uint32_t kRemains = kList | kLetters;

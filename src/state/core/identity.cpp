@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "state/core/active_profile.h"
-#include "state/era/offers.h"
+#include "state/core/era_offers.h"
 #include "util/flags.h"
 #include "util/log.h"
 

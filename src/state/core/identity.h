@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fp_compiler/hw/profile.h"
-#include "state/core/host_caps.h"
+#include "state/capabilities/host_caps.h"
 
 namespace arbiter {
 struct ExtensionSwitch;

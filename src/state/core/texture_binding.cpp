@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "state/core/context.h"
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 #include "state/share/share_group.h"
 
 #include <GL/glext.h>

@@ -2,7 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 
 namespace arbiter::state {
 

@@ -5,7 +5,7 @@
 
 #include "state/era/fences.h"
 #include "state/objects/hints.h"
-#include "state/era/offers.h"
+#include "state/core/era_offers.h"
 #include "state/era/point_sprites.h"
 #include "state/era/vertex_array_objects.h"
 #include "state/era/vertex_array_range.h"

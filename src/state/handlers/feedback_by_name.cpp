@@ -6,7 +6,7 @@
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/copy_texture.h"
-#include "state/share/depth_images.h"
+#include "state/core/depth_images.h"
 
 namespace arbiter::state {
 

@@ -5,7 +5,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
-#include "state/host_draw/faults/kept_letters.h"
+#include "state/host_draw/kept_letters.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"

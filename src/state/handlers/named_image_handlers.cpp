@@ -5,7 +5,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/lists/texture_commands.h"
-#include "state/share/depth_images.h"
+#include "state/core/depth_images.h"
 
 namespace arbiter::state::handlers {
 

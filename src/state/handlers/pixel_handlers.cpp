@@ -14,7 +14,7 @@
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frames/frame.h"
-#include "state/share/depth_images.h"
+#include "state/core/depth_images.h"
 
 namespace arbiter::state::handlers {
 

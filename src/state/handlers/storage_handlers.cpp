@@ -9,7 +9,7 @@
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/vertices/buffer_copies.h"
-#include "state/share/neighbours.h"
+#include "state/raster_draw/neighbours.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state::handlers {

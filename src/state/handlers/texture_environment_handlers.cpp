@@ -10,7 +10,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/programs/variants/point_sprites.h"
-#include "state/programs/variants/texture_shader_draw.h"
+#include "state/host_draw/texture_shader_draw.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/sprite_commands.h"
 #include "state/programs/program_bind.h"

@@ -19,7 +19,7 @@
 #include "state/programs/texture_shaders/texture_shader_commands.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
-#include "state/share/depth_images.h"
+#include "state/core/depth_images.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

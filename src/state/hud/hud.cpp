@@ -13,7 +13,7 @@
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 #include "state/core/context.h"
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/hud/hud_text.h"
 #include "state/mirror/dirty_bits.h"

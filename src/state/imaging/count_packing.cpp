@@ -8,7 +8,7 @@
 #include "state/client_pixels/client_image.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 #include "state/imaging/pixel_types.h"
 
 namespace arbiter::state {

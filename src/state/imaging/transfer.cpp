@@ -6,7 +6,7 @@
 #include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"

@@ -15,7 +15,7 @@
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
-#include "state/raster_draw/immediate/geometry.h"
+#include "state/primitives/geometry.h"
 #include "state/raster_draw/immediate/geometry_call.h"
 #include "state/share/share_group.h"
 

@@ -6,8 +6,8 @@
 
 #include "state/objects/display_list.h"
 #include "state/lists/known_state.h"
-#include "state/raster_draw/immediate/geometry.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/geometry.h"
+#include "state/primitives/recorder.h"
 
 namespace arbiter::state {
 

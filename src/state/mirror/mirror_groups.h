@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "state/core/host_caps.h"
+#include "state/capabilities/host_caps.h"
 #include "state/mirror/host_query.h"
 
 /// Parts of mirror.cpp, a file each.

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "host/host_table.h"
-#include "state/raster_draw/immediate/geometry.h"
+#include "state/primitives/geometry.h"
 
 namespace arbiter::state {
 

@@ -7,7 +7,7 @@
 #include <GL/gl.h>
 
 #include "state/objects/program_object.h"
-#include "state/share/name_ranges.h"
+#include "state/objects/name_ranges.h"
 
 namespace arbiter::state {
 

@@ -6,7 +6,7 @@
 #include "state/mirror/convert.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/draw.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 
 /// What the generated entry points ask of the rasterizer before a command goes to the host
 /// (src/dispatch/software.toml).

@@ -7,8 +7,8 @@
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/fallback.h"
 #include "state/raster_draw/frames/frame_history.h"
-#include "state/raster_draw/immediate/material_parts.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/material_parts.h"
+#include "state/primitives/recorder.h"
 #include "state/residency/residency.h"
 #include "swrast/queue/draw_queue.h"
 

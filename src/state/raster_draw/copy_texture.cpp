@@ -11,7 +11,7 @@
 #include "state/programs/texture_shaders/component_image.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
-#include "state/share/depth_images.h"
+#include "state/core/depth_images.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

@@ -11,7 +11,7 @@
 #include "state/imaging/arithmetic.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/immediate/joined.h"
+#include "state/primitives/joined.h"
 #include "swrast/pixels.h"
 #include "swrast/setup/rectangle.h"
 

@@ -1,6 +1,6 @@
 #include "state/residency/residency_host.h"
 
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 
 namespace arbiter::state::software {
 

@@ -1,6 +1,6 @@
 // Residency where another context of the share group deleted objects that this one has bound: they
 // live on here, without their names.
-#include "state/core/host_integer.h"
+#include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/residency/residency.h"
 #include "state/residency/testing/residency_scene.h"

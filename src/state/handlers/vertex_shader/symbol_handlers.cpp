@@ -9,7 +9,7 @@
 #include "state/programs/vertex_shaders/bindings.h"
 #include "state/programs/vertex_shaders/given_values.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

@@ -6,7 +6,7 @@
 #include "state/core/context.h"
 #include "state/core/unit_scope.h"
 #include "state/mirror/attribute_aliases.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 
 namespace arbiter::state {
 

@@ -6,8 +6,8 @@
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
-#include "state/raster_draw/immediate/geometry.h"
-#include "state/raster_draw/immediate/joined.h"
+#include "state/primitives/geometry.h"
+#include "state/primitives/joined.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/replay.h"
 

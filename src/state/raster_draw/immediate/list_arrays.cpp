@@ -11,7 +11,7 @@
 #include "state/host_draw/stages/application_glsl.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/vertices/vertex_convert.h"
 #include "state/raster_draw/vertices/vertex_fetch.h"

@@ -12,7 +12,7 @@
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/draw.h"
 #include "state/raster_draw/immediate/held.h"
-#include "state/raster_draw/immediate/joined.h"
+#include "state/primitives/joined.h"
 #include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/large_draw.h"

@@ -1,6 +1,6 @@
 #pragma once
 #include "host/host_table.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 
 /// A deferred primitive, and its ways to the host.
 ///

@@ -5,7 +5,7 @@
 #include "state/core/memory.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
-#include "state/raster_draw/immediate/geometry.h"
+#include "state/primitives/geometry.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/replay.h"

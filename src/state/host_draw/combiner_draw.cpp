@@ -1,4 +1,4 @@
-#include "state/programs/variants/combiner_draw.h"
+#include "state/host_draw/combiner_draw.h"
 
 #include <algorithm>
 

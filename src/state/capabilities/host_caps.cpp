@@ -1,4 +1,4 @@
-#include "state/core/host_caps.h"
+#include "state/capabilities/host_caps.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "host/host_table.h"
-#include "state/host_draw/faults/host_faults.h"
+#include "state/capabilities/host_faults.h"
 
 namespace arbiter::state {
 

@@ -1,4 +1,4 @@
-#include "state/share/name_ranges.h"
+#include "state/objects/name_ranges.h"
 
 #include <gtest/gtest.h>
 

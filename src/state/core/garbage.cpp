@@ -1,4 +1,4 @@
-#include "state/share/garbage.h"
+#include "state/core/garbage.h"
 
 #include "host/host_table.h"
 #include "state/core/context.h"

@@ -1,5 +1,5 @@
 // A primitive's vertices as they are recorded, and what is left when some of them are drawn early.
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 
 #include <map>
 #include <vector>

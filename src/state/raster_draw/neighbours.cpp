@@ -1,4 +1,4 @@
-#include "state/share/neighbours.h"
+#include "state/raster_draw/neighbours.h"
 
 #include <algorithm>
 #include <mutex>

@@ -1,9 +1,9 @@
-#include "state/raster_draw/immediate/geometry.h"
+#include "state/primitives/geometry.h"
 
 #include <algorithm>
 #include <bit>
 
-#include "state/raster_draw/immediate/joined.h"
+#include "state/primitives/joined.h"
 
 namespace arbiter::state::software {
 

@@ -1,4 +1,4 @@
-#include "state/programs/variants/texture_shader_draw.h"
+#include "state/host_draw/texture_shader_draw.h"
 
 #include "fp_compiler/texture_shader/operations.h"
 #include "state/core/context.h"

@@ -1,9 +1,9 @@
-#include "state/era/offers.h"
+#include "state/core/era_offers.h"
 
 #include <string>
 
 #include "state/core/active_profile.h"
-#include "state/core/host_caps.h"
+#include "state/capabilities/host_caps.h"
 #include "util/flags.h"
 
 namespace arbiter::state {

@@ -9,7 +9,7 @@
 #include <GL/gl.h>
 
 #include "state/mirror/attributes.h"
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 
 /// Primitives of a display list (OpenGL 1.4, 5.4) as the application gave them: vertices that stay
 /// where they are from call to call.

@@ -1,4 +1,4 @@
-#include "state/host_draw/faults/host_faults.h"
+#include "state/capabilities/host_faults.h"
 
 #include <charconv>
 #include <iterator>
@@ -15,7 +15,7 @@ struct Row {
 constexpr Row kRows[] = {
 #define ARBITER_HOST_FAULT(Enumerator, driver, first, last, doc)                                   \
   {HostFault::Enumerator, driver, first, last},
-#include "state/host_draw/faults/host_faults.def"
+#include "state/capabilities/host_faults.def"
 #undef ARBITER_HOST_FAULT
 };
 static_assert(std::size(kRows) <= 32, "a bit each");

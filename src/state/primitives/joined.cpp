@@ -1,4 +1,4 @@
-#include "state/raster_draw/immediate/joined.h"
+#include "state/primitives/joined.h"
 
 #include "swrast/setup/assembly.h"
 

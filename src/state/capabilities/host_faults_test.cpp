@@ -1,4 +1,4 @@
-#include "state/host_draw/faults/host_faults.h"
+#include "state/capabilities/host_faults.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "state/host_draw/faults/kept_letters.h"
+#include "state/host_draw/kept_letters.h"
 
 #include "host/host_table.h"
 #include "state/core/host_errors.h"

@@ -7,7 +7,7 @@ namespace arbiter::state {
 
 enum class HostFault : std::uint8_t {
 #define ARBITER_HOST_FAULT(Enumerator, driver, first, last, doc) Enumerator,
-#include "state/host_draw/faults/host_faults.def"
+#include "state/capabilities/host_faults.def"
 #undef ARBITER_HOST_FAULT
 };
 [[nodiscard]] constexpr std::uint32_t bitOf(HostFault fault) { return 1u << unsigned(fault); }

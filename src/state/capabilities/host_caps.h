@@ -95,7 +95,7 @@ struct HostCaps {
   /// Its own fragment programs draw as the specifications say, and cost it no more than GLSL but
   /// where parameters change before each draw (host_draw/fragment_assembly.h).
   bool ownFragments = false;
-  std::uint32_t faults = 0; ///< bits of HostFault (host_draw/faults/host_faults.h)
+  std::uint32_t faults = 0; ///< bits of HostFault (capabilities/host_faults.h)
   std::vector<std::string> extensions;
   std::size_t extensionBytes = 0; ///< of GL_EXTENSIONS as one string; 0: not known
 

@@ -1,4 +1,4 @@
-#include "state/raster_draw/immediate/recorder.h"
+#include "state/primitives/recorder.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "state/share/depth_images.h"
+#include "state/core/depth_images.h"
 
 #include <GL/glext.h>
 
