@@ -15,13 +15,6 @@ def handlers_header(table):
            "/// What the state tracker gives the entry points. The generated thunks call these with "
            "the\n/// thread's context; a missing one fails the link.\n",
            "namespace arbiter::state::handlers {\n\n",
-           "/// Slow path of a draw: validates. False: the draw is dropped, its error raised.\n"
-           "/// \\param mode of its primitives; ~0 where it has none\n"
-           "bool beginDraw(Context &context, GLenum mode);\n"
-           "/// The same of a command that shades fragments and transforms no vertex.\n"
-           "bool beginPixels(Context &context);\n"
-           "/// The same of RasterPos, which transforms a vertex and draws nothing.\n"
-           "bool beginRasterPos(Context &context);\n\n"
            "/// Makes the application's own program the host's current one again.\n"
            "void restoreApplicationProgram(Context &context);\n\n"
            "/// `name` if the application may know it; for a program, shader or pipeline of the layer's "
@@ -62,7 +55,7 @@ def aliases_itself(table, name):
             "    return;\n")
 
 
-# Commands that ARB_imaging or the rasterizer may have a part in (state/imaging/pixel_commands.h).
+# Commands that ARB_imaging or the rasterizer may have a part in (state/pixel_commands/pixel_commands.h).
 IMAGED = ("CopyPixels", "DrawPixels")
 
 
@@ -136,16 +129,16 @@ def thunks(table, command, action, symbol):
         flag, slow = "t->hostProgramIsOurs", "  handlers::restoreApplicationProgram(here());\n"
     else:
         flag = "t->attention"
-        begin = "beginDraw"
+        prepare = "prepareDraw"
         if action == "pixels":
-            begin = "beginPixels"
+            prepare = "preparePixels"
         elif action == "validate":
-            flag, begin = "t->attention || t->stagesAreLinked", "beginRasterPos"
+            flag, prepare = "t->attention || t->stagesAreLinked", "prepareRasterPos"
         mode = ""
         if action == "draw":
             named = any(n == "mode" and t.strip() == "GLenum" for t, n, _ in command.params)
             mode = ", mode" if named else ", ~0u"
-        slow = f"  if (!handlers::{begin}(here(){mode}))\n    return{'' if result == 'void' else ' {}'};\n"
+        slow = f"  if (!arbiter::state::{prepare}(here(){mode}))\n    return{'' if result == 'void' else ' {}'};\n"
     if name in IMAGED:
         flag += " || t->imagesPixels"
         slow = imaged(command) + slow
@@ -215,8 +208,8 @@ def entry_points_source(table):
            '#include "dispatch/function_set.h"\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
-           '#include "state/host_draw/kept_letters.h"\n'
-           '#include "state/handlers/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
+           '#include "state/host_draw/kept_letters.h"\n#include "state/host_draw/prepare_draw.h"\n'
+           '#include "state/handlers/straight.h"\n#include "state/pixel_commands/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'
            '#include "state/raster_draw/immediate/held.h"\n'

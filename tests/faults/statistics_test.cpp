@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/report/statistics.h"
+#include "state/statistics/statistics.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

@@ -7,7 +7,8 @@
 
 #include "host/host_table.h"
 #include "host/null_host.h"
-#include "state/control/begin.h"
+#include "state/contexts/context_hooks.h"
+#include "state/contexts/watching.h"
 #include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
@@ -19,13 +20,14 @@
 #include "state/host_draw/kept_letters.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
-#include "state/host_draw/linked_program.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/linked_program_cache.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_aliases.h" // its destructor
 #include "state/mirror/dirty_bits.h"
+#include "state/programs/ati_recorder.h" // its destructor
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h" // its destructor
 #include "state/programs/offered_targets.h"
@@ -41,7 +43,7 @@
 #include "state/raster_draw/frames/leave.h"
 #include "state/raster_draw/immediate/held.h"
 #include "state/report/capture.h"
-#include "state/report/statistics.h"
+#include "state/statistics/statistics.h"
 #include "state/core/garbage.h"
 #include "state/raster_draw/neighbours.h"
 #include "state/share/share_group.h"
@@ -118,6 +120,7 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
       hostAssembly(std::make_unique<HostAssembly>()),
       stagePipeline(std::make_unique<StagePipeline>()), list(std::make_unique<ListCompiler>()) {
   host = table;
+  hooks = &kContextHooks;
   passThrough = true; // until it is first current
   drawCounter = &draws[std::size_t(Path::NotOffered)];
   for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -9,7 +9,7 @@
 #include "state/core/host_errors.h"
 #include "state/capabilities/host_integer.h"
 #include "state/core/memory.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 
 namespace arbiter::state::remote {
 

@@ -1,7 +1,7 @@
 #include "state/control/known_programs.h"
 
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/program_edits.h"
 #include "state/report/drawn_states.h"
 #include "state/share/share_group.h"

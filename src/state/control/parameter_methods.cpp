@@ -7,7 +7,7 @@
 #include "state/control/known_programs.h"
 #include "state/control/methods.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/host_draw/uniforms.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/replacement.h"
 

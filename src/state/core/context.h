@@ -17,7 +17,7 @@
 #include "state/core/provider.h"
 #include "state/objects/target.h"
 #include "state/objects/clip_plane_use.h"
-#include "state/programs/ati_recorder.h"
+#include "state/objects/list_recorder.h"
 #include "state/objects/program_object.h"
 #include "state/objects/capture_effective.h"
 #include "state/objects/feedback_tracker.h"
@@ -26,6 +26,7 @@
 
 namespace arbiter::state {
 
+class AtiRecorder;
 class CombinerState;
 class StateTexts;
 struct EraState;
@@ -33,11 +34,11 @@ struct ImagingState;
 class HostAssembly;
 class StagePipeline;
 struct AttributeAliases;
-class ListCompiler;
 class SamplerOverride;
 class ShareGroup;
 class TextureShaderState;
 class LinkedProgramCache;
+struct ContextHooks;
 struct LinkedProgram;
 struct NvState;
 struct VertexShaderState;
@@ -115,6 +116,8 @@ public:
   int currentCount = 0;     ///< guarded by the lifecycle's lock
   std::uint32_t serial = 0; ///< in statistics
 
+  const ContextHooks *hooks = nullptr; ///< null in the null context alone
+
   std::shared_ptr<ShareGroup> group;
   HostCaps caps;
   fp::Numerics numerics = fp::Numerics::Host; ///< that programs are compiled for; fixed for life
@@ -181,7 +184,7 @@ public:
   /// The host's own table while `host` defers it: for a primitive that is recorded, or for a list
   /// (replay.h).
   const host::HostTable *trueHost = nullptr;
-  std::unique_ptr<ListCompiler> list;
+  std::unique_ptr<ListRecorder> list; ///< a ListCompiler
   int listDepth = 0; ///< nested calls of lists that hold our commands
 
   CaptureEffective effective; ///< while there is a capture
@@ -201,6 +204,12 @@ public:
 
   const Identity *identity = nullptr; ///< made at the first query; interned
 };
+
+/// Makes the next draw look at what is effective.
+inline void invalidateProgram(Context &context) {
+  // Sticky bits of the program that was effective go; selecting sets them anew.
+  context.attention = attention::kProgram | (context.attention & attention::kRemains);
+}
 
 /// The row of a target's GL name; null where the target is unknown or the host's to answer.
 [[nodiscard]] inline ProgramTarget *rowOf(Context &context, GLenum target) {

@@ -46,7 +46,7 @@ struct ContextHot {
   /// An evaluator map of NV_vertex_program was named here once: what evaluates is looked at.
   bool mapsNamed = false;
   /// A command of ARB_imaging was used here, where the layer has it: commands that move pixels ask
-  /// for it (state/imaging/pixel_commands.h).
+  /// for it (state/pixel_commands/pixel_commands.h).
   bool imagesPixels = false;
   /// Generic attributes are the conventional ones here, and not the host's: commands that name them
   /// ask for it (mirror/attribute_aliases.h).

@@ -1,10 +1,9 @@
 #include "state/core/memory.h"
 
 #include "state/core/context.h"
+#include "state/core/context_hooks.h"
 #include "state/core/errors.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/programs/program_bind.h"
-#include "state/raster_draw/context_state.h"
 
 namespace arbiter::state {
 
@@ -15,8 +14,7 @@ void outOfMemory(Context &context, const char *name) noexcept {
   context.dirty = software::dirty::kAll;
   invalidateProgram(context);
   // What was chosen before is not what a draw that failed half-way has left.
-  if (context.software)
-    context.software->forgetPipeline();
+  context.hooks->forgetPipeline(context);
 }
 
 } // namespace arbiter::state

@@ -2,7 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/raster_draw/context_state.h"
+#include "state/core/context_hooks.h"
 
 namespace arbiter::state {
 
@@ -36,8 +36,7 @@ void Fences::remove(Context &context, GLuint name) {
 void Fences::set(Context &context, GLuint name) {
   Fence &fence = m_fences[name];
   drop(context, fence);
-  if (context.software)
-    context.software->residency.synchronise("glSetFence");
+  context.hooks->synchronise(context, "glSetFence");
   if (context.caps.syncObjects)
     fence.sync = context.host->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   fence.status = Status::Waits;

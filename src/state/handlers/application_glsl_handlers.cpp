@@ -94,7 +94,7 @@ void UseProgram(Context &context, GLuint program) {
     return context.host->UseProgram(program); // the host raises the error
   if (context.listMode) {
     if (context.group->programApiUsed.load(std::memory_order_relaxed))
-      return context.list->record(context, {.kind = Command::Kind::UseProgram, .name = program});
+      return listCompiler(context).record(context, {.kind = Command::Kind::UseProgram, .name = program});
     context.group->hostListsChangeProgram.store(true, std::memory_order_relaxed);
     return context.host->UseProgram(program);
   }
@@ -106,7 +106,7 @@ void PushAttrib(Context &context, GLbitfield mask) {
     return context.host->PushAttrib(mask);
   if (!context.listMode)
     return pushAttrib(context, mask);
-  context.list->notePush(mask);
+  listCompiler(context).notePush(mask);
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
     pushEnables(context, mask);
   context.host->PushAttrib(mask);
@@ -117,8 +117,8 @@ void PopAttrib(Context &context) {
     return context.host->PopAttrib();
   if (!context.listMode)
     return popAttrib(context);
-  if (context.list->notePop())
-    return context.list->record(context, {.kind = Command::Kind::PopAttrib});
+  if (listCompiler(context).notePop())
+    return listCompiler(context).record(context, {.kind = Command::Kind::PopAttrib});
   context.host->PopAttrib();
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
     popEnables(context);

@@ -8,11 +8,11 @@
 #include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
-#include "state/imaging/commands.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/issue_combiners.h"
 #include "state/lists/list_compiler.h"
-#include "state/lists/sprite_commands.h"
+#include "state/host_draw/sprite_commands.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
@@ -25,7 +25,7 @@ namespace {
 /// Aside, as a command takes room on the stack.
 [[gnu::noinline]] void record(Context &context, const ProgramTarget &row, bool enabled) {
   const auto kind = enabled ? Command::Kind::Enable : Command::Kind::Disable;
-  context.list->record(context, {.kind = kind, .target = row.info().name});
+  listCompiler(context).record(context, {.kind = kind, .target = row.info().name});
 }
 
 /// Enable and Disable of a program target.
@@ -49,7 +49,7 @@ void setMap(Context &context, GLenum cap, bool enabled) {
     return;
   context.mapsNamed = true;
   if (context.listMode)
-    return context.list->record(
+    return listCompiler(context).record(
         context, {.kind = enabled ? Command::Kind::Enable : Command::Kind::Disable, .target = cap});
   enableMap(context, cap, enabled);
 }

@@ -40,7 +40,7 @@ void deleteFences(Context &context, Fences &fences, GLsizei n, const GLuint *nam
 /// Into the list that is compiled, which is the layer's from here on.
 void record(Context &context, Command command) {
   noteProgramApiUse(context);
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 /// SetFence and FinishFence have their place in a list (5.4 of both extensions: they are not among

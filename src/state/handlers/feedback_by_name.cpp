@@ -5,7 +5,7 @@
 #include "state/core/texture_binding.h"
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/copy_texture.h"
+#include "state/pixel_commands/copy_texture.h"
 #include "state/core/depth_images.h"
 
 namespace arbiter::state {

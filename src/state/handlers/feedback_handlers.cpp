@@ -4,7 +4,7 @@
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/copy_texture.h"
+#include "state/pixel_commands/copy_texture.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -17,7 +17,7 @@ void performOrRecord(Context &context, const CopyCommand &copy) {
   if (context.listMode == 0 || context.insideBeginEnd ||
       !context.group->programApiUsed.load(std::memory_order_relaxed))
     return copyTexture(context, copy);
-  context.list->record(context, commandOf(copy));
+  listCompiler(context).record(context, commandOf(copy));
 }
 
 } // namespace

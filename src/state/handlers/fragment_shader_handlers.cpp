@@ -12,7 +12,7 @@
 #include "state/programs/fragment_shaders.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
-#include "state/report/statistics.h"
+#include "state/statistics/statistics.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -96,7 +96,7 @@ void BindFragmentShaderATI(Context &context, GLuint id) {
     return;
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list->record(
+    return listCompiler(context).record(
         context,
         {.kind = Command::Kind::BindProgram, .target = infoOf(Target::AtiApi).name, .name = id});
   bindFragmentShader(context, id);
@@ -247,7 +247,7 @@ void SetFragmentShaderConstantATI(Context &context, GLuint dst, const GLfloat *v
       .kind = Command::Kind::Env, .target = infoOf(Target::AtiApi).name, .name = GLuint(constant)};
   command.count = 1;
   command.values.assign(1, values);
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 } // namespace handlers

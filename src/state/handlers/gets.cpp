@@ -14,10 +14,10 @@
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/draw.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/imaging/imaging_state.h"
-#include "state/imaging/queries.h"
+#include "state/pixel_commands/imaging_queries.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
@@ -187,7 +187,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_LIST_INDEX:
     if (!context.listMode)
       return false;
-    value = GLint(context.list->name());
+    value = GLint(listCompiler(context).name());
     return true;
   case GL_NUM_EXTENSIONS:
     if (context.caps.major < 3)

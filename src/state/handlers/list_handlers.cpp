@@ -43,20 +43,20 @@ void NewList(Context &context, GLuint list, GLenum mode) {
     context.software->residency.hostDoesAnything("glNewList");
   else if (context.softwarePossible)
     context.software->residency.synchronise("glNewList");
-  context.list->begin(context, list, mode);
+  listCompiler(context).begin(context, list, mode);
 }
 
 void EndList(Context &context) {
-  context.list->leavePrimitive(context);
+  listCompiler(context).leavePrimitive(context);
   if (context.listMode == 0 || context.insideBeginEnd)
     return context.host->EndList();
-  context.list->end(context);
+  listCompiler(context).end(context);
 }
 
 void CallList(Context &context, GLuint list) {
-  context.list->leavePrimitive(context);
+  listCompiler(context).leavePrimitive(context);
   if (recordsCalls(context) && !context.insideBeginEnd)
-    return context.list->record(context, {.kind = Command::Kind::CallList, .name = list});
+    return listCompiler(context).record(context, {.kind = Command::Kind::CallList, .name = list});
   if (context.listMode)
     return callListIntoHost(context, list);
   callList(context, list);
@@ -64,16 +64,16 @@ void CallList(Context &context, GLuint list) {
 }
 
 void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
-  context.list->leavePrimitive(context);
+  listCompiler(context).leavePrimitive(context);
   const std::size_t bytes = callListsBytes(n, type);
   if (recordsCalls(context) && !context.insideBeginEnd && bytes > 0 && lists) {
     Command command{.kind = Command::Kind::CallLists, .target = type};
     command.count = n;
     command.bytes.assign(static_cast<const char *>(lists), bytes);
-    return context.list->record(context, std::move(command));
+    return listCompiler(context).record(context, std::move(command));
   }
   if (context.listMode) {
-    context.list->notePixels();
+    listCompiler(context).notePixels();
     context.dirty = software::dirty::kAll;
     return context.host->CallLists(n, type, lists);
   }
@@ -92,7 +92,7 @@ GLuint generateLists(Context &context, GLsizei range) {
     return context.host->GenLists(range);
   GLuint first = 0;
   if (context.listMode)
-    context.list->outside(context, [&] { first = lists.generate(*context.host, range); });
+    listCompiler(context).outside(context, [&] { first = lists.generate(*context.host, range); });
   else
     first = lists.generate(*context.host, range);
   return first;

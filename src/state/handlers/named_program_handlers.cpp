@@ -30,7 +30,7 @@ void set(Context &context, const ProgramTarget &row, GLuint name, GLuint index, 
                     .object = name};
     command.count = count;
     command.values.assign(values, values + count);
-    return context.list->record(context, std::move(command));
+    return listCompiler(context).record(context, std::move(command));
   }
   if (const auto object = namedProgram(context, row, name))
     setLocal(context, *object, index, count, values);

@@ -9,8 +9,8 @@
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/mesh_commands.h"
 #include "state/programs/nv/nv_state.h"
-#include "state/raster_draw/commands.h"
 
 namespace arbiter::state {
 
@@ -78,7 +78,7 @@ void define(Context &context, GLenum target, const Side<T> &u, const Side<T> *v,
                   .format = definition.error};
   command.values.push_back(map.domain);
   command.values.insert(command.values.end(), map.points.begin(), map.points.end());
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 template <typename T> void getMap(Context &context, GLenum target, GLenum query, T *v) {
@@ -106,86 +106,7 @@ void evaluate(Context &context, const EvaluatorPoint &point) {
     return evaluatePoint(context, point);
   Command command{.kind = Command::Kind::EvalPoint};
   command.bytes.assign(reinterpret_cast<const char *>(&point), sizeof point);
-  context.list->record(context, std::move(command));
-}
-
-/// EvalMesh: from the first to the last number of the grid in u, and in v.
-struct Mesh {
-  GLuint dimension;
-  GLenum mode;
-  GLint u1, u2, v1, v2;
-
-  [[nodiscard]] bool hasMode() const {
-    return mode == GL_POINT || mode == GL_LINE || (mode == GL_FILL && dimension == 2);
-  }
-};
-
-/// One primitive of the mesh; `points` evaluates. False after an error of Begin.
-template <typename Points> bool primitive(Context &context, GLenum mode, Points &&points) {
-  handlers::Begin(context, mode);
-  if (!context.insideBeginEnd)
-    return false;
-  points();
-  handlers::End(context);
-  return true;
-}
-
-/// As 5.1 has it: FILL is a strip for each step in v. The counters go beyond any GLint.
-void drawMesh(Context &context, const Mesh &mesh) {
-  const auto point = [&](std::int64_t u, std::int64_t v) {
-    evaluatePoint(context, {mesh.dimension, true, GLdouble(u), GLdouble(v)});
-  };
-  const auto along = [&](std::int64_t v) {
-    for (std::int64_t u = mesh.u1; u <= mesh.u2; ++u)
-      point(u, v);
-  };
-  if (mesh.mode == GL_POINT) {
-    (void)primitive(context, GL_POINTS, [&] {
-      for (std::int64_t v = mesh.v1; v <= mesh.v2; ++v)
-        along(v);
-    });
-    return;
-  }
-  bool drawn = true;
-  for (std::int64_t v = mesh.v1; drawn && mesh.mode == GL_LINE && v <= mesh.v2; ++v)
-    drawn = primitive(context, GL_LINE_STRIP, [&] { along(v); });
-  for (std::int64_t u = mesh.u1;
-       drawn && mesh.mode == GL_LINE && mesh.dimension == 2 && u <= mesh.u2; ++u)
-    drawn = primitive(context, GL_LINE_STRIP, [&] {
-      for (std::int64_t v = mesh.v1; v <= mesh.v2; ++v)
-        point(u, v);
-    });
-  for (std::int64_t v = mesh.v1; drawn && mesh.mode == GL_FILL && v < mesh.v2; ++v)
-    drawn = primitive(context, GL_QUAD_STRIP, [&] {
-      for (std::int64_t u = mesh.u1; u <= mesh.u2; ++u) {
-        point(u, v);
-        point(u, v + 1);
-      }
-    });
-}
-
-/// True: the mesh was drawn, or is a list's. False: it is the host's, which is prepared.
-bool takesMesh(Context &context, const Mesh &mesh) {
-  if (context.mapsNamed && !context.insideBeginEnd) {
-    if (context.listMode != 0) {
-      Command command{.kind = Command::Kind::EvalMesh, .target = mesh.mode, .name = mesh.dimension};
-      const GLint range[] = {mesh.u1, mesh.u2, mesh.v1, mesh.v2};
-      command.bytes.assign(reinterpret_cast<const char *>(range), sizeof range);
-      context.list->record(context, std::move(command));
-      return true;
-    }
-    if (mayEvaluate(context) && mesh.hasMode()) {
-      drawMesh(context, mesh);
-      return true;
-    }
-  }
-  if (context.attention &&
-      !handlers::beginDraw(context, mesh.mode == GL_POINT ? GL_POINTS : GL_LINES))
-    return true;
-  if (context.softwareListens)
-    software::hostWrites(context, mesh.dimension == 1 ? "glEvalMesh1" : "glEvalMesh2");
-  ++*context.drawCounter;
-  return false;
+  listCompiler(context).record(context, std::move(command));
 }
 
 } // namespace
@@ -244,13 +165,11 @@ void EvalPoint2(Context &context, GLint i, GLint j) {
 }
 
 void EvalMesh1(Context &context, GLenum mode, GLint i1, GLint i2) {
-  if (!takesMesh(context, {1, mode, i1, i2, 0, 0}))
-    context.host->EvalMesh1(mode, i1, i2);
+  issueEvalMesh(context, {1, mode, i1, i2, 0, 0});
 }
 
 void EvalMesh2(Context &context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-  if (!takesMesh(context, {2, mode, i1, i2, j1, j2}))
-    context.host->EvalMesh2(mode, i1, i2, j1, j2);
+  issueEvalMesh(context, {2, mode, i1, i2, j1, j2});
 }
 
 } // namespace handlers

@@ -28,7 +28,7 @@ void set(Context &context, GLuint id, GLsizei length, const GLubyte *name, const
   Command command{.kind = Command::Kind::NamedParameterNv, .name = id};
   command.bytes = nameOf(length, name);
   command.values.push_back(value);
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 template <typename T>

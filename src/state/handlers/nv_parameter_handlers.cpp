@@ -19,7 +19,7 @@ void record(Context &context, GLenum target, GLuint index, GLsizei count,
   Command command{.kind = Command::Kind::ParameterNv, .target = target, .name = index};
   command.count = count;
   command.values = std::move(values);
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 /// Quadruples of any type; none where the count is an error, which is found when executed.

@@ -65,7 +65,7 @@ void LoadProgramNV(Context &context, GLenum target, GLuint id, GLsizei len,
     command.count = std::min<GLsizei>(len, GLsizei(fp::kMaxTextBytes) + 1);
     command.bytes.assign(reinterpret_cast<const char *>(program), std::size_t(command.count));
   }
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 void BindProgramNV(Context &context, GLenum target, GLuint id) {
@@ -76,7 +76,7 @@ void BindProgramNV(Context &context, GLenum target, GLuint id) {
     return;
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list->record(context,
+    return listCompiler(context).record(context,
                                 {.kind = Command::Kind::BindNv, .target = target, .name = id});
   bindNvProgram(context, target, id);
 }
@@ -93,7 +93,7 @@ void ExecuteProgramNV(Context &context, GLenum target, GLuint id, const GLfloat 
     return executeStateProgram(context, target, id, input);
   Command command{.kind = Command::Kind::ExecuteNv, .target = target, .name = id};
   command.values.push_back(input);
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 GLboolean AreProgramsResidentNV(Context &context, GLsizei n, const GLuint *programs,
@@ -116,7 +116,7 @@ void RequestResidentProgramsNV(Context &context, GLsizei n, const GLuint *progra
   if (!outsideBeginEnd(context, "RequestResidentPrograms between Begin and End"))
     return;
   if (context.listMode)
-    return context.list->record(context, namesCommand(n, programs));
+    return listCompiler(context).record(context, namesCommand(n, programs));
   if (n < 0)
     raise(context, GL_INVALID_VALUE, "RequestResidentPrograms: n is negative");
 }

@@ -2,7 +2,7 @@
 // matrices that are for nothing else.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/imaging/commands.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/nv/matrix_tracking.h"
@@ -19,7 +19,7 @@ void TrackMatrixNV(Context &context, GLenum target, GLuint address, GLenum matri
   if (!outsideBeginEnd(context, "TrackMatrix between Begin and End"))
     return;
   if (context.listMode)
-    return context.list->record(context, {.kind = Command::Kind::TrackMatrix,
+    return listCompiler(context).record(context, {.kind = Command::Kind::TrackMatrix,
                                           .target = target,
                                           .name = address,
                                           .object = matrix,

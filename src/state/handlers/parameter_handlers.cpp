@@ -29,7 +29,7 @@ void recordParameters(Context &context, Command::Kind kind, const ProgramTarget 
   command.count = count;
   if (count > 0)
     command.values.assign(values, values + count);
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 /// The way of an env setter with anything unusual about it.

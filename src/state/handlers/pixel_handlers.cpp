@@ -5,7 +5,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
-#include "state/imaging/pixel_commands.h"
+#include "state/pixel_commands/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/mirror/dirty_bits.h"
@@ -25,7 +25,7 @@ bool executes(const Context &context) { return !context.insideBeginEnd && contex
 /// The same of a command that goes into a list, and changes pixels where the list is called.
 bool changes(Context &context) {
   if (context.listMode != 0)
-    context.list->notePixels();
+    listCompiler(context).notePixels();
   return executes(context);
 }
 

@@ -47,7 +47,7 @@ void BindProgramARB(Context &context, GLenum target, GLuint program) {
     return context.host->BindProgramARB(target, program); // raises INVALID_ENUM, or knows it
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list->record(
+    return listCompiler(context).record(
         context, {.kind = Command::Kind::BindProgram, .target = target, .name = program});
   bindProgram(context, *row, program);
 }

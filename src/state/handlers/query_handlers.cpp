@@ -1,49 +1,12 @@
-// Conditional rendering, which cannot be asked for. One that the host refuses is taken for begun:
-// until its end draws are the host's, which is always right. In a list that we keep it is a command
-// of the layer's.
 #include "host/handlers.h"
-#include "host/host_table.h"
-#include "state/core/context.h"
-#include "state/lists/list_compiler.h"
-#include "state/raster_draw/context_state.h"
+#include "state/lists/conditional_commands.h"
 
 namespace arbiter::state::handlers {
 
-namespace {
-
-bool isRecorded(Context &context) {
-  if (context.listMode == 0 || !context.list->keeps())
-    return false;
-  context.list->leavePrimitive(context);
-  return !context.insideBeginEnd;
-}
-
-void note(Context &context, bool begun) {
-  if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE)
-    return;
-  context.software->mirror.conditional = begun;
-  context.dirty |= software::dirty::kQueries;
-}
-
-} // namespace
-
 void BeginConditionalRender(Context &context, GLuint id, GLenum mode) {
-  if (isRecorded(context))
-    return context.list->record(
-        context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
-  // What brings pixels to the host is a blit, which the condition would discard. Until its end the
-  // host draws and clears, so nothing is pending that a blit would have to bring.
-  if (context.software && !context.insideBeginEnd && context.listMode == 0)
-    context.software->residency.synchronise("glBeginConditionalRender");
-  context.host->BeginConditionalRender(id, mode);
-  note(context, true);
+  issueBeginConditional(context, id, mode);
 }
 
-void EndConditionalRender(Context &context) {
-  if (isRecorded(context))
-    return context.list->record(context, {.kind = Command::Kind::EndConditional});
-  context.host->EndConditionalRender();
-  note(context, false);
-}
+void EndConditionalRender(Context &context) { issueEndConditional(context); }
 
 } // namespace arbiter::state::handlers

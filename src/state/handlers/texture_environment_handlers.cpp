@@ -10,9 +10,9 @@
 #include "state/core/errors.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/programs/variants/point_sprites.h"
-#include "state/host_draw/texture_shader_draw.h"
+#include "state/host_draw/texturing/texture_shader_draw.h"
 #include "state/lists/list_compiler.h"
-#include "state/lists/sprite_commands.h"
+#include "state/host_draw/sprite_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/texture_shader_commands.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -27,7 +27,7 @@ using fp::texture_shader::Stage;
 void issue(Context &context, const TextureShaderCommand &command) {
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list->record(context,
+    return listCompiler(context).record(context,
                                 {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
   executeTextureShaderCommand(context, command);
 }

@@ -4,7 +4,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/imaging/commands.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
@@ -75,7 +75,7 @@ bool transfer(Context &context, GLenum pname, GLfloat param) {
       .kind = TextureShaderCommand::Kind::Transfer, .pname = pname, .values = {param}};
   noteProgramApiUse(context);
   if (context.listMode != 0)
-    context.list->record(context,
+    listCompiler(context).record(context,
                          {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
   else
     executeTextureShaderCommand(context, command);

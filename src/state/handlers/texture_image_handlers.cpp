@@ -9,7 +9,7 @@
 #include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/imaging/pixel_commands.h"
+#include "state/pixel_commands/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/programs/program_bind.h"
@@ -31,7 +31,7 @@ bool executes(const Context &context) { return !context.insideBeginEnd && contex
 /// The same of a command that goes into a list, and changes pixels where the list is called.
 bool changes(Context &context) {
   if (context.listMode != 0)
-    context.list->notePixels();
+    listCompiler(context).notePixels();
   return executes(context);
 }
 
@@ -86,7 +86,7 @@ void giveComponents(Context &context, ComponentImage image, GLenum type, const v
   if (context.listMode == 0)
     return executeComponentImage(context, image, std::move(components));
   noteProgramApiUse(context);
-  context.list->record(
+  listCompiler(context).record(
       context, {.kind = Command::Kind::ComponentImage, .bytes = bytesOf(image, components)});
 }
 
@@ -133,7 +133,7 @@ void defineColorsAlone(Context &context, GLenum target, GLint level, GLint inter
   if (context.listMode != 0) {
     host(there);
     noteProgramApiUse(context);
-    return context.list->record(context,
+    return listCompiler(context).record(context,
                                 {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(format)});
   }
   const GLenum earlier = takeHostErrors(*context.host);

@@ -13,7 +13,7 @@
 #include "state/core/errors.h"
 #include "state/era/sgix_shadow.h"
 #include "state/era/texture_range.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/programs/program_bind.h"
@@ -62,7 +62,7 @@ void issueRange(Context &context, Command command) {
   if (!context.listMode)
     return executeTextureRange(context, command);
   noteProgramApiUse(context);
-  context.list->record(context, std::move(command));
+  listCompiler(context).record(context, std::move(command));
 }
 
 /// TexParameter of APPLE_texture_range's, of the texture that is bound.

@@ -5,9 +5,8 @@
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/variants/clipped_variant.h"
-#include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/context_hooks.h"
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
@@ -13,20 +14,21 @@
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/fragment_assembly.h"
 #include "state/host_draw/host_assembly.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
+#include "state/host_draw/linked_program_cache.h"
+#include "state/host_draw/uniforms.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/host_draw/path_choice.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/programs/variants/alpha_depths.h"
-#include "state/host_draw/combiner_draw.h"
+#include "state/host_draw/texturing/combiner_draw.h"
 #include "state/programs/variants/point_sprites.h"
-#include "state/host_draw/texture_shader_draw.h"
+#include "state/host_draw/texturing/texture_shader_draw.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
-#include "state/raster_draw/context_state.h"
 #include "state/report/capture.h"
 #include "state/core/garbage.h"
 #include "state/share/share_group.h"
@@ -139,11 +141,11 @@ void install(Context &context, HostPart part) {
   }
   if (context.path == Path::NoProgram && settings().alwaysFixedFunction &&
       !applicationShades(context))
-    software::engage(context);
+    context.hooks->engageRasterizer(context);
   if (!context.linkedProgram)
     return releaseHostState(context);
   if (context.linkedProgram->fragment.compiled || settings().alwaysFixedFunction)
-    software::engage(context);
+    context.hooks->engageRasterizer(context);
   context.hostAssembly->apply(context, *context.linkedProgram);
   if (context.linkedProgram->hostProgram == 0)
     return releaseHostProgram(context);

@@ -3,7 +3,6 @@
 #include "state/core/context.h"
 #include "state/programs/variants/ati_variants.h"
 #include "state/programs/variants/fixed_function_now.h"
-#include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_changes.h"
 #include "state/share/share_group.h"

@@ -6,7 +6,6 @@
 
 #include "state/contexts/lifecycle.h"
 #include "state/host_draw/change_pace.h"
-#include "state/host_draw/linked_program.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/current_context.h"

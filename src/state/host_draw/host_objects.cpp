@@ -10,7 +10,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/host_assembly.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/undefined_results.h"
 #include "util/log.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "state/host_draw/draw.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/current_context.h"
 

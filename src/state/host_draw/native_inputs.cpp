@@ -1,13 +1,12 @@
 #include "state/host_draw/native_inputs.h"
 
 #include "host/host_table.h"
-#include "state/core/active_profile.h"
+#include "state/core/context.h"
 #include "state/programs/variants/array_variants.h"
 #include "state/mirror/attribute_aliases.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/objects/program_object.h"
-#include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 
 namespace arbiter::state {
@@ -34,19 +33,6 @@ void refreshArrays(Context &context) {
   context.attention |= attention::kProgram;
 }
 
-/// By a value that the normal does not have. Where the two are one, the generic one's is its own.
-bool attributesAreOne(const host::HostTable &host) {
-  constexpr GLuint kNormal = 2;
-  Vec4 generic = {0.0f, 0.0f, 0.0f, 1.0f}, normal{};
-  host.GetVertexAttribfv(kNormal, GL_CURRENT_VERTEX_ATTRIB, generic.data());
-  host.GetFloatv(GL_CURRENT_NORMAL, normal.data());
-  const Vec4 other = {normal[0] == 0.5f ? 0.25f : 0.5f, 0.0f, 0.0f, 1.0f};
-  host.VertexAttrib4fv(kNormal, other.data());
-  host.GetFloatv(GL_CURRENT_NORMAL, normal.data());
-  host.VertexAttrib4fv(kNormal, generic.data());
-  return normal[0] == other[0];
-}
-
 /// Programs of NVIDIA's own languages read what VertexAttribNV alone sets of an attribute, and
 /// those of the ARB's from when there is some: most of them read a w that nobody has set. The
 /// rasterizer's attributes are never one: where the host's are, it keeps to conventional ones.
@@ -60,27 +46,6 @@ WiderAttributes widerAttributes(const Context &context, const CompiledProgram &p
 }
 
 } // namespace
-
-bool attributesMayAlias() {
-  switch (settings().attributes) {
-  case Attributes::Alias:
-    return true;
-  case Attributes::Apart:
-    return false;
-  case Attributes::OfProfile:
-    break;
-  }
-  return activeProfile().aliasedAttributes != 0;
-}
-
-void offerAliases(Context &context) {
-  const bool alias = attributesMayAlias();
-  if (!context.nv && !alias)
-    return;
-  context.aliases = std::make_unique<AttributeAliases>();
-  context.aliases->areOne = attributesAreOne(*context.host);
-  context.attributesAlias = alias && (!context.aliases->areOne || software::mayBeUsed(context));
-}
 
 void noteGenericArray(Context &context, GLuint index, bool enabled) {
   if (!isAliasedRegister(index) || index >= GLuint(context.caps.maxVertexAttribs))

@@ -12,12 +12,6 @@ namespace arbiter::state {
 class Context;
 struct CompiledProgram;
 
-/// True if attributes may alias in this process: the active profile has it so, or
-/// ARBITER_ATTRIBUTES.
-[[nodiscard]] bool attributesMayAlias();
-/// Sets `aliases` and `attributesAlias` of a context whose targets are being offered: it is
-/// current, and no list is compiled.
-void offerAliases(Context &context);
 /// Returns the arrays of generic attributes with two names that are enabled. The host is asked, as
 /// vertex array objects and the client attribute stack change them too.
 [[nodiscard]] std::uint32_t enabledArrays(const Context &context, const host::HostTable &host);

@@ -4,10 +4,10 @@
 
 #include "state/core/active_profile.h"
 #include "state/contexts/lifecycle.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/variants/clipped_variant.h"
 #include "state/programs/program_cache.h"
-#include "state/report/statistics.h"
+#include "state/statistics/statistics.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

@@ -2,12 +2,14 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
+#include "state/core/context_hooks.h"
 #include "state/core/context.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/fragment_assembly.h"
 #include "state/host_draw/host_assembly.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
+#include "state/host_draw/linked_program_cache.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/host_draw/stages/application_glsl.h"
 #include "state/host_draw/stages/stage_pipeline.h"
@@ -15,17 +17,16 @@
 #include "state/programs/variants/array_variants.h"
 #include "state/programs/variants/ati_variants.h"
 #include "state/programs/variants/clipped_variant.h"
-#include "state/host_draw/combiner_draw.h"
+#include "state/host_draw/texturing/combiner_draw.h"
 #include "state/programs/variants/depth_variants.h"
 #include "state/programs/variants/point_sprites.h"
-#include "state/host_draw/texture_shader_draw.h"
+#include "state/host_draw/texturing/texture_shader_draw.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
-#include "state/raster_draw/context_state.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -156,8 +157,8 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
 /// choose twice.
 bool mayWait(Context &context, const ProgramPair &pair) {
   if (pair.fragment)
-    software::engage(context);
-  return context.softwarePossible && context.software->history.backOff.engaged() &&
+    context.hooks->engageRasterizer(context);
+  return context.hooks->rasterizerDraws(context) &&
          (!pair.vertex || drawsVerticesByAssembly(context));
 }
 

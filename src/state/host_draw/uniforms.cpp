@@ -2,7 +2,9 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/host_assembly.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
+#include "state/host_draw/uniforms.h"
+#include "state/core/host_state.h"
 #include "state/programs/program_edits.h"
 
 namespace arbiter::state {

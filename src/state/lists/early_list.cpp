@@ -85,7 +85,7 @@ void ListCompiler::leaveEarly(Context &context) {
 /// before are sent, and what follows is the host's.
 bool ListCompiler::leaveFull(void *owner, const float position[4]) {
   auto &context = *static_cast<Context *>(owner);
-  context.list->leaveEarly(context);
+  listCompiler(context).leaveEarly(context);
   software::setAttribute(*context.host, software::kPosition, position);
   return false;
 }

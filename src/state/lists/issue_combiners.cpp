@@ -9,7 +9,7 @@ namespace arbiter::state {
 void issueCombinerCommand(Context &context, const CombinerCommand &command) {
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list->record(context,
+    return listCompiler(context).record(context,
                                 {.kind = Command::Kind::Combiners, .bytes = bytesOf(command)});
   executeCombinerCommand(context, command);
 }

@@ -16,7 +16,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/primitives/geometry.h"
-#include "state/raster_draw/immediate/geometry_call.h"
+#include "state/lists/geometry_call.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -200,7 +200,7 @@ void callList(Context &context, GLuint name) {
 void callListIntoHost(Context &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   context.dirty = software::dirty::kAll;
-  context.list->notePixels();
+  listCompiler(context).notePixels();
   if (!list)
     return context.host->CallList(name);
   for (const DisplayList::Item &item : list->items) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "host/handlers.h"
+#include "state/host_draw/prepare_draw.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
@@ -289,7 +289,7 @@ bool ListCompiler::beginExecuted(Context &context, GLenum mode) {
   context.dirty |= std::exchange(m_dirty, 0);
   if (context.software)
     context.software->hostDrawsAsCompiled();
-  return !context.attention || handlers::beginDraw(context, mode);
+  return !context.attention || prepareDraw(context, mode);
 }
 
 void ListCompiler::endExecuted(Context &context) {

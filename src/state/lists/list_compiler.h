@@ -4,18 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "state/objects/display_list.h"
+#include "state/core/context.h"
+#include "state/objects/list_recorder.h"
 #include "state/lists/known_state.h"
 #include "state/primitives/geometry.h"
 #include "state/primitives/recorder.h"
 
 namespace arbiter::state {
-
-class Context;
-
-namespace software {
-class ListArrays;
-}
 
 /// The list between NewList and EndList. The host compiles into one host list after another; each
 /// command of the layer's closes one, and the next is opened when the host is called again: until
@@ -29,22 +24,14 @@ class ListArrays;
 /// Before a share group makes its first program lists are the host's, whole. One that holds nothing
 /// but primitives and attributes is kept as well (`early`): the first other command makes it the
 /// host's alone.
-class ListCompiler {
+class ListCompiler final : public ListRecorder {
 public:
   /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
   static constexpr int kMaxDepth = 64;
 
   void begin(Context &context, GLuint name, GLenum mode);
   void end(Context &context);
-  /// While a list is compiled: records `command`, and executes it too in COMPILE_AND_EXECUTE.
-  void record(Context &context, Command command);
-  /// Runs `function` outside the host's list, between two segments, recording nothing.
-  template <typename Function> void outside(Context &context, Function &&function) {
-    m_known.forget();
-    closeSegment(context);
-    function();
-    resume(context);
-  }
+  void record(Context &context, Command command) override;
 
   /// A command that only sets state may be kept: between primitives that are, and not of a list
   /// that is executed too.
@@ -54,23 +41,13 @@ public:
   /// Keeps it, or leaves it out where the list has set the same. Requires: keepsState().
   void recordState(Context &context, const StateCommand &command, std::uint32_t dirty);
 
-  /// Ends a segment: when the list is called, what follows is a draw's look at the state again.
-  void cut(Context &context) {
-    outside(context, [] {});
-  }
-
   // --- Primitives that are kept ---
 
-  /// At Begin: true if the primitive is recorded; endPrimitive() then ends it, unless it was
-  /// interrupted before (recordsPrimitive()).
-  [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
-  /// \param fromArrays what follows does not find its attributes set: hosts leave current values as
-  ///                   they are, which are undefined after a draw of arrays (OpenGL 2.1, 2.8)
-  void endPrimitive(Context &context, bool fromArrays = false);
-  [[nodiscard]] bool recordsPrimitive() const { return m_recording; }
-  [[nodiscard]] software::ImmediateRecorder &recorder() { return m_recorder; }
-  /// The host is called: it compiles what comes. An open segment is the host's already.
-  void giveHost(Context &context) {
+  [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode) override;
+  void endPrimitive(Context &context, bool fromArrays = false) override;
+  [[nodiscard]] bool recordsPrimitive() const override { return m_recording; }
+  [[nodiscard]] software::ImmediateRecorder &recorder() override { return m_recorder; }
+  void giveHost(Context &context) override {
     if (m_early)
       return leaveEarly(context);
     leavePrimitive(context);
@@ -89,34 +66,22 @@ public:
   /// when the list is called: it compiles the primitive from its Begin on. A host list of a Begin
   /// alone would not do: hosts keep what is between Begin and End as a draw.
   void givePrimitive(Context &context);
-  /// The command that goes to the host now draws, or reads or writes images.
-  void notePixels() { m_pixels = true; }
-  /// Primitives are kept.
-  [[nodiscard]] bool keeps() const { return m_keeps || m_early; }
-  /// They are the host's too: it has been told of all that came, save what is recorded now.
-  [[nodiscard]] bool isEarly() const { return m_early; }
-  /// What is kept is executed too.
-  [[nodiscard]] bool executes() const { return m_keeps && m_mode == GL_COMPILE_AND_EXECUTE; }
-  /// Before the host draws what is kept, outside of its lists. Requires: executes(), and no segment
-  /// is open, as behind a primitive that is kept.
-  /// \return false if a program is not valid; endExecuted() follows all the same
-  [[nodiscard]] bool beginExecuted(Context &context, GLenum mode);
-  void endExecuted(Context &context);
-  /// A draw of so many vertices may be kept.
-  [[nodiscard]] bool hasRoom(GLsizei count) const;
+  void notePixels() override { m_pixels = true; }
+  [[nodiscard]] bool keeps() const override { return m_keeps || m_early; }
+  [[nodiscard]] bool isEarly() const override { return m_early; }
+  [[nodiscard]] bool executes() const override {
+    return m_keeps && m_mode == GL_COMPILE_AND_EXECUTE;
+  }
+  [[nodiscard]] bool beginExecuted(Context &context, GLenum mode) override;
+  void endExecuted(Context &context) override;
+  [[nodiscard]] bool hasRoom(GLsizei count) const override;
   /// The list is the host's alone from here on.
   void leaveEarly(Context &context);
-  using Arrays = std::unique_ptr<software::ListArrays, void (*)(software::ListArrays *)>;
-  /// What reads vertex arrays for them; null before the first that are read. Who makes it
-  /// (raster_draw/immediate/list_arrays.cpp) knows how it is destroyed.
-  [[nodiscard]] Arrays &arrays() { return m_arrays; }
-  /// Vertex arrays may be others since the last call, or since the list began.
-  [[nodiscard]] bool takeArraysDirty(Context &context);
+  [[nodiscard]] Arrays &arrays() override { return m_arrays; }
+  [[nodiscard]] bool takeArraysDirty(Context &context) override;
 
   [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
-  /// The host's draws so far in this list were of points, and are not from here on, or the other
-  /// way; true of the first.
-  [[nodiscard]] bool changesKind(bool points) {
+  [[nodiscard]] bool changesKind(bool points) override {
     const Kind kind = points ? Kind::Points : Kind::Others;
     return std::exchange(m_kind, kind) != kind;
   }
@@ -159,8 +124,11 @@ private:
   void closeSegment(Context &context);
   /// The last item is what the list has last.
   [[nodiscard]] bool follows() const { return keepsState() && !m_geometry && !m_items.empty(); }
-  /// Compiles on after closeSegment().
-  void resume(Context &context);
+  void interrupt(Context &context) override {
+    m_known.forget();
+    closeSegment(context);
+  }
+  void resume(Context &context) override;
   void finishSegment();
 
   // A primitive between Begin and End, which is recorded by the layer.
@@ -199,6 +167,11 @@ private:
   Kind m_kind = Kind::None;
   std::uint16_t m_mode = 0;
 };
+
+/// Returns the list compiler of a context that is no null context.
+[[nodiscard]] inline ListCompiler &listCompiler(Context &context) {
+  return static_cast<ListCompiler &>(*context.list);
+}
 
 /// Runs one recorded command.
 void execute(Context &context, const Command &command);

@@ -1,10 +1,11 @@
 // The layer's commands in a list, when it is called.
+#include "state/lists/conditional_commands.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/mesh_commands.h"
 
 #include <array>
 #include <cstring>
 
-#include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
@@ -12,7 +13,7 @@
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
 #include "state/programs/variants/point_sprites.h"
-#include "state/imaging/commands.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/lists/state_commands.h"
 #include "state/programs/combiners/combiner_commands.h"
 #include "state/programs/fragment_shaders.h"
@@ -26,7 +27,7 @@
 #include "state/programs/texture_shaders/texture_shader_commands.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/copy_texture.h"
+#include "state/pixel_commands/copy_texture.h"
 
 namespace arbiter::state {
 
@@ -110,10 +111,8 @@ EvaluatorPoint pointOf(const Command &command) {
 void evalMesh(Context &context, const Command &command) {
   std::array<GLint, 4> range{};
   std::memcpy(range.data(), command.bytes.data(), sizeof range);
-  if (command.name == 1)
-    handlers::EvalMesh1(context, command.target, range[0], range[1]);
-  else
-    handlers::EvalMesh2(context, command.target, range[0], range[1], range[2], range[3]);
+  issueEvalMesh(context,
+                {command.name, command.target, range[0], range[1], range[2], range[3]});
 }
 
 /// A command of NVIDIA's program API, which was there when it was recorded: contexts of a share
@@ -187,9 +186,9 @@ void execute(Context &context, const Command &command) {
   case Command::Kind::CallLists:
     return callLists(context, command.count, command.target, command.bytes.data());
   case Command::Kind::BeginConditional:
-    return handlers::BeginConditionalRender(context, command.name, command.target);
+    return issueBeginConditional(context, command.name, command.target);
   case Command::Kind::EndConditional:
-    return handlers::EndConditionalRender(context);
+    return issueEndConditional(context);
   case Command::Kind::SetFence:
     return setFence(context, FenceOf(command.target), command.name, command.format);
   case Command::Kind::FinishFence:

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstring>
 
-#include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/texture_commands.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
@@ -16,10 +16,10 @@ namespace {
 
 /// True: the command is kept.
 bool record(Context &context, const StateCommand &command, std::uint32_t dirty) {
-  if (!command.isValid() || !context.list->keepsState())
+  if (!command.isValid() || !listCompiler(context).keepsState())
     return false;
   withinMemory(context, "a command of a list",
-               [&] { context.list->recordState(context, command, dirty); });
+               [&] { listCompiler(context).recordState(context, command, dirty); });
   return true;
 }
 
@@ -42,10 +42,12 @@ void executeStateCommands(Context &context, const std::string &bytes) {
   StateCommand command;
   for (std::size_t at = 0; at < bytes.size(); at += sizeof command) {
     std::memcpy(&command, bytes.data() + at, sizeof command);
-    if (command.pname == 0)
-      handlers::BindTexture(context, command.target, command.texture);
-    else
+    if (command.pname == 0) {
+      context.host->BindTexture(command.target, command.texture);
+      noteTextureCommand(context);
+    } else {
       context.host->Materialfv(command.target, command.pname, command.values.data());
+    }
   }
 }
 

@@ -24,7 +24,7 @@ bool listsFollowTextures(const Context &context) {
 void noteTextureCommand(Context &context) {
   noteTextureChange(context);
   if (context.listMode != 0 && !context.insideBeginEnd && listsFollowTextures(context))
-    context.list->cut(context);
+    listCompiler(context).cut(context);
 }
 
 } // namespace arbiter::state

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "state/objects/target.h"
-#include "state/report/capture_record.h"
+#include "state/objects/texture_use.h"
 
 namespace arbiter::state {
 

@@ -64,7 +64,7 @@ struct Command {
     TextureRange,   ///< target; name: of a parameter, and format: its value, or 0; else count: the
                     ///< length, bytes: the pointer
     SpriteMode,     ///< target: POINT_SPRITE_R_MODE_NV's value
-    PrimitiveMode,  ///< target: that of the draws that come (lists/sprite_commands.h)
+    PrimitiveMode,  ///< target: that of the draws that come (host_draw/sprite_commands.h)
     CoordReplace,   ///< target: pname, count: the value of TexEnv of POINT_SPRITE
     State,          ///< bytes: some StateCommands, in a row (lists/known_state.h)
     ComponentImage, ///< bytes: a ComponentImage, then its components as floats

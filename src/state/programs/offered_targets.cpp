@@ -9,7 +9,7 @@
 #include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/era/era_state.h"
-#include "state/host_draw/native_inputs.h"
+#include "state/programs/offered_aliases.h"
 #include "state/imaging/imaging_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"

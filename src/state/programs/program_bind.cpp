@@ -11,11 +11,6 @@ void noteProgramApiUse(Context &context) {
     context.group->programApiUsed.store(true, std::memory_order_relaxed);
 }
 
-void invalidateProgram(Context &context) {
-  // Sticky bits of the program that was effective go; selecting sets them anew.
-  context.attention = attention::kProgram | (context.attention & attention::kRemains);
-}
-
 std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarget &row, GLuint name,
                                             Existence existence) {
   if (name == 0)

@@ -15,8 +15,6 @@ struct ProgramTarget;
 /// Marks that the share group uses a program target: display lists are divided into segments from
 /// now on.
 void noteProgramApiUse(Context &context);
-/// Makes the next draw look at what is effective.
-void invalidateProgram(Context &context);
 
 /// The object of that name and target, made at first use as BindProgram would
 /// (EXT_direct_state_access); null after an error.

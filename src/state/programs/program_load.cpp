@@ -1,6 +1,7 @@
 // ProgramString (3.11.1; ARB_vertex_program 2.14.1): the text goes to our compiler.
 #include "state/programs/program_load.h"
 #include "state/core/context.h"
+#include "state/core/context_hooks.h"
 #include "state/programs/variants/drop_variants.h"
 
 #include <algorithm>
@@ -17,14 +18,12 @@
 #include "state/programs/variants/attribute_forms.h"
 #include "state/programs/variants/clipped_variant.h"
 #include "state/programs/variants/depth_variants.h"
-#include "state/lists/list_compiler.h"
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_cache.h"
 #include "state/programs/replacement.h"
 #include "state/report/capture.h"
 #include "state/report/refusals.h"
-#include "state/report/statistics.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -218,7 +217,7 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   std::shared_ptr<const CompiledProgram> compiled =
       compileProgram(context, object.target, text, own, replacement ? &*replacement : nullptr);
   const Refusal refusal = compiled ? Refusal() : refusalOf(context, row, text, result);
-  noteLoadedProgram(context, object, text, result, refusal);
+  context.hooks->noteLoadedProgram(context, object, text, result, refusal);
   captureLoad(context, object, text, result, compiled.get());
   if (!compiled) {
     logInfo("state", "context %u: program %u refused:\n%s", context.serial, object.name,

@@ -4,7 +4,6 @@
 #include "state/core/memory.h"
 #include "state/host_draw/current_values.h"
 #include "state/host_draw/draw.h"
-#include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/primitive.h"

@@ -7,7 +7,6 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/path_choice.h"
 #include "state/programs/variants/point_sprites.h"
-#include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/functions/compile_thread.h"
 #include "state/raster_draw/pipeline.h"

@@ -2,7 +2,6 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"

@@ -7,7 +7,6 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
 #include "state/imaging/arithmetic.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/context_state.h"

@@ -5,7 +5,7 @@
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/variants/point_sprites.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/pipeline.h"

@@ -7,7 +7,7 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/core/host_state.h"
 #include "state/programs/program_edits.h"
 
 namespace arbiter::state::software {

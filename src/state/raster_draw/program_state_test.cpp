@@ -10,7 +10,7 @@
 
 #include "fp_compiler/ir/builder.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/core/host_state.h"
 #include "state/testing/real_host.h"
 
 namespace arbiter::state::software {

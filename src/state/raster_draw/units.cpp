@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "state/core/context.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/raster_draw/context_state.h"
 
 namespace arbiter::state::software {

@@ -9,7 +9,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "util/exit_lock.h"
 
 namespace arbiter::state {

@@ -7,21 +7,12 @@
 #include <vector>
 
 #include "state/objects/target.h"
+#include "state/objects/texture_use.h"
 #include "state/objects/program_object.h"
 #include "util/json.h"
 
 /// A row of a capture's record: one program text, and its use.
 namespace arbiter::state {
-
-/// The texture of a unit that a program samples, when its draws began.
-struct TextureUse {
-  std::uint8_t unit = 0;
-  fp::ir::TexTarget target = fp::ir::TexTarget::Tex2D;
-  GLint name = 0;
-  GLint width = 0, height = 0, depth = 0; ///< texels; 0: no image
-  GLint format = 0;                       ///< internal format
-  std::uint8_t enabled = 0; ///< fixed-function targets of the unit: bit i is kFixedTargets[i]
-};
 
 /// The fixed-function texture targets, in rising precedence (3.8.15).
 struct FixedTarget {

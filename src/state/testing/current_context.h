@@ -51,7 +51,7 @@ inline GLuint use(Context &context, std::string_view text, GLenum target = kFrag
 
 /// What an entry point of a draw does before it calls the host. False: dropped.
 inline bool draw(Context &context) {
-  if (context.attention && !handlers::beginDraw(context, GL_TRIANGLES))
+  if (context.attention && !prepareDraw(context, GL_TRIANGLES))
     return false;
   ++*context.drawCounter;
   return true;

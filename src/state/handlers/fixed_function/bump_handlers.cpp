@@ -40,7 +40,7 @@ template <typename T> void set(Context &context, GLenum pname, const T *param) {
   keepTextures(context).used = true;
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list->record(context,
+    return listCompiler(context).record(context,
                                 {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
   executeTextureShaderCommand(context, command);
 }

@@ -22,7 +22,7 @@ bool isMode(Context &context, GLenum pname, GLfloat value) {
   noteProgramApiUse(context);
   context.era->sprites.used = true;
   if (context.listMode != 0)
-    context.list->record(context, {.kind = Command::Kind::SpriteMode, .target = mode});
+    listCompiler(context).record(context, {.kind = Command::Kind::SpriteMode, .target = mode});
   else
     setSpriteMode(context, mode);
   return true;

@@ -6,11 +6,11 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/imaging/commands.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/formats.h"
 #include "state/imaging/imaging_state.h"
-#include "state/imaging/queries.h"
-#include "state/imaging/transfer.h"
+#include "state/pixel_commands/imaging_queries.h"
+#include "state/pixel_commands/transfer.h"
 
 namespace arbiter::state {
 

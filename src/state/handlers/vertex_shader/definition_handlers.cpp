@@ -68,7 +68,7 @@ void BindVertexShaderEXT(Context &context, GLuint id) {
     return;
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list->record(context, {.kind = Command::Kind::BindProgram,
+    return listCompiler(context).record(context, {.kind = Command::Kind::BindProgram,
                                           .target = infoOf(Target::VertexShader).name,
                                           .name = id});
   bindVertexShader(context, id);

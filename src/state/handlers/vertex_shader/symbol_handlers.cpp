@@ -146,7 +146,7 @@ void SetInvariantEXT(Context &context, GLuint id, GLenum type, const void *addr)
   if (!context.listMode)
     return setInvariant(context, id, *rows);
   noteProgramApiUse(context);
-  context.list->record(context, {.kind = Command::Kind::Env,
+  listCompiler(context).record(context, {.kind = Command::Kind::Env,
                                  .target = infoOf(Target::VertexShader).name,
                                  .name = id,
                                  .values = *rows});

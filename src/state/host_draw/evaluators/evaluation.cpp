@@ -5,7 +5,6 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/evaluators/nv_attributes.h"
-#include "state/lists/list_compiler.h"
 #include "state/programs/nv/nv_state.h"
 
 namespace arbiter::state {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "state/contexts/lifecycle.h"
-#include "state/host_draw/linked_program.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

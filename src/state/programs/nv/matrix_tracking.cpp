@@ -10,7 +10,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/core/host_state.h"
 #include "state/imaging/imaging_state.h"
 #include "state/programs/nv/nv_state.h"
 

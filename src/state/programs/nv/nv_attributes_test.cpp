@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fp_compiler/ir/ir.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/testing/nv_context.h"
 
 namespace arbiter::state {

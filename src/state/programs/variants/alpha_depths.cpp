@@ -3,7 +3,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/texture_names.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
 

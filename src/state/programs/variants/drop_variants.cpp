@@ -1,7 +1,7 @@
 #include "state/programs/variants/drop_variants.h"
 
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/core/context_hooks.h"
 #include "state/programs/variants/array_variants.h"
 #include "state/programs/variants/ati_variants.h"
 #include "state/programs/variants/clipped_variant.h"
@@ -10,7 +10,7 @@
 namespace arbiter::state {
 
 void dropVariants(Context &context, const CompiledProgram &compiled) {
-  context.linkedPrograms->drop(context, &compiled);
+  context.hooks->dropLinkedPrograms(context, compiled);
   const auto dropAll = [&](const auto &variants) {
     if (variants)
       for (const auto &form : variants->all())

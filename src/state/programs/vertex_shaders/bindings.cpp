@@ -8,7 +8,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
-#include "state/host_draw/linked_program.h"
+#include "state/core/host_state.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
 

@@ -8,12 +8,12 @@
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/vertex_shader/lower.h"
 #include "state/core/context.h"
+#include "state/core/context_hooks.h"
 #include "state/programs/variants/clipped_variant.h"
 #include "state/programs/variants/drop_variants.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
-#include "state/report/statistics.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -115,7 +115,7 @@ std::shared_ptr<const CompiledProgram> compile(const Context &context, const Rec
 void defineVertexShader(Context &context, const Recorded &recorded) {
   const ProgramTarget &row = context.row(Target::VertexShader);
   std::shared_ptr<const CompiledProgram> compiled = compile(context, recorded);
-  noteFragmentShader(context, *row.bound, compiled.get(),
+  context.hooks->noteShader(context, *row.bound, compiled.get(),
                      compiled->vertexShader->fits ? "" : "the shader is over the limits");
   const auto old = context.group->compiledOf(*row.bound);
   context.group->setCompiled(*row.bound, std::move(compiled));

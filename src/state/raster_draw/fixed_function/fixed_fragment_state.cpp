@@ -6,7 +6,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/unit_scope.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/programs/variants/fixed_function_now.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/fixed_function/fixed_fragment.h"

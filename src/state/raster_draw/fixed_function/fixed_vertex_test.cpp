@@ -13,7 +13,7 @@
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
-#include "state/host_draw/linked_program.h"
+#include "state/core/host_state.h"
 #include "state/mirror/mirror.h"
 #include "state/testing/real_host.h"
 

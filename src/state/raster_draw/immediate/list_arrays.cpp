@@ -9,7 +9,6 @@
 #include "state/core/context.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/host_draw/stages/application_glsl.h"
-#include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/primitives/recorder.h"
 #include "state/raster_draw/immediate/replay.h"
@@ -72,7 +71,7 @@ private:
 };
 
 ListArrays &arraysOf(Context &context) {
-  ListCompiler::Arrays &arrays = context.list->arrays();
+  ListRecorder::Arrays &arrays = context.list->arrays();
   if (!arrays)
     arrays = {new ListArrays(ownHostOf(context), context.caps),
               [](ListArrays *made) { delete made; }};

@@ -7,7 +7,6 @@
 #include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/host_draw/draw.h"
-#include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 

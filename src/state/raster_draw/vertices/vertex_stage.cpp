@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "swrast/threads.h"
 
 namespace arbiter::state::software {

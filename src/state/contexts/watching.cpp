@@ -1,4 +1,4 @@
-#include "state/control/begin.h"
+#include "state/contexts/watching.h"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/memory.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/hud/hud.h"
 #include "state/programs/program_edits.h"
 #include "util/flags.h"

@@ -1,4 +1,4 @@
-#include "state/host_draw/combiner_draw.h"
+#include "state/host_draw/texturing/combiner_draw.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "state/core/context.h"
 #include "state/core/texture_names.h"
 #include "state/core/unit_scope.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/programs/variants/fixed_function_now.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "state/imaging/commands.h"
+#include "state/pixel_commands/imaging_commands.h"
 
 /// What commands.h executes, by what it is about. Each raises its errors.
 namespace arbiter::state {

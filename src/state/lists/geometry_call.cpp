@@ -1,11 +1,12 @@
-#include "state/raster_draw/immediate/geometry_call.h"
+#include "state/lists/geometry_call.h"
 
 #include <algorithm>
 #include <new>
 
-#include "host/handlers.h"
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
+#include "state/host_draw/prepare_draw.h"
+#include "state/lists/primitive_commands.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
@@ -48,7 +49,7 @@ void callVertices(const Context &context, GLuint list) {
 
 /// The host draws, after it was brought up to date.
 void drawOnHost(Context &context, const Geometry &geometry) {
-  if (context.attention && !handlers::beginDraw(context, geometry.mode))
+  if (context.attention && !prepareDraw(context, geometry.mode))
     return setCurrentValues(context, geometry.values, geometry.touched);
   const GLuint list = hostListOf(context, geometry);
   // Where the stack is full the last vertex's values stay.
@@ -69,7 +70,7 @@ void drawOnHost(Context &context, const Geometry &geometry) {
 /// As the application does: whose primitive it is shows when it is whole. Requires: one, which is
 /// open.
 void beginPrimitive(Context &context, const Geometry &geometry) {
-  handlers::Begin(context, geometry.mode);
+  issueBegin(context, geometry.mode);
   if (ImmediateRecorder *const to = context.recorder) {
     return geometry.read(
         [&](int slot, const float *v, int components) {
@@ -136,7 +137,7 @@ bool drawGeometry(Context &context, const Geometry &geometry) {
 
 void callGeometry(Context &context, const Geometry &geometry) {
   if (context.insideBeginEnd) // an error, which costs the primitive's vertices too
-    return handlers::Begin(context, geometry.mode);
+    return issueBegin(context, geometry.mode);
   if (geometry.onlyValues)
     return setCurrentValues(context, geometry.values, geometry.touched);
   if (geometry.open)

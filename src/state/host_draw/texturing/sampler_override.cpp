@@ -1,8 +1,8 @@
-#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/texturing/sampler_override.h"
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
+#include "state/objects/linked_program.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

@@ -1,11 +1,11 @@
-#include "state/raster_draw/copy_texture.h"
+#include "state/pixel_commands/copy_texture.h"
 
 #include <cstring>
 
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/texture_binding.h"
-#include "state/imaging/pixel_commands.h"
+#include "state/pixel_commands/pixel_commands.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/component_image.h"

@@ -1,9 +1,9 @@
-#include "state/host_draw/texture_shader_draw.h"
+#include "state/host_draw/texturing/texture_shader_draw.h"
 
 #include "fp_compiler/texture_shader/operations.h"
 #include "state/core/context.h"
-#include "state/host_draw/linked_program.h"
-#include "state/host_draw/sampler_override.h"
+#include "state/objects/linked_program.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/programs/variants/environment_now.h"
 #include "state/programs/variants/fixed_function_now.h"
 #include "state/programs/variants/shader_textures.h"

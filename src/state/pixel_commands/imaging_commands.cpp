@@ -1,4 +1,4 @@
-#include "state/imaging/commands.h"
+#include "state/pixel_commands/imaging_commands.h"
 
 #include <cstring>
 #include <type_traits>
@@ -8,10 +8,9 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
-#include "state/imaging/pixel_commands.h"
-#include "state/imaging/state_commands.h"
-#include "state/imaging/transfer.h"
-#include "state/lists/list_compiler.h"
+#include "state/pixel_commands/pixel_commands.h"
+#include "state/pixel_commands/imaging_state_commands.h"
+#include "state/pixel_commands/transfer.h"
 #include "state/programs/program_bind.h"
 
 namespace arbiter::state {

@@ -1,4 +1,4 @@
-#include "state/report/statistics.h"
+#include "state/statistics/statistics.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include "state/core/context.h"
 #include "state/programs/program_cache.h"
 #include "state/raster_draw/report.h"
-#include "state/report/statistics_text.h"
+#include "state/statistics/statistics_text.h"
 #include "util/exit_lock.h"
 #include "util/file.h"
 #include "util/flags.h"

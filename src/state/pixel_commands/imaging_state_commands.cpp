@@ -1,4 +1,4 @@
-#include "state/imaging/state_commands.h"
+#include "state/pixel_commands/imaging_state_commands.h"
 
 #include <algorithm>
 

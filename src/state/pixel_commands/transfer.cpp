@@ -1,4 +1,4 @@
-#include "state/imaging/transfer.h"
+#include "state/pixel_commands/transfer.h"
 
 #include <algorithm>
 
@@ -8,7 +8,6 @@
 #include "state/core/errors.h"
 #include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
-#include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 
 namespace arbiter::state {

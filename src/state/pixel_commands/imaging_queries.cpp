@@ -1,8 +1,8 @@
-#include "state/imaging/queries.h"
+#include "state/pixel_commands/imaging_queries.h"
 
 #include "state/core/errors.h"
 #include "state/imaging/formats.h"
-#include "state/imaging/transfer.h"
+#include "state/pixel_commands/transfer.h"
 
 namespace arbiter::state {
 

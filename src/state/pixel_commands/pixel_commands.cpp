@@ -1,6 +1,6 @@
-#include "state/imaging/pixel_commands.h"
+#include "state/pixel_commands/pixel_commands.h"
 
-#include "host/handlers.h"
+#include "state/host_draw/prepare_draw.h"
 #include "host/host_table.h"
 #include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
@@ -104,7 +104,7 @@ bool imagedDrawPixels(Context &context, GLsizei width, GLsizei height, GLenum fo
 }
 
 void drawImage(Context &context, const ImagingCommand &command, const std::vector<Rgba> &colors) {
-  if (!handlers::beginPixels(context))
+  if (!preparePixels(context))
     return;
   Pixels pixels{command.width, command.height, 1, colors};
   if (process(context, ImageKind::Two, command.flag, pixels))
@@ -129,7 +129,7 @@ bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei
 }
 
 void copyImage(Context &context, const ImagingCommand &command) {
-  if (!handlers::beginPixels(context))
+  if (!preparePixels(context))
     return;
   if (!isImaged(context) && !software::shadesRasterValues(context)) {
     if (context.softwareListens)

@@ -1,4 +1,4 @@
-#include "state/host_draw/linked_program.h"
+#include "state/host_draw/linked_program_cache.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,9 +1,8 @@
-#include "state/lists/sprite_commands.h"
+#include "state/host_draw/sprite_commands.h"
 
 #include "state/core/context.h"
 #include "state/era/era_state.h"
 #include "state/programs/variants/point_sprites.h"
-#include "state/lists/list_compiler.h"
 
 namespace arbiter::state {
 

@@ -1,11 +1,11 @@
-#include "state/report/statistics_text.h"
+#include "state/statistics/statistics_text.h"
 
 #include <algorithm>
 #include <unistd.h>
 
 #include "fp_compiler/resources.h"
 #include "state/core/active_profile.h"
-#include "state/report/statistics.h"
+#include "state/statistics/statistics.h"
 #include "util/defaults/report.h"
 #include "util/flags.h"
 #include "util/json.h"

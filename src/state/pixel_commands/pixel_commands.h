@@ -3,8 +3,8 @@
 
 #include <GL/gl.h>
 
-#include "state/imaging/commands.h"
-#include "state/imaging/transfer.h"
+#include "state/pixel_commands/imaging_commands.h"
+#include "state/pixel_commands/transfer.h"
 
 /// The commands that move pixels, where ARB_imaging has a part in it, or fragments have more of the
 /// raster position than hosts give them. Each of those that give true

@@ -1,0 +1,47 @@
+#include "state/lists/conditional_commands.h"
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/lists/list_compiler.h"
+#include "state/raster_draw/context_state.h"
+
+namespace arbiter::state {
+
+namespace {
+
+bool isRecorded(Context &context) {
+  if (context.listMode == 0 || !listCompiler(context).keeps())
+    return false;
+  listCompiler(context).leavePrimitive(context);
+  return !context.insideBeginEnd;
+}
+
+void note(Context &context, bool begun) {
+  if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE)
+    return;
+  context.software->mirror.conditional = begun;
+  context.dirty |= software::dirty::kQueries;
+}
+
+} // namespace
+
+void issueBeginConditional(Context &context, GLuint id, GLenum mode) {
+  if (isRecorded(context))
+    return listCompiler(context).record(
+        context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
+  // What brings pixels to the host is a blit, which the condition would discard. Until its end the
+  // host draws and clears, so nothing is pending that a blit would have to bring.
+  if (context.software && !context.insideBeginEnd && context.listMode == 0)
+    context.software->residency.synchronise("glBeginConditionalRender");
+  context.host->BeginConditionalRender(id, mode);
+  note(context, true);
+}
+
+void issueEndConditional(Context &context) {
+  if (isRecorded(context))
+    return listCompiler(context).record(context, {.kind = Command::Kind::EndConditional});
+  context.host->EndConditionalRender();
+  note(context, false);
+}
+
+} // namespace arbiter::state

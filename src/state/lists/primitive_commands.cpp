@@ -1,0 +1,86 @@
+#include "state/lists/primitive_commands.h"
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/host_draw/evaluators/evaluation.h"
+#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/native_inputs.h"
+#include "state/lists/list_compiler.h"
+#include "state/raster_draw/commands.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/held.h"
+#include "state/raster_draw/immediate/primitive.h"
+#include "state/raster_draw/immediate/refused.h"
+#include "state/raster_draw/immediate/replay.h"
+#include "state/host_draw/prepare_draw.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The primitive is recorded, to be drawn by the rasterizer.
+bool defer(Context &context, GLenum mode) {
+  if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
+    return false;
+  if (!software::usesRasterizer(context) || !software::beginPrimitive(context, mode))
+    return false;
+  software::startRecording(context);
+  return true;
+}
+
+} // namespace
+
+void issueBegin(Context &context, GLenum mode) {
+  if (software::isHeld(context) && software::reopenHeld(context, mode))
+    return;
+  if (software::isRecorded(context) && software::refuses(context, "glBegin")) [[unlikely]]
+    return;
+  const ImmediateInputs inputs(context);
+  if (context.mapsNamed) [[unlikely]]
+    beginEvaluation(context);
+  if (context.listMode != 0) {
+    if (listCompiler(context).recordsPrimitive())
+      listCompiler(context).givePrimitive(context);
+    else if (listCompiler(context).beginPrimitive(context, mode))
+      return;
+  }
+  if (software::mayDraw(context) && defer(context, mode))
+    return;
+  if (context.attention && !prepareDraw(context, mode)) [[unlikely]]
+    return;
+  ++*context.drawCounter;
+  if (context.listMode)
+    listCompiler(context).notePixels();
+  context.host->Begin(mode);
+  if (mode > GL_POLYGON)
+    return; // opens nothing
+  if (context.listMode)
+    listCompiler(context).notePrimitive(Primitive::Open);
+  if (context.listMode != GL_COMPILE && !context.hostAssembly->refuses())
+    context.insideBeginEnd = true;
+}
+
+void issueEnd(Context &context) {
+  if (software::isHeld(context)) [[unlikely]] // an error
+    software::drawHeld(context);
+  if (context.recorder && context.listMode == 0 && software::holdPrimitive(context))
+    return;
+  const ImmediateInputs inputs(context);
+  if (context.listMode != 0 && listCompiler(context).recordsPrimitive())
+    return listCompiler(context).endPrimitive(context);
+  if (context.recorder && context.listMode == 0) {
+    software::stopRecording(context);
+    context.insideBeginEnd = false;
+    return software::endPrimitive(context);
+  }
+  if (context.listMode)
+    listCompiler(context).notePixels();
+  context.host->End();
+  if (context.listMode)
+    listCompiler(context).notePrimitive(Primitive::Closed);
+  if (context.listMode != GL_COMPILE)
+    context.insideBeginEnd = false;
+}
+
+} // namespace arbiter::state
