@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Fails on an #include between the rooms inside a room that goes against their one way down, on
-units that reach each other in a circle of more than eight, on a room of too many files, and on an
-entry point of state that lies outside the room of entry points.
+"""Fails on an #include between the rooms inside a room that goes upward, on a folder without a place in
+the order, on units that reach each other in a circle of more than eight, on a room of too many files, and
+on an entry point of state that lies outside the room of entry points.
 
-A room is a folder of ALLOWED; a folder that has no row belongs to the room that it lies in. Edges
-between a room and one that it lies in are free: what all of its rooms share lies in the outer one,
-and what puts them together too. A unit is a header and its source. Tests, benchmarks and what lies
-in a folder `testing` may see everything.
+A room is a folder. ORDER lists the rooms of each room, the lowest first: a room includes what stands below
+it in its list, and nothing else of that list. Edges between a room and one that it lies in are free: the
+outer one holds what its rooms share, and what puts them together. A generated header belongs to the room
+that implements it. A unit is a header and its source. Tests, benchmarks and what lies in a folder `testing`
+may see everything.
 
 usage: sub_rooms.py ROOT | sub_rooms.py --self-test
 """
@@ -17,101 +18,39 @@ import sys
 
 import tree
 
-IR = "fp_compiler/ir"
-LLVM = "fp_compiler/back/llvm"
-R300 = "fp_compiler/hw/r300"
-CORE = "state/core"
-SHARE = "state/share"
-PROGRAMS = "state/programs"
-LISTS = "state/lists"
-HOST_DRAW = "state/host_draw"
-REPORT = "state/report"
-MIRROR = "state/mirror"
-RESIDENCY = "state/residency"
-RASTER_DRAW = "state/raster_draw"
-CONTROL = "state/control"
-HUD = "state/hud"
-ERA = "state/era"
-IMAGING = "state/imaging"
-PIXELS = "state/client_pixels"
-STATE = {CONTROL, HUD, CORE, SHARE, PROGRAMS, LISTS, HOST_DRAW, REPORT, MIRROR, RESIDENCY, RASTER_DRAW,
-         ERA, IMAGING, PIXELS}
-
-# Of rooms that do not lie in each other: which ones a room includes.
-ALLOWED = {
-    "fp_compiler": set(),
-    IR: set(),
-    "fp_compiler/analysis": {IR},
-    "fp_compiler/opt": {IR},
-    "fp_compiler/ati": {IR},
-    "fp_compiler/vertex_shader": {IR},
-    "fp_compiler/front": {"fp_compiler/ati", IR},
-    "fp_compiler/hw": {IR, R300, R300 + "/report"},
-    R300: {IR, R300 + "/lower", R300 + "/pair"},
-    R300 + "/lower": {IR},
-    R300 + "/pair": {R300 + "/lower"},
-    R300 + "/check": {IR},
-    R300 + "/execute": {R300 + "/check", IR},
-    R300 + "/report": {R300 + "/check", IR},
-    "fp_compiler/back/assembly": {IR},
-    "fp_compiler/back/glsl": {"fp_compiler/analysis", IR},
-    LLVM + "/code": set(),
-    LLVM + "/math": {LLVM + "/code"},
-    LLVM + "/program": {LLVM + "/code", LLVM + "/math", "fp_compiler/analysis", "fp_compiler/opt", IR},
-    LLVM + "/sample": {LLVM + "/code", LLVM + "/math"},
-    LLVM + "/pixel": {LLVM + "/code", IR},
-    LLVM + "/fragment": {LLVM + "/code", LLVM + "/math", LLVM + "/program", LLVM + "/pixel",
-                         "fp_compiler/analysis", IR},
-    LLVM + "/engine": {LLVM + "/code", LLVM + "/program", LLVM + "/fragment", IR},
-    "enumerants": set(),
-    "swrast": set(),
-    "swrast/image": set(),
-    "swrast/setup": set(),
-    "swrast/cover": {"swrast/setup"},
-    "swrast/strokes": {"swrast/setup", "swrast/cover"},
-    # A context has parts of all rooms but of the entry points, which nothing includes: what they call
-    # never calls back. The mirror and residency know no context.
-    "state": set(),
-    CORE: STATE,
-    SHARE: {CORE, PROGRAMS, LISTS, HOST_DRAW, RASTER_DRAW},
-    PROGRAMS: {CORE, SHARE, LISTS, HOST_DRAW, REPORT, ERA, IMAGING, PIXELS},
-    LISTS: {CORE, SHARE, PROGRAMS, HOST_DRAW, MIRROR, RASTER_DRAW, ERA, IMAGING},
-    HOST_DRAW: {CORE, SHARE, PROGRAMS, LISTS, REPORT, MIRROR, RASTER_DRAW, ERA, IMAGING},
-    REPORT: {CORE, PROGRAMS, HOST_DRAW, RASTER_DRAW},
-    RASTER_DRAW: {CORE, SHARE, PROGRAMS, LISTS, HOST_DRAW, MIRROR, RESIDENCY, IMAGING},
-    ERA: {CORE, SHARE, LISTS, MIRROR, RASTER_DRAW},
-    IMAGING: {CORE, PROGRAMS, LISTS, MIRROR, RASTER_DRAW, PIXELS},
-    PIXELS: {CORE, MIRROR},
-    "state/handlers": STATE,
-    MIRROR: {CORE},
-    RESIDENCY: {CORE, SHARE, MIRROR},
-    # What watches drawing stands above what draws, which knows hooks of it (core/control_hooks.h).
-    CONTROL: {CORE, SHARE, PROGRAMS, HOST_DRAW, REPORT, MIRROR, RASTER_DRAW, HUD, PIXELS},
-    HUD: {CORE, SHARE, REPORT, MIRROR, RASTER_DRAW, CONTROL, PIXELS},
+# The rooms of each room, the lowest first. include_graph.py has those of src itself.
+ORDER = {
+    "builder": ["model", "view"],
+    "builder/model": ["text", "language", "render", "panels", "attach"],
+    "builder/view": ["editor", "picture", "panels", "window"],
+    "fp_compiler": ["ir", "analysis", "ati", "combiners", "hw", "opt", "back", "texture_shader", "vertex_shader",
+                    "front"],
+    "fp_compiler/back": ["assembly", "llvm", "glsl"],
+    "fp_compiler/back/llvm": ["code", "math", "pixel", "sample", "program", "fragment", "engine"],
+    "fp_compiler/front": ["words", "ati", "bindings", "nv", "native", "nvparse", "reference"],
+    "fp_compiler/hw": ["i915", "nv30", "r300"],
+    "fp_compiler/hw/r300": ["check", "execute", "lower", "pair", "report"],
+    "interposer": ["preload"],
     # Words and panels come first; textures and meshes are made of them; the document has all.
-    "scene": set(),
-    "scene/panel": set(),
-    "scene/texture": {"scene/panel"},
-    "scene/mesh": {"scene/panel", "scene/texture"},
-    # The window: a view shows a model, and nothing of a model includes a view.
-    "builder/model": set(),
-    "builder/model/text": set(),
-    "builder/model/language": {"builder/model/text"},
-    "builder/model/render": {"builder/model/text", "builder/model/language"},
-    "builder/model/panels": {"builder/model/text", "builder/model/render"},
-    "builder/model/attach": {"builder/model/text", "builder/model/language", "builder/model/render",
-                             "builder/model/panels"},
-    "builder/view": {"builder/model"},
-    "builder/view/editor": {"builder/model", "builder/model/panels"},
-    "builder/view/picture": {"builder/model", "builder/model/render"},
-    "builder/view/panels": {"builder/model", "builder/model/attach", "builder/model/panels", "builder/view/editor",
-                            "builder/view/picture"},
-    "builder/view/window": {"builder/model", "builder/model/attach", "builder/model/panels", "builder/view/editor",
-                            "builder/view/panels", "builder/view/picture"},
-    "util": set(),
-    "util/cache": set(),
-    "util/record": set(),
+    "scene": ["panel", "texture", "mesh"],
+    # What a host can do, and what its state is; plain objects; a context; what it draws with, and by which of
+    # two ways; lists, which execute commands; who watches; entry points; what makes and frees contexts.
+    "state": ["capabilities", "mirror", "primitives", "objects", "share", "core", "client_pixels", "era", "imaging",
+              "residency", "report", "programs", "host_draw", "raster_draw", "pixel_commands", "lists", "statistics",
+              "control", "hud", "handlers", "contexts"],
+    "state/handlers": ["fixed_function", "imaging", "vertex_shader"],
+    "state/host_draw": ["evaluators", "stages", "linking", "texturing"],
+    "state/programs": ["nv", "variants", "combiners", "texture_shaders", "vertex_shaders"],
+    "state/raster_draw": ["functions", "fixed_function", "frames", "vertices", "immediate"],
+    "swrast": ["image", "setup", "cover", "strokes", "queue"],
+    "tools": ["advise", "check", "launch", "draw", "debug", "ctl", "complete", "doctor", "lsp", "options", "page",
+              "render", "report"],
+    "tools/advise": ["rules"],
+    "tools/debug": ["trace", "pixel", "draws", "gl"],
+    "util": ["cache", "defaults", "hud", "record"],
 }
+# Generated headers that another room than their folder's implements.
+GENERATED = {"host/handlers.h": "state/handlers/handlers.h"}
 MOST_UNITS = 8  # of a circle
 MOST_FILES = 35  # of one folder, tests and tables included
 
@@ -120,21 +59,9 @@ HANDLER = re.compile(r"^namespace (arbiter::state::)?handlers {", re.M)
 SUFFIXES = {".h", ".cpp", ".def"}
 
 
-def room_of(name):
-    """The innermost room of ALLOWED that the file lies in; None if there is none."""
-    for folder in pathlib.PurePosixPath(name).parents:
-        if str(folder) in ALLOWED:
-            return str(folder)
-    return None
-
-
 def is_production(name):
     path = pathlib.PurePosixPath(name)
-    return "testing" not in path.parts and not path.stem.endswith(("_test", "_bench"))
-
-
-def lies_in(inner, outer):
-    return inner == outer or inner.startswith(outer + "/")
+    return not {"testing", "testdata"} & set(path.parts) and not path.stem.endswith(("_test", "_bench"))
 
 
 def read(source):
@@ -143,21 +70,36 @@ def read(source):
     for path, includes in tree.includes(source):
         name = path.relative_to(source).as_posix()
         if path.suffix in SUFFIXES and is_production(name):
-            graph[name] = [each for quoted, each in includes if quoted and (source / each).exists()]
+            graph[name] = [GENERATED.get(each, each) for quoted, each in includes
+                           if quoted and (each in GENERATED or (source / each).exists())]
     return graph
+
+
+def parting(name, other):
+    """(room, its room of `name`, its room of `other`) where the ways of two files part; None where one of them lies
+    beside the other's room."""
+    here, there = (pathlib.PurePosixPath(each).parent.parts for each in (name, other))
+    for level, (mine, others) in enumerate(zip(here, there)):
+        if mine != others:
+            return "/".join(here[:level]), mine, others
+    return None
 
 
 def wrong_edges(graph):
     for name, includes in graph.items():
-        room = room_of(name)
-        if room is None:
-            continue
         for other in includes:
-            target = room_of(other)
-            if target is None or lies_in(room, target) or lies_in(target, room):
-                continue
-            if target.split("/")[0] == room.split("/")[0] and target not in ALLOWED[room]:
-                yield f"src/{name}: {room} may not include {other}"
+            room, mine, others = parting(name, other) or (None, None, None)
+            order = ORDER.get(room, [])
+            if mine in order and others in order and order.index(others) > order.index(mine):
+                yield f"src/{name}: {room}/{mine} stands below {other}"
+
+
+def without_place(graph):
+    """Folders that the list of their room lacks."""
+    for folder in sorted({each for name in graph for each in pathlib.PurePosixPath(name).parents}):
+        room = str(folder.parent)
+        if room != "." and folder.name not in ORDER.get(room, []):
+            yield f"src/{folder}: has no place in the order of {room}"
 
 
 def circles(graph):
@@ -211,7 +153,7 @@ def misplaced(source):
     """Sources that implement entry points (namespace handlers) elsewhere than in state/handlers."""
     for path in sorted(source.glob("state/**/*.cpp")):
         name = path.relative_to(source).as_posix()
-        if is_production(name) and room_of(name) != HANDLERS and HANDLER.search(path.read_text()):
+        if is_production(name) and not name.startswith(HANDLERS + "/") and HANDLER.search(path.read_text()):
             yield f"src/{name}: entry points belong in {HANDLERS}"
 
 
@@ -219,7 +161,7 @@ def check(root):
     """Complaints about the tree, and the number of files read."""
     source = root / "src"
     graph = read(source)
-    complaints = [*wrong_edges(graph), *crowded(source), *misplaced(source)]
+    complaints = [*wrong_edges(graph), *without_place(graph), *crowded(source), *misplaced(source)]
     for members in circles(graph):
         if len(members) > MOST_UNITS:
             complaints.append(f"{len(members)} units reach each other: " + " ".join(members))
@@ -240,6 +182,15 @@ PLANTED = [
     ({"src/swrast/cover/b.h": '#include "swrast/setup/a.h"\n', "src/swrast/setup/a.h": ""}, 0),
     ({"src/swrast/draw.h": "", "src/swrast/setup/a.h": '#include "swrast/draw.h"\n',
       "src/swrast/draw.cpp": '#include "swrast/setup/a.h"\n'}, 0),
+    ({"src/state/lists/a.cpp": '#include "host/handlers.h"\n'}, 1),
+    ({"src/state/handlers/a.cpp": '#include "host/handlers.h"\n'}, 0),
+    ({"src/tools/check/a.cpp": '#include "tools/draw/b.h"\n', "src/tools/draw/b.h": ""}, 1),
+    ({"src/builder/model/text/a.h": '#include "builder/view/window/b.h"\n',
+      "src/builder/view/window/b.h": ""}, 1),
+    ({"src/fp_compiler/front/words/a.h": '#include "fp_compiler/front/ati/words.def"\n',
+      "src/fp_compiler/front/ati/words.def": ""}, 1),
+    ({"src/state/host_draw/variants/a.h": ""}, 1),
+    ({"src/state/host_draw/linking/a.h": '#include "state/lists/b.h"\n', "src/state/lists/b.h": ""}, 1),
     ({"src/swrast/setup/a_test.cpp": '#include "swrast/cover/b.h"\n',
       "src/swrast/cover/b.h": ""}, 0),
     ({"src/fp_compiler/back/llvm/program/a.h": '#include "fp_compiler/back/glsl/b.h"\n',

@@ -93,7 +93,7 @@ struct HostCaps {
   /// Planes clip what its own vertex programs give, in clip space.
   bool planesClipPrograms = true;
   /// Its own fragment programs draw as the specifications say, and cost it no more than GLSL but
-  /// where parameters change before each draw (host_draw/fragment_assembly.h).
+  /// where parameters change before each draw (host_draw/linking/fragment_assembly.h).
   bool ownFragments = false;
   std::uint32_t faults = 0; ///< bits of HostFault (capabilities/host_faults.h)
   std::vector<std::string> extensions;

@@ -1,7 +1,7 @@
 #include "state/contexts/context_hooks.h"
 
 #include "state/core/context.h"
-#include "state/host_draw/linked_program_cache.h"
+#include "state/host_draw/linking/linked_program_cache.h"
 #include "state/raster_draw/context_state.h"
 #include "state/statistics/statistics.h"
 

@@ -1,6 +1,5 @@
 #include "state/core/errors.h"
 
-#include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "util/flags.h"

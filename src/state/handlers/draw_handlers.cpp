@@ -5,7 +5,7 @@
 #include "state/core/errors.h"
 #include "state/era/point_sprites.h"
 #include "state/host_draw/draw.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/stages/application_glsl.h"
 #include "state/lists/list_compiler.h"
 #include "state/host_draw/sprite_commands.h"

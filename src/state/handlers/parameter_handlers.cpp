@@ -7,7 +7,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/parameters.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "state/objects/linked_program.h"
-#include "state/host_draw/linked_program_cache.h"
+#include "state/host_draw/linking/linked_program_cache.h"
 #include "state/programs/program_bind.h"
 #include "state/testing/current_context.h"
 

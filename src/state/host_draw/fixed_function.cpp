@@ -2,7 +2,7 @@
 
 #include "state/core/context.h"
 #include "state/programs/variants/ati_variants.h"
-#include "state/programs/variants/fixed_function_now.h"
+#include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_changes.h"
 #include "state/share/share_group.h"

@@ -1,11 +1,11 @@
 // When the host is asked for fixed-function state, and what an ATI shader becomes under it.
 #include "state/host_draw/fixed_function.h"
-#include "state/programs/variants/fixed_function_now.h"
+#include "state/host_draw/texturing/fixed_function_now.h"
 
 #include <gtest/gtest.h>
 
 #include "state/objects/linked_program.h"
-#include "state/host_draw/linked_program_cache.h"
+#include "state/host_draw/linking/linked_program_cache.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

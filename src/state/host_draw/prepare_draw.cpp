@@ -7,7 +7,7 @@
 #include "state/core/errors.h"
 #include "state/era/point_sprites.h"
 #include "state/host_draw/draw.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/sprite_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"

@@ -1,7 +1,7 @@
 // uploadParameters: what the effective programs read, as far as it changed.
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/objects/linked_program.h"
 #include "state/host_draw/uniforms.h"
 #include "state/core/host_state.h"

@@ -10,7 +10,7 @@
 #include "state/host_draw/current_values.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/texturing/sampler_override.h"
 #include "state/host_draw/stages/application_glsl.h"
 #include "state/programs/variants/point_sprites.h"

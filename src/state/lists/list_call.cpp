@@ -8,7 +8,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/use_program.h"
 #include "state/programs/variants/point_sprites.h"
 #include "state/mirror/dirty_bits.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"

@@ -3,7 +3,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/evaluators/evaluation.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fp_compiler/front/words/reference.h"
+#include "fp_compiler/front/reference/reference.h"
 #include "fp_compiler/ir/ir.h"
 
 /// The tables' rows as Markdown, for hover and completion alike.

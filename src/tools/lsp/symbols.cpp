@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "fp_compiler/front/ati/words.h"
-#include "fp_compiler/front/words/reference.h"
+#include "fp_compiler/front/reference/reference.h"
 #include "tools/lsp/answers.h"
 #include "tools/lsp/reading.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fp_compiler/front/words/reference.h"
+#include "fp_compiler/front/reference/reference.h"
 #include "scene/words.h"
 
 namespace arbiter::builder {

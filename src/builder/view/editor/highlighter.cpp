@@ -1,7 +1,7 @@
 #include "builder/view/editor/highlighter.h"
 
 #include "builder/view/theme.h"
-#include "fp_compiler/front/words/reference.h"
+#include "fp_compiler/front/reference/reference.h"
 
 namespace arbiter::builder {
 

@@ -8,7 +8,7 @@
 #include "state/core/texture_names.h"
 #include "state/core/unit_scope.h"
 #include "state/host_draw/texturing/sampler_override.h"
-#include "state/programs/variants/fixed_function_now.h"
+#include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_edits.h"

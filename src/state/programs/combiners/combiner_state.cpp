@@ -1,10 +1,11 @@
 #include "state/programs/combiners/combiner_state.h"
 
+#include <algorithm>
+
 #include "fp_compiler/combiners/lower.h"
 #include "state/core/context.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/state_text.h"
-#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -37,12 +38,12 @@ void CombinerState::restore(Context &context,
   if (settings == m_settings)
     return;
   m_settings = std::const_pointer_cast<CombinerSettings>(settings); // this class made them
-  ProgramTarget &row = context.row(Target::Combiners);
-  row.env.assign(m_settings->constants.begin(), m_settings->constants.end());
-  ++row.envVersion;
-  context.attention |= row.parameterBits;
-  if (context.textureShaders)
-    context.textureShaders->setParameters(context);
+  for (const Target target : {Target::Combiners, Target::TextureShaders})
+    if (ProgramTarget &row = context.row(target); row.offered) {
+      std::copy(m_settings->constants.begin(), m_settings->constants.end(), row.env.begin());
+      ++row.envVersion;
+      context.attention |= row.parameterBits;
+    }
   changed(context);
 }
 

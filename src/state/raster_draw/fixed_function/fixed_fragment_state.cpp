@@ -7,7 +7,7 @@
 #include "state/core/context.h"
 #include "state/core/unit_scope.h"
 #include "state/host_draw/texturing/sampler_override.h"
-#include "state/programs/variants/fixed_function_now.h"
+#include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/fixed_function/fixed_fragment.h"
 #include "state/raster_draw/units.h"

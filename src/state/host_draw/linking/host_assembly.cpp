@@ -1,4 +1,4 @@
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/objects/linked_program.h"
-#include "state/host_draw/linked_program_cache.h"
+#include "state/host_draw/linking/linked_program_cache.h"
 #include "state/host_draw/uniforms.h"
 #include "state/programs/program_edits.h"
 #include "state/share/share_group.h"

@@ -1,4 +1,4 @@
-#include "fp_compiler/front/words/reference.h"
+#include "fp_compiler/front/reference/reference.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "state/host_draw/fragment_assembly.h"
+#include "state/host_draw/linking/fragment_assembly.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Vertex programs as the host's own: what it is given, what is enabled, and what is sent.
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 
 #include <algorithm>
 #include <sstream>

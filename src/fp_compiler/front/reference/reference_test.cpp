@@ -1,6 +1,6 @@
 // The tables of documentation against the parser, in both directions: what they list is accepted,
 // and what the parser offers in its hints is what they list.
-#include "fp_compiler/front/words/reference.h"
+#include "fp_compiler/front/reference/reference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "state/programs/variants/environment_now.h"
+#include "state/host_draw/texturing/environment_now.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "state/host_draw/host_objects.h"
+#include "state/host_draw/linking/host_objects.h"
 
 #include <algorithm>
 
@@ -9,10 +9,10 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linking/host_assembly.h"
 #include "state/objects/linked_program.h"
 #include "state/host_draw/stages/stage_pipeline.h"
-#include "state/host_draw/undefined_results.h"
+#include "state/host_draw/linking/undefined_results.h"
 #include "util/log.h"
 
 namespace arbiter::state {

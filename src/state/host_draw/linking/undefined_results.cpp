@@ -1,4 +1,4 @@
-#include "state/host_draw/undefined_results.h"
+#include "state/host_draw/linking/undefined_results.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "state/programs/variants/shader_textures.h"
+#include "state/host_draw/texturing/shader_textures.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "state/programs/variants/fixed_function_now.h"
+#include "state/host_draw/texturing/fixed_function_now.h"
 
 #include "host/host_table.h"
 #include "state/core/context.h"

@@ -1,4 +1,4 @@
-#include "state/host_draw/linked_program_cache.h"
+#include "state/host_draw/linking/linked_program_cache.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -6,10 +6,10 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/host_draw/host_assembly.h"
-#include "state/host_draw/host_objects.h"
+#include "state/host_draw/linking/host_assembly.h"
+#include "state/host_draw/linking/host_objects.h"
 #include "state/host_draw/stages/stage_pipeline.h"
-#include "state/host_draw/undefined_results.h"
+#include "state/host_draw/linking/undefined_results.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
 

@@ -1,6 +1,6 @@
 // Fragment programs as the host's own, where the rasterizer draws and over a host that draws them
 // as well itself: which, and which are GLSL there.
-#include "state/host_draw/fragment_assembly.h"
+#include "state/host_draw/linking/fragment_assembly.h"
 
 #include <gtest/gtest.h>
 
