@@ -11,8 +11,8 @@
 
 #include "dispatch/entry_points.h"
 #include "host/lazy_functions.h"
-#include "state/core/context.h"
 #include "state/contexts/lifecycle.h"
+#include "state/core/context.h"
 #include "state/mirror/convert.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"

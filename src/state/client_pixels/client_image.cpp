@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "host/host_table.h"
+#include "state/capabilities/host_integer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/capabilities/host_integer.h"
 
 namespace arbiter::state {
 

@@ -3,8 +3,8 @@
 #include <GL/glext.h>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/capabilities/host_integer.h"
+#include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {

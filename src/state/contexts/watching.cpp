@@ -6,8 +6,8 @@
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/memory.h"
-#include "state/objects/linked_program.h"
 #include "state/hud/hud.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/program_edits.h"
 #include "util/flags.h"
 

@@ -2,12 +2,12 @@
 
 #include <utility>
 
+#include "state/capabilities/host_integer.h"
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/host_errors.h"
-#include "state/capabilities/host_integer.h"
 #include "state/core/memory.h"
 #include "state/objects/linked_program.h"
 

@@ -6,11 +6,11 @@
 #include "state/core/context.h"
 #include "state/core/host_errors.h"
 #include "state/host_draw/draw.h"
-#include "state/programs/variants/drop_variants.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
+#include "state/programs/variants/drop_variants.h"
 
 namespace arbiter::state::remote {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/capabilities/host_integer.h"
+#include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 

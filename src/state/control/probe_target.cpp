@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "state/capabilities/host_integer.h"
 #include "state/control/host_pixels.h"
 #include "state/core/context.h"
 #include "state/core/host_errors.h"
-#include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 
 namespace arbiter::state::remote {

@@ -4,9 +4,9 @@
 
 #include "control/base64.h"
 #include "host/host_table.h"
+#include "state/capabilities/host_integer.h"
 #include "state/control/methods.h"
 #include "state/core/context.h"
-#include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/core/unit_scope.h"
 #include "state/report/format_name.h"

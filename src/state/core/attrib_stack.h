@@ -7,8 +7,8 @@
 
 #include <GL/gl.h>
 
-#include "state/objects/hints.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/objects/hints.h"
 
 namespace arbiter::state {
 

@@ -6,8 +6,8 @@
 #include <GL/glext.h>
 
 #include "state/core/context_hot.h"
-#include "state/objects/target.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/objects/target.h"
 
 namespace arbiter::state {
 

@@ -10,19 +10,19 @@
 #include <GL/glext.h>
 
 #include "fp_compiler/numerics.h"
+#include "state/capabilities/host_caps.h"
 #include "state/core/attrib_stack.h"
 #include "state/core/context_hot.h"
-#include "state/capabilities/host_caps.h"
 #include "state/core/identity.h"
 #include "state/core/provider.h"
-#include "state/objects/target.h"
-#include "state/objects/clip_plane_use.h"
-#include "state/objects/list_recorder.h"
-#include "state/objects/program_object.h"
 #include "state/objects/capture_effective.h"
-#include "state/objects/feedback_tracker.h"
+#include "state/objects/clip_plane_use.h"
 #include "state/objects/drawable.h"
+#include "state/objects/feedback_tracker.h"
+#include "state/objects/list_recorder.h"
 #include "state/objects/neighbour_epoch.h"
+#include "state/objects/program_object.h"
+#include "state/objects/target.h"
 
 namespace arbiter::state {
 
@@ -185,7 +185,7 @@ public:
   /// (replay.h).
   const host::HostTable *trueHost = nullptr;
   std::unique_ptr<ListRecorder> list; ///< a ListCompiler
-  int listDepth = 0; ///< nested calls of lists that hold our commands
+  int listDepth = 0;                  ///< nested calls of lists that hold our commands
 
   CaptureEffective effective; ///< while there is a capture
 

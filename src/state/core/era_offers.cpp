@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "state/core/active_profile.h"
 #include "state/capabilities/host_caps.h"
+#include "state/core/active_profile.h"
 #include "util/flags.h"
 
 namespace arbiter::state {

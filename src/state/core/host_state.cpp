@@ -9,8 +9,8 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/unit_scope.h"
 #include "state/core/host_state.h"
+#include "state/core/unit_scope.h"
 
 namespace arbiter::state {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "state/core/context.h"
 #include "state/capabilities/host_integer.h"
+#include "state/core/context.h"
 #include "state/share/share_group.h"
 
 #include <GL/glext.h>

@@ -1,8 +1,8 @@
 #include "state/era/client_arrays.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/capabilities/host_integer.h"
+#include "state/core/context.h"
 
 namespace arbiter::state {
 

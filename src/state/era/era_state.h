@@ -3,16 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "state/era/fences.h"
-#include "state/objects/hints.h"
 #include "state/core/era_offers.h"
+#include "state/era/fences.h"
 #include "state/era/point_sprites.h"
 #include "state/era/vertex_array_objects.h"
 #include "state/era/vertex_array_range.h"
+#include "state/objects/hints.h"
 
 /// Extensions of the years of the first fragment programs that today's hosts have dropped, and that
 /// keep a little state in a context: fences, vertex array ranges, hints. Which they are, and where
-/// each is offered, is the table of offers.cpp.
+/// each is offered, is the table of era_offers.cpp.
 namespace arbiter::state {
 
 /// Client state, which PushClientAttrib saves.

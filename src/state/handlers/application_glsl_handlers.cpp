@@ -94,7 +94,8 @@ void UseProgram(Context &context, GLuint program) {
     return context.host->UseProgram(program); // the host raises the error
   if (context.listMode) {
     if (context.group->programApiUsed.load(std::memory_order_relaxed))
-      return listCompiler(context).record(context, {.kind = Command::Kind::UseProgram, .name = program});
+      return listCompiler(context).record(context,
+                                          {.kind = Command::Kind::UseProgram, .name = program});
     context.group->hostListsChangeProgram.store(true, std::memory_order_relaxed);
     return context.host->UseProgram(program);
   }

@@ -2,11 +2,11 @@
 // record, and are not counted when it executes them.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/core/depth_images.h"
 #include "state/core/texture_binding.h"
+#include "state/pixel_commands/copy_texture.h"
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/context_state.h"
-#include "state/pixel_commands/copy_texture.h"
-#include "state/core/depth_images.h"
 
 namespace arbiter::state {
 

@@ -2,9 +2,9 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/lists/list_compiler.h"
+#include "state/pixel_commands/copy_texture.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
-#include "state/pixel_commands/copy_texture.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

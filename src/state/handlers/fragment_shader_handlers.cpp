@@ -6,14 +6,14 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/programs/variants/drop_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/ati_recorder.h"
 #include "state/programs/fragment_shaders.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
-#include "state/statistics/statistics.h"
+#include "state/programs/variants/drop_variants.h"
 #include "state/share/share_group.h"
+#include "state/statistics/statistics.h"
 
 namespace arbiter::state {
 

@@ -4,8 +4,8 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/lists/texture_commands.h"
 #include "state/core/depth_images.h"
+#include "state/lists/texture_commands.h"
 
 namespace arbiter::state::handlers {
 

@@ -76,8 +76,8 @@ void BindProgramNV(Context &context, GLenum target, GLuint id) {
     return;
   noteProgramApiUse(context);
   if (context.listMode)
-    return listCompiler(context).record(context,
-                                {.kind = Command::Kind::BindNv, .target = target, .name = id});
+    return listCompiler(context).record(
+        context, {.kind = Command::Kind::BindNv, .target = target, .name = id});
   bindNvProgram(context, target, id);
 }
 

@@ -2,9 +2,9 @@
 // matrices that are for nothing else.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_programs.h"
 #include "state/programs/nv/nv_state.h"
@@ -20,10 +20,10 @@ void TrackMatrixNV(Context &context, GLenum target, GLuint address, GLenum matri
     return;
   if (context.listMode)
     return listCompiler(context).record(context, {.kind = Command::Kind::TrackMatrix,
-                                          .target = target,
-                                          .name = address,
-                                          .object = matrix,
-                                          .format = transform});
+                                                  .target = target,
+                                                  .name = address,
+                                                  .object = matrix,
+                                                  .format = transform});
   trackMatrix(context, target, address, matrix, transform);
 }
 

@@ -3,18 +3,18 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/depth_images.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
-#include "state/pixel_commands/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/pixel_commands/pixel_commands.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frames/frame.h"
-#include "state/core/depth_images.h"
 
 namespace arbiter::state::handlers {
 

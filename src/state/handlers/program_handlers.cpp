@@ -6,11 +6,11 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/programs/variants/drop_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
 #include "state/programs/queries.h"
+#include "state/programs/variants/drop_variants.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

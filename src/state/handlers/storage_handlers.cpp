@@ -8,8 +8,8 @@
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/vertices/buffer_copies.h"
 #include "state/raster_draw/neighbours.h"
+#include "state/raster_draw/vertices/buffer_copies.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state::handlers {

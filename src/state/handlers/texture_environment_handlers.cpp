@@ -9,13 +9,13 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/fixed_function.h"
-#include "state/programs/variants/point_sprites.h"
+#include "state/host_draw/sprite_commands.h"
 #include "state/host_draw/texturing/texture_shader_draw.h"
 #include "state/lists/list_compiler.h"
-#include "state/host_draw/sprite_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/texture_shader_commands.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/variants/point_sprites.h"
 
 namespace arbiter::state {
 
@@ -27,8 +27,8 @@ using fp::texture_shader::Stage;
 void issue(Context &context, const TextureShaderCommand &command) {
   noteProgramApiUse(context);
   if (context.listMode)
-    return listCompiler(context).record(context,
-                                {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
+    return listCompiler(context).record(
+        context, {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
   executeTextureShaderCommand(context, command);
 }
 

@@ -4,9 +4,9 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/component_image.h"
@@ -75,8 +75,8 @@ bool transfer(Context &context, GLenum pname, GLfloat param) {
       .kind = TextureShaderCommand::Kind::Transfer, .pname = pname, .values = {param}};
   noteProgramApiUse(context);
   if (context.listMode != 0)
-    listCompiler(context).record(context,
-                         {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
+    listCompiler(context).record(
+        context, {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
   else
     executeTextureShaderCommand(context, command);
   return true;

@@ -8,10 +8,11 @@
 #include "host/host_table.h"
 #include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
+#include "state/core/depth_images.h"
 #include "state/core/errors.h"
-#include "state/pixel_commands/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
+#include "state/pixel_commands/pixel_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/component_image.h"
@@ -19,7 +20,6 @@
 #include "state/programs/texture_shaders/texture_shader_commands.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
-#include "state/core/depth_images.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -133,8 +133,8 @@ void defineColorsAlone(Context &context, GLenum target, GLint level, GLint inter
   if (context.listMode != 0) {
     host(there);
     noteProgramApiUse(context);
-    return listCompiler(context).record(context,
-                                {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(format)});
+    return listCompiler(context).record(
+        context, {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(format)});
   }
   const GLenum earlier = takeHostErrors(*context.host);
   host(there);

@@ -6,8 +6,8 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/objects/linked_program.h"
-#include "state/programs/variants/clipped_variant.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/variants/clipped_variant.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

@@ -1,10 +1,10 @@
 #include "state/host_draw/fixed_function.h"
 
 #include "state/core/context.h"
-#include "state/programs/variants/ati_variants.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_changes.h"
+#include "state/programs/variants/ati_variants.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

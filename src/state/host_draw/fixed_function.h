@@ -7,7 +7,7 @@
 /// ATI fragment shaders, in their text and their API form, take the place of texturing alone: the
 /// texture targets they sample, colour sum and fog are fixed function's at the draw. Register
 /// combiners sample the enabled targets and have fog among their inputs. The host is asked for it
-/// (variants/fixed_function_now.h) when one becomes effective, and again after what may have
+/// (texturing/fixed_function_now.h) when one becomes effective, and again after what may have
 /// changed it.
 namespace arbiter::state {
 

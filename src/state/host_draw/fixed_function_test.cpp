@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "state/objects/linked_program.h"
 #include "state/host_draw/linking/linked_program_cache.h"
+#include "state/objects/linked_program.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

@@ -1,6 +1,6 @@
 #pragma once
-#include "state/core/context.h"
 #include "state/capabilities/host_faults.h"
+#include "state/core/context.h"
 #include "state/share/share_group.h"
 
 /// Bitmaps that a host keeps for later (HostFault::KeptLetters): it draws them where its next draw

@@ -2,11 +2,11 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/programs/variants/array_variants.h"
 #include "state/mirror/attribute_aliases.h"
+#include "state/objects/program_object.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_state.h"
-#include "state/objects/program_object.h"
+#include "state/programs/variants/array_variants.h"
 #include "util/flags.h"
 
 namespace arbiter::state {

@@ -2,11 +2,11 @@
 // Runs with ARBITER_NUMERICS=fp24.
 #include <gtest/gtest.h>
 
-#include "state/core/active_profile.h"
 #include "state/contexts/lifecycle.h"
+#include "state/core/active_profile.h"
 #include "state/objects/linked_program.h"
-#include "state/programs/variants/clipped_variant.h"
 #include "state/programs/program_cache.h"
+#include "state/programs/variants/clipped_variant.h"
 #include "state/statistics/statistics.h"
 #include "state/testing/current_context.h"
 

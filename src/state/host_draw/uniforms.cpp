@@ -1,10 +1,10 @@
 // uploadParameters: what the effective programs read, as far as it changed.
+#include "state/host_draw/uniforms.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/host_state.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/objects/linked_program.h"
-#include "state/host_draw/uniforms.h"
-#include "state/core/host_state.h"
 #include "state/programs/program_edits.h"
 
 namespace arbiter::state {

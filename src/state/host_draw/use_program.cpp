@@ -11,9 +11,8 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/linking/host_assembly.h"
-#include "state/host_draw/texturing/sampler_override.h"
 #include "state/host_draw/stages/application_glsl.h"
-#include "state/programs/variants/point_sprites.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/imaging/imaging_state.h"
 #include "state/mirror/attribute_aliases.h"
 #include "state/mirror/attribute_groups.h"
@@ -22,6 +21,7 @@
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "host/host_table.h"
+#include "state/capabilities/host_integer.h"
 #include "state/client_pixels/plain_transfer.h"
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 #include "state/core/context.h"
-#include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/hud/hud_text.h"
 #include "state/mirror/dirty_bits.h"

@@ -18,7 +18,8 @@ struct ProxyTable {
 };
 
 /// ARB_imaging in a context, where the layer has it. What is set here is used by the commands of
-/// pixel_commands/imaging_commands.h, and applied to pixels by those of pixel_commands/pixel_commands.h.
+/// pixel_commands/imaging_commands.h, and applied to pixels by those of
+/// pixel_commands/pixel_commands.h.
 struct ImagingState {
   static constexpr GLsizei kMostEntries = 4096; ///< of a table, and of a histogram
   static constexpr GLsizei kMostFilter = 11;    ///< MAX_CONVOLUTION_WIDTH and _HEIGHT

@@ -9,8 +9,8 @@ namespace arbiter::state {
 void issueCombinerCommand(Context &context, const CombinerCommand &command) {
   noteProgramApiUse(context);
   if (context.listMode)
-    return listCompiler(context).record(context,
-                                {.kind = Command::Kind::Combiners, .bytes = bytesOf(command)});
+    return listCompiler(context).record(
+        context, {.kind = Command::Kind::Combiners, .bytes = bytesOf(command)});
   executeCombinerCommand(context, command);
 }
 

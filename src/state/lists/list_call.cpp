@@ -10,13 +10,13 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/use_program.h"
-#include "state/programs/variants/point_sprites.h"
+#include "state/lists/geometry_call.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/primitives/geometry.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
-#include "state/primitives/geometry.h"
-#include "state/lists/geometry_call.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "state/host_draw/prepare_draw.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
 #include "state/host_draw/draw.h"
+#include "state/host_draw/prepare_draw.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"

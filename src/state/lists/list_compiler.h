@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "state/core/context.h"
-#include "state/objects/list_recorder.h"
 #include "state/lists/known_state.h"
+#include "state/objects/list_recorder.h"
 #include "state/primitives/geometry.h"
 #include "state/primitives/recorder.h"
 

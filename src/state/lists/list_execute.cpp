@@ -12,9 +12,9 @@
 #include "state/era/texture_range.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
-#include "state/programs/variants/point_sprites.h"
-#include "state/pixel_commands/imaging_commands.h"
 #include "state/lists/state_commands.h"
+#include "state/pixel_commands/copy_texture.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/programs/combiners/combiner_commands.h"
 #include "state/programs/fragment_shaders.h"
 #include "state/programs/nv/matrix_tracking.h"
@@ -25,9 +25,9 @@
 #include "state/programs/program_load.h"
 #include "state/programs/texture_shaders/component_image.h"
 #include "state/programs/texture_shaders/texture_shader_commands.h"
+#include "state/programs/variants/point_sprites.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/raster_draw/context_state.h"
-#include "state/pixel_commands/copy_texture.h"
 
 namespace arbiter::state {
 
@@ -111,8 +111,7 @@ EvaluatorPoint pointOf(const Command &command) {
 void evalMesh(Context &context, const Command &command) {
   std::array<GLint, 4> range{};
   std::memcpy(range.data(), command.bytes.data(), sizeof range);
-  issueEvalMesh(context,
-                {command.name, command.target, range[0], range[1], range[2], range[3]});
+  issueEvalMesh(context, {command.name, command.target, range[0], range[1], range[2], range[3]});
 }
 
 /// A command of NVIDIA's program API, which was there when it was recorded: contexts of a share

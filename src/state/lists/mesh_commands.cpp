@@ -74,8 +74,7 @@ bool takesMesh(Context &context, const EvaluatorMesh &mesh) {
       return true;
     }
   }
-  if (context.attention &&
-      !prepareDraw(context, mesh.mode == GL_POINT ? GL_POINTS : GL_LINES))
+  if (context.attention && !prepareDraw(context, mesh.mode == GL_POINT ? GL_POINTS : GL_LINES))
     return true;
   if (context.softwareListens)
     software::hostWrites(context, mesh.dimension == 1 ? "glEvalMesh1" : "glEvalMesh2");

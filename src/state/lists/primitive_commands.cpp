@@ -5,6 +5,7 @@
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/native_inputs.h"
+#include "state/host_draw/prepare_draw.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
@@ -13,7 +14,6 @@
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/refused.h"
 #include "state/raster_draw/immediate/replay.h"
-#include "state/host_draw/prepare_draw.h"
 
 namespace arbiter::state {
 

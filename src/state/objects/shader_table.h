@@ -6,8 +6,8 @@
 
 #include <GL/gl.h>
 
-#include "state/objects/program_object.h"
 #include "state/objects/name_ranges.h"
+#include "state/objects/program_object.h"
 
 namespace arbiter::state {
 

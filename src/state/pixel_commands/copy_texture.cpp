@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "host/host_table.h"
+#include "state/core/depth_images.h"
 #include "state/core/errors.h"
 #include "state/core/texture_binding.h"
 #include "state/pixel_commands/pixel_commands.h"
@@ -11,7 +12,6 @@
 #include "state/programs/texture_shaders/component_image.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
-#include "state/core/depth_images.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

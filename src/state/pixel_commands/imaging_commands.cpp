@@ -8,8 +8,8 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
-#include "state/pixel_commands/pixel_commands.h"
 #include "state/pixel_commands/imaging_state_commands.h"
+#include "state/pixel_commands/pixel_commands.h"
 #include "state/pixel_commands/transfer.h"
 #include "state/programs/program_bind.h"
 

@@ -1,10 +1,10 @@
 #include "state/pixel_commands/pixel_commands.h"
 
-#include "state/host_draw/prepare_draw.h"
 #include "host/host_table.h"
 #include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/host_draw/prepare_draw.h"
 #include "state/imaging/imaging_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"

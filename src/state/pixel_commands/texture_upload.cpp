@@ -7,10 +7,10 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
+#include "state/pixel_commands/copy_texture.h"
 #include "state/pixel_commands/pixel_commands.h"
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/context_state.h"
-#include "state/pixel_commands/copy_texture.h"
 
 namespace arbiter::state {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "host/host_table.h"
+#include "state/capabilities/host_integer.h"
 #include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/raster_draw/context_state.h"
 

@@ -46,7 +46,8 @@ void offerAliases(Context &context) {
     return;
   context.aliases = std::make_unique<AttributeAliases>();
   context.aliases->areOne = attributesAreOne(*context.host);
-  context.attributesAlias = alias && (!context.aliases->areOne || context.hooks->mayUseRasterizer(context));
+  context.attributesAlias =
+      alias && (!context.aliases->areOne || context.hooks->mayUseRasterizer(context));
 }
 
 } // namespace arbiter::state

@@ -4,9 +4,9 @@
 #include "state/host_draw/native_inputs.h"
 #include "state/mirror/attribute_aliases.h"
 #include "state/mirror/convert.h"
+#include "state/primitives/recorder.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/draw.h"
-#include "state/primitives/recorder.h"
 
 /// What the generated entry points ask of the rasterizer before a command goes to the host
 /// (src/dispatch/software.toml).

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "state/mirror/mirror.h"
-#include "state/raster_draw/fallback.h"
-#include "state/raster_draw/frames/frame_history.h"
 #include "state/primitives/material_parts.h"
 #include "state/primitives/recorder.h"
+#include "state/raster_draw/fallback.h"
+#include "state/raster_draw/frames/frame_history.h"
 #include "state/residency/residency.h"
 #include "swrast/queue/draw_queue.h"
 
@@ -43,7 +43,7 @@ struct ContextState {
   /// how many there will be, and functions for small ones would keep a first draw waiting for
   /// nothing.
   bool recordsMany = false;
-  std::vector<std::uint32_t> joinedIndices; ///< of them (immediate/joined.h): scratch memory
+  std::vector<std::uint32_t> joinedIndices; ///< of them (primitives/joined.h): scratch memory
   /// Null before the first draw that is looked at. Who makes it (decision.cpp) knows how it is
   /// destroyed: all that uses it includes this header.
   std::unique_ptr<Pipeline, void (*)(Pipeline *)> pipeline{nullptr, nullptr};

@@ -8,9 +8,9 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/imaging/arithmetic.h"
+#include "state/primitives/joined.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/context_state.h"
-#include "state/primitives/joined.h"
 #include "swrast/pixels.h"
 #include "swrast/setup/rectangle.h"
 

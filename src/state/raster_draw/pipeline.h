@@ -47,7 +47,7 @@ public:
   /// always Perspective, so that all parts have the functions of the first.
   Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, swrast::Topology topology);
-  /// The same of primitives that are joined (immediate/joined.h) by the indices.
+  /// The same of primitives that are joined (primitives/joined.h) by the indices.
   Outcome shadeJoined(Context &context, const VertexSource &source, const IndexRange &indices,
                       const Joining &joining);
   /// For fragments that no vertices give, but the current raster position.

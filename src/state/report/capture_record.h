@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "state/objects/target.h"
 #include "state/objects/program_object.h"
+#include "state/objects/target.h"
 #include "state/report/capture_row.h"
 
 namespace arbiter::fp {

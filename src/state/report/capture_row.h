@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "state/objects/program_object.h"
 #include "state/objects/target.h"
 #include "state/objects/texture_use.h"
-#include "state/objects/program_object.h"
 #include "util/json.h"
 
 /// A row of a capture's record: one program text, and its use.

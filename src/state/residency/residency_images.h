@@ -9,8 +9,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/core/context_hot.h"
 #include "state/capabilities/host_caps.h"
+#include "state/core/context_hot.h"
 #include "state/core/host_errors.h"
 #include "state/objects/neighbour_epoch.h"
 #include "state/residency/residency.h"

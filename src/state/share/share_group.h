@@ -7,8 +7,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "state/objects/linked_stages.h"
 #include "state/objects/display_list.h"
+#include "state/objects/linked_stages.h"
 #include "state/objects/program_object.h"
 #include "state/objects/shader_table.h"
 #include "state/objects/symbol_table.h"

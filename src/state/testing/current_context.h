@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "host/handlers.h"
-#include "state/core/context.h"
 #include "state/contexts/lifecycle.h"
+#include "state/core/context.h"
 #include "state/share/share_group.h"
 #include "state/testing/fake_host.h"
 

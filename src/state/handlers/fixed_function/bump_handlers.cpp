@@ -40,8 +40,8 @@ template <typename T> void set(Context &context, GLenum pname, const T *param) {
   keepTextures(context).used = true;
   noteProgramApiUse(context);
   if (context.listMode)
-    return listCompiler(context).record(context,
-                                {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
+    return listCompiler(context).record(
+        context, {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
   executeTextureShaderCommand(context, command);
 }
 

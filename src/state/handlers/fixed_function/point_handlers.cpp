@@ -4,9 +4,9 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
-#include "state/programs/variants/point_sprites.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/variants/point_sprites.h"
 
 namespace arbiter::state {
 

@@ -5,8 +5,8 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
-#include "state/pixel_commands/pixel_commands.h"
 #include "state/imaging/pixel_types.h"
+#include "state/pixel_commands/pixel_commands.h"
 #include "state/raster_draw/commands.h"
 
 namespace arbiter::state {

@@ -3,9 +3,9 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/formats.h"
 #include "state/imaging/imaging_state.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/pixel_commands/imaging_queries.h"
 #include "state/pixel_commands/transfer.h"
 

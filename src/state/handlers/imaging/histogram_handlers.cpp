@@ -3,11 +3,11 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/pixel_commands/imaging_commands.h"
 #include "state/imaging/count_packing.h"
 #include "state/imaging/formats.h"
 #include "state/imaging/imaging_state.h"
 #include "state/imaging/pixel_types.h"
+#include "state/pixel_commands/imaging_commands.h"
 #include "state/pixel_commands/imaging_queries.h"
 
 namespace arbiter::state {

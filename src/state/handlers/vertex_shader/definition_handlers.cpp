@@ -5,9 +5,9 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/programs/variants/drop_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/variants/drop_variants.h"
 #include "state/programs/vertex_shaders/define_shader.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
@@ -69,8 +69,8 @@ void BindVertexShaderEXT(Context &context, GLuint id) {
   noteProgramApiUse(context);
   if (context.listMode)
     return listCompiler(context).record(context, {.kind = Command::Kind::BindProgram,
-                                          .target = infoOf(Target::VertexShader).name,
-                                          .name = id});
+                                                  .target = infoOf(Target::VertexShader).name,
+                                                  .name = id});
   bindVertexShader(context, id);
 }
 

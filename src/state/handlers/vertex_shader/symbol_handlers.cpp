@@ -5,11 +5,11 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/lists/list_compiler.h"
+#include "state/primitives/recorder.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/vertex_shaders/bindings.h"
 #include "state/programs/vertex_shaders/given_values.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
-#include "state/primitives/recorder.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -147,9 +147,9 @@ void SetInvariantEXT(Context &context, GLuint id, GLenum type, const void *addr)
     return setInvariant(context, id, *rows);
   noteProgramApiUse(context);
   listCompiler(context).record(context, {.kind = Command::Kind::Env,
-                                 .target = infoOf(Target::VertexShader).name,
-                                 .name = id,
-                                 .values = *rows});
+                                         .target = infoOf(Target::VertexShader).name,
+                                         .name = id,
+                                         .values = *rows});
 }
 
 void SetLocalConstantEXT(Context &context, GLuint id, GLenum type, const void *addr) {

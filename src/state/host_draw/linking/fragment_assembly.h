@@ -1,6 +1,6 @@
 #pragma once
-#include "state/objects/linked_program.h"
 #include "state/host_draw/linking/linked_program_cache.h"
+#include "state/objects/linked_program.h"
 
 /// Fragment programs as the host's own ARB programs, where that is better than GLSL:
 ///

@@ -5,9 +5,9 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/objects/linked_program.h"
 #include "state/host_draw/linking/linked_program_cache.h"
 #include "state/host_draw/uniforms.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/program_edits.h"
 #include "state/share/share_group.h"
 

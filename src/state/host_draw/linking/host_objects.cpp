@@ -10,9 +10,9 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/linking/host_assembly.h"
-#include "state/objects/linked_program.h"
-#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/linking/undefined_results.h"
+#include "state/host_draw/stages/stage_pipeline.h"
+#include "state/objects/linked_program.h"
 #include "util/log.h"
 
 namespace arbiter::state {

@@ -5,8 +5,8 @@
 #include <GL/gl.h>
 
 #include "fp_compiler/ir/interface.h"
-#include "state/objects/target.h"
 #include "state/objects/program_object.h"
+#include "state/objects/target.h"
 
 /// What the host has of a program: a shader of GLSL, a program of GLSL, or a program object of its
 /// own ARB path. Each is 0 if the host refuses it, which is logged.

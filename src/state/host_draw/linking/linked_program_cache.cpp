@@ -8,8 +8,8 @@
 #include "state/core/errors.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/linking/host_objects.h"
-#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/linking/undefined_results.h"
+#include "state/host_draw/stages/stage_pipeline.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
 

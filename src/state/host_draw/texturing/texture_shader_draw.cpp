@@ -2,11 +2,11 @@
 
 #include "fp_compiler/texture_shader/operations.h"
 #include "state/core/context.h"
-#include "state/objects/linked_program.h"
-#include "state/host_draw/texturing/sampler_override.h"
 #include "state/host_draw/texturing/environment_now.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
+#include "state/host_draw/texturing/sampler_override.h"
 #include "state/host_draw/texturing/shader_textures.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_edits.h"

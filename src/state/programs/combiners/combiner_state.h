@@ -7,8 +7,8 @@
 
 #include "fp_compiler/combiners/state.h"
 #include "fp_compiler/emit.h"
-#include "state/programs/variants/state_program.h"
 #include "state/objects/program_object.h"
+#include "state/programs/variants/state_program.h"
 
 namespace arbiter::state {
 

@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "host/host_table.h"
+#include "state/capabilities/host_integer.h"
 #include "state/client_pixels/client_image.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/capabilities/host_integer.h"
 #include "state/programs/texture_shaders/component_formats.h"
 
 namespace arbiter::state {

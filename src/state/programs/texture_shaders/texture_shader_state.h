@@ -8,8 +8,8 @@
 #include <GL/gl.h>
 
 #include "fp_compiler/texture_shader/lower.h"
-#include "state/programs/variants/state_program.h"
 #include "state/objects/program_object.h"
+#include "state/programs/variants/state_program.h"
 
 namespace arbiter::state {
 

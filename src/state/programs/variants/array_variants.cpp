@@ -1,9 +1,9 @@
 #include "state/programs/variants/array_variants.h"
 
 #include "fp_compiler/ir/ir.h"
+#include "state/objects/program_object.h"
 #include "state/programs/variants/attribute_forms.h"
 #include "state/programs/variants/clipped_variant.h"
-#include "state/objects/program_object.h"
 #include "util/flags.h"
 #include "util/log.h"
 

@@ -1,8 +1,8 @@
 #include "state/programs/variants/ati_variants.h"
 
 #include "fp_compiler/back/assembly/assembly.h"
-#include "state/programs/variants/depth_variants.h"
 #include "state/objects/program_object.h"
+#include "state/programs/variants/depth_variants.h"
 #include "util/flags.h"
 #include "util/log.h"
 

@@ -5,8 +5,8 @@
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
-#include "state/objects/linked_program.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/objects/linked_program.h"
 #include "state/programs/program_bind.h"
 
 namespace arbiter::state {

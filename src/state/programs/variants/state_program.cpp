@@ -5,8 +5,8 @@
 #include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/ir/print.h"
 #include "state/core/context.h"
-#include "state/programs/variants/depth_variants.h"
 #include "state/programs/state_text.h"
+#include "state/programs/variants/depth_variants.h"
 #include "util/flags.h"
 #include "util/log.h"
 

@@ -8,8 +8,8 @@
 #include "fp_compiler/abi.h"
 #include "fp_compiler/emit.h"
 #include "fp_compiler/ir/ir.h"
-#include "state/programs/variants/drop_variants.h"
 #include "state/objects/program_object.h"
+#include "state/programs/variants/drop_variants.h"
 
 namespace arbiter::state {
 

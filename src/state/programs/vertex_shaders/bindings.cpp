@@ -7,8 +7,8 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/unit_scope.h"
 #include "state/core/host_state.h"
+#include "state/core/unit_scope.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
 

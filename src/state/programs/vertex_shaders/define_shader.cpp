@@ -9,10 +9,10 @@
 #include "fp_compiler/vertex_shader/lower.h"
 #include "state/core/context.h"
 #include "state/core/context_hooks.h"
-#include "state/programs/variants/clipped_variant.h"
-#include "state/programs/variants/drop_variants.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
+#include "state/programs/variants/clipped_variant.h"
+#include "state/programs/variants/drop_variants.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
@@ -116,7 +116,7 @@ void defineVertexShader(Context &context, const Recorded &recorded) {
   const ProgramTarget &row = context.row(Target::VertexShader);
   std::shared_ptr<const CompiledProgram> compiled = compile(context, recorded);
   context.hooks->noteShader(context, *row.bound, compiled.get(),
-                     compiled->vertexShader->fits ? "" : "the shader is over the limits");
+                            compiled->vertexShader->fits ? "" : "the shader is over the limits");
   const auto old = context.group->compiledOf(*row.bound);
   context.group->setCompiled(*row.bound, std::move(compiled));
   invalidateProgram(context);

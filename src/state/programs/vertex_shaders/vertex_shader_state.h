@@ -5,8 +5,8 @@
 
 #include <GL/gl.h>
 
-#include "state/programs/vertex_shaders/recorder.h"
 #include "state/objects/symbol_table.h"
+#include "state/programs/vertex_shaders/recorder.h"
 
 namespace arbiter::state {
 

@@ -4,10 +4,10 @@
 #include "state/core/memory.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/raster_draw/context_state.h"
-#include "state/raster_draw/decision.h"
 #include "state/primitives/geometry.h"
 #include "state/primitives/joined.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/replay.h"
 
