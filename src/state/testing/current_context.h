@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "host/handlers.h"
+#include "state/host_draw/prepare_draw.h"
 #include "state/contexts/lifecycle.h"
 #include "state/core/context.h"
 #include "state/share/share_group.h"
