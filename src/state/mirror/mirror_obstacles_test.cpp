@@ -1,4 +1,4 @@
-// Extensions of a GPU's driver that shade: what they are enabled for is the host's to draw.
+// What a driver's own shading extensions are enabled for must be drawn by the host.
 #include <gtest/gtest.h>
 
 #include "state/mirror/mirror.h"
