@@ -1,4 +1,4 @@
-// Begin and End: a primitive goes to the host vertex by vertex, or is deferred for the rasterizer.
+// Begin and End: a primitive goes to the host vertex by vertex, or is recorded for the rasterizer.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -19,7 +19,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The primitive is recorded, to be drawn by the rasterizer.
+/// Starts to record the primitive for the rasterizer. Returns false if the host draws it.
 bool defer(Context &context, GLenum mode) {
   if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
     return false;
@@ -56,7 +56,7 @@ void Begin(Context &context, GLenum mode) {
     context.list->notePixels();
   context.host->Begin(mode);
   if (mode > GL_POLYGON)
-    return; // opens nothing
+    return; // begins no primitive
   if (context.listMode)
     context.list->notePrimitive(Primitive::Open);
   if (context.listMode != GL_COMPILE && !context.hostAssembly->refuses())
@@ -64,7 +64,7 @@ void Begin(Context &context, GLenum mode) {
 }
 
 void End(Context &context) {
-  if (software::isHeld(context)) [[unlikely]] // an error
+  if (software::isHeld(context)) [[unlikely]] // an End without Begin, which is an error
     software::drawHeld(context);
   if (context.recorder && context.listMode == 0 && software::holdPrimitive(context))
     return;

@@ -1,5 +1,5 @@
-// Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): what names one of those,
-// and what evaluates once one was named. All else is the host's (state/core/straight.h).
+// Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): commands that name such a
+// map, and evaluation after one was named. All else is the host's (state/core/straight.h).
 #include <algorithm>
 #include <cstdint>
 
@@ -16,13 +16,14 @@ namespace arbiter::state {
 
 namespace {
 
-/// What Map says of one of its dimensions.
+/// Map's arguments for one dimension.
 template <typename T> struct Side {
   T from, to;
   GLint stride, order;
 };
 
-/// Each dimension has a half of the names. The greatest order is the host's.
+/// Returns Map's error. Each dimension has half of the map names, and the host sets the greatest
+/// order.
 template <typename T>
 GLenum mapError(Context &context, GLenum target, const Side<T> &u, const Side<T> *v) {
   constexpr GLint kComponents = 4;
@@ -37,7 +38,7 @@ GLenum mapError(Context &context, GLenum target, const Side<T> &u, const Side<T>
   return isRight(u) && (!v || isRight(*v)) ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
-/// The points are copied now, of a list too (5.4).
+/// Copies the points at once, even for a list (5.4).
 template <typename T>
 MapDefinition definitionOf(Context &context, GLenum target, const Side<T> &u, const Side<T> *v,
                            const T *points) {
@@ -109,7 +110,7 @@ void evaluate(Context &context, const EvaluatorPoint &point) {
   context.list->record(context, std::move(command));
 }
 
-/// EvalMesh: from the first to the last number of the grid in u, and in v.
+/// An EvalMesh command: first and last grid number in u and in v.
 struct Mesh {
   GLuint dimension;
   GLenum mode;
@@ -120,7 +121,7 @@ struct Mesh {
   }
 };
 
-/// One primitive of the mesh; `points` evaluates. False after an error of Begin.
+/// Draws one primitive of the mesh; `points` evaluates. Returns false after an error of Begin.
 template <typename Points> bool primitive(Context &context, GLenum mode, Points &&points) {
   handlers::Begin(context, mode);
   if (!context.insideBeginEnd)
@@ -130,7 +131,7 @@ template <typename Points> bool primitive(Context &context, GLenum mode, Points 
   return true;
 }
 
-/// As 5.1 has it: FILL is a strip for each step in v. The counters go beyond any GLint.
+/// Draws the mesh as 5.1 says: FILL is a strip for each step in v. The counters may exceed GLint.
 void drawMesh(Context &context, const Mesh &mesh) {
   const auto point = [&](std::int64_t u, std::int64_t v) {
     evaluatePoint(context, {mesh.dimension, true, GLdouble(u), GLdouble(v)});
@@ -164,7 +165,7 @@ void drawMesh(Context &context, const Mesh &mesh) {
     });
 }
 
-/// True: the mesh was drawn, or is a list's. False: it is the host's, which is prepared.
+/// Draws or records the mesh. Returns false, after preparing a draw, if it is the host's.
 bool takesMesh(Context &context, const Mesh &mesh) {
   if (context.mapsNamed && !context.insideBeginEnd) {
     if (context.listMode != 0) {

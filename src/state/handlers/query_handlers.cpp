@@ -1,6 +1,6 @@
-// Conditional rendering, which cannot be asked for. One that the host refuses is taken for begun:
-// until its end draws are the host's, which is always right. In a list that we keep it is a command
-// of the layer's.
+// Conditional rendering, which GL has no query for. The layer assumes that it has begun even if the
+// host refused it: until its end the host draws, which is always right. In lists that the layer
+// keeps it is a command of the layer's.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -31,8 +31,8 @@ void BeginConditionalRender(Context &context, GLuint id, GLenum mode) {
   if (isRecorded(context))
     return context.list->record(
         context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
-  // What brings pixels to the host is a blit, which the condition would discard. Until its end the
-  // host draws and clears, so nothing is pending that a blit would have to bring.
+  // An upload is a blit, which the condition could discard. The host draws and clears until the
+  // end, so nothing is pending that would need one.
   if (context.software && !context.insideBeginEnd && context.listMode == 0)
     context.software->residency.synchronise("glBeginConditionalRender");
   context.host->BeginConditionalRender(id, mode);
