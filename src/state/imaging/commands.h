@@ -32,7 +32,7 @@ struct ImagingCommand {
     Transfer,        ///< pname, values[0]
     MatrixMode,      ///< pname
     DrawPixels,      ///< width, height, flag: colour indices; colours
-    CopyPixels,      ///< x, y, width, height, pname: the buffer
+    CopyPixels,      ///< x, y, width, height, pname: the type
     TexImage,        ///< bytes: an ImageUpload (pixel_commands.h); colours
   };
   Kind kind = Kind::Enable;
