@@ -14,7 +14,7 @@ namespace arbiter::state::remote {
 
 namespace wire = arbiter::control;
 
-/// What a client wants to know of one frame's draws.
+/// A client's question about one frame's draws.
 struct Observation {
   enum class Aim : std::uint8_t {
     Pick,    ///< lists the draws that give a pixel its colour

@@ -12,12 +12,13 @@ namespace arbiter::state::remote {
 
 namespace {
 
-/// How long an application stops for a client that sends no request.
+/// The time that an application stops for a client that sends no request.
 constexpr std::chrono::seconds kPatience{2};
-/// How long a context that ends no frame is waited for.
+/// The time after which a context that ends no frame is given up.
 constexpr std::chrono::seconds kGivenUp{10};
-/// After this time without a frame, a context may be gone if another one ends frames: players make
-/// a new context when their film restarts. A context is surely gone if another has its address.
+/// The time without a frame after which a context may be gone, if another one ends frames: players
+/// make a new context when their film restarts. A context is surely gone if another has its
+/// address.
 constexpr std::chrono::milliseconds kMoved{500};
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace arbiter::state::remote {
 
-/// What is counted for one program, while there are clients.
+/// The counts of one program, while there are clients.
 struct ProgramTally {
   std::uint64_t draws = 0;
   std::uint64_t rasterized = 0; ///< how many of them the rasterizer drew

@@ -29,7 +29,7 @@ inline constinit std::atomic<const Context *> g_observed{nullptr};
   return g_observed.load(std::memory_order_relaxed) == &context;
 }
 
-/// What a host list contains, when the observed context calls it.
+/// The contents of a host list that the observed context calls.
 enum class ListHolds : std::uint8_t {
   Anything, ///< commands that the application recorded
   State,    ///< state, and no draw

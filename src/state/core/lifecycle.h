@@ -41,7 +41,7 @@ void destroyContext(Context *context);
 /// thread.
 void copyContext(const Context &from, Context &to, std::uint32_t mask);
 
-/// What the window system is about to do with the pixels of the calling thread's context.
+/// Ways in which the window system uses the pixels of the calling thread's context.
 enum class Exchange : std::uint8_t {
   Present, ///< shows the back buffer, which is undefined afterwards
   Flush,   ///< lets others see what has been drawn: glXWaitGL, eglWaitClient
@@ -56,7 +56,7 @@ bool exchange(Exchange what, const char *name);
 /// without a current context of the layer's.
 void hostDefinesLists(std::uint32_t first, std::int32_t count);
 
-/// Called before the host swaps the current drawable's buffers; it has all pixels.
+/// Notes that the host is about to swap the current drawable's buffers. It has all pixels.
 void hostSwaps();
 
 /// Counts a frame, when it is about to be presented (SwapBuffers and the like). Does not forward.

@@ -42,7 +42,8 @@ inline void noteMatrixMode(Context &context, GLenum mode) {
     context.dirty |= kMatrixMode;
 }
 
-/// The layer handles MATRIXi_NV and COLOR, VERTEX_ATTRIB_ARRAYi_NV and vertex array ranges.
+/// True if the mode or array is the host's alone. The layer handles MATRIXi_NV and COLOR,
+/// VERTEX_ATTRIB_ARRAYi_NV and vertex array ranges.
 [[nodiscard]] inline bool MatrixMode(Context &context, GLenum mode) {
   noteMatrixMode(context, mode);
   return mode - GL_MATRIX0_NV >= 8u && mode != GL_COLOR && !context.imagesPixels;
@@ -54,8 +55,8 @@ inline void noteMatrixMode(Context &context, GLenum mode) {
   return EnableClientState(context, array);
 }
 
-/// The layer has NV_vertex_program's evaluator maps, and evaluates once one of them was named.
-/// Meshes are draws.
+/// True if the command uses none of NV_vertex_program's evaluator maps, which are the layer's. Once
+/// one of these was named, the layer evaluates too. Meshes are draws.
 #define ARBITER_MAP(name)                                                                          \
   template <typename... Arguments>                                                                 \
   [[nodiscard]] bool name(Context &, GLenum target, Arguments...) {                                \
@@ -97,7 +98,7 @@ ARBITER_EVALUATES(EvalPoint2)
   return isHostsMesh(context);
 }
 
-/// A primitive goes to the host vertex by vertex if a draw would go there directly.
+/// True if the primitive goes to the host vertex by vertex, as a draw would go there directly.
 [[nodiscard]] inline bool Begin(Context &context, GLenum mode) {
   if (context.attention != 0 || context.softwarePossible || context.mapsNamed ||
       context.listMode != 0)

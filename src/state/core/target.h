@@ -13,7 +13,7 @@
 
 namespace arbiter::state {
 
-/// What the specifications say about a program target, in any context.
+/// The properties of a program target, the same in every context.
 struct TargetInfo {
   /// The enum for Enable and for the program API. AtiApi, Combiners, TextureShaders and
   /// VertexShader have no entry points of that API.

@@ -10,7 +10,7 @@ class Context;
 /// Returns the query for the binding of a CopyTexImage target; 0 if there is no such target.
 [[nodiscard]] GLenum bindingOf(GLenum target);
 
-/// Whether other contexts may interfere with names that a binding restores.
+/// Tells whether other contexts may interfere with names that a binding restores.
 struct NameSharing {
   /// The share group has other contexts, or had some that deleted textures.
   bool others = false;

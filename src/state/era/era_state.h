@@ -66,7 +66,7 @@ void setEraHint(Context &context, GLenum target, GLenum mode);
 [[nodiscard]] bool setClientStorage(Context &context, GLenum pname, bool value);
 
 enum class FenceOf : std::uint8_t { Nv, Apple };
-/// SetFenceNV and SetFenceAPPLE, FinishFenceNV and FinishFenceAPPLE, called or in a list.
+/// Execute SetFenceNV and SetFenceAPPLE, FinishFenceNV and FinishFenceAPPLE, called or in a list.
 /// \param condition SetFenceNV's; APPLE_fence implies the same one
 void setFence(Context &context, FenceOf of, GLuint name, GLenum condition);
 void finishFence(Context &context, FenceOf of, GLuint name);

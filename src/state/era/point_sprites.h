@@ -6,8 +6,7 @@
 
 namespace arbiter::state {
 
-/// How a draw gets the third component of its sprites' coordinates. It is the vertex's s or r,
-/// divided by q.
+/// The source of the third component of sprite coordinates: the vertex's s or r, divided by q.
 struct SpriteForm {
   std::uint8_t units = 0; ///< with COORD_REPLACE, one bit each; 0: plain sprites of the host
   std::uint8_t fromS = 0; ///< 1: from S, else from R

@@ -79,11 +79,11 @@ struct Command {
   std::vector<Vec4> values;
 };
 
-/// How a run of commands leaves Begin/End: unchanged, inside, or outside.
+/// The effect of a run of commands on Begin/End: none, inside afterwards, or outside.
 enum class Primitive : std::uint8_t { AsBefore, Open, Closed };
 
-/// What a called segment does, as far as the rasterizer must know. A list that was compiled before
-/// the rasterizer was in use may do anything.
+/// The effects of a called segment, as far as the rasterizer must know them. A list that was
+/// compiled before the rasterizer was in use may do anything.
 struct Effects {
   std::uint32_t dirty = ~0u; ///< groups of state (mirror/dirty_bits.h)
   bool pixels = true;        ///< draws, or reads or writes images

@@ -81,8 +81,8 @@ void ListCompiler::leaveEarly(Context &context) {
   m_outside.begin(GL_POINTS, {});
 }
 
-/// Called for the first vertex beyond the limit, in a primitive or outside. Sends it after those
-/// before; the host alone keeps what follows.
+/// Ends the early list at the first vertex beyond the limit, in a primitive or outside. Sends it
+/// after those before; the host alone keeps what follows.
 bool ListCompiler::leaveFull(void *owner, const float position[4]) {
   auto &context = *static_cast<Context *>(owner);
   context.list->leaveEarly(context);

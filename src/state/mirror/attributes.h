@@ -70,7 +70,7 @@ inline constexpr MaterialMask kAllMaterials = (1u << 2 * kMaterialParts) - 1;
 
 using CurrentValues = std::array<std::array<float, 4>, kSlots>;
 
-/// Where a draw's vertices come from: per slot an array, or the current value (null).
+/// The source of a draw's vertices: per slot an array, or the current value (null).
 struct VertexSource {
   struct Array {
     const void *base = nullptr; ///< address of vertex 0, in client memory, a mapped buffer or a

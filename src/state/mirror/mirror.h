@@ -65,13 +65,13 @@ struct ArrayBindings {
 
 enum class TexGenMode : std::uint8_t { ObjectLinear, EyeLinear, Sphere, Reflection, Normal };
 
-/// How vertex colours are clamped to [0,1] (CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point
-/// targets), and what NaN becomes. The specification leaves the latter to the host
+/// The clamping of vertex colours to [0,1] (CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point
+/// targets), and the value that NaN becomes. The specification leaves the latter to the host
 /// (HostCaps::clampsNanToOne).
 enum class ColorClamp : std::uint8_t { None, NanIsZero, NanIsOne };
 
-/// What the fog of fixed-function vertices is computed from: the fog coordinate or its absolute
-/// value (HostCaps::foldsFogCoordinates); |z|, z, or the distance to the eye (OpenGL 2.1, 3.10;
+/// The source of fixed-function fog: the fog coordinate or its absolute value
+/// (HostCaps::foldsFogCoordinates), or |z|, z or the distance to the eye (OpenGL 2.1, 3.10;
 /// NV_fog_distance).
 enum class FogFrom : std::uint8_t {
   Coordinate,

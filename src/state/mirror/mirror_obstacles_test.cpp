@@ -1,4 +1,4 @@
-// What a driver's own shading extensions are enabled for must be drawn by the host.
+// Draws under a driver's own shading extensions must stay with the host.
 #include <gtest/gtest.h>
 
 #include "state/mirror/mirror.h"

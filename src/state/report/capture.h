@@ -9,11 +9,11 @@
 #include "state/core/target.h"
 #include "state/report/capture_record.h"
 
-/// What a context reports to the record of ARBITER_CAPTURE. Nothing is done per draw: a program's
-/// draws are how far the path's counter moved while the program was effective. Its parameters are
-/// those that the host still holds when it leaves. Its textures are queried when it becomes
-/// effective, as applications often bind the next program's textures before they change the
-/// program.
+/// The interface by which a context reports to the record of ARBITER_CAPTURE. Nothing is done per
+/// draw: a program's draws are how far the path's counter moved while the program was effective.
+/// Its parameters are those that the host still holds when it leaves. Its textures are queried when
+/// it becomes effective, as applications often bind the next program's textures before they change
+/// the program.
 namespace arbiter::state {
 
 class Context;

@@ -45,7 +45,7 @@ struct DrawsBy {
 /// Returns the options of a program as its text would spell them.
 [[nodiscard]] std::vector<const char *> optionNames(const fp::ir::Options &options, bool vertex);
 
-/// What the record holds about one program text.
+/// The record of one program text.
 struct CaptureRow {
   Target target = Target::Fragment;
   std::string hash;

@@ -15,8 +15,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// How many of the last contexts are listed; earlier ones are counted. An application may keep on
-/// making contexts.
+/// The number of contexts that are listed, the last ones. Earlier ones are counted, as an
+/// application may keep on making contexts.
 constexpr std::size_t kMaxContexts = 256;
 
 const char *providerName(Provider provider) {

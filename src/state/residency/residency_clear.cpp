@@ -10,7 +10,7 @@ namespace {
 
 using swrast::Rect;
 
-/// What Clear does to each buffer, from the host's state.
+/// The effect of Clear on each buffer, from the host's state.
 struct ClearState {
   Rect area; ///< the scissor rectangle
   float color[4] = {};

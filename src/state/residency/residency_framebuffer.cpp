@@ -263,7 +263,7 @@ const Framebuffers &framebuffersOf(ResidentImages &images) {
     describeDrawObject(images, f);
   describeRead(images, f);
   f.generation = objects.generation;
-  objects.changed(); // kFramebuffer was cleared, so callers must not rely on it
+  objects.changed(); // kFramebuffer is clear now, so version() must report the change
   return f;
 }
 

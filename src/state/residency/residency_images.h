@@ -28,7 +28,7 @@ enum class Valid : std::uint8_t {
   Shadow ///< pending: the host's copy is stale
 };
 
-/// How TexImage2D defined a level. Valid while `at` is ObjectImages::descriptions.
+/// The TexImage2D that defined a level. Valid while `at` is ObjectImages::descriptions.
 struct Definition {
   GLint internalFormat = 0;
   GLenum format = 0, type = 0;
@@ -180,8 +180,8 @@ struct ResidentImages {
 /// Drops what neighbours may have changed, after uploading what was pending. Each command calls
 /// this first; afterwards all images are valid.
 void dropIfNeighbourWasCurrent(ResidentImages &images);
-/// Does the same for commands that the host may execute instead. Returns false while a neighbour is
-/// current.
+/// Calls dropIfNeighbourWasCurrent(), for commands that the host may execute instead. Returns false
+/// while a neighbour is current.
 [[nodiscard]] bool isAlone(ResidentImages &images);
 /// Makes the next use query the window's size, which may have changed.
 void forgetSize(ResidentImages &images);

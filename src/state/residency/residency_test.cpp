@@ -242,7 +242,7 @@ TEST_F(Residency, PixelStoreIsFollowed) {
 
 int g_sizesAsked = 0;
 
-/// Where the host draws everything, each frame would measure the window again.
+/// Otherwise each frame would measure the window again, even if the host draws everything.
 TEST_F(Residency, WhatIsKnownOfTargetsIsToldWithoutMeasuringTheWindow) {
   EXPECT_EQ(residency().targetsBefore(), nullptr) << "they were never described";
   Drawable drawable;

@@ -25,7 +25,7 @@ GLenum targetOf(abi::Dimension dimension) {
   return 0;
 }
 
-/// Waiting draws may still write to the image; it is sampled after them.
+/// Returns a view of an image. Waiting draws may still write to it; it is sampled after them.
 abi::TextureLevel viewOf(const swrast::Image &image) {
   if (image.storage->pendingClear())
     image.complete();

@@ -5,9 +5,9 @@ namespace arbiter::state {
 
 class Context;
 
-/// Called before a command gives an image an internal format. After the first depth format, draws
-/// of register combiners check which of their textures hold depths. For other formats this costs
-/// one comparison.
+/// Notes the internal format that a command is about to give an image. After the first depth
+/// format, draws of register combiners check which of their textures hold depths. For other formats
+/// this costs one comparison.
 void noteInternalFormat(Context &context, GLenum internalFormat);
 
 } // namespace arbiter::state

@@ -48,7 +48,7 @@ public:
       if (other == &context || !areNeighbours(*other, context))
         continue;
       advance(*other);
-      // What it kept is stale, and its own thread will not free it.
+      // Its images are stale, and its own thread will not free them.
       if (!other->neighbours.m_current)
         forgetImagesOf(*other);
     }

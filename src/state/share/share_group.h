@@ -19,9 +19,9 @@
 
 namespace arbiter::state {
 
-/// What contexts that share display lists have in common (AFP 3953-3974): the name space of program
-/// objects, display lists that hold the layer's commands, and host objects that a destroyed context
-/// left behind.
+/// The state that contexts with common display lists share (AFP 3953-3974): the name space of
+/// program objects, display lists that hold the layer's commands, and host objects that a destroyed
+/// context left behind.
 ///
 /// Gen, Delete, Bind, ProgramString and list calls take the lock; draws never do. The atomics
 /// beside the maps tell without it that a map is empty.

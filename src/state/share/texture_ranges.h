@@ -9,7 +9,7 @@
 
 namespace arbiter::state {
 
-/// What APPLE_texture_range keeps of a texture: promises and hints about the application's memory.
+/// A texture's state of APPLE_texture_range: promises and hints about the application's memory.
 /// Images are copied, so nothing depends on them.
 struct TextureRange {
   GLsizei length = 0; ///< bytes
