@@ -62,8 +62,8 @@ inline constexpr std::uint32_t kInvalid = 32;   ///< sticky: draws are errors
 inline constexpr std::uint32_t kShared = 64;    ///< sticky: another context may load a program
 inline constexpr std::uint32_t kList = 128;     ///< sticky: a display list is being compiled
 inline constexpr std::uint32_t kSoftware = 512; ///< sticky: the rasterizer may draw
-inline constexpr std::uint32_t kWatch = 256; ///< sticky: draws check replacement files, as no frame
-                                             ///< ends here
+/// Sticky: draws check replacement files and serve clients of control, as no frame ends here.
+inline constexpr std::uint32_t kWatch = 256;
 /// Sticky until validate(): the host has not been given the effective program.
 inline constexpr std::uint32_t kHostPart = 1024;
 inline constexpr std::uint32_t kDepth = 2048; ///< sticky: the host's shader has a depth texture

@@ -155,6 +155,8 @@ public:
   swrast::RasterState raster; ///< without the clip rectangle, which depends on the target
   swrast::Rect scissor;       ///< the largest rectangle while the scissor test is disabled
   bool scissorEnabled = false;
+  /// The stencil and depth write masks are in constants.stencilWriteMask and
+  /// pixelOps.depthStencil.depthWrite (with depthTest).
   abi::FragmentKey pixelOps;   ///< tests, blending, masks; without formats, inputs and samplers
   abi::FragmentData constants; ///< references, blend colour, fog
   /// CLAMP_FRAGMENT_COLOR is FIXED_ONLY: pixelOps.clampColors applies to fixed-point targets, and
@@ -163,8 +165,6 @@ public:
   /// CLAMP_VERTEX_COLOR, with its FIXED_ONLY.
   bool clampVertexColors = true, clampVertexFixedOnly = false;
   bool blendLacking = false; ///< a blend function or equation is set that the rasterizer lacks
-  /// The stencil and depth write masks are in constants.stencilWriteMask and
-  /// pixelOps.depthStencil.depthWrite (with depthTest).
   std::array<std::array<SamplerState, 5>, abi::kMaxUnits> samplers; ///< by unit and abi::Dimension
   CurrentValues current{};
   std::uint32_t currentKnown = 0; ///< slots of `current` that are up to date
