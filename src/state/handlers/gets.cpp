@@ -216,7 +216,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
       return false;
     value = 0;
     return true;
-  case GL_PROGRAM_PIPELINE_BINDING: // the same holds for pipelines
+  case GL_PROGRAM_PIPELINE_BINDING: // the layer's pipeline reads as none
     value = 0;
     return context.stagePipeline->isBound();
   case GL_SAMPLER_BINDING:
