@@ -51,7 +51,7 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
         caps.extensions.emplace_back(name);
     }
   }
-  // 3.1 has no profiles: fixed function is there if the extension says so.
+  // OpenGL 3.1 has no profiles: fixed function is there if the extension says so.
   caps.compatibility = !caps.embedded && caps.major >= 1 && !core;
   if (caps.major == 3 && caps.minor == 1)
     caps.compatibility = caps.compatibility && caps.has("GL_ARB_compatibility");
@@ -61,27 +61,27 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
   }
 }
 
-/// What no query tells but the names of the host's renderer and of who made it.
-/// llvmpipe (Mesa 22.3.6) draws the same whatever limit above 1 a texture sets, where softpipe
-/// draws by it; tests/rasterizer_vs_host/run_anisotropy.py shows both.
+/// Sets what only the names of the host's renderer and vendor tell. llvmpipe (Mesa 22.3.6) draws
+/// the same with every anisotropy limit above 1; softpipe obeys the limit.
+/// tests/rasterizer_vs_host/run_anisotropy.py shows both.
 void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   const std::string_view name = getString(host, GL_RENDERER);
   const auto names = [&](const char *part) { return name.find(part) != name.npos; };
   const bool llvmpipe = names("llvmpipe");
   caps.limitsAnisotropy = !llvmpipe;
   caps.clampsNanToOne = llvmpipe;
-  // The text has less fog than none of a fog coordinate below 0 (OpenGL 2.1, 3.10), as Mesa has
-  // from 23.2 on; before, as much of it as of one above. With it came the cut of lines' ends.
+  // Mesa 23.2 fogs as the specification says: a fog coordinate below 0 has no fog (OpenGL 2.1,
+  // 3.10). Earlier releases use its absolute value. The same release changed how line ends are cut.
   constexpr int kFogAndLines = 2302;
   const std::string_view version = getString(host, GL_VERSION);
   const int mesa = releaseOf(version, "Mesa");
   caps.faults = faultsOf(version);
   caps.foldsFogCoordinates = mesa > 0 && mesa < kFogAndLines;
   caps.lineEndsAsEdges = llvmpipe && mesa >= kFogAndLines;
-  // Seen of NVIDIA's driver (580.159): coordinates in GLSL and in ARB_fragment_program, whose fog
-  // options are right; that planes clip what is GLSL, and of its own programs the
-  // position-invariant ones; and what a draw costs it by either way
-  // (docs/driver/performance_gpu.md).
+  // NVIDIA's driver (580.159) was seen to have negative fog coordinates in GLSL and in
+  // ARB_fragment_program, whose fog options are right. Its clip planes clip GLSL, but only
+  // position-invariant ones of its own assembly programs. docs/driver/performance_gpu.md has the
+  // cost of a draw by either way.
   const bool nvidia = std::string_view(getString(host, GL_VENDOR)).starts_with("NVIDIA");
   caps.negativeFogDistances = nvidia;
   caps.planesClipPrograms = !nvidia;
@@ -89,7 +89,7 @@ void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   caps.onProcessor = llvmpipe || names("softpipe") || names("Software Rasterizer");
 }
 
-/// What the rasterizer's mirror asks for.
+/// Queries the capabilities that the rasterizer's mirror needs.
 void querySoftwareCaps(HostCaps &caps, int gl) {
   const auto since = [&](int version, std::initializer_list<const char *> extensions) {
     return gl >= version || std::any_of(extensions.begin(), extensions.end(),
@@ -253,7 +253,7 @@ fp::Limits queryHostLimits(GLenum target, const host::HostTable &host, const Hos
 }
 
 std::vector<std::string> filterExtensions(const HostCaps &caps, bool offered) {
-  // Program text in these languages is refused, so an application must not count on them.
+  // The layer refuses text in these languages, so applications must not see the extensions.
   static constexpr const char *kHidden[] = {
       "GL_NV_fragment_program",       "GL_NV_fragment_program_option",
       "GL_NV_fragment_program2",      "GL_NV_fragment_program4",
@@ -271,7 +271,7 @@ std::vector<std::string> filterExtensions(const HostCaps &caps, bool offered) {
   for (const std::string &name : caps.extensions) {
     const bool hidden = offered && std::any_of(std::begin(kHidden), std::end(kHidden),
                                                [&](const char *h) { return name == h; });
-    // A host that draws our programs but lacks GLSL draws none: then the name would be a lie.
+    // Without GLSL the layer cannot draw programs on this host, so it must not announce them.
     const bool lie = !offered && caps.compatibility &&
                      (name == "GL_ARB_fragment_program" ||
                       name == "GL_ARB_fragment_program_shadow" || name == "GL_ARB_vertex_program");

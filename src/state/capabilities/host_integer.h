@@ -5,7 +5,7 @@
 
 namespace arbiter::state {
 
-/// What the host answers to GetIntegerv of one value; 0 where it answers nothing.
+/// Returns one value of the host's GetIntegerv; 0 if the host sets none.
 [[nodiscard]] inline GLint hostInteger(const host::HostTable &host, GLenum name) {
   GLint value = 0;
   host.GetIntegerv(name, &value);

@@ -8,8 +8,8 @@
 
 namespace arbiter::state {
 
-/// Pixel transfer as GL begins with: nothing is scaled, moved or mapped. Errors of host calls
-/// within are dropped.
+/// Sets pixel transfer to GL's initial state, which leaves pixels unchanged, and restores it at the
+/// end. Errors of host calls within the scope are dropped.
 class PlainArithmetic {
 public:
   explicit PlainArithmetic(Context &context);
@@ -24,7 +24,8 @@ private:
   GLint m_mapColor = 0;
 };
 
-/// The same, and the pixel store as GL begins with but for alignment 1, no pixel buffer bound.
+/// Sets pixel transfer and the pixel store to GL's initial state, with alignment 1 and no pixel
+/// buffer bound, and restores them at the end.
 class PlainTransfer {
 public:
   PlainTransfer(Context &context, PixelStore way);

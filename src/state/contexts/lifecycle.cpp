@@ -50,9 +50,8 @@
 #include "util/flags.h"
 #include "util/log.h"
 
-// Clang 14 takes the strings and vectors of libstdc++ 12 for no literal types. There the null
-// context is made by a constructor of this library, which runs before any entry point of it is
-// called.
+// Clang 14 does not accept the strings and vectors of libstdc++ 12 as literal types. There a
+// constructor makes the null context. It runs before any entry point of this library is called.
 #if defined(__clang__) && __clang_major__ < 15
 #define ARBITER_CONSTINIT
 #define ARBITER_CONSTEXPR
@@ -65,7 +64,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// What this host can be given of the mode that is asked for; said once where it is less.
+/// Returns the numerics that this host supports of those asked for. Warns once if it supports less.
 fp::Numerics numericsOf(const Context &context) {
   const fp::Numerics asked = activeNumerics();
   const fp::Numerics given = fp::numericsOn(glslHost(context.caps), asked);
@@ -88,8 +87,8 @@ constexpr Context::Context(NullTag) {
 
 namespace {
 
-/// The null context, which is never destroyed: entry points may run in other libraries'
-/// destructors.
+/// Holds the null context and never destroys it: destructors of other libraries may call entry
+/// points.
 struct NullHolder {
   union {
     Context context;
@@ -129,7 +128,7 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
     targets[i].parameterBits =
         isOfVertices(Target(i)) ? attention::kVertexParameters : attention::kFragmentParameters;
   }
-  software::addNeighbour(*this); // or there is no memory, and no context
+  software::addNeighbour(*this); // throws without memory, before the group counts this context
   group->contexts.fetch_add(1);
 }
 
@@ -148,7 +147,7 @@ Context::~Context() {
 
 namespace {
 
-/// Asks the host for limits and extensions; the context is current. Called once.
+/// Queries the host's limits and extensions. Called once, while the context is current.
 void initialise(Context &context) {
   context.initialised = true;
   const HostErrorScope scope(*context.host, context.pendingError);
@@ -169,12 +168,13 @@ void initialise(Context &context) {
   context.path = Path::NoProgram;
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
   if (settings().alwaysFixedFunction)
-    context.attention |= attention::kProgram; // the first draw is looked at
+    context.attention |= attention::kProgram; // makes the first draw validate
   if (!settings().extensions.empty())
-    static_cast<void>(applicationIdentity(context)); // what is asked for and is not there is said
+    static_cast<void>(applicationIdentity(context)); // warns of switched-on extensions that nobody
+                                                     // has
 }
 
-/// A context that is half made is none: the next make-current tries again.
+/// Initialises a context. After a failure the next make-current tries again.
 void initialiseWhole(Context &context) {
   try {
     initialise(context);
@@ -185,8 +185,8 @@ void initialiseWhole(Context &context) {
   }
 }
 
-/// Guards currentCount and destroyed of all contexts; taken by create, destroy and make-current
-/// only.
+/// Guards currentCount and destroyed of all contexts. Only create, destroy and make-current take
+/// it.
 std::mutex g_lifecycle;
 
 void release(Context *context) {
@@ -198,7 +198,8 @@ void release(Context *context) {
   if (!dead)
     return;
   logFlag(DebugFlag::Contexts, "state", "context %u: freed", context->serial);
-  // Neither can be told of all of it, and one that fails must not keep the other from forgetting.
+  // Each of them may fail for lack of memory, and must not keep the other from forgetting the
+  // context.
   const auto despiteFailure = [&](void (*note)(Context &)) {
     try {
       note(*context);
@@ -210,7 +211,7 @@ void release(Context *context) {
   delete context;
 }
 
-/// What the window system is to see: the primitive that waits for more (held.h), too.
+/// Draws a primitive that waits for more (held.h), before the window system sees the pixels.
 void drawHeldOf(Context *context) {
   if (context && software::isHeld(*context))
     software::drawHeld(*context);
@@ -220,17 +221,18 @@ void drawHeldOf(Context *context) {
 
 Context *createContext(Provider provider, const host::HostTable *table, Context *share,
                        bool indirect) {
-  // What was finished before there was another context to see it must be with the host, too.
+  // The new context must find on the host what was finished before it.
   if (share && currentContext() && currentContext()->group == share->group)
     exchange(Exchange::Read, "a context is made that shares");
   auto context = std::make_unique<Context>(provider, table,
                                            share ? share->group : std::make_shared<ShareGroup>());
-  if (share) // either may make one by commands that the layer does not see, as of a core profile
+  if (share) // either may attach depth images by commands of a core profile, which the layer does
+             // not see
     context->group->depthImagesUsed.store(true, std::memory_order_relaxed);
   context->caps.indirect = indirect;
   noteContextCreated(*context);
   if (!withinMemory(*context, "capture", [&] { captureContextMade(*context); }))
-    context->pendingError = GL_NO_ERROR; // a capture without this context, and no error of its own
+    context->pendingError = GL_NO_ERROR; // the context is just not captured; that is no GL error
   logFlag(DebugFlag::Contexts, "state", "context %u: created%s", context->serial,
           share ? ", shared" : "");
   return context.release();
@@ -312,7 +314,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     if (old)
       release(old);
   } else if (context) {
-    software::ceasesToBeCurrent(*context); // it may have another drawable
+    software::ceasesToBeCurrent(*context); // it may get another drawable
   }
   if (context)
     software::becomesCurrent(*context, drawable ? *drawable : software::Drawable{});
@@ -325,7 +327,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     collectGarbage(*context);
   if (!context)
     return;
-  // A context that was made since may load programs that are bound here.
+  // Contexts that were made since may load programs that are bound here.
   if (context->group->contexts.load(std::memory_order_relaxed) > 1 &&
       (context->attention & attention::kShared) == 0)
     invalidateProgram(*context);
@@ -378,7 +380,7 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
 
 namespace {
 
-/// An application that has shown some frames without a program is taken to use none.
+/// Drops the early lists: an application that has shown some frames without a program uses none.
 void forgetEarlyLists(Context &context) {
   const bool used = context.group->programApiUsed.load(std::memory_order_relaxed);
   if (!used && context.listMode == 0 && !context.insideBeginEnd)
@@ -393,7 +395,7 @@ void frameEnd(Context *context) {
   withinMemory(*context, "SwapBuffers", [&] {
     captureFrame(*context);
     ++context->frames;
-    noteTextureChange(*context); // by commands that the layer does not see
+    noteTextureChange(*context); // commands that the layer does not see may have changed textures
     if (const ControlHooks *const hooks = controlHooks()) [[unlikely]]
       hooks->frameEnds(*context);
     if (context->frames >= software::kEarlyFrames && context->group->lists.hasEarly())

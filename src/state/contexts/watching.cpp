@@ -15,10 +15,10 @@ namespace arbiter::state {
 
 namespace {
 
-/// Commands of the layer's own are possible.
+/// True if the layer may issue commands of its own.
 bool isOpen(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
 
-/// Draws that took the path of an effective program, on the host or by the rasterizer.
+/// Returns the draws that took the path of the effective program, on the host or by the rasterizer.
 std::uint64_t drawsOf(const Context &context, std::size_t path) {
   return context.draws[path] + context.draws[std::size_t(Path::Rasterizer)];
 }
@@ -65,10 +65,10 @@ void frameEnds(Context &context) {
     hud::draw(context);
 }
 
-/// Contexts that end frames answer, if there are any.
+/// Serves requests before a draw, unless there are contexts that end frames; those serve them.
 void beforeDraw(Context &context) {
   remote::Session *const session = remote::Session::instance();
-  if (!session || !session->isBusy()) [[likely]] // by each of its draws
+  if (!session || !session->isBusy()) [[likely]] // the common case
     return;
   session->noteActivity(false);
   if (!session->endsFrames() && isOpen(context))

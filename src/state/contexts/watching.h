@@ -1,10 +1,10 @@
 #pragma once
 
-/// Control and figures in the frame, as the environment asks for them.
+/// Starts control and the figures in the frame, as the environment asks for.
 namespace arbiter::state {
 
-/// A context became current for the first time: what watches drawing begins, once in a process,
-/// where ARBITER_CONTROL or ARBITER_HUD asks for it.
+/// Starts what watches drawing, once per process, if ARBITER_CONTROL or ARBITER_HUD asks for it.
+/// Called when a context is current for the first time.
 void beginWatching();
 
 } // namespace arbiter::state

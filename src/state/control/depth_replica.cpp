@@ -10,8 +10,8 @@ namespace arbiter::state::remote {
 
 namespace {
 
-/// Of a plane that is steep in the window the terms of its depth are many times the depth, and so
-/// is what they are rounded by.
+/// The tolerance of depths. On a plane that is steep in the window, the terms of a depth are many
+/// times the depth, and so is their rounding error.
 constexpr float kRounding = 0x1p-16f;
 
 } // namespace

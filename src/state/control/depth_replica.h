@@ -8,25 +8,24 @@
 
 namespace arbiter::state::remote {
 
-/// The window's depths and stencils in a few pixels, as draws to a framebuffer object make them.
-/// What is drawn to an object need not have the last bits that it has in a window (whose rows lie
-/// the other way up in memory, in Mesa): a draw that compares its depths with the window's for
-/// equality, or passes where they are equal, would find others. So the frame's draws are made here
-/// too, and the window's values taken where something else has written them.
+/// A copy of the window's depths and stencils for a few pixels, made by repeating the frame's draws
+/// in a framebuffer object. Depths in an object may differ from a window's in the last bits (Mesa
+/// stores their rows in opposite order). A draw that tests depths for equality would then find
+/// others. The window's values are taken where something other than these draws has written them.
 class DepthReplica {
 public:
-  /// \param host the functions that draw (not those that are observed)
+  /// \param host functions that draw without being observed
   DepthReplica(Context &context, const host::HostTable &host, const Region &region)
       : m_context(context), m_host(host), m_region(region),
         m_target(context, host, ProbeTarget::Use::Depths) {}
 
-  /// Before a draw to the window that tests depths or stencils: pixels whose value is another than
-  /// the window's, by more than what rounding makes, become the window's.
-  /// \returns an empty string, or why they cannot be had
+  /// Takes over the window's values where they differ by more than rounding. Called before a draw
+  /// to the window that tests depths or stencils.
+  /// \returns an empty string, or why the values are not available
   [[nodiscard]] std::string meet();
-  /// Behind it: what the draw makes of them.
+  /// Repeats the draw here, after it.
   void follow(const Redraw &redraw);
-  /// After meet(): whether it has all of a region.
+  /// True if all of a region is available, after meet().
   [[nodiscard]] bool holds(const Region &region) const;
   [[nodiscard]] GLuint framebuffer() const { return m_target.name(); }
 

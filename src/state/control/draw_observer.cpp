@@ -17,22 +17,23 @@ namespace {
 
 using host::HostTable;
 
-/// Names that no application makes.
+/// Names that no application uses.
 constexpr GLuint kList = 0xFFFFFFFAu, kQuery = 0xFFFFFFFAu;
-/// Rows of one frame; those behind are counted alone.
+/// The most rows of one frame; further draws are only counted.
 constexpr std::size_t kMostRows = 4096;
 
-/// One that the layer has no other use for. Every host that counts pixels has it.
+/// Looks up a function that only this file needs. Every host that counts pixels has it.
 template <typename Function> Function functionOf(const HostTable &host, const char *name) {
   return reinterpret_cast<Function>(host.lookup(name));
 }
 
-/// Of a context that another observer was given up in, what that one had.
+/// Returns the host's table, even if another observer was abandoned in this context.
 const HostTable &trueTable(const HostTable &host) {
   return isObservedTable(host) ? static_cast<const ObservedTable &>(host).observer->host() : host;
 }
 
-/// Of a Pick the pixel, of a Hold the quad that programs are drawn in.
+/// Returns the region that an observation needs: a Pick's pixel, or a Hold's 2x2 pixels in which
+/// programs are drawn.
 Region watchedRegion(const Context &context, const Observation &wish) {
   if (wish.aim != Observation::Aim::Hold)
     return {wish.x, wish.y, 1, 1};
@@ -42,7 +43,7 @@ Region watchedRegion(const Context &context, const Observation &wish) {
   return {x, y, x + 1 < width ? 2 : 1, y + 1 < height ? 2 : 1};
 }
 
-/// What nothing draws.
+/// A colour that no draw produces.
 constexpr Vec4 kUncovered = {-0x1.6a09e6p99f, 0x1.bb67aep98f, -0x1.3c6ef4p97f, 0x1.a54ff6p96f};
 
 } // namespace
@@ -59,11 +60,11 @@ DrawObserver::DrawObserver(Context &context, Observation wish, Held held)
 DrawObserver::~DrawObserver() {
   const Context *own = &m_context;
   g_observed.compare_exchange_strong(own, nullptr, std::memory_order_relaxed);
-  static_cast<HostTable &>(m_table) = m_host; // for what keeps it, as a list that is recorded
+  static_cast<HostTable &>(m_table) = m_host; // lists that are being recorded may keep the table
   if (m_context.host == &m_table)
     m_context.host = &m_host;
   else if (m_context.trueHost != &m_table)
-    return; // another context lies where this one was
+    return; // another context has this one's address
   const HostErrorScope errors(m_host, m_context.pendingError);
   if (m_madeList)
     m_host.DeleteLists(kList, 1);
@@ -71,7 +72,7 @@ DrawObserver::~DrawObserver() {
     functionOf<void (*)(GLsizei, const GLuint *)>(m_host, "glDeleteQueries")(1, &kQuery);
 }
 
-/// The draw can be made again, and more often, without the application's seeing it.
+/// True if the draw can be repeated without the application noticing.
 bool DrawObserver::isObservable(GLuint framebuffer) {
   const HostErrorScope errors(m_host, m_context.pendingError);
   if (m_wish.aim != Observation::Aim::Measure) {
@@ -93,11 +94,12 @@ bool DrawObserver::isObservable(GLuint framebuffer) {
   return false;
 }
 
-/// Of what the draw draws to. An object's size is not known before.
+/// True if the pixel exists in the draw's target. The size of a framebuffer object is only known
+/// here.
 bool DrawObserver::hasPixel() {
   int width = 0, height = 0;
   if (m_wish.framebuffer == 0)
-    return true; // checked by who asked
+    return true; // the caller has checked it
   if (!targetSize(width, height))
     m_trouble = "the size of the framebuffer is not known";
   else if (m_wish.x >= width || m_wish.y >= height)
@@ -107,7 +109,7 @@ bool DrawObserver::hasPixel() {
   return false;
 }
 
-/// The draw reads depths or stencils of the window's, and may write them.
+/// True if the draw tests the window's depths or stencils. It may write them too.
 bool DrawObserver::testsWindow() const {
   if (m_wish.framebuffer != 0 || m_wish.aim == Observation::Aim::Measure)
     return false;
@@ -196,7 +198,7 @@ void DrawObserver::measure(ObservedDraw draw, const Redraw &redraw) {
     m_draws.push_back(std::move(draw));
 }
 
-/// \returns whether the draw has been made
+/// Observes a draw. \returns whether the draw was made
 bool DrawObserver::look(const char *command, const Redraw &redraw) {
   using Aim = Observation::Aim;
   const auto framebuffer = m_context.caps.framebufferObjects
@@ -227,7 +229,7 @@ bool DrawObserver::look(const char *command, const Redraw &redraw) {
 }
 
 void DrawObserver::draw(const char *command, const Redraw &redraw) {
-  // The host's to record, or to refuse; or of a context that was given up (Session::observe()).
+  // The host records or refuses the draw, or the context was abandoned (Session::observe()).
   if (m_context.listMode != 0 || m_compiling || m_context.insideBeginEnd ||
       g_observed.load(std::memory_order_relaxed) != &m_context)
     return redraw(m_host);

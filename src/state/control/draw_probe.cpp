@@ -16,7 +16,7 @@ namespace arbiter::state::remote {
 
 namespace {
 
-/// A program stands in for the fragment program that draws use, while it lives.
+/// Replaces the fragment program that draws use, while it lives.
 class ProgramSwap {
 public:
   ProgramSwap(Context &context, const DrawProbe::Wish &wish)
@@ -59,7 +59,7 @@ private:
   bool m_valid = false;
 };
 
-/// What is written is the program's colour alone.
+/// Turns off what would change the program's colour before it is written.
 void setPlainState(const Context &context, const host::HostTable &host, bool alphaTest) {
   for (const GLenum capability : {GL_BLEND, GL_COLOR_LOGIC_OP, GL_DITHER})
     host.Disable(capability);
@@ -78,7 +78,7 @@ const char *whyNoProbe(const Context &context) {
   return nullptr;
 }
 
-/// Bound for drawing, with what the draw finds of depths and stencils where it tests them.
+/// Binds the target for drawing, with the depths and stencils that the draw tests.
 std::string DrawProbe::bindTarget(const Wish &wish) {
   const HasDepths has(m_host);
   bool tests = false;
@@ -86,7 +86,8 @@ std::string DrawProbe::bindTarget(const Wish &wish) {
        {std::pair(GL_DEPTH_TEST, has.depth), std::pair(GL_STENCIL_TEST, has.stencil)}) {
     const bool enabled = m_host.IsEnabled(GLenum(test)) != 0;
     tests = tests || (enabled && isThere);
-    if (enabled && !isThere) // it passes, which it would not of what the object has
+    if (enabled && !isThere) // without the buffer the test passes, but it might fail with the
+                             // object's
       m_host.Disable(GLenum(test));
   }
   const GLboolean scissored = m_host.IsEnabled(GL_SCISSOR_TEST);

@@ -18,13 +18,13 @@ class Context;
 
 namespace remote {
 
-/// A draw of the application's, as often as it is wanted. It leaves GL's current values as the draw
-/// does, and changes nothing else but pixels.
+/// Repeats a draw of the application's, any number of times. It leaves GL's current values as the
+/// draw does, and otherwise changes only pixels.
 using Redraw = std::function<void(const host::HostTable &)>;
 
-/// Repeats draws into colours of 32-bit floats, unblended, with the depths and stencils that the
-/// draw finds. All state is put back. The context is current, outside Begin and lists, and its
-/// attribute stack has room for one entry.
+/// Repeats draws to 32-bit float colours, unblended, with the depths and stencils that the draw
+/// finds. Restores all state. The context must be current, outside Begin and lists, with room for
+/// one entry on its attribute stack.
 class DrawProbe {
 public:
   static constexpr std::size_t kMostTargets = ProbeTarget::kMostColors;
@@ -32,19 +32,19 @@ public:
   struct Wish {
     Region region;
     std::size_t targets = 1;
-    Vec4 clear{};                                   ///< where nothing is drawn
+    Vec4 clear{};                                   ///< the colour where nothing is drawn
     std::shared_ptr<const CompiledProgram> program; ///< null: the application's own
-    std::vector<Vec4> locals; ///< of `program`: its first local parameters, where not the draw's
-    GLuint depths = 0;        ///< the framebuffer that depths and stencils are copied from
-    bool alphaTest = false;   ///< as the application has it; else fragments pass
+    std::vector<Vec4> locals; ///< override the draw's first local parameters for `program`
+    GLuint depths = 0;        ///< the framebuffer to copy depths and stencils from
+    bool alphaTest = false;   ///< keeps the application's alpha test; else it is off
   };
 
-  /// \param host the functions that draw (not those that are observed)
+  /// \param host functions that draw without being observed
   DrawProbe(Context &context, const host::HostTable &host)
       : m_context(context), m_host(host), m_target(context, host, ProbeTarget::Use::Values) {}
 
-  /// targets * height * width values, the lowest row first. Errors: what the host refuses, in
-  /// words.
+  /// Draws. Returns targets * height * width values, bottom row first, or the reason why the host
+  /// refuses.
   [[nodiscard]] Result<std::vector<Vec4>, std::string> draw(const Redraw &redraw, const Wish &wish);
 
 private:
@@ -55,12 +55,12 @@ private:
   ProbeTarget m_target;
 };
 
-/// A program of a client's that shows values: checked, whatever a card's limits, and ready to be
-/// drawn with. Errors: the compiler's, rendered.
+/// Compiles a client's program that shows values, without a card's limits. Returns the compiler's
+/// messages if it fails.
 [[nodiscard]] Result<std::shared_ptr<const CompiledProgram>, std::string>
 compileProbe(const Context &context, const std::string &text);
 
-/// Draws to a float target are possible in the context: null, or why not.
+/// Returns why the context cannot draw to float targets; null if it can.
 [[nodiscard]] const char *whyNoProbe(const Context &context);
 
 } // namespace remote

@@ -1,4 +1,4 @@
-// Frames that clients want, in memory that they share.
+// Frames for clients, in shared memory.
 #include <cstring>
 
 #include "state/control/session.h"

@@ -14,10 +14,10 @@ namespace arbiter::state::remote {
 
 namespace {
 
-/// What a frame's or a texture's picture may take at most.
+/// The most pixels of a picture of a frame or texture.
 constexpr std::int64_t kMaxPixels = std::int64_t(64) << 20;
 
-/// The mean of each square of `step` pixels a side.
+/// Shrinks a picture: each pixel is the mean of a square of `step` pixels a side.
 Picture shrunk(const Picture &from, int step) {
   Picture to = {from.width / step, from.height / step, {}};
   to.width = std::max(to.width, 1);
@@ -36,17 +36,17 @@ Picture shrunk(const Picture &from, int step) {
   return to;
 }
 
-/// The host has all pixels then.
+/// Gives the host all pixels.
 void bringHostUpToDate(Context &context) {
   if (context.software)
     context.software->residency.synchronise("a client of control");
 }
 
-/// The window's framebuffer is read from, its back buffer where there is one.
+/// Makes the window the read framebuffer, with its back buffer if there is one.
 class WindowRead {
 public:
   explicit WindowRead(Context &context) : m_context(context), m_host(*context.host) {
-    // Whether there is a back buffer is told of the framebuffer that is drawn to.
+    // GL_DOUBLEBUFFER is answered for the draw framebuffer.
     if (context.caps.framebufferObjects) {
       m_read = bind(GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING);
       m_draw = bind(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING);
@@ -67,7 +67,7 @@ public:
   WindowRead &operator=(const WindowRead &) = delete;
 
 private:
-  /// The window's; \returns what was bound.
+  /// Binds the window's framebuffer. \returns what was bound
   GLint bind(GLenum target, GLenum query) {
     const GLint bound = hostInteger(m_host, query);
     if (bound != 0)
@@ -80,7 +80,7 @@ private:
   GLint m_read = 0, m_draw = 0, m_buffer = 0;
 };
 
-/// A unit is active while it lives.
+/// Makes a unit active, while it lives.
 class ActiveUnit {
 public:
   ActiveUnit(const host::HostTable &host, GLuint unit)
@@ -176,7 +176,7 @@ std::vector<BoundTexture> boundTextures(Context &context) {
       if (targets[i].target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
         continue;
       BoundTexture texture = {hostInteger(host, targets[i].query), GLuint(unit), i};
-      // Units that have no texture of their own share the target's default one.
+      // Units without a texture share the target's default texture.
       if (texture.name == 0 && std::exchange(seenDefault[i], true))
         continue;
       texture.width = levelParameter(host, targets[i].image, 0, GL_TEXTURE_WIDTH);
@@ -190,8 +190,8 @@ std::vector<BoundTexture> boundTextures(Context &context) {
   return found;
 }
 
-/// GetTexImage gives luminance and intensity as red alone (6.1.4); a sampler has them in all of its
-/// colours, intensity in alpha too (3.9.1).
+/// Spreads luminance and intensity to all colours, and intensity to alpha, as samplers do (3.9.1).
+/// GetTexImage returns both as red alone (6.1.4).
 void spreadGrey(const host::HostTable &host, GLenum image, Picture &picture) {
   const bool intensity = levelParameter(host, image, 0, GL_TEXTURE_INTENSITY_SIZE) != 0;
   if (!intensity && levelParameter(host, image, 0, GL_TEXTURE_LUMINANCE_SIZE) == 0)
@@ -242,7 +242,7 @@ bool writeTexture(Context &context, const BoundTexture &texture, const Picture &
   }
   const host::HostTable &host = *context.host;
   const ActiveUnit active(host, texture.unit);
-  if (context.software) // its pixels are the host's from here on
+  if (context.software) // the host's copy is the valid one from here on
     context.software->residency.textureRedefined(target.target);
   context.dirty |= software::dirty::kTextureBindings;
   const PlainTransfer plain(context, PixelStore::Unpack);

@@ -10,7 +10,8 @@ namespace arbiter::state::remote {
 
 namespace {
 
-/// The state that the context draws with, by its text's name; empty where it draws with none.
+/// Returns the text name of the combiner or texture-shader state that the context draws with; empty
+/// if it draws with none.
 std::string effectiveState(const Context &context) {
   const CompiledProgram *const fragment =
       context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;

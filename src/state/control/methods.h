@@ -11,38 +11,39 @@
 /// The methods that clients may call (docs/write/control.md).
 namespace arbiter::state::remote {
 
-/// One request on the application's thread.
+/// A request that the application's thread executes.
 struct Call {
   Session &session;
   Context &context;
   const wire::Request &request;
   wire::ClientId client;
   wire::Params params;
-  bool later = false; ///< what is returned is no answer yet: Session::observe() sees to one
+  bool later = false; ///< the result is no answer: Session::observe() sends one later
 };
 
 /// A method that the application's thread answers.
 struct Method {
   const char *name;
   wire::Answer (*answer)(Call &call);
-  bool writes = false; ///< only the writer may
+  bool writes = false; ///< only the writer may call it
 };
 
 [[nodiscard]] bool isMethod(std::string_view name);
-/// Of hello. Any thread.
+/// Returns the answer to hello. Any thread may call it.
 [[nodiscard]] wire::Json helloAnswer(const std::string &program);
-/// Raises no GL error. What finds no memory is a fault. Nothing: it is answered later.
+/// Executes a request. Raises no GL error, and returns a fault without memory. Returns nothing if
+/// the request is answered later.
 [[nodiscard]] std::optional<wire::Answer> answerRequest(Session &session, Context &context,
                                                         wire::ClientId client,
                                                         const wire::Request &request);
-/// A request about the draw that is held.
+/// True for methods about the held draw.
 [[nodiscard]] bool isMethodOfHold(std::string_view name);
-/// Its answer. Within the hold, on its thread.
+/// Executes such a request, on the thread of the hold.
 [[nodiscard]] wire::Answer answerOfHold(DrawObserver &observer, const Redraw &redraw,
                                         const wire::Request &request);
-/// What the client is told of the draw that is held for it from now on.
+/// Returns what the client is told when a draw is held for it.
 [[nodiscard]] wire::Json heldJson(DrawObserver &observer, const ObservedDraw &draw);
-/// Of a frame that has ended.
+/// Returns the answer for an observed frame that has ended.
 [[nodiscard]] wire::Answer observedAnswer(const DrawObserver &observer, std::uint64_t frame);
 
 // The methods, by file.
@@ -65,8 +66,8 @@ struct Method {
 [[nodiscard]] wire::Answer nothingHeld(Call &call);
 [[nodiscard]] wire::Answer stats(Call &call);
 
-/// Puts back what can be put back now of the images that are to be, and forgets them. Images that
-/// the application has replaced meanwhile stay.
+/// Restores stale images where that is possible now, and forgets them. Images that the application
+/// has replaced meanwhile stay.
 void putBackStale(Context &context, std::vector<Session::OwnImage> &images);
 
 } // namespace arbiter::state::remote

@@ -1,4 +1,4 @@
-// Frames that are looked at draw by draw, and a draw at which the application stops for a client.
+// Frames that are observed draw by draw, and draws at which the application stops for a client.
 #include <algorithm>
 #include <utility>
 
@@ -12,12 +12,13 @@ namespace arbiter::state::remote {
 
 namespace {
 
-/// For so long an application stops for a client that asks for nothing.
+/// The time that an application stops for a client that sends no request.
 constexpr std::chrono::seconds kPatience{2};
-/// A context that ends no frame for so long is not waited for.
+/// The time after which a context that ends no frame is given up.
 constexpr std::chrono::seconds kGivenUp{10};
-/// A context that ends none for so long, while another one does, may be gone: players make a new
-/// one where their film begins again. One in whose place another lies is gone.
+/// The time without a frame after which a context may be gone, if another one ends frames: players
+/// make a new context when their film restarts. A context is surely gone if another has its
+/// address.
 constexpr std::chrono::milliseconds kMoved{500};
 
 } // namespace
@@ -28,7 +29,7 @@ std::optional<wire::Fault> Session::observe(Context &context, Observation wish) 
   const std::lock_guard lock(m_mutex);
   if (m_observer && (m_holder || Clock::now() - m_observedSince < kGivenUp))
     return wire::Fault{wire::kTooBusy, "a frame is looked at for another request", {}};
-  (void)m_observer.release(); // its context may be gone, or may draw again: it stays for it
+  (void)m_observer.release(); // its context may be gone, or may draw again, so it is not freed
   m_observedSince = Clock::now();
   m_observer =
       std::make_unique<DrawObserver>(context, std::move(wish),
@@ -50,7 +51,7 @@ void Session::endObservation(Context &context) {
       observer = std::move(m_observer);
     } else if (!m_holder && (isThere || Clock::now() - m_observedSince > kMoved)) {
       moved = m_observer->wish();
-      (void)m_observer.release(); // its context may draw again: it stays for it
+      (void)m_observer.release(); // its context may draw again, so it is not freed
     }
   }
   if (moved)
@@ -62,7 +63,8 @@ void Session::endObservation(Context &context) {
     m_server->send(wish.client, wire::answerLine(wish.id, observedAnswer(*observer, frames())));
 }
 
-/// The client's next request about the draw; nothing where it is gone, or asks for none.
+/// Waits for the client's next request about the held draw. Returns nothing if the client is gone
+/// or sends none.
 std::optional<Session::Waiting> Session::nextOfHold(wire::ClientId client,
                                                     Clock::time_point until) {
   std::unique_lock lock(m_mutex);

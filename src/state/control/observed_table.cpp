@@ -11,21 +11,21 @@ namespace {
 
 using host::HostTable;
 
-/// Of the thread's current context, whose table was called; that is not its first one while it
-/// records a list or a primitive.
+/// Returns the observer of the thread's current context, whose table was called. While a list or a
+/// primitive is recorded, the table is `trueHost`.
 DrawObserver &observer() {
   const auto &context = static_cast<const Context &>(*t_current);
   const HostTable *const table = isObservedTable(*context.host) ? context.host : context.trueHost;
   return *static_cast<const ObservedTable *>(table)->observer;
 }
 
-/// A string that a template can have.
+/// A string as a template parameter.
 template <std::size_t kSize> struct Name {
   constexpr Name(const char (&text)[kSize]) { std::copy_n(text, kSize, value); }
   char value[kSize] = {};
 };
 
-/// A function that draws.
+/// Replaces a drawing function.
 template <auto kFunction, Name kName> struct Draws;
 template <typename... Parameters, void (*HostTable::*kFunction)(Parameters...), Name kName>
 struct Draws<kFunction, kName> {
@@ -34,7 +34,7 @@ struct Draws<kFunction, kName> {
   }
 };
 
-/// One that calls display lists.
+/// Replaces a function that calls display lists.
 template <auto kFunction> struct Calls;
 template <typename... Parameters, void (*HostTable::*kFunction)(Parameters...)>
 struct Calls<kFunction> {

@@ -5,14 +5,14 @@ namespace arbiter::state::remote {
 
 class DrawObserver;
 
-/// The host's functions, of which those that draw come to the observer, and those that begin and
-/// end a list.
+/// The host's functions, with those that draw, and that begin and end lists, redirected to an
+/// observer.
 struct ObservedTable : host::HostTable {
   ObservedTable(const host::HostTable &host, DrawObserver *to);
   DrawObserver *observer;
 };
 
-/// The table is an ObservedTable whose draws still come to an observer.
+/// True if the table is an ObservedTable that still has an observer.
 [[nodiscard]] bool isObservedTable(const host::HostTable &table);
 
 } // namespace arbiter::state::remote

@@ -1,4 +1,4 @@
-// param.*: what programs read, and values that a client holds.
+// param.*: parameters of programs, and values that a client holds.
 #include <charconv>
 #include <optional>
 
@@ -32,7 +32,7 @@ const char *kindWord(ParameterKind kind) {
   return "";
 }
 
-/// The value that draws of the program have; null where only a context that draws with it knows.
+/// Returns the value that the program's draws use; null if only a context that draws with it knows.
 Json valueJson(Call &call, const KnownProgram &program, const fp::ir::Parameter &parameter) {
   const ProgramTarget &row = call.context.row(program.target);
   Vec4 value = parameter.constant;
@@ -73,7 +73,7 @@ struct Name {
   std::uint32_t index = 0;
 };
 
-/// "program.local[3]".
+/// Parses "program.local[3]" or "program.env[3]".
 std::optional<Name> parseName(std::string_view text) {
   Name name;
   constexpr std::string_view kLocal = "program.local[", kEnv = "program.env[";

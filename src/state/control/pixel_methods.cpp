@@ -1,4 +1,4 @@
-// pixel.*: the draws that give a pixel its colour, and what one of them computes there.
+// pixel.*: the draws that give a pixel its colour, and values that a draw computes there.
 // frame.measure: pixels and time of each draw of a frame.
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,9 @@ namespace {
 
 using wire::Json;
 
-constexpr int kMostPixels = 64; ///< a side, of one pixel.draw
+constexpr int kMostPixels = 64; ///< per side, of one pixel.draw
 
-/// The request's pixel, where the context's frames have it.
+/// Returns the request's observation. Its pixel must be inside the context's frames.
 Observation observationOf(Call &call, Observation::Aim aim) {
   Observation wish;
   wish.aim = aim;
@@ -33,7 +33,7 @@ Observation observationOf(Call &call, Observation::Aim aim) {
   if (!drawableSize(call.context, width, height) || aim == Observation::Aim::Measure)
     return wish;
   wish.framebuffer = GLuint(call.params.integer("framebuffer", 0, UINT32_MAX, 0));
-  if (wish.framebuffer != 0) // whose size is known where it is drawn to
+  if (wish.framebuffer != 0) // its size is known when it is drawn to
     width = height = wire::kMaxFrameSide;
   wish.x = int(call.params.integer("x", 0, width - 1));
   wish.y = int(call.params.integer("y", 0, height - 1));
@@ -79,7 +79,7 @@ Json drawJson(const ObservedDraw &draw, Observation::Aim aim) {
   return row;
 }
 
-/// How many draws went where.
+/// Returns the draws per framebuffer.
 Json byFramebuffer(const DrawObserver &observer) {
   Json rows = Json::array();
   for (const auto &[name, draws] : observer.framebuffers())
@@ -87,7 +87,7 @@ Json byFramebuffer(const DrawObserver &observer) {
   return rows;
 }
 
-/// By program, what its draws had together.
+/// Returns the sums of each program's draws.
 Json byProgram(const DrawObserver &observer) {
   struct Sum {
     std::uint64_t draws = 0, pixels = 0;
@@ -113,7 +113,8 @@ Json byProgram(const DrawObserver &observer) {
   return programs;
 }
 
-/// Four floats each, as base64. Refused: another length, and what is no number.
+/// Decodes local parameters: base64 of four floats each. Refuses other lengths and values that are
+/// not finite.
 std::vector<Vec4> localsOf(wire::Params &params) {
   std::vector<Vec4> locals;
   if (!params.has("locals"))
@@ -147,7 +148,7 @@ wire::Answer drawHeld(DrawObserver &observer, const Redraw &redraw, wire::Params
   if (!params.ok())
     return params.fault();
   wish.depths = observer.depthsOf(wish.region);
-  if (!text.empty()) { // else the draw's own
+  if (!text.empty()) { // else the draw's own program
     auto program = compileProbe(observer.context(), text);
     if (!program)
       return wire::Fault{wire::kNotPossible, program.error(), {}};
@@ -160,7 +161,7 @@ wire::Answer drawHeld(DrawObserver &observer, const Redraw &redraw, wire::Params
   return Json::object({{"values", wire::toBase64({bytes, drawn.value().size() * sizeof(Vec4)})}});
 }
 
-/// The size of what a target of a unit has.
+/// Returns the size of the texture on a unit's target.
 wire::Answer textureHeld(DrawObserver &observer, wire::Params &params) {
   const auto unit = GLuint(params.integer("unit", 0, 31));
   const std::string word = params.text("target");

@@ -12,10 +12,10 @@ namespace arbiter::state::remote {
 
 namespace {
 
-constexpr std::size_t kDepth = ProbeTarget::kMostColors; ///< of the textures
+constexpr std::size_t kDepth = ProbeTarget::kMostColors; ///< index of the depth texture
 
-/// What depths may be; one of them is copied from. Those of an application's framebuffers are often
-/// without stencil, those of a window seldom.
+/// The depth formats that copies are tried with. Framebuffer objects often have no stencil, windows
+/// mostly have.
 constexpr GLenum kDepthFormats[] = {GL_DEPTH24_STENCIL8,  GL_DEPTH_COMPONENT24,
                                     GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT16,
                                     GL_DEPTH32F_STENCIL8, GL_DEPTH_COMPONENT32F};
@@ -24,7 +24,7 @@ bool stencilIsIn(GLenum format) {
   return format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8;
 }
 
-/// Of an image without content, any that goes with its format.
+/// A component layout and type that go with an internal format, for an image without contents.
 struct Layout {
   GLenum components, type;
 };
@@ -43,7 +43,7 @@ Layout layoutOf(GLenum format) {
 
 } // namespace
 
-/// Names beside those of the figures in the frame (state/hud).
+/// Makes names that differ from those of the figures in the frame (state/hud).
 ProbeTarget::ProbeTarget(Context &context, const host::HostTable &host, Use use)
     : m_context(context), m_host(host),
       m_framebuffer(use == Use::Values ? 0xFFFFFFF9u : 0xFFFFFFF8u),
@@ -62,7 +62,7 @@ ProbeTarget::~ProbeTarget() {
 
 bool ProbeTarget::hasStencil() const { return stencilIsIn(m_depthFormat); }
 
-/// An image of no content under a name of the layer's; what is bound stays.
+/// Defines an image without contents for one of the layer's names. Bindings stay unchanged.
 void ProbeTarget::image(std::size_t index, int width, int height, GLenum format) {
   const TextureBinding bound(m_host, GL_TEXTURE_2D, m_firstTexture + GLuint(index),
                              sharingOf(m_context));
@@ -113,7 +113,7 @@ std::string ProbeTarget::attachDepthsOf(GLuint source, std::size_t colors, const
     copyDepths(source, region);
     return !errors.failed();
   };
-  // That of the draw before, first.
+  // Try the format of the last draw first.
   if (m_depthFormat != 0 && copied(m_depthFormat))
     return {};
   if (std::any_of(std::begin(kDepthFormats), std::end(kDepthFormats), copied))
@@ -137,7 +137,8 @@ bool renderbufferSize(const host::HostTable &host, GLuint name, int &width, int 
   return width > 0 && height > 0;
 }
 
-/// Of what target a name is, GL does not say: it can be bound to that one alone.
+/// Gets a texture's size. GL does not report a name's target, but the name can only be bound to
+/// that one.
 bool textureSize(Context &context, const host::HostTable &host, GLuint name, GLint level,
                  int &width, int &height) {
   for (const TextureTarget &target : textureTargets()) {

@@ -17,29 +17,30 @@ struct Region {
   int x = 0, y = 0, width = 1, height = 1;
 };
 
-/// A framebuffer object of the layer's: colours of 32-bit floats and the depths of another
-/// framebuffer, under names that no application makes. The context is current, outside Begin and
-/// lists, wherever one of these functions is called.
+/// A framebuffer object of the layer's with 32-bit float colours and depths copied from another
+/// framebuffer, under names that no application uses. Its functions require that the context is
+/// current, outside Begin and lists.
 class ProbeTarget {
 public:
   static constexpr std::size_t kMostColors = 4;
-  /// Of the two that there may be at a time in a context.
+  /// Selects the names, as a context may have two objects at a time.
   enum class Use { Values, Depths };
 
-  /// \param host the functions that draw (not those that are observed)
+  /// \param host functions that draw without being observed
   ProbeTarget(Context &context, const host::HostTable &host, Use use);
   ~ProbeTarget();
   ProbeTarget(const ProbeTarget &) = delete;
   ProbeTarget &operator=(const ProbeTarget &) = delete;
 
   [[nodiscard]] GLuint name() const { return m_framebuffer; }
-  /// Bound for drawing, with so many colours, and depths of a format, or none (0); what they hold
-  /// is undefined. False: the host has no such framebuffer.
+  /// Binds the object for drawing with `colors` colours and depths of a format, or none (0). The
+  /// contents are undefined. Returns false if the host has no such framebuffer.
   [[nodiscard]] bool attach(std::size_t colors, const Region &region, GLenum depthFormat = 0);
-  /// attach() with the format of another framebuffer's depths, and these in the region. No scissor
-  /// test is enabled. \returns an empty string, or why not
+  /// Attaches with the format of another framebuffer's depths, and copies these in the region. The
+  /// scissor test must be off. \returns an empty string, or why it fails
   [[nodiscard]] std::string attachDepthsOf(GLuint source, std::size_t colors, const Region &region);
-  /// Again, after attachDepthsOf(), of another part of the region. The object is bound for drawing.
+  /// Copies a part of the region again, after attachDepthsOf(). The object must be bound for
+  /// drawing.
   void copyDepths(GLuint source, const Region &part);
   [[nodiscard]] bool hasStencil() const;
 
@@ -53,20 +54,19 @@ private:
   bool m_made = false;
 };
 
-/// Whether the framebuffer that is bound for drawing has depths, and stencils; without, their tests
-/// pass.
+/// Tells whether the draw framebuffer has depths and stencils. Without them, their tests pass.
 struct HasDepths {
   explicit HasDepths(const host::HostTable &host);
   bool depth = false, stencil = false;
 };
 
-/// The size of an application's framebuffer object that is bound for drawing. False: it has no
-/// attachment whose size is known.
+/// Gets the size of the application's framebuffer object that is bound for drawing. Returns false
+/// if no attachment's size is known.
 [[nodiscard]] bool framebufferSize(Context &context, const host::HostTable &host, int &width,
                                    int &height);
 
-/// What is bound to draw and to read from, and all attributes, are put back at its end. Requires
-/// room for one entry on the attribute stack.
+/// Restores the draw and read framebuffers and all attributes at its end. Requires room for one
+/// entry on the attribute stack.
 class TargetScope {
 public:
   explicit TargetScope(const host::HostTable &host);
@@ -79,7 +79,8 @@ private:
   GLint m_read = 0, m_draw = 0;
 };
 
-/// Of a region what the application lets be drawn: its scissor box, and the region. False: nothing.
+/// Sets the scissor to the region and the application's scissor box. Returns false if that is
+/// empty.
 [[nodiscard]] bool limitTo(const host::HostTable &host, const Region &region);
 
 } // namespace remote

@@ -1,4 +1,4 @@
-// program.*: the texts of the process, and what stands in for them.
+// program.*: the texts of the process, and what replaces them.
 #include <algorithm>
 #include <map>
 

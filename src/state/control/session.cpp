@@ -25,10 +25,10 @@ constexpr std::size_t kStack = std::size_t(512) << 10;
 constexpr std::size_t kMaxWaiting = 64;
 constexpr int kFirstBusy = 100; ///< ms
 
-/// Tried, in this process: one that cannot listen is not asked again.
+/// This process has tried to listen; it does not try again after a failure.
 constinit std::atomic<bool> g_tried{false};
 
-/// For the end of the process, which waits for nothing and allocates nothing.
+/// Used at the end of the process, where nothing may wait or allocate.
 constinit char g_path[128] = "";
 constinit pid_t g_process = 0;
 
@@ -49,7 +49,7 @@ int millisecondsSince(Clock::time_point then) {
       1'000'000'000));
 }
 
-/// The name of the process's executable.
+/// Returns the name of the process's executable.
 std::string programName() { return program_invocation_short_name; }
 
 } // namespace
@@ -72,7 +72,7 @@ void Session::begin() {
     return logError("control", "nothing listens: %s", listening.error().message.c_str());
   std::unique_ptr<wire::Server> server =
       wire::Server::listening(std::move(listening.value()), path);
-  // Never freed: the thread runs on until the process is gone. A child of fork() makes its own.
+  // Never freed, as its thread runs until the process ends. A child of fork() makes its own.
   auto *const session = server ? new Session(std::move(server), path) : nullptr;
   if (!session || !startThread("arbiter-control", kStack, serveSocket, session))
     return logError("control", "nothing listens: no thread could be started");
@@ -83,7 +83,7 @@ void Session::begin() {
   static const bool s_registered =
       std::atexit(removeSocket) == 0 && pthread_atfork(nullptr, nullptr, afterFork) == 0;
   static_cast<void>(s_registered);
-  ProgramEdits::instance().clear(); // of a process that this one was forked from
+  ProgramEdits::instance().clear(); // edits of the parent, if this process was forked
   s_instance.store(session, std::memory_order_release);
   logInfo("control", "listening at %s", path.c_str());
 }
@@ -91,7 +91,7 @@ void Session::begin() {
 void Session::afterFork() {
   if (Session *const parents = s_instance.exchange(nullptr))
     parents->m_server->closeAfterFork();
-  g_observed = nullptr; // a frame that the parent looks at
+  g_observed = nullptr; // the parent observed a frame
   g_tried = false;
 }
 
@@ -101,7 +101,7 @@ void Session::serveSocket(void *self) {
     try {
       session.m_server->run(session);
       return;
-    } catch (const std::exception &) { // no memory: what was being read is lost
+    } catch (const std::exception &) { // no memory: the message that was being read is lost
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
   }
@@ -128,7 +128,7 @@ void Session::disconnected(wire::ClientId client) {
   std::erase_if(m_waiting, [client](const Waiting &waiting) { return waiting.client == client; });
   if (m_writer == client) {
     m_writer.reset();
-    m_undo = true; // by a thread that draws
+    m_undo = true; // done by a thread that draws
   }
   updateBusy();
   m_arrived.notify_all();
@@ -261,7 +261,7 @@ std::optional<wire::Fault> Session::becomeWriter(wire::ClientId client) {
                      wire::Json::object({{"pid", process}})};
 }
 
-/// What a writer that is gone has left.
+/// Undoes the changes of a writer that has disconnected.
 void Session::undo(Context &context) {
   bool ends = false;
   {
@@ -277,7 +277,7 @@ void Session::undo(Context &context) {
   }
   putBackStale(context, m_ownImages);
   const std::lock_guard lock(m_mutex);
-  // Those of another share group wait for one of its contexts.
+  // Images of another share group wait for one of its contexts.
   m_hasStale = std::any_of(m_ownImages.begin(), m_ownImages.end(),
                            [](const OwnImage &image) { return image.stale; });
   updateBusy();
@@ -298,7 +298,7 @@ void Session::frameEnded() {
     m_times.frameEnded(nowNanoseconds());
 }
 
-/// All but what a thread that holds a draw waits for.
+/// Takes all requests, except those that the thread of a held draw waits for.
 std::deque<Session::Waiting> Session::takeWaiting() {
   const std::lock_guard lock(m_mutex);
   std::deque<Waiting> taken, left;
@@ -312,7 +312,7 @@ std::deque<Session::Waiting> Session::takeWaiting() {
 
 void Session::serve(Context &context) {
   const std::unique_lock serving(m_serving, std::try_to_lock);
-  if (!serving) // another thread is at it
+  if (!serving) // another thread is serving
     return;
   const NoCancel scope;
   join(context);

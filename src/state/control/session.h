@@ -26,56 +26,55 @@ namespace remote {
 
 using Clock = std::chrono::steady_clock;
 
-/// The process's side of control: the clients, what they wait for, and what they have changed. A
-/// thread of its own serves the socket and never calls GL; the application's threads answer where
+/// The process's side of control: the clients, their requests, and what they have changed. Its own
+/// thread serves the socket and never calls GL. The application's threads execute requests when
 /// their frames end.
 class Session final : public wire::Service {
 public:
-  /// Null until begin().
+  /// Returns the session; null before begin().
   [[nodiscard]] static Session *instance() { return s_instance.load(std::memory_order_acquire); }
-  /// Listens from now on, once in a process. Where it cannot, the log says why.
+  /// Starts to listen, once per process. Logs why if it fails.
   static void begin();
 
   // --- The application's threads ---
 
-  /// A frame ended, or something else was drawn by a context that ends none.
+  /// Notes the end of a frame, or a draw in a context that ends none.
   void noteActivity(bool frame);
-  /// Takes the time of a frame, while there are clients.
+  /// Measures the time of a frame, while there are clients.
   void frameEnded();
-  /// There are clients, or what one of them left is to be undone.
+  /// True if there are clients, or changes of one to undo.
   [[nodiscard]] bool isBusy() const { return m_busy.load(std::memory_order_acquire); }
-  /// When a frame last ended in any context.
+  /// True if any context has ended a frame lately.
   [[nodiscard]] bool endsFrames() const;
-  /// Answers what waits. The context is current, outside Begin and lists.
+  /// Executes waiting requests. The context must be current, outside Begin and lists.
   void serve(Context &context);
-  /// Gives clients that want it the frame that is about to be shown.
+  /// Sends the frame that is about to be shown to the clients that want it.
   void lendFrame(Context &context);
-  /// The frame has ended that the context's observer looked at, if there is one: its client is
-  /// answered.
+  /// Ends the observation of the context's frame, if there is one, and answers its client.
   void endObservation(Context &context);
 
   // --- For the methods, within serve() ---
 
-  /// A fault where another client is the writer; this one is it from now on otherwise.
+  /// Makes the client the writer. Returns a fault if another client is.
   [[nodiscard]] std::optional<wire::Fault> becomeWriter(wire::ClientId client);
-  /// Of the id's last text; 0: none.
+  /// Returns the revision of the id's last text; 0: none.
   [[nodiscard]] std::int64_t &revisionOf(const std::string &id) { return m_revisions[id]; }
   [[nodiscard]] std::vector<std::shared_ptr<ShareGroup>> groups();
   void wantFrames(wire::ClientId client, std::uint32_t every, int width, int height);
-  /// The context's next frame is looked at; its request is answered at that frame's end, or, of a
-  /// Hold, at its draw. A fault where one is looked at already.
+  /// Observes the context's next frame. The request is answered at the frame's end, or at the draw
+  /// of a Hold. Returns a fault if a frame is being observed already.
   [[nodiscard]] std::optional<wire::Fault> observe(Context &context, Observation wish);
   [[nodiscard]] Tallies &tallies() { return m_tallies; }
   [[nodiscard]] const FrameTimes &frameTimes() const { return m_times; }
   [[nodiscard]] std::uint64_t frames() const { return m_frames.load(std::memory_order_relaxed); }
 
-  /// Images that textures had before a client's took their place.
+  /// The image that a texture had before a client's replaced it.
   struct OwnImage {
     BoundTexture texture;
     Picture own, written;
     std::weak_ptr<ShareGroup> group;
-    std::uint32_t context = 0; ///< serial
-    bool stale = false;        ///< to be put back
+    std::uint32_t context = 0; ///< its serial number
+    bool stale = false;        ///< to be restored
   };
   [[nodiscard]] std::vector<OwnImage> &ownImages() { return m_ownImages; }
 
@@ -95,9 +94,9 @@ private:
   };
   struct Client {
     pid_t process = 0;
-    std::uint32_t every = 0; ///< frames: 0 wants none
+    std::uint32_t every = 0; ///< interval in frames; 0: wants none
     int width = 0, height = 0;
-    std::uint64_t seen = 0; ///< frames that ended since it wanted some
+    std::uint64_t seen = 0; ///< frames since the client wanted some
     std::shared_ptr<wire::FrameRing> ring;
     std::int64_t serial = 0; ///< of `ring`
   };
@@ -120,26 +119,26 @@ private:
   const std::unique_ptr<wire::Server> m_server;
   const std::string m_path;
 
-  std::mutex m_mutex; ///< what follows, down to the next mark
+  std::mutex m_mutex; ///< guards the members before m_arrived
   std::deque<Waiting> m_waiting;
   std::map<wire::ClientId, Client> m_clients;
   std::optional<wire::ClientId> m_writer;
   bool m_undo = false, m_hasStale = false;
-  int m_nextBusy = 0; ///< ms at which the next `busy` is said
+  int m_nextBusy = 0; ///< ms after which the next `busy` is sent
   std::vector<std::weak_ptr<ShareGroup>> m_groups;
-  std::unique_ptr<DrawObserver> m_observer; ///< of the context that is observed
+  std::unique_ptr<DrawObserver> m_observer; ///< of the observed context
   Clock::time_point m_observedSince;
-  std::optional<wire::ClientId> m_holder; ///< whose draw is held: a thread waits for its requests
-  std::condition_variable m_arrived;      ///< a request, or the end of a client
+  std::optional<wire::ClientId> m_holder; ///< its draw is held, and a thread waits for its requests
+  std::condition_variable m_arrived;      ///< signals a request, or a client's end
 
   std::atomic<bool> m_busy{false};
   std::atomic<std::uint64_t> m_frames{0};
   std::atomic<std::int64_t> m_active{0}, m_frameEnded{0}; ///< monotonic ms; 0: never
 
-  std::mutex m_serving; ///< one thread answers at a time; what follows is its
+  std::mutex m_serving; ///< serialises serve(), which alone uses the members below
   std::map<std::string, std::int64_t> m_revisions;
   std::vector<OwnImage> m_ownImages;
-  Tallies m_tallies; ///< has a lock of its own
+  Tallies m_tallies; ///< has its own lock
   FrameTimes m_times;
 };
 

@@ -11,7 +11,7 @@ void Tallies::begin(std::uint32_t context, Begun begun) {
   m_begun[context] = std::move(begun);
 }
 
-/// Under the lock.
+/// Adds draws to the programs' tallies. The lock must be held.
 void Tallies::add(const Begun &begun, std::uint64_t draws, std::uint64_t rasterized) {
   const std::uint64_t count = draws - begun.drawsBefore;
   if (count == 0)

@@ -7,27 +7,29 @@
 
 namespace arbiter::state::remote {
 
-/// What is counted of one program, while there are clients.
+/// The counts of one program, while there are clients.
 struct ProgramTally {
   std::uint64_t draws = 0;
-  std::uint64_t rasterized = 0; ///< of them, by the rasterizer
-  /// Of the application's thread, between the program's becoming effective and its leaving, ns.
+  std::uint64_t rasterized = 0; ///< how many of them the rasterizer drew
+  /// Time of the application's thread while the program was effective, ns.
   std::uint64_t nanoseconds = 0;
 };
 
-/// Draws and time by program, by the name of the text's file. Any thread.
+/// Draws and time per program, by the file name of its text. Any thread may call it.
 class Tallies {
 public:
-  /// The effective programs of a context, from when they became it.
+  /// A context's effective programs, and its counters when they became effective.
   struct Begun {
-    std::array<std::string, 2> programs; ///< empty: none of that stage
-    std::uint64_t drawsBefore = 0;       ///< that took the path
+    std::array<std::string, 2> programs; ///< empty: no program of that stage
+    std::uint64_t drawsBefore = 0;       ///< draws on the path
     std::size_t path = 0;
     std::int64_t since = 0;             ///< monotonic ns
-    std::uint64_t rasterizedBefore = 0; ///< draws of the rasterizer's
+    std::uint64_t rasterizedBefore = 0; ///< draws of the rasterizer
   };
   void begin(std::uint32_t context, Begun begun);
-  /// \param draws that took the path, by now \param rasterized draws of the rasterizer's, by now
+  /// Adds the draws since begin().
+  /// \param draws returns the present draws of a path
+  /// \param rasterized the rasterizer's present draws
   template <typename Draws>
   void end(std::uint32_t context, Draws draws, std::uint64_t rasterized = 0) {
     const std::lock_guard lock(m_mutex);
@@ -44,15 +46,15 @@ private:
   void add(const Begun &begun, std::uint64_t draws, std::uint64_t rasterized);
   mutable std::mutex m_mutex;
   std::map<std::string, ProgramTally> m_programs;
-  std::map<std::uint32_t, Begun> m_begun; ///< by the context's serial
+  std::map<std::uint32_t, Begun> m_begun; ///< by the context's serial number
 };
 
-/// Times between the ends of frames, of the last 64.
+/// The times of the last 64 frames, from end to end.
 class FrameTimes {
 public:
   void frameEnded(std::int64_t nanoseconds);
   [[nodiscard]] std::size_t count() const { return m_count; }
-  /// The time of a frame, ms. \param age 0: the last one. Requires: age < count().
+  /// Returns the time of a frame in ms. \param age 0: the last one. Requires: age < count().
   [[nodiscard]] double of(std::size_t age) const;
   [[nodiscard]] double last() const; ///< ms; 0: none yet
   [[nodiscard]] double mean() const;
@@ -64,7 +66,7 @@ private:
   std::int64_t m_last = 0; ///< monotonic ns; 0: none
 };
 
-/// Now, monotonic ns.
+/// Returns the monotonic time in ns.
 [[nodiscard]] std::int64_t nowNanoseconds();
 
 } // namespace arbiter::state::remote

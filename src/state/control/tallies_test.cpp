@@ -1,4 +1,4 @@
-// What control and the figures in the frame reckon without a host.
+// Tests computations of control and of the figures in the frame that need no host.
 #include "state/control/tallies.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ TEST(Tallies, CountDrawsOfEachProgram) {
   Tallies tallies;
   tallies.begin(1, {{"a.vp", "b.fp"}, 10, 0, remote::nowNanoseconds()});
   tallies.end(1, [](std::size_t) { return std::uint64_t(13); });
-  tallies.end(1, [](std::size_t) { return std::uint64_t(99); }); // it has ended
+  tallies.end(1, [](std::size_t) { return std::uint64_t(99); }); // it has ended already
   tallies.begin(2, {{"", "b.fp"}, 5, 0, remote::nowNanoseconds()});
   tallies.end(2, [](std::size_t) { return std::uint64_t(6); });
   tallies.begin(3, {{"", "c.fp"}, 20, 0, remote::nowNanoseconds(), 7});
@@ -45,7 +45,7 @@ TEST(FrameTimes, AreOfTheLastFrames) {
   for (int i = 0; i < 63; ++i)
     times.frameEnded(now += 10'000'000);
   EXPECT_DOUBLE_EQ(times.worst(), 50);
-  times.frameEnded(now += 20'000'000); // the first one is out
+  times.frameEnded(now += 20'000'000); // the first one drops out
   EXPECT_DOUBLE_EQ(times.last(), 20);
   EXPECT_DOUBLE_EQ(times.worst(), 20);
   EXPECT_NEAR(times.mean(), (63 * 10 + 20) / 64.0, 1e-9);
@@ -78,7 +78,7 @@ TEST(Hud, WritesLettersBottomRowFirst) {
     rows += ink(2 + 2, y); // the stem
   EXPECT_EQ(rows, hud::kGlyphHeight);
   EXPECT_FALSE(ink(0, 0));
-  // L has its bar below.
+  // L has its bar at the bottom.
   const Picture l = hud::pictureOf({"L"}, {}, 1);
   const auto inkOfL = [&](int x, int y) {
     return l.bytes[(std::size_t(y) * std::size_t(l.width) + std::size_t(x)) * 4] > 128;

@@ -1,4 +1,4 @@
-// texture.*: what is bound to the units where the frame ends.
+// texture.*: textures that are bound at the end of the frame.
 #include <algorithm>
 #include <optional>
 
@@ -18,7 +18,8 @@ namespace {
 
 using wire::Json;
 
-/// Names are a share group's; the textures of the name 0 are each context's own.
+/// True if the image belongs to the context. A share group has common names, but each context has
+/// its own textures 0.
 bool isOf(const Session::OwnImage &image, const Context &context) {
   return image.group.lock() == context.group &&
          (image.texture.name != 0 || image.context == context.serial);
@@ -34,7 +35,7 @@ Session::OwnImage *ownImageOf(Session &session, const Context &context,
   return found == images.end() ? nullptr : &*found;
 }
 
-/// The texture that `name` and, where it is given, `target` say.
+/// Returns the bound texture with `name` and, if given, `target`.
 std::optional<BoundTexture> findTexture(Call &call) {
   const auto name = GLint(call.params.integer("name", 0, INT32_MAX));
   const std::string target = call.params.text("target", "");
@@ -75,7 +76,7 @@ std::optional<Picture> imageOf(Call &call) {
   return picture;
 }
 
-/// Bytes hold all that the texture does.
+/// True if 8 bits per component hold all of the texture.
 bool holdsBytes(Context &context, const BoundTexture &texture) {
   const UnitScope unit(*context.host, texture.unit);
   const GLenum image = textureTargets()[texture.target].image;
@@ -92,7 +93,7 @@ bool holdsBytes(Context &context, const BoundTexture &texture) {
   return compressed == 0;
 }
 
-/// Binds the texture where no unit has it, and puts that binding back.
+/// Binds the texture if no unit has it, and restores the binding.
 class Rebound {
 public:
   Rebound(Context &context, BoundTexture &texture) {
@@ -115,7 +116,7 @@ private:
   std::optional<TextureBinding> m_bound;
 };
 
-/// The application's image again, unless the application has given the texture another since.
+/// Restores the application's image, unless the application has replaced it since.
 void putBack(Context &context, const Session::OwnImage &image) {
   if (image.texture.name != 0 && !context.host->IsTexture(GLuint(image.texture.name)))
     return;
@@ -194,7 +195,7 @@ wire::Answer textureSet(Call &call) {
     image = &call.session.ownImages().back();
   }
   image->stale = false;
-  // As it is held: a format of fewer components has fewer of the picture's.
+  // Read it back: a format with fewer components keeps less of the picture.
   image->written = readTexture(call.context, *texture, why);
   return Json::object();
 }

@@ -12,7 +12,7 @@
 namespace arbiter::state {
 
 namespace {
-constexpr GLint kMostImageUnits = 32; ///< that the compiler numbers
+constexpr GLint kMostImageUnits = 32; ///< the compiler numbers no more
 } // namespace
 
 const fp::hw::Profile &activeProfile() {
@@ -20,7 +20,7 @@ const fp::hw::Profile &activeProfile() {
     auto loaded = fp::hw::loadProfile(settings().profile);
     if (loaded)
       return static_cast<const fp::hw::Profile *>(
-          new fp::hw::Profile(std::move(loaded).value())); // lives as long as the process
+          new fp::hw::Profile(std::move(loaded).value())); // never freed
     const defaults::Choice *const choice = defaults::ownChoiceIfRead();
     const defaults::Setting *const from = choice ? choice->find(Env::Profile) : nullptr;
     logWarn("state", "%s%s; going on with profile %s",
@@ -44,12 +44,12 @@ fp::Limits limitsUnder(const fp::hw::Profile &profile, Target target, const host
   const bool vertex = target == Target::Vertex || target == Target::VertexState;
   const fp::Limits &ofProfile = vertex ? profile.vertex : profile.fragment;
   const bool fromHost = profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram);
-  // The host knows the ARB's two targets alone.
+  // The host has only the two targets of the ARB extensions.
   const GLenum asked = infoOf(vertex ? Target::Vertex : Target::Fragment).name;
   fp::Limits limits = fromHost ? queryHostLimits(asked, host, caps) : ofProfile;
   limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
   limits.nvVertexProgram = caps.drawsNvOptions() ? ofProfile.nvVertexProgram : 0;
-  // Vertex programs that sample may name the units of all stages.
+  // A vertex program that samples may name the units of all stages.
   const GLint imageUnits = vertex && limits.nvOptions >= 2
                                ? std::min(caps.maxCombinedImageUnits, kMostImageUnits)
                                : caps.maxTextureImageUnits;
@@ -66,13 +66,13 @@ fp::Limits limitsUnder(const fp::hw::Profile &profile, Target target, const host
   clamp(limits.programMatrices, caps.maxProgramMatrices);
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
   clamp(limits.vertexAttribs, caps.maxVertexAttribs);
-  // These are limits of all drawing, so that the host answers for them unless the card is asked to
-  // (cardValue() in gets.cpp). A program may use what the query promises, no more and no less.
+  // The host answers queries of these limits unless the card's identity is asked for (cardValue()
+  // in gets.cpp). A program may use exactly what the query promises.
   if (!settings().identityOfProfile)
     limits.drawBuffers = limits.clipPlanes = UINT32_MAX;
   clamp(limits.drawBuffers, caps.maxDrawBuffers);
   clamp(limits.clipPlanes, caps.maxClipPlanes);
-  // GLSL has no names for them, so that no program could read them.
+  // GLSL has no names for palette matrices and vertex units, so no program could read them.
   limits.paletteMatrices = 0;
   limits.vertexUnits = 1;
   return limits;

@@ -12,17 +12,17 @@ namespace arbiter::state {
 struct HostCaps;
 enum class Target : std::uint8_t;
 
-/// The profile that ARBITER_PROFILE names; the default, with a warning in the log, where it names
-/// none that loads. Lives as long as the process.
+/// Returns the profile that ARBITER_PROFILE names. If none of that name loads, logs a warning and
+/// returns the default. The profile lives as long as the process.
 [[nodiscard]] const fp::hw::Profile &activeProfile();
 
-/// The mode of arithmetic that is asked for: ARBITER_NUMERICS, or else the profile's. A context has
-/// what its host can be given of it (Context::numerics).
+/// Returns the numerics that the user asks for: ARBITER_NUMERICS, or else the profile's. A context
+/// may get less, if its host cannot do them (Context::numerics).
 [[nodiscard]] fp::Numerics activeNumerics();
 [[nodiscard]] std::string_view nameOf(fp::Numerics numerics);
 
-/// A profile's limits of a program target, no higher than the host can keep: what is promised must
-/// draw.
+/// Returns a profile's limits for a program target, clamped to what the host supports: a program
+/// within the announced limits must draw.
 [[nodiscard]] fp::Limits limitsUnder(const fp::hw::Profile &profile, Target target,
                                      const host::HostTable &host, const HostCaps &caps);
 

@@ -11,23 +11,23 @@
 
 namespace arbiter::state {
 
-/// Whom Enable and Disable of a capability concern.
+/// Who handles Enable and Disable of a capability.
 enum class Capability : std::uint8_t {
   Host,              ///< the host alone
-  ProgramTarget,     ///< the layer, where the target is offered
-  ChoosesForm,       ///< the host, and which form an ATI shader is drawn in (fixed_function.h)
-  ClipPlane,         ///< the host, and which form a vertex program is drawn in (clip_planes.h)
-  EvaluatorMap,      ///< the layer, where NV_vertex_program is offered
-  PerStageConstants, ///< the layer, where NV_register_combiners2 is offered
-  Imaging,           ///< the layer, where ARB_imaging is its own
-  PointSprite,       ///< the host, and which form points are drawn in (variants/point_sprites.h)
+  ProgramTarget,     ///< the layer, if it offers the target
+  ChoosesForm,       ///< the host; chooses the variant of an ATI shader (fixed_function.h)
+  ClipPlane,         ///< the host; chooses the variant of a vertex program (clip_planes.h)
+  EvaluatorMap,      ///< the layer, if it offers NV_vertex_program
+  PerStageConstants, ///< the layer, if it offers NV_register_combiners2
+  Imaging,           ///< the layer, if it implements ARB_imaging
+  PointSprite,       ///< the host; chooses how points are drawn (variants/point_sprites.h)
 };
 
-/// Eight bytes, which an index scales by itself.
+/// A row of the table of capabilities. Its eight bytes are a scale that x86 can index with.
 struct CapabilityRow {
   GLenum cap = 0;
   Capability capability : 8 = Capability::Host;
-  std::uint32_t dirty : 24 = kAllDirty; ///< what the rasterizer must ask for again
+  std::uint32_t dirty : 24 = kAllDirty; ///< groups that the mirror must query again
 
   static constexpr std::uint32_t kAllDirty = 0xFFFFFF;
 };
@@ -37,7 +37,7 @@ namespace detail {
 
 using namespace software::dirty;
 
-/// What a program target's enable changes draws look at by themselves.
+/// A program target's enable makes no group dirty: a draw checks it by itself.
 inline constexpr CapabilityRow kCapabilities[] = {
     {infoOf(Target::Fragment).name, Capability::ProgramTarget, 0},
     {infoOf(Target::Vertex).name, Capability::ProgramTarget, 0},
@@ -120,7 +120,7 @@ constexpr unsigned slotOf(GLenum cap, std::uint32_t factor) {
   return (cap * factor) >> (32 - kSlotBits);
 }
 
-/// A factor that gives each capability a place of its own, found while compiling.
+/// Returns a hash factor, found at compile time, that gives each capability its own slot.
 constexpr std::uint32_t perfectFactor() {
   for (std::uint32_t factor = 0x9E3779B1u;; factor += 2) {
     bool taken[1u << kSlotBits] = {};
@@ -136,7 +136,7 @@ constexpr std::uint32_t perfectFactor() {
 }
 inline constexpr std::uint32_t kFactor = perfectFactor();
 
-/// Each row in its place; in the empty ones no capability's.
+/// Returns the hash table: each row in its slot. The empty slots match no capability.
 constexpr std::array<CapabilityRow, 1u << kSlotBits> placed() {
   std::array<CapabilityRow, 1u << kSlotBits> rows{};
   for (const CapabilityRow &row : kCapabilities)
@@ -147,15 +147,16 @@ inline constexpr auto kPlaced = placed();
 inline constexpr CapabilityRow kOther{};
 inline constexpr CapabilityRow kMap{0, Capability::EvaluatorMap, 0};
 
-/// Not among the table's: 32 in a row, which are hardly ever asked for.
+/// Returns the row of a capability outside the table. The 32 evaluator maps have consecutive values
+/// and are rarely enabled, so they share one row.
 constexpr const CapabilityRow &rowOfOther(GLenum cap) {
   return cap - GL_MAP1_VERTEX_ATTRIB0_4_NV < 32u ? kMap : kOther;
 }
 
 } // namespace detail
 
-/// One look at `cap` on the way of each Enable and Disable, most of which are the host's alone. A
-/// capability that is not in the table may change anything that the rasterizer knows.
+/// Returns the row of a capability, in one lookup: every Enable and Disable calls this, and most
+/// are the host's alone. A capability outside the table makes all groups dirty.
 [[nodiscard]] constexpr const CapabilityRow &rowOfCapability(GLenum cap) {
   const CapabilityRow &row = detail::kPlaced[detail::slotOf(cap, detail::kFactor)];
   if (row.cap != cap) [[unlikely]]
@@ -163,8 +164,8 @@ constexpr const CapabilityRow &rowOfOther(GLenum cap) {
   return row;
 }
 
-/// What an Enable or Disable of the row's capability makes dirty. Most often it is dirty already,
-/// and a store that is not needed would wait for the last one's.
+/// Marks the groups that an Enable or Disable of the row's capability changes. They mostly are
+/// dirty already; the test saves a store, which would stall on the one before.
 inline void noteDirty(ContextHot &hot, const CapabilityRow &row) {
   if (row.dirty & ~hot.dirty)
     hot.dirty |= row.dirty;

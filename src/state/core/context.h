@@ -47,60 +47,65 @@ struct ContextState;
 struct LeftAlone;
 } // namespace software
 
-/// Why a draw must be looked at before it goes on (ContextHot::attention).
+/// Reasons why a draw must do more than call the host: bits of ContextHot::attention. "Sticky" bits
+/// stay set after a draw has handled them.
 namespace attention {
-inline constexpr std::uint32_t kProgram = 1; ///< what is effective may have changed
-// Env or local values may have changed, of the targets whose programs become the host's shader of
+inline constexpr std::uint32_t kProgram = 1; ///< the effective program may have changed
+// Env or local parameters may have changed, for targets whose programs become the host's shader of
 // that stage.
 inline constexpr std::uint32_t kFragmentParameters = 2;
 inline constexpr std::uint32_t kVertexParameters = 4;
 inline constexpr std::uint32_t kParameters = kFragmentParameters | kVertexParameters;
-inline constexpr std::uint32_t kState = 8;      ///< stays: a program reads GL state
-inline constexpr std::uint32_t kCompare = 16;   ///< stays: a plain texture target must not compare
-inline constexpr std::uint32_t kInvalid = 32;   ///< stays: draws are errors
-inline constexpr std::uint32_t kShared = 64;    ///< stays: another context may load a program
-inline constexpr std::uint32_t kList = 128;     ///< stays: a display list is being compiled
-inline constexpr std::uint32_t kSoftware = 512; ///< stays: the rasterizer may draw
-inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at which files are seen
-/// Stays until validate(): the host has not been given what is effective.
+inline constexpr std::uint32_t kState = 8;      ///< sticky: a program reads GL state
+inline constexpr std::uint32_t kCompare = 16;   ///< sticky: a texture of a plain target must not
+                                                ///< compare depths
+inline constexpr std::uint32_t kInvalid = 32;   ///< sticky: draws are errors
+inline constexpr std::uint32_t kShared = 64;    ///< sticky: another context may load a program
+inline constexpr std::uint32_t kList = 128;     ///< sticky: a display list is being compiled
+inline constexpr std::uint32_t kSoftware = 512; ///< sticky: the rasterizer may draw
+/// Sticky: draws check replacement files and serve clients of control, as no frame ends here.
+inline constexpr std::uint32_t kWatch = 256;
+/// Sticky until validate(): the host has not been given the effective program.
 inline constexpr std::uint32_t kHostPart = 1024;
-inline constexpr std::uint32_t kDepth = 2048; ///< stays: the texts have a depth mode in them
-/// The primitive of a recorder has ended and is not drawn yet (raster_draw/immediate/held.h): every
-/// command but Begin and attributes has it drawn first.
+inline constexpr std::uint32_t kDepth = 2048; ///< sticky: the host's shader has a depth texture
+                                              ///< mode compiled in
+/// An ended primitive is held back and not drawn yet (raster_draw/immediate/held.h). Every command
+/// but Begin and attributes draws it first.
 inline constexpr std::uint32_t kHeld = 4096;
-/// A primitive is recorded (raster_draw/immediate/replay.h): commands that are errors between Begin
-/// and End are refused.
+/// A primitive is being recorded (raster_draw/immediate/replay.h). Commands that are errors between
+/// Begin and End are refused.
 inline constexpr std::uint32_t kRecorded = 16384;
-/// The host keeps bitmaps that it draws at its next draw (host_draw/kept_letters.h).
+/// The host defers bitmaps to its next draw (host_draw/kept_letters.h).
 inline constexpr std::uint32_t kLetters = 32768;
-/// Bits that stay when other programs become effective or are validated.
+/// Bits that stay set when the effective program changes or is validated.
 inline constexpr std::uint32_t kRemains = kList | kLetters;
-inline constexpr std::uint32_t kSprites = 8192; ///< stays: points may need a form of their own
+inline constexpr std::uint32_t kSprites = 8192; ///< sticky: points may need their own variant
 } // namespace attention
 
-/// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.
+/// Who draws, and why the host draws untouched. Each value is a row of the statistics.
 enum class Path : std::uint8_t {
-  HostGlsl,            ///< our translation, on the host
-  Rasterizer,          ///< by our own rasterizer
-  NoProgram,           ///< host untouched: no program target is enabled
-  ApplicationGlsl,     ///< host untouched: the application's own GLSL program wins
-  ApplicationPipeline, ///< host untouched: the application's program pipeline wins
-  HostAssembly, ///< on the host's ARB path alone, beside fixed function or the application's GLSL
-  ApplicationStageGlsl, ///< host untouched: one stage of GLSL, and the host refuses the ARB program
-  NotOffered,           ///< host untouched: this context has no program targets of the layer's
-  Recorded,             ///< into a display list: counted when compiled
+  HostGlsl,             ///< the host, with GLSL made from the program
+  Rasterizer,           ///< the layer's rasterizer
+  NoProgram,            ///< host untouched: no program target is enabled
+  ApplicationGlsl,      ///< host untouched: the application's own GLSL program wins
+  ApplicationPipeline,  ///< host untouched: the application's program pipeline wins
+  HostAssembly,         ///< the host's ARB path, beside fixed function or the application's GLSL
+  ApplicationStageGlsl, ///< host untouched: GLSL has one stage, and the host refuses the ARB
+                        ///< program for the other
+  NotOffered,           ///< host untouched: the layer offers no program targets in this context
+  Recorded,             ///< into a display list: counted when it is compiled
   InvalidProgram,       ///< dropped: the bound program object holds no valid program
-  HostRefused,          ///< dropped: the host did not compile or link our shader
+  HostRefused,          ///< dropped: the host did not compile or link the layer's shader
 };
 inline constexpr int kPathCount = 11;
 [[nodiscard]] const char *pathName(Path path);
 
-/// One GL context: what the layer keeps about it, and no more. Used by the one thread that it is
-/// current on; what other threads may touch is in the ShareGroup.
+/// The layer's state of one GL context. Only the thread that the context is current on uses it.
+/// State that other threads may touch is in the ShareGroup.
 class Context : public ContextHot {
 public:
   struct NullTag {};
-  /// The null context: every call passes through it.
+  /// Makes the null context, which passes every call through.
   constexpr explicit Context(NullTag);
   Context(Provider contextProvider, const host::HostTable *table,
           std::shared_ptr<ShareGroup> shareGroup);
@@ -109,91 +114,97 @@ public:
   Context &operator=(const Context &) = delete;
 
   Provider provider = Provider::Glx;
-  /// We implement the program targets here: a compatibility context with GLSL, made current once.
+  /// The layer implements the program targets here: a compatibility context with GLSL that was
+  /// current once.
   bool offered = false;
   bool initialised = false; ///< the host has been asked for its limits
-  bool destroyed = false;   ///< free when last un-current
+  bool destroyed = false;   ///< to be freed when it is last made un-current
   int currentCount = 0;     ///< guarded by the lifecycle's lock
-  std::uint32_t serial = 0; ///< in statistics
+  std::uint32_t serial = 0; ///< its number in statistics
 
   const ContextHooks *hooks = nullptr; ///< null in the null context alone
 
   std::shared_ptr<ShareGroup> group;
   HostCaps caps;
-  fp::Numerics numerics = fp::Numerics::Host; ///< that programs are compiled for; fixed for life
+  fp::Numerics numerics = fp::Numerics::Host; ///< programs are compiled for these; never changes
 
-  // --- Errors (2.5): our slot; the host's is asked when it is empty ---
+  // --- Errors (2.5): the layer's slot; while it is empty, the host is asked ---
   GLenum pendingError = GL_NO_ERROR;
   GLint errorPosition = -1; ///< PROGRAM_ERROR_POSITION_ARB, shared by all targets
   std::string errorString;  ///< PROGRAM_ERROR_STRING_ARB
 
-  // --- The program targets, by Target ---
+  // --- The program targets, indexed by Target ---
   std::array<ProgramTarget, kTargetCount> targets{};
   [[nodiscard]] ProgramTarget &row(Target target) { return targets[std::size_t(target)]; }
   [[nodiscard]] const ProgramTarget &row(Target target) const {
     return targets[std::size_t(target)];
   }
-  /// Objects bound lately, by the low bits of their name: binding one again takes no lock.
+  /// Recently bound objects, by the low bits of their name: binding one again takes no lock.
   std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
 
-  std::unique_ptr<NvState> nv; ///< where the profile has NVIDIA's languages, else null
+  std::unique_ptr<NvState> nv; ///< null unless the profile has NVIDIA's languages
 
-  std::unique_ptr<AttributeAliases> aliases; ///< with `nv`, and where attributes alias; else null
+  std::unique_ptr<AttributeAliases> aliases; ///< null unless `nv` is there and attributes alias
 
-  std::unique_ptr<CombinerState> combiners; ///< where the profile has register combiners, else null
-  std::unique_ptr<TextureShaderState> textureShaders; ///< the same of NV_texture_shader
-  /// Their texts; null where none is captured or replaced.
+  std::unique_ptr<CombinerState> combiners; ///< null unless the profile has register combiners
+  std::unique_ptr<TextureShaderState> textureShaders; ///< null unless the profile has
+                                                      ///< NV_texture_shader
+  /// Program texts of combiner and texture-shader states; null unless some are captured or
+  /// replaced.
   std::unique_ptr<StateTexts> stateTexts;
 
-  std::unique_ptr<VertexShaderState> vertexShaders; ///< where EXT_vertex_shader is the layer's
+  std::unique_ptr<VertexShaderState> vertexShaders; ///< null unless the layer implements
+                                                    ///< EXT_vertex_shader
 
-  std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
+  std::unique_ptr<EraState> era; ///< null unless the layer offers one of its extensions
 
-  std::unique_ptr<ImagingState> imaging; ///< where ARB_imaging is the layer's, else null
+  std::unique_ptr<ImagingState> imaging; ///< null unless the layer implements ARB_imaging
 
   // --- ATI fragment shaders ---
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
 
-  bool followsFixedFunction = false; ///< draws depend on that state (fixed_function.h)
-  /// What is bound, or what it is, may be other than when a draw last asked (texture_changes.h).
+  bool followsFixedFunction = false; ///< draws depend on fixed-function state (fixed_function.h)
+  /// Bound textures, or their contents, may have changed since the last draw (texture_changes.h).
   bool texturesChanged = true;
 
-  ClipPlanes clipPlanes; ///< which form vertex programs are drawn in
+  ClipPlanes clipPlanes; ///< choose the variant of vertex programs
 
-  // --- The application's GLSL: the host knows; asked again when something may have changed it ---
+  // --- The application's GLSL program: cached, and queried again after possible changes ---
   GLuint applicationProgram = 0;
   bool applicationProgramKnown = true;
   bool pipelinesUsed = false;
 
   // --- The path that draws take ---
   Path path = Path::NoProgram;
-  LinkedProgram *linkedProgram = nullptr; ///< current, or null
-  /// fp::GlslHost::alphaDepths in the texts of `linkedProgram`; empty: they need not have them.
+  LinkedProgram *linkedProgram = nullptr; ///< the current one, or null
+  /// GlslHost::alphaDepths that `linkedProgram` was compiled with; nothing if it does not matter.
   std::optional<std::uint32_t> alphaDepths;
-  bool hostPartWaits = false;   ///< `linkedProgram` is the rasterizer's alone yet (path_choice.h)
-  std::uint64_t selections = 0; ///< counts the choices of what is effective
+  bool hostPartWaits = false;   ///< `linkedProgram` is not built on the host yet (path_choice.h)
+  std::uint64_t selections = 0; ///< counts changes of the effective programs
   bool rasterizes = true;       ///< the render mode is RENDER
-  bool vertexResultsMatter = false; ///< all of them, while RasterPos is validated
-  // Null in the null context alone, as `list` is.
+  bool vertexResultsMatter = false; ///< RasterPos is being validated: it needs all results of a
+                                    ///< vertex program
+  // These are null only in the null context, as `list` is.
   std::unique_ptr<LinkedProgramCache> linkedPrograms;
   std::unique_ptr<SamplerOverride> samplerOverride;
   std::unique_ptr<HostAssembly> hostAssembly;
   std::unique_ptr<StagePipeline> stagePipeline;
 
   AttribStack attribStack;
-  /// The host's own table while `host` defers it: for a primitive that is recorded, or for a list
-  /// (replay.h).
+  /// The host's real table, while `host` points at the one that defers commands for a recorded
+  /// primitive or a list (replay.h).
   const host::HostTable *trueHost = nullptr;
   std::unique_ptr<ListRecorder> list; ///< a ListCompiler
-  int listDepth = 0;                  ///< nested calls of lists that hold our commands
+  int listDepth = 0;                  ///< nesting of called lists that hold the layer's commands
 
-  CaptureEffective effective; ///< while there is a capture
+  CaptureEffective effective; ///< used while there is a capture
 
-  /// The rasterizer's part; null where it is not used.
+  /// The rasterizer's state; null if the rasterizer is not used here.
   std::unique_ptr<software::ContextState> software;
-  bool softwareRefused = false;                   ///< it was decided: not looked at again
-  std::unique_ptr<software::LeftAlone> leftAlone; ///< null: it never was (frames/leave.h)
-  software::Drawable drawable;                    ///< as of the last make-current
+  bool softwareRefused = false;                   ///< decided for good: no rasterizer here
+  std::unique_ptr<software::LeftAlone> leftAlone; ///< null until the context was left to the host
+                                                  ///< once (frames/leave.h)
+  software::Drawable drawable;                    ///< from the last make-current
   software::NeighbourEpoch neighbours;
 
   // --- Counters ---
@@ -211,7 +222,7 @@ inline void invalidateProgram(Context &context) {
   context.attention = attention::kProgram | (context.attention & attention::kRemains);
 }
 
-/// The row of a target's GL name; null where the target is unknown or the host's to answer.
+/// Returns the row of a GL target; null if the target is unknown or not offered.
 [[nodiscard]] inline ProgramTarget *rowOf(Context &context, GLenum target) {
   ProgramTarget *row = nullptr;
   switch (target) {
@@ -224,7 +235,7 @@ inline void invalidateProgram(Context &context) {
   case infoOf(Target::AtiText).name:
     row = &context.row(Target::AtiText);
     break;
-  case GL_FRAGMENT_PROGRAM_NV: // one enable and one binding with the ARB's
+  case GL_FRAGMENT_PROGRAM_NV: // shares its enable and its binding with the ARB's target
     row = &context.row(Target::Fragment);
     return context.nv && row->limits.nvOptions != 0 ? row : nullptr;
   default:
@@ -233,8 +244,8 @@ inline void invalidateProgram(Context &context) {
   return row->offered ? row : nullptr;
 }
 
-/// The row that `cap` of Enable names: that of a program target, of ATI_fragment_shader,
-/// NV_register_combiners, NV_texture_shader or EXT_vertex_shader.
+/// Returns the row of a capability: a program target's, or that of ATI_fragment_shader,
+/// NV_register_combiners, NV_texture_shader or EXT_vertex_shader. Null if there is none.
 [[nodiscard]] inline ProgramTarget *enableRowOf(Context &context, GLenum cap) {
   for (const Target target :
        {Target::AtiApi, Target::Combiners, Target::TextureShaders, Target::VertexShader})
@@ -245,9 +256,9 @@ inline void invalidateProgram(Context &context) {
   return rowOf(context, cap);
 }
 
-/// The calling thread's context: a static null context before the first make-current, never null.
-/// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this
-/// is. constinit: without it each access would first call a TLS initialiser.
+/// The calling thread's context. Never null: before the first make-current it is a static null
+/// context. It is eight bytes of initial-exec TLS, so no call asks the host which context is
+/// current. constinit keeps accesses from calling a TLS initialiser first.
 extern constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
 
 } // namespace arbiter::state

@@ -12,51 +12,52 @@ namespace software {
 class ImmediateRecorder;
 }
 
-/// What every generated entry point reads, and nothing else: it leads the Context so that a
+/// The members that every generated entry point reads. They come first in Context, so that a
 /// passed-on call costs one thread-local load, one test and the host's jump.
 struct ContextHot {
-  /// The host's functions for this context's provider. Never null: the null context's table holds
+  /// The host's functions for this context's provider. Never null: the null context's table calls
   /// the next definition in the process, or a function that does nothing.
   const host::HostTable *host = nullptr;
-  /// Non-zero if a draw must call Context::beginDraw first: dirty bits, list compilation, counters
-  /// that want each draw. Zero on the hot path.
+  /// Why a draw must do more than call the host: bits of `attention` in context.h. Zero on the fast
+  /// path.
   std::uint32_t attention = 0;
-  /// The host's current program is the layer's; what would observe it restores the
-  /// application's first (Context::restoreApplicationProgram).
+  /// The host's current program is the layer's. A command that would expose it restores the
+  /// application's program first (Context::restoreApplicationProgram).
   bool hostProgramIsOurs = false;
   bool insideBeginEnd = false;
-  /// The host's program is a vertex and a fragment program of the layer's, linked: of the vertex
-  /// program's results it has only those that the fragment program reads.
+  /// The host's program links a vertex and a fragment program of the layer's. It keeps only those
+  /// vertex results that the fragment program reads.
   bool stagesAreLinked = false;
   /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
   std::uint16_t listMode = 0;
-  /// A list that the layer keeps is executed as it is compiled: nothing is the rasterizer's.
+  /// The layer executes a list while compiling it (COMPILE_AND_EXECUTE): the rasterizer draws
+  /// nothing.
   bool listIsExecuted = false;
-  /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the
-  /// entries that state owns go to the host as well, without a call into state.
+  /// The layer has no part in this context (the null context, OpenGL ES, a core profile). Its entry
+  /// points go to the host without a call into state.
   bool passThrough = false;
-  /// The rasterizer of our own is used here (Context::software is not null).
+  /// The rasterizer is used here (Context::software is not null).
   bool softwarePossible = false;
-  /// Some images are shadow-valid alone: what lets the host read pixels has it brought up
-  /// to date first (state/residency/residency.h).
+  /// Some images are valid in their shadow alone. A command that lets the host read pixels updates
+  /// the host first (state/residency/residency.h).
   bool hostIsBehind = false;
-  /// The rasterizer is used here, or a list is compiled that keeps its primitives for it: what a
-  /// command means to the rasterizer is of interest.
+  /// Commands must report what they mean to the rasterizer. True if it is used here, or if a list
+  /// is compiled that keeps primitives for it.
   bool softwareListens = false;
-  /// An evaluator map of NV_vertex_program was named here once: what evaluates is looked at.
+  /// An evaluator map of NV_vertex_program was named once, so evaluation checks for enabled ones.
   bool mapsNamed = false;
-  /// A command of ARB_imaging was used here, where the layer has it: commands that move pixels ask
-  /// for it (state/pixel_commands/pixel_commands.h).
+  /// The layer's ARB_imaging was used here, so commands that move pixels check it
+  /// (state/pixel_commands/pixel_commands.h).
   bool imagesPixels = false;
-  /// Generic attributes are the conventional ones here, and not the host's: commands that name them
-  /// ask for it (mirror/attribute_aliases.h).
+  /// The layer makes generic attributes alias conventional ones, so commands that name them check
+  /// it (mirror/attribute_aliases.h).
   bool attributesAlias = false;
-  /// A primitive is deferred: its vertices go here. Null: to the host.
+  /// Receives the vertices of a deferred primitive. Null: they go to the host.
   software::ImmediateRecorder *recorder = nullptr;
-  /// Groups of the host's state that may have changed since we asked for them
+  /// Groups of the host's state that may have changed since they were queried
   /// (mirror/dirty_bits.h).
   std::uint32_t dirty = ~0u;
-  /// The counter of the path that draws take at present (host GLSL, host untouched).
+  /// Counts draws on the current path, when the host draws.
   std::uint64_t *drawCounter = nullptr;
 };
 

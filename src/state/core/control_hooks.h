@@ -2,42 +2,42 @@
 #include <atomic>
 #include <cstdint>
 
-/// Where what watches the application's drawing is called: state/control and state/hud. They stand
-/// above the rooms that draw; what these know of them is here.
+/// Hooks for state/control and state/hud, which watch what the application draws. These rooms stand
+/// above the rooms that draw, so the latter call them through this table.
 namespace arbiter::state {
 
 class Context;
 
 struct ControlHooks {
-  /// A frame ends, and is not shown yet. The context is current.
+  /// Called at the end of a frame, before it is shown. The context is current.
   void (*frameEnds)(Context &context);
-  /// Before a draw of a context that has ended no frame.
+  /// Called before a draw in a context that has ended no frame.
   void (*beforeDraw)(Context &context);
-  /// Other programs, or none, may be chosen next; those that draws now use have been chosen.
+  /// `programsLeave` is called before the effective programs may change, `programsEnter` after.
   void (*programsLeave)(Context &context);
   void (*programsEnter)(Context &context);
 };
 
-/// Null, for good, in a process that is not watched.
+/// The hooks. Stays null in a process that nobody watches.
 inline constinit std::atomic<const ControlHooks *> g_controlHooks{nullptr};
 
-/// The context whose draws of this frame are looked at one by one, for which they are all the
-/// host's; null mostly.
+/// The context whose draws in this frame are inspected one by one, or null. The host draws all of
+/// them.
 inline constinit std::atomic<const Context *> g_observed{nullptr};
 
 [[nodiscard]] inline bool isObserved(const Context &context) {
   return g_observed.load(std::memory_order_relaxed) == &context;
 }
 
-/// What a list of the host's holds that the observed context calls.
+/// The contents of a host list that the observed context calls.
 enum class ListHolds : std::uint8_t {
-  Anything, ///< what the application recorded
-  State,    ///< and no draw
-  Vertices, ///< one primitive, or several alike: a draw
+  Anything, ///< commands that the application recorded
+  State,    ///< state, and no draw
+  Vertices, ///< one draw: a primitive, or several of one kind
 };
 inline constinit std::atomic<ListHolds> g_listHolds{ListHolds::Anything};
 
-/// While it lives, lists that are called hold no more than that.
+/// Declares, while it lives, what the called lists contain.
 class ListHoldsScope {
 public:
   explicit ListHoldsScope(ListHolds what) { g_listHolds.store(what, std::memory_order_relaxed); }

@@ -5,9 +5,9 @@ namespace arbiter::state {
 
 class Context;
 
-/// Before a command that gives an image an internal format: once one of depths was asked for, draws
-/// of register combiners ask which of their textures are depths. One comparison where there is no
-/// such format, as of nearly all images.
+/// Notes the internal format that a command is about to give an image. After the first depth
+/// format, draws of register combiners check which of their textures hold depths. For other formats
+/// this costs one comparison.
 void noteInternalFormat(Context &context, GLenum internalFormat);
 
 } // namespace arbiter::state

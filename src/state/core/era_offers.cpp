@@ -12,10 +12,10 @@ namespace {
 
 struct Row {
   const char *name;
-  bool EraOffers::*state; ///< what the layer keeps for it; null: its enumerants are the host's
-  /// The extensions of the host's that it is made of; null: none.
+  bool EraOffers::*state; ///< set if the layer keeps state for it; null: the host knows its enums
+  /// Host extensions that implement it; null: none.
   const char *needs, *needsToo;
-  bool everyGeForce; ///< in the drivers of all of NVIDIA's cards with fragment programs
+  bool everyGeForce; ///< in the drivers of all GeForce cards with fragment programs
 };
 
 constexpr Row kRows[] = {
@@ -42,7 +42,7 @@ constexpr Row kRows[] = {
     {"GL_SGIX_shadow", &EraOffers::sgixShadow, "GL_ARB_shadow", nullptr, true},
 };
 
-/// Whether a list of names, separated by spaces, has this one.
+/// True if `names`, separated by spaces, contains `name`.
 bool lists(const std::string &names, const std::string &name) {
   return (" " + names + " ").find(" " + name + " ") != std::string::npos;
 }

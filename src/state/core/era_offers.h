@@ -5,7 +5,7 @@ namespace arbiter::state {
 
 struct HostCaps;
 
-/// What of these extensions the layer answers for.
+/// The extensions of this room that the layer implements in a context.
 struct EraOffers {
   bool nvFence = false;
   bool appleFence = false;
@@ -21,16 +21,17 @@ struct EraOffers {
   bool textureRange = false;
   bool vertexArrayObject = false;
   bool vertexShader = false;
-  /// Names in the extension string, of those that need no state beyond the host's too.
+  /// Their names for the extension string, including those that need no state of the layer's.
   std::vector<const char *> names;
 
   [[nodiscard]] bool any() const { return !names.empty(); }
 };
 
-/// By profile: a card's profile has what its driver announced (its [identity]; a profile of
-/// NVIDIA's options without such a list has what all those cards had), the host's own has all, and
-/// ARBITER_EXTENSIONS may ask for single ones. What
-/// the host has itself stays the host's, and what rests on a function that it lacks is not offered.
+/// Returns what the profile offers on this host. A card's profile offers what its driver announced
+/// ([identity]). A profile with NVIDIA's options and no such list offers what all those cards had.
+/// The host's own profile offers everything, and ARBITER_EXTENSIONS may add single ones. An
+/// extension that the host has stays the host's, and one that needs a missing host function is not
+/// offered.
 [[nodiscard]] EraOffers eraOffers(const HostCaps &caps);
 
 } // namespace arbiter::state

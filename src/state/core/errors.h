@@ -7,16 +7,16 @@ namespace arbiter::state {
 
 class Context;
 
-/// Records a GL error of the layer's (2.5). The first error since the last GetError wins, be it the
-/// layer's or the host's: a host's error that waits was raised before. `why` goes to the log at
+/// Records a GL error of the layer's (2.5). The first error since the last GetError wins. An error
+/// that waits in the host was raised earlier, so it wins over this one. `why` goes to the log at
 /// level info.
 void raise(Context &context, GLenum error, const char *why);
 
-/// True where a command of the layer's may run. Inside Begin/End it raises INVALID_OPERATION
+/// True outside Begin/End, where a command of the layer's may run. Raises INVALID_OPERATION inside
 /// (2.6.3).
 [[nodiscard]] bool outsideBeginEnd(Context &context, const char *command);
 
-/// GetError: the layer's, or else the host's.
+/// Returns and clears the error for GetError: the layer's, or else the host's.
 [[nodiscard]] GLenum takeError(Context &context);
 
 } // namespace arbiter::state

@@ -49,7 +49,7 @@ TEST(Errors, BuildingAHostProgramLeavesNone) {
   const CurrentContext context(host);
   use(*context, "!!ARBfp1.0\nMOV result.color, 1;\nEND");
   host.linkFails = true;
-  host.error = GL_STACK_OVERFLOW; // the application's, from before
+  host.error = GL_STACK_OVERFLOW; // the application's, raised before
   EXPECT_FALSE(draw(*context));
   EXPECT_EQ(takeError(*context), GLenum(GL_STACK_OVERFLOW));
   EXPECT_EQ(takeError(*context), GLenum(GL_NO_ERROR));

@@ -10,7 +10,7 @@ std::atomic<bool> g_began{false};
 }
 
 void watchExit() {
-  // Where it cannot be registered, exits are not seen.
+  // If the handler cannot be registered, exits go unnoticed.
   static const bool s_watched = std::atexit([] { g_began.store(true); }) == 0;
   static_cast<void>(s_watched);
 }

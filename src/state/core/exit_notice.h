@@ -1,12 +1,12 @@
 #pragma once
 
-/// Whether the process ends by exit(). The host frees what it has in exit handlers of its own,
-/// which run before those that the application registered earlier: a context that such a handler
-/// takes from its thread must not have the host draw or copy any more.
+/// Tells whether the process is ending by exit(). The host's exit handlers free what it has, and
+/// run before handlers that the application registered earlier. If such a handler releases a
+/// context, the host must not draw or copy any more.
 namespace arbiter::state {
 
-/// From now on exitBegan() is true in exit handlers that were registered before this call. Once a
-/// process; later calls do nothing.
+/// Makes exitBegan() true in exit handlers that were registered before this call. Only the first
+/// call has an effect.
 void watchExit();
 [[nodiscard]] bool exitBegan();
 

@@ -4,7 +4,7 @@ namespace arbiter::state {
 
 class Context;
 
-/// Deletes host objects that dead contexts of the group left. The context is current.
+/// Deletes host objects that the group's destroyed contexts left behind. The context is current.
 void collectGarbage(Context &context);
 
 } // namespace arbiter::state

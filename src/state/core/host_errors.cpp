@@ -5,7 +5,7 @@
 namespace arbiter::state {
 
 GLenum takeHostErrors(const host::HostTable &host) {
-  // A lost context answers GetError with the same error for ever.
+  // A lost context returns the same error from every GetError.
   constexpr int kMaxErrors = 16;
   GLenum first = GL_NO_ERROR;
   for (int i = 0; i < kMaxErrors; ++i) {

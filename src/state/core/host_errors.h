@@ -7,11 +7,11 @@ struct HostTable;
 
 namespace arbiter::state {
 
-/// The host's pending error, if any, which was raised first; all of them are taken.
+/// Takes all pending errors of the host. Returns the first one raised, or NO_ERROR.
 [[nodiscard]] GLenum takeHostErrors(const host::HostTable &host);
 
-/// Around host calls of our own that may fail: what they raise is dropped, what waited before
-/// stays.
+/// Surrounds host calls of the layer's that may fail. It drops the errors that they raise and keeps
+/// those that waited before.
 class HostErrorScope {
 public:
   /// \param pending the context's slot (Context::pendingError)

@@ -1,5 +1,5 @@
-// fetchState: rows of GL state (3.11.3.2, tables X.3.1 to X.3.7) that GLSL has no built-in for, or
-// none to be trusted, asked from the host at each draw of a program that reads them.
+// fetchState queries a program's GL state from the host (3.11.3.2, tables X.3.1 to X.3.7). It does
+// so at each draw, for state that GLSL has no built-in for, or none to be trusted.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +26,7 @@ glm::mat4 getMatrix(const host::HostTable &host, GLenum pname) {
   return matrix;
 }
 
-/// A program matrix can be read only as the current matrix (AFP 3698-3707).
+/// Returns a program matrix. GL lets it be read only as the current matrix (AFP 3698-3707).
 glm::mat4 getProgramMatrix(const host::HostTable &host, GLuint index) {
   GLint mode = GL_MODELVIEW;
   host.GetIntegerv(GL_MATRIX_MODE, &mode);
@@ -36,8 +36,9 @@ glm::mat4 getProgramMatrix(const host::HostTable &host, GLuint index) {
   return matrix;
 }
 
-/// Each element rounded as hosts of the same width round it, so that passes by a product that an
-/// application had the host make meet those by state.matrix.mvp: hosts of 32-bit x86 sum by x87.
+/// Returns the product of two matrices, rounded as hosts of the same width round it: on 32-bit x86
+/// they sum with x87. Then a pass that uses a product made by the host matches a pass that uses
+/// state.matrix.mvp.
 glm::mat4 productOf(const glm::mat4 &a, const glm::mat4 &b) {
 #if defined(__i386__)
   using Sum = long double;
@@ -67,17 +68,18 @@ glm::mat4 plainMatrix(const host::HostTable &host, const StateRef &state) {
   }
   case StateItem::MatrixProgram:
     return getProgramMatrix(host, state.index);
-  default: // palettes and further modelview matrices: no profile has them
+  default: // no profile has palettes and further modelview matrices
     return getMatrix(host, GL_MODELVIEW_MATRIX);
   }
 }
 
-/// With the modifier applied.
+/// Returns the matrix with its modifier applied.
 glm::mat4 modifiedMatrix(const host::HostTable &host, const StateRef &state) {
   glm::mat4 matrix = plainMatrix(host, state);
   const bool inverse =
       state.modifier == MatrixModifier::Inverse || state.modifier == MatrixModifier::InvTrans;
-  // The inverse of a singular matrix is undefined (2.14.3.2): zero, as everything undefined here.
+  // The inverse of a singular matrix is undefined (2.14.3.2). The layer returns zero, as for all
+  // undefined results.
   if (inverse)
     matrix = glm::determinant(matrix) != 0.0f ? glm::inverse(matrix) : glm::mat4(0.0f);
   if (state.modifier == MatrixModifier::Transpose || state.modifier == MatrixModifier::InvTrans)
@@ -132,7 +134,7 @@ void light(const host::HostTable &host, const StateRef &state, GLfloat value[4])
     value[3] = cutoff == 180.0f ? -1.0f : std::cos(glm::radians(cutoff));
     break;
   }
-  default: { // LightHalf: an infinite light and an infinite viewer on +z
+  default: { // LightHalf, for an infinite light and an infinite viewer on +z
     GLfloat position[4] = {};
     host.GetLightfv(name, GL_POSITION, position);
     const glm::vec3 direction(position[0], position[1], position[2]);
@@ -156,8 +158,8 @@ void fogParams(const host::HostTable &host, GLfloat value[4]) {
   value[3] = span != 0.0f ? 1.0f / span : 0.0f;
 }
 
-/// The coefficients of a plane of texture coordinate generation (2.10.4); eye planes as GL keeps
-/// them, transformed when they were given.
+/// Gets the coefficients of a texture generation plane (2.10.4). GL returns eye planes transformed,
+/// as it keeps them.
 void texGen(const host::HostTable &host, const StateRef &state, GLfloat value[4]) {
   const UnitScope unit(host, state.index);
   const GLenum pname = state.item == StateItem::TexGenEye ? GL_EYE_PLANE : GL_OBJECT_PLANE;

@@ -28,17 +28,17 @@ constexpr ExtensionYear kYears[] = {
 #undef EXTENSION_YEAR
 };
 
-/// Behind every known year, so that what is not known counts as new.
+/// Later than every known year, so that unknown extensions count as new.
 constexpr std::uint32_t kUnknownYear = 0xFFFF;
 
-/// "1.3.4510 (X4.3.0)" as 13; 0 for no version.
+/// Returns "1.3.4510 (X4.3.0)" as 13; 0 if there is no version.
 int versionNumber(const std::string &text) {
   if (text.size() < 3 || text[1] != '.')
     return 0;
   return (text[0] - '0') * 10 + (text[2] - '0');
 }
 
-/// Oldest first; within a year by name.
+/// Sorts names by year, and by name within a year.
 void sortByYear(std::vector<std::string> &names) {
   const auto year = [](const std::string &name) {
     return extensionYear(name).value_or(kUnknownYear);
@@ -65,7 +65,7 @@ void eraseLater(std::vector<std::string> &names, std::uint32_t year) {
   });
 }
 
-/// Each name has a space behind it, the last one too: programs search for "GL_name ".
+/// Joins the names, each followed by a space, the last one too: programs search for "GL_name ".
 void join(FilteredExtensions &extensions, std::uint32_t maxLength) {
   std::size_t kept = 0;
   for (const std::string &name : extensions.names) {
@@ -87,12 +87,13 @@ void eraseByRules(std::vector<std::string> &names, const IdentityRules &rules) {
     eraseLater(names, rules.maxYear);
 }
 
-/// The last year of the drivers that profiles tell of: no program of their time knows a later name.
+/// The last year of the drivers that profiles describe. No program of their time knows a later
+/// name.
 constexpr std::uint32_t kLastYearOfTheEra = 2006;
 
-/// Leaves the newest of the host's own names out of the string until that is no longer than the
-/// host's: engines that were patched for long ones have fields of 8192 bytes. The list keeps them,
-/// as programs that know such names ask for it by index.
+/// Shortens the extension string to the length of the host's, newest host names first. Engines that
+/// were patched for long strings have buffers of 8192 bytes. GetStringi still has the names, as
+/// programs that know them ask by index.
 void fitString(FilteredExtensions &extensions, const HostCaps &caps, const IdentityRules &rules) {
   std::vector<std::string> modern;
   for (const std::string &name : extensions.names)
@@ -119,7 +120,7 @@ void nameCard(Identity &identity, const HostCaps &caps, const fp::hw::Identity &
   identity.major = version / 10;
   identity.minor = version % 10;
   const auto &names = identity.extensions.names;
-  // The enumerator came with this extension, and with OpenGL 2.0.
+  // GL_SHADING_LANGUAGE_VERSION came with this extension, and with OpenGL 2.0.
   identity.hidesShadingLanguage =
       version < 20 &&
       std::find(names.begin(), names.end(), "GL_ARB_shading_language_100") == names.end();
@@ -131,7 +132,7 @@ void nameCard(Identity &identity, const HostCaps &caps, const fp::hw::Identity &
 
 const Identity &internIdentity(Identity identity) {
   static std::mutex s_mutex;
-  // Never destroyed, and as short as the list of hosts and settings that a process sees.
+  // The list is never freed. It is as short as the list of hosts and settings that a process sees.
   static auto *const s_identities = new std::vector<std::unique_ptr<const Identity>>;
   const std::lock_guard lock(s_mutex);
   for (const auto &known : *s_identities)
@@ -151,8 +152,9 @@ std::optional<std::uint32_t> extensionYear(std::string_view name) {
 
 IdentityRules identityRules() {
   IdentityRules rules;
-  // Under the host's own profile programs may ask for the options, and an application is not led
-  // to where the host does not: it would choose what is slower there than what it sends without.
+  // Under the profile `host` programs may use NVIDIA's options. They are announced only if the host
+  // does so too: an application would choose them, and they are slower there than what it sends
+  // without.
   rules.nvAsHost = activeProfile().fromHost;
   rules.nvFragmentOptions = activeProfile().fragment.nvOptions;
   rules.nvVertexOptions = activeProfile().vertex.nvOptions;
@@ -177,9 +179,9 @@ IdentityRules identityRules() {
 
 namespace {
 
-/// An extension of NVIDIA's program languages, and from which step of the profile's options on it
-/// is there, and whether with NV_vertex_program alone, whose commands those languages share. Those
-/// that promise clip distances need a host that has them.
+/// An extension of NVIDIA's program languages, with the least steps of the profile's fragment and
+/// vertex options that it needs. `program` tells that it needs NV_vertex_program, whose commands
+/// these languages share. `clips` tells that it needs a host with clip distances.
 struct NvExtension {
   const char *name;
   std::uint32_t fragment, vertex, program;
@@ -196,7 +198,8 @@ constexpr NvExtension kNvExtensions[] = {
     {"GL_NV_vertex_program3", 0, 2, 0, true},
 };
 
-/// \param asHost only those that the host announces too
+/// Adds the extensions of NVIDIA's languages that the rules and the host allow.
+/// \param asHost adds only those that the host announces too
 void addNvExtensions(std::vector<std::string> &names, const HostCaps &caps,
                      const IdentityRules &rules, bool asHost) {
   if (!caps.drawsNvOptions())
@@ -208,8 +211,8 @@ void addNvExtensions(std::vector<std::string> &names, const HostCaps &caps,
       names.emplace_back(row.name);
 }
 
-/// A host that has register combiners or texture shaders itself is not asked for them: the layer's
-/// answer in every context that offers them, as ATI's fragment shaders are.
+/// Adds NVIDIA's combiner and texture shader extensions. The layer implements them in every context
+/// that offers them, even if the host has them, as with ATI's fragment shaders.
 void addStateShaders(std::vector<std::string> &names, const HostCaps &caps,
                      const IdentityRules &rules) {
   const auto announce = [&](const char *name, bool offered) {
@@ -237,8 +240,8 @@ std::vector<std::string> implemented(const HostCaps &caps, bool offered, const I
   return names;
 }
 
-/// Adds and hides names by the switches.
-/// \param absent gets those that are to be announced and that nothing implements
+/// Adds and hides names as the switches say.
+/// \param absent gets switched-on names that nothing implements
 void follow(const std::vector<ExtensionSwitch> &switches, const std::vector<std::string> &there,
             std::vector<std::string> &names, std::vector<std::string> &absent) {
   for (const ExtensionSwitch &each : switches) {
@@ -246,7 +249,7 @@ void follow(const std::vector<ExtensionSwitch> &switches, const std::vector<std:
       return std::find(list.begin(), list.end(), each.name) != list.end();
     };
     if (each.name.starts_with("GLX_"))
-      continue; // glXQueryExtensionsString's
+      continue; // glXQueryExtensionsString handles it
     if (!each.on)
       std::erase(names, each.name);
     else if (!isIn(there))

@@ -1,4 +1,4 @@
-/// Whom a context says it is: the card's strings, and never more than host and layer can do.
+/// The identity shows the card's strings, and no more than host and layer can do.
 #include "state/core/identity.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ using Names = std::vector<std::string>;
 TEST(Identity, WithoutRulesEverythingIsTheHosts) {
   const Identity identity = makeIdentity(caps(), true, {});
   EXPECT_EQ(identity.vendor + identity.renderer + identity.version + identity.shadingLanguage, "");
-  const Names theirs = caps().extensions; // in their order, and the layer's after them
+  const Names theirs = caps().extensions; // in the host's order, and the layer's follow
   ASSERT_GT(identity.extensions.names.size(), theirs.size());
   EXPECT_TRUE(std::equal(theirs.begin(), theirs.end(), identity.extensions.names.begin()));
 }
@@ -79,7 +79,7 @@ TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
   EXPECT_EQ(announced(2, 2, 1, true), Names{}) << "the host announces none";
   host.extensions.emplace_back("GL_NV_vertex_program");
   EXPECT_EQ(announced(2, 2, 1, true), Names{"vertex_program"});
-  host.bitEncoding = false; // what GLSL lacks there
+  host.bitEncoding = false; // GLSL lacks them without it
   EXPECT_EQ(announced(2, 2, 1), Names{});
 }
 
@@ -89,7 +89,7 @@ TEST(Identity, ACardsListIsCutToWhatWorks) {
   EXPECT_EQ(identity.vendor, "ATI Technologies Inc.");
   EXPECT_EQ(identity.version, "1.3.4510 (X4.3.0-3.12.0)");
   EXPECT_EQ(identity.major * 10 + identity.minor, 13);
-  // ATI_envmap_bumpmap is the card's and not the host's; ARB_fragment_program is the layer's.
+  // ATI_envmap_bumpmap is dropped, as the host lacks it. The layer adds ARB_fragment_program.
   EXPECT_EQ(identity.extensions.names,
             (Names{"GL_EXT_abgr", "GL_ARB_fragment_program", "GL_ARB_vertex_program"}));
   EXPECT_EQ(identity.extensions.joined,
@@ -118,18 +118,18 @@ TEST(Identity, TheShadingLanguageIsThereWithItsExtensionOrOpenGl2) {
   c.shadingLanguage.value = "1.00";
   c.extensions.value += " GL_ARB_shading_language_100";
   HostCaps host = caps();
-  EXPECT_TRUE(makeIdentity(host, true, {&c}).hidesShadingLanguage); // the host lacks it
+  EXPECT_TRUE(makeIdentity(host, true, {&c}).hidesShadingLanguage); // the host lacks the extension
   host.extensions.emplace_back("GL_ARB_shading_language_100");
   EXPECT_FALSE(makeIdentity(host, true, {&c}).hidesShadingLanguage);
   EXPECT_EQ(makeIdentity(host, true, {&c}).shadingLanguage, "1.00");
   c.version.value = "2.0";
   c.shadingLanguage.value = "9.90";
   EXPECT_FALSE(makeIdentity(caps(), true, {&c}).hidesShadingLanguage);
-  EXPECT_EQ(makeIdentity(caps(), true, {&c}).shadingLanguage, ""); // above the host's
+  EXPECT_EQ(makeIdentity(caps(), true, {&c}).shadingLanguage, ""); // above the host's version
 }
 
 TEST(Extensions, LaterYearsAndUnknownOnesAreCut) {
-  // Not offered: the host's names alone, whatever the layer learns to add.
+  // The targets are not offered, so the list is the host's alone, whatever the layer learns to add.
   EXPECT_EQ(makeIdentity(caps(), false, {nullptr, 2002}).extensions.names,
             (Names{"GL_EXT_abgr", "GL_ARB_multitexture"}));
   EXPECT_EQ(makeIdentity(caps(), true, {nullptr, 1998}).extensions.names,
@@ -139,7 +139,7 @@ TEST(Extensions, LaterYearsAndUnknownOnesAreCut) {
   EXPECT_EQ(std::count(all.begin(), all.end(), "GL_NEW_and_odd"), 0);
 }
 
-// An application may keep the pointers of one context's GetString when the next one is current.
+// An application may keep the pointers of GetString after another context became current.
 TEST(Identity, EqualOnesAreOneForTheLifeOfTheProcess) {
   const Identity &first = internIdentity(makeIdentity(caps(), true, {}));
   const Identity &again = internIdentity(makeIdentity(caps(), true, {}));
@@ -154,7 +154,7 @@ TEST(Extensions, ACardsYearCutsToo) {
   EXPECT_EQ(makeIdentity(caps(), true, {&c}).extensions.names, Names{"GL_EXT_abgr"});
 }
 
-// Off by one here is a buffer overrun in the program that this is for.
+// An off-by-one here would overrun a buffer of the program that the limit is for.
 TEST(Extensions, ALengthIsKeptToTheByteAndCutsBetweenNames) {
   const std::string whole = makeIdentity(caps(), false, {nullptr, 0, 1u << 20}).extensions.joined;
   EXPECT_EQ(whole, "GL_EXT_abgr GL_ARB_multitexture GL_KHR_no_error GL_NEW_and_odd ");
@@ -220,7 +220,7 @@ TEST(ExtensionSwitches, WhatNobodyHasIsNotAnnouncedAndIsSaid) {
   EXPECT_FALSE(announces(identity, "GLX_ARB_multisample")) << "glXQueryExtensionsString's";
 }
 
-/// A host with modern names, and the bytes of its string.
+/// Returns capabilities of a host with modern extensions, with the length of its string.
 HostCaps modernHost() {
   HostCaps host = caps();
   host.extensions = {"GL_EXT_abgr"};
@@ -233,7 +233,7 @@ HostCaps modernHost() {
   return host;
 }
 
-// Engines that were patched for long strings have fields of 8192 bytes; hosts are near that.
+// Engines that were patched for long strings have buffers of 8192 bytes; hosts are near that.
 TEST(ExtensionString, IsNoLongerThanTheHosts) {
   const HostCaps host = modernHost();
   const FilteredExtensions seen = makeIdentity(host, true, {}).extensions;
@@ -241,7 +241,7 @@ TEST(ExtensionString, IsNoLongerThanTheHosts) {
   EXPECT_EQ(seen.joined.find("NEW_3"), std::string::npos) << "the newest go first";
   for (const char *old : {"GL_EXT_abgr ", "GL_ARB_vertex_program ", "GL_ARB_fragment_program "})
     EXPECT_NE(seen.joined.find(old), std::string::npos) << old;
-  // By index all are there, for programs of the host's time.
+  // GetStringi has all of them, for modern programs.
   for (const std::string &name : host.extensions)
     EXPECT_EQ(std::count(seen.names.begin(), seen.names.end(), name), 1) << name;
   // A name that was switched on stays, whatever its year.
@@ -296,7 +296,7 @@ TEST(ExtensionYears, AreThoseOfTheSpecifications) {
   EXPECT_GT(rows, 900u);
 }
 
-// --- As an application asks ---
+// --- Queries of an application ---
 
 std::string string(Context &context, GLenum name) {
   const auto *const text = reinterpret_cast<const char *>(handlers::GetString(context, name));

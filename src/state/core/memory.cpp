@@ -13,7 +13,7 @@ void outOfMemory(Context &context, const char *name) noexcept {
     return;
   context.dirty = software::dirty::kAll;
   invalidateProgram(context);
-  // What was chosen before is not what a draw that failed half-way has left.
+  // The draw may have failed half-way, so what was chosen before may not match.
   context.hooks->forgetPipeline(context);
 }
 

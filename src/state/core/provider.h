@@ -3,7 +3,7 @@
 
 namespace arbiter::state {
 
-/// The window system, or its like, that a context is of.
+/// The window system, or the like, that a context belongs to.
 enum class Provider : std::uint8_t { Glx, Egl, OsMesa };
 
 } // namespace arbiter::state

@@ -49,7 +49,7 @@ TextureBinding::TextureBinding(const host::HostTable &host, GLenum target, GLuin
   if (sharing.others && m_previous != 0) {
     m_unit = hostInteger(m_host, GL_ACTIVE_TEXTURE);
     const GLint all = hostInteger(m_host, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    // What a draw samples is bound to one of the first units.
+    // A texture that a draw samples is bound to one of the first units.
     if (!sharing.ambiguous &&
         findUnit(std::min(all, kDrawnFrom), [&](GLuint there) { return there == name; }))
       return;
@@ -67,8 +67,8 @@ TextureBinding::~TextureBinding() {
     m_host.ActiveTexture(GLenum(m_unit));
 }
 
-/// Makes a unit active whose texture is wanted, the last ones first; where there is none, the first
-/// one stays active.
+/// Makes a unit active whose bound texture is `wanted`, searching from the last unit. Returns false
+/// if there is none, which leaves the first unit active.
 template <typename Wanted> bool TextureBinding::findUnit(GLint units, Wanted wanted) {
   for (GLint unit = units; unit-- > 0;) {
     m_host.ActiveTexture(GLenum(GL_TEXTURE0 + unit));

@@ -7,24 +7,23 @@ namespace arbiter::state {
 
 class Context;
 
-/// The query of what is bound to a target of CopyTexImage; 0 where there is no such target.
+/// Returns the query for the binding of a CopyTexImage target; 0 if there is no such target.
 [[nodiscard]] GLenum bindingOf(GLenum target);
 
-/// What other contexts may have done, or do at this moment, with names that a binding puts back.
+/// Tells whether other contexts may interfere with names that a binding restores.
 struct NameSharing {
-  /// Other contexts of the share group are there, or some were that deleted textures.
+  /// The share group has other contexts, or had some that deleted textures.
   bool others = false;
-  /// What is bound here under the name may be an older object than the one that has it now.
+  /// The object that is bound under the name may be older than the one that has the name now.
   bool ambiguous = false;
 };
-/// Of the layer's own textures: of no name that an application knows.
+/// Returns the sharing for the layer's own textures, whose names no application knows.
 [[nodiscard]] NameSharing sharingOf(const Context &context);
 
-/// A texture bound to its target, and its unit active, while this lives. Where there are other
-/// contexts nothing of the application's is bound away, not for a moment: another context may
-/// delete its name meanwhile (OpenGL 2.1, appendix D), and to bind it anew would make another
-/// object, without an image. Then this is a unit where the texture is bound already, or one where
-/// nothing is.
+/// Binds a texture and makes its unit active, while it lives. If there are other contexts, it never
+/// unbinds a texture of the application's: another context may delete its name meanwhile (OpenGL
+/// 2.1, appendix D), and binding the name again would make a new, empty object. It then uses a unit
+/// where the texture is bound already, or one where nothing is.
 class TextureBinding {
 public:
   TextureBinding(const host::HostTable &host, GLenum target, GLuint name, NameSharing sharing);
@@ -39,7 +38,7 @@ private:
   const host::HostTable &m_host;
   GLenum m_target, m_query;
   GLuint m_previous = 0;
-  GLint m_unit = 0; ///< that was active; 0: still is
+  GLint m_unit = 0; ///< the previously active unit; 0: unchanged
   bool m_changed = false;
 };
 

@@ -6,10 +6,10 @@
 
 namespace arbiter::state {
 
-/// The names that GL has for what an image unit samples.
+/// The GL enums for what an image unit samples.
 struct TextureNames {
-  GLenum target; ///< of binds and parameters
-  GLenum level;  ///< of levels: of a cube map its first face
+  GLenum target; ///< for binds and parameters
+  GLenum level;  ///< for levels: of a cube map, the first face
 };
 [[nodiscard]] TextureNames textureNames(fp::ir::TexTarget target);
 

@@ -3,7 +3,7 @@
 
 namespace arbiter::state {
 
-/// Selects a texture unit for queries that have no unit of their own, and puts the old one back.
+/// Selects a texture unit for queries that name none, and restores the old one.
 class UnitScope {
 public:
   UnitScope(const host::HostTable &host, GLuint unit) : m_host(host) {

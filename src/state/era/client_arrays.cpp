@@ -8,7 +8,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// A conventional array's names; those of a fixed size or type have 0 for it.
+/// The queries of a conventional array; 0 for a size or type that is fixed.
 struct Names {
   GLenum enable, size, type, stride, pointer, buffer;
 };
@@ -77,7 +77,7 @@ ArrayPoint readPoint(const host::HostTable &host, GLuint index) {
   return point;
 }
 
-/// Runs `function(set)` with each coordinate set as the one that is selected.
+/// Runs `function(set)` for each texture coordinate set, with the set selected.
 template <typename F>
 void eachTexCoord(const host::HostTable &host, std::size_t count, F function) {
   const GLint selected = hostInteger(host, GL_CLIENT_ACTIVE_TEXTURE);
@@ -130,7 +130,7 @@ void setFormat(const host::HostTable &host, GLuint index, const GenericArray &to
     host.VertexAttribFormat(index, to.size, type, to.normalized ? GL_TRUE : GL_FALSE, relative);
 }
 
-/// Which sets the binding point of the same number, too.
+/// Sets a generic array by its Pointer command, which also sets the binding point of its number.
 void pointGeneric(const host::HostTable &host, GLuint index, const GenericArray &to) {
   const auto type = GLenum(to.type);
   host.BindBuffer(GL_ARRAY_BUFFER, GLuint(to.buffer));
@@ -143,8 +143,8 @@ void pointGeneric(const host::HostTable &host, GLuint index, const GenericArray 
                              to.pointer);
 }
 
-/// The array that VertexAttribPointer gives is another where binding points were set apart. One
-/// that is in the application's memory can only have been set by it.
+/// Sets the binding points, and the arrays that use another point than their own. An array in the
+/// application's memory needs neither, as only VertexAttribPointer can have set it.
 void writePoints(const host::HostTable &host, const ClientArrays &to) {
   for (GLuint i = 0; i < to.points.size() && i < to.generic.size(); ++i) {
     const ArrayPoint &point = to.points[i];

@@ -21,7 +21,7 @@ struct ClientArray {
   bool operator==(const ClientArray &) const = default;
 };
 
-/// A generic one. Its binding point is that of its own number, at offset 0, unless
+/// A generic array. Its binding point has the array's number, at offset 0, unless
 /// ARB_vertex_attrib_binding was used.
 struct GenericArray : ClientArray {
   bool normalized = false, integer = false, isLong = false;
@@ -42,23 +42,23 @@ struct ArrayPoint {
   bool operator==(const ArrayPoint &) const = default;
 };
 
-/// All arrays of client state, as GL begins with where nothing else is said.
+/// All vertex arrays of client state. The constructor gives them GL's initial values.
 struct ClientArrays {
   enum Conventional { Position, Normal, Color, Secondary, FogCoord, Index, EdgeFlag, kCount };
 
   explicit ClientArrays(const Context &context);
 
   std::array<ClientArray, kCount> conventional;
-  std::vector<ClientArray> texCoords; ///< of each coordinate set
+  std::vector<ClientArray> texCoords; ///< one per coordinate set
   std::vector<GenericArray> generic;
   std::vector<ArrayPoint> points; ///< empty: the host has no binding points
   GLint elementBuffer = 0;
 };
 
-/// The arrays of the host's current vertex array object.
+/// Returns the arrays of the host's current vertex array object.
 [[nodiscard]] ClientArrays readArrays(const Context &context);
-/// Makes them `to`, by setting what differs from `from`, which they are. The arrays may be in the
-/// application's memory: the host's default vertex array object is current.
+/// Changes the host's arrays from `from`, their current values, to `to`. The arrays may be in the
+/// application's memory, so the host's default vertex array object must be current.
 void writeArrays(const Context &context, const ClientArrays &from, const ClientArrays &to);
 
 } // namespace arbiter::state

@@ -9,7 +9,8 @@ namespace arbiter::state {
 void EraClientStack::push(const Context &context, Entry entry) {
   if (m_maxDepth < 0) {
     context.host->GetIntegerv(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, &m_maxDepth);
-    m_entries.reserve(std::size_t(m_maxDepth > 0 ? m_maxDepth : 0)); // then no push allocates
+    m_entries.reserve(std::size_t(m_maxDepth > 0 ? m_maxDepth : 0)); // so that pushes never
+                                                                     // allocate
   }
   if (m_entries.size() >= std::size_t(m_maxDepth))
     return; // the host raises the error
@@ -25,7 +26,8 @@ std::optional<EraClientStack::Entry> EraClientStack::pop() {
 }
 
 namespace {
-/// The object that is in the host's default one, where that is current.
+/// Returns Apple's vertex array object that the host's default object holds; nothing if another
+/// object is bound.
 std::optional<GLuint> inHostsDefault(const Context &context) {
   GLint bound = 0;
   if (!context.era->offered.vertexArrayObject)
@@ -107,7 +109,7 @@ bool eraValue(Context &context, GLenum pname, GLint &value) {
   case GL_VERTEX_ARRAY_RANGE_LENGTH_NV:
     value = client.range.length;
     return hasRange;
-  case GL_VERTEX_ARRAY_RANGE_VALID_NV: // Apple's storage hint
+  case GL_VERTEX_ARRAY_RANGE_VALID_NV: // Apple's storage hint has the same value
     value = !offered.nvRange || (offered.appleRange && client.range.spoken)
                 ? GLint(client.range.storageHint)
                 : GLint(isValid(context, client.range));
@@ -121,7 +123,7 @@ bool eraValue(Context &context, GLenum pname, GLint &value) {
   case GL_UNPACK_CLIENT_STORAGE_APPLE:
     value = client.clientStorage ? 1 : 0;
     return offered.clientStorage;
-  case GL_VERTEX_ARRAY_BINDING: // Apple's name is the same
+  case GL_VERTEX_ARRAY_BINDING: // Apple's name has the same value
     if (!offered.vertexArrayObject || context.era->vertexArrays.resident() == 0)
       return false;
     context.host->GetIntegerv(GL_VERTEX_ARRAY_BINDING, &value);
@@ -150,7 +152,7 @@ void finishFence(Context &context, FenceOf of, GLuint name) {
   if (!context.era)
     return;
   Fences &fences = fencesOf(*context.era, of);
-  // APPLE_fence: a name that was generated and never set acts as a fence that is done.
+  // APPLE_fence: a name that was generated and never set acts as a finished fence.
   if (of == FenceOf::Apple ? !fences.isName(name) : !fences.isFence(name))
     return raise(context, GL_INVALID_OPERATION, "FinishFence: no fence of that name");
   fences.finish(context, name);

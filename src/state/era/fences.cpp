@@ -7,7 +7,7 @@
 namespace arbiter::state {
 
 namespace {
-/// A wait ends in a second and begins anew, as a host may refuse a longer one.
+/// The longest single wait; it is repeated. A host may refuse a longer one.
 constexpr GLuint64 kLongest = 1'000'000'000;
 } // namespace
 

@@ -8,31 +8,31 @@ namespace arbiter::state {
 
 class Context;
 
-/// The fences of one context: NV_fence's, or APPLE_fence's, which have names of their own. Each is
-/// a sync object of the host's where it has them; else what waits for one waits for all
-/// (glFinish). Of the rasterizer a fence waits for nothing, as its pixels go to the host before the
-/// host's object is made.
+/// The fences of one context, for NV_fence or APPLE_fence, which have separate names. Each is a
+/// sync object of the host's. If the host has none, waiting for a fence waits for everything
+/// (glFinish). The rasterizer needs no waiting: its pixels go to the host before the host's object
+/// is made.
 class Fences {
 public:
-  /// A name that is unused; it is no fence until set() (IsFence).
+  /// Returns an unused name. It is no fence (IsFence) until set() is called.
   [[nodiscard]] GLuint generate();
-  /// Frees the name. What is no name is ignored.
+  /// Frees the name. Ignores names that do not exist.
   void remove(Context &context, GLuint name);
-  /// Puts a fence behind all commands until now: its status is false until they are done.
+  /// Puts a fence after all commands so far. It is signalled when they are done.
   void set(Context &context, GLuint name);
   [[nodiscard]] bool isFence(GLuint name) const;
-  /// A name that was generated, set or not.
+  /// True if the name was generated, set or not.
   [[nodiscard]] bool isName(GLuint name) const { return m_fences.count(name) != 0; }
-  /// Whether all commands before it are done. Never set: they are.
+  /// True if all commands before the fence are done, or if it was never set.
   [[nodiscard]] bool test(Context &context, GLuint name);
-  /// Returns when they are.
+  /// Waits until all commands before the fence are done.
   void finish(Context &context, GLuint name);
 
 private:
   enum class Status { Unset, Waits, Done };
   struct Fence {
     Status status = Status::Unset;
-    GLsync sync = nullptr; ///< the host's, while the fence waits; null where it has none
+    GLsync sync = nullptr; ///< while the fence waits; null if the host has no sync objects
   };
   bool wait(Context &context, Fence &fence, GLuint64 nanoseconds);
   static void drop(Context &context, Fence &fence);

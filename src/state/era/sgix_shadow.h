@@ -7,28 +7,29 @@ namespace arbiter::state {
 class Context;
 
 /// SGIX_shadow is ARB_shadow by other names: TEXTURE_COMPARE_SGIX is TEXTURE_COMPARE_MODE, and its
-/// operator TEXTURE_COMPARE_FUNC.
+/// operator is TEXTURE_COMPARE_FUNC.
 ///
-/// The words of SGIX_shadow have LEQUAL_R pass where the texel is less than or equal to R. NVIDIA's
-/// driver (580.159) passes where R is less than or equal to the texel, as programs that draw
+/// The text of SGIX_shadow lets LEQUAL_R pass if the texel is less than or equal to R. NVIDIA's
+/// driver (580.159) passes if R is less than or equal to the texel. Programs that draw shadows with
+/// it expect that, and ARB_shadow's LEQUAL does the same. So does the layer.
 /// shadows by it take for granted, and as ARB_shadow has it for LEQUAL: so does the layer.
 
 [[nodiscard]] constexpr bool isSgixShadow(GLenum pname) {
   return pname == GL_TEXTURE_COMPARE_SGIX || pname == GL_TEXTURE_COMPARE_OPERATOR_SGIX;
 }
-/// Whether the layer has SGIX_shadow here, and `pname` is of it.
+/// True if the layer has SGIX_shadow here and `pname` belongs to it.
 [[nodiscard]] bool hasSgixShadow(const Context &context, GLenum pname);
 
-/// ARB_shadow's name of the parameter, and its value of `value`. Not valid: the operator is none of
-/// SGIX_shadow's (INVALID_OPERATION, SGIX_shadow, Errors).
+/// ARB_shadow's parameter and value for one of SGIX_shadow. It is not valid if the operator is none
+/// of SGIX_shadow's (INVALID_OPERATION, SGIX_shadow, Errors).
 struct ShadowParameter {
   GLenum pname = 0;
   GLint value = 0;
   bool valid = true;
 };
 [[nodiscard]] ShadowParameter arbShadow(GLenum pname, GLint value);
-/// The other way: ARB_shadow's name that answers a query of SGIX_shadow's, and its answer in
-/// SGIX_shadow's terms. A function that SGIX_shadow has no name for reads as LEQUAL_R.
+/// Returns ARB_shadow's parameter for a query of SGIX_shadow's. sgixShadowValue() translates its
+/// answer; a function without a name in SGIX_shadow reads as LEQUAL_R.
 [[nodiscard]] constexpr GLenum arbShadowName(GLenum pname) {
   return pname == GL_TEXTURE_COMPARE_SGIX ? GL_TEXTURE_COMPARE_MODE : GL_TEXTURE_COMPARE_FUNC;
 }

@@ -36,7 +36,7 @@ TextureRanges::Key boundTo(const Context &context, const TextureTarget &target) 
   return {GLuint(name), target.target};
 }
 
-/// Raises INVALID_ENUM where there is none.
+/// Returns the row of a target. Raises INVALID_ENUM and returns null if there is none.
 const TextureTarget *targetOf(Context &context, GLenum name) {
   for (const TextureTarget &target : kTargets)
     if (target.target == name && isThere(context, target))

@@ -50,7 +50,7 @@ void VertexArrayObjects::remove(Context &context, VertexArrayRange &range, GLsiz
     if (!has(names[i]))
       continue;
     if (names[i] == m_resident) {
-      GLint bound = 0; // an object of the ARB's may be
+      GLint bound = 0; // an object of the ARB's may be bound
       context.host->GetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
       switchTo(context, range, 0);
       if (bound != 0)
@@ -62,7 +62,7 @@ void VertexArrayObjects::remove(Context &context, VertexArrayRange &range, GLsiz
 
 void VertexArrayObjects::renameTaken(const Context &context, GLsizei n, GLuint *names) const {
   for (GLsizei i = 0; i < n; ++i)
-    while (has(names[i])) // the host does not give it again
+    while (has(names[i])) // the host does not return the same name twice
       context.host->GenVertexArrays(1, &names[i]);
 }
 
@@ -76,7 +76,7 @@ void VertexArrayObjects::prepareRestore(Context &context, const VertexArrayRange
 
 void VertexArrayObjects::restored(const Context &context, GLuint pushed) {
   if (pushed != 0)
-    (void)objectOf(context, pushed); // it may have been deleted: binding it makes it anew
+    (void)objectOf(context, pushed); // binding makes an object again that has been deleted
   m_resident = pushed;
 }
 

@@ -10,34 +10,34 @@ namespace arbiter::state {
 
 class Context;
 
-/// The vertex array objects of APPLE_vertex_array_object in one context. They differ from the
-/// ARB's: arrays in the application's memory are allowed in them, and a name need not come from
-/// GenVertexArrays. So each stands in the host's default object while it is bound, and is kept here
-/// otherwise. An object is the ARB's, and the host's, or Apple's by the command that bound it
-/// first; both kinds share one name space, and either command binds either kind.
+/// The objects of APPLE_vertex_array_object in one context. Unlike the ARB's, they may hold arrays
+/// in the application's memory, and names need not come from GenVertexArrays. So a bound object
+/// lives in the host's default object, and the others are kept here. The command that first binds a
+/// name decides whether it is Apple's or the host's. Both kinds share one name space, and either
+/// command binds either kind.
 class VertexArrayObjects {
 public:
-  /// Apple's objects exist: until then all commands are the host's alone.
+  /// True if Apple's objects exist. Until then all commands are the host's alone.
   [[nodiscard]] bool any() const { return !m_objects.empty(); }
-  /// The object of Apple's, or the default one (0), that is in the host's default object.
+  /// Returns Apple's object that is in the host's default object, or 0.
   [[nodiscard]] GLuint resident() const { return m_resident; }
-  /// Whether there is an object of Apple's of that name.
+  /// True if Apple has an object of that name.
   [[nodiscard]] bool has(GLuint name) const { return name != 0 && m_objects.count(name) != 0; }
 
-  /// \param range the vertex array range, which an object has too
+  /// \param range the vertex array range, which is part of an object
   void bindApple(Context &context, VertexArrayRange &range, GLuint name);
-  /// The ARB's command; of names of Apple's too.
+  /// Executes the ARB's command, for Apple's names too.
   void bind(Context &context, VertexArrayRange &range, GLuint name);
-  /// What is bound gives way to the default object.
+  /// Deletes objects. A bound one is replaced by the default object.
   void remove(Context &context, VertexArrayRange &range, GLsizei n, const GLuint *names);
-  /// Of names that the host has generated, those of Apple's objects, which it does not know, are
-  /// replaced by others.
+  /// Replaces generated names that Apple's objects have: the host does not know those objects, so
+  /// it may generate their names.
   void renameTaken(const Context &context, GLsizei n, GLuint *names) const;
 
-  /// Before the client attribute stack of the host gives its default object what it held when
-  /// `pushed` was in it.
+  /// Prepares the host's default object for a pop of the client attribute stack, which restores
+  /// what it held when `pushed` was in it.
   void prepareRestore(Context &context, const VertexArrayRange &range, GLuint pushed);
-  /// After it.
+  /// Notes that the pop has put `pushed` into the default object.
   void restored(const Context &context, GLuint pushed);
 
 private:
@@ -45,12 +45,12 @@ private:
     ClientArrays arrays;
     VertexArrayRange range;
   };
-  /// The object in the host's default one, which is current, is kept.
+  /// Saves the object in the host's default object, which must be bound.
   void keepResident(const Context &context, const VertexArrayRange &range);
   void switchTo(Context &context, VertexArrayRange &range, GLuint name);
   Object &objectOf(const Context &context, GLuint name);
 
-  std::unordered_map<GLuint, Object> m_objects; ///< the resident one's is as it was before
+  std::unordered_map<GLuint, Object> m_objects; ///< the entry of the resident object is stale
   GLuint m_resident = 0;
 };
 

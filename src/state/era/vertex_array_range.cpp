@@ -16,12 +16,13 @@ bool isValid(const Context &context, const VertexArrayRange &range) {
 }
 
 namespace {
-/// Of whole pages from the system, as the application's malloc may be of any kind.
+/// The blocks that applications allocated. They are whole pages from the system, as an
+/// application's malloc may be of any kind.
 struct ArrayMemory {
   std::mutex mutex;
   std::map<void *, std::size_t> blocks;
 };
-/// Never destroyed: other libraries' destructors may free what they allocated.
+/// Returns the blocks. They are never freed: destructors of other libraries may free memory.
 ArrayMemory &arrayMemory() {
   static auto *const s_memory = new ArrayMemory;
   return *s_memory;
@@ -44,7 +45,7 @@ void *allocateArrayMemory(GLsizei size) try {
     return nullptr;
   }
   return block;
-} catch (const std::bad_alloc &) { // the table itself
+} catch (const std::bad_alloc &) { // the table found no memory
   return nullptr;
 }
 

@@ -6,20 +6,21 @@ namespace arbiter::state {
 
 class Context;
 
-/// The range of NV_vertex_array_range ("VAR"), its second version, and APPLE_vertex_array_range: a
-/// promise of the application's about its arrays, which a host that reads them at each draw needs
-/// not. It is kept and answered for; flushing has nothing to do.
+/// The range of NV_vertex_array_range ("VAR"), its second version, and APPLE_vertex_array_range.
+/// With it an application promises how it uses its arrays. A host that reads arrays at each draw
+/// does not need the promise, so the layer only keeps and returns it, and flushing does nothing.
 struct VertexArrayRange {
   bool enabled = false; ///< VERTEX_ARRAY_RANGE_NV, _APPLE and _WITHOUT_FLUSH_NV
   GLsizei length = 0;   ///< bytes
   const void *pointer = nullptr;
   GLenum storageHint = GL_STORAGE_CLIENT_APPLE;
-  /// VERTEX_ARRAY_RANGE_VALID_NV and VERTEX_ARRAY_STORAGE_HINT_APPLE are one number: it is Apple's
-  /// once the application has called a command that Apple's extension alone has.
+  /// Tells what a query of VERTEX_ARRAY_RANGE_VALID_NV means: VERTEX_ARRAY_STORAGE_HINT_APPLE has
+  /// the same value. It means Apple's once the application has called a command that only Apple's
+  /// extension has.
   bool spoken = false;
 };
 
-/// That of NVIDIA's chips from the GeForce 3 on (VAR, "NV20 Implementation Details").
+/// The value of NVIDIA's chips since the GeForce 3 (VAR, "NV20 Implementation Details").
 inline constexpr GLint kMaxVertexArrayRangeElement = 1048575;
 
 [[nodiscard]] constexpr bool isVertexArrayRange(GLenum clientState) {
@@ -27,13 +28,13 @@ inline constexpr GLint kMaxVertexArrayRangeElement = 1048575;
          clientState == GL_VERTEX_ARRAY_RANGE_WITHOUT_FLUSH_NV;
 }
 
-/// VAR's validity: enabled with VERTEX_ARRAY, and a range given.
+/// True if the range is valid as VAR defines it: enabled with VERTEX_ARRAY, and a range given.
 [[nodiscard]] bool isValid(const Context &context, const VertexArrayRange &range);
 
-/// glXAllocateMemoryNV: \p size bytes, aligned to a page, or null. Any thread may call it, without
-/// a context.
+/// glXAllocateMemoryNV: returns \p size bytes, aligned to a page, or null. Any thread may call it,
+/// without a context.
 [[nodiscard]] void *allocateArrayMemory(GLsizei size);
-/// glXFreeMemoryNV: what was not allocated so, or is freed already, is ignored.
+/// glXFreeMemoryNV: frees a block. Ignores pointers that are not allocated.
 void freeArrayMemory(void *pointer);
 
 } // namespace arbiter::state

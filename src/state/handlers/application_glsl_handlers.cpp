@@ -1,5 +1,5 @@
-// The application's own GLSL programs and pipelines, and the attribute stack: each may change who
-// shades.
+// Commands on the application's own GLSL programs and pipelines, and the attribute stack. Each may
+// change which program shades.
 #include <algorithm>
 #include <vector>
 
@@ -20,8 +20,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// A program that is linked while it is current is effective as it is linked then. Mesa 22.3 takes
-/// up only those stages that it had before.
+/// Makes a newly linked current program effective, with UseProgram. Linking alone should do that,
+/// but Mesa 22.3 then adopts only the stages that the program had before.
 void takeUpExecutable(Context &context, GLuint program) {
   if (context.listMode != 0 || context.insideBeginEnd || context.hostProgramIsOurs)
     return;
@@ -30,7 +30,7 @@ void takeUpExecutable(Context &context, GLuint program) {
   if (GLuint(current) != program || program == 0)
     return;
   const HostErrorScope scope(*context.host,
-                             context.pendingError); // where the link failed it stays as it was
+                             context.pendingError); // if the link failed, nothing changes
   context.host->UseProgram(program);
 }
 
@@ -40,7 +40,7 @@ namespace handlers {
 
 void LinkProgram(Context &context, GLuint program) {
   program = guardName(context, program);
-  // Before the link: it may leave an error, which is the application's.
+  // Before the link, which may raise an error that is the application's.
   const auto attached = attachedStages(context, program);
   context.host->LinkProgram(program);
   if (attached)
@@ -69,7 +69,7 @@ void BindProgramPipeline(Context &context, GLuint pipeline) {
   if (context.hostProgramIsOurs && !context.listMode)
     releaseHostState(context);
   context.host->BindProgramPipeline(guardedPipeline(context, pipeline));
-  context.stagePipeline->lookAgain(context); // while a list is compiled
+  context.stagePipeline->lookAgain(context); // in case a list is being compiled
   context.pipelinesUsed = true;
   invalidateProgram(context);
 }
@@ -81,12 +81,12 @@ void UseProgramStages(Context &context, GLuint pipeline, GLbitfield stages, GLui
 }
 
 void DeleteProgramPipelines(Context &context, GLsizei count, const GLuint *pipelines) {
-  // The host passes over names that it does not know.
+  // The host ignores names that it does not know.
   std::vector<GLuint> names(pipelines, pipelines + (pipelines ? std::max(count, 0) : 0));
   for (GLuint &name : names)
     name = guardedPipeline(context, name);
   context.host->DeleteProgramPipelines(count, pipelines ? names.data() : nullptr);
-  invalidateProgram(context); // the one that was bound is no longer
+  invalidateProgram(context); // the bound pipeline may be deleted
 }
 
 void UseProgram(Context &context, GLuint program) {

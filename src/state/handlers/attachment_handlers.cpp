@@ -1,4 +1,5 @@
-// What is attached to framebuffers, as far as its name does not tell (deleted_names.h).
+// Tracks framebuffer attachments, for cases where the name does not tell the object
+// (deleted_names.h).
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"

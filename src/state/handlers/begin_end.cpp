@@ -1,4 +1,4 @@
-// Begin and End: a primitive goes to the host vertex by vertex, or is deferred for the rasterizer.
+// Begin and End: a primitive goes to the host vertex by vertex, or is recorded for the rasterizer.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"

@@ -1,5 +1,5 @@
-// Enable, Disable and IsEnabled: of program targets, and of what the host and the layer both look
-// at.
+// Enable, Disable and IsEnabled, for program targets and for capabilities that concern both the
+// host and the layer.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/capability.h"
@@ -22,13 +22,13 @@ namespace arbiter::state {
 
 namespace {
 
-/// Aside, as a command takes room on the stack.
+/// Records the command in a list. A separate function, as a Command takes much stack.
 [[gnu::noinline]] void record(Context &context, const ProgramTarget &row, bool enabled) {
   const auto kind = enabled ? Command::Kind::Enable : Command::Kind::Disable;
   listCompiler(context).record(context, {.kind = kind, .target = row.info().name});
 }
 
-/// Enable and Disable of a program target.
+/// Executes Enable and Disable of a program target.
 void enable(Context &context, ProgramTarget &row, bool enabled) {
   if (context.insideBeginEnd) [[unlikely]] {
     (void)outsideBeginEnd(context, enabled ? "Enable between Begin and End"
@@ -43,7 +43,7 @@ void enable(Context &context, ProgramTarget &row, bool enabled) {
     setEnabled(context, row, enabled);
 }
 
-/// Enable and Disable of an evaluator map of NV_vertex_program.
+/// Executes Enable and Disable of an evaluator map of NV_vertex_program.
 void setMap(Context &context, GLenum cap, bool enabled) {
   if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
     return;
@@ -66,7 +66,7 @@ void setPerStageConstants(Context &context, bool enabled) {
 void setImaging(Context &context, GLenum cap, bool enabled) {
   if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
     return;
-  // Programs disable it all before they draw pixels, and use none of it.
+  // Programs often disable all of it before they draw pixels, and use none of it.
   const bool isEnabled = (context.imaging->settings.enabled & imagingBitOf(cap)) != 0;
   if (enabled != isEnabled || context.listMode != 0)
     issueImaging(context, {.kind = ImagingCommand::Kind::Enable, .flag = enabled, .pname = cap});
@@ -76,7 +76,7 @@ bool hasPerStageConstants(const Context &context) {
   return context.combiners && context.combiners->hasPerStageConstants();
 }
 
-/// After the host's Enable or Disable.
+/// Notes that the host has executed an Enable or Disable.
 void noteCapability(Context &context, Capability capability, bool enabled) {
   if (capability == Capability::ChoosesForm)
     noteFixedFunctionCommand(context);
@@ -88,7 +88,7 @@ void noteCapability(Context &context, Capability capability, bool enabled) {
     context.dirty |= software::dirty::kQueries; // a driver's own extension (mirror_obstacles.cpp)
 }
 
-/// Enable and Disable of a capability that is not the host's alone.
+/// Executes Enable and Disable of a capability that is not the host's alone.
 void setCapability(Context &context, GLenum cap, Capability capability, bool enabled) {
   if (ProgramTarget *const row = enableRowOf(context, cap))
     return enable(context, *row, enabled);
@@ -128,7 +128,7 @@ void Disable(Context &context, GLenum cap) {
 void Enablei(Context &context, GLenum target, GLuint index) {
   context.host->Enablei(target, index);
   noteCapability(context, rowOfCapability(target).capability,
-                 true); // EXT_direct_state_access: a unit's enable
+                 true); // EXT_direct_state_access: enables a unit's target
 }
 
 void Disablei(Context &context, GLenum target, GLuint index) {

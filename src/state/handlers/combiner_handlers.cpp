@@ -1,5 +1,5 @@
-// The commands of NV_register_combiners and 2. Where the layer does not offer them they are the
-// host's to answer. The queries are executed at once also while a list is compiled (5.4).
+// The commands of NV_register_combiners and NV_register_combiners2. If the layer does not offer
+// them, the host answers. Queries are executed at once even while a list is compiled (5.4).
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -29,11 +29,11 @@ bool isColor(GLenum pname) {
   return pname == GL_CONSTANT_COLOR0_NV || pname == GL_CONSTANT_COLOR1_NV;
 }
 
-/// A component of a colour as a float (OpenGL 1.2, table 2.6: a signed integer).
+/// Converts a colour component to float (OpenGL 1.2, table 2.6: a signed integer).
 GLfloat component(GLfloat value) { return value; }
 GLfloat component(GLint value) { return GLfloat((2.0 * double(value) + 1.0) / 4294967295.0); }
 
-/// An unknown pname may point to nothing.
+/// Issues CombinerParameter. For an unknown pname `params` may point to nothing.
 template <typename T>
 void setParameter(Context &context, GLenum pname, const T *params, bool scalar) {
   CombinerCommand command{.kind = Kind::Parameter, .scalar = scalar, .names = {pname}};
@@ -47,7 +47,7 @@ void setParameter(Context &context, GLenum pname, const T *params, bool scalar) 
   issue(context, command, "CombinerParameter between Begin and End");
 }
 
-/// The portion that is asked for; null, after an error, for a name that is none.
+/// Returns the queried portion. Raises an error and returns null for an invalid name.
 const Portion *portionOf(Context &context, GLenum stageName, GLenum portion) {
   const GLenum stage = stageName - GL_COMBINER0_NV;
   if (stage >= GLenum(context.combiners->stages()) || (portion != GL_RGB && portion != GL_ALPHA)) {

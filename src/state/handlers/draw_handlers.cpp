@@ -1,5 +1,5 @@
-// What stands before and behind the host's draws: each finds what is effective validated, or is
-// refused. Other commands that care for the effective program are here too.
+// Checks before and after the host's draws: a draw with an invalid effective program is refused.
+// Other commands that depend on the effective program are here too.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"

@@ -1,5 +1,5 @@
-// The commands of fences, vertex array ranges and hints (state/era). Where the layer does not offer
-// them they are the host's to answer.
+// The commands of fences, vertex array ranges and hints (state/era). If the layer does not offer
+// them, the host answers.
 #include <utility>
 
 #include "host/handlers.h"
@@ -37,14 +37,14 @@ void deleteFences(Context &context, Fences &fences, GLsizei n, const GLuint *nam
     fences.remove(context, names[i]);
 }
 
-/// Into the list that is compiled, which is the layer's from here on.
+/// Records the command in a list, which is the layer's from then on.
 void record(Context &context, Command command) {
   noteProgramApiUse(context);
   listCompiler(context).record(context, std::move(command));
 }
 
-/// SetFence and FinishFence have their place in a list (5.4 of both extensions: they are not among
-/// what is executed at once; NV_fence's FinishFenceNV is).
+/// Records SetFence or FinishFence in a list. Section 5.4 of both extensions does not exempt them,
+/// except for NV_fence's FinishFenceNV, which is executed at once.
 void recordFence(Context &context, Command::Kind kind, FenceOf of, GLuint name,
                  GLenum condition = 0) {
   record(context, {.kind = kind, .target = GLenum(of), .name = name, .format = condition});
@@ -65,8 +65,8 @@ GLboolean testFence(Context &context, Fences &fences, bool exists, GLuint name) 
   return GL_TRUE;
 }
 
-/// An object of APPLE_fence other than a fence: whether it is one. The layer knows of none whether
-/// commands that use it wait, so that all are waited for.
+/// True if the name is an object of that type, for APPLE_fence's commands on objects other than
+/// fences. The layer does not know which commands use an object, so it waits for all.
 bool isObject(Context &context, GLenum object, GLuint name) {
   switch (object) {
   case GL_TEXTURE:
@@ -238,7 +238,7 @@ void FinishObjectAPPLE(Context &context, GLenum object, GLint name) {
   finishAll(context);
 }
 
-// --- Vertex array ranges: 5.4 of VAR, they are never compiled into lists ---
+// --- Vertex array ranges, which are never compiled into lists (5.4 of VAR) ---
 
 void VertexArrayRangeNV(Context &context, GLsizei length, const void *pointer) {
   VertexArrayRange *const range = rangeOf(context, &EraOffers::nvRange);
@@ -291,6 +291,7 @@ void GetPointerv(Context &context, GLenum pname, void **params) {
     return context.host->GetPointerv(pname, params);
   if (outsideBeginEnd(context, "GetPointerv between Begin and End"))
     *params = const_cast<void *>(context.era->client.range.pointer); // the application's own
+                                                                     // pointer
 }
 
 // --- Client attributes ---

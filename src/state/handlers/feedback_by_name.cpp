@@ -1,5 +1,5 @@
-// Texture feedback by name or by unit (direct state access). In a list these are the host's to
-// record, and are not counted when it executes them.
+// Texture feedback by name or by unit (direct state access). In lists the host records these
+// commands, and they are not counted when executed.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/depth_images.h"
@@ -15,7 +15,7 @@ namespace {
 bool counts(Context &context) {
   if (context.insideBeginEnd || context.listMode != 0)
     return false;
-  // The copy is the host's: by name or by unit it reaches textures that are not looked for.
+  // The host copies: by name or unit the command may reach textures that residency does not follow.
   if (context.softwarePossible)
     context.software->residency.hostDoesAnything("glCopyTexture");
   return true;
@@ -27,7 +27,7 @@ void byTexture(Context &context, GLuint texture, GLenum target, GLint level, Cop
     trackCopy(context, {texture, target, level}, kind, region);
 }
 
-/// ARB_direct_state_access gives no target: the texture has one of its own.
+/// Tracks a copy of ARB_direct_state_access, which names no target: the texture has its own.
 void byTexture(Context &context, GLuint texture, GLint level, CopyKind kind,
                const CopyRegion &region) {
   if (!counts(context))
@@ -74,7 +74,7 @@ void CopyTextureSubImage3D(Context &context, GLuint texture, GLint level, GLint 
                                       height);
 }
 
-// EXT_direct_state_access: one body for each shape, by texture and by unit.
+// EXT_direct_state_access: one body per shape, by texture and by unit.
 #define COPY_IMAGE_1D(name, by, Object)                                                            \
   void name(Context &context, Object object, GLenum target, GLint level, GLenum format, GLint x,   \
             GLint y, GLsizei width, GLint border) {                                                \

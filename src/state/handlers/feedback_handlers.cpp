@@ -1,4 +1,4 @@
-// Texture feedback: CopyTexImage and CopyTexSubImage are tracked, counted and passed on.
+// Texture feedback: tracks, counts and executes CopyTexImage and CopyTexSubImage.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/lists/list_compiler.h"
@@ -11,8 +11,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// In a list the copy is a command of the layer's, to be counted when it is executed; in one that
-/// is older than the group's first program it is the host's.
+/// Executes the copy, or records it in a list, to be counted when it is executed. In lists before
+/// the group's first program the host records it.
 void performOrRecord(Context &context, const CopyCommand &copy) {
   if (context.listMode == 0 || context.insideBeginEnd ||
       !context.group->programApiUsed.load(std::memory_order_relaxed))

@@ -1,4 +1,4 @@
-// Fog and the light model: what chooses a shader variant where fixed function has a part.
+// Fog and the light model: parameters that choose a shader variant where fixed function takes part.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -6,8 +6,8 @@
 
 namespace arbiter::state::handlers {
 
-// FOG_MODE is the one parameter of fog that chooses a form, LIGHT_MODEL_COLOR_CONTROL the one of
-// the light model; the others reach the host's shader by themselves.
+// FOG_MODE and LIGHT_MODEL_COLOR_CONTROL choose a variant. The other parameters reach the host's
+// shader by themselves.
 
 void Fogf(Context &context, GLenum pname, GLfloat param) {
   context.host->Fogf(pname, param);

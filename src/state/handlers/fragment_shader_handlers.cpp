@@ -1,5 +1,5 @@
-// The commands of ATI_fragment_shader (3.8.11). Bind and SetFragmentShaderConstant are compiled
-// into display lists; the others are executed at once (5.4).
+// The commands of ATI_fragment_shader (3.8.11). Lists record Bind and SetFragmentShaderConstant;
+// the others are executed at once (5.4).
 #include <algorithm>
 
 #include "host/handlers.h"
@@ -26,7 +26,7 @@ ProgramTarget &shaderRow(Context &context) { return context.row(Target::AtiApi);
 
 bool offered(const Context &context) { return context.row(Target::AtiApi).offered; }
 
-/// For commands that must be outside of a Begin/EndFragmentShader pair.
+/// True outside a Begin/EndFragmentShader pair. Raises an error inside.
 bool outsidePair(Context &context, const char *command) {
   if (!outsideBeginEnd(context, command))
     return false;
@@ -36,7 +36,7 @@ bool outsidePair(Context &context, const char *command) {
   return false;
 }
 
-/// The recorder of the open pair; null, after an error, where there is none.
+/// Returns the recorder of the open pair. Raises an error and returns null outside of one.
 AtiRecorder *insidePair(Context &context, const char *command) {
   if (!outsideBeginEnd(context, command))
     return nullptr;
@@ -63,7 +63,7 @@ void operation(Context &context, const RawOperation &raw) {
     judge(context, recorder->operation(raw));
 }
 
-/// The bound shader becomes `compiled`, or undefined if that is null.
+/// Replaces the bound shader's program; null makes it undefined.
 void replaceShader(Context &context, std::shared_ptr<const CompiledProgram> compiled) {
   ProgramTarget &row = shaderRow(context);
   const auto old = context.group->compiledOf(*row.bound);
@@ -115,7 +115,7 @@ void DeleteFragmentShaderATI(Context &context, GLuint id) {
     row.bound = context.group->defaultProgram(Target::AtiApi);
     invalidateProgram(context);
   }
-  // Other contexts may have it bound; their linked programs go when they are swept.
+  // Other contexts may have it bound. Their linked programs are dropped when they are swept.
   if (const auto compiled = context.group->compiledOf(*object))
     dropVariants(context, *compiled);
 }
@@ -135,7 +135,7 @@ void EndFragmentShaderATI(Context &context) {
     return context.host->EndFragmentShaderATI();
   if (!insidePair(context, "EndFragmentShader without BeginFragmentShader"))
     return;
-  // An error closes the pair too, and so does memory that runs out.
+  // An error closes the pair too, and so does lack of memory.
   const std::unique_ptr<AtiRecorder> recorder = std::move(context.atiRecorder);
   const AtiRecorder::Verdict verdict = recorder->end();
   const bool valid = verdict.error == GL_NO_ERROR;

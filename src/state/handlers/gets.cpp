@@ -1,5 +1,5 @@
-// Get, GetString and GetStringi: the few values that are the layer's, or that its objects on the
-// host would show.
+// Get, GetString and GetStringi: values that are the layer's, or that its host objects would
+// change.
 #include <algorithm>
 #include <atomic>
 #include <climits>
@@ -31,7 +31,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// The values of ATI_fragment_shader: all but the enable are fixed (Deprecated Functionality).
+/// Gets a value of ATI_fragment_shader. All but the enable are constants (Deprecated
+/// Functionality).
 bool fragmentShaderValue(const ProgramTarget &row, GLenum pname, GLint &value) {
   constexpr GLint kComponents = 3;
   switch (pname) {
@@ -56,15 +57,15 @@ bool fragmentShaderValue(const ProgramTarget &row, GLenum pname, GLint &value) {
   case GL_COLOR_ALPHA_PAIRING_ATI:
     value = GL_TRUE;
     break;
-  default: // of interpolators, and from pass to pass
+  default: // components of interpolators, and from pass to pass
     value = kComponents;
   }
   return row.offered;
 }
 
-/// Limits of more than programs, which are the card's only under ARBITER_IDENTITY=profile: a newer
-/// application that draws without programs would lose by them. The context's rows are no higher
-/// than what the host can do.
+/// Gets a limit that concerns more than programs. It is the card's only with
+/// ARBITER_IDENTITY=profile: otherwise newer applications that draw without programs would lose by
+/// it. The context's rows never exceed the host's limits.
 bool cardValue(const Context &context, GLenum pname, GLint &value) {
   if (!settings().identityOfProfile || !context.offered)
     return false;
@@ -92,7 +93,7 @@ bool cardValue(const Context &context, GLenum pname, GLint &value) {
   }
 }
 
-/// The values of NV_vertex_program and NV_fragment_program that have no name of the ARB's.
+/// Gets a value of NV_vertex_program or NV_fragment_program for which the ARB has no name.
 bool nvValue(const Context &context, GLenum pname, GLint &value) {
   if (!context.nv)
     return false;
@@ -108,8 +109,8 @@ bool nvValue(const Context &context, GLenum pname, GLint &value) {
   return true;
 }
 
-/// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
-/// show our objects is put back.
+/// Gets a value that the layer answers itself. Otherwise it returns false for the host, after
+/// restoring state that would reveal the layer's objects.
 bool ownValue(Context &context, GLenum pname, GLint &value) {
   switch (pname) {
   case infoOf(Target::Fragment).name:
@@ -210,12 +211,12 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
                                    context.software->residency.statistics().copiesShared, INT_MAX))
                              : 0;
     return context.offered;
-  case GL_CURRENT_PROGRAM: // the layer's is current only where the application has none
+  case GL_CURRENT_PROGRAM: // the layer's program is current only if the application has none
     if (!context.hostProgramIsOurs)
       return false;
     value = 0;
     return true;
-  case GL_PROGRAM_PIPELINE_BINDING: // as of a program
+  case GL_PROGRAM_PIPELINE_BINDING: // the layer's pipeline reads as none
     value = 0;
     return context.stagePipeline->isBound();
   case GL_SAMPLER_BINDING:
@@ -238,7 +239,7 @@ template <typename T> void give(GLint value, T *data) {
     *data = T(value);
 }
 
-/// A colour's component as it is asked for (OpenGL 1.2, 6.1.2: integers by table 4.7).
+/// Converts a colour component to the type of the query (OpenGL 1.2, 6.1.2: integers by table 4.7).
 template <typename T> T colorComponent(GLfloat value) {
   if constexpr (std::is_same_v<T, GLboolean>)
     return value != 0.0f ? GL_TRUE : GL_FALSE;
@@ -248,7 +249,7 @@ template <typename T> T colorComponent(GLfloat value) {
     return T(value);
 }
 
-/// True, with it, for a constant colour of register combiners.
+/// Gets a constant colour of register combiners. Returns false for other names.
 template <typename T> bool getCombinerColor(const Context &context, GLenum pname, T *data) {
   const GLenum which = pname - GL_CONSTANT_COLOR0_NV;
   if (which > 1 || !context.combiners) [[likely]]
@@ -258,7 +259,7 @@ template <typename T> bool getCombinerColor(const Context &context, GLenum pname
   return true;
 }
 
-/// True, with it, for a scale or bias of HILO components or texture offset groups.
+/// Gets a scale or bias of HILO components or texture offset groups. Returns false for other names.
 template <typename T> bool getTransfer(const Context &context, GLenum pname, T *data) {
   const GLenum at = pname - GL_HI_SCALE_NV;
   if (at > 11 || !hasTextureShaders(context)) [[likely]]
@@ -274,7 +275,7 @@ template <typename T> bool getTransfer(const Context &context, GLenum pname, T *
   return true;
 }
 
-/// True, with it, for a value of ARB_imaging.
+/// Gets a value of ARB_imaging. Returns false for other names.
 template <typename T> bool getImaging(Context &context, GLenum pname, T *data) {
   std::array<GLfloat, 16> values{};
   const int count = context.imaging ? imagingValues(context, pname, values) : 0;
@@ -303,7 +304,7 @@ void getValue(Context &context, GLenum pname, T *data, Host host) {
 } // namespace
 
 namespace {
-/// Says once what ARBITER_EXTENSIONS asks for in vain.
+/// Logs once which extensions ARBITER_EXTENSIONS asks for in vain.
 void sayAbsent(const Identity &identity) {
   static std::atomic<bool> s_said;
   if (identity.absent.empty() || s_said.exchange(true))

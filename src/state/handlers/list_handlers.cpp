@@ -1,5 +1,5 @@
-// The entry points of display lists (5.4). Lists without a command of the layer's are the host's,
-// whole.
+// The entry points of display lists (5.4). Lists without commands of the layer's are whole and the
+// host's.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -15,9 +15,9 @@ namespace arbiter::state::handlers {
 
 namespace {
 
-/// Nested calls are recorded by us once the group uses programs: what they call may hold our
-/// commands when the outer list is executed. Before, lists stay the host's, whole, and only their
-/// effect on the attribute stack is asked for when they were executed.
+/// True if the layer records a nested call. It does so once the group uses programs, as the called
+/// lists may hold its commands when the outer list is executed. Before that lists stay whole and
+/// the host's, and only their effect on the attribute stack is queried after each call.
 bool recordsCalls(Context &context) {
   if (context.listMode == 0)
     return false;
@@ -36,9 +36,9 @@ void NewList(Context &context, GLuint list, GLenum mode) {
   if (!legal)
     return context.host->NewList(list, mode); // raises the error
   if ((context.attention & attention::kLetters) != 0)
-    drawKeptLetters(context); // the list may be executed as it is compiled
-  // While a list is executed as it is compiled nothing is the rasterizer's. One that is only
-  // compiled leaves pixels alone, but for commands that are executed at once.
+    drawKeptLetters(context); // the list may be executed while it is compiled
+  // The rasterizer does not draw in COMPILE_AND_EXECUTE. COMPILE leaves pixels alone, except for
+  // commands that are executed at once.
   if (context.softwarePossible && mode == GL_COMPILE_AND_EXECUTE)
     context.software->residency.hostDoesAnything("glNewList");
   else if (context.softwarePossible)
@@ -83,7 +83,7 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
 
 namespace {
 
-/// An application that wants more names fills them.
+/// An application that generates more names than this will fill them.
 constexpr GLsizei kMostKnownEmpty = 4096;
 
 GLuint generateLists(Context &context, GLsizei range) {
@@ -118,7 +118,7 @@ void DeleteLists(Context &context, GLuint list, GLsizei range) {
   const std::vector<GLuint> kept = lists.segmentsIn(list, range);
   if (kept.empty())
     return context.host->DeleteLists(list, range);
-  // Segments in the range are not the application's to delete.
+  // The application cannot delete segments, even in this range.
   for (GLsizei i = 0; i < range; ++i)
     if (!lists.isSegment(list + GLuint(i)))
       context.host->DeleteLists(list + GLuint(i), 1);

@@ -1,6 +1,6 @@
-// Images that are defined by the texture's name or unit (EXT_direct_state_access,
-// ARB_direct_state_access). Whether they are depths is what draws of register combiners go by, and
-// their consistency what those of texture shaders do.
+// Images that are defined by a texture's name or unit (EXT_direct_state_access,
+// ARB_direct_state_access). Draws of register combiners depend on whether they hold depths, and
+// draws of texture shaders on their consistency.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"

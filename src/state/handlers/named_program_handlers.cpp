@@ -1,5 +1,5 @@
-// The program API by object name (EXT_direct_state_access). Its program text must not reach the
-// host's parser either, and its objects are the ones that BindProgram knows.
+// The program API by object name (EXT_direct_state_access). Its texts must not reach the host's
+// parser either, and its objects are those of BindProgram.
 #include <algorithm>
 #include <cstring>
 
@@ -18,7 +18,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// Every named setter of local parameters.
+/// Sets local parameters, for all named setters.
 void set(Context &context, const ProgramTarget &row, GLuint name, GLuint index, GLsizei count,
          const Vec4 *values) {
   if (!outsideBeginEnd(context, "NamedProgramLocalParameter between Begin and End"))
@@ -144,7 +144,7 @@ void GetNamedProgramivEXT(Context &context, GLuint program, GLenum target, GLenu
   const auto object = namedProgram(context, *row, program);
   if (!object)
     return;
-  if (pname == GL_PROGRAM_BINDING_ARB) // the target's, not the object's
+  if (pname == GL_PROGRAM_BINDING_ARB) // the target's binding, not the object's
     *params = GLint(row->bound->name);
   else if (!queryProgram(context, *row, *object, pname, params))
     raise(context, GL_INVALID_ENUM, "GetNamedProgramiv: pname");

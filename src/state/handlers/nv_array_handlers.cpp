@@ -1,6 +1,6 @@
-// Vertex attribute arrays of NV_vertex_program (2.14.3) and queries of attributes (6.1.13). The
-// arrays are the host's generic ones, as on NVIDIA's driver: vertex array objects and the client
-// attribute stack have them. Which of them a program reads is chosen at draws (native_inputs.h).
+// Vertex attribute arrays of NV_vertex_program (2.14.3) and attribute queries (6.1.13). The arrays
+// are the host's generic ones, as in NVIDIA's driver, so vertex array objects and the client
+// attribute stack hold them. A draw chooses which of them a program reads (native_inputs.h).
 #include <algorithm>
 
 #include "host/handlers.h"
@@ -56,11 +56,11 @@ template <typename T> void getAttribute(Context &context, GLuint index, GLenum p
     return;
   }
   GLint value = 0;
-  context.host->GetVertexAttribiv(index, pname, &value); // the same names as the ARB's
+  context.host->GetVertexAttribiv(index, pname, &value); // the ARB's names are the same
   *params = T(value);
 }
 
-/// True where `array` is a vertex array range of the layer's, which is set.
+/// Enables or disables a vertex array range of the layer's. Returns false for other arrays.
 bool setRangeEnabled(Context &context, GLenum array, bool enabled) {
   if (!isVertexArrayRange(array) || !context.era ||
       (!context.era->offered.nvRange && !context.era->offered.appleRange))

@@ -1,5 +1,5 @@
-// Vertex attributes of NV_vertex_program (2.14.1.1): state/host_draw/evaluators/nv_attributes.h
-// says what they are.
+// Commands that set vertex attributes of NV_vertex_program (2.14.1.1).
+// state/host_draw/evaluators/nv_attributes.h explains these attributes.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
@@ -18,7 +18,7 @@ void setAttribute(Context &context, GLuint index, const Vec4 &value) {
     context.nv->evaluation->current[index] = value;
 }
 
-/// Bytes are of [0,1] (table 2.6), other numbers what they are.
+/// Converts a component: bytes map to [0,1] (table 2.6), other types keep their value.
 GLfloat converted(GLubyte value) { return GLfloat(value) / 255.0f; }
 template <typename T> GLfloat converted(T value) { return GLfloat(value); }
 
@@ -29,7 +29,7 @@ template <std::size_t kCount, typename T> void setFrom(Context &context, GLuint 
   setAttribute(context, index, value);
 }
 
-/// The last one first, so that the position comes after the others (2.14.1.1).
+/// Sets several attributes, the last one first, so that the position comes last (2.14.1.1).
 template <std::size_t kCount, typename T>
 void setSeveral(Context &context, GLuint index, GLsizei count, const T *v) {
   if (count < 0 || index > NvState::kAttributes || GLuint(count) > NvState::kAttributes - index)
@@ -42,7 +42,7 @@ void setSeveral(Context &context, GLuint index, GLsizei count, const T *v) {
 
 namespace handlers {
 
-// Where NVIDIA's languages are not offered the commands are the host's, if it has them.
+// If NVIDIA's languages are not offered, the commands are the host's, if it has them.
 #define ATTRIBUTES(n, letter, T)                                                                   \
   void VertexAttrib##n##letter##vNV(Context &context, GLuint index, const T *v) {                  \
     if (!context.nv)                                                                               \

@@ -1,5 +1,5 @@
-// Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): what names one of those,
-// and what evaluates once one was named. All else is the host's (state/handlers/straight.h).
+// Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): commands that name such a
+// map, and evaluation after one was named. All else is the host's (state/handlers/straight.h).
 #include <algorithm>
 #include <cstdint>
 
@@ -16,13 +16,14 @@ namespace arbiter::state {
 
 namespace {
 
-/// What Map says of one of its dimensions.
+/// Map's arguments for one dimension.
 template <typename T> struct Side {
   T from, to;
   GLint stride, order;
 };
 
-/// Each dimension has a half of the names. The greatest order is the host's.
+/// Returns Map's error. Each dimension has half of the map names, and the host sets the greatest
+/// order.
 template <typename T>
 GLenum mapError(Context &context, GLenum target, const Side<T> &u, const Side<T> *v) {
   constexpr GLint kComponents = 4;
@@ -37,7 +38,7 @@ GLenum mapError(Context &context, GLenum target, const Side<T> &u, const Side<T>
   return isRight(u) && (!v || isRight(*v)) ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
-/// The points are copied now, of a list too (5.4).
+/// Copies the points at once, even for a list (5.4).
 template <typename T>
 MapDefinition definitionOf(Context &context, GLenum target, const Side<T> &u, const Side<T> *v,
                            const T *points) {

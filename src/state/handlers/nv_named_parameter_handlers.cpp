@@ -11,8 +11,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// Of a length that is no error; a name is no longer than an identifier may be, and one byte more
-/// is enough to be none.
+/// Returns the name. The length is cut to one byte more than an identifier may have, which no name
+/// matches. It is empty if the length is an error.
 std::string_view nameOf(GLsizei length, const GLubyte *name) {
   if (length <= 0 || !name)
     return {};

@@ -22,7 +22,8 @@ void record(Context &context, GLenum target, GLuint index, GLsizei count,
   listCompiler(context).record(context, std::move(command));
 }
 
-/// Quadruples of any type; none where the count is an error, which is found when executed.
+/// Converts parameters of any type. Returns none if the count is an error, which the execution
+/// raises.
 template <typename T> std::vector<Vec4> gather(GLsizei count, const T *params) {
   std::vector<Vec4> values(count > 0 && GLuint(count) <= NvState::kParameters ? std::size_t(count)
                                                                               : 0);
@@ -40,7 +41,7 @@ void set(Context &context, GLenum target, GLuint index, GLsizei count, std::vect
   setNvParameters(context, target, index, count, values.data());
 }
 
-/// One parameter, without memory of its own where it takes effect at once.
+/// Sets one parameter. Allocates nothing if it takes effect at once.
 void set(Context &context, GLenum target, GLuint index, const Vec4 &value) {
   if (context.insideBeginEnd || context.listMode) [[unlikely]]
     return set(context, target, index, 1, {value});

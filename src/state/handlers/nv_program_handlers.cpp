@@ -1,4 +1,4 @@
-// Program objects by NV_vertex_program's commands (2.14.1.7, 2.14.1.8, 2.14.4, 6.1.13).
+// Program objects by commands of NV_vertex_program (2.14.1.7, 2.14.1.8, 2.14.4, 6.1.13).
 // GenProgramsNV, DeleteProgramsNV and IsProgramNV are the ARB's.
 #include <algorithm>
 #include <cstring>
@@ -16,7 +16,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The object that a query names; null after an error.
+/// Returns the object of a query. Raises an error and returns null if there is none.
 std::shared_ptr<ProgramObject> queried(Context &context, GLuint id, const char *command) {
   if (!outsideBeginEnd(context, command))
     return nullptr;
@@ -26,7 +26,7 @@ std::shared_ptr<ProgramObject> queried(Context &context, GLuint id, const char *
   return object;
 }
 
-/// PROGRAM_TARGET_NV: a program in an ARB language has the ARB's target.
+/// Returns PROGRAM_TARGET_NV: a program in an ARB language has the ARB's target.
 GLenum targetOf(Context &context, const ProgramObject &object) {
   if (object.target != Target::Fragment)
     return infoOf(object.target).name;
@@ -35,7 +35,7 @@ GLenum targetOf(Context &context, const ProgramObject &object) {
   return native ? GL_FRAGMENT_PROGRAM_NV : GL_FRAGMENT_PROGRAM_ARB;
 }
 
-/// The command of a list that names programs.
+/// Makes a list's command that names programs.
 Command namesCommand(GLsizei n, const GLuint *programs) {
   Command command{.kind = Command::Kind::RequestResident};
   command.count = n;
@@ -60,7 +60,7 @@ void LoadProgramNV(Context &context, GLenum target, GLuint id, GLsizei len,
     return loadNvProgram(context, target, id, len, program);
   Command command{.kind = Command::Kind::LoadNv, .target = target, .name = id};
   command.count = len;
-  // A text over the limit is refused when executed: so much of it suffices for that.
+  // A text over the limit is refused when executed; this much of it is enough for that.
   if (program && len > 0) {
     command.count = std::min<GLsizei>(len, GLsizei(fp::kMaxTextBytes) + 1);
     command.bytes.assign(reinterpret_cast<const char *>(program), std::size_t(command.count));
@@ -69,7 +69,7 @@ void LoadProgramNV(Context &context, GLenum target, GLuint id, GLsizei len,
 }
 
 void BindProgramNV(Context &context, GLenum target, GLuint id) {
-  // Hosts without the extension have the command all the same, as another name of the ARB's.
+  // Hosts without the extension still have this command, as another name of the ARB's.
   if (!context.nv)
     return BindProgramARB(context, target, id);
   if (!outsideBeginEnd(context, "BindProgram between Begin and End"))
@@ -107,7 +107,7 @@ GLboolean AreProgramsResidentNV(Context &context, GLsizei n, const GLuint *progr
                             [&](GLuint id) { return existingProgram(context, id) != nullptr; });
   if (!allExist)
     raise(context, GL_INVALID_VALUE, "AreProgramsResident: n, or a name that is no program's");
-  return allExist ? GL_TRUE : GL_FALSE; // there is no working set: `residences` stays as it is
+  return allExist ? GL_TRUE : GL_FALSE; // there is no working set, and `residences` stays unchanged
 }
 
 void RequestResidentProgramsNV(Context &context, GLsizei n, const GLuint *programs) {

@@ -1,5 +1,5 @@
-// Matrices that program parameters follow (NV_vertex_program 2.14.5, 6.1.13), and MatrixMode of the
-// matrices that are for nothing else.
+// Matrix tracking of program parameters (NV_vertex_program 2.14.5, 6.1.13), and MatrixMode of
+// matrices that serve nothing else.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/imaging/imaging_state.h"
@@ -44,10 +44,11 @@ void GetTrackMatrixivNV(Context &context, GLenum target, GLuint address, GLenum 
 }
 
 void MatrixMode(Context &context, GLenum mode) {
-  // MATRIXi_NV are the ARB's program matrices, as on NVIDIA's driver.
+  // MATRIXi_NV are the ARB's program matrices, as in NVIDIA's driver.
   const GLuint number = mode - GL_MATRIX0_NV;
   const GLenum named = context.nv && number < 8 ? GL_MATRIX0_ARB + number : mode;
-  // COLOR is the layer's; so is what ends it, which in a list is known where the list is called.
+  // The layer executes COLOR and the mode that ends it. In a list that is only known when the list
+  // is called.
   const bool colors =
       context.imaging && (mode == GL_COLOR || context.imaging->colorMatrix.isUsed());
   if (!colors || context.insideBeginEnd)

@@ -32,7 +32,7 @@ void recordParameters(Context &context, Command::Kind kind, const ProgramTarget 
   listCompiler(context).record(context, std::move(command));
 }
 
-/// The way of an env setter with anything unusual about it.
+/// Sets env parameters in the general case: errors, lists, tracked matrices.
 [[gnu::noinline]] void env(Context &context, ProgramTarget &row, GLuint index, GLsizei count,
                            const Vec4 *values) {
   if (!outsideBeginEnd(context, "ProgramEnvParameter between Begin and End"))
@@ -55,7 +55,7 @@ bool isImmediate(const Context &context) {
   return !context.insideBeginEnd && context.listMode == 0;
 }
 
-/// One env parameter: the call that applications make thousands of times a frame.
+/// Sets one env parameter. Applications call this thousands of times per frame.
 [[gnu::always_inline]] inline void env(Context &context, ProgramTarget &row, GLuint index,
                                        const Vec4 &value) {
   if (!isImmediate(context) || index >= row.env.size() || row.tracked != 0) [[unlikely]]
@@ -65,7 +65,7 @@ bool isImmediate(const Context &context) {
   context.attention |= row.parameterBits;
 }
 
-/// One local parameter of the bound program.
+/// Sets one local parameter of the bound program.
 [[gnu::always_inline]] inline void local(Context &context, ProgramTarget &row, GLuint index,
                                          const Vec4 &value) {
   ProgramObject &object = *row.bound;
@@ -101,7 +101,7 @@ template <typename T> void copyOut(const std::optional<Vec4> &value, T *params) 
     std::copy(value->begin(), value->end(), params);
 }
 
-/// Reads GLfloat quadruples that need not be aligned as Vec4 is.
+/// Reads GLfloat quadruples, which need not be aligned like Vec4.
 std::vector<Vec4> gather(GLsizei count, const GLfloat *params) {
   std::vector<Vec4> values(std::size_t(std::max(count, 0)));
   if (count > 0)

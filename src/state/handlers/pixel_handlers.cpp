@@ -1,5 +1,5 @@
-// Commands on pixels that have a part of the rasterizer's: what the shadows hold is read, cleared
-// or kept up to date. Called where the rasterizer is possible.
+// Pixel commands that the rasterizer takes part in: they read, clear or update shadows. Called
+// where the rasterizer is possible.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -20,9 +20,10 @@ namespace arbiter::state::handlers {
 
 namespace {
 
-/// The command is executed now, and is no error for being where it is.
+/// True if the command is executed now and is not an error at this place.
 bool executes(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
-/// The same of a command that goes into a list, and changes pixels where the list is called.
+/// True if the command is executed now. Notes it for a list, as it changes pixels when the list is
+/// called.
 bool changes(Context &context) {
   if (context.listMode != 0)
     listCompiler(context).notePixels();
@@ -34,7 +35,7 @@ bool changes(Context &context) {
 void Clear(Context &context, GLbitfield mask) {
   if (changes(context) && context.software) {
     software::clearsTarget(context, mask);
-    // Whether it happens is the host's to know (OpenGL 3.0, 2.14).
+    // The host decides whether it happens (OpenGL 3.0, 2.14).
     if (!context.software->mirror.conditional && context.software->residency.clear(mask))
       return;
     context.software->residency.hostTakesTargets("glClear");
@@ -92,7 +93,7 @@ void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height)
   context.host->Viewport(x, y, width, height);
 }
 
-// --- How the application's pixels lie in memory ---
+// --- The pixel store ---
 
 namespace {
 
@@ -115,10 +116,10 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
   if (setClientStorage(context, pname, param != 0.0f))
     return;
   context.host->PixelStoref(pname, param);
-  context.dirty |= software::dirty::kPixelStore; // how it rounds is the host's
+  context.dirty |= software::dirty::kPixelStore; // the host decides how to round
 }
 
-// --- A level is (re)defined ---
+// --- Commands that (re)define a level ---
 
 #define ARBITER_REDEFINES(Name, Parameters, Arguments)                                             \
   void Name Parameters {                                                                           \

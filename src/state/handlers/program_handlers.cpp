@@ -1,5 +1,4 @@
-// Program objects: Gen, Delete, Is, Bind, ProgramString and what is asked of a program (3.11.1,
-// 6.1.12).
+// Program objects: Gen, Delete, Is, Bind, ProgramString and queries (3.11.1, 6.1.12).
 #include <cstring>
 
 #include "host/handlers.h"
@@ -29,7 +28,7 @@ void deleteProgram(Context &context, GLuint name) {
   auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
   if (recent == object)
     recent = nullptr;
-  // Other contexts may have it bound; their linked programs go when they are swept.
+  // Other contexts may have it bound. Their linked programs are dropped when they are swept.
   const auto compiled = context.group->compiledOf(*object);
   if (compiled)
     dropVariants(context, *compiled);
@@ -44,7 +43,8 @@ void BindProgramARB(Context &context, GLenum target, GLuint program) {
     return;
   ProgramTarget *const row = rowOf(context, target);
   if (!row)
-    return context.host->BindProgramARB(target, program); // raises INVALID_ENUM, or knows it
+    return context.host->BindProgramARB(target, program); // raises INVALID_ENUM, or knows the
+                                                          // target
   noteProgramApiUse(context);
   if (context.listMode)
     return listCompiler(context).record(
@@ -79,7 +79,7 @@ void DeleteProgramsARB(Context &context, GLsizei n, const GLuint *programs) {
 GLboolean IsProgramARB(Context &context, GLuint program) {
   if (!outsideBeginEnd(context, "IsProgram between Begin and End"))
     return GL_FALSE;
-  // An object exists once its name was bound; a name that Gen returned is none yet.
+  // An object exists once its name was bound, not when Gen returned the name.
   return program != 0 && context.group->contains(program) ? GL_TRUE : GL_FALSE;
 }
 

@@ -1,7 +1,6 @@
-// Commands after which objects have storage in common, or in memory of the application's, and those
-// that delete such objects: what the other contexts of the group must know. So these come here in
-// contexts too that are the host's otherwise (`everywhere` in entry_points.toml), and in none at
-// all.
+// Commands that make objects share storage or use the application's memory, and commands that
+// delete such objects. Other contexts of the group must know of them, so they come here in
+// passed-through contexts too (`everywhere` in entry_points.toml), and without any context.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -16,8 +15,8 @@ namespace arbiter::state::handlers {
 
 namespace {
 
-/// Which renderbuffers a command is about can be looked up: there is a rasterizer, and no list is
-/// compiled, in which the host could not be asked.
+/// True if a command's renderbuffer can be queried: there is a rasterizer, and no list is being
+/// compiled.
 bool knowsWhich(const Context &context) {
   return context.software && !context.insideBeginEnd && context.listMode == 0;
 }
@@ -42,7 +41,8 @@ void TextureView(Context &context, GLuint texture, GLenum target, GLuint origtex
                             minlayer, numlayers);
 }
 
-/// Textures and buffers of such memory change with each other, and by the process that exported it.
+/// Textures and buffers in imported memory change with each other, and by the process that exported
+/// it.
 void ImportMemoryFdEXT(Context &context, GLuint memory, GLuint64 size, GLenum handleType,
                        GLint fd) {
   if (context.softwareListens)

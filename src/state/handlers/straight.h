@@ -7,11 +7,10 @@
 #include "state/era/vertex_array_range.h"
 #include "state/raster_draw/context_state.h"
 
-/// The commands that are called most of those that the layer has a part in, and mostly are the
-/// host's alone. Each function is asked by the entry point of its name, in line and with the
-/// command's arguments, in a context that is not passed through. True: the command is the host's
-/// alone, and all that the layer notes of it is noted. False: nothing is done that the handler of
-/// the same name does not do as well, which is called next.
+/// Fast paths of frequent commands that mostly are the host's alone. An entry point calls the
+/// function of its name inline, unless its context is passed through. If it returns true, the
+/// command goes to the host, and the layer has noted all it must. If it returns false, it has done
+/// nothing, and the handler of that name is called next.
 namespace arbiter::state::straight {
 
 [[nodiscard]] inline bool isHosts(Context &context, GLenum cap) {
@@ -24,8 +23,7 @@ namespace arbiter::state::straight {
 [[nodiscard]] inline bool Enable(Context &context, GLenum cap) { return isHosts(context, cap); }
 [[nodiscard]] inline bool Disable(Context &context, GLenum cap) { return isHosts(context, cap); }
 
-/// Which textures are bound, and what they are, chooses among the programs of texture shaders and
-/// of register combiners.
+/// True if the bound textures choose among the programs of texture shaders and register combiners.
 [[nodiscard]] inline bool texturesChoose(const Context &context) {
   return context.textureShaders || context.combiners;
 }
@@ -33,7 +31,7 @@ namespace arbiter::state::straight {
   return !texturesChoose(context) && context.listMode == 0;
 }
 
-/// Where it is not known to be the matrix that is current already.
+/// Marks the matrix mode dirty, unless it is known to stay the modelview matrix.
 inline void noteMatrixMode(Context &context, GLenum mode) {
   using software::dirty::kMatrixMode;
   const bool stays = mode == GL_MODELVIEW && context.listMode == 0 && context.software &&
@@ -44,8 +42,8 @@ inline void noteMatrixMode(Context &context, GLenum mode) {
     context.dirty |= kMatrixMode;
 }
 
-/// The layer has a part in MATRIXi_NV and COLOR, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array
-/// ranges.
+/// True if the mode or array is the host's alone. The layer handles MATRIXi_NV and COLOR,
+/// VERTEX_ATTRIB_ARRAYi_NV and vertex array ranges.
 [[nodiscard]] inline bool MatrixMode(Context &context, GLenum mode) {
   noteMatrixMode(context, mode);
   return mode - GL_MATRIX0_NV >= 8u && mode != GL_COLOR && !context.imagesPixels;
@@ -57,8 +55,8 @@ inline void noteMatrixMode(Context &context, GLenum mode) {
   return EnableClientState(context, array);
 }
 
-/// The layer has NV_vertex_program's evaluator maps, and evaluates where one of them was named.
-/// Meshes are draws.
+/// True if the command uses none of NV_vertex_program's evaluator maps, which are the layer's. Once
+/// one of these was named, the layer evaluates too. Meshes are draws.
 #define ARBITER_MAP(name)                                                                          \
   template <typename... Arguments>                                                                 \
   [[nodiscard]] bool name(Context &, GLenum target, Arguments...) {                                \
@@ -100,7 +98,7 @@ ARBITER_EVALUATES(EvalPoint2)
   return isHostsMesh(context);
 }
 
-/// Where a draw goes straight to the host a primitive does, vertex by vertex.
+/// True if the primitive goes to the host vertex by vertex, as a draw would go there directly.
 [[nodiscard]] inline bool Begin(Context &context, GLenum mode) {
   if (context.attention != 0 || context.softwarePossible || context.mapsNamed ||
       context.listMode != 0)
@@ -110,7 +108,7 @@ ARBITER_EVALUATES(EvalPoint2)
     context.insideBeginEnd = true;
   return true;
 }
-/// No primitive of the rasterizer's ends, nor one of a list's.
+/// True if the End closes a primitive of neither the rasterizer nor a list.
 [[nodiscard]] inline bool End(Context &context) {
   if (context.attention != 0 || context.softwarePossible || context.listMode != 0)
     return false;
@@ -118,12 +116,12 @@ ARBITER_EVALUATES(EvalPoint2)
   return true;
 }
 
-/// The element is neither recorded nor of arrays that alias.
+/// True if the element is not recorded and no array aliases another.
 [[nodiscard]] inline bool ArrayElement(Context &context, GLint) {
   return !context.softwareListens && !context.attributesAlias;
 }
 
-/// Names of APPLE_vertex_array_object's are the layer's.
+/// Names made by APPLE_vertex_array_object are the layer's.
 [[nodiscard]] inline bool BindVertexArray(Context &context, GLuint) {
   return !context.era || !context.era->vertexArrays.any();
 }
@@ -132,11 +130,11 @@ ARBITER_EVALUATES(EvalPoint2)
   return pname != GL_VERTEX_ARRAY_RANGE_POINTER_NV;
 }
 
-/// The layer has raised none.
+/// True if the layer has raised no error.
 [[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
 
-/// Of the parameters of textures the layer has a part in the comparison and the ranges, and in all
-/// of them where textures choose among programs.
+/// True for texture parameters that the layer handles: comparison and ranges. It handles all of
+/// them if textures choose among programs.
 [[nodiscard]] constexpr bool compares(GLenum pname) {
   return pname == GL_TEXTURE_COMPARE_MODE || pname == GL_DEPTH_TEXTURE_MODE ||
          isSgixShadow(pname) || isTextureRange(pname);

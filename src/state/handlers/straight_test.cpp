@@ -1,5 +1,4 @@
-// What entry points send to the host without a call into state is what the handlers would have
-// done.
+// The fast paths of entry points do what the handlers would have done.
 #include "state/handlers/straight.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +47,7 @@ TEST(Straight, APrimitiveOfTheHostsIsWhatTheHandlersMakeOfIt) {
   EXPECT_FALSE(straight::Begin(*context, GL_POINTS)) << "the program is not the host's yet";
   ASSERT_TRUE(draw(*context));
   ASSERT_EQ(context->attention, 0u);
-  // Modes beyond POLYGON open nothing.
+  // Modes above POLYGON begin no primitive.
   for (GLenum mode = 0; mode < 20; ++mode) {
     const std::uint64_t before = drawsBy(*context, Path::HostGlsl);
     ASSERT_TRUE(straight::Begin(*context, mode)) << mode;
@@ -103,7 +102,7 @@ TEST(Straight, TheLayerSeesWhichTexturesCompare) {
 }
 
 TEST(Straight, TexturesAreTheHostsWhereNoTextureShaderIs) {
-  FakeHost host; // without the formats that they need
+  FakeHost host; // it lacks the formats that texture shaders need
   const CurrentContext context(host);
   ASSERT_FALSE(context->textureShaders);
   EXPECT_TRUE(straight::BindTexture(*context, GL_TEXTURE_2D, 1));

@@ -1,5 +1,4 @@
-// Which textures are bound, by each command that binds them (but for attributes that are popped,
-// and names that are deleted).
+// Commands that bind textures, except for PopAttrib and deletions.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"

@@ -1,5 +1,5 @@
-// TexEnv and GetTexEnv: the stages of NV_texture_shader, ATI_envmap_bumpmap's environment, and
-// those that their draws depend on.
+// TexEnv and GetTexEnv: the stages of NV_texture_shader, the environment of ATI_envmap_bumpmap, and
+// environments that draws depend on.
 #include <cmath>
 #include <type_traits>
 
@@ -32,7 +32,7 @@ void issue(Context &context, const TextureShaderCommand &command) {
   executeTextureShaderCommand(context, command);
 }
 
-/// TexEnv of TEXTURE_SHADER_NV. An unknown pname may point to nothing.
+/// Executes TexEnv of TEXTURE_SHADER_NV. For an unknown pname `params` may point to nothing.
 template <typename T> void setShader(Context &context, GLenum pname, const T *params, bool scalar) {
   if (!outsideBeginEnd(context, "TexEnv of TEXTURE_SHADER_NV between Begin and End"))
     return;
@@ -45,7 +45,7 @@ template <typename T> void setShader(Context &context, GLenum pname, const T *pa
   issue(context, command);
 }
 
-/// A mode of the host's; of another name it makes an error, and the unit keeps what it has.
+/// True for an environment mode of the host's. It refuses others, and the unit keeps its mode.
 bool isHostMode(GLenum mode) {
   switch (mode) {
   case GL_MODULATE:
@@ -61,13 +61,13 @@ bool isHostMode(GLenum mode) {
   }
 }
 
-/// True for TEXTURE_ENV_MODE NONE, which the host lacks; of another mode the layer's is cleared.
+/// Sets TEXTURE_ENV_MODE NONE, which the host lacks, and returns true. Other modes clear it.
 template <typename T> bool setMode(Context &context, GLenum target, GLenum pname, const T *params) {
   if (target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE || !params || context.insideBeginEnd)
     return false;
   const bool none = params[0] == T(GL_NONE);
   TextureShaderState &shaders = *context.textureShaders;
-  // What a list does before it is known where it is called.
+  // The effect of a list's earlier commands is only known when it is called.
   const bool mayBeNone = shaders.now().environmentNone != 0 || (context.listMode && shaders.used);
   if (none || (mayBeNone && params[0] > T(0) && isHostMode(GLenum(params[0])))) {
     shaders.used = shaders.used || none;
@@ -76,14 +76,14 @@ template <typename T> bool setMode(Context &context, GLenum target, GLenum pname
   return none;
 }
 
-/// Texture environments changed: draws that depend on them look again, and a list that is compiled
-/// is cut. One test where none does.
+/// Notes a changed texture environment. Draws that depend on it look again, and a list that is
+/// being compiled is cut. Costs one test if none do.
 void noteEnvironmentCommand(Context &context) {
   if (context.listMode != 0 || followsTextures(context))
     noteFixedFunctionCommand(context);
 }
 
-/// A function of the host's for COMBINE_RGB; of another name it makes an error.
+/// True for a COMBINE_RGB function of the host's. It refuses others.
 bool isHostFunction(GLenum function) {
   switch (function) {
   case GL_REPLACE:
@@ -103,7 +103,7 @@ bool isHostFunction(GLenum function) {
   }
 }
 
-/// True for what of ATI_envmap_bumpmap the host lacks.
+/// Sets a parameter of ATI_envmap_bumpmap that the host lacks. Returns false for other parameters.
 template <typename T> bool setBump(Context &context, GLenum pname, const T *params) {
   using Kind = TextureShaderCommand::Kind;
   if ((pname != GL_BUMP_TARGET_ATI && pname != GL_COMBINE_RGB) || !params || context.insideBeginEnd)
@@ -153,7 +153,7 @@ template <typename T> void give(const Vec4 &values, int first, int count, T *to)
     give(values[std::size_t(first + i)], to + i);
 }
 
-/// GetTexEnv of TEXTURE_SHADER_NV.
+/// Executes GetTexEnv of TEXTURE_SHADER_NV.
 template <typename T> void getShader(Context &context, GLenum pname, T *params) {
   if (!outsideBeginEnd(context, "GetTexEnv between Begin and End"))
     return;
@@ -192,7 +192,7 @@ template <typename T> void getShader(Context &context, GLenum pname, T *params) 
   }
 }
 
-/// True, with it, for a value of ATI_envmap_bumpmap's.
+/// Gets a value of ATI_envmap_bumpmap. Returns false for other names.
 template <typename T> bool getBump(Context &context, GLenum pname, T *params) {
   if (pname != GL_BUMP_TARGET_ATI && pname != GL_COMBINE_RGB)
     return false;

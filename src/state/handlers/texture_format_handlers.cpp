@@ -1,5 +1,5 @@
-// What is asked of textures with NV_texture_shader's internal formats, and the scales and biases of
-// their components.
+// Queries of textures with internal formats of NV_texture_shader, and scales and biases of their
+// components.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -17,7 +17,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The row of ComponentFormat::bits that a size's name asks for; -1 for another name.
+/// Returns the row of ComponentFormat::bits for the name of a size; -1 for other names.
 int sizeRow(GLenum pname) {
   switch (pname) {
   case GL_TEXTURE_RED_SIZE:
@@ -39,7 +39,7 @@ int sizeRow(GLenum pname) {
   return at < 5 ? int(6 + at) : -1;
 }
 
-/// True, with the value, for what the host does not know of a level.
+/// Gets a value of a level that the host does not know. Returns false for other names.
 bool levelValue(Context &context, GLenum target, GLint level, GLenum pname, GLint &value) {
   if (!context.textureShaders || context.insideBeginEnd)
     return false;
@@ -54,7 +54,7 @@ bool levelValue(Context &context, GLenum target, GLint level, GLenum pname, GLin
     context.host->GetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
   const ComponentFormat *const own = width != 0 ? componentFormat(name) : nullptr;
   if (!own) {
-    // A level of another format has none of these; the host judges target and level.
+    // A level of another format has none of these. The host judges target and level.
     if (row < 6)
       return false;
     context.host->GetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
@@ -65,7 +65,7 @@ bool levelValue(Context &context, GLenum target, GLint level, GLenum pname, GLin
   return true;
 }
 
-/// True for a scale or bias of the extension's components.
+/// Sets a scale or bias of the extension's components. Returns false for other names.
 bool transfer(Context &context, GLenum pname, GLfloat param) {
   if (!hasTextureShaders(context) || componentTransfer(pname) < 0) [[likely]]
     return false;
@@ -82,7 +82,7 @@ bool transfer(Context &context, GLenum pname, GLfloat param) {
   return true;
 }
 
-/// True for a scale or bias of ARB_imaging.
+/// Sets a scale or bias of ARB_imaging. Returns false for other names.
 bool imagingScale(Context &context, GLenum pname, GLfloat param) {
   const float *const value =
       context.imaging ? imagingTransfer(context.imaging->settings, pname) : nullptr;

@@ -1,5 +1,5 @@
-// TexImage, TexSubImage and GetTexImage: the rasterizer's shadows are kept up to date, and images
-// of NV_texture_shader's formats are the layer's.
+// TexImage, TexSubImage and GetTexImage: they update the rasterizer's shadows, and handle images in
+// formats of NV_texture_shader.
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -26,9 +26,10 @@ namespace arbiter::state {
 
 namespace {
 
-/// The command is executed now, and is no error for being where it is.
+/// True if the command is executed now and is not an error at this place.
 bool executes(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
-/// The same of a command that goes into a list, and changes pixels where the list is called.
+/// True if the command is executed now. Notes it for a list, as it changes pixels when the list is
+/// called.
 bool changes(Context &context) {
   if (context.listMode != 0)
     listCompiler(context).notePixels();
@@ -47,8 +48,8 @@ GLenum errorOf(Context &context, const ComponentImage &image, GLenum type) {
   return format && format->external == image.format ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
-/// Whether an image may have the size, or a level the texels that are replaced: the application's
-/// memory is not read for a command that the host will refuse.
+/// True if the size is allowed, or the level has the texels that are replaced. The application's
+/// memory must not be read for a command that the host will refuse.
 bool hasRoom(Context &context, const ComponentImage &image) {
   if (image.level < 0 || !mayHaveSize(context, image))
     return false;
@@ -90,7 +91,8 @@ void giveComponents(Context &context, ComponentImage image, GLenum type, const v
       context, {.kind = Command::Kind::ComponentImage, .bytes = bytesOf(image, components)});
 }
 
-/// True if the command was the layer's: it has such components, or mixes them with colours.
+/// Executes a command that has such components, or mixes them with colours. Returns false
+/// otherwise.
 bool isComponents(Context &context, const ComponentImage &image, GLenum type, const void *pixels) {
   if (image.format == GL_DUDV_ATI) {
     if (!hasBumpMaps(context))
@@ -145,7 +147,7 @@ void defineColorsAlone(Context &context, GLenum target, GLint level, GLint inter
     raise(context, earlier != GL_NO_ERROR ? earlier : error, "TexImage");
 }
 
-/// Whether ARB_imaging has a part in the image, and has given it to the host.
+/// Uploads the image through ARB_imaging, if it is in use. Returns false if it is not.
 bool isImaged(Context &context, const ComponentImage &image, GLint internalFormat, GLenum type,
               const void *pixels) {
   if (!context.imagesPixels) [[likely]]
@@ -156,7 +158,7 @@ bool isImaged(Context &context, const ComponentImage &image, GLint internalForma
   return imagedTexImage(context, upload, image.format, type, pixels);
 }
 
-/// A TexImage of colours; `host` is given the internal format that the host has for it.
+/// Executes a TexImage of colours; `host` takes the host's internal format for it.
 template <typename Host>
 void defineColors(Context &context, GLenum target, GLint level, GLint internalformat, Host host) {
   noteInternalFormat(context, GLenum(internalformat));
@@ -172,7 +174,7 @@ GLint sizeOf(const Context &context, GLenum target, GLint level, GLenum pname) {
   return value;
 }
 
-/// Of one of the two packed types, which the host lacks.
+/// Gets an image in one of the two packed types that the host lacks.
 void getSignedBytes(Context &context, GLenum target, GLint level, GLenum type, void *pixels) {
   const ComponentPixels to = {sizeOf(context, target, level, GL_TEXTURE_WIDTH),
                               std::max(sizeOf(context, target, level, GL_TEXTURE_HEIGHT), 1),
@@ -192,7 +194,7 @@ void getSignedBytes(Context &context, GLenum target, GLint level, GLenum type, v
     (void)packSignedBytes(context, to, texels, pixels);
 }
 
-/// The format that the host knows; 0 where the command was an error, or is done.
+/// Returns the format for the host's GetTexImage; 0 if the command was an error or is done.
 GLenum getFormat(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
                  void *pixels) {
   if (!context.textureShaders || context.insideBeginEnd) [[likely]]

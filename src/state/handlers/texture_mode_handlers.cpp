@@ -1,8 +1,7 @@
-// Every command that sets TEXTURE_COMPARE_MODE or DEPTH_TEXTURE_MODE, of a texture or a sampler:
-// once one sets it, draws of programs with plain targets look for textures that compare, and draws
-// beside clip distances for depths that are ALPHA (state/programs/variants/alpha_depths.h). A
-// list's commands are seen when they are compiled, and PopAttrib restores only what one of these
-// set before.
+// Commands that set TEXTURE_COMPARE_MODE or DEPTH_TEXTURE_MODE, of a texture or a sampler. After
+// the first one, draws of programs with plain targets look for textures that compare, and draws
+// beside clip distances for ALPHA depths (state/programs/variants/alpha_depths.h). A list's
+// commands are noted when they are compiled. PopAttrib restores only what such a command has set.
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -40,8 +39,8 @@ template <typename T> void note(Context &context, GLenum pname, const T *values)
     note(context, pname, *values);
 }
 
-// SGIX_shadow's two parameters, which are ARB_shadow's by other names (state/era/sgix_shadow.h), of
-// the texture that is bound: they are older than commands of an object.
+// Sets one of SGIX_shadow's two parameters of the bound texture, which are ARB_shadow's by other
+// names (state/era/sgix_shadow.h). The extension is older than commands that name an object.
 template <typename T> void setShadow(Context &context, GLenum target, GLenum pname, T value) {
   const ShadowParameter parameter = arbShadow(pname, GLint(value));
   if (!parameter.valid)
@@ -65,7 +64,7 @@ void issueRange(Context &context, Command command) {
   listCompiler(context).record(context, std::move(command));
 }
 
-/// TexParameter of APPLE_texture_range's, of the texture that is bound.
+/// Executes TexParameter of APPLE_texture_range for the bound texture.
 template <typename T> void setRange(Context &context, GLenum target, GLenum pname, T value) {
   const bool isName = double(value) >= 0.0 && double(value) < 65536.0;
   issueRange(context, {.kind = Command::Kind::TextureRange,
@@ -85,8 +84,8 @@ template <typename T> void getRange(Context &context, GLenum target, GLenum pnam
     *value = pname == GL_TEXTURE_RANGE_LENGTH_APPLE ? T(range.length) : T(GLint(range.storageHint));
 }
 
-/// TEXTURE_BORDER_VALUES_NV is what the host has as a border colour that it does not clamp; its
-/// values are four, so that a command of one has no part in it.
+/// Returns the host's name of a parameter. TEXTURE_BORDER_VALUES_NV is the host's border colour,
+/// which it does not clamp. It has four values, so commands with one value are not affected.
 GLenum hostName(const Context &context, GLenum pname) {
   return pname == GL_TEXTURE_BORDER_VALUES_NV && hasTextureShaders(context)
              ? GLenum(GL_TEXTURE_BORDER_COLOR)
@@ -114,7 +113,7 @@ namespace handlers {
 BOUND_GETTER(GetTexParameteriv, GLint)
 BOUND_GETTER(GetTexParameterfv, GLfloat)
 
-// Of a target or an object; of a texture or a unit, with a target.
+// For a target or an object; for a texture or a unit, with a target.
 #define SETTER(name, Object, Value)                                                                \
   void name(Context &context, Object object, GLenum pname, Value value) {                          \
     note(context, pname, value);                                                                   \
@@ -168,7 +167,7 @@ void GetTexParameterPointervAPPLE(Context &context, GLenum target, GLenum pname,
   if (pname != GL_TEXTURE_RANGE_POINTER_APPLE)
     return raise(context, GL_INVALID_ENUM, "GetTexParameterPointerv: pname");
   if (getTextureRange(context, target, range) && params)
-    *params = const_cast<void *>(range.pointer); // the application's own
+    *params = const_cast<void *>(range.pointer); // the application's own pointer
 }
 
 void BindSampler(Context &context, GLuint unit, GLuint sampler) {

@@ -1,6 +1,6 @@
-// Vertex array objects: where APPLE_vertex_array_object is the layer's, its objects and the host's
-// share one name space (state/era/vertex_array_objects.h). None of these commands is compiled into
-// lists (OpenGL 3.0, 5.4).
+// Vertex array objects. If the layer implements APPLE_vertex_array_object, its objects share one
+// name space with the host's (state/era/vertex_array_objects.h). Lists never hold these commands
+// (OpenGL 3.0, 5.4).
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -11,7 +11,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// Null: they are all the host's, or the command is an error, which the host raises.
+/// Returns the layer's objects. Null if it has none, or if the command is an error, which the host
+/// raises.
 VertexArrayObjects *objectsOf(Context &context) {
   return context.era && context.era->offered.vertexArrayObject && !context.insideBeginEnd
              ? &context.era->vertexArrays

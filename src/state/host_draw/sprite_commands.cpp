@@ -8,7 +8,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// A list is compiled in which the mode may matter.
+/// True if a list is being compiled in which the sprite mode may matter.
 bool isInList(const Context &context) {
   return context.listMode != 0 && !context.insideBeginEnd && context.era &&
          context.era->sprites.used;

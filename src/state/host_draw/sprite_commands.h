@@ -5,14 +5,14 @@ namespace arbiter::state {
 
 class Context;
 
-/// notePrimitiveMode() of a draw that may go into a list, which then says where draws of points and
-/// others change.
+/// Notes a draw's primitive mode (notePrimitiveMode()). In a list, records where points and other
+/// primitives change.
 void issuePrimitiveMode(Context &context, GLenum mode);
-/// TexEnv of POINT_SPRITE is a command of the layer's in a list, as the host's value of
-/// COORD_REPLACE is not always the application's (programs/variants/point_sprites.h). False: it is
-/// the host's.
+/// Records TexEnv of POINT_SPRITE in a list. It is a command of the layer's, as the host's
+/// COORD_REPLACE may differ from the application's (programs/variants/point_sprites.h). Returns
+/// false if the host must execute it.
 [[nodiscard]] bool recordCoordReplace(Context &context, GLenum pname, GLint value);
-/// After what may change whether sprites are drawn: a list is cut behind it.
+/// Cuts a list after a command that may change whether sprites are drawn.
 void noteSpriteCommand(Context &context);
 
 } // namespace arbiter::state

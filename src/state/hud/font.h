@@ -1,13 +1,13 @@
 #pragma once
 #include <cstdint>
 
-/// Letters for figures in the frame: capitals, digits and a few signs, five pixels by seven.
+/// The font of the figures: capitals, digits and a few signs, 5x7 pixels.
 namespace arbiter::state::hud {
 
 inline constexpr int kGlyphWidth = 5, kGlyphHeight = 7;
 
-/// A row of the letter's pixels, the top row is 0: bit 4 is the left one. Small letters are drawn
-/// as capitals, what there is no letter for as nothing.
+/// Returns a row of a letter's pixels. Row 0 is the top, bit 4 the left pixel. Small letters become
+/// capitals, and unknown characters are blank.
 [[nodiscard]] std::uint8_t glyphRow(char letter, int row);
 
 } // namespace arbiter::state::hud

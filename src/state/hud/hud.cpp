@@ -29,25 +29,26 @@ namespace {
 
 using remote::Picture;
 
-/// Names that no application makes, as residency's are (residency_host.h).
+/// Names that no application uses, like those of residency (residency_host.h).
 constexpr GLuint kOurTexture = 0xFFFFFFFBu, kOurFramebuffer = 0xFFFFFFFBu;
 
-/// What the figures of a context are reckoned from.
+/// Data from which a context's figures are computed.
 struct Counters {
   std::array<std::uint64_t, kPathCount> draws{}; ///< at the end of the last frame
   remote::FrameTimes times;
-  std::string host;     ///< the renderer that the host names
-  bool refused = false; ///< by the host: they are not tried again
+  std::string host;     ///< GL_RENDERER
+  bool refused = false; ///< the host refused the figures, so they are not tried again
 };
 
-/// By the context's serial. Never freed: contexts may draw after static destructors began.
+/// Counters by the context's serial number. Never freed: contexts may draw after static destructors
+/// began.
 struct AllCounters {
   std::mutex mutex;
   std::unordered_map<std::uint32_t, std::shared_ptr<Counters>> of;
 };
 
 std::shared_ptr<Counters> countersOf(const Context &context) {
-  constexpr std::size_t kMost = 64; // contexts come and go
+  constexpr std::size_t kMost = 64; // bounds the map, as contexts come and go
   static auto *const s_all = new AllCounters;
   const std::lock_guard lock(s_all->mutex);
   if (s_all->of.size() > kMost)
@@ -62,7 +63,7 @@ std::string versionLine() {
   return "Arbiter " ARBITER_VERSION_TEXT "  profile " + settings().profile;
 }
 
-/// The renderer that the host names. It is asked once.
+/// Returns the host's renderer, which is queried once.
 const std::string &hostOf(const Context &context, Counters &counters) {
   constexpr std::size_t kMost = 48; // letters
   if (counters.host.empty())
@@ -91,7 +92,7 @@ Figures figuresOf(Context &context, Counters &counters) {
   return figures;
 }
 
-/// The pixels of a frame that the picture covers: a corner of it.
+/// Returns the corner of the frame that the picture covers.
 swrast::Rect placeOf(const Picture &picture, int frameWidth, int frameHeight) {
   const HudOptions &options = settings().hud;
   const int width = std::min(picture.width, frameWidth);
@@ -100,7 +101,8 @@ swrast::Rect placeOf(const Picture &picture, int frameWidth, int frameHeight) {
           height};
 }
 
-/// Copies the picture into what the rasterizer holds. False: bytes of another kind.
+/// Copies the picture into an image of the rasterizer's. Returns false for formats other than four
+/// bytes.
 /// \param place inside the image
 bool write(const swrast::Image &image, const Picture &picture, const swrast::Rect &place) {
   using abi::From;
@@ -110,7 +112,7 @@ bool write(const swrast::Image &image, const Picture &picture, const swrast::Rec
   for (int c = 0; c < 4; ++c)
     if (const From from = image.format.swizzle[std::size_t(c)]; from <= From::C3)
       stored[c] = int(from);
-  // A picture that is higher than the frame loses its lower rows.
+  // A picture higher than the frame loses its lower rows.
   const int hidden = picture.height - place.height;
   for (int y = 0; y < place.height; ++y) {
     std::uint8_t *to = image.pixel(place.x, place.y + y);
@@ -124,7 +126,7 @@ bool write(const swrast::Image &image, const Picture &picture, const swrast::Rec
   return true;
 }
 
-/// The picture as a texture of the layer's.
+/// Uploads the picture to the layer's texture.
 void upload(Context &context, const Picture &picture) {
   const host::HostTable &host = *context.host;
   const PlainTransfer plain(context, PixelStore::Unpack);
@@ -133,7 +135,7 @@ void upload(Context &context, const Picture &picture) {
                   GL_UNSIGNED_BYTE, picture.bytes.data());
 }
 
-/// The window's back buffer is what is drawn to, while it lives.
+/// Makes the window's back buffer the draw buffer, while it lives.
 class WindowDraw {
 public:
   explicit WindowDraw(Context &context) : m_context(context), m_host(*context.host) {
@@ -161,7 +163,7 @@ private:
   GLint m_framebuffer = 0, m_buffer = 0;
 };
 
-/// The layer's texture is what is read, and blits are plain, while it lives.
+/// Makes the layer's texture the read buffer and blits plain, while it lives.
 class BlitState {
 public:
   explicit BlitState(Context &context)
@@ -194,7 +196,8 @@ private:
   GLboolean m_scissor, m_srgb;
 };
 
-/// The window is what is drawn to. False: the host refused.
+/// Blits the picture to the window, which must be the draw buffer. Returns false if the host
+/// refuses.
 bool blit(Context &context, const Picture &picture, const swrast::Rect &place) {
   if (!context.caps.framebufferObjects)
     return false;
@@ -209,7 +212,7 @@ bool blit(Context &context, const Picture &picture, const swrast::Rect &place) {
   return !errors.failed();
 }
 
-/// Where the rasterizer's pixels are what will be shown. False: the host's are, or will be.
+/// Writes the picture into the shadow. Returns false if the shown pixels are the host's.
 bool writeHere(Context &context, const Picture &picture) {
   if (!context.software || !context.hostIsBehind)
     return false;
@@ -222,8 +225,8 @@ bool writeHere(Context &context, const Picture &picture) {
   return residency.acquireTargets(place, false, false) && write(*targets->color[0], picture, place);
 }
 
-/// Whether the figures are shown now: the key changes that. It is looked at often enough for a
-/// short press.
+/// True if the figures are shown now. Polls the key that toggles them, often enough for a short
+/// press.
 bool isShown() {
   constexpr std::int64_t kInterval = 20'000'000; // ns
   static std::atomic<std::int64_t> s_next = 0;

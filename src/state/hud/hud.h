@@ -3,21 +3,20 @@
 
 #include "util/hud/hud_options.h"
 
-/// Figures in each frame (ARBITER_HUD): version, host, times of frames, draws by path, programs
-/// over native limits.
+/// Figures in each frame (ARBITER_HUD): version, host, frame times, draws by path, programs over
+/// native limits.
 namespace arbiter::state {
 class Context;
 
 namespace hud {
 
-/// Whether a key is down, as the window system says; null: nobody knows. Any thread may call it;
-/// it does not wait.
+/// Tells whether a key is down. Null if the window system cannot say. Any thread may call it; it
+/// does not wait.
 inline constinit std::atomic<bool (*)(const HudKey &)> g_keyIsDown{nullptr};
 
-/// Writes the figures into a corner of the frame that is about to be shown, unless they are hidden.
-/// The application's objects are not touched, and its state is as before. Frames that the host
-/// shows are written to by a blit: not where the window is multisampled, or the host has no
-/// framebuffer objects.
+/// Draws the figures into a corner of the frame that is about to be shown, unless they are hidden.
+/// Leaves the application's objects and state unchanged. If the host shows the frame they are
+/// blitted, which needs framebuffer objects and a window that is not multisampled.
 void draw(Context &context);
 
 } // namespace hud

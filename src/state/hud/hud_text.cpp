@@ -36,8 +36,8 @@ void drawLetter(remote::Picture &picture, int x, int top, char letter, int scale
         fill(picture, x + column * scale, top - (row + 1) * scale, scale, scale, kInk);
 }
 
-/// Draws a bar a frame. The graph's height is the worst frame's time, or 1/30 s where all are
-/// faster; frames slower than that are lighter.
+/// Draws one bar per frame. The full height is the worst frame's time, but at least 1/30 s. Frames
+/// slower than 1/30 s are lighter.
 void drawGraph(remote::Picture &picture, const std::vector<float> &times, int scale) {
   constexpr float kSlow = 1000.f / 30;
   const float most = std::max(kSlow, *std::max_element(times.begin(), times.end()));
@@ -87,7 +87,7 @@ std::vector<std::string> linesOf(const Figures &figures, const HudOptions &optio
 }
 
 int scaleOf(const HudOptions &options, int frameHeight) {
-  constexpr int kLarge = 480; // pixels: letters are twice as high from there on
+  constexpr int kLarge = 480; // from this height on letters are twice as high
   if (options.scale != 0)
     return options.scale;
   return frameHeight < kLarge ? 1 : std::max(2, frameHeight / kLarge);

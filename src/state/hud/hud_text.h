@@ -7,27 +7,27 @@
 
 namespace arbiter::state::hud {
 
-/// The figures of a frame.
 struct Figures {
-  std::string version;      ///< of the layer, and its profile
-  std::string host;         ///< the renderer that the host names
-  std::vector<float> times; ///< ms, of the last frames, the newest last
+  std::string version;      ///< of the layer, with its profile
+  std::string host;         ///< GL_RENDERER
+  std::vector<float> times; ///< ms per frame, the newest last
   struct Draws {
     const char *path;
     std::uint64_t count;
   };
-  std::vector<Draws> draws; ///< of this frame
+  std::vector<Draws> draws; ///< in this frame
   std::size_t programs = 0, overNative = 0;
-  std::uint64_t refused = 0; ///< texts that the profile alone refuses
+  std::uint64_t refused = 0; ///< texts that only the profile refuses
 };
 
-/// The lines of the parts that are asked for.
+/// Returns the lines of the requested parts.
 [[nodiscard]] std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options);
-/// Pixels of the frame that a pixel of a letter is wide: letters stay readable in a frame of that
-/// height.
+/// Returns how many pixels wide a letter's pixel is, so that letters stay readable in a frame of
+/// that height.
 [[nodiscard]] int scaleOf(const HudOptions &options, int frameHeight);
-/// Draws lines light on dark, and below them a bar a frame's time; bottom row first.
-/// \param times ms; empty: no bars \param scale pixels that a pixel of a letter is wide
+/// Draws lines, light on dark, above a graph of frame times; bottom row first.
+/// \param times ms; empty: no graph
+/// \param scale the width of a letter's pixel
 [[nodiscard]] remote::Picture pictureOf(const std::vector<std::string> &lines,
                                         const std::vector<float> &times, int scale);
 

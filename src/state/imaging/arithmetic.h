@@ -7,7 +7,7 @@
 
 namespace arbiter::state::imaging {
 
-/// To the range 0 to 1; what is no number becomes 0.
+/// Clamps to the range 0 to 1; NaN becomes 0.
 [[nodiscard]] inline float clamped(float value) {
   return value > 0.0f ? (value < 1.0f ? value : 1.0f) : 0.0f;
 }
@@ -15,15 +15,16 @@ namespace arbiter::state::imaging {
   return {clamped(color[0]), clamped(color[1]), clamped(color[2]), clamped(color[3])};
 }
 
-/// The entry of a table that a component selects: clamped, by the greatest index, rounded.
+/// Returns the table index that a component selects: clamped, scaled to the greatest index,
+/// rounded.
 [[nodiscard]] std::size_t indexOf(float value, std::size_t entries);
 
-/// A name of GL's that was given as a float; 0 for what is none.
+/// Returns a GL enum that was passed as a float; 0 if it is none.
 [[nodiscard]] inline unsigned nameOf(float value) {
   return value >= 0.0f && value < 65536.0f ? unsigned(value) : 0u;
 }
 
-/// A scale and a bias of each component.
+/// A scale and a bias per component.
 struct ScaleBias {
   Rgba scale = {1, 1, 1, 1};
   Rgba bias = {0, 0, 0, 0};
@@ -33,12 +34,12 @@ struct ScaleBias {
   bool operator==(const ScaleBias &) const = default;
 };
 
-/// Column after column, as GL has matrices.
+/// A matrix in column-major order.
 using Matrix = std::array<float, 16>;
 inline constexpr Matrix kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 void transform(Pixels &pixels, const Matrix &matrix);
 
-/// What comes before all of ARB_imaging: scale and bias, then a map of each component.
+/// The pixel transfer before all of ARB_imaging: scale and bias, then a map per component.
 struct FirstArithmetic {
   ScaleBias scaleBias;
   bool maps = false; ///< MAP_COLOR

@@ -9,12 +9,12 @@ namespace arbiter::state {
 
 namespace {
 
-/// The matrix mode of the host that COLOR borrows.
+/// Returns the host's matrix mode that stands in for COLOR.
 GLenum borrowed(const Context &context) {
   return GLenum(GL_MATRIX0_ARB + context.caps.maxProgramMatrices - 1);
 }
 
-/// The current stack of the host becomes `to`; what it held is given.
+/// Replaces the host's current matrix stack and returns its former contents.
 std::vector<imaging::Matrix> replaceStack(const Context &context,
                                           const std::vector<imaging::Matrix> &to) {
   const host::HostTable &host = *context.host;
@@ -77,7 +77,7 @@ void ColorMatrix::restore(Context &context, bool current) {
     enter(context);
     return;
   }
-  // The host has put the mode back, which may be that of the borrowed matrix itself.
+  // The host has restored its mode, which may be that of the borrowed matrix itself.
   leave(context);
 }
 

@@ -7,14 +7,14 @@
 
 namespace arbiter::state::imaging {
 
-/// A colour table; without entries it changes nothing.
+/// A colour table. It changes nothing if it is empty.
 struct ColorTable {
   GLenum format = GL_RGBA;
-  std::vector<Rgba> entries; ///< selected by the format (formats.h)
+  std::vector<Rgba> entries; ///< components that the format has (formats.h)
 
-  /// Puts colours into entries, from `first` on, clamped to 0 to 1 and at the format's precision.
+  /// Sets entries from `first` on, clamped to 0 to 1 and rounded to the format's precision.
   void set(std::size_t first, const std::vector<Rgba> &colors);
-  /// Looks each component of each pixel up (OpenGL 2.1, 3.6.5, Color Table Lookup).
+  /// Looks up each component of each pixel (OpenGL 2.1, 3.6.5, Color Table Lookup).
   void apply(Pixels &pixels) const;
 };
 

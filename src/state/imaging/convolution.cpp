@@ -8,7 +8,7 @@ namespace arbiter::state::imaging {
 
 namespace {
 
-/// The source pixel at a place, which may be outside of the image.
+/// Returns the source pixel at a place, which may be outside the image.
 const Rgba &sourceAt(const Pixels &source, const Border &border, int x, int y) {
   if (border.mode == GL_CONSTANT_BORDER &&
       (x < 0 || y < 0 || x >= source.width || y >= source.height))

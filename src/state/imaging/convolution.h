@@ -6,8 +6,8 @@
 
 namespace arbiter::state::imaging {
 
-/// A convolution filter; one of a dimension alone has a height of 1. Its colours are selected by
-/// the format, and may be any numbers.
+/// A convolution filter; height 1 if it is one-dimensional. It has the components of its format,
+/// with any values.
 struct Filter {
   GLenum format = GL_RGBA;
   Pixels image;
@@ -15,7 +15,7 @@ struct Filter {
   [[nodiscard]] bool empty() const { return image.texels.empty(); }
 };
 
-/// The filter whose product a separable one's row and column are.
+/// Returns the two-dimensional filter that equals a separable one.
 [[nodiscard]] Filter product(const Filter &row, const Filter &column);
 
 struct Border {
@@ -25,11 +25,11 @@ struct Border {
   bool operator==(const Border &) const = default;
 };
 
-/// OpenGL 2.1, 3.6.5, Convolution. With REDUCE the image loses the filter's size less one, down to
-/// nothing; a component that the filter's format does not act on is that of the pixel under the
-/// filter's middle. An image of one row is convolved as one of a dimension alone.
+/// Convolves an image (OpenGL 2.1, 3.6.5, Convolution). With REDUCE the image shrinks by the
+/// filter's size less one, at most to nothing. A component that the filter's format lacks is taken
+/// from the pixel under the filter's middle. An image of one row is convolved in one dimension.
 [[nodiscard]] Pixels convolve(const Pixels &source, const Filter &filter, const Border &border);
-/// The size that a side of an image is left with.
+/// Returns the size of an image's side after convolution.
 [[nodiscard]] int convolvedSize(int size, int filter, const Border &border);
 
 } // namespace arbiter::state::imaging

@@ -58,10 +58,10 @@ void putPacked(const Counts &bin, const std::vector<int> &components, const Pack
   std::memcpy(to, &word, type.bytes); // the least significant bytes
 }
 
-/// To memory, or into the pixel buffer.
+/// Writes to memory, or to the pixel buffer.
 bool store(Context &context, const std::vector<std::uint8_t> &bytes, std::size_t first, void *to) {
   if (!hasPixelBuffer(context, PixelStore::Pack)) {
-    if (!bytes.empty()) // of an empty table nothing is written, wherever
+    if (!bytes.empty()) // an empty table writes nothing, whatever `to` is
       std::memcpy(static_cast<std::uint8_t *>(to) + first, bytes.data(), bytes.size());
     return true;
   }
@@ -78,7 +78,7 @@ void swapBytes(std::vector<std::uint8_t> &bytes, std::size_t element) {
     std::reverse(bytes.begin() + std::ptrdiff_t(at), bytes.begin() + std::ptrdiff_t(at + element));
 }
 
-/// What the host raises for the two together.
+/// Returns the error that the host raises for this format and type.
 GLenum errorOf(const std::vector<int> &components, const PackedType *packed, GLenum type) {
   if (components.empty() || (!packed && (componentBytes(type) == 0 || type == GL_HALF_FLOAT)))
     return GL_INVALID_ENUM;

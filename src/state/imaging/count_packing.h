@@ -9,9 +9,9 @@ namespace arbiter::state {
 
 class Context;
 
-/// A histogram's counters as an image of one row in the application's memory or pixel buffer:
-/// whole numbers of any type, clamped to its range, and no fractions of it (OpenGL 2.1, 6.1.9).
-/// Errors are raised. False: nothing was written.
+/// Writes a histogram's counters as an image of one row to memory or the pixel buffer. They are
+/// integers of any type, clamped to its range and not scaled (OpenGL 2.1, 6.1.9). Raises errors.
+/// Returns false if nothing was written.
 [[nodiscard]] bool packCounts(Context &context, const std::vector<imaging::Counts> &bins,
                               GLenum format, GLenum type, void *to);
 

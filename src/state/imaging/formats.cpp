@@ -8,7 +8,7 @@ namespace arbiter::state::imaging {
 
 namespace {
 
-// OpenGL 2.1, tables 3.15 and 3.16. A format without sizes has eight bits.
+// OpenGL 2.1, tables 3.15 and 3.16. Formats without sizes have eight bits.
 constexpr Format kFormats[] = {
     {GL_ALPHA, Base::Alpha, {0, 0, 0, 8, 0, 0}},
     {GL_ALPHA4, Base::Alpha, {0, 0, 0, 4, 0, 0}},
@@ -50,7 +50,7 @@ constexpr Format kFormats[] = {
     {GL_RGBA16, Base::RgbAlpha, {16, 16, 16, 16, 0, 0}},
 };
 
-/// The row of Format::bits that a component has.
+/// Returns the row of Format::bits for a component.
 int rowOf(Base base, int component) {
   if (base == Base::Intensity)
     return 5;

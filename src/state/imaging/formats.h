@@ -16,22 +16,21 @@ struct Format {
   /// Bits of red, green, blue, alpha, luminance and intensity.
   std::array<int, 6> bits;
 };
-/// Null for what is no such format.
+/// Returns the format; null if the name is none.
 [[nodiscard]] const Format *findFormat(GLenum name);
 [[nodiscard]] inline Base baseOf(GLenum name) {
   const Format *const format = findFormat(name);
   return format ? format->base : Base::RgbAlpha;
 }
 
-/// The components of `color` that the format has, each where it acts: luminance is that of red,
-/// green and blue, intensity that of all four.
+/// Keeps the components of `color` that the format has, each at the places where it acts: luminance
+/// on red, green and blue, intensity on all four.
 [[nodiscard]] Rgba select(Base base, const Rgba &color);
-/// Whether it acts on the component; what it does not act on is unchanged.
+/// True if the format acts on the component. Others stay unchanged.
 [[nodiscard]] bool acts(Base base, int component);
-/// What a query returns of a selected colour: luminance and intensity as red, 0 for what the format
-/// lacks.
+/// Returns a colour as queries return it: luminance and intensity in red, 0 for missing components.
 [[nodiscard]] Rgba returned(Base base, const Rgba &selected);
-/// `selected`, of the range 0 to 1, at the format's precision.
+/// Rounds components from 0 to 1 to the format's precision.
 [[nodiscard]] Rgba rounded(const Format &format, const Rgba &selected);
 
 } // namespace arbiter::state::imaging

@@ -10,18 +10,17 @@ namespace arbiter::state {
 
 class Context;
 
-/// The sizes of a proxy; zero for what there is no room for.
+/// The sizes of a proxy; zero if it does not fit.
 struct ProxyTable {
   GLenum format = GL_RGBA;
   GLsizei width = 0;
   bool sink = false;
 };
 
-/// ARB_imaging in a context, where the layer has it. What is set here is used by the commands of
-/// pixel_commands/imaging_commands.h, and applied to pixels by those of
-/// pixel_commands/pixel_commands.h.
+/// The layer's ARB_imaging in a context. Commands of pixel_commands/imaging_commands.h set it, and
+/// those of pixel_commands/pixel_commands.h apply it to pixels.
 struct ImagingState {
-  static constexpr GLsizei kMostEntries = 4096; ///< of a table, and of a histogram
+  static constexpr GLsizei kMostEntries = 4096; ///< of tables and histograms
   static constexpr GLsizei kMostFilter = 11;    ///< MAX_CONVOLUTION_WIDTH and _HEIGHT
 
   imaging::Settings settings;
@@ -30,19 +29,19 @@ struct ImagingState {
   ProxyTable proxyHistogram;
   ColorMatrix colorMatrix;
 
-  /// Pixels are changed or counted by any of it.
+  /// True if any of it changes or counts pixels.
   [[nodiscard]] bool isActive(Context &context);
 };
 
-/// The number of a table's target, of a proxy's with `proxy` set; -1: none.
+/// Returns the index of a table's target, with `proxy` set for a proxy; -1 if it is none.
 [[nodiscard]] int tableOf(GLenum target, bool &proxy);
-/// 0 to 2 for CONVOLUTION_1D, CONVOLUTION_2D and SEPARABLE_2D; -1: none.
+/// Returns 0 to 2 for CONVOLUTION_1D, CONVOLUTION_2D and SEPARABLE_2D; -1 for others.
 [[nodiscard]] int filterTargetOf(GLenum target);
-/// The bit of an Enable; 0: none of ARB_imaging.
+/// Returns the bit of an Enable; 0 if it is none of ARB_imaging.
 [[nodiscard]] unsigned imagingBitOf(GLenum cap);
-/// The value of a PixelTransfer of ARB_imaging; null: none.
+/// Returns the PixelTransfer value of ARB_imaging; null if it is none.
 [[nodiscard]] float *imagingTransfer(imaging::Settings &settings, GLenum pname);
-/// Values of GetFloatv and its kin: how many; 0: the host's to answer.
+/// Gets values for GetFloatv and the like. Returns how many; 0 if the host must answer.
 [[nodiscard]] int imagingValues(Context &context, GLenum pname, std::array<GLfloat, 16> &values);
 
 } // namespace arbiter::state

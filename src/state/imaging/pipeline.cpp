@@ -21,7 +21,7 @@ int filterOf(const Settings &settings, const Contents &contents, ImageKind kind)
     return settings.has(Stage::Convolution1D) && !contents.filters[0].empty() ? 0 : -1;
   if (kind != ImageKind::Two)
     return -1;
-  if (settings.has(Stage::Convolution2D)) // before the separable one
+  if (settings.has(Stage::Convolution2D)) // comes before the separable one
     return contents.filters[1].empty() ? -1 : 1;
   const bool separable = settings.has(Stage::Separable2D);
   return separable && !contents.row.empty() && !contents.column.empty() ? 2 : -1;

@@ -1,4 +1,4 @@
-// The arithmetic of ARB_imaging, each operation against its formula.
+// Compares each operation of ARB_imaging with its formula.
 #include "state/imaging/pipeline.h"
 
 #include <gtest/gtest.h>

@@ -11,22 +11,22 @@ namespace arbiter::state {
 
 class Context;
 
-/// A packed type: how many bits each component has, the first ones those of the highest place, or
-/// of the lowest where it is reversed.
+/// A packed type, with the bits of each component. The first component is in the highest bits, or
+/// in the lowest if reversed.
 struct PackedType {
   GLenum type;
   std::size_t bytes;
   bool reversed;
   std::array<int, 4> bits;
 };
-/// Null for what is no such type.
+/// Returns the packed type; null if it is none.
 [[nodiscard]] const PackedType *packedType(GLenum type);
 
-/// The components that a format of a query names, as numbers of red, green, blue and alpha: up to
-/// four; none for what is no such format. Luminance is red's.
+/// Returns the components of a query's format, as indices of red, green, blue and alpha. Up to
+/// four; none if it is no such format. Luminance is red.
 [[nodiscard]] std::vector<int> componentsOfQuery(GLenum format);
 
-/// Whether the image fits into so many bytes; of a format or type that is none it does.
+/// True if the image fits into `bytes`. Also true for an invalid format or type.
 [[nodiscard]] bool fits(const Context &context, GLsizei bytes, GLsizei width, GLsizei height,
                         GLenum format, GLenum type);
 

@@ -5,10 +5,10 @@
 
 namespace arbiter::state::imaging {
 
-/// The components of one pixel group: red, green, blue, alpha.
+/// The components of a pixel: red, green, blue, alpha.
 using Rgba = std::array<float, 4>;
 
-/// An image of RGBA pixel groups, row after row from the bottom.
+/// An image of RGBA pixels, bottom row first.
 struct Pixels {
   int width = 0, height = 1, depth = 1;
   std::vector<Rgba> texels;

@@ -8,10 +8,10 @@
 
 #include "state/imaging/pixels.h"
 
-/// What only counts pixels.
+/// Operations that only count pixels.
 namespace arbiter::state::imaging {
 
-/// The counters of a bin; of a format with luminance red's are luminance's.
+/// A bin's counters. In a format with luminance, red's counter is luminance's.
 using Counts = std::array<std::uint32_t, 4>;
 
 struct Histogram {
@@ -33,7 +33,7 @@ struct Minmax {
   void count(const Pixels &pixels);
 };
 
-/// Whether a table of the format has something of the component.
+/// True if a table of the format counts the component.
 [[nodiscard]] bool counts(GLenum format, int component);
 
 } // namespace arbiter::state::imaging

@@ -1,7 +1,7 @@
-// Lists from before the share group's first program: the host compiles them, whole, and what is
-// recorded is kept beside it. While that is so the table of the host's functions is the one that
-// stands in for it, so that any command that is neither a primitive nor an attribute is noticed:
-// the list is the host's alone then.
+// Early lists, compiled before the share group's first program. The host compiles them whole, and
+// the layer keeps a recording beside. Meanwhile the recording table stands in for the host's
+// functions, which reveals any command other than primitives and attributes. Such a command makes
+// the list the host's alone.
 #include <utility>
 
 #include "host/host_table.h"
@@ -14,8 +14,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// Vertices of an early list; of more the host alone has them, as a list of that size costs too
-/// much twice.
+/// The most vertices of an early list. A larger list is kept by the host alone, as it is too costly
+/// to have twice.
 constexpr std::uint32_t kMostEarly = 1u << 18;
 
 } // namespace
@@ -30,13 +30,13 @@ void ListCompiler::beginEarly(Context &context) {
   recordOutsideAttributes(context);
 }
 
-/// Attributes; a vertex there is one of a primitive that another list, or none, begins.
+/// Records attributes. A vertex here belongs to a primitive that another list began, or none.
 void ListCompiler::recordOutsideAttributes(Context &context) {
   m_outside.begin(GL_POINTS, {});
   m_outside.limit(0, leaveFull, &context);
 }
 
-/// Attributes that were set since the last primitive go to the host, and are an item.
+/// Sends attributes that were set since the last primitive to the host, and makes them an item.
 void ListCompiler::takeOutsideAttributes(Context &context) {
   if (m_outside.touched() == 0)
     return;
@@ -51,7 +51,7 @@ void ListCompiler::takeOutsideAttributes(Context &context) {
 
 bool ListCompiler::hasRoom(GLsizei count) const { return !m_early || count <= GLsizei(kMostEarly); }
 
-/// The primitive that was recorded is the host's too; of arrays it has been told already.
+/// Sends the recorded primitive to the host, unless it came from arrays and was sent already.
 void ListCompiler::endEarlyPrimitive(Context &context, bool fromArrays) {
   context.recorder = &m_outside;
   if (!fromArrays)
@@ -81,8 +81,8 @@ void ListCompiler::leaveEarly(Context &context) {
   m_outside.begin(GL_POINTS, {});
 }
 
-/// There is a vertex more than an early list has, in a primitive or outside: this one and those
-/// before are sent, and what follows is the host's.
+/// Ends the early list at the first vertex beyond the limit, in a primitive or outside. Sends it
+/// after those before; the host alone keeps what follows.
 bool ListCompiler::leaveFull(void *owner, const float position[4]) {
   auto &context = *static_cast<Context *>(owner);
   listCompiler(context).leaveEarly(context);
@@ -94,7 +94,7 @@ void ListCompiler::limitPrimitive(Context &context) {
   m_recorder.limit(kMostEarly, leaveFull, &context);
 }
 
-/// What the list holds, and the host has been told of all of it. Null where that is nothing.
+/// Returns the recorded items, which the host has too; null if there are none.
 std::shared_ptr<DisplayList> ListCompiler::endEarly(Context &context) {
   if (m_recording)
     return nullptr;

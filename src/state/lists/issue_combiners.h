@@ -3,8 +3,8 @@
 
 namespace arbiter::state {
 
-/// A command of register combiners, between no Begin and End: into the list that is compiled, else
-/// executed. The context offers the extension.
+/// Executes a command of register combiners, or records it in a list. Must be outside Begin/End.
+/// The context must offer the extension.
 void issueCombinerCommand(Context &context, const CombinerCommand &command);
 
 } // namespace arbiter::state

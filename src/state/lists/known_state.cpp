@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::array<GLenum, 5> kTargetNames = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D,
                                                 GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE};
-/// As Material names them; AMBIENT_AND_DIFFUSE is the first two.
+/// The names of Material; AMBIENT_AND_DIFFUSE is the first two.
 constexpr std::array<GLenum, 5> kMaterialNames = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION,
                                                   GL_SHININESS};
 
-/// A bit for each parameter of a material that the name sets; 0: none.
+/// Returns a bit for each material parameter that the name sets; 0 for other names.
 unsigned parametersOf(GLenum pname) {
   if (pname == GL_AMBIENT_AND_DIFFUSE)
     return 3;
@@ -23,7 +23,7 @@ unsigned parametersOf(GLenum pname) {
   return found == kMaterialNames.end() ? 0 : 1u << (found - kMaterialNames.begin());
 }
 
-/// The front's parameters, then the back's; 0: none.
+/// Returns the parameters of the face: the front's bits, then the back's; 0 for other faces.
 unsigned facesOf(GLenum face, unsigned parameters) {
   const unsigned back = parameters << kMaterialNames.size();
   switch (face) {

@@ -1,4 +1,4 @@
-// What a list does when it is called: segments of the host's, primitives, and our commands in turn.
+// Calls lists: their host segments, primitives, and commands of the layer's.
 #include "state/lists/list_compiler.h"
 
 #include <cstring>
@@ -23,14 +23,14 @@ namespace arbiter::state {
 
 namespace {
 
-/// What a list does is not known.
+/// Prepares for a host list with unknown effects.
 void beforeHostLists(Context &context) {
   releaseSprites(context);
   if (context.softwarePossible)
     context.software->hostDrawsList();
 }
 
-/// The segment may have called Viewport, which is how an application follows its window's size.
+/// Notes a Viewport in the segment, by which an application follows its window's size.
 void noteViewport(Context &context, const Effects &effects) {
   if (!context.software || (effects.dirty & software::dirty::kViewport) == 0)
     return;
@@ -39,9 +39,10 @@ void noteViewport(Context &context, const Effects &effects) {
   context.software->residency.drawableMayHaveChanged({box[0], box[1], box[2], box[3]});
 }
 
-/// A segment that sets state and touches no pixel: draws of the rasterizer's may go on after it.
+/// Calls a segment that sets state and touches no pixels. The rasterizer may go on drawing after
+/// it.
 void callStateList(Context &context, GLuint name, const Effects &effects) {
-  // RasterPos transforms a vertex, by the vertex program that the host has and its parameters.
+  // RasterPos transforms a vertex with the host's vertex program and its parameters.
   if ((effects.dirty & software::dirty::kRasterPosition) != 0 && context.attention)
     (void)validate(context);
   if (isObserved(context)) [[unlikely]] {
@@ -56,8 +57,8 @@ void callStateList(Context &context, GLuint name, const Effects &effects) {
   afterHostList(context);
 }
 
-/// A host list may draw: the effective program is bound first. Where that is not valid the host is
-/// brought to refuse: the list's other commands must take effect.
+/// Calls a host list that may draw, with the effective program bound. If the program is invalid,
+/// the host is made to refuse draws, as the list's other commands must take effect.
 void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore,
                   const Effects &effects = {}) {
   if (context.insideBeginEnd) {
@@ -85,8 +86,8 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
   afterHostList(context);
 }
 
-/// A list kept by the host alone may have popped attributes, and with them enables, or have called
-/// one that pushes or pops.
+/// Follows the attribute stack after a list that only the host keeps. It may have popped enables,
+/// or called lists that push or pop.
 void followAttribStack(Context &context) {
   if (context.insideBeginEnd)
     return;
@@ -125,7 +126,7 @@ template <typename T> T load(const unsigned char *bytes) {
   return value;
 }
 
-/// Element `i` of CallLists' array (5.4); signed offsets wrap around ListBase.
+/// Returns element `i` of CallLists' array (5.4). Signed offsets wrap around ListBase.
 GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
   const unsigned char *const p = bytes + std::size_t(i) * elementSize(type);
   switch (type) {
@@ -150,8 +151,8 @@ GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
   }
 }
 
-/// What of the list the rasterizer may draw now, though it is the host's, or draws are looked at;
-/// null: the host calls it.
+/// Returns the early list if the rasterizer may draw it now, or if its draws are observed. Null if
+/// the host must call it.
 std::shared_ptr<const DisplayList> earlyList(Context &context, GLuint name) {
   if (context.insideBeginEnd || !context.group->lists.hasEarly())
     return nullptr;
@@ -170,7 +171,7 @@ std::size_t callListsBytes(GLsizei count, GLenum type) {
 }
 
 void callList(Context &context, GLuint name) {
-  notePrimitiveMode(context, PointSprites::kNoPrimitive); // of what it has before it says so
+  notePrimitiveMode(context, PointSprites::kNoPrimitive); // until the list sets a mode
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   if (!list) {
     if (const std::shared_ptr<const DisplayList> early = earlyList(context, name)) {
@@ -210,7 +211,7 @@ void callListIntoHost(Context &context, GLuint name) {
                          item.command->kind == Command::Kind::State))
       execute(context, *item.command);
     if (item.hostList == 0)
-      continue; // the layer's others are errors between Begin and End
+      continue; // other commands of the layer's are errors between Begin and End
     context.host->CallList(item.hostList);
     if (item.primitive != Primitive::AsBefore)
       context.insideBeginEnd = item.primitive == Primitive::Open;
@@ -230,7 +231,7 @@ void callLists(Context &context, GLsizei count, GLenum type, const void *lists) 
     const bool refused = context.attention && !context.insideBeginEnd && !validate(context);
     if (refused)
       refuseDraws(context);
-    context.host->CallLists(count, type, lists); // raises what is wrong with the arguments
+    context.host->CallLists(count, type, lists); // raises errors of the arguments
     context.dirty = software::dirty::kAll;
     if (refused)
       releaseHostState(context);

@@ -18,19 +18,19 @@ namespace arbiter::state {
 
 namespace {
 
-/// Without the groups of commands that are executed at once, also while a list is compiled (5.4).
+/// Removes the groups of commands that are executed at once even in a list (5.4).
 std::uint32_t recordable(std::uint32_t dirty) {
   using namespace software::dirty;
   return dirty == kAll ? dirty : dirty & ~kArrays;
 }
 
-/// A bind that follows a bind of the same target is kept with it, as four bytes: a list may hold
-/// millions. Each of them makes its object and may be an error, so none is left out. So are
-/// commands of register combiners and texture shaders, which come by the dozen.
+/// Appends a command to the last one of its kind. Binds of one target take four bytes each, as a
+/// list may hold millions. None is left out: each creates its object and may be an error. Commands
+/// of register combiners and texture shaders come by the dozen and are joined too.
 bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) {
   if (!last.command || last.command->kind != command.kind)
     return false;
-  // Of this list alone until it is defined, and made by record(), as what may be changed.
+  // The command belongs to this unfinished list, and record() made it non-const.
   std::string &bytes = const_cast<Command &>(*last.command).bytes;
   if (command.kind == Command::Kind::BindProgram && last.command->target == command.target &&
       command.target != infoOf(Target::AtiApi).name &&
@@ -45,8 +45,8 @@ bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) 
   return true;
 }
 
-/// A list that is compiled again while the context is left alone, as one may be in each frame, is
-/// the host's.
+/// True if the list is compiled again while the context is left to the host. Such a list may be
+/// recompiled in each frame, and stays the host's.
 bool changesAlone(Context &context, GLuint name) {
   if (context.software || !context.leftAlone)
     return false;
@@ -55,7 +55,7 @@ bool changesAlone(Context &context, GLuint name) {
   return context.host->IsList(name) == GL_TRUE;
 }
 
-/// Room for so many more items: what is added then cannot fail half-way.
+/// Reserves room for more items, so that adding them cannot fail half-way.
 void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
   if (items.capacity() - items.size() < more)
     items.reserve(std::max(items.size() + more, 2 * items.capacity()));
@@ -64,8 +64,8 @@ void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
 } // namespace
 
 void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
-  // What executes with the list must find its program bound: nothing of the layer's may be called
-  // once the host records. And what is only recorded must not find the layer's bound.
+  // COMPILE_AND_EXECUTE needs its program bound now, as the layer must not call the host while it
+  // records. COMPILE must not find the layer's program bound.
   if (mode == GL_COMPILE_AND_EXECUTE) {
     validateForList(context);
   } else {
@@ -97,7 +97,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
     beginEarly(context);
 }
 
-/// 0: while our commands run nothing is compiled.
+/// Sets the list mode; 0 while commands of the layer run and nothing is compiled.
 void ListCompiler::setMode(Context &context, std::uint16_t mode) {
   context.listMode = mode;
   if (mode == 0) {
@@ -109,8 +109,8 @@ void ListCompiler::setMode(Context &context, std::uint16_t mode) {
     context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
 }
 
-/// The segment, which the host has closed, becomes an item, with the pushes in it that wait for an
-/// entry of the layer's.
+/// Makes an item of the segment, which the host has closed. Also adds an item for each push in it
+/// that has no entry of the layer's yet.
 void ListCompiler::finishSegment() {
   DisplayList::Item item;
   item.hostList = std::exchange(m_segment, 0);
@@ -137,7 +137,7 @@ void ListCompiler::finishGeometry() {
   m_items.push_back(std::move(item));
 }
 
-/// Our own commands may run: the host compiles nothing, and is called as ever.
+/// Closes the segment, so that the layer can call the host normally.
 void ListCompiler::closeSegment(Context &context) {
   if (m_early)
     leaveEarly(context);
@@ -157,13 +157,13 @@ void ListCompiler::closeSegment(Context &context) {
   setMode(context, 0);
 }
 
-/// After closeSegment(): the next segment is opened; of a list that is kept when the host is
-/// called.
+/// Goes on after closeSegment(). Opens the next segment; if the list keeps primitives, only when
+/// the host is called.
 void ListCompiler::resume(Context &context) {
   context.trueHost = context.host;
   const bool executes = m_mode == GL_COMPILE_AND_EXECUTE;
   if ((!m_keeps || executes) && context.softwarePossible)
-    // Commands of the layer's ran: a copy may have been deferred.
+    // The layer's commands may have deferred a copy.
     withinMemory(context, "NewList",
                  [&] { context.software->residency.hostDoesAnything("glNewList"); });
   if (!m_keeps)
@@ -173,8 +173,8 @@ void ListCompiler::resume(Context &context) {
   context.host = &software::kRecordingHost;
 }
 
-/// What has changed since the list began is looked at, and what the command did that opens the
-/// segment stays the segment's.
+/// Validates state that changed since the list began. Changes by the command that opens the segment
+/// stay the segment's.
 void ListCompiler::validateSegment(Context &context) {
   const std::uint32_t ofSegment = context.dirty;
   context.dirty |= m_dirty;
@@ -183,14 +183,15 @@ void ListCompiler::validateSegment(Context &context) {
     m_dirty = std::exchange(context.dirty, ofSegment);
 }
 
-/// The host compiles; of a list that is kept in place of resume()'s table.
+/// Opens a segment, which the host compiles. If the list keeps primitives, this ends the use of
+/// resume()'s table.
 void ListCompiler::openSegment(Context &context) {
   m_known.forget();
   context.host = context.trueHost;
   context.recorder = nullptr;
   setMode(context, 0);
-  // The first one has the list's own name: a list of nothing else is the host's own too. So has one
-  // that there is no memory for: what the list holds is undefined then, but it is a list.
+  // The first segment has the list's own name: a list with nothing else is the host's too. So has
+  // one for which there is no memory: its contents are undefined, but the list exists.
   GLuint segment = m_name;
   withinMemory(context, "NewList", [&] {
     finishGeometry();
@@ -217,7 +218,7 @@ void ListCompiler::record(Context &context, Command command) {
   leavePrimitive(context);
   DisplayList::Item item;
   item.effects.dirty =
-      m_keeps ? recordable(context.dirty) : 0; // what the command's entry point has said
+      m_keeps ? recordable(context.dirty) : 0; // what the command's entry point has marked
   item.command = std::make_unique<Command>(std::move(command)); // join() may change it
   const Command &reference = *item.command;
   closeSegment(context);
@@ -271,8 +272,8 @@ void ListCompiler::endPrimitive(Context &context, bool fromArrays) {
   keepPrimitive(fromArrays);
 }
 
-/// All components are sent: in Mesa 22.3.6 those that a shorter command leaves to be the defaults
-/// may be the ones of the primitive before.
+/// Draws the primitive. Sends all components: in Mesa 22.3.6, components that a shorter command
+/// leaves at their defaults may be those of the previous primitive.
 void ListCompiler::executePrimitive(Context &context) {
   if (beginExecuted(context, m_recorder.mode())) {
     software::sendOpen(*context.host, m_recorder);
@@ -341,7 +342,7 @@ void ListCompiler::givePrimitive(Context &context) {
 }
 
 bool ListCompiler::takeArraysDirty(Context &context) {
-  // Arrays are set at once: their bit is for what follows the list, and no effect of a segment.
+  // Arrays are set at once. Their dirty bit applies after the list, and is no effect of a segment.
   const std::uint32_t bit = context.dirty & software::dirty::kArrays;
   context.dirty &= ~bit;
   m_dirty |= bit;
@@ -362,7 +363,7 @@ void ListCompiler::end(Context &context) {
     closeSegment(context);
     list = made;
   } else {
-    // A list that moves the attribute stack, or leaves a primitive open, is watched by the layer.
+    // The layer keeps items for a list that moves the attribute stack or leaves a primitive open.
     const bool watched =
         m_primitive == Primitive::Open || m_endsFirst || !m_items.empty() ||
         std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });
@@ -396,7 +397,8 @@ void ListCompiler::define(Context &context, std::shared_ptr<const DisplayList> l
       std::any_of(list->items.begin(), list->items.end(),
                   [&](const DisplayList::Item &i) { return i.hostList == m_name; });
   if (!hostHasPart) {
-    context.host->NewList(m_name, GL_COMPILE); // it knows the name, and nothing else of the list
+    context.host->NewList(m_name, GL_COMPILE); // the host knows the name, and nothing else of the
+                                               // list
     context.host->EndList();
   }
   if (list || !context.group->lists.empty())

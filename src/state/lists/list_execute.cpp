@@ -1,4 +1,4 @@
-// The layer's commands in a list, when it is called.
+// Executes the layer's commands in a list, when it is called.
 #include "state/lists/conditional_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/mesh_commands.h"
@@ -33,7 +33,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// A command of ATI_fragment_shader.
+/// Executes a command of ATI_fragment_shader.
 void executeFragmentShader(Context &context, const Command &command) {
   if (command.kind == Command::Kind::BindProgram)
     bindFragmentShader(context, command.name);
@@ -41,7 +41,7 @@ void executeFragmentShader(Context &context, const Command &command) {
     setFragmentShaderConstant(context, int(command.name), command.values.front());
 }
 
-/// A command of EXT_vertex_shader.
+/// Executes a command of EXT_vertex_shader.
 void executeVertexShader(Context &context, const Command &command) {
   if (command.kind == Command::Kind::BindProgram)
     bindVertexShader(context, command.name);
@@ -49,7 +49,7 @@ void executeVertexShader(Context &context, const Command &command) {
     setInvariant(context, command.name, command.values);
 }
 
-/// The command's bind, and those that followed it.
+/// Executes the command's bind and those that were joined to it.
 void bindPrograms(Context &context, ProgramTarget &row, const Command &command) {
   bindProgram(context, row, command.name);
   for (std::size_t at = 0; at < command.bytes.size(); at += sizeof command.name) {
@@ -59,7 +59,7 @@ void bindPrograms(Context &context, ProgramTarget &row, const Command &command) 
   }
 }
 
-/// A command of the program API. Its target was one of the layer's when it was recorded.
+/// Executes a command of the program API. Its target was one of the layer's when it was recorded.
 void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
   const bool enables =
       command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
@@ -114,8 +114,8 @@ void evalMesh(Context &context, const Command &command) {
   issueEvalMesh(context, {command.name, command.target, range[0], range[1], range[2], range[3]});
 }
 
-/// A command of NVIDIA's program API, which was there when it was recorded: contexts of a share
-/// group have one profile, and may be on hosts' contexts that differ.
+/// Executes a command of NVIDIA's program API. It was available when recorded, but contexts of a
+/// share group may run on different host contexts.
 void executeNvCommand(Context &context, const Command &command) {
   if (!context.nv)
     return raise(context, GL_INVALID_OPERATION, "a list's command of NV_vertex_program");

@@ -1,4 +1,4 @@
-// Display lists by segments: what the host is told, in which order.
+// Tests what the host gets of display lists, in which order.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -328,7 +328,7 @@ TEST(Lists, APrimitiveThatIsExecutedAndInterruptedIsTheHosts) {
   handlers::Begin(*context, GL_LINES);
   ASSERT_NE(context->recorder, nullptr);
   context->recorder->vertex(1, 2, 0, 1);
-  handlers::Enable(*context, GL_BLEND); // an error, and the host's
+  handlers::Enable(*context, GL_BLEND); // an error, for the host to raise
   EXPECT_TRUE(context->insideBeginEnd);
   EXPECT_EQ(context->recorder, nullptr);
   EXPECT_EQ(context->host, host.table());
@@ -362,7 +362,7 @@ TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   EXPECT_FALSE(list->items[1].effects.pixels);
 }
 
-/// The host would draw what it is not known not to have.
+/// The host would draw lists that are not known to be empty.
 TEST(Lists, ThoseOfGenListsAreEmptyUntilTheyAreCompiled) {
   FakeHost host;
   const KeepingContext context(host);
@@ -407,7 +407,7 @@ TEST(Lists, APrimitiveThatGoesOnElsewhereIsBegunAsTheApplicationWould) {
   const auto open = context->group->lists.find(1);
   ASSERT_EQ(open->items.size(), 1u);
   EXPECT_TRUE(open->items[0].geometry->open);
-  handlers::NewList(*context, 2, GL_COMPILE); // and one that calls another in it
+  handlers::NewList(*context, 2, GL_COMPILE); // and one that calls another within it
   handlers::Begin(*context, GL_LINES);
   handlers::CallList(*context, 1);
   handlers::End(*context);

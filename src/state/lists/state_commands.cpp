@@ -14,7 +14,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// True: the command is kept.
+/// Records the command if the list keeps state. Returns false if it does not.
 bool record(Context &context, const StateCommand &command, std::uint32_t dirty) {
   if (!command.isValid() || !listCompiler(context).keepsState())
     return false;

@@ -1,4 +1,4 @@
-// State that a list sets between primitives that are kept.
+// Tests state that a list sets between kept primitives.
 #include <array>
 #include <functional>
 #include <string>
@@ -30,7 +30,7 @@ void point(Context &context, bool colored = false) {
 
 class StateCommands : public ::testing::Test {
 protected:
-  /// As the entry point does. True: the layer keeps it, or has left it out.
+  /// Does what the entry point does. Returns true if the layer keeps the command or leaves it out.
   bool material(const std::array<GLfloat, 4> &value, GLenum pname = GL_DIFFUSE,
                 GLenum face = GL_FRONT) {
     return recordMaterial(*m_context, face, pname, value.data());
@@ -83,7 +83,7 @@ TEST_F(StateCommands, WhatChangesIsKept) {
   EXPECT_EQ(items[3].geometry->count, 2u);
 }
 
-/// FRONT_AND_BACK and AMBIENT_AND_DIFFUSE are several.
+/// FRONT_AND_BACK and AMBIENT_AND_DIFFUSE name several.
 TEST_F(StateCommands, FacesAndParametersOverlap) {
   KnownState known;
   const auto sets = [&](GLenum face, GLenum pname, const std::array<GLfloat, 4> &value) {
@@ -99,8 +99,8 @@ TEST_F(StateCommands, FacesAndParametersOverlap) {
   EXPECT_TRUE(sets(GL_FRONT_AND_BACK, GL_DIFFUSE, kRed)) << "the back's is another";
 }
 
-/// Enable(COLOR_MATERIAL) makes colours materials, a list that is called or popped attributes may
-/// set anything.
+/// Enable(COLOR_MATERIAL) makes colours set materials. A called list or a popped attribute may set
+/// anything.
 TEST_F(StateCommands, OtherCommandsMayHaveSetIt) {
   const auto twice = [&](const std::function<void()> &between) {
     const auto &items = compiled([&] {

@@ -11,7 +11,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// A list may be called where texture shaders or register combiners are enabled.
+/// True if a list may be called while texture shaders or register combiners are enabled.
 bool listsFollowTextures(const Context &context) {
   if (context.textureShaders && context.textureShaders->used)
     return true;

@@ -9,8 +9,8 @@
 
 namespace arbiter::state::software {
 
-/// The groups of state (dirty_bits.h) that PopAttrib restores after a PushAttrib of `mask`: the
-/// rows of OpenGL 2.1, tables 6.5 to 6.27, by their attribute group.
+/// Returns the groups of state (dirty_bits.h) that PopAttrib restores after PushAttrib of `mask`.
+/// They follow the attribute groups of OpenGL 2.1, tables 6.5 to 6.27.
 [[nodiscard]] constexpr std::uint32_t dirtyGroupsOfAttributes(GLbitfield mask) {
   using namespace dirty;
   struct Row {
@@ -20,13 +20,13 @@ namespace arbiter::state::software {
   constexpr std::uint32_t kEnables = kTextureBindings | kTextureParameters | kViewport | kRaster |
                                      kPixelOps | kTransform | kLighting | kTexGen | kFog | kQueries;
   constexpr std::array<Row, 20> kRows = {{
-      // a material may follow the colour
+      // the colour may set a material
       {GL_CURRENT_BIT, kCurrent | kLighting | kRasterPosition},
       {GL_POINT_BIT, kRaster | kTexGen | kTextureParameters},
       {GL_LINE_BIT, kRaster},
       {GL_POLYGON_BIT, kRaster},
       {GL_POLYGON_STIPPLE_BIT, kRaster},
-      {GL_PIXEL_MODE_BIT, kPixelStore | kFramebuffer},    // READ_BUFFER is in it
+      {GL_PIXEL_MODE_BIT, kPixelStore | kFramebuffer},    // includes READ_BUFFER
       {GL_LIGHTING_BIT, kLighting | kRaster | kPixelOps}, // SHADE_MODEL, CLAMP_VERTEX_COLOR
       {GL_FOG_BIT, kFog | kLighting},                     // COLOR_SUM
       {GL_DEPTH_BUFFER_BIT, kPixelOps},
@@ -50,7 +50,7 @@ namespace arbiter::state::software {
     if ((mask & row.bit) != 0)
       groups |= row.groups;
   }
-  return (mask & ~known) != 0 ? kAll : groups; // ALL_ATTRIB_BITS names more than there are
+  return (mask & ~known) != 0 ? kAll : groups; // ALL_ATTRIB_BITS has bits that mean nothing
 }
 
 } // namespace arbiter::state::software

@@ -2,11 +2,11 @@
 #include <limits>
 #include <type_traits>
 
-/// The components of vertex attributes as numbers.
+/// Conversions of vertex attribute components to floats.
 namespace arbiter::state::software {
 
-/// An integer as a fixed-point number of [0,1] or [-1,1], by table 2.9 of OpenGL 2.1: a signed c of
-/// b bits is (2c + 1) / (2^b - 1).
+/// Converts a fixed-point integer to [0,1] or [-1,1], by table 2.9 of OpenGL 2.1: a signed c of b
+/// bits is (2c + 1) / (2^b - 1).
 template <typename Integer> [[nodiscard]] constexpr float normalized(Integer value) {
   constexpr double kMost = std::numeric_limits<std::make_unsigned_t<Integer>>::max();
   if constexpr (std::is_unsigned_v<Integer>) {

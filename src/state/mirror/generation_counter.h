@@ -7,16 +7,17 @@
 
 namespace arbiter::state::software {
 
-/// The one place that empties ContextHot::dirty, but for the groups that residency reads, and
-/// tells its many readers: each remembers the time up to which it has seen everything.
+/// Turns ContextHot::dirty into generations. It alone clears the dirty bits, except for the groups
+/// that residency reads. Each reader remembers the time up to which it has seen all changes.
 class GenerationCounter {
 public:
-  /// Bits that stay in the context: they are residency's.
+  /// Bits that stay set, as residency clears them.
   static constexpr std::uint32_t kNotOurs = dirty::kFramebuffer | dirty::kPixelStore;
-  /// Which matrix commands change, as the host said: known until one may have chosen another.
+  /// The matrix that matrix commands change, as the host reported it. It is Unknown once a command
+  /// may have chosen another.
   enum class CurrentMatrix : std::uint8_t { Unknown, Modelview, Other };
 
-  /// Called before anything is read; costs a test where nothing changed.
+  /// Takes the dirty bits. Called before anything is read; costs one test if nothing changed.
   /// \param dirty ContextHot::dirty
   void take(std::uint32_t &dirty) {
     const std::uint32_t bits = dirty & ~kNotOurs;
@@ -26,9 +27,9 @@ public:
     mark(bits | matrixGroups(bits));
   }
   [[nodiscard]] CurrentMatrix currentMatrix() const { return m_matrix; }
-  /// Nothing was marked since the host was asked.
+  /// Sets what the host answered. No mode change may have been marked since the query.
   void setCurrentMatrix(CurrentMatrix matrix) { m_matrix = matrix; }
-  /// Groups that the layer itself has changed.
+  /// Marks groups as changed; also called for groups that the layer itself has changed.
   void mark(std::uint32_t bits) {
     ++m_now;
     m_latest = bits & kGroups;
@@ -36,11 +37,11 @@ public:
       m_changed[std::size_t(std::countr_zero(left))] = m_now;
   }
   [[nodiscard]] std::uint64_t now() const { return m_now; }
-  /// The groups that changed after `seen`, a time that now() gave. 0 before the first: all.
+  /// Returns the groups that changed after `seen`, a time from now(). Returns all for 0.
   [[nodiscard]] std::uint32_t changedSince(std::uint64_t seen) const {
     if (seen == m_now) [[likely]]
       return 0;
-    if (seen + 1 == m_now) // one that looks at every draw
+    if (seen + 1 == m_now) // the common case: a reader that looks at every draw
       return m_latest;
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < m_changed.size(); ++i)
@@ -50,7 +51,7 @@ public:
 
 private:
   static constexpr std::uint32_t kGroups = (1u << dirty::kGroups) - 1;
-  /// The group that changes of the current matrix are of.
+  /// Returns the group that a change of the current matrix counts as.
   std::uint32_t matrixGroups(std::uint32_t bits) {
     if ((bits & dirty::kMatrixMode) != 0)
       m_matrix = CurrentMatrix::Unknown;
@@ -59,7 +60,7 @@ private:
     return m_matrix == CurrentMatrix::Modelview ? dirty::kModelview : dirty::kTransform;
   }
   std::uint64_t m_now = 1;
-  std::uint32_t m_latest = kGroups; ///< what the last mark() named
+  std::uint32_t m_latest = kGroups; ///< the groups of the last mark()
   CurrentMatrix m_matrix = CurrentMatrix::Unknown;
   std::array<std::uint64_t, dirty::kGroups> m_changed = [] {
     std::array<std::uint64_t, dirty::kGroups> times;

@@ -6,7 +6,7 @@
 
 namespace arbiter::state::software {
 
-/// Questions to the host with values for answers.
+/// Queries of the host that return values.
 struct HostQuery {
   const host::HostTable &host;
 
@@ -25,7 +25,7 @@ struct HostQuery {
   }
 };
 
-/// Says once why draws stay with the host.
+/// Keeps the first reason why draws stay with the host.
 inline void refuse(const char *&obstacle, const char *&detail, const char *reason,
                    const char *what) {
   if (obstacle)

@@ -87,8 +87,9 @@ void queryLinesAndPoints(const HostCaps &caps, const HostQuery &query, Mirror &m
   mirror.twoSidedColor = query.enabled(GL_VERTEX_PROGRAM_TWO_SIDE);
 }
 
-/// What a fragment's depth is clamped to: with ARB_depth_clamp the depth range, else all that a
-/// buffer holds, also where a program's depth is beyond the range (ARB_fragment_program, 3.11.4.4).
+/// Sets the range that fragment depths are clamped to. With ARB_depth_clamp it is the depth range.
+/// Else it is the range of the buffer, also for a program's depth outside the depth range
+/// (ARB_fragment_program, 3.11.4.4).
 void limitDepths(Mirror &mirror) {
   const swrast::RasterState &raster = mirror.raster;
   const auto [least, most] = std::minmax(raster.depthNear, raster.depthFar);
@@ -96,7 +97,7 @@ void limitDepths(Mirror &mirror) {
   mirror.constants.depthMaximum = raster.depthClamp ? float(most) : 1.0f;
 }
 
-/// POINT_SPRITE's coordinates are of units, so the active one has to move.
+/// Queries point sprites. COORD_REPLACE is per unit, so the active unit has to move.
 void queryPointSprites(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   mirror.spriteCoords = 0;
   mirror.sprites = query.enabled(GL_POINT_SPRITE);
@@ -177,8 +178,8 @@ const char *Mirror::obstacleOf(swrast::Topology topology) const {
   const bool filled = drawnAs(topology, swrast::PolygonMode::Fill);
   const int kinds = int(filled) + int(drawsLines(topology)) + int(drawsPoints(topology));
   const bool isSmooth = coverageOf(topology) != abi::Coverage::Whole;
-  // Smooth polygons are drawn as others: so hosts have them that draw on the processor.
-  const bool lacks = (isSmooth && kinds > 1) || // a function is for one kind
+  // Smooth polygons are drawn like others, as software hosts do.
+  const bool lacks = (isSmooth && kinds > 1) || // one function handles one kind of coverage
                      (smoothPoints && sprites);
   return lacks ? "state" : nullptr;
 }

@@ -10,8 +10,8 @@
 #include "state/mirror/generation_counter.h"
 #include "swrast/rasterize.h"
 
-/// The host's state as far as a draw of the rasterizer's depends on it. The host is always right
-/// about state, and is asked for a group only after a command that may have changed it
+/// A copy of the host's state, as far as draws of the rasterizer need it. The host's state is
+/// authoritative, and a group is queried only after a command that may have changed it
 /// (dirty_bits.h).
 namespace arbiter::host {
 struct HostTable;
@@ -24,53 +24,55 @@ struct HostCaps;
 namespace arbiter::state::software {
 
 struct SamplerState {
-  GLuint texture = 0;  ///< bound to the target that the program samples
-  abi::SamplerKey key; ///< without format, completeness and size
-  float lodBias = 0, minLod = -1000, maxLod = 1000; ///< lodBias: texture's and unit's, summed
-  float maxAnisotropy = 1; ///< as the host limits it; the key says whether it matters
+  GLuint texture = 0;                               ///< bound to the program's texture target
+  abi::SamplerKey key;                              ///< without format, completeness and size
+  float lodBias = 0, minLod = -1000, maxLod = 1000; ///< lodBias: sum of the texture's and the
+                                                    ///< unit's
+  float maxAnisotropy = 1; ///< as the host limits it; used if the key is anisotropic
   GLint baseLevel = 0, maxLevel = 1000;
-  float borderColor[4] = {};       ///< as the application gave it
+  float borderColor[4] = {};       ///< as the application set it
   GLenum depthMode = GL_LUMINANCE; ///< DEPTH_TEXTURE_MODE
   std::array<GLenum, 4> swizzle = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA}; ///< TEXTURE_SWIZZLE_RGBA
-  /// The texture compares: the key's `shadow` is for the caller to set, where the program's target
-  /// is a SHADOW one too (else the comparison is not made, ARB_fragment_program_shadow).
+  /// The texture's compare mode is on. The caller sets the key's `shadow` if the program's target
+  /// is SHADOW too; otherwise nothing is compared (ARB_fragment_program_shadow).
   bool compares = false;
-  bool decodes = true;            ///< texels of sRGB formats (TEXTURE_SRGB_DECODE_EXT)
-  const char *obstacle = nullptr; ///< a mode that we lack; null: none
-  std::uint64_t seen = 0;         ///< GenerationCounter
+  bool decodes = true;            ///< decodes sRGB texels (TEXTURE_SRGB_DECODE_EXT)
+  const char *obstacle = nullptr; ///< a mode that the rasterizer lacks; null: none
+  std::uint64_t seen = 0;         ///< the GenerationCounter's time of the query
 };
 
-/// Where pixel rectangles and bitmaps go (OpenGL 2.1, 2.13).
+/// The current raster position, for pixel rectangles and bitmaps (OpenGL 2.1, 2.13).
 struct RasterPosition {
   bool valid = false;
   float position[4] = {0, 0, 0, 1}; ///< window x, y and depth; clip w
 };
 
-/// An array as the application gave it: in `buffer` at offset `base`, or (0) in client memory.
+/// An array as the application set it: in `buffer` at offset `base`, or in client memory if
+/// `buffer` is 0.
 struct ArrayBinding {
-  VertexSource::Array array; ///< `base` null and `buffer` 0: not enabled
+  VertexSource::Array array; ///< not enabled: `base` is null and `buffer` is 0
   GLuint buffer = 0;
   bool enabled = false;
 };
 struct ArrayBindings {
   std::array<ArrayBinding, kSlots> slots;
   GLuint elementBuffer = 0;
-  std::uint32_t enabled = 0; ///< one bit a slot
-  bool restart = false;      ///< indices may restart a primitive, which we lack
-  /// Slots whose arrays are none that we read (integers, doubles, a divisor).
+  std::uint32_t enabled = 0; ///< one bit per slot
+  bool restart = false;      ///< primitive restart is on, which the rasterizer lacks
+  /// Slots whose arrays the rasterizer does not read (integers, doubles, a divisor).
   std::uint32_t foreign = 0;
 };
 
 enum class TexGenMode : std::uint8_t { ObjectLinear, EyeLinear, Sphere, Reflection, Normal };
 
-/// How the colours of vertices are clamped to [0,1] (CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for
-/// fixed-point targets), and what a value that is no number becomes: the specification leaves that
-/// to the host (HostCaps::clampsNanToOne).
+/// The clamping of vertex colours to [0,1] (CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point
+/// targets), and the value that NaN becomes. The specification leaves the latter to the host
+/// (HostCaps::clampsNanToOne).
 enum class ColorClamp : std::uint8_t { None, NanIsZero, NanIsOne };
 
-/// What the fog of fixed-function vertices is of: the coordinate that they are given, or how far
-/// that is from 0 (HostCaps::foldsFogCoordinates), |z| or z to the eye, or how far they are from it
-/// (OpenGL 2.1, 3.10; NV_fog_distance).
+/// The source of fixed-function fog: the fog coordinate or its absolute value
+/// (HostCaps::foldsFogCoordinates), or |z|, z or the distance to the eye (OpenGL 2.1, 3.10;
+/// NV_fog_distance).
 enum class FogFrom : std::uint8_t {
   Coordinate,
   AbsoluteCoordinate,
@@ -79,7 +81,8 @@ enum class FogFrom : std::uint8_t {
   Distance
 };
 
-/// State of fixed-function vertices, beside what its program reads as parameters (fixed_vertex.h).
+/// State of fixed-function vertices that their program does not read as parameters
+/// (fixed_vertex.h).
 struct VertexState {
   bool lighting = false, twoSided = false, localViewer = false, separateSpecular = false;
   bool colorMaterial = false, normalize = false, rescale = false;
@@ -90,13 +93,13 @@ struct VertexState {
   std::uint8_t spots = 0;              ///< lights with a cutoff other than 180
   std::uint8_t attenuated = 0;         ///< positional lights with attenuation other than 1
   std::uint8_t textureMatrix = 0;      ///< units whose matrix is not the identity
-  /// Of unit and coordinate (s, t, r, q): 0 off, else 1 + TexGenMode.
+  /// By unit and coordinate (s, t, r, q): 0 is off, else 1 + TexGenMode.
   std::array<std::array<std::uint8_t, 4>, 8> texGen{};
   FogFrom fogFrom = FogFrom::AbsoluteDepth;
   ColorClamp clampColors = ColorClamp::NanIsZero;
   bool pointAttenuation = false;
   std::uint8_t clipPlanes = 0; ///< enabled, one bit each
-  std::uint32_t version = 0;   ///< changes with the above
+  std::uint32_t version = 0;   ///< counts changes of the above
   bool operator==(const VertexState &) const = default;
 };
 
@@ -105,79 +108,79 @@ struct SamplerUse {
   abi::Dimension dimension = abi::Dimension::Tex2D;
 };
 
-/// The functions that ask the host are not called while a display list is compiled, or between
-/// Begin and End. They raise no error, and leave the host's state as it was.
+/// The cached copy of the host's state. Its queries must not run while a display list is compiled
+/// or between Begin and End. They raise no error and leave the host's state as it was.
 class Mirror {
 public:
-  /// All outlive the mirror.
-  /// \param aliases an array of a generic attribute is that of the conventional one as well; null:
-  /// it is not
+  /// Makes a mirror. All arguments must outlive it.
+  /// \param aliases generic arrays that alias conventional ones; null: none do
   Mirror(const host::HostTable &host, const HostCaps &caps,
          const AttributeAliases *aliases = nullptr)
       : m_host(host), m_caps(caps), m_aliases(aliases) {}
 
-  /// Takes the bits of `dirty` (ContextHot::dirty) and asks for the groups that every draw needs:
+  /// Takes the bits of `dirty` (ContextHot::dirty) and updates the groups that every draw needs:
   /// raster, pixelOps, constants, obstacle.
   void refresh(std::uint32_t &dirty);
-  /// What refreshSamplers() would ask for. Samplers of the layer's that are bound in the
-  /// application's place are released before it does.
+  /// True if refreshSamplers() would query anything. The caller then first unbinds the layer's
+  /// samplers, which stand in for the application's.
   [[nodiscard]] bool samplersAreDirty(std::span<const SamplerUse> uses) const;
-  /// Brings samplers[unit][dimension] up to date, for all that the program samples. After
-  /// refresh().
+  /// Updates samplers[unit][dimension] for all that the program samples. Call it after refresh().
   void refreshSamplers(std::span<const SamplerUse> uses);
-  /// `current` of the slots of a mask. Takes the bits itself: also before Begin.
+  /// Updates `current` for a mask of slots. Takes the dirty bits itself, so it works before Begin.
   void refreshCurrent(std::uint32_t &dirty, std::uint32_t slots);
-  /// The layer set current values of the host itself, and knows them.
+  /// Stores current values that the layer itself has set on the host.
   void noteCurrent(const CurrentValues &values, std::uint32_t slots);
-  /// `rasterPosition`, and of `rasterValues` the slots of a mask. Takes the bits itself.
+  /// Updates `rasterPosition`, and `rasterValues` for a mask of slots. Takes the dirty bits itself.
   void refreshRasterPosition(std::uint32_t &dirty, std::uint32_t slots);
-  /// The host was made to move its raster position, which was up to date here.
+  /// Moves the raster position as the host has moved its own. It must be up to date.
   void noteRasterMove(float x, float y) {
     rasterPosition.position[0] += x;
     rasterPosition.position[1] += y;
   }
-  /// `arrays`. After refresh().
+  /// Updates `arrays`. Call it after refresh().
   void refreshArrays();
-  /// `vertex`: only where fixed function transforms. After refresh().
+  /// Updates `vertex`, which only fixed-function vertices need. Call it after refresh().
   void refreshVertexState(bool floatTarget = false);
 
-  /// Primitives of that kind come to points, of which vertices may say the size.
+  /// True if such primitives are drawn as points. Vertices may then set the point size.
   [[nodiscard]] bool drawsPoints(swrast::Topology topology) const;
-  /// Primitives of that kind come to lines.
+  /// True if such primitives are drawn as lines.
   [[nodiscard]] bool drawsLines(swrast::Topology topology) const;
-  /// What smooth primitives of that kind are drawn with.
+  /// Returns the coverage that such primitives are drawn with, if they are smooth.
   [[nodiscard]] abi::Coverage coverageOf(swrast::Topology topology) const;
-  /// Why primitives of that kind cannot be the rasterizer's, beside `obstacle`: smooth sprites,
-  /// smooth lines or points beside others in one draw; null: they can.
+  /// Returns why the rasterizer cannot draw such primitives, besides `obstacle`; null if it can. It
+  /// lacks smooth sprites, and smooth lines or points mixed with other kinds in one draw.
   [[nodiscard]] const char *obstacleOf(swrast::Topology topology) const;
 
-  swrast::RasterState raster; ///< without clip, which depends on the target
-  swrast::Rect scissor;       ///< where the test is disabled: all that there can be
+  swrast::RasterState raster; ///< without the clip rectangle, which depends on the target
+  swrast::Rect scissor;       ///< the largest rectangle while the scissor test is disabled
   bool scissorEnabled = false;
+  /// The stencil and depth write masks are in constants.stencilWriteMask and
+  /// pixelOps.depthStencil.depthWrite (with depthTest).
   abi::FragmentKey pixelOps;   ///< tests, blending, masks; without formats, inputs and samplers
   abi::FragmentData constants; ///< references, blend colour, fog
-  /// CLAMP_FRAGMENT_COLOR is FIXED_ONLY: pixelOps.clampColors is what fixed-point targets want, and
-  /// float targets want 0.
+  /// CLAMP_FRAGMENT_COLOR is FIXED_ONLY: pixelOps.clampColors applies to fixed-point targets, and
+  /// float targets are not clamped.
   bool clampFixedOnly = true;
-  /// CLAMP_VERTEX_COLOR, likewise.
+  /// CLAMP_VERTEX_COLOR, with its FIXED_ONLY.
   bool clampVertexColors = true, clampVertexFixedOnly = false;
-  bool blendLacking = false; ///< a blend function or equation that we lack
-  /// As pixelOps has them, the stencil write and depth write masks are state of their own:
-  /// constants.stencilWriteMask, pixelOps.depthStencil.depthWrite (with depthTest).
+  bool blendLacking = false; ///< a blend function or equation is set that the rasterizer lacks
   std::array<std::array<SamplerState, 5>, abi::kMaxUnits> samplers; ///< by unit and abi::Dimension
   CurrentValues current{};
-  std::uint32_t currentKnown = 0; ///< slots of `current` that hold the host's values
+  std::uint32_t currentKnown = 0; ///< slots of `current` that are up to date
   RasterPosition rasterPosition;
-  CurrentValues rasterValues{};        ///< that go with it: colours, raster distance, coordinates
-  std::uint32_t rasterValuesKnown = 0; ///< slots of `rasterValues` that hold the host's values
+  CurrentValues rasterValues{};        ///< of the raster position: colours, distance, texture
+                                       ///< coordinates
+  std::uint32_t rasterValuesKnown = 0; ///< slots of `rasterValues` that are up to date
   ArrayBindings arrays;
   VertexState vertex;
-  /// What of the state keeps draws with the host: a key of reasons.def, and the state's name.
+  /// Why all draws stay with the host: a key of reasons.def, and the name of the state.
   const char *obstacle = nullptr;
   const char *obstacleDetail = nullptr;
   bool smoothPoints = false, smoothLines = false;
   bool sprites = false; ///< POINT_SPRITE is enabled
-  /// Between Begin- and EndConditionalRender; GL has no question for it, so their handlers say it.
+  /// Between BeginConditionalRender and EndConditionalRender. GL has no query for it, so the
+  /// handlers of these commands set it.
   bool conditional = false;
   bool twoSidedColor = false;        ///< VERTEX_PROGRAM_TWO_SIDE, for vertex programs
   bool pointSizeFromProgram = false; ///< VERTEX_PROGRAM_POINT_SIZE
@@ -188,7 +191,7 @@ public:
   std::uint8_t polygonStipple[128] = {};
 
 private:
-  /// Are there polygons, and is a face of theirs that is not culled drawn so?
+  /// True if there are polygons, and a face that is not culled is drawn in this mode.
   [[nodiscard]] bool drawnAs(swrast::Topology topology, swrast::PolygonMode mode) const;
   [[nodiscard]] bool isDirty(const SamplerUse &use) const;
 

@@ -1,4 +1,4 @@
-// Vertex arrays of the current vertex array object, or of client state.
+// Queries the vertex arrays of the current vertex array object or of client state.
 #include <algorithm>
 #include <bit>
 
@@ -10,11 +10,11 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// A conventional array's names. Those with 0 for a size or type have only one.
+/// The queries of a conventional array; 0 for a size or type that is fixed.
 struct ArrayNames {
   Slot slot;
   GLenum enable, size, type, stride, pointer, buffer;
-  std::uint8_t components; ///< where `size` is 0
+  std::uint8_t components; ///< used if `size` is 0
   bool normalized;
 };
 constexpr ArrayNames kNames[] = {
@@ -70,8 +70,8 @@ void queryArray(const HostQuery &query, const ArrayNames &names, int slot, Array
   add(arrays, slot, binding);
 }
 
-/// Where an array of a buffer starts: bindings (ARB_vertex_attrib_binding) may be set apart from
-/// the pointer, which does not follow them.
+/// Queries where an array in a buffer starts. A binding of ARB_vertex_attrib_binding can be set
+/// without the pointer, which then is stale.
 void queryBinding(const HostQuery &query, GLuint index, ArrayBinding &binding) {
   GLint point = 0, relative = 0, stride = 0;
   GLint64 offset = 0;
@@ -80,7 +80,7 @@ void queryBinding(const HostQuery &query, GLuint index, ArrayBinding &binding) {
   query.host.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, GLuint(point), &offset);
   query.host.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, GLuint(point), &stride);
   binding.array.base = reinterpret_cast<const void *>(std::uintptr_t(offset + relative));
-  binding.array.stride = std::uint32_t(stride); // 0: one element for all vertices
+  binding.array.stride = std::uint32_t(stride); // 0: all vertices share one element
 }
 
 void queryGeneric(const HostCaps &caps, const HostQuery &query, GLuint index,
@@ -127,7 +127,7 @@ void queryTexCoordArrays(const HostCaps &caps, const HostQuery &query, ArrayBind
   select(first);
 }
 
-/// Generic ones as the conventional ones that they are, in place of these.
+/// Puts generic arrays into the slots of the conventional arrays that they alias.
 void addAliases(const AttributeAliases &aliases, ArrayBindings &arrays) {
   const std::uint32_t enabled = arrays.enabled >> kGeneric0;
   for (std::uint32_t left = aliases.arraysUsed & ~aliases.ofProgramsAlone & enabled; left != 0;
@@ -161,7 +161,8 @@ void Mirror::refreshArrays() {
     queryArray(query, names, names.slot, arrays);
   queryTexCoordArrays(m_caps, query, arrays);
   for (GLuint i = 0; i < GLuint(std::min(m_caps.maxVertexAttribs, 16)); ++i)
-    queryGeneric(m_caps, query, i, arrays); // 0 after the position, which it stands for
+    queryGeneric(m_caps, query, i, arrays); // 0 comes after the conventional position and replaces
+                                            // it
   if (m_aliases)
     addAliases(*m_aliases, arrays);
   arrays.elementBuffer = GLuint(query.integer(GL_ELEMENT_ARRAY_BUFFER_BINDING));

@@ -1,4 +1,4 @@
-// Current vertex attributes, by slots.
+// Queries current vertex attributes, by slot.
 #include <algorithm>
 #include <bit>
 
@@ -14,7 +14,7 @@ void querySlot(const HostCaps &caps, const HostQuery &query, int slot,
   value = {0, 0, 0, 1};
   switch (slot) {
   case kPosition:
-    break; // there is none
+    break; // the position has no current value
   case kNormal:
     query.host.GetFloatv(GL_CURRENT_NORMAL, value.data());
     break;
@@ -76,7 +76,7 @@ void Mirror::noteCurrent(const CurrentValues &values, std::uint32_t slots) {
   currentKnown |= slots;
   if ((slots & 1u << kColor) == 0 || !vertex.colorMaterial) [[likely]]
     return;
-  // The material followed the colour.
+  // The material has followed the colour.
   const bool upToDate = (clock.changedSince(currentSeen) & dirty::kCurrent) == 0;
   clock.mark(dirty::kCurrent);
   if (upToDate)

@@ -4,12 +4,12 @@
 #include "state/capabilities/host_caps.h"
 #include "state/mirror/host_query.h"
 
-/// Parts of mirror.cpp, a file each.
+/// The parts of mirror.cpp, one file each.
 namespace arbiter::state::software {
 class Mirror;
 enum class FogFrom : std::uint8_t;
 
-/// Moves the active texture unit for questions that have no unit of their own, and puts it back.
+/// Moves the active texture unit for queries that name none, and restores it.
 class UnitsScope {
 public:
   explicit UnitsScope(const host::HostTable &host) : m_host(host) {
@@ -31,13 +31,14 @@ private:
   mutable GLint m_selected = GL_TEXTURE0;
 };
 
-/// Alpha test, blending, depth and stencil tests, logic operation, masks, clamps.
+/// Queries alpha test, blending, depth and stencil tests, logic operation, masks and clamps.
 void queryPixelOps(const HostCaps &caps, const HostQuery &query, Mirror &mirror);
-/// Returns what the fog of fixed-function vertices is of.
+/// Returns what the fog of fixed-function vertices is computed from.
 [[nodiscard]] FogFrom queryFogFrom(const HostQuery &query, const HostCaps &caps);
-/// Whatever keeps all draws with the host. After the other groups.
+/// Finds state that keeps all draws with the host. Call it after the other groups are queried.
 void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror);
-/// 32 rows of 4 bytes, the lowest first, the leftmost pixel in the highest bit.
+/// Queries the stipple: 32 rows of 4 bytes, the lowest first, the leftmost pixel in the highest
+/// bit.
 void queryPolygonStipple(const HostCaps &caps, const HostQuery &query, std::uint8_t rows[128]);
 
 } // namespace arbiter::state::software

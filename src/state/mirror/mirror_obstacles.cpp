@@ -1,4 +1,4 @@
-// What keeps every draw with the host, whatever it draws; and the polygon stipple's rows.
+// Finds state that keeps every draw with the host, and queries the polygon stipple.
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
@@ -6,7 +6,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// A query counts what is drawn: the samples, or the primitives.
+/// True if a query is active that counts samples or primitives.
 bool queryActive(const HostCaps &caps, const HostQuery &query) {
   const auto active = [&](bool offered, GLenum target) {
     GLint name = 0;
@@ -31,8 +31,8 @@ constexpr Cap kCaps[] = {
     {&HostCaps::srgbFramebuffer, GL_FRAMEBUFFER_SRGB, "FRAMEBUFFER_SRGB"},
 };
 
-/// What shades in a GPU's driver and the rasterizer has only where the layer offers it: there the
-/// host's enable is never set.
+/// Shading extensions that a GPU's driver may have. Where the layer offers one, the host's enable
+/// is never set, so a set enable means that the host must shade.
 struct DriversCap {
   const char *extension;
   GLenum cap;
@@ -44,7 +44,8 @@ constexpr DriversCap kDriversCaps[] = {
     {"GL_NV_fragment_program", GL_FRAGMENT_PROGRAM_NV, "the host's FRAGMENT_PROGRAM_NV"},
 };
 
-/// Points of the host's NV_point_sprite, whose third coordinate is one of the other two.
+/// True if points use the host's NV_point_sprite, which derives the third coordinate from the
+/// others.
 bool spritesHaveThird(const HostCaps &caps, const HostQuery &query) {
   return caps.has("GL_NV_point_sprite") && query.enabled(GL_POINT_SPRITE) &&
          query.name(GL_POINT_SPRITE_R_MODE_NV) != GL_ZERO;
@@ -73,7 +74,7 @@ void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror
   for (const Cap &cap : kCaps)
     if (caps.*cap.offered && query.enabled(cap.cap))
       note("state", cap.name);
-  if (!caps.onProcessor) { // no such host has them
+  if (!caps.onProcessor) { // no software host has them
     for (const DriversCap &cap : kDriversCaps)
       if (caps.has(cap.extension) && query.enabled(cap.cap))
         note("state", cap.name);
@@ -87,7 +88,7 @@ void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror
 }
 
 void queryPolygonStipple(const HostCaps &caps, const HostQuery &query, std::uint8_t rows[128]) {
-  // The pattern is packed as any image is, so packing has to be plain while it is asked for.
+  // The host packs the pattern like an image, so the pack state must be plain for the query.
   struct Store {
     GLenum pname;
     GLint plain;

@@ -1,4 +1,4 @@
-// Extensions of a GPU's driver that shade: what they are enabled for is the host's to draw.
+// Draws under a driver's own shading extensions must stay with the host.
 #include <gtest/gtest.h>
 
 #include "state/mirror/mirror.h"

@@ -1,4 +1,4 @@
-// The per-fragment operations (OpenGL 1.4, chapter 4; 2.0 for what is separate).
+// Queries the per-fragment operations (OpenGL 1.4, chapter 4; 2.0 for separate state).
 #include <algorithm>
 
 #include "state/mirror/mirror.h"
@@ -55,7 +55,7 @@ bool blendFactor(GLenum factor, abi::BlendFactor &out) {
       out = kInOrder[factor - GL_CONSTANT_COLOR];
       return true;
     }
-    return false; // of two sources
+    return false; // dual-source blending
   }
 }
 
@@ -77,7 +77,7 @@ bool blendEquation(GLenum mode, abi::BlendEquation &out) {
     out = abi::BlendEquation::Max;
     return true;
   default:
-    return false; // an advanced one
+    return false; // an advanced equation
   }
 }
 
@@ -95,7 +95,7 @@ bool blendOf(const BlendNames &names, abi::BlendKey &key) {
          blendEquation(names.alpha, key.alpha);
 }
 
-/// Of draw buffer `i`, or of all where the host has one state for all.
+/// Queries the blend state of draw buffer `i`, or of all if the host has one state for all.
 BlendNames queryBlend(const HostQuery &query, bool indexed, GLuint i) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
@@ -139,8 +139,8 @@ bool usesConstant(const abi::BlendKey &key) {
                          isConstant(key.sourceAlpha) || isConstant(key.destAlpha));
 }
 
-/// The blend colour as it was set: blending clamps it by the buffer's format, a question for it by
-/// CLAMP_FRAGMENT_COLOR (ARB_color_buffer_float), which is off while it is asked for.
+/// Queries the blend colour as it was set. Blending clamps it by the buffer's format, but a query
+/// clamps it by CLAMP_FRAGMENT_COLOR (ARB_color_buffer_float). That is switched off for the query.
 void queryBlendColor(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   const auto &targets = mirror.pixelOps.targets;
   const bool matters =
@@ -194,8 +194,9 @@ abi::StencilFaceKey queryFace(const HostQuery &query, const StencilNames &names,
           stencilOp(query.name(names.depthFail)), stencilOp(query.name(names.depthPass))};
 }
 
-/// EXT_stencil_two_side keeps a back face of its own, chosen by its active face, and effective only
-/// while its test is enabled; that of GL 2.0 is effective always.
+/// Queries the stencil state. EXT_stencil_two_side has its own back face, which its active face
+/// selects and which applies only while its test is enabled. The back face of GL 2.0 always
+/// applies.
 void queryStencil(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   abi::DepthStencilKey &key = mirror.pixelOps.depthStencil;
   abi::FragmentData &data = mirror.constants;

@@ -1,5 +1,4 @@
-// The current raster position and what goes with it, by the slots of the attributes that it comes
-// from.
+// Queries the current raster position and its values, by the slots of the attributes that set them.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -15,9 +14,9 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Returns the z to the eye of a raster position: its clip coordinates, taken back through the
-/// projection. Hosts keep no eye coordinates of it, but how far they are from the eye: |z| is no
-/// more than that, also where the projection or the viewport is another one since.
+/// Returns the eye z of a raster position, by transforming its clip coordinates back through the
+/// projection. Hosts keep only its distance to the eye. |z| cannot exceed that, so the result is
+/// clamped in case the projection or viewport has changed since.
 float eyeDepth(const HostQuery &query, const RasterPosition &raster, float distance) {
   GLint viewport[4] = {};
   GLfloat range[2] = {0, 1};
@@ -37,8 +36,8 @@ float eyeDepth(const HostQuery &query, const RasterPosition &raster, float dista
   return std::clamp(z, -distance, distance);
 }
 
-/// Returns the fog coordinate of fragments at the raster position. It is what a vertex there would
-/// have: the raster distance may be approximated as that of vertices is (OpenGL 2.1, 2.13, 3.10).
+/// Returns the fog coordinate of fragments at the raster position. It equals that of a vertex
+/// there: the raster distance may be approximated like a vertex's (OpenGL 2.1, 2.13, 3.10).
 float fogCoordinate(const HostCaps &caps, const HostQuery &query, const RasterPosition &raster) {
   const float distance = query.number(GL_CURRENT_RASTER_DISTANCE);
   switch (queryFogFrom(query, caps)) {
@@ -62,7 +61,7 @@ void queryValue(const HostCaps &caps, const HostQuery &query, int slot,
   case kColor:
     query.host.GetFloatv(GL_CURRENT_RASTER_COLOR, value.data());
     break;
-  case kSecondary: // older hosts keep none, or do not tell
+  case kSecondary: // older hosts keep none, or cannot be asked
     if (caps.major > 2 || (caps.major == 2 && caps.minor >= 1))
       query.host.GetFloatv(GL_CURRENT_RASTER_SECONDARY_COLOR, value.data());
     break;

@@ -1,4 +1,4 @@
-// Textures as the units' sampler state has them: of the texture, or of a sampler object.
+// Queries textures with their sampling parameters, from the texture or from a sampler object.
 #include <algorithm>
 #include <iterator>
 
@@ -12,7 +12,7 @@ namespace {
 struct DimensionNames {
   GLenum target, binding;
 };
-/// By abi::Dimension.
+/// Indexed by abi::Dimension.
 constexpr DimensionNames kDimensions[] = {{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D},
                                           {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
                                           {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
@@ -61,7 +61,7 @@ void minifyOf(GLint filter, abi::SamplerKey &key) {
     key.mip = abi::MipFilter::Linear;
 }
 
-/// The questions about one sampler: to the texture bound to the active unit, or to an object.
+/// Queries sampling parameters: of the texture on the active unit, or of a sampler object.
 struct Source {
   const host::HostTable &host;
   GLenum target;
@@ -87,7 +87,7 @@ struct Source {
   }
 };
 
-/// The limit that the host draws by, so that its draws and the rasterizer's look alike.
+/// Returns the limit that the host applies, so that its draws and the rasterizer's look alike.
 float anisotropyOf(const HostCaps &caps, float ofTexture) {
   const float most = std::min(caps.maxAnisotropy, float(abi::kMaxAnisotropy));
   if (ofTexture <= 1.0f)
@@ -95,11 +95,11 @@ float anisotropyOf(const HostCaps &caps, float ofTexture) {
   return caps.limitsAnisotropy ? std::min(ofTexture, most) : most;
 }
 
-/// What a sampler object replaces.
+/// Queries the parameters that a sampler object overrides.
 void querySampling(const HostCaps &caps, const Source &source, SamplerState &state) {
   abi::SamplerKey &key = state.key;
   constexpr GLenum kWraps[] = {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
-  // Those that a target has no coordinate for stay as they are: fewer keys.
+  // Wrap modes of coordinates that the target lacks stay at their defaults, which makes fewer keys.
   const int coordinates =
       key.dimension == abi::Dimension::Tex1D                                            ? 1
       : key.dimension == abi::Dimension::Tex3D || key.dimension == abi::Dimension::Cube ? 3
@@ -121,7 +121,7 @@ void querySampling(const HostCaps &caps, const Source &source, SamplerState &sta
   state.decodes = !caps.srgbDecode || source.integer(GL_TEXTURE_SRGB_DECODE_EXT) == GL_DECODE_EXT;
   if (caps.anisotropy)
     state.maxAnisotropy = anisotropyOf(caps, source.number(GL_TEXTURE_MAX_ANISOTROPY_EXT));
-  // Along one dimension there is nothing to be wide.
+  // A one-dimensional footprint has no longer axis.
   key.anisotropic = state.maxAnisotropy > 1.0f && key.mip != abi::MipFilter::None &&
                     key.dimension != abi::Dimension::Tex1D;
   if (caps.seamlessPerTexture && key.dimension == abi::Dimension::Cube &&
@@ -132,7 +132,7 @@ void querySampling(const HostCaps &caps, const Source &source, SamplerState &sta
     state.obstacle = "TEXTURE_REDUCTION_MODE";
 }
 
-/// What is the texture's whatever the sampler object.
+/// Queries the parameters that belong to the texture even with a sampler object.
 void queryTexture(const HostCaps &caps, const Source &source, SamplerState &state) {
   state.baseLevel = source.integer(GL_TEXTURE_BASE_LEVEL);
   state.maxLevel = source.integer(GL_TEXTURE_MAX_LEVEL);
@@ -144,7 +144,7 @@ void queryTexture(const HostCaps &caps, const Source &source, SamplerState &stat
   std::copy(std::begin(swizzle), std::end(swizzle), state.swizzle.begin());
 }
 
-/// The unit is the active one.
+/// Queries a sampler of the active unit.
 void querySampler(const HostCaps &caps, const HostQuery &query, const SamplerUse &use,
                   SamplerState &state) {
   const std::uint64_t seen = state.seen;

@@ -1,4 +1,4 @@
-// Samplers and vertex arrays of the mirror against a real host.
+// Compares the mirror's samplers and vertex arrays with a real host.
 #define GL_GLEXT_PROTOTYPES // before any header of GL
 #include "state/mirror/mirror.h"
 
@@ -45,7 +45,7 @@ constexpr WrapRow kWraps[] = {
     {GL_MIRROR_CLAMP_TO_BORDER_EXT, abi::Wrap::MirrorClampToBorder},
 };
 
-/// Sets parameters at random by `set`, and gives what the mirror has to say.
+/// Sets random parameters with the given functions. Returns what the mirror should report.
 template <typename SetI, typename SetF, typename SetV>
 SamplerState randomParameters(Numbers &n, int coordinates, SetI seti, SetF setf, SetV setv) {
   SamplerState wanted;
@@ -210,7 +210,7 @@ TEST(MirrorSamplers, AnisotropyIsAFilterOfMipmaps) {
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-/// x of the first three vertices of a slot, through everything from the mirror to the fetch.
+/// Returns x of the first three vertices of a slot, from the mirror to the fetch.
 std::array<float, 3> fetched(Context &context, Mirror &mirror, int slot,
                              const DrawCommand &command = {.count = 3}) {
   context.dirty |= dirty::kArrays | dirty::kCurrent;
@@ -223,7 +223,7 @@ std::array<float, 3> fetched(Context &context, Mirror &mirror, int slot,
   IndexRange range;
   const bool valid = source.open(context, mirror, slots, command);
   EXPECT_TRUE(valid);
-  // What is left mapped would be an error of the commands that follow.
+  // A buffer that stays mapped would make later commands fail.
   const struct Closing {
     ArraySource &source;
     Context &context;
@@ -290,7 +290,7 @@ TEST(MirrorArrays, OfClientMemoryAndOfBuffers) {
       .count = 3, .indexType = GL_UNSIGNED_SHORT, .indices = reinterpret_cast<const void *>(2)};
   EXPECT_EQ(fetched(context, mirror, kPosition, inBuffer), (Three{5, 1, 3}));
 
-  glBindVertexBuffer(9, buffers[0], 8, 4); // apart from any pointer
+  glBindVertexBuffer(9, buffers[0], 8, 4); // the binding differs from every pointer
   glVertexAttribFormat(7, 1, GL_FLOAT, GL_FALSE, 4);
   glVertexAttribBinding(7, 9);
   glEnableVertexAttribArray(7);

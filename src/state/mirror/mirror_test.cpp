@@ -1,5 +1,5 @@
-// The mirror against a real host: what it says is what was set, whichever of it was set since it
-// last looked; it leaves no error and no state behind.
+// Compares the mirror with a real host: it must report what was set, whatever part of it was set
+// since the last query. It must leave no error and no changed state behind.
 #define GL_GLEXT_PROTOTYPES // before any header of GL
 #include "state/mirror/mirror.h"
 
@@ -23,7 +23,7 @@ using testing::Field;
 using testing::Numbers;
 using testing::RealHost;
 
-/// What a look at the host may move, and must put back.
+/// Returns state that a query may move and must restore.
 std::vector<GLint> movables() {
   constexpr GLenum kNames[] = {GL_ACTIVE_TEXTURE,
                                GL_CLIENT_ACTIVE_TEXTURE,
@@ -260,7 +260,7 @@ TEST(Mirror, TheRasterPositionIsAskedForWhereACommandMayHaveMovedIt) {
   glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
   EXPECT_EQ(unit, GL_TEXTURE5);
 
-  // A bitmap of the layer's moves both; nothing is asked.
+  // A bitmap of the layer's moves both, and nothing is queried.
   glBitmap(0, 0, 0, 0, 5, 2.5f, nullptr);
   mirror.noteRasterMove(5, 2.5f);
   mirror.refreshRasterPosition(context.dirty, all);
@@ -269,7 +269,7 @@ TEST(Mirror, TheRasterPositionIsAskedForWhereACommandMayHaveMovedIt) {
   EXPECT_TRUE(std::equal(host4, host4 + 4, at.position));
 
   glColor4f(1, 1, 1, 1);
-  glRasterPos2f(4, 0); // outside
+  glRasterPos2f(4, 0); // outside the view volume
   mirror.refreshRasterPosition(context.dirty, all);
   EXPECT_TRUE(at.valid) << "no command has said so";
   context.dirty |= dirty::kRasterPosition;
@@ -356,7 +356,8 @@ TEST(Mirror, CostsLittle) {
   std::printf("all %.2f us, a texture bound %.2f us, nothing %.4f us\n", all, rebind,
               nothing / 100);
   EXPECT_EQ(mirror.samplers[0][std::size_t(abi::Dimension::Tex2D)].texture, textures[turn]);
-  // Far above what is meant (20, 2): to catch a question that the host answers by drawing.
+  // These bounds are far above the usual times (20, 2). They catch a query that makes the host
+  // draw.
   EXPECT_LT(all, 2000.0);
   EXPECT_LT(rebind, 1000.0);
 }

@@ -1,5 +1,5 @@
-// The state of fixed-function vertices that differs in code: lighting, texture coordinate
-// generation, matrices that are the identity, clip planes.
+// Queries fixed-function vertex state that selects code: lighting, texture coordinate generation,
+// identity matrices, clip planes.
 #include <algorithm>
 #include <cstring>
 

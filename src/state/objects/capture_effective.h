@@ -9,12 +9,12 @@
 
 namespace arbiter::state {
 
-/// The effective programs in a context, while there is a capture.
+/// The effective programs of a context, while there is a capture.
 struct CaptureEffective {
   std::array<std::shared_ptr<const CompiledProgram>, kTargetCount> programs;
   std::array<std::vector<TextureUse>, kTargetCount> textures;
-  std::size_t path = 0; ///< of their draws that the host draws
-  // When they became effective: of the path, and of the rasterizer.
+  std::size_t path = 0; ///< the path of draws that the host does
+  // The draw counters of the path and of the rasterizer when the programs became effective.
   std::uint64_t hostBefore = 0, rasterizedBefore = 0;
 };
 

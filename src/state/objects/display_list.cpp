@@ -105,14 +105,14 @@ void DisplayListTable::giveBack(const host::HostTable &host, GLuint segment) {
   m_segments.erase(segment);
   try {
     m_free.push_back(segment);
-  } catch (const std::bad_alloc &) { // there are more
+  } catch (const std::bad_alloc &) { // one segment name less is no loss
   }
 }
 
 GLuint DisplayListTable::takeSegmentName(const host::HostTable &host) {
   const std::lock_guard lock(m_mutex);
   GLuint name = 0;
-  // The application may use names up here itself: those are passed over.
+  // The application may use names up here itself; those are skipped.
   while (name == 0 || host.IsList(name) == GL_TRUE) {
     if (m_free.empty()) {
       name = m_next--;
@@ -121,7 +121,7 @@ GLuint DisplayListTable::takeSegmentName(const host::HostTable &host) {
       m_free.pop_back();
     }
   }
-  m_segments.insert(name); // without memory the name is lost, and no more
+  m_segments.insert(name); // without memory the name is lost, and nothing else
   m_used.store(true, std::memory_order_release);
   return name;
 }

@@ -22,7 +22,7 @@ namespace software {
 class Geometry;
 }
 
-/// A command of the layer's in a display list. The host never sees these, so it cannot record them.
+/// A command of the layer's in a display list. The host never sees it, so it cannot record it.
 struct Command {
   enum class Kind : std::uint8_t {
     ProgramString, ///< target, format; bytes: a copy of the string, made when recorded
@@ -42,7 +42,7 @@ struct Command {
     EndConditional,
     CopyTexture, ///< object: a CopyKind; target, format: internal, count: level,
                  ///< name: border; bytes: a CopyRegion
-    // Of NVIDIA's program API.
+    // These are commands of NVIDIA's program API.
     LoadNv,           ///< target, name; count: the length; bytes: a copy of the text
     BindNv,           ///< target, name
     ExecuteNv,        ///< target, name; values: the input
@@ -64,9 +64,9 @@ struct Command {
     TextureRange,   ///< target; name: of a parameter, and format: its value, or 0; else count: the
                     ///< length, bytes: the pointer
     SpriteMode,     ///< target: POINT_SPRITE_R_MODE_NV's value
-    PrimitiveMode,  ///< target: that of the draws that come (host_draw/sprite_commands.h)
+    PrimitiveMode,  ///< target: the mode of the next draws (host_draw/sprite_commands.h)
     CoordReplace,   ///< target: pname, count: the value of TexEnv of POINT_SPRITE
-    State,          ///< bytes: some StateCommands, in a row (lists/known_state.h)
+    State,          ///< bytes: StateCommands in a row (lists/known_state.h)
     ComponentImage, ///< bytes: a ComponentImage, then its components as floats
   };
   Kind kind;
@@ -79,65 +79,64 @@ struct Command {
   std::vector<Vec4> values;
 };
 
-/// How a run of commands leaves Begin/End: as it was, inside, or outside.
+/// The effect of a run of commands on Begin/End: none, inside afterwards, or outside.
 enum class Primitive : std::uint8_t { AsBefore, Open, Closed };
 
-/// What a segment does when it is called, as far as the rasterizer must know. A list that is
-/// compiled before anybody listens may do anything.
+/// The effects of a called segment, as far as the rasterizer must know them. A list that was
+/// compiled before the rasterizer was in use may do anything.
 struct Effects {
   std::uint32_t dirty = ~0u; ///< groups of state (mirror/dirty_bits.h)
   bool pixels = true;        ///< draws, or reads or writes images
 };
 
-/// A list as segments: host lists, primitives that the rasterizer may draw, and the layer's
-/// commands in turn.
+/// A list as a sequence of segments: host lists, primitives that the rasterizer may draw, and the
+/// layer's commands.
 struct DisplayList {
   struct Item {
-    GLuint hostList = 0; ///< 0: a command, or primitives
+    GLuint hostList = 0; ///< 0: a command or primitives
     std::unique_ptr<const Command> command;
-    Primitive primitive = Primitive::AsBefore; ///< of the host list
+    Primitive primitive = Primitive::AsBefore; ///< effect of the host list
     Effects effects;                           ///< of the host list; `dirty` also of a command
     std::shared_ptr<const software::Geometry> geometry;
   };
   std::vector<Item> items;
 };
 
-/// The lists of a share group that hold our commands, by the application's name, and the names of
-/// host lists that stand for segments. Segments take names from the very top of the name space:
-/// GenLists would give names that an application which never calls it soon uses itself.
+/// The display lists of a share group that hold the layer's commands, by name, and the names of
+/// host lists for segments. Segments are named from the top of the name space. GenLists would give
+/// names that an application which never calls it may soon use itself.
 class DisplayListTable {
 public:
   static constexpr GLuint kTop = 0xFFFFFF00u;
 
   [[nodiscard]] bool empty() const { return m_count.load(std::memory_order_acquire) == 0; }
   [[nodiscard]] std::shared_ptr<const DisplayList> find(GLuint name);
-  /// Replaces the list of that name; null removes it. The old one's host segments are deleted, save
+  /// Replaces the list of that name; null removes it. Deletes the old list's host segments, except
   /// `name` itself.
   void replace(const host::HostTable &host, GLuint name, std::shared_ptr<const DisplayList> list);
-  /// What a list of the host's holds that has primitives alone, and was compiled before the group
-  /// made its first program: for the rasterizer to draw, should there be one. Null: nothing. All of
-  /// them together are kept up to a limit.
+  /// Replaces an early list: a copy of a host list that holds only primitives and was compiled
+  /// before the group's first program. The rasterizer draws it, if there is one. Null removes it.
+  /// The total size is limited.
   void replaceEarly(const host::HostTable &host, GLuint name,
                     std::shared_ptr<const DisplayList> list);
   [[nodiscard]] std::shared_ptr<const DisplayList> findEarly(GLuint name);
   [[nodiscard]] bool hasEarly() const { return m_earlyCount.load(std::memory_order_acquire) != 0; }
-  /// Of `count` names from `first` on, which are deleted or not worth their memory.
+  /// Forgets `count` early lists from `first` on, which are deleted or not worth their memory.
   void forgetEarly(const host::HostTable &host, GLuint first, GLuint count);
-  /// A free name for a segment.
+  /// Returns a free name for a segment.
   [[nodiscard]] GLuint takeSegmentName(const host::HostTable &host);
   [[nodiscard]] bool isSegment(GLuint name);
-  /// True once a segment's name was taken: the host's GenLists then counts on from the top.
+  /// True once a segment's name was taken. The host's GenLists then continues at the top.
   [[nodiscard]] bool hasSegments() const { return m_used.load(std::memory_order_acquire); }
-  /// GenLists in place of the host's: `count` free names in a row from the bottom, which the host
-  /// is made to know as empty lists. 0 if there are none. No list is being compiled.
+  /// Does the work of GenLists: takes `count` free names in a row from the bottom and makes them
+  /// empty lists on the host. Returns 0 if there are none. No list may be being compiled.
   [[nodiscard]] GLuint generate(const host::HostTable &host, GLsizei count);
-  /// GenLists has made lists of these names, which are empty (OpenGL 2.1, 5.4) and known to be
-  /// until they are compiled or deleted. Throws std::bad_alloc, and then those of some are not
-  /// known.
+  /// Notes that GenLists has made lists of these names, which are empty (OpenGL 2.1, 5.4) until
+  /// they are compiled or deleted. Throws std::bad_alloc, after noting some of them.
   void noteEmpty(GLuint first, GLsizei count);
-  /// The names of [first, first + count) that have a list of the layer's.
+  /// Returns the names in [first, first + count) that have a list of the layer's.
   [[nodiscard]] std::vector<GLuint> namesIn(GLuint first, GLsizei count);
-  /// The segments whose names are in [first, first + count).
+  /// Returns the segments whose names are in [first, first + count).
   [[nodiscard]] std::vector<GLuint> segmentsIn(GLuint first, GLsizei count);
 
 private:

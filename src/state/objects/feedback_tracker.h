@@ -4,19 +4,19 @@
 #include <memory>
 #include <unordered_map>
 
-/// Texture feedback: a colour buffer copied to a texture level (glReadBuffer, then
-/// glCopyTexSubImage), the era's way to multipass. Tracked so that the copy can be avoided later:
-/// which buffer became which texture level, and when. No GL calls here, and no GL types.
+/// Texture feedback: copies of a colour buffer to a texture level (glReadBuffer, then
+/// glCopyTexSubImage), the multipass technique of the time. Tracks which buffer became which level,
+/// and when, so that copies can be avoided later. No GL calls here, and no GL types.
 namespace arbiter::state {
 
-/// A colour buffer: the framebuffer object (0: the window's) and the enum of glReadBuffer.
+/// A colour buffer: the framebuffer object (0: the window) and the enum of glReadBuffer.
 struct ColorBuffer {
   std::uint32_t framebuffer = 0;
   std::uint32_t buffer = 0;
   bool operator==(const ColorBuffer &) const = default;
 };
 
-/// A level of a texture; `target` is the image target, hence one face of a cube map.
+/// A texture level; `target` is the image target, such as a face of a cube map.
 struct TextureLevel {
   std::uint32_t texture = 0;
   std::uint32_t target = 0;
@@ -24,7 +24,7 @@ struct TextureLevel {
   bool operator==(const TextureLevel &) const = default;
 };
 
-/// In texels and window pixels, y up.
+/// The region of a copy, in texels and window pixels, y up.
 struct CopyRegion {
   std::int32_t destX = 0, destY = 0, destZ = 0;
   std::int32_t x = 0, y = 0;
@@ -44,7 +44,7 @@ struct Copy {
   std::uint64_t sequence = 0; ///< 1 for the context's first copy
 };
 
-/// The copies of one context. Memory is bounded: a level beyond kMaxLevels is counted, not kept.
+/// The copies of one context. Memory is bounded: levels beyond kMaxLevels are counted, not kept.
 class FeedbackTracker {
 public:
   static constexpr std::size_t kMaxLevels = 4096;
@@ -56,12 +56,12 @@ public:
 
   void record(const TextureLevel &to, CopyKind kind, const ColorBuffer &from,
               const CopyRegion &region, std::uint64_t frame);
-  /// The last copy into that level, or null. It may have been overwritten by other commands since.
+  /// Returns the last copy to that level, or null. Other commands may have overwritten it since.
   [[nodiscard]] const Copy *lastCopy(const TextureLevel &level) const;
   [[nodiscard]] const Totals &totals(CopyKind kind) const { return m_totals[std::size_t(kind)]; }
   [[nodiscard]] std::uint64_t copies() const { return m_sequence; }
   [[nodiscard]] std::size_t levels() const { return m_levels ? m_levels->size() : 0; }
-  /// The texture is deleted, or its name reused.
+  /// Forgets a texture that is deleted, or whose name is reused.
   void forget(std::uint32_t texture);
 
 private:
@@ -72,7 +72,7 @@ private:
 
   std::array<Totals, kCopyKindCount> m_totals{};
   std::uint64_t m_sequence = 0;
-  std::unique_ptr<Map> m_levels; ///< null until the first copy: most contexts have none
+  std::unique_ptr<Map> m_levels; ///< null before the first copy: most contexts have none
 };
 
 } // namespace arbiter::state

@@ -5,14 +5,14 @@
 
 namespace arbiter::state {
 
-/// The names in use of a name space of 32 bits, 0 excepted, as ranges: reserving a billion costs no
-/// more than one.
+/// The used names of a 32-bit name space, without 0, kept as ranges: reserving a billion names
+/// costs no more than one.
 class NameRanges {
 public:
   using Name = std::uint32_t;
 
-  /// Reserves `count` names in a row, the lowest that are free, and gives the first; 0 if there is
-  /// no such row, or `count` is 0.
+  /// Reserves the lowest `count` free names in a row and returns the first. Returns 0 if there is
+  /// no such row, or if `count` is 0.
   Name reserveRow(Name count) {
     std::uint64_t first = 1;
     for (const auto &[begin, end] : m_ranges) {
@@ -26,7 +26,7 @@ public:
     return Name(first);
   }
 
-  /// Reserves `name`, which is not 0; no change if it is reserved.
+  /// Reserves `name`, which is not 0. Does nothing if it is reserved.
   void reserve(Name name) {
     if (!contains(name))
       insert(name, std::uint64_t(name) + 1);
@@ -47,7 +47,7 @@ public:
   [[nodiscard]] bool contains(Name name) const { return find(name) != m_ranges.end(); }
 
 private:
-  /// By first name, to one past the last; they do not touch.
+  /// From the first name to one past the last. Ranges do not touch.
   using Ranges = std::map<std::uint64_t, std::uint64_t>;
   static constexpr std::uint64_t kEnd = std::uint64_t(1) << 32;
 

@@ -13,14 +13,14 @@
 
 namespace arbiter::state {
 
-/// What the specifications say of a program target, whatever the context.
+/// The properties of a program target, the same in every context.
 struct TargetInfo {
-  /// As Enable takes it, and every entry point of the program API (not AtiApi's, Combiners',
-  /// TextureShaders' and VertexShader's).
+  /// The enum for Enable and for the program API. AtiApi, Combiners, TextureShaders and
+  /// VertexShader have no entry points of that API.
   GLenum name;
   fp::ir::Language language;
-  const char *word;      ///< in statistics and logs
-  const char *extension; ///< of a text's file name; empty: has no texts
+  const char *word;      ///< the name in statistics and logs
+  const char *extension; ///< of a text's file; empty: programs have no text
 };
 inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_FRAGMENT_PROGRAM_ARB, fp::ir::Language::ArbFragment, "fragment", ".fp"},
@@ -36,59 +36,59 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
   return kTargets[std::size_t(target)];
 }
 
-/// The target's programs are made of GL's state, and its texts of that too.
+/// True if the target's programs, and their texts, are made from GL state.
 [[nodiscard]] constexpr bool isOfState(Target target) {
   return target == Target::Combiners || target == Target::TextureShaders;
 }
 
-/// Its programs shade vertices that are drawn.
+/// True if the target's programs shade vertices of draws.
 [[nodiscard]] constexpr bool isOfVertices(Target target) {
   return target == Target::Vertex || target == Target::VertexShader;
 }
 
-/// Draws of the target depend on fixed-function state (host_draw/fixed_function.h).
+/// True if draws of the target depend on fixed-function state (host_draw/fixed_function.h).
 [[nodiscard]] constexpr bool followsFixedFunction(Target target) {
   return target == Target::AtiText || target == Target::AtiApi || isOfState(target);
 }
 
-/// It has a text, and so a name. A shader that commands made has one where something asks for it
-/// (program_load.h), others of no target or of all.
+/// True if the program has a text, and so a hash that names it. A shader that commands made has one
+/// once something asks for it (program_load.h). Targets without texts never have one.
 [[nodiscard]] inline bool hasText(const CompiledProgram &compiled) {
   return compiled.target == Target::AtiApi ? compiled.commands != nullptr
                                            : *infoOf(compiled.target).extension != '\0';
 }
 
-/// The name of a text's file in a capture and in a folder of replacements: "<hash>.fp".
+/// Returns a text's file name in captures and in replacement folders: "<hash>.fp".
 [[nodiscard]] inline std::string textFileName(Target target, const Hash128 &hash) {
   return toHex(hash) + infoOf(target).extension;
 }
 
-/// A program target of a context: one row of Context::targets. All that the program API keeps for a
-/// target is here, so that each of its commands is written once.
+/// A program target of a context: one row of Context::targets. It holds all that the program API
+/// keeps for a target, so that each command is written once.
 struct ProgramTarget {
   Target target = Target::Fragment;
-  /// The target is the layer's in this context; else its commands are the host's to answer.
+  /// The layer implements the target in this context; else the host answers its commands.
   bool offered = false;
   bool enabled = false;
-  /// Bits of ContextHot::attention that a change of an env or a local parameter sets.
+  /// Bits of ContextHot::attention that a change of an env or local parameter sets.
   std::uint32_t parameterBits = 0;
-  /// The version of `bound` that was last looked at.
+  /// The version of `bound` at the last check.
   std::uint32_t seenVersion = 0;
-  std::shared_ptr<ProgramObject> bound; ///< never null in a context that is not the null one
+  std::shared_ptr<ProgramObject> bound; ///< null only in the null context
   std::vector<Vec4> env;
   std::uint32_t envVersion = 0; ///< counts changes of `env`
-  /// Fours of `env` that follow a matrix, one bit each (NV_vertex_program 2.14.5): no command of
-  /// the application's changes them.
+  /// One bit for each four of `env` that track a matrix (NV_vertex_program 2.14.5). The
+  /// application's commands do not change these.
   std::uint64_t tracked = 0;
-  fp::Limits limits; ///< as GetProgramiv answers them and the compiler enforces them
+  fp::Limits limits; ///< answered by GetProgramiv and enforced by the compiler
 
   [[nodiscard]] const TargetInfo &info() const { return infoOf(target); }
-  /// How many an object has: those of the limits, and behind them what has only a name.
+  /// Returns how many local parameters an object has. Named parameters follow the numbered ones.
   [[nodiscard]] std::size_t localsOfObject() const {
     const bool named = target == Target::Fragment && limits.nvOptions != 0;
     return limits.localParameters + (named ? fp::kMostNamedParameters : 0);
   }
-  /// Env parameter `index` follows a matrix.
+  /// True if env parameter `index` tracks a matrix.
   [[nodiscard]] bool follows(std::size_t index) const {
     return index < 256 && (tracked >> (index / 4) & 1u) != 0;
   }

@@ -29,7 +29,7 @@ void enable(Context &context, const ImagingCommand &command) {
   enabled = command.flag ? enabled | bit : enabled & ~bit;
 }
 
-/// A table or a filter whose colours are the framebuffer's.
+/// Sets a table or a filter from the framebuffer's colours.
 void copy(Context &context, ImagingCommand command) {
   using Kind = ImagingCommand::Kind;
   const GLenum error = command.kind == Kind::CopyTable      ? tableError(command)
@@ -136,7 +136,7 @@ void executeImaging(Context &context, const Command &recorded) {
     at += sizeof upload;
   }
   std::vector<imaging::Rgba> colors((bytes.size() - at) / sizeof(imaging::Rgba));
-  if (!colors.empty()) // commands without an image; an empty vector has no pointer
+  if (!colors.empty()) // commands without an image have none, and an empty vector has no pointer
     std::memcpy(colors.data(), bytes.data() + at, colors.size() * sizeof(imaging::Rgba));
   if (command.kind == ImagingCommand::Kind::TexImage)
     uploadImage(context, upload, std::move(colors));

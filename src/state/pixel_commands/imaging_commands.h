@@ -7,14 +7,13 @@
 
 #include "state/imaging/pixels.h"
 
-/// The commands of ARB_imaging that set its state, below the entry points: as they are called, or
-/// as a display list has them.
+/// The commands of ARB_imaging that set its state. Entry points and display lists call them.
 namespace arbiter::state {
 
 class Context;
 struct Command;
 
-/// One command with its arguments. Plain bytes, in which a list keeps it, and colours behind them.
+/// A command and its arguments. A list keeps its bytes, followed by its colours.
 struct ImagingCommand {
   enum class Kind : std::uint8_t {
     Enable,          ///< pname, flag
@@ -26,13 +25,13 @@ struct ImagingCommand {
     Filter,          ///< target, pname: the internal format, width, height; colours: the image, or
                      ///< the row and then the column
     CopyFilter,      ///< target, pname; x, y, width, height
-    FilterParameter, ///< target, pname, values; flag: of one number
+    FilterParameter, ///< target, pname, values; flag: set by a command with one value
     Histogram,       ///< target, pname: the internal format, width, flag: sink
     Minmax,          ///< target, pname, flag
     Reset,           ///< target
     Transfer,        ///< pname, values[0]
     MatrixMode,      ///< pname
-    DrawPixels,      ///< width, height, flag: were colour indices; colours
+    DrawPixels,      ///< width, height, flag: colour indices; colours
     CopyPixels,      ///< x, y, width, height, pname: the type
     TexImage,        ///< bytes: an ImageUpload (pixel_commands.h); colours
   };
@@ -44,19 +43,19 @@ struct ImagingCommand {
   imaging::Rgba values{};
 };
 
-/// Executes it, or records it into the list that is compiled. From then on the context's pixel
-/// commands ask for imaging.
+/// Executes the command, or records it in a list. From then on the context's pixel commands check
+/// imaging.
 void issueImaging(Context &context, const ImagingCommand &command,
                   const std::vector<imaging::Rgba> &colors = {});
-/// The same at once, in a list that is compiled too: commands of proxies (5.4).
+/// Executes the command at once, even in a list: commands of proxies (5.4).
 void executeImaging(Context &context, const ImagingCommand &command,
                     const std::vector<imaging::Rgba> &colors);
-/// A list's.
+/// Executes a list's command.
 void executeImaging(Context &context, const Command &command);
-/// Into the list that is compiled; `head` is a command's or an upload's plain bytes.
+/// Records a command in a list, with an upload's bytes or nothing in `more`.
 void recordImaging(Context &context, const ImagingCommand &command, const std::string &more,
                    const std::vector<imaging::Rgba> &colors);
-/// Pixel commands of the context look at imaging from now on, and its lists are the layer's.
+/// Makes the context's pixel commands check imaging from now on, and its lists the layer's.
 void noteImagingUse(Context &context);
 
 } // namespace arbiter::state

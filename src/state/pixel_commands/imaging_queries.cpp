@@ -15,7 +15,7 @@ bool returnImage(Context &context, GLenum internalFormat, const imaging::Pixels 
   imaging::Pixels pixels = image;
   for (imaging::Rgba &texel : pixels.texels)
     texel = returned(imaging::baseOf(internalFormat), texel);
-  if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA) // which is red's
+  if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA) // luminance is red's
     for (imaging::Rgba &texel : pixels.texels)
       texel[1] = texel[2] = 0;
   return packPixels(context, pixels, format, type, to);

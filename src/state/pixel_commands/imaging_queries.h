@@ -8,12 +8,12 @@
 
 #include "state/imaging/pixels.h"
 
-/// What queries of tables and filters have in common.
+/// Helpers for queries of tables and filters.
 namespace arbiter::state {
 
 class Context;
 
-/// To a whole number of the type, the nearest that it has; 0 for what is no number.
+/// Returns the nearest integer of the type; 0 for NaN.
 template <typename T> [[nodiscard]] T wholeNumber(double value) {
   constexpr auto kMost = double(std::numeric_limits<T>::max());
   const double nearest = std::floor(value + 0.5);
@@ -22,7 +22,7 @@ template <typename T> [[nodiscard]] T wholeNumber(double value) {
   return T(std::max(nearest, double(std::numeric_limits<T>::min())));
 }
 
-/// Four values, whole numbers rounded (OpenGL 2.1, 6.1.2).
+/// Returns four values, rounded for integer types (OpenGL 2.1, 6.1.2).
 template <typename T> void giveColor(const imaging::Rgba &color, T *to) {
   for (std::size_t c = 0; c < 4; ++c)
     if constexpr (std::is_integral_v<T>)
@@ -31,8 +31,8 @@ template <typename T> void giveColor(const imaging::Rgba &color, T *to) {
       to[c] = color[c];
 }
 
-/// An image of selected colours as the application asks for it; components that its internal format
-/// lacks are 0. Errors are raised. False: nothing was written.
+/// Returns an image to the application. Components that its internal format lacks are 0. Raises
+/// errors. Returns false if nothing was written.
 bool returnImage(Context &context, GLenum internalFormat, const imaging::Pixels &image,
                  GLenum format, GLenum type, void *to);
 

@@ -11,7 +11,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// A size of tables: a power of two, or 0 where that is one.
+/// True for a valid table size: a power of two, or 0.
 bool isPower(GLsizei width) { return width >= 0 && (width & (width - 1)) == 0; }
 
 std::vector<imaging::Rgba> scaled(const imaging::ScaleBias &by,
@@ -22,7 +22,7 @@ std::vector<imaging::Rgba> scaled(const imaging::ScaleBias &by,
   return result;
 }
 
-/// Colours selected by the filter's format, unclamped.
+/// Makes a filter of the components that its format has, unclamped.
 imaging::Filter filterFrom(GLenum format, GLsizei width, GLsizei height,
                            const std::vector<imaging::Rgba> &colors) {
   imaging::Filter filter{format, {width, height, 1, {}}};
@@ -134,7 +134,7 @@ void setFilterParameter(Context &context, const ImagingCommand &command) {
     return;
   }
   imaging::ScaleBias &filter = settings.filters[std::size_t(number)];
-  // A command of one value has none of those that have four.
+  // A command with one value cannot set a parameter of four.
   imaging::Rgba *const to = command.flag                                   ? nullptr
                             : command.pname == GL_CONVOLUTION_BORDER_COLOR ? &border.color
                             : command.pname == GL_CONVOLUTION_FILTER_SCALE ? &filter.scale
@@ -146,7 +146,7 @@ void setFilterParameter(Context &context, const ImagingCommand &command) {
 }
 
 namespace {
-/// Histograms and minmax tables have no intensity.
+/// True for formats of histograms and minmax tables, which have no intensity.
 bool counts(GLenum format) {
   const imaging::Format *const found = imaging::findFormat(format);
   return found && found->base != imaging::Base::Intensity;

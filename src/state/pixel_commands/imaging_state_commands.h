@@ -3,11 +3,11 @@
 
 #include "state/pixel_commands/imaging_commands.h"
 
-/// What commands.h executes, by what it is about. Each raises its errors.
+/// The functions behind commands.h, by subject. Each raises its errors.
 namespace arbiter::state {
 
-/// What is wrong with a command's target, format and size, whatever its colours: nothing is read
-/// from the framebuffer for one that is an error.
+/// Return the error of a command's target, format and size, without its colours. The framebuffer is
+/// not read for a command with an error.
 [[nodiscard]] GLenum tableError(const ImagingCommand &command);
 [[nodiscard]] GLenum subTableError(const Context &context, const ImagingCommand &command);
 
@@ -21,7 +21,7 @@ void setFilter(Context &context, const ImagingCommand &command,
 void setFilterParameter(Context &context, const ImagingCommand &command);
 void setHistogram(Context &context, const ImagingCommand &command);
 void setMinmax(Context &context, const ImagingCommand &command);
-/// ResetHistogram and ResetMinmax.
+/// Executes ResetHistogram and ResetMinmax.
 void resetStatistics(Context &context, GLenum target);
 
 } // namespace arbiter::state

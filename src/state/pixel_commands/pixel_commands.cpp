@@ -23,14 +23,14 @@ bool isImaged(Context &context) {
   return context.imagesPixels && context.imaging->isActive(context);
 }
 
-/// True if a command that draws pixels is the layer's: it is executed now, or goes into a list.
+/// True if a command that draws pixels is the layer's: it is executed now, or recorded in a list.
 bool isOurs(Context &context) {
   if (context.listMode != 0)
     return context.imagesPixels;
   return isImaged(context) || software::shadesRasterValues(context);
 }
 
-/// What comes before and all of ARB_imaging. False: a sink has taken the pixels.
+/// Runs the pixel transfer with ARB_imaging. Returns false if a sink has taken the pixels.
 bool process(Context &context, ImageKind kind, bool indices, Pixels &pixels) {
   if (!indices)
     firstArithmetic(context).apply(pixels);
@@ -40,7 +40,7 @@ bool process(Context &context, ImageKind kind, bool indices, Pixels &pixels) {
   return run(state.settings, state.contents, state.colorMatrix.top(context), kind, pixels);
 }
 
-/// Drawn at the raster position, as if they had come from the application so.
+/// Draws pixels at the raster position, without further transfer.
 void draw(Context &context, const char *command, const Pixels &pixels) {
   if (software::shadesRasterValues(context) && software::tryPixels(context, pixels))
     return;
@@ -59,8 +59,8 @@ void draw(Context &context, const char *command, const Pixels &pixels) {
     raise(context, error, command);
 }
 
-/// Whether what is read is clamped to 0 to 1, whatever the type (ARB_color_buffer_float):
-/// FIXED_ONLY is of a framebuffer that holds no floats.
+/// True if reads are clamped to 0 to 1 for any type (ARB_color_buffer_float). FIXED_ONLY clamps
+/// unless the framebuffer holds floats.
 bool clampsReads(const Context &context) {
   const host::HostTable &host = *context.host;
   GLint clamp = GL_FIXED_ONLY, framebuffer = 0, type = GL_UNSIGNED_NORMALIZED, buffer = 0;
@@ -76,7 +76,7 @@ bool clampsReads(const Context &context) {
   return type != GL_FLOAT;
 }
 
-/// Luminance is the sum of red, green and blue (OpenGL 2.1, 4.3.2, Conversion to L).
+/// Sets luminance to the sum of red, green and blue (OpenGL 2.1, 4.3.2, Conversion to L).
 void sumLuminance(Pixels &pixels) {
   for (Rgba &texel : pixels.texels)
     texel = {texel[0] + texel[1] + texel[2], 0, 0, texel[3]};

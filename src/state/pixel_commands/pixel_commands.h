@@ -6,14 +6,14 @@
 #include "state/pixel_commands/imaging_commands.h"
 #include "state/pixel_commands/transfer.h"
 
-/// The commands that move pixels, where ARB_imaging has a part in it, or fragments have more of the
-/// raster position than hosts give them. Each of those that give true
-/// has done the command, or recorded it into the list that is compiled.
+/// Commands that move pixels, where ARB_imaging takes part, or where fragments use more of the
+/// raster position than hosts provide. They return true if they have executed the command or
+/// recorded it in a list.
 namespace arbiter::state {
 
 struct CopyCommand;
 
-/// Asked by the entry points where ContextHot::imagesPixels is set or the rasterizer may draw.
+/// Entry points call these if ContextHot::imagesPixels is set or the rasterizer may draw.
 [[nodiscard]] bool imagedDrawPixels(Context &context, GLsizei width, GLsizei height, GLenum format,
                                     GLenum type, const void *pixels);
 [[nodiscard]] bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width,
@@ -21,7 +21,7 @@ struct CopyCommand;
 [[nodiscard]] bool imagedReadPixels(Context &context, GLint x, GLint y, GLsizei width,
                                     GLsizei height, GLenum format, GLenum type, void *pixels);
 
-/// A TexImage or TexSubImage. Plain bytes, in which a list keeps it.
+/// A TexImage or TexSubImage. A list keeps its bytes.
 struct ImageUpload {
   GLint dimensions = 2;
   GLint replaces = 0; ///< 1: TexSubImage
@@ -32,16 +32,16 @@ struct ImageUpload {
   GLint x = 0, y = 0, z = 0;
   GLsizei width = 1, height = 1, depth = 1;
   GLint hasPixels = 0;
-  GLint indices = 0; ///< 1: of colour indices, which have no scale and bias
-  GLint isPlane = 0; ///< 1: an image of two dimensions for one of three
+  GLint indices = 0; ///< 1: colour indices, which have no scale and bias
+  GLint isPlane = 0; ///< 1: a two-dimensional image for a texture of three
 };
-/// \param upload all but what says of its pixels
+/// \param upload all but the members about its pixels
 [[nodiscard]] bool imagedTexImage(Context &context, ImageUpload upload, GLenum format, GLenum type,
                                   const void *pixels);
-/// A copy from the framebuffer to a texture.
+/// Copies from the framebuffer to a texture.
 [[nodiscard]] bool imagedCopyTexture(Context &context, const CopyCommand &copy);
 
-// What a list has of them, too.
+// Lists call these too.
 void drawImage(Context &context, const ImagingCommand &command,
                const std::vector<imaging::Rgba> &colors);
 void copyImage(Context &context, const ImagingCommand &command);

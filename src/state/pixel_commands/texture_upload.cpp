@@ -1,4 +1,4 @@
-// Images of textures that ARB_imaging has a part in.
+// Texture images that go through ARB_imaging.
 #include <type_traits>
 #include <utility>
 
@@ -37,7 +37,7 @@ bool isProxy(GLenum target) {
   }
 }
 
-/// CopyTexSubImage3D copies an image of two dimensions.
+/// Returns the kind of an image. CopyTexSubImage3D copies a two-dimensional one.
 ImageKind kindOf(const ImageUpload &upload) {
   if (upload.isPlane != 0)
     return ImageKind::Two;
@@ -73,7 +73,7 @@ void replace(const host::HostTable &host, const ImageUpload &to, const void *pix
   }
 }
 
-/// To the host, whose image alone is valid then.
+/// Gives the image to the host, whose copy alone is valid afterwards.
 void give(Context &context, const ImageUpload &to, const void *pixels) {
   if (context.software && !isProxy(to.target)) {
     if (to.replaces != 0)
@@ -91,14 +91,15 @@ void give(Context &context, const ImageUpload &to, const void *pixels) {
   noteTextureChange(context);
 }
 
-/// A level that takes no colours: the host judges what it is given.
+/// True if the level holds depths. The host then judges the command.
 bool hasDepths(const Context &context, GLenum target, GLint level) {
   GLint bits = 0;
   context.host->GetTexLevelParameteriv(target, level, GL_TEXTURE_DEPTH_SIZE, &bits);
   return bits != 0;
 }
 
-/// Formats of CopyTexImage that are depths, or that TexImage alone has: the host judges them.
+/// True for formats of CopyTexImage that are depths, or that only TexImage has. The host judges
+/// these.
 bool isHostsFormat(GLenum format) {
   switch (format) {
   case 1:

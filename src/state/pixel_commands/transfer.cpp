@@ -14,11 +14,11 @@ namespace arbiter::state {
 
 namespace {
 
-/// Of an image that is read, in a gigabyte: no framebuffer has so many, and the application need
-/// not have the memory for them.
+/// The most pixels of an image that is read: a gigabyte. No framebuffer has more, but a command may
+/// ask for any size, as the application needs no memory for it.
 constexpr std::size_t kMostPixels = std::size_t(1) << 26;
 
-/// A texture of the layer's own, bound as long as this lives.
+/// A temporary texture of the layer's, bound while this lives.
 class Scratch {
 public:
   Scratch(const Context &context, bool deep)
@@ -52,7 +52,7 @@ private:
   TextureBinding m_bound;
 };
 
-/// Runs `function` where the host compiles nothing.
+/// Runs `function` while the host compiles no list.
 template <typename F> void atOnce(Context &context, F function) {
   if (context.listMode != 0)
     context.list->outside(context, function);
@@ -60,8 +60,8 @@ template <typename F> void atOnce(Context &context, F function) {
     function();
 }
 
-/// Runs `function` with the application's pixel store, and with no arithmetic: \returns false, with
-/// its error raised.
+/// Runs `function` with the application's pixel store and plain transfer. Returns false after
+/// raising its error.
 template <typename F> bool succeeds(Context &context, const char *command, F function) {
   GLenum error = GL_NO_ERROR;
   {
@@ -98,7 +98,7 @@ bool pack(Context &context, const imaging::Pixels &pixels, GLenum format, GLenum
   return succeeds(context, "an image's format or type", [&] { scratch.take(format, type, to); });
 }
 
-/// The host's error.
+/// Reads the framebuffer. Returns the host's error.
 GLenum read(Context &context, GLint x, GLint y, imaging::Pixels &to) {
   if (context.software)
     context.software->residency.synchronise("pixels that are read for imaging");
@@ -190,7 +190,7 @@ imaging::FirstArithmetic firstArithmetic(const Context &context) {
     return first;
   for (GLenum c = 0; c < 4; ++c)
     first.map[c].resize(std::size_t(std::max(hostInteger(host, GL_PIXEL_MAP_R_TO_R_SIZE + c), 0)));
-  // Into a buffer object they would go, were one bound.
+  // They would be written to the pixel buffer, if one were bound.
   const GLint buffer =
       context.caps.pixelBuffers ? hostInteger(host, GL_PIXEL_PACK_BUFFER_BINDING) : 0;
   if (buffer != 0)

@@ -19,7 +19,8 @@ void forgetImagesOf(Context &context) {
 
 } // namespace
 
-/// All contexts of the process. Locked by make-current and by what makes and frees contexts.
+/// All contexts of the process. Its lock is taken by make-current, and when contexts are made and
+/// freed.
 class NeighbourTable {
 public:
   void add(Context &context) {
@@ -38,7 +39,7 @@ public:
 
   void become(Context &context, const Drawable &drawable) {
     const std::lock_guard lock(m_mutex);
-    context.drawable = drawable; // which others look at under the lock
+    context.drawable = drawable; // other contexts read it under the lock
     context.neighbours.m_current = true;
     for (Context *other : m_all) {
       if (other != &context && !other->neighbours.m_current && other->software &&
@@ -47,7 +48,7 @@ public:
       if (other == &context || !areNeighbours(*other, context))
         continue;
       advance(*other);
-      // What it kept is of no use any more, and its thread is not there to give it back.
+      // Its images are stale, and its own thread will not free them.
       if (!other->neighbours.m_current)
         forgetImagesOf(*other);
     }
@@ -80,7 +81,7 @@ private:
 
   static void advance(Context &context) { set(context, context.neighbours.epoch() + 2); }
 
-  /// The epoch's lowest bit: whether a neighbour is current.
+  /// Updates the lowest bit of the context's epoch, which tells whether a neighbour is current.
   void count(Context &context) {
     const auto crowds = [&](const Context *other) {
       return other != &context && other->neighbours.m_current && areNeighbours(*other, context);
@@ -97,12 +98,13 @@ private:
 
   std::mutex m_mutex;
   std::vector<Context *> m_all;
-  bool m_escaped = false; ///< as if a neighbour of each were current for good
+  bool m_escaped = false; ///< draws act as if every context had a current neighbour, for good
 };
 
 namespace {
 
-/// Never destroyed: threads of the application may outlive the library's own destructors.
+/// Returns the table. It is never freed: threads of the application may outlive the library's
+/// destructors.
 NeighbourTable &table() {
   static NeighbourTable *const s_table = new NeighbourTable;
   return *s_table;

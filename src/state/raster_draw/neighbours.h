@@ -3,39 +3,40 @@ namespace arbiter::state {
 
 class Context;
 
-/// Before an EGLImage is made of an object of GL's, or of memory of other interfaces, and before
-/// such memory is imported: from then on pixels may change by commands of any context, API or
-/// process, none of which the layer sees (GL_OES_EGL_image, GL_EXT_memory_object). Draws of all
-/// contexts are the host's for the rest of the process.
+/// Ends shadows in all contexts for the rest of the process: the host draws everything. Called
+/// before an EGLImage is made from a GL object or from memory of another interface, and before such
+/// memory is imported. From then on commands of any context, API or process may change pixels
+/// unseen (GL_OES_EGL_image, GL_EXT_memory_object).
 void imagesEscape();
 
 } // namespace arbiter::state
 
-/// Which other contexts may change what a context knows: those of its share group, which change its
-/// textures, renderbuffers and buffers, and those that are current with the same window or pbuffer.
+/// Tracks the neighbours of each context: other contexts that may change what it knows. Contexts of
+/// its share group may change its textures, renderbuffers and buffers; so may contexts that are
+/// current with the same window or pbuffer.
 ///
-/// What a context keeps of such objects (residency's images, the mirror's answers, copies of
-/// buffers) is its own, so that no context ever touches what another thread draws with. It is good
-/// for as long as no neighbour was current: a draw looks at one number, NeighbourEpoch. While a
-/// neighbour is current nothing is kept from one command to the next, and draws are the host's.
+/// A context keeps its own knowledge of such objects (residency's images, the mirror's answers,
+/// copies of buffers), so no context touches what another thread draws with. That knowledge is
+/// valid as long as no neighbour was current: a draw compares one number, NeighbourEpoch. While a
+/// neighbour is current, nothing is kept from one command to the next and the host draws.
 ///
-/// What a context keeps of a window while it is current nowhere is good until another context
-/// becomes current with that window, which takes it away.
+/// A context that is not current keeps what it knows of its window until another context becomes
+/// current with that window.
 ///
-/// A context that stays current need not be told of anything: the application must order its
-/// contexts' commands anyway (OpenGL 4.6, 5.3), by whatever it uses to do so, and a neighbour's
-/// epoch moves before that neighbour's first command and after its last one.
+/// A context that stays current needs no notice. The application must order its contexts' commands
+/// anyway (OpenGL 4.6, 5.3), and the epoch moves before a neighbour's first command and after its
+/// last.
 namespace arbiter::state::software {
 
 struct Drawable;
 
-/// A context is made, or freed.
+/// Add a context when it is made, and remove it when it is freed.
 void addNeighbour(Context &context);
 void removeNeighbour(Context &context);
-/// The host made the context current, with what becomes Context::drawable; before the application
-/// goes on.
+/// Notes that the host has made the context current with `drawable`, which becomes
+/// Context::drawable. Called before the application goes on.
 void becomesCurrent(Context &context, const Drawable &drawable);
-/// The host took it away from its thread, or gives it another drawable.
+/// Notes that the host takes the context from its thread, or gives it another drawable.
 void ceasesToBeCurrent(Context &context);
 
 } // namespace arbiter::state::software

@@ -16,8 +16,8 @@ Drawable windowOf(const int &handle) {
   return drawable;
 }
 
-/// A context that is freed with the test, current nowhere at first. Contexts are made current on
-/// the test's one thread, as if each had one of its own: the table is told, the thread is not.
+/// A context that is destroyed with the test and starts out current nowhere. All contexts are
+/// "current" on the test's one thread: only the table is told, not the thread.
 class Made {
 public:
   explicit Made(FakeHost &host, const Made *share = nullptr)

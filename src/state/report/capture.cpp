@@ -16,8 +16,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// The contexts that live, so that what is effective at exit is counted too. Never freed: contexts
-/// may die after static destructors began.
+/// The live contexts, so that draws with their effective programs are counted at exit too. Never
+/// freed: contexts may be destroyed after static destructors began.
 struct Live {
   std::mutex mutex;
   std::vector<Context *> contexts;
@@ -31,7 +31,7 @@ void finishAtExit() {
   Live &l = live();
   const std::unique_lock lock = lockAtExit(l.mutex);
   if (!lock)
-    return; // what was written a second ago stays
+    return; // the record of a second ago stays
   for (Context *context : l.contexts)
     captureLeave(*context);
   CaptureRecord::instance()->finish();
@@ -40,7 +40,7 @@ void finishAtExit() {
 struct Binding {
   GLenum target;
   GLenum query;
-  GLenum level; ///< the target whose level 0 is asked for
+  GLenum level; ///< the target whose level 0 is queried
 };
 
 Binding bindingOf(fp::ir::TexTarget target) {
@@ -75,7 +75,7 @@ TextureUse describeTexture(Context &context, const fp::GlslSampler &sampler) {
   host.GetTexLevelParameteriv(binding.level, 0, GL_TEXTURE_HEIGHT, &use.height);
   host.GetTexLevelParameteriv(binding.level, 0, GL_TEXTURE_DEPTH, &use.depth);
   host.GetTexLevelParameteriv(binding.level, 0, GL_TEXTURE_INTERNAL_FORMAT, &use.format);
-  if (GLint(sampler.unit) < context.caps.maxTextureUnits) // units beyond have no fixed function
+  if (GLint(sampler.unit) < context.caps.maxTextureUnits) // units above have no fixed function
     for (std::size_t i = 0; i < std::size(kFixedTargets); ++i)
       if (host.IsEnabled(kFixedTargets[i].cap))
         use.enabled |= std::uint8_t(1u << i);
@@ -162,7 +162,7 @@ void captureFrame(Context &context) {
   if (!capturing())
     return;
   captureLeave(context);
-  // The next draw looks at what is effective, and at its textures, anew.
+  // Makes the next draw look at the effective programs and their textures again.
   if (!context.passThrough)
     context.attention |= attention::kProgram;
   CaptureRecord::instance()->frameEnded();

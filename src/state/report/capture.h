@@ -9,33 +9,33 @@
 #include "state/objects/target.h"
 #include "state/report/capture_record.h"
 
-/// What a context tells the record of ARBITER_CAPTURE. Nothing is done for each draw: the draws of
-/// a program are the difference of the path's counter between its becoming effective and its
-/// leaving, and the parameters of its last draw are what the host still holds then. Bound textures
-/// are looked at when a program becomes effective: by the time it leaves, the application has often
-/// bound those of the next.
+/// The interface by which a context reports to the record of ARBITER_CAPTURE. Nothing is done per
+/// draw: a program's draws are how far the path's counter moved while the program was effective.
+/// Its parameters are those that the host still holds when it leaves. Its textures are queried when
+/// it becomes effective, as applications often bind the next program's textures before they change
+/// the program.
 namespace arbiter::state {
 
 class Context;
 struct ProgramObject;
 
-/// Whether ARBITER_CAPTURE is set: one load of a constant.
+/// True if ARBITER_CAPTURE is set. Costs one load of a constant.
 [[nodiscard]] inline bool capturing() {
   static const bool s_capturing = CaptureRecord::instance() != nullptr;
   return s_capturing;
 }
 
 void captureContextMade(Context &context);
-/// The context is about to be freed, perhaps on a thread where it is not current.
+/// Forgets a context that is about to be freed. It may be current on no thread.
 void captureContextGone(Context &context);
-/// A program string was given to our compiler; `compiled` is null where it was refused.
+/// Records a program string that the layer compiled; `compiled` is null if it was refused.
 void captureLoad(const Context &context, const ProgramObject &object, std::string_view text,
                  const fp::CheckResult &result, const CompiledProgram *compiled);
-/// The programs that draws now use have been chosen; the context is current.
+/// Records that programs became effective. The context is current.
 void captureEnter(Context &context);
-/// Other programs, or none, may be chosen next.
+/// Records the draws of the effective programs, before others may be chosen.
 void captureLeave(Context &context);
-/// SwapBuffers.
+/// Counts a frame, at SwapBuffers.
 void captureFrame(Context &context);
 
 } // namespace arbiter::state

@@ -19,7 +19,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// An application may make programs for ever: what is kept of them is bounded.
+/// Limits on what is kept, as an application may keep on making programs.
 constexpr std::size_t kMaxRows = 4096;
 constexpr std::uint64_t kMaxTextBytesInAll = 256u << 20;
 constexpr std::int64_t kSecond = 1'000'000'000;
@@ -41,8 +41,7 @@ CaptureRecord *CaptureRecord::instance() {
 
 CaptureRecord::CaptureRecord(std::string folder) : m_folder(std::move(folder)) { afterFork(); }
 
-/// A child that was forked from a process with a record begins its own: what its parent loaded and
-/// drew is the parent's.
+/// Begins a new record in a forked child: what the parent loaded and drew belongs to the parent.
 void CaptureRecord::afterFork() {
   const pid_t process = getpid();
   if (process == m_process)
@@ -52,8 +51,8 @@ void CaptureRecord::afterFork() {
   m_rows.clear();
   m_notListed = m_contexts = m_frames = 0;
   m_nextWrite = 0;
-  // The time of the beginning tells a process from an earlier one of its number, and from another
-  // program that it went on as.
+  // The start time tells the process from an earlier one with its number, and from a program that
+  // it becomes by exec.
   char name[64];
   std::snprintf(name, sizeof name, "/process-%d-%llx.json", int(process),
                 static_cast<unsigned long long>(now(CLOCK_REALTIME)));
@@ -72,7 +71,7 @@ CaptureRow *CaptureRecord::rowOf(Target target, const Hash128 &hash) {
   auto made = std::make_unique<CaptureRow>();
   made->target = target;
   made->hash = toHex(hash);
-  m_order.reserve(std::bit_ceil(m_order.size() + 1)); // before anything changes
+  m_order.reserve(std::bit_ceil(m_order.size() + 1)); // allocate before anything changes
   CaptureRow *const row = m_rows.emplace(name, std::move(made)).first->second.get();
   m_order.push_back(row);
   return row;
@@ -90,7 +89,7 @@ void CaptureRecord::writeFile(const std::string &name, std::string_view text, bo
   m_complained = true;
 }
 
-/// An ATI shader has GLSL only when it is drawn with.
+/// Writes the GLSL file. An ATI shader has no GLSL before its first draw.
 void CaptureRecord::writeGlsl(CaptureRow &row, const CompiledProgram &program) {
   if (row.hasGlsl || program.glsl.text.empty())
     return;
@@ -136,7 +135,7 @@ void CaptureRecord::loaded(std::uint32_t context, Target target, std::string_vie
 void CaptureRecord::used(const ProgramUse &use) {
   const std::lock_guard lock(m_mutex);
   afterFork();
-  // A shader that commands made, and that no text can say, has no row.
+  // A shader that was made by commands and cannot be written as text has no row.
   const auto it = m_rows.find(textFileName(use.target, use.program->hash));
   if (it == m_rows.end())
     return;
@@ -150,7 +149,7 @@ void CaptureRecord::used(const ProgramUse &use) {
   row->lastFrame = frame;
   row->lastUse = now(CLOCK_REALTIME);
   if (use.values) {
-    row->program = use.program; // names the values
+    row->program = use.program; // it names the values
     row->values = *use.values;
   }
   if (use.textures)
@@ -186,7 +185,7 @@ void CaptureRecord::write(bool complete) {
     logWarn("state", "cannot write %s: %s", m_path.c_str(), std::strerror(errno));
   }
   m_dirty = false;
-  // A slow disk or a long record must not take more than a twentieth of the application's time.
+  // Limits writing to a twentieth of the application's time, for slow disks and long records.
   const std::int64_t took = now(CLOCK_MONOTONIC) - began;
   m_nextWrite = now(CLOCK_MONOTONIC_COARSE) + std::max(kSecond, 20 * took);
 }

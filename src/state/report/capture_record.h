@@ -16,44 +16,43 @@ namespace arbiter::fp {
 struct CheckResult;
 }
 
-/// What a process puts into the folder of ARBITER_CAPTURE: each program text in a file of its own
-/// as it is loaded (HASH.fp, .vp, .atifs) with its GLSL beside it, and one record of how they are
-/// used, process-PID-START.json, written anew from time to time. Every file appears whole or not at
-/// all, so that a process that is killed loses a second of figures and no text. `arbiter capture`
-/// merges the records.
+/// The capture of a process in the folder of ARBITER_CAPTURE. Each loaded program text has its own
+/// file (HASH.fp, .vp, .atifs), with its GLSL beside it. A record of their use,
+/// process-PID-START.json, is rewritten from time to time. Files are replaced as a whole, so a
+/// killed process loses one second of figures and no text. `arbiter capture` merges the records.
 namespace arbiter::state {
 
-/// ARBITER_CAPTURE_SCHEMA of GL/arbiter.h: grows when a member changes its meaning or goes.
+/// ARBITER_CAPTURE_SCHEMA of GL/arbiter.h: grows when a member changes its meaning or is removed.
 inline constexpr int kCaptureSchema = 1;
 
-/// One stretch of draws with a program.
+/// A run of draws with one program.
 struct ProgramUse {
   Target target = Target::Fragment;
   std::shared_ptr<const CompiledProgram> program;
-  std::uint32_t context = 0; ///< serial
+  std::uint32_t context = 0; ///< its serial number
   std::uint64_t frame = 0;   ///< of the context
   std::array<DrawsBy, 2> draws;
-  const std::vector<Vec4> *values = nullptr; ///< of the program's GLSL uniforms; null: unknown
+  const std::vector<Vec4> *values = nullptr; ///< values of the program's GLSL uniforms; null:
+                                             ///< unknown
   const std::vector<TextureUse> *textures = nullptr;
 };
 
-/// The record of this process. Any thread may call; each call locks.
+/// The record of this process. Any thread may call it; each call takes the lock.
 class CaptureRecord {
 public:
-  /// Null unless ARBITER_CAPTURE names a folder. Never destroyed.
+  /// Returns the record; null unless ARBITER_CAPTURE names a folder. Never freed.
   [[nodiscard]] static CaptureRecord *instance();
 
   void contextMade();
-  /// A program string was given to the compiler; `compiled` is null where it was refused. Writes
-  /// the text's file.
+  /// Records a program string and writes its file; `compiled` is null if it was refused.
   /// \param message errors, or warnings of a program that loaded
   void loaded(std::uint32_t context, Target target, std::string_view text,
               const fp::CheckResult &result, const std::string &message,
               const CompiledProgram *compiled);
   void used(const ProgramUse &use);
-  /// A frame ended: writes the record if that has not been done for a second.
+  /// Counts a frame, and writes the record if the last write is a second ago.
   void frameEnded();
-  /// At exit.
+  /// Writes the final record at exit.
   void finish();
 
 private:
@@ -76,7 +75,7 @@ private:
   std::uint64_t m_contexts = 0;
   std::uint64_t m_frames = 0;
   std::int64_t m_nextWrite = 0; ///< monotonic ns
-  std::uint64_t m_bytes = 0;    ///< of texts written
+  std::uint64_t m_bytes = 0;    ///< bytes of texts written
   bool m_dirty = false;
   bool m_complained = false;
 };

@@ -11,7 +11,7 @@
 #include "state/objects/texture_use.h"
 #include "util/json.h"
 
-/// A row of a capture's record: one program text, and its use.
+/// A row of a capture's record: a program text and its use.
 namespace arbiter::state {
 
 /// The fixed-function texture targets, in rising precedence (3.8.15).
@@ -27,31 +27,31 @@ inline constexpr FixedTarget kFixedTargets[] = {
     {GL_TEXTURE_CUBE_MAP, "TEXTURE_CUBE_MAP"},
 };
 
-/// Draws of one path.
+/// The number of draws on one path.
 struct DrawsBy {
   const char *path = ""; ///< pathName()
   std::uint64_t count = 0;
 };
 
-/// The options of a program as it would spell them.
+/// Returns the options of a program as its text would spell them.
 [[nodiscard]] std::vector<const char *> optionNames(const fp::ir::Options &options, bool vertex);
 
-/// What a process knows of one program text.
+/// The record of one program text.
 struct CaptureRow {
   Target target = Target::Fragment;
   std::string hash;
   std::uint64_t loads = 0, frames = 0;
-  std::vector<DrawsBy> draws; ///< each path once, none without a draw
+  std::vector<DrawsBy> draws; ///< each path once, and only those with draws
   std::set<std::uint32_t> contexts;
   std::vector<const char *> options;
   bool counted = false;
   fp::ResourceCounts counts, nativeCounts;
   bool underNativeLimits = false;
   bool replaced = false;
-  bool hasGlsl = false; ///< its file is written
+  bool hasGlsl = false; ///< its GLSL file is written
   std::int32_t errorPosition = -1;
   std::string error, warning;
-  // Of the last use.
+  // These are from the last use.
   std::pair<std::uint32_t, std::uint64_t> lastFrame{0, ~std::uint64_t{0}}; ///< context and frame
   std::int64_t lastUse = -1;                                               ///< ns since the epoch
   std::shared_ptr<const CompiledProgram> program;
@@ -59,7 +59,7 @@ struct CaptureRow {
   std::vector<TextureUse> textures;
 
   void add(const DrawsBy &draws);
-  /// One element of the record's "programs".
+  /// Writes an element of the record's "programs".
   void write(JsonWriter &json) const;
 };
 

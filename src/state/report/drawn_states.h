@@ -8,20 +8,21 @@
 
 namespace arbiter::state {
 
-/// The register combiners and texture shaders that the process has drawn with, as texts, for
-/// clients of control: a state has no object that holds one. Any thread may call; never destroyed.
+/// The register combiners and texture shaders that the process has drawn with, as texts for control
+/// clients. No GL object holds such a state. Any thread may call it; never freed.
 class DrawnStates {
 public:
   [[nodiscard]] static DrawnStates &instance();
 
-  /// \param state its target, text, hash, counts, and what stands in for it; there is no code
-  /// \returns true for one that was not known
+  /// Adds a state.
+  /// \param state its target, text, hash, counts and replacement; it has no code
+  /// \returns true if it was not known
   bool note(std::shared_ptr<const CompiledProgram> state);
-  /// By the names of their texts' files.
+  /// Returns all states, by the names of their text files.
   [[nodiscard]] std::map<std::string, std::shared_ptr<const CompiledProgram>> all();
 
 private:
-  /// An application that makes others for ever begins again here.
+  /// An application that keeps on making new states makes the list start again here.
   static constexpr std::size_t kMost = 4096;
   std::mutex m_mutex;
   std::map<std::string, std::shared_ptr<const CompiledProgram>> m_states;

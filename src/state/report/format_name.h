@@ -5,7 +5,7 @@
 
 namespace arbiter::state {
 
-/// "RGBA8" for the internal formats of the time, else the number.
+/// Returns "RGBA8" and the like for internal formats of the time, else the number.
 [[nodiscard]] std::string formatName(GLint format);
 
 } // namespace arbiter::state

@@ -13,15 +13,16 @@ namespace arbiter::state {
 
 namespace {
 
-constexpr std::uint64_t kMostLines = 8; ///< of the log; the rest is counted
-constexpr std::size_t kMostKept = 4096; ///< texts that are known again
+constexpr std::uint64_t kMostLines = 8; ///< lines in the log; further refusals are counted
+constexpr std::size_t kMostKept = 4096; ///< texts that are remembered
 
 struct KnownRefusals {
   std::mutex mutex;
   std::map<std::string, Refusal> known; ///< by target and hash
 };
 
-/// Never freed: contexts may load programs after static destructors began.
+/// Returns the remembered refusals. Never freed: contexts may load programs after static
+/// destructors began.
 KnownRefusals &knownRefusals() {
   static KnownRefusals *const s_known = new KnownRefusals;
   return *s_known;
@@ -40,7 +41,7 @@ void say(const char *target, const Refusal &refusal, std::uint64_t before) {
   if (before == kMostLines) {
     logWarn("state", "more programs are refused by the profile %s; --stats FILE names them all",
             activeProfile().name.c_str());
-    std::atexit(sayRest); // where it cannot be registered, the statistics have the number
+    std::atexit(sayRest); // if it cannot be registered, the statistics still have the number
   }
   if (before < kMostLines)
     logWarn("state", "a %s program is refused by the profile %s alone: %s; arbiter run %s loads it",

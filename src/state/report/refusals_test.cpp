@@ -1,4 +1,4 @@
-/// Reports of programs that the profile alone refuses: r300, as no variable asks for another.
+/// Tests reports of programs that only the profile refuses. It is r300, the default.
 #include "state/report/refusals.h"
 
 #include <filesystem>
@@ -24,7 +24,7 @@ public:
   RoomyHost() { programLimit = 4096; }
 };
 
-/// With so many ALU instructions; `mark` makes it a text of its own.
+/// Returns a program with that many ALU instructions; `mark` makes it a different text.
 std::string longText(int instructions, int mark = 0) {
   std::string text = "!!ARBfp1.0\n# " + std::to_string(mark) + "\nTEMP r;\n";
   for (int i = 1; i < instructions; ++i)
@@ -32,7 +32,7 @@ std::string longText(int instructions, int mark = 0) {
   return text + "MOV result.color, r;\nEND";
 }
 
-/// Collects the lines that the log gets.
+/// Collects the lines of the log.
 class Log {
 public:
   Log()
@@ -89,7 +89,8 @@ TEST(Refusals, WhatTheHostWouldRefuseTooIsTheApplicationsAffair) {
   EXPECT_EQ(refusedTexts(), before);
 }
 
-// A number that is too high has no report: only a profile that has it takes it.
+// ARBITER_LIMITS=report does not load a number that is too high; only a profile that allows it
+// does.
 TEST(Refusals, NameNoWayOutThatIsNone) {
   RoomyHost host;
   const CurrentContext context(host);

@@ -1,4 +1,4 @@
-// When pixels must be moved: synchronisation, frames, contexts.
+// Decides when pixels must be moved: synchronisation, frames, contexts.
 #include "state/residency/residency.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace arbiter::state::software {
 namespace {
 
 void uploadList(ResidentImages &images, std::vector<PixelImage *> &list) {
-  // One by one: what finds no memory stays in the list, as its shadow is what counts.
+  // An upload that finds no memory stays in the list, as its shadow is the only valid copy.
   while (!list.empty()) {
     PixelImage *const image = list.back();
     if (image->valid == Valid::Shadow) {
@@ -33,7 +33,7 @@ void uploadAll(ResidentImages &images) {
 }
 
 void dropObjects(ResidentImages &images) {
-  // From the end, as the last one takes the place of the one that goes.
+  // Backwards, as removing an entry moves the last one into its place.
   const std::vector<PixelImage *> &shadowed = images.objects.shadowed;
   for (std::size_t i = shadowed.size(); i-- > 0;)
     if (shadowed[i]->place.kind != Place::Kind::Window)
@@ -49,12 +49,12 @@ void dropFramebuffer(ResidentImages &images) {
   for (PixelImage *image : f.color)
     drop(image);
   drop(f.depthStencil);
-  // What is attached to a framebuffer that the rasterizer cannot draw to is not all known: any
-  // image may be.
+  // If the rasterizer cannot draw to the framebuffer, not all of its attachments are known, so any
+  // image may be one of them.
   if (f.drawName != 0 && f.reason)
     dropObjects(images);
   if (f.drawName == 0) {
-    // The front and the back buffer are not told apart where the host draws to both.
+    // A host that draws to both buffers makes no difference between front and back.
     drop(&images.color);
     drop(&images.depthStencil);
   }
@@ -70,7 +70,7 @@ void dropAll(ResidentImages &images) {
   images.hot.dirty = ~0u;
 }
 
-/// Nothing is known of any object; nothing is pending.
+/// Forgets all objects. None of them may be pending.
 void forgetObjects(ResidentImages &images) {
   ObjectImages &objects = images.objects;
   objects.textures.clear();
@@ -86,7 +86,7 @@ void dropIfNeighbourWasCurrent(ResidentImages &images) {
   const std::uint64_t epoch = images.neighbours.epoch();
   if (images.epoch == epoch) [[likely]]
     return;
-  images.objects.way = {}; // the texture that pixels go to the host by holds the neighbour's, too
+  images.objects.way = {}; // the upload texture may hold the neighbour's pixels
   uploadAll(images);
   dropAll(images);
   forgetObjects(images);
@@ -106,7 +106,7 @@ bool Residency::syncWithNeighbours() { return isAlone(*m_images); }
 void Residency::forget() {
   ResidentImages &images = *m_images;
   if (images.hot.hostIsBehind)
-    return; // it left in the middle of a list or a primitive
+    return; // the context left in the middle of a list or a primitive
   dropAll(images);
   forgetObjects(images);
 }

@@ -26,48 +26,48 @@ struct ResidentImages;
 
 /// The current draw framebuffer as images of the layer's.
 struct DrawTargets {
-  int width = 0, height = 0;                        ///< pixels; the smallest attachment's
-  swrast::Image *color[abi::kMaxColorTargets] = {}; ///< by draw buffer; null: GL_NONE
-  int slice[abi::kMaxColorTargets] = {};            ///< of a 3D texture's image, else 0
-  swrast::Image *depthStencil = nullptr;            ///< null: none
+  int width = 0, height = 0;                        ///< in pixels; those of the smallest attachment
+  swrast::Image *color[abi::kMaxColorTargets] = {}; ///< per draw buffer; null: GL_NONE
+  int slice[abi::kMaxColorTargets] = {};            ///< in a 3D texture's image, else 0
+  swrast::Image *depthStencil = nullptr;            ///< null: there is none
   int depthBits = 0, stencilBits = 0;
   bool doubleBuffered = false, isWindow = false;
 };
 
-/// How the application's bitmaps lie in memory (OpenGL 2.1, 3.6.1 and 3.7).
+/// The unpack state for the application's bitmaps (OpenGL 2.1, 3.6.1 and 3.7).
 struct BitUnpacking {
   GLint rowLength = 0, skipRows = 0, skipPixels = 0, alignment = 4;
   bool lowestFirst = false;
-  GLuint buffer = 0; ///< PIXEL_UNPACK_BUFFER that they lie in; 0: client memory
+  GLuint buffer = 0; ///< the PIXEL_UNPACK_BUFFER to read; 0: client memory
 };
 
 /// BASE_LEVEL and MAX_LEVEL of a texture.
 struct TextureLevels {
   GLint base = 0, max = 1000;
 };
-/// A texture as sampled: levels from BASE_LEVEL on, all valid in shadow.
+/// A texture for sampling: its levels from BASE_LEVEL on, all valid in shadow.
 struct TextureImages {
   abi::Format format;
   abi::Dimension dimension = abi::Dimension::Tex2D;
-  bool complete = false;       ///< with mipmaps as `mipmapped` asked; else nothing below is set
+  bool complete = false;       ///< as `mipmapped` requires; else nothing below is set
   std::uint8_t powerOfTwo = 0; ///< abi::SamplerKey's
-  bool srgb = false;     ///< colours are encoded, for the sampler to decode (OpenGL 2.1, 3.8.15)
-  abi::TextureView view; ///< levels and levelCount only; valid until the texture changes
-  swrast::Storage *const *storages = nullptr; ///< of view.levels, one each
-  int imageCount = 0;                         ///< of both: faces times levels
+  bool srgb = false;           ///< the sampler must decode colours (OpenGL 2.1, 3.8.15)
+  abi::TextureView view;       ///< levels and levelCount only; valid until the texture changes
+  swrast::Storage *const *storages = nullptr; ///< one per level of view.levels
+  int imageCount = 0;                         ///< faces times levels, the size of both arrays
 };
 
-/// What is known of a texture without its pixels.
+/// A texture's properties, without its pixels.
 struct TextureFormat {
-  abi::Format format; ///< of a complete one
+  abi::Format format; ///< valid if complete
   bool complete = false;
 };
 
-/// One of the copies from the read buffer to a texture: by sharing the shadow where it is whole, by
-/// copying in memory where it is not. The host is then behind with that texture.
+/// A copy from the read buffer to a texture. A whole copy shares the shadow, any other copies in
+/// memory. Afterwards the texture is pending.
 struct CopyToTexture {
-  GLuint texture = 0; ///< bound to the target
-  GLenum target = 0;  ///< of an image: a face of a cube map
+  GLuint texture = 0; ///< the bound texture
+  GLenum target = 0;  ///< the image target, for instance a face of a cube map
   GLint level = 0;
   bool defines = false; ///< CopyTexImage: (re)defines the level with internalFormat
   GLenum internalFormat = 0;
@@ -76,7 +76,7 @@ struct CopyToTexture {
   GLsizei width = 0, height = 1;
 };
 
-/// BlitFramebuffer: corners as given, either end first.
+/// A BlitFramebuffer command, with corners in the order given.
 struct FramebufferBlit {
   struct Corners {
     GLint x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -89,29 +89,29 @@ struct FramebufferBlit {
 /// Figures for --stats and for tests.
 struct ResidencyStatistics {
   std::uint64_t copiesShared = 0;                   ///< feedback copies that moved no pixel
-  std::uint64_t copiesInMemory = 0;                 ///< that copied from shadow to shadow
+  std::uint64_t copiesInMemory = 0;                 ///< feedback copies from shadow to shadow
   std::uint64_t downloads = 0, downloadedBytes = 0; ///< host to shadow
   std::uint64_t uploads = 0, uploadedBytes = 0;     ///< shadow to host
-  std::uint64_t shadowBytes = 0;                    ///< held now
+  std::uint64_t shadowBytes = 0;                    ///< bytes of shadows at present
 };
 
-/// The coherency of a context's images: which copy of each is valid, the host's or our shadow, and
-/// moving pixels when the other side needs them. Nothing is moved before that.
+/// Keeps a context's images coherent: it knows which copy of each is valid, the host's or the
+/// shadow. It moves pixels only when the other side needs them.
 ///
-/// An image (a level of a texture, a renderbuffer, a buffer of the window) is at any moment
-/// host-valid (no shadow, or an old one), valid in both (equal), or shadow-valid (the host is
-/// behind: "pending"). ContextHot::hostIsBehind is set while any image is pending.
+/// An image is a level of a texture, a renderbuffer or a buffer of the window. It is host-valid (no
+/// shadow, or a stale one), valid in both, or shadow-valid ("pending": the host's copy is stale).
+/// ContextHot::hostIsBehind is set while any image is pending.
 class Residency {
 public:
-  /// What it is built on, all of which outlives it.
+  /// The context's parts that residency uses. All outlive it.
   struct Surroundings {
-    ContextHot &hot; ///< the host's functions as they are now, dirty bits, hostIsBehind
+    ContextHot &hot; ///< current host functions, dirty bits, hostIsBehind
     const HostCaps &caps;
-    GLenum &pendingError; ///< HostErrorScope
+    GLenum &pendingError; ///< for HostErrorScope
     const NeighbourEpoch &neighbours;
     DeletedNames &deletedNames;            ///< of the share group
-    TextureViews &textureViews;            ///< likewise
-    const std::atomic<int> &groupContexts; ///< that the share group ever had
+    TextureViews &textureViews;            ///< of the share group
+    const std::atomic<int> &groupContexts; ///< how many the share group ever had
     swrast::PendingDraws &draws;           ///< of the context
     std::uint32_t serial = 0;              ///< of the context, for deletedNames
   };
@@ -122,25 +122,24 @@ public:
 
   // --- Targets ---
 
-  /// What of the current draw framebuffer is: sizes and formats, without moving a pixel. Null where
-  /// we cannot draw to it (multisampled, a format that we lack, GL_FRONT_AND_BACK, incomplete),
-  /// with `reason` a row of reasons.def.
+  /// Describes the current draw framebuffer: sizes and formats, without moving a pixel. Returns
+  /// null if the rasterizer cannot draw to it (multisampled, an unsupported format,
+  /// GL_FRONT_AND_BACK, incomplete). `reason` then is a row of reasons.def.
   [[nodiscard]] const DrawTargets *describeTargets(const char *&reason);
-  /// What describeTargets() told last, where nothing has changed since but for the window's size,
-  /// which costs reads of the host's buffers to find out: enough for whether a draw tests depth.
-  /// Null where more has changed.
+  /// Returns the last result of describeTargets(), if nothing but the window's size can have
+  /// changed since. That size costs reads of the host's buffers, and a test of depth does not need
+  /// it. Returns null if more may have changed.
   [[nodiscard]] const DrawTargets *targetsBefore();
-  /// Moves on when what describeTargets() or acquireTexture() told is invalidated. While it stands,
-  /// syncWithNeighbours() found nothing, and no command has marked dirty::kFramebuffer, they need
-  /// not be called again.
+  /// Advances when results of describeTargets() or acquireTexture() become invalid. They need not
+  /// be called again while it stays the same, syncWithNeighbours() found nothing, and no command
+  /// has marked dirty::kFramebuffer.
   [[nodiscard]] std::uint64_t version() const;
-  /// While the targets are as described: true if the shadows are the place to draw to already, as
-  /// after acquireTargets() and with nothing in between that moved pixels; they are drawn to then.
-  /// Takes no lock.
+  /// True if the shadows can be drawn to right away, as no pixels were moved since
+  /// acquireTargets(). Marks them as drawn to. The targets must be as described. Takes no lock.
   [[nodiscard]] bool targetsHeld(bool depthStencilUsed);
-  /// Makes the shadows the place to draw to: valid where contents are kept, writable, pending
-  /// after. False: no memory; the host draws.
-  /// \param overwritten what the draw surely replaces in all its colour components
+  /// Makes the shadows the targets: valid where their contents are kept, writable, and pending.
+  /// Returns false without memory; then the host draws.
+  /// \param overwritten the area in which the draw surely replaces all colour components
   /// (swrast::surelyCovered)
   /// \param depthUsed, stencilUsed the depth and stencil buffers are read or written
   [[nodiscard]] bool acquireTargets(const swrast::Rect &overwritten, bool depthUsed,
@@ -148,100 +147,101 @@ public:
 
   // --- Textures ---
 
-  /// The images of the texture `name` bound to that target, downloaded as far as the host is newer.
-  /// Null where its format is one that we lack, with `reason`.
+  /// Returns the images of the texture `name` that is bound to that target, and downloads what is
+  /// stale. Returns null and `reason` if its format is unsupported.
   [[nodiscard]] const TextureImages *acquireTexture(GLuint name, abi::Dimension dimension,
                                                     TextureLevels range, bool mipmapped,
                                                     const char *&reason);
-  /// What acquireTexture() would say of the format, or that it would be null; moves no pixel.
+  /// Returns the format that acquireTexture() would give, or nothing if it would fail. Moves no
+  /// pixel.
   [[nodiscard]] std::optional<TextureFormat> describeTexture(GLuint name, abi::Dimension dimension,
                                                              TextureLevels range, bool mipmapped);
-  /// False where acquireTexture() would refuse the texture's format; moves no pixel.
+  /// False if acquireTexture() would refuse the texture's format. Moves no pixel.
   [[nodiscard]] bool samplesTexture(GLuint name, abi::Dimension dimension, TextureLevels range);
 
-  // --- Commands on pixels; false: the host's, go on as with any other command ---
+  // --- Commands on pixels; if they return false, the host must execute the command ---
 
-  /// False: the host has been brought up to date for the copy, and the level is its own.
+  /// Copies between shadows. If it returns false, the host is up to date for the copy and the level
+  /// is the host's.
   [[nodiscard]] bool copyToTexture(const CopyToTexture &copy);
   [[nodiscard]] bool clear(GLbitfield mask);
-  /// Colours that are moved as they are, upside down or not, from a shadow; nothing of the host's
-  /// is read.
+  /// Copies colours from a shadow unchanged or upside down. Reads nothing from the host.
   [[nodiscard]] bool blit(const FramebufferBlit &command);
-  /// What tells the draw framebuffer from others, where Clear of `mask` replaces all of its colours
-  /// and depths; null where it does not, or where we cannot draw to it.
+  /// Returns an identity of the draw framebuffer if Clear of `mask` replaces all its colours and
+  /// depths. Null if it does not, or if the rasterizer cannot draw to it.
   [[nodiscard]] const void *wholeTargetCleared(GLbitfield mask);
   [[nodiscard]] bool readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                                 GLenum type, void *pixels);
   [[nodiscard]] bool getTexImage(GLenum target, GLint level, GLenum format, GLenum type,
                                  void *pixels);
-  /// The application replaces texels. The host gets them as always; the shadow too where the
-  /// formats are plain, so that it stays valid, and else it is the host's. Called before the host's
-  /// own call.
+  /// Follows TexSubImage. Called before the host executes it, which it always does. Writes plain
+  /// formats to the shadow too, which stays valid; otherwise the image becomes the host's.
   void texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width,
                    GLsizei height, GLsizei depth, GLenum format, GLenum type, const void *pixels);
-  /// Before TexImage2D. Where it defines a level as it is already, it replaces its texels; else the
-  /// texture is the host's (textureRedefined()).
+  /// Follows TexImage2D. Called before the host executes it. If it defines a level as before, it
+  /// replaces the texels; otherwise the texture becomes the host's (textureRedefined()).
   void texImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height,
                   GLint border, GLenum format, GLenum type, const void *pixels);
-  /// A level is (re)defined, storage is given, mipmaps are generated: the texture bound to `target`
-  /// (0: any, all of them) is the host's from here on. Pending pixels of it go to the host first.
+  /// Makes the texture bound to `target` the host's (0: all textures), after uploading its pending
+  /// pixels. Called when a level is (re)defined, storage is given or mipmaps are generated.
   void textureRedefined(GLenum target);
-  /// Before the host deletes them.
+  /// Forgets textures. Called before the host deletes them.
   void texturesDeleted(GLsizei n, const GLuint *names);
-  /// Before the host gives storage to the renderbuffer that is bound, or refuses to: the
-  /// renderbuffer is the host's from here on. Pending pixels of it go to the host first.
+  /// Makes the bound renderbuffer the host's, after uploading its pending pixels. Called before the
+  /// host gives it storage, or refuses to.
   void renderbufferRedefined();
-  /// Before the host deletes them.
+  /// Forgets renderbuffers. Called before the host deletes them.
   void renderbuffersDeleted(GLsizei n, const GLuint *names);
 
   // --- The application's pixels in memory ---
 
-  /// Asks the host only after a command that may have changed it, which those of PixelStore are not
-  /// that pixelStored() follows.
+  /// Returns the unpack state. Queries the host only after commands that may have changed it and
+  /// that pixelStored() does not follow.
   [[nodiscard]] BitUnpacking bitUnpacking();
-  /// PixelStore went to the host, outside lists and Begin/End: followed, or (false) to be asked
-  /// for.
+  /// Follows PixelStore, which the host has executed outside lists and Begin/End. Returns false if
+  /// the state must be queried.
   [[nodiscard]] bool pixelStored(GLenum pname, GLint value);
 
-  // --- Synchronisation. Why the host had to be brought up to date: an entry point's name, or a
-  // --- reason of reasons.def ---
+  // --- Synchronisation. `why` is the entry point's name or a reason of reasons.def ---
 
-  /// All pending images go to the host. Afterwards nothing is pending; shadows stay valid.
+  /// Uploads all pending images. Shadows stay valid.
   void synchronise(const char *why);
-  /// The host is about to write to its draw framebuffer (a draw of the host's, or a clear):
-  /// synchronise(), then the framebuffer's images are the host's.
+  /// Makes the draw framebuffer's images the host's, after synchronise(). Called before the host
+  /// writes to them, by a draw or a clear.
   void hostTakesTargets(const char *why);
-  /// The host is about to do something unknown: synchronise(), then every image is the host's.
+  /// Makes every image the host's, after synchronise(). Called before the host does something
+  /// unknown.
   void hostDoesAnything(const char *why);
 
   // --- Frames and contexts ---
 
-  /// Viewport was called: the window may have another size since, and is asked at the next draw. A
-  /// rectangle that is new says that the application heard of one.
+  /// Follows Viewport: the window may have another size, which the next draw queries. A new
+  /// rectangle suggests that the application heard of one.
   void drawableMayHaveChanged(const swrast::Rect &viewport);
-  /// Before a draw looks at state: where a neighbour (neighbours.h) was current since, all that is
-  /// known of images and of the host's state is forgotten. False while one is current: the draw is
-  /// the host's, and so is every image.
+  /// Forgets all images and host state if a neighbour was current (neighbours.h). Called before a
+  /// draw looks at state. Returns false while a neighbour is current: the draw and all images are
+  /// the host's.
   [[nodiscard]] bool syncWithNeighbours();
-  /// Gives the memory back of what is not good any more. The context is current to no thread, and
-  /// does not become so meanwhile.
+  /// Frees images that are no longer valid. The context must not be current meanwhile.
   void forget();
-  /// The host's Flush or Finish, and around it what others can see of our pixels by then
-  /// (single-buffered windows, the application's memory of OSMesa, textures of several contexts).
+  /// Executes Flush or Finish on the host and makes visible what others may see of the layer's
+  /// pixels: single-buffered windows, the memory of OSMesa, textures of several contexts.
   void flush(bool finish);
-  /// Before SwapBuffers and its kin: the window's pixels are shown by the window system (true: the
-  /// host has nothing to swap), or go to the host by the shortest way. The back buffer is kept.
+  /// Presents the window, before SwapBuffers and the like. Returns true if the window system shows
+  /// the shadow, so that the host has nothing to swap. Otherwise uploads the pixels. The back
+  /// buffer is kept.
   [[nodiscard]] bool present();
-  /// The host is about to swap the drawable's buffers by itself, and all pixels went to it.
+  /// Follows a swap that the host is about to do itself. It has all pixels.
   void hostSwaps();
-  /// Before the context leaves the thread, or is destroyed while current. The host has all pixels
-  /// then. What shadows of a window outlive it: those that only contexts can change which become
-  /// current with the window, for when this one does so again (forgetWindow()).
+  /// Uploads all pixels before the context leaves the thread or is destroyed while current. Shadows
+  /// of a window stay if only contexts that are current with the window can change it. They are
+  /// valid again when this context becomes current with it (forgetWindow()).
   void leave();
-  /// Another context becomes current with the drawable that this one was last current with. It is
-  /// current to no thread, and does not become so meanwhile.
+  /// Drops the window's shadows, as another context becomes current with the window that this one
+  /// last had. This context must not be current meanwhile.
   void forgetWindow();
-  /// After it became current with the drawable: window sizes and contents may have changed.
+  /// Takes the drawable that the context became current with. Its size and contents may have
+  /// changed.
   void enter(const Drawable &drawable);
 
   [[nodiscard]] ResidencyStatistics statistics() const;

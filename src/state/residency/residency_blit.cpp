@@ -1,4 +1,4 @@
-// BlitFramebuffer in memory: how programs that draw to a texture show their frames (Wine's
+// BlitFramebuffer in memory. Programs that draw to a texture show their frames with it (Wine's
 // Direct3D).
 #include <algorithm>
 #include <cstdlib>
@@ -13,8 +13,8 @@ namespace {
 using swrast::Image;
 using swrast::Rect;
 
-/// A blit that moves pixels as they are: destination pixel (x, y) is source pixel (x + dx, y + dy),
-/// or of one upside down (x + dx, dy - y).
+/// A blit that does not scale or convert. Destination pixel (x, y) is source pixel (x + dx, y +
+/// dy), or (x + dx, dy - y) if flipped.
 struct PlainBlit {
   Rect to;
   GLint dx = 0, dy = 0;
@@ -22,7 +22,7 @@ struct PlainBlit {
 };
 
 bool isPlain(const FramebufferBlit &blit, PlainBlit &plain) {
-  constexpr std::int64_t kMost = 1 << 20; // keeps sums of coordinates apart from overflow
+  constexpr std::int64_t kMost = 1 << 20; // keeps sums of coordinates from overflowing
   for (const GLint at : {blit.from.x0, blit.from.y0, blit.from.x1, blit.from.y1, blit.to.x0,
                          blit.to.y0, blit.to.x1, blit.to.y1})
     if (std::abs(std::int64_t(at)) > kMost)
@@ -42,7 +42,7 @@ bool isPlain(const FramebufferBlit &blit, PlainBlit &plain) {
   return true;
 }
 
-/// Without what the scissor leaves out, and what lies outside of either image.
+/// Returns the destination, clipped by the scissor and both images.
 Rect visibleOf(const ResidentImages &images, const PlainBlit &plain, const Framebuffers &f,
                const PixelImage &from) {
   Rect area = swrast::intersect(plain.to, {0, 0, f.width, f.height});
@@ -55,7 +55,7 @@ Rect visibleOf(const ResidentImages &images, const PlainBlit &plain, const Frame
   return swrast::intersect(area, {-plain.dx, lowest, from.width, from.height});
 }
 
-/// The only colour buffer to draw to; null where there is none, or another beside it.
+/// Returns the draw framebuffer's colour buffer if it has exactly one, else null.
 PixelImage *onlyColor(const Framebuffers &f, int &slice) {
   PixelImage *only = nullptr;
   for (std::size_t i = 0; i < f.color.size(); ++i) {
@@ -69,7 +69,7 @@ PixelImage *onlyColor(const Framebuffers &f, int &slice) {
   return only;
 }
 
-/// Values that the host neither converts nor encodes on their way.
+/// True if the host would copy these values without converting or encoding them.
 bool areAlike(const PixelImage &from, const PixelImage &to) {
   const abi::Format &source = from.shadow.format;
   const bool bytes = source.layout == abi::Layout::U8x4 && to.format.layout == abi::Layout::U8x4;
@@ -94,7 +94,7 @@ bool Residency::blit(const FramebufferBlit &command) {
   PixelImage *const from = f.read;
   int slice = 0;
   PixelImage *const to = f.reason ? nullptr : onlyColor(f, slice);
-  // Where the source is host-valid the host copies, and no pixel is moved.
+  // If the source is host-valid, the host copies and no pixel needs to be moved.
   if (!from || !to || from == to || from->valid == Valid::Host || !areAlike(*from, *to))
     return false;
   const Rect area = visibleOf(images, plain, f, *from);

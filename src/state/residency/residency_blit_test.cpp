@@ -1,4 +1,4 @@
-// BlitFramebuffer in memory against the host's.
+// Compares BlitFramebuffer in memory with the host's.
 #include <random>
 
 #include "state/raster_draw/context_state.h"
@@ -22,7 +22,8 @@ protected:
     m_to = framebufferOf(m_target);
     m_host = framebufferOf(m_reference);
   }
-  /// The source has a colour a pixel, the targets one colour. Both textures are pending.
+  /// Gives the source a colour per pixel and the targets a single colour. Source and target are
+  /// pending.
   void draw() {
     bindFramebuffer(m_host);
     drawAll(0x55667788);
@@ -50,7 +51,7 @@ protected:
     gl().GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     return bytes;
   }
-  /// The same by the host, to the reference; the source is its own by then.
+  /// Blits to the reference on the host, which then has the source.
   Bytes byHost(const FramebufferBlit &command) {
     residency().synchronise("test");
     bind(m_from, m_host);
@@ -69,7 +70,7 @@ constexpr FramebufferBlit kWhole = {
 TEST_F(Blit, GivesThePixelsOfTheHosts) {
   std::mt19937 random(3);
   const auto below = [&](int end) { return int(random() % unsigned(end)); };
-  int done = 0; // of the others no pixel lies in both images
+  int done = 0; // the other blits copy no pixel
   for (int i = 0; i < 60; ++i) {
     draw();
     const int width = 1 + below(kWidth), height = 1 + below(kHeight);

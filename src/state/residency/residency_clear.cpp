@@ -10,9 +10,9 @@ namespace {
 
 using swrast::Rect;
 
-/// What Clear does to each buffer, as the host's state says.
+/// The effect of Clear on each buffer, from the host's state.
 struct ClearState {
-  Rect area; ///< the scissor's
+  Rect area; ///< the scissor rectangle
   float color[4] = {};
   unsigned colorMask = 0xF;
   bool depthMask = true;
@@ -58,8 +58,8 @@ bool covers(const Rect &rect, const PixelImage &image) {
          rect.height >= image.height;
 }
 
-/// Cleared in memory if the shadow is valid, or all of them go in a buffer that the rasterizer's
-/// draws were the last to write to.
+/// True if the image is cleared in memory: its shadow is valid, or all of it is cleared and the
+/// rasterizer was the last to write to it.
 bool clearsInMemory(const PixelImage &image, bool whole) {
   return image.valid != Valid::Host || (whole && image.drawnHere);
 }
@@ -75,14 +75,14 @@ bool clearColor(ResidentImages &images, PixelImage &image, int slice, const Clea
   return true;
 }
 
-/// Colours are encoded where they are written: Clear's too, which is the host's then.
+/// True if Clear encodes colours as sRGB. The host clears then.
 bool encodes(const ResidentImages &images, const Framebuffers &f) {
   return std::any_of(f.color.begin(), f.color.end(),
                      [](const PixelImage *image) { return image && image->srgb; }) &&
          images.caps.srgbFramebuffer && images.hot.host->IsEnabled(GL_FRAMEBUFFER_SRGB);
 }
 
-/// The parts of `mask` that were cleared in memory.
+/// Returns the parts of `mask` that were cleared in memory.
 GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
   const Framebuffers &f = framebuffersOf(images);
   if (f.reason)
@@ -140,7 +140,7 @@ bool Residency::clear(GLbitfield mask) {
   if (!isAlone(images) || mask == 0 || (mask & ~kOurs) != 0)
     return false;
   ObjectImages &objects = images.objects;
-  // The mode of an application that never draws by us costs nothing.
+  // This keeps Clear free for applications that the rasterizer never draws for.
   if (objects.shadowed.empty() && !objects.drawn)
     return false;
   const GLbitfield done = clearOurs(images, mask);
@@ -149,8 +149,8 @@ bool Residency::clear(GLbitfield mask) {
   const Framebuffers &f = framebuffersOf(images);
   if (f.reason || (done == 0 && (mask & GL_COLOR_BUFFER_BIT) != 0))
     return false;
-  // The rest is the host's, whose copy of it is valid. Depths that the rasterizer does not use move
-  // no colours, though they be cleared by a command of their own.
+  // The host clears the rest, for which its copy must be valid. Depths that the rasterizer does not
+  // use move no colours, even if a command of their own clears them.
   const GLbitfield rest = mask & ~done;
   if ((rest & GL_COLOR_BUFFER_BIT) != 0)
     for (PixelImage *image : f.color)

@@ -1,4 +1,4 @@
-// Feedback: the read buffer to a level of a texture.
+// Feedback: copies from the read buffer to a level of a texture.
 #include <algorithm>
 
 #include "state/residency/residency_host.h"
@@ -11,7 +11,7 @@ namespace {
 using swrast::Image;
 using swrast::Rect;
 
-/// A part of an image, sharing its memory.
+/// Returns a part of an image, sharing its memory.
 Image partOf(const Image &image, const Rect &rect) {
   Image part = image;
   part.width = rect.width;
@@ -22,13 +22,13 @@ Image partOf(const Image &image, const Rect &rect) {
   return part;
 }
 
-/// A part that is small beside its storage is not shared: it would hold on to all of that memory.
+/// True if a part should share memory. A small part would keep a large storage alive.
 bool worthSharing(const Image &image, const Rect &rect) {
   return 2 * std::int64_t(rect.width) * rect.height >= std::int64_t(image.width) * image.height;
 }
 
-/// The bound texture's level that the copy goes to; null where the host is to judge: errors, a
-/// level that the copy would define anew.
+/// Returns the level that the copy writes to. Null if the host must decide: for errors, or if the
+/// copy would redefine the level.
 PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
   if (bindingOf(copy.target) == 0 || !isNamedAsBound(images, copy.texture) ||
       makesMipmaps(images, copy.target))
@@ -55,7 +55,7 @@ bool copyInMemory(ResidentImages &images, PixelImage &to, const PixelImage &from
                   const CopyToTexture &copy, const Rect &source, bool whole) {
   if (!whole && to.valid == Valid::Host && !download(images, to))
     return false;
-  // Held on to: `to` may be the very image that is read.
+  // keeps the pixels if `to` is the image that is read
   const Image pixels = from.shadow;
   if (!whole && !to.shadow.empty() && to.shadow.format.layout != to.format.layout)
     return false;
@@ -68,7 +68,7 @@ bool copyInMemory(ResidentImages &images, PixelImage &to, const PixelImage &from
 
 bool hasShadow(const PixelImage *image) { return image && image->valid != Valid::Host; }
 
-/// The pixels of `from` as those of a texture; false where they would have to be converted.
+/// Finds a view of `from` in the texture's format. Returns false if pixels must be converted.
 bool viewFor(const PixelImage &from, const PixelImage &to, abi::Format &view) {
   if (to.base != GL_DEPTH_COMPONENT)
     return viewAs(from.shadow.format, to.base, to.format, view);
@@ -78,7 +78,7 @@ bool viewFor(const PixelImage &from, const PixelImage &to, abi::Format &view) {
 
 bool copyBetweenShadows(ResidentImages &images, const CopyToTexture &copy) {
   const Framebuffers &f = framebuffersOf(images);
-  // Where the source is host-valid the host copies, and no pixel is moved.
+  // If the source is host-valid, the host copies and no pixel needs to be moved.
   if (!hasShadow(f.read) && !hasShadow(f.readDepth))
     return false;
   PixelImage *const to = destination(images, copy);
@@ -118,7 +118,7 @@ bool Residency::copyToTexture(const CopyToTexture &copy) {
   ResidentImages &images = *m_images;
   if (isAlone(images) && !images.objects.shadowed.empty() && copyBetweenShadows(images, copy))
     return true;
-  // The host copies: from its read buffer, to a texture that is its own afterwards.
+  // The host copies from its read buffer, and the texture is its own afterwards.
   synchronise("glCopyTexImage");
   textureRedefined(textureTargetOf(copy.target));
   return false;

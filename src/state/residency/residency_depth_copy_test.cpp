@@ -1,4 +1,4 @@
-// Copies of a depth buffer to textures of depths, as shadow maps are made.
+// Tests copies of a depth buffer to depth textures, as shadow maps use them.
 #include "state/residency/testing/residency_scene.h"
 #include "swrast/image/copy_pixels.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class ResidencyOfDepthCopies : public Residency {
 protected:
-  /// A framebuffer object with depths of 24 bits, and a draw of the rasterizer's over `rect` of it.
+  /// Binds a framebuffer object with 24-bit depths, and draws over `rect` with the rasterizer.
   void bindTarget() {
     const auto generate =
         reinterpret_cast<PFNGLGENRENDERBUFFERSPROC>(hostFunction("glGenRenderbuffers"));
@@ -32,7 +32,7 @@ protected:
     ASSERT_NE(targets->depthStencil, nullptr);
     swrast::fillDepthStencil(*targets->depthStencil, rect, true, depth, 0, 0);
   }
-  /// A texture of depths, bound.
+  /// Makes and binds a depth texture.
   GLuint map(GLenum internalFormat, int width, int height) {
     GLuint name = 0;
     gl().GenTextures(1, &name);

@@ -1,4 +1,4 @@
-// The formats of images: the host's, the layer's, and how one is told of the other.
+// The formats of images in the host and the layer, and conversions between them.
 #include "state/residency/residency_images.h"
 
 namespace arbiter::state::software {
@@ -9,13 +9,13 @@ using abi::From;
 using abi::Layout;
 using abi::Swizzle;
 
-/// RGBA of a texel in terms of the RGBA of what was copied or uploaded into it (table 3.15), for
-/// each base format; C0 to C3 stand for R, G, B, A here.
+/// For each base format, the RGBA that sampling gives of the RGBA that was copied or uploaded
+/// (table 3.15). C0 to C3 stand for R, G, B, A here.
 struct Base {
   GLenum base;
   Swizzle picks;
-  int components; ///< that a shadow of its own stores
-  Swizzle stored; ///< RGBA in terms of those
+  int components; ///< how many components a new shadow stores
+  Swizzle stored; ///< RGBA in terms of the stored components
 };
 constexpr Base kBases[] = {
     {GL_RGBA, abi::kRgba, 4, abi::kRgba},
@@ -79,8 +79,8 @@ bool isS3tc(GLint internalFormat) {
           internalFormat <= GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT);
 }
 
-/// The layout of `components` values of `bits` and `type`; a layout of three does not exist, and is
-/// one of four.
+/// Returns the layout of `components` values of `bits` and `type`. There is none of three
+/// components; they use the layout of four.
 Layout layoutOf(int components, GLint bits, GLint type) {
   const int index = components == 1 ? 0 : components == 2 ? 1 : 2;
   if (type == GL_UNSIGNED_NORMALIZED && bits == 8)
@@ -141,7 +141,7 @@ Precision precisionOf(Layout layout) {
   return Precision::Other;
 }
 
-/// The layout of texels whose components are parts of a word; None for other sizes.
+/// Returns the layout of texels that are packed into a word; None for other sizes.
 Layout packedLayoutOf(const HostFormat &host) {
   struct Row {
     GLint red, green, blue, alpha;
@@ -267,7 +267,7 @@ bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl) {
     gl = {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
     return true;
   case Layout::Depth24Stencil8:
-    // Depth alone comes as 32 bits, of which the upper 24 are what this layout has there.
+    // A depth alone is read as 32 bits, whose upper 24 are where this layout has them.
     gl = base == GL_DEPTH_STENCIL ? GlFormat{GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8}
                                   : GlFormat{GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
     return true;
@@ -281,8 +281,8 @@ bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl) {
   gl.type = glType(precision);
   const int components = abi::componentsOf(format.layout);
   if (components < 4 && !abi::isPacked(format.layout)) {
-    // A shadow as it is made at first: its own components in their order. RED is what luminance and
-    // intensity take their value from.
+    // A new shadow has just its own components in order. Luminance and intensity take their value
+    // from RED.
     if (format.swizzle != row->stored || row->components != components)
       return false;
     if (components == 1)
@@ -291,7 +291,7 @@ bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl) {
       gl.format = base == GL_RG ? GL_RG : GL_LUMINANCE_ALPHA;
     return true;
   }
-  // Four components: what the base format takes must be where RGBA or BGRA has it.
+  // With four components, those that the base format takes must be in RGBA or BGRA order.
   const auto fits = [&](const Swizzle &order) {
     for (int i = 0; i < 4; ++i) {
       const From pick = row->picks[std::size_t(i)];

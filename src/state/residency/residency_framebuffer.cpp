@@ -1,4 +1,4 @@
-// What the draw and read framebuffers are made of, as the host says.
+// Queries the attachments of the draw and read framebuffers.
 #include <algorithm>
 
 #include "state/residency/residency_host.h"
@@ -9,15 +9,15 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Of luminance, alpha or intensity: ReadPixels and copies take other components of such a buffer
-/// than blending and sampling do, and are the host's.
+/// True for luminance, alpha and intensity. ReadPixels and copies take other components of such
+/// buffers than blending and sampling do, so they are the host's.
 bool readsAsOther(GLenum base) {
   return base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA || base == GL_ALPHA ||
          base == GL_INTENSITY;
 }
 
-/// The image that is attached there, or null: nothing, or none that can have a shadow (`foreign`).
-/// `slice` is that of a 3D texture, else 0.
+/// Returns the attached image, or null if there is none or it can have no shadow (sets `foreign`).
+/// `slice` is the slice of a 3D texture, else 0.
 PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachment, bool &foreign,
                      int &slice) {
   const host::HostTable &host = *images.hot.host;
@@ -31,8 +31,8 @@ PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachme
     return nullptr;
   const auto name = GLuint(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
   PixelImage *image = nullptr;
-  // What is deleted lives on where it is attached, without a name: to bind that would make another
-  // object of it, or find one that has the name now.
+  // A deleted object lives on where it is attached, without a name. Binding its name would make
+  // another object, or find the one that has the name now.
   const auto kind =
       type == GL_RENDERBUFFER ? DeletedNames::Kind::Renderbuffer : DeletedNames::Kind::Texture;
   if (!images.deletedNames.none()) {
@@ -64,7 +64,7 @@ PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachme
   return nullptr;
 }
 
-/// Buffer i of the draw buffers as an image; null with `foreign` set where it can have no shadow.
+/// Returns the image of a draw buffer. Null, with `foreign` set, if it can have no shadow.
 PixelImage *windowBuffer(ResidentImages &images, GLenum buffer, bool &foreign) {
   const bool back = buffer == GL_BACK || buffer == GL_BACK_LEFT;
   const bool front = buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_LEFT;
@@ -83,7 +83,7 @@ void describeWindow(ResidentImages &images, int width, int height) {
   if (color.described != 0 && color.width == width && color.height == height)
     return;
   for (PixelImage *image : {&images.color, &images.depthStencil}) {
-    // The host throws the pixels of a window away whose size changed, and so do we.
+    // The host discards the pixels of a window that changed its size, and so does the layer.
     dropShadow(images, *image);
     image->described = images.objects.descriptions;
     image->base = 0;
@@ -110,7 +110,7 @@ void describeWindow(ResidentImages &images, int width, int height) {
   if (images.caps.has("GL_ARB_color_buffer_float"))
     floats = hostInteger(host, GL_RGBA_FLOAT_MODE_ARB);
   format.type = floats != 0 ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
-  // What others see is shown as bytes. Of components of 16 bits the host does not say truly whether
+  // Windows are shown as bytes. For components of 16 bits, hosts do not report reliably whether
   // they are floats.
   const bool known = formatOf(format, color.base, color.format);
   const bool bytes = known && color.format.layout == abi::Layout::U8x4;
@@ -120,7 +120,7 @@ void describeWindow(ResidentImages &images, int width, int height) {
     color.base = 0;
     return;
   }
-  // In the order that presenting wants.
+  // use the order of components that presenting needs
   if (bytes && (drawable.kind != Drawable::Kind::Memory || drawable.memoryFormat == GL_BGRA))
     std::swap(color.format.swizzle[0], color.format.swizzle[2]);
   color.shadow.format = color.format;
@@ -188,12 +188,12 @@ void describeDrawObject(ResidentImages &images, Framebuffers &f) {
         attached(images, GL_DRAW_FRAMEBUFFER, buffer, foreign, f.slice[std::size_t(i)]);
     limit(f.color[std::size_t(i)]);
   }
-  int none = 0; // there are no 3D textures of depths
+  int none = 0; // no 3D texture holds depths
   PixelImage *const depth =
       attached(images, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, none);
   PixelImage *const stencil =
       attached(images, GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, foreign, none);
-  // A stencil buffer beside a depth buffer, or alone, is a format that the rasterizer lacks.
+  // The rasterizer lacks separate stencil buffers, and stencil without depth.
   if (foreign || (stencil && stencil != depth))
     return;
   f.depthStencil = depth;
@@ -234,7 +234,7 @@ void describeRead(ResidentImages &images, Framebuffers &f) {
   int slice = 0;
   if (buffer != GL_NONE)
     f.read = attached(images, GL_READ_FRAMEBUFFER, buffer, foreign, slice);
-  // What reads takes images, not slices of them.
+  // Readers take whole images, not slices.
   if (f.read && (readsAsOther(f.read->base) || f.read->depth != 1))
     f.read = nullptr;
   f.readDepth = attached(images, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, slice);
@@ -263,7 +263,7 @@ const Framebuffers &framebuffersOf(ResidentImages &images) {
     describeDrawObject(images, f);
   describeRead(images, f);
   f.generation = objects.generation;
-  objects.changed(); // the mark is gone, by whichever question
+  objects.changed(); // kFramebuffer is clear now, so version() must report the change
   return f;
 }
 

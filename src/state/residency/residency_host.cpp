@@ -135,9 +135,9 @@ PlainPixels::PlainPixels(ResidentImages &images, Way way, GLint rowLength, GLint
   }
   if (way == Way::Pack &&
       (images.caps.major >= 3 || images.caps.has("GL_ARB_color_buffer_float"))) {
-    // GL_FIXED_ONLY, the default, leaves floats alone. It stays: a host that was told of another
-    // goes on to restore all of GL_COLOR_BUFFER_BIT in PopAttrib, the draw buffers too, whichever
-    // framebuffer is bound by then.
+    // GL_FIXED_ONLY, the default, does not clamp floats. It is left in place: after any other value
+    // a host restores all of GL_COLOR_BUFFER_BIT in PopAttrib, including the draw buffers, to
+    // whatever framebuffer is bound then.
     m_clamp = hostInteger(m_host, GL_CLAMP_READ_COLOR);
     m_clamped = m_clamp == GL_TRUE;
     if (m_clamped)
@@ -168,7 +168,7 @@ FramebufferBinding::FramebufferBinding(ResidentImages &images, GLuint draw, GLui
   m_draw = hostInteger(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
   m_read = hostInteger(m_host, GL_READ_FRAMEBUFFER_BINDING);
   m_scissor = m_host.IsEnabled(GL_SCISSOR_TEST);
-  // The EXT entry point makes an object of a name that Gen did not give.
+  // The EXT entry point accepts a name that Gen did not return.
   m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, draw);
   m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, read);
   if (m_scissor)

@@ -7,18 +7,18 @@
 #include "state/residency/residency_images.h"
 #include "util/log.h"
 
-/// Host state that moving pixels needs otherwise than the application left it, put back at the end.
-/// For the files of residency*.cpp only.
+/// Scopes that change host state for moving pixels, and restore it. For the files of residency*.cpp
+/// only.
 namespace arbiter::state::software {
 
-/// A texture of the application's or of the layer's, bound while the answer lives.
+/// Binds a texture of the application's or the layer's for the lifetime of the result.
 [[nodiscard]] TextureBinding bindTexture(const ResidentImages &images, GLenum target, GLuint name);
 
-/// Plain pixel store and transfer in one direction: rows of `rowLength` pixels, no buffer.
+/// Sets plain pixel store and transfer in one direction: rows of `rowLength` pixels, no buffer.
 class PlainPixels {
 public:
   enum class Way : std::uint8_t { Pack, Unpack };
-  /// \param topRowFirst reads only, where PACK_INVERT_MESA is there
+  /// \param topRowFirst for reads only; needs PACK_INVERT_MESA
   PlainPixels(ResidentImages &images, Way way, GLint rowLength, GLint imageHeight,
               bool topRowFirst = false);
   ~PlainPixels();
@@ -36,7 +36,7 @@ private:
   bool m_clamped = false;
 };
 
-/// Framebuffers of the layer's bound, or the window's, with its own buffers chosen.
+/// Binds framebuffers of the layer's, or the window's, and disables the scissor test.
 class FramebufferBinding {
 public:
   FramebufferBinding(ResidentImages &images, GLuint draw, GLuint read);
@@ -50,9 +50,9 @@ private:
   GLboolean m_scissor = GL_FALSE;
 };
 
-/// Names that no application makes. One that Gen gives might be one that an application takes which
-/// makes up its own names (allowed before 3.1). The host goes on from the highest name that is in
-/// use while there are any left, and else looks for small ones: hence the very last.
+/// Names that applications do not use. Gen could return a name that an application makes up itself,
+/// which is allowed before 3.1. Hosts generate names above the highest one in use while there are
+/// any, and search small ones after that; so these are the last ones.
 inline constexpr GLuint kOurTexture = 0xFFFFFFFEu;
 inline constexpr GLuint kOurReadFramebuffer = 0xFFFFFFFEu;
 inline constexpr GLuint kOurDrawFramebuffer = 0xFFFFFFFDu;

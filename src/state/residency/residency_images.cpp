@@ -1,4 +1,4 @@
-// The tables of images, and what the host says that each is.
+// The tables of images, and their descriptions by the host.
 #include "state/residency/residency_images.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// What the host says of a texture's level, bound to its target.
+/// Queries a level of the texture that is bound to its target.
 void describeLevel(ResidentImages &images, PixelImage &image) {
   const host::HostTable &host = *images.hot.host;
   const auto get = [&](GLenum pname) {
@@ -43,7 +43,7 @@ void describeLevel(ResidentImages &images, PixelImage &image) {
                     : format.intensity != 0 ? GL_TEXTURE_INTENSITY_TYPE
                     : format.red != 0       ? GL_TEXTURE_RED_TYPE
                                             : GL_TEXTURE_ALPHA_TYPE);
-  // Borders have texels that the sizes count and that sampling treats apart.
+  // Sizes count the texels of a border, and sampling treats them differently.
   if (get(GL_TEXTURE_BORDER) != 0 || !formatOf(format, image.base, image.format)) {
     image.base = 0;
     return;
@@ -133,8 +133,8 @@ GLenum findTarget(ResidentImages &images, Texture &texture) {
     return texture.target;
   const host::HostTable &host = *images.hot.host;
   HostErrorScope errors = errorScope(images);
-  // A name belongs to the target that it was first bound to, and to bind it to another is an error
-  // that changes nothing.
+  // A texture belongs to the target that it was first bound to. Binding it to another is an error
+  // without effect.
   for (const GLenum target :
        {GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D, GL_TEXTURE_1D}) {
     const TextureBinding binding = bindTexture(images, target, texture.name);
@@ -217,7 +217,8 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
   HostErrorScope errors = errorScope(images);
   GLint previous = 0;
   host.GetIntegerv(GL_RENDERBUFFER_BINDING, &previous);
-  // By a name that another context took away it could not be bound again. The host draws.
+  // The previous renderbuffer cannot be bound again if another context deleted its name. Then the
+  // host draws.
   if (!images.deletedNames.isUniqueWhereBound(DeletedNames::Kind::Renderbuffer, GLuint(previous),
                                               images.serial))
     return *image;
@@ -240,8 +241,8 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
   format.stencil = get(GL_RENDERBUFFER_STENCIL_SIZE);
   const GLint samples = get(GL_RENDERBUFFER_SAMPLES);
   host.BindRenderbuffer(GL_RENDERBUFFER, GLuint(previous));
-  // The type can be asked of an attachment only; sizes of 8 are always integers, and the others are
-  // told apart by the name of the format.
+  // Only an attachment has a query for the type. Sizes of 8 are always integers, and the format's
+  // name tells the others.
   switch (format.internalFormat) {
   case GL_RGBA32F:
   case GL_RGB32F:
@@ -288,7 +289,7 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
     format.type = GL_UNSIGNED_NORMALIZED;
     break;
   default:
-    format.type = 0; // integers and signed ones
+    format.type = 0; // integers and signed values
   }
   image->base = 0;
   image->shadow = {};
@@ -307,7 +308,7 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
 void setValid(ResidentImages &images, PixelImage &image, Valid which) {
   ObjectImages &objects = images.objects;
   const bool isPending = which == Valid::Shadow && !image.listed;
-  if (isPending) // first, as it may find no memory
+  if (isPending) // before any change, as it may find no memory
     (image.place.kind == Place::Kind::Window ? images.pending : objects.pending).push_back(&image);
   if ((image.valid == Valid::Host) != (which == Valid::Host)) {
     if (which == Valid::Host) {
@@ -367,11 +368,12 @@ bool makeOwn(ResidentImages &images, PixelImage &image, bool keep) {
   }
   images.objects.changed();
   const bool isWindow = image.place.kind == Place::Kind::Window;
-  // Other memory is there sooner than the window system has read this; but a copy is no sooner.
+  // Fresh memory is available before the window system has read this, but a copy would not be
+  // faster.
   const bool taken = shadow.shared() || (!keep && read);
   if (fits && (!taken || (keep && !isWindow)))
     return swrast::makeWritable(shadow, keep);
-  // The order of components stays what the caller was told, if it can be written.
+  // Keep the order of components that the caller knows, if it can be written.
   const abi::Format format = writable(shadow.format, image.format) ? shadow.format : image.format;
   swrast::Image made = makeShadow(image, format, isWindow);
   if (made.empty())

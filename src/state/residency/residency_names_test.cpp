@@ -1,5 +1,5 @@
-// Residency where another context of the share group deleted objects that this one has bound: they
-// live on here, without their names.
+// Tests residency where another context of the share group deleted objects that are bound here.
+// They live on, without their names.
 #include "state/capabilities/host_integer.h"
 #include "state/core/texture_binding.h"
 #include "state/residency/residency.h"
@@ -13,7 +13,7 @@ using Kind = DeletedNames::Kind;
 
 class ResidencyOfNames : public Residency {
 protected:
-  /// Another context deletes it.
+  /// Deletes the object in another context.
   void takeAway(Kind kind, GLuint name) {
     context().group->deletedNames.add(kind, 1, &name, context().serial + 1);
     inNeighbour([&] {
@@ -97,7 +97,7 @@ TEST_F(ResidencyOfNames, TexelsOfANameThatWasTakenAwayBeforeAreNotLost) {
   const GLuint name = texture(GL_RGBA8, kWidth, kHeight);
   (void)framebufferOf(name);
   drawAll(0x10203040);
-  // An earlier object had the name: what is bound under it may be that one, or this.
+  // An earlier object had the name, and either may be bound under it.
   context().group->deletedNames.add(Kind::Texture, 1, &name, context().serial + 1);
   const std::uint8_t texel[] = {1, 2, 3, 4};
   residency().texSubImage(GL_TEXTURE_2D, 0, 3, 5, 0, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel);
@@ -117,7 +117,7 @@ TEST_F(ResidencyOfNames, ARenderbufferWithoutANameStaysBound) {
   const char *reason = nullptr;
   EXPECT_EQ(residency().describeTargets(reason), nullptr) << "what is attached was never asked";
   EXPECT_EQ(boundRenderbufferWidth(), 8);
-  // Once there is a name to bind again, it is.
+  // A name that exists can be bound again.
   gl().BindRenderbuffer(GL_RENDERBUFFER, 0);
   changed();
   drawAll(0x0A0B0C0D);

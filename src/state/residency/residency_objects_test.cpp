@@ -1,4 +1,4 @@
-// Residency against the host that there is: textures, renderbuffers and depth buffers.
+// Tests residency against the real host: textures, renderbuffers and depth buffers.
 #include <functional>
 
 #include "host/handlers.h"
@@ -28,7 +28,7 @@ TEST_F(Residency, TexturesAreRenderedToAndSampled) {
   EXPECT_EQ(statistics().downloads, 0u);
 }
 
-/// It would take a gigabyte more, and a second to copy.
+/// A shadow would take a gigabyte more, and a second to copy.
 TEST_F(Residency, HugeTexturesStayTheHosts) {
   GLuint name = 0;
   gl().GenTextures(1, &name);
@@ -84,7 +84,7 @@ TEST_F(Residency, RenderbuffersGoToTheHostAndBack) {
   EXPECT_TRUE(gl().IsEnabled(GL_SCISSOR_TEST));
 }
 
-/// A framebuffer that is bound and draws to a renderbuffer of its own.
+/// A bound framebuffer that draws to a renderbuffer of its own.
 struct RenderbufferScene {
   GLuint renderbuffer = 0, framebuffer = 0;
 };
@@ -148,8 +148,8 @@ TEST_F(ResidencyOfRenderbuffers, ADeletedOneLivesOnWhereItIsAttached) {
   EXPECT_EQ(directPixel(5, 7), 0x55667788u);
 }
 
-/// Of a texture, else of a renderbuffer: what is held encoded is moved as it is, whether or not
-/// what is written is encoded meanwhile; only Clear encodes, and is the host's then.
+/// Checks a texture or a renderbuffer: encoded pixels are moved unchanged, even while writes are
+/// encoded. Only Clear encodes, so the host clears.
 void checkSrgb(bool ofTexture, const std::function<void(std::uint32_t)> &drawAll,
                const std::function<std::uint32_t()> &hostPixel, software::Residency &residency,
                const host::HostTable &gl) {
@@ -214,7 +214,8 @@ TEST_F(Residency, ALevelThatIsDefinedAsItIsIsNotReadBack) {
     gl().TexImage2D(GL_TEXTURE_2D, 0, internalFormat, kWidth, kHeight, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                     texels.data());
   };
-  for (const std::uint8_t value : {0x10, 0x20}) { // what it was is not known to be the same
+  for (const std::uint8_t value : {0x10, 0x20}) { // the first definition is not known to match the
+                                                  // earlier one
     define(GL_RGBA, value);
     EXPECT_EQ(sampled(name, 1, 1), 0x01010101u * value);
   }
@@ -263,7 +264,7 @@ TEST_F(Residency, ACopyMayDefineTheLevelThatItIs) {
 
 class ResidencyOfDepth : public Residency, public ::testing::WithParamInterface<GLenum> {
 protected:
-  /// A draw of the rasterizer's that writes depth and stencil over `rect`.
+  /// Writes depth and stencil over `rect` with the rasterizer.
   void drawDepth(const swrast::Rect &rect, float depth, std::uint8_t stencil) {
     const char *reason = nullptr;
     const DrawTargets *const targets = residency().describeTargets(reason);
@@ -321,7 +322,7 @@ TEST_P(ResidencyOfDepth, GoesToTheHostAndBack) {
     EXPECT_EQ(hostStencil(2, 5), 0x5A);
     EXPECT_EQ(hostStencil(3, 5), 0x33);
   }
-  // A clear in memory, then the host's.
+  // The first clear is in memory, the second the host's.
   gl().ClearDepth(0.5);
   gl().Enable(GL_SCISSOR_TEST);
   gl().Scissor(0, 0, 4, 6);
@@ -350,7 +351,8 @@ TEST_F(Residency, Texture0IsOneOfEachTarget) {
   };
   for (int i = 0; i < 2; ++i)
     EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete) << "without an image";
-  const GLuint other = texture(GL_RGBA8, 4, 4); // is bound: texture 0 is asked for all the same
+  const GLuint other = texture(GL_RGBA8, 4, 4); // is bound, and texture 0 can be queried all the
+                                                // same
   EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete);
   gl().BindTexture(GL_TEXTURE_2D, 0);
   residency().textureRedefined(GL_TEXTURE_2D);
@@ -369,7 +371,7 @@ TEST_F(Residency, Texture0IsOneOfEachTarget) {
   EXPECT_EQ(thin->view.levels[0].base[5], 0x80);
   EXPECT_EQ(flat->view.levels[0].base[5], 0x40) << "two textures";
 
-  // Texels given to the one that is bound.
+  // Texels are given to the one that is bound.
   gl().BindTexture(GL_TEXTURE_2D, 0);
   const Bytes white(4 * 4 * 4, 0xFF);
   residency().texSubImage(GL_TEXTURE_2D, 0, 0, 0, 0, 4, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE,

@@ -1,4 +1,4 @@
-// Frames, and contexts that come and go.
+// Frames, and contexts that become current and leave.
 #include <cstring>
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// One image of the window given to the host, if it is newer.
+/// Uploads an image of the window if it is pending.
 void give(ResidentImages &images, PixelImage &image) {
   if (image.valid == Valid::Shadow)
     refreshWindowSize(images);
@@ -28,7 +28,7 @@ void updateBehind(ResidentImages &images) {
   images.hot.hostIsBehind = behind;
 }
 
-/// The window's pixels to the application's memory, which it reads after Finish.
+/// Copies the window's pixels to the application's memory, which it reads after Finish.
 void copyToMemory(ResidentImages &images) {
   Drawable &drawable = images.drawable;
   PixelImage &image = images.color;
@@ -45,8 +45,8 @@ void copyToMemory(ResidentImages &images) {
   image.shown = true;
 }
 
-/// A window whose back buffer and depths nothing changes but contexts that are current with it: one
-/// of X, as what else is a drawable of GLX, or a surface of EGL, may have pixels that others write.
+/// True if only contexts that are current with the window can change its back buffer and depths.
+/// That holds for windows of X. Others may write to other drawables of GLX and to EGL surfaces.
 bool outlivesRelease(const ResidentImages &images) {
   return images.color.described != 0 && images.doubleBuffered && images.drawable.show &&
          images.drawable.kind == Drawable::Kind::Window &&
@@ -68,7 +68,7 @@ void dropWindow(ResidentImages &images) {
 bool Residency::present() {
   ResidentImages &images = *m_images;
   dropIfNeighbourWasCurrent(images);
-  // A pbuffer is not seen, and swapping it does nothing to it.
+  // A pbuffer is not visible, and swapping it has no effect.
   if (images.drawable.kind != Drawable::Kind::Window)
     return false;
   PixelImage &color = images.color;
@@ -87,18 +87,18 @@ bool Residency::present() {
 
 void Residency::leave() {
   ResidentImages &images = *m_images;
-  if (exitBegan()) // parts of the host may be gone, and what it would get is seen by no one
+  if (exitBegan()) // parts of the host may be gone, and nobody would see the upload
     return;
   images.draws.finish();
   images.released = false;
   if (images.hot.insideBeginEnd || images.hot.listMode != 0)
     return;
-  // Between two frames the host's buffers have the size of the last one. It looks for another when
-  // the next one begins, which this does not.
+  // Between frames the host's buffers have the last frame's size. The host looks for a new one when
+  // a frame begins, which this is not.
   if (images.color.described != 0 && hostMissedFrames(images))
     images.sizeKnown = true;
   synchronise("the context leaves its thread");
-  // The host wrote to its own copy of the application's memory.
+  // The host has written to its own copy of the application's memory.
   if (images.drawable.kind == Drawable::Kind::Memory && images.color.valid != Valid::Host)
     images.hot.host->Flush();
   images.released = outlivesRelease(images);
@@ -114,7 +114,7 @@ void Residency::forgetWindow() {
 
 void Residency::enter(const Drawable &drawable) {
   ResidentImages &images = *m_images;
-  // Whether it has the same size still is asked for before the next use, as after each frame.
+  // The next use queries the size, as after each frame.
   const bool kept =
       std::exchange(images.released, false) && isSameWindow(images.drawable, drawable);
   if (!kept) { // another context may have drawn to this window
@@ -145,7 +145,7 @@ void Residency::flush(bool finish) {
     images.hot.host->Finish();
   else
     images.hot.host->Flush();
-  // A host that shows its front buffer swaps, in a way.
+  // A host that shows its front buffer behaves as after a swap.
   if (images.drawable.kind == Drawable::Kind::Window && !images.doubleBuffered)
     forgetSize(images);
   // After the host, which writes its own, older pixels there.

@@ -1,4 +1,4 @@
-// ReadPixels and GetTexImage from the shadow, as far as the formats are plain.
+// ReadPixels and GetTexImage from the shadow, for plain formats.
 #include <cstring>
 
 #include "state/residency/residency_host.h"
@@ -11,7 +11,7 @@ using abi::From;
 using swrast::Image;
 using swrast::Rect;
 
-/// Bytes of the application's pixels: which component of RGBA each byte is.
+/// A pixel format of bytes: the component of RGBA that each byte holds.
 struct ByteFormat {
   int bytes = 0;
   int component[4] = {};
@@ -52,7 +52,7 @@ void readRow(const std::uint8_t *from, int stored, const int (&source)[4], int b
       to[i] = source[i] >= 0 ? from[source[i]] : source[i] == -1 ? 0 : 0xFF;
 }
 
-/// `rect` of an 8-bit image to rows of `stride` bytes. False for other images.
+/// Writes `rect` of an 8-bit image to rows of `stride` bytes. Returns false for other images.
 bool writeRows(const Image &image, const Rect &rect, const ByteFormat &format, std::uint8_t *to,
                std::ptrdiff_t stride, bool topRowFirst) {
   const int stored = abi::bytesOf(image.format.layout);
@@ -77,7 +77,7 @@ bool writeRows(const Image &image, const Rect &rect, const ByteFormat &format, s
   return true;
 }
 
-/// The same by the application's pack state.
+/// Writes `rect` of an 8-bit image as the application's pack state says.
 bool readBytes(const Image &image, const Rect &rect, const ByteFormat &format,
                const PixelModes::Store &pack, std::uint8_t *to) {
   const std::int64_t rowPixels = pack.rowLength > 0 ? pack.rowLength : rect.width;
@@ -113,7 +113,7 @@ bool Residency::readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLen
   if (!image || image->valid == Valid::Host)
     return false;
   const PixelModes &modes = pixelModes(images);
-  // What lies outside is left as it is by the host: it is asked.
+  // The host leaves pixels outside the image unchanged, so it must execute such reads.
   if (!plainStore(modes) || x < 0 || y < 0 || width > image->width - x ||
       height > image->height - y)
     return false;
@@ -134,8 +134,8 @@ bool Residency::getTexImage(GLenum target, GLint level, GLenum format, GLenum ty
   if (!texture)
     return false;
   const PixelImage *const image = levelOf(images, *texture, target, level);
-  // Of a texture luminance and intensity come back as red alone (6.1.4); the shadow's swizzle is
-  // that of sampling.
+  // GetTexImage returns luminance and intensity as red alone (6.1.4), unlike the shadow's swizzle,
+  // which is for sampling.
   if (!image || image->valid == Valid::Host || image->depth != 1 ||
       (image->base != GL_RGBA && image->base != GL_RGB))
     return false;

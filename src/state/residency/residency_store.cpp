@@ -1,4 +1,4 @@
-// The application's pixel store, as far as draws read its memory.
+// Follows the application's pixel store, for draws that read its memory.
 #include "state/residency/residency_host.h"
 
 namespace arbiter::state::software {
@@ -12,12 +12,12 @@ BitUnpacking Residency::bitUnpacking() {
 bool Residency::pixelStored(GLenum pname, GLint value) {
   ResidentImages &images = *m_images;
   if ((images.hot.dirty & dirty::kPixelStore) != 0)
-    return true; // all of it is asked for in any case
+    return true; // all of it is queried later in any case
   PixelModes::Store &unpack = images.modes.unpack;
   GLint *field = nullptr;
   switch (pname) {
-  // What text sets anew for every glyph. Of others, and of values that are errors, the host is
-  // asked.
+  // These are what text sets for every glyph. Other names, and values that are errors, make the
+  // host be queried.
   case GL_UNPACK_SWAP_BYTES:
     unpack.swapBytes = value != 0;
     return true;

@@ -13,7 +13,7 @@ bool covers(const swrast::Rect &rect, const PixelImage &image) {
          rect.y + rect.height >= image.height;
 }
 
-/// The image's own format again, where a copy left another that gives the same values.
+/// Restores the image's own format, if a copy left another one that gives the same values.
 bool restoreFormat(ResidentImages &images, PixelImage &image) {
   if (image.shadow.empty() || writable(image.shadow.format, image.format))
     return true;
@@ -27,7 +27,7 @@ bool restoreFormat(ResidentImages &images, PixelImage &image) {
   return true;
 }
 
-/// The shadow becomes the valid copy, ready to be written to.
+/// Makes the shadow the valid copy, ready to be written to.
 bool acquire(ResidentImages &images, PixelImage &image, bool keep) {
   if (keep && image.valid == Valid::Host && !download(images, image))
     return false;
@@ -39,7 +39,7 @@ bool acquire(ResidentImages &images, PixelImage &image, bool keep) {
   return true;
 }
 
-/// What is known of the draw framebuffer.
+/// Returns the description of the draw framebuffer.
 const DrawTargets &tell(ResidentImages &images) {
   const Framebuffers &f = images.framebuffers;
   DrawTargets &targets = images.targets;

@@ -1,5 +1,5 @@
-// Residency against the host that there is: the window's pixels between the host and their shadow,
-// copies from there, and what of the host's state is as it was.
+// Tests residency of the window's pixels against the real host: transfers, copies, and that the
+// host's state is unchanged.
 #include "state/residency/residency.h"
 
 #include "state/mirror/dirty_bits.h"
@@ -87,7 +87,7 @@ TEST_F(Residency, CopiesGiveEachBaseFormatItsComponents) {
     drawAll(0x10203040);
     ASSERT_TRUE(copy(0, 0, 0, 0, kWidth, kHeight));
     EXPECT_EQ(sampled(name, 1, 1), row.expected);
-    // After the host's way and back.
+    // Check it again after an upload and a download.
     residency().synchronise("test");
     residency().textureRedefined(GL_TEXTURE_2D);
     EXPECT_EQ(sampled(name, 1, 1), row.expected);
@@ -130,8 +130,8 @@ TEST_F(Residency, TheHostsStateIsAsItWas) {
   EXPECT_LT(next, 1000u);
 }
 
-// A host may restore a whole group of state as soon as something in it was set in between, and then
-// chooses the draw buffers of a framebuffer that is no longer bound.
+// A host may restore a whole group of state once anything in it was set, and then chooses draw
+// buffers for a framebuffer that is no longer bound.
 TEST_F(Residency, MovingPixelsSetsNothingThatPopAttribRestores) {
   const GLuint framebuffer = framebufferOf(texture(GL_RGBA8, 8, 8));
   gl().PushAttrib(GL_COLOR_BUFFER_BIT);
@@ -193,7 +193,7 @@ TEST_F(Residency, FinishShowsThePixelsInTheApplicationsMemory) {
   residency().flush(false);
   EXPECT_EQ(packed(&m_memory[0]), 0xFFFFFFFFu);
   EXPECT_EQ(packed(&m_memory[4]), 0x10203040u);
-  // And from the host, once it draws.
+  // The host's pixels arrive too, once it draws.
   context().software->hostDraws("test");
   gl().ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   gl().Clear(GL_COLOR_BUFFER_BIT);
@@ -242,7 +242,7 @@ TEST_F(Residency, PixelStoreIsFollowed) {
 
 int g_sizesAsked = 0;
 
-/// Where the host draws all, each frame would be measured anew.
+/// Otherwise each frame would measure the window again, even if the host draws everything.
 TEST_F(Residency, WhatIsKnownOfTargetsIsToldWithoutMeasuringTheWindow) {
   EXPECT_EQ(residency().targetsBefore(), nullptr) << "they were never described";
   Drawable drawable;

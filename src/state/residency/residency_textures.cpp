@@ -1,4 +1,4 @@
-// Textures as a program samples them, and what ends a shadow of one.
+// Textures as programs sample them, and commands that end a texture's shadow.
 #include <algorithm>
 #include <bit>
 
@@ -25,7 +25,7 @@ GLenum targetOf(abi::Dimension dimension) {
   return 0;
 }
 
-/// Draws that wait may write to it still: it is sampled after them.
+/// Returns a view of an image. Waiting draws may still write to it; it is sampled after them.
 abi::TextureLevel viewOf(const swrast::Image &image) {
   if (image.storage->pendingClear())
     image.complete();
@@ -37,11 +37,12 @@ abi::TextureLevel viewOf(const swrast::Image &image) {
           .depth = image.depth};
 }
 
-/// Of larger images, in bytes, the rasterizer samples those alone that it drew: the host has them,
-/// and to copy one takes longer than draws with it, and its memory once more.
+/// The largest image, in bytes, that is downloaded for sampling. Copying a larger one takes longer
+/// than the host's draws with it, and doubles its memory. The rasterizer samples larger ones only
+/// if it drew them.
 constexpr std::int64_t kMostToCopy = std::int64_t(256) << 20;
 
-/// An image of a format that we have, and in reach.
+/// True if the image's format is supported and it need not be too large a download.
 bool isSampledHere(const PixelImage &image) {
   return image.base != 0 &&
          (image.valid != Valid::Host || std::int64_t(image.width) * image.height * image.depth *
@@ -49,7 +50,7 @@ bool isSampledHere(const PixelImage &image) {
                                             kMostToCopy);
 }
 
-/// The first level that is sampled; null where the texture is incomplete.
+/// Returns the first sampled level; null if the texture is incomplete.
 PixelImage *baseLevel(ResidentImages &images, Texture &texture, GLenum target,
                       TextureLevels range) {
   const GLenum first =
@@ -58,9 +59,9 @@ PixelImage *baseLevel(ResidentImages &images, Texture &texture, GLenum target,
   return range.base > range.max || !base || base->width <= 0 ? nullptr : base;
 }
 
-/// The levels that are sampled, all of them in shadow. False: a format that we lack, an image that
-/// stays the host's, or no memory.
-/// `complete` tells whether GL would sample them at all (3.8.10).
+/// Gathers the sampled levels of a texture, all valid in shadow. It fails for an unsupported
+/// format, an image that stays the host's, or lack of memory. `complete` tells whether GL would
+/// sample the texture at all (3.8.10).
 class Completeness {
 public:
   Completeness(ResidentImages &images, Texture &texture) : m_images(images), m_texture(texture) {}
@@ -101,7 +102,7 @@ public:
     return true;
   }
 
-  /// Which levels there are. False: a format that we lack, or an image that stays the host's.
+  /// Finds the levels. Returns false for an unsupported format or an image that stays the host's.
   bool find(GLenum target, TextureLevels range, bool mipmapped) {
     m_faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
     m_first = m_faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
@@ -124,8 +125,8 @@ public:
     m_base = base;
     return true;
   }
-  /// After find(): the first level, of which the others have the format; null of an incomplete
-  /// texture.
+  /// Returns the first level after find(), which has the format of all. Null if the texture is
+  /// incomplete.
   [[nodiscard]] const PixelImage *base() const { return m_base; }
 
 private:
@@ -136,7 +137,7 @@ private:
            (!cube || image.width == image.height);
   }
 
-  /// Downloads what the host has newer, and makes one format of all.
+  /// Downloads stale shadows and converts all to one format.
   bool valid(GLenum first, int faces, int baseLevel, int levels, const PixelImage &base,
              const char *&reason) {
     bool oneFormat = true;
@@ -187,7 +188,7 @@ const TextureImages *Residency::acquireTexture(GLuint name, abi::Dimension dimen
   ResidentImages &images = *m_images;
   reason = "texture";
   const GLenum target = targetOf(dimension);
-  // One that a neighbour deleted is still sampled here; its name may be another one's.
+  // A texture that a neighbour deleted is still sampled here, but its name may be another one's.
   if (!isNamedAsBound(images, name))
     return nullptr;
   Texture &texture = textureOf(images.objects, target, name);
@@ -222,7 +223,7 @@ bool Residency::samplesTexture(GLuint name, abi::Dimension dimension, TextureLev
 
 namespace {
 
-/// The host has all of the texture, and its levels may be others from now on.
+/// Forgets a texture's levels, which may be redefined. The host has all its pixels.
 void redefine(ResidentImages &images, Texture &texture) {
   texture.immutableKnown = false;
   for (const std::unique_ptr<PixelImage> &image : texture.images)
@@ -233,7 +234,7 @@ void redefine(ResidentImages &images, Texture &texture) {
     }
 }
 
-/// The host has the pixels of an image that is about to be the host's.
+/// Uploads an image that is about to become the host's.
 void handToHost(ResidentImages &images, PixelImage &image) {
   if (image.valid != Valid::Shadow)
     return;
@@ -263,7 +264,7 @@ void Residency::textureRedefined(GLenum target) {
     const GLenum binding =
         bindingOf(target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target);
     if (binding == 0)
-      return; // a proxy, an array: none that has a shadow
+      return; // proxies and array textures have no shadow
     GLint bound = 0;
     images.hot.host->GetIntegerv(binding, &bound);
     const auto found = objects.textures.find(textureKey(textureTargetOf(target), GLuint(bound)));
@@ -306,7 +307,7 @@ void Residency::renderbufferRedefined() {
     return hostDoesAnything("glRenderbufferStorage");
   const auto found = objects.renderbuffers.find(GLuint(bound));
   if (found != objects.renderbuffers.end()) {
-    handToHost(images, *found->second); // where the host refuses the storage, they stay
+    handToHost(images, *found->second); // they stay if the host refuses the storage
     dropShadow(images, *found->second);
     found->second->described = 0;
   }

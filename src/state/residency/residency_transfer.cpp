@@ -1,4 +1,4 @@
-// Pixels between the host and the shadows.
+// Transfers pixels between the host and the shadows.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -18,7 +18,7 @@ bool isDepth(const PixelImage &image) {
   return image.base == GL_DEPTH_COMPONENT || image.base == GL_DEPTH_STENCIL;
 }
 
-/// Rows in memory, from the lowest address on, and how many pixels lie from one to the next.
+/// Rows in memory from the lowest address, and their distance in pixels.
 struct Rows {
   std::uint8_t *data = nullptr;
   GLint rowLength = 0;
@@ -41,8 +41,8 @@ std::uint64_t bytesOf(const PixelImage &image) {
          std::uint64_t(abi::bytesOf(image.format.layout));
 }
 
-/// What the host reads from: the image as the only attachment of a framebuffer of the layer's, or
-/// the window's buffer.
+/// Selects what the host reads from or draws to: the image as the only attachment of a framebuffer
+/// of the layer's, or the window's buffer.
 class Attachment {
 public:
   Attachment(ResidentImages &images, GLenum framebuffer, const PixelImage &image)
@@ -52,8 +52,8 @@ public:
         return;
       m_host.GetIntegerv(framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_BUFFER : GL_DRAW_BUFFER,
                          &m_buffer);
-      // Not where it is chosen already: the host keeps what was last set beside what is effective,
-      // and PopAttrib would find the two at odds.
+      // Set it only if it differs: the host keeps the last set buffer beside the effective one, and
+      // PopAttrib would find them to differ.
       m_window = m_buffer != GLint(image.place.target);
       if (m_window)
         set(GLint(image.place.target));
@@ -67,8 +67,8 @@ public:
     else
       m_host.FramebufferTexture2D(framebuffer, m_attachment, image.place.target, image.place.name,
                                   image.place.level);
-    // The buffers stay what they are in a new framebuffer, the first colour attachment: a host that
-    // was told of others goes on to restore them in PopAttrib, where another framebuffer is bound.
+    // The buffers keep a new framebuffer's default, the first colour attachment. A host that was
+    // given others would restore them in PopAttrib, for another framebuffer.
   }
   ~Attachment() {
     if (m_window)
@@ -93,7 +93,7 @@ private:
   bool m_window = false;
 };
 
-/// What is written to sRGB buffers is not encoded within it.
+/// Turns FRAMEBUFFER_SRGB off, so that writes to sRGB buffers are not encoded.
 class EncodingOff {
 public:
   explicit EncodingOff(const ResidentImages &images)
@@ -114,7 +114,7 @@ private:
   bool m_on;
 };
 
-/// The bound texture's other levels stay as they are within it.
+/// Turns GENERATE_MIPMAP off, so that the bound texture's other levels stay unchanged.
 class MipmapsKept {
 public:
   MipmapsKept(const ResidentImages &images, GLenum imageTarget)
@@ -136,8 +136,9 @@ private:
   bool m_made;
 };
 
-/// The bound texture's level is still of the size that the image was described with. What moves
-/// pixels relies on it, and asks: to bind a name that is free would make a texture of it, too.
+/// True if the bound texture's level still has the size that the image was described with.
+/// Transfers rely on it. The name may have been deleted, and binding a free name makes a new
+/// texture.
 bool isAsDescribed(const host::HostTable &host, const PixelImage &image) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
@@ -149,7 +150,7 @@ bool isAsDescribed(const host::HostTable &host, const PixelImage &image) {
          get(GL_TEXTURE_INTERNAL_FORMAT) == image.internalFormat;
 }
 
-/// False: the texture is not what it was described as.
+/// Reads a texture. Returns false if it is not as described.
 bool readTexture(ResidentImages &images, const PixelImage &image, const Image &to,
                  const GlFormat &gl) {
   const host::HostTable &host = *images.hot.host;
@@ -161,8 +162,8 @@ bool readTexture(ResidentImages &images, const PixelImage &image, const Image &t
   if (!isAsDescribed(host, image))
     return false;
   const PlainPixels pixels(images, PlainPixels::Way::Pack, rows.rowLength, imageHeightOf(to));
-  // A neighbour that keeps to no order may give it another size even now: the robust Get writes no
-  // more than it is told.
+  // A neighbour without synchronisation may even now give it another size. The robust Get writes no
+  // more than the given size.
   const std::ptrdiff_t room = to.storage->data() + to.storage->bytes() - rows.data;
   const auto bufferSize = GLsizei(std::min(room, std::ptrdiff_t(INT32_MAX)));
   if (images.caps.has("GL_ARB_robustness"))
@@ -185,9 +186,10 @@ void readBuffer(ResidentImages &images, const PixelImage &image, const Image &to
   images.hot.host->ReadPixels(0, 0, image.width, image.height, gl.format, gl.type, rows.data);
 }
 
-/// Depths of 24 bits alone go to the host as 32 (glFormatOf()), of which hosts take the upper 24
-/// (Mesa 22.3.6), or 2^24-1 times what they are of 2^32-1, cut off (25.0.7): the same where the
-/// lower 8 are one more than the upper ones. Without stencil they say nothing.
+/// Sets the lower 8 bits of 24-bit depths, which upload as 32 bits (glFormatOf()). Hosts take the
+/// upper 24 bits (Mesa 22.3.6), or scale by (2^24-1)/(2^32-1) and cut off (25.0.7). Both give the
+/// same if the lower 8 bits are one more than the upper ones. Without stencil these bits are
+/// unused.
 void fillLowerBits(Image &image) {
   if (!swrast::makeWritable(image, true))
     throw std::bad_alloc();
@@ -203,7 +205,7 @@ void fillLowerBits(Image &image) {
     }
 }
 
-/// An image as the host can be told of it: the shadow itself, or its copy in another order.
+/// Returns an image that the host can read: the shadow itself, or a copy in another order.
 Image plain(const PixelImage &image, bool topRowFirst, GlFormat &gl) {
   const Image &shadow = image.shadow;
   const bool flipped = shadow.rowStride < 0 && shadow.height > 1;
@@ -236,10 +238,10 @@ void writeTexture(ResidentImages &images, GLenum target, GLint level, const Imag
     host.TexSubImage2D(target, level, 0, 0, from.width, from.height, gl.format, gl.type, rows.data);
 }
 
-/// What a texture must be to be copied to the image without a conversion. Of a window the unsized
-/// format, with which the host keeps the components in the order that it is given.
+/// Returns the internal format of a texture that copies to the image without conversion. For a
+/// window it is unsized, so that the host keeps the order of the components.
 GLint uploadFormat(const PixelImage &image, const GlFormat &gl) {
-  // A blit would decode what is encoded.
+  // A blit would decode sRGB.
   if (image.srgb)
     return GL_RGBA8;
   if (!isDepth(image) && image.place.kind != Place::Kind::Window)
@@ -272,9 +274,9 @@ GLint uploadFormat(const PixelImage &image, const GlFormat &gl) {
                                         : GL_DEPTH_COMPONENT24;
 }
 
-/// A renderbuffer or a buffer of the window: the host has no command to write it but drawing and
-/// blitting, and a blit between equal formats is a copy. The texture keeps the rows as they lie in
-/// memory; where they lie top row first it is blitted upside down.
+/// Writes to a renderbuffer or a buffer of the window. The host can only draw or blit to them, and
+/// a blit between equal formats is a copy. The texture has the rows in memory order; if the top row
+/// is first, the blit flips them.
 void writeBuffer(ResidentImages &images, PixelImage &image) {
   const host::HostTable &host = *images.hot.host;
   const bool isWindow = image.place.kind == Place::Kind::Window;
@@ -292,7 +294,7 @@ void writeBuffer(ResidentImages &images, PixelImage &image) {
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    // The order of the components is a hint of how the host is to keep them.
+    // The order of components is a hint how the host should store them.
     host.TexImage2D(GL_TEXTURE_2D, 0, internalFormat, image.width, image.height, 0, gl.format,
                     gl.format == GL_BGRA ? GL_UNSIGNED_INT_8_8_8_8_REV : gl.type, nullptr);
     objects.way = way;
@@ -351,7 +353,7 @@ void upload(ResidentImages &images, PixelImage &image) {
       image.shadow.format.layout == abi::Layout::Depth24Stencil8)
     fillLowerBits(image.shadow);
   if (image.place.kind == Place::Kind::Texture) {
-    // One that a neighbour deleted or gave another size is the neighbour's.
+    // A texture that a neighbour deleted or resized is left to the neighbour.
     if (!textureExists(images, image.place.name))
       return;
     GlFormat gl;

@@ -1,4 +1,4 @@
-// Texels that the application gives.
+// Texels that the application uploads.
 #include <cstring>
 
 #include "state/residency/residency_host.h"
@@ -11,9 +11,10 @@ using abi::From;
 using swrast::Image;
 using swrast::Rect;
 
-/// The application's pixels of whole bytes (OpenGL 1.4, table 3.6): where each of RGBA is.
+/// An application's pixel format of whole bytes (OpenGL 1.4, table 3.6), and where it has R, G, B
+/// and A.
 struct ByteSource {
-  int bytes = 0; ///< a pixel
+  int bytes = 0; ///< per pixel
   abi::Swizzle rgba = abi::kRgba;
 };
 
@@ -21,7 +22,7 @@ bool byteSource(GLenum format, GLenum type, ByteSource &out) {
   constexpr From kZero = From::Zero, kOne = From::One;
   constexpr From a = From::C0, b = From::C1, c = From::C2, d = From::C3;
   const bool four = format == GL_RGBA || format == GL_BGRA;
-  const bool packed = type == GL_UNSIGNED_INT_8_8_8_8; // the first component in the highest byte
+  const bool packed = type == GL_UNSIGNED_INT_8_8_8_8; // the first component is the highest byte
   if (type != GL_UNSIGNED_BYTE && !(four && (packed || type == GL_UNSIGNED_INT_8_8_8_8_REV)))
     return false;
   switch (format) {
@@ -63,14 +64,14 @@ bool byteSource(GLenum format, GLenum type, ByteSource &out) {
   }
 }
 
-/// For each stored byte of a texel the byte of the source's pixel, or one of these.
+/// For each stored byte of a texel: the byte of the source pixel, or one of these constants.
 constexpr int kZeroByte = -1, kFullByte = -2;
 struct Plan {
   int bytes = 0, stored = 0;
   int from[4] = {kFullByte, kFullByte, kFullByte, kFullByte};
 };
 
-/// False where that source cannot be written to the format as bytes.
+/// Makes a plan. Returns false if the source cannot be written to the format bytewise.
 bool planOf(const ByteSource &source, GLenum base, const abi::Format &format, Plan &plan) {
   abi::Format view;
   if (!viewAs({abi::Layout::U8x4, source.rgba}, base, format, view))
@@ -94,7 +95,7 @@ void writeRow(const Plan &plan, const std::uint8_t *from, std::uint8_t *to, int 
     bool straight = true;
     for (int i = 0; i < plan.stored; ++i)
       straight = straight && (f[i] == i || (f[i] == kFullByte && i == 3));
-    if (straight) { // a fourth byte that nothing shows may hold anything
+    if (straight) { // a fourth byte that is never sampled may hold anything
       std::memcpy(to, from, std::size_t(count) * std::size_t(plan.bytes));
       return;
     }
@@ -123,7 +124,7 @@ void writeRow(const Plan &plan, const std::uint8_t *from, std::uint8_t *to, int 
       to[i] = f[i] >= 0 ? from[f[i]] : f[i] == kZeroByte ? 0 : 0xFF;
 }
 
-/// Where the first pixel is, and the bytes from row to row (3.6.4).
+/// The address of the first pixel, and the bytes from row to row (3.6.4).
 struct SourceRows {
   const std::uint8_t *data = nullptr;
   std::int64_t stride = 0;
@@ -137,8 +138,8 @@ SourceRows rowsOf(const PixelModes::Store &unpack, int bytes, GLsizei width, con
   return rows;
 }
 
-/// A shadow that may be written, of the source's own order of components where all of it is
-/// replaced: then rows are copied.
+/// Makes the shadow writable. If all of it is replaced, it takes the source's order of components,
+/// so that rows are just copied.
 bool writableShadow(ResidentImages &images, PixelImage &image, const ByteSource &source,
                     bool whole) {
   abi::Format order = image.shadow.format;
@@ -152,7 +153,7 @@ bool writableShadow(ResidentImages &images, PixelImage &image, const ByteSource 
   return makeOwn(images, image, !whole);
 }
 
-/// The texels of one level and face are written to its shadow too.
+/// Writes texels to the shadow of one level and face. Returns false if the formats are not plain.
 bool write(ResidentImages &images, PixelImage &image, const Rect &to, GLenum format, GLenum type,
            const void *pixels) {
   ByteSource source;
@@ -160,7 +161,7 @@ bool write(ResidentImages &images, PixelImage &image, const Rect &to, GLenum for
   if (!pixels || image.base == 0 || image.depth != 1 || !byteSource(format, type, source) ||
       modes.transfers || modes.unpack.buffer != 0 || modes.unpack.swapBytes != 0)
     return false;
-  // What the host refuses leaves the texels as they are.
+  // If the host refuses the command, the texels stay unchanged.
   if (to.x < 0 || to.y < 0 || to.empty() || to.width > image.width - to.x ||
       to.height > image.height - to.y)
     return false;
@@ -207,7 +208,7 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
 
 namespace {
 
-/// Formats of bytes that TexImage2D takes with any of byteSource()'s.
+/// True for byte formats that TexImage2D accepts with all formats of byteSource().
 bool isPlainFormat(GLint internalFormat) {
   switch (internalFormat) {
   case 1:

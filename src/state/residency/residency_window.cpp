@@ -1,8 +1,7 @@
-// How large the window's buffers are. What the host's have counts, whatever size the window system
-// tells: the host draws between draws of the rasterizer's, clips by its own buffers, and what a
-// read does not reach stays as it was. A software host takes over a window's size only at the first
-// command on pixels after it was bound or showed a frame itself; frames that we show it does not
-// hear of.
+// Finds the size of the window's buffers. The host's buffers decide, whatever the window system
+// reports: the host draws between draws of the rasterizer and clips by its own buffers, and a read
+// outside them returns nothing. A software host adopts a new size only at the first pixel command
+// after it was bound or has presented a frame. It does not know of frames that the layer presents.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -21,7 +20,7 @@ struct Size {
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
 };
 
-/// Reads the window's colours as bytes, which only tells where there are any.
+/// Reads the window's colours, only to find out where there are pixels.
 class Probe {
 public:
   Probe(ResidentImages &images)
@@ -32,7 +31,7 @@ public:
     m_host.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
     if (m_buffer == GL_NONE)
       m_host.ReadBuffer(doubleBuffered ? GL_BACK : GL_FRONT);
-    // The host clips before it looks at its buffers anew.
+    // Hosts clip a command before they update their buffers, so one read comes first.
     std::uint32_t first = 0;
     read({0, 0, 1, 1}, {&first, 1});
   }
@@ -43,11 +42,11 @@ public:
   Probe(const Probe &) = delete;
   Probe &operator=(const Probe &) = delete;
 
-  /// The buffers have this size, no more and no less.
+  /// True if the buffers have exactly this size.
   [[nodiscard]] bool has(Size size) const {
     if (size.empty())
       return false;
-    // The last pixel, which is there, and three beyond it.
+    // Read the last pixel, which exists, and three beyond it.
     std::array<std::uint32_t, 4> zeros, ones;
     readTwice({size.width - 1, size.height - 1, 2, 2}, zeros, ones);
     return zeros[0] == ones[0] && zeros[1] != ones[1] && zeros[2] != ones[2];
@@ -69,7 +68,7 @@ private:
     m_host.ReadPixels(from.x, from.y, from.width, from.height, GL_RGBA, GL_UNSIGNED_BYTE,
                       to.data());
   }
-  /// Where there is no pixel the two differ.
+  /// Reads into both spans. They differ where there is no pixel.
   void readTwice(const swrast::Rect &from, std::span<std::uint32_t> zeros,
                  std::span<std::uint32_t> ones) const {
     std::fill(zeros.begin(), zeros.end(), 0u);
@@ -89,7 +88,7 @@ Size told(const Drawable &drawable, bool sure) {
   return drawable.size(drawable, size.width, size.height, sure) ? size : Size{};
 }
 
-/// The host looks at the window again, with the pixels in its back buffer that are shown already.
+/// Makes the host look at the window's size again. Its back buffer gets the shown pixels first.
 void refreshHost(ResidentImages &images) {
   PixelImage &color = images.color;
   if (color.valid == Valid::Shadow) {
@@ -104,14 +103,14 @@ Size sizeOf(ResidentImages &images) {
   const bool sure = std::exchange(images.sizeSure, false);
   if (!drawable.size)
     return {drawable.width, drawable.height};
-  if (drawable.kind == Drawable::Kind::Pbuffer) // never has another
+  if (drawable.kind == Drawable::Kind::Pbuffer) // its size never changes
     return told(drawable, sure);
   const Size known =
       images.color.described != 0 ? Size{images.color.width, images.color.height} : Size{};
   const bool missed = drawable.show && windowFrames().hostMissed(drawable, true);
   if (missed) {
     const Size now = told(drawable, sure);
-    // The host would have found nothing new either.
+    // The host would have found no change either.
     if (now == known)
       return now;
     if (now.empty() || (known.empty() && Probe(images).has(now)))
@@ -139,7 +138,7 @@ void refreshWindowSize(ResidentImages &images) {
     return;
   const host::HostTable &host = *images.hot.host;
   HostErrorScope errors = errorScope(images);
-  // Bits and double buffering are told of the draw framebuffer that is bound.
+  // These queries are answered for the bound draw framebuffer.
   GLint bound = 0;
   host.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   if (bound != 0)

@@ -1,18 +1,18 @@
 #pragma once
 #include "state/objects/drawable.h"
 
-/// Frames that the layer shows without the host, and what the host must find out of them: that the
-/// window has another size since, as it would have at its own swap.
+/// Tracks frames that the layer presents without the host. After such a frame the host must look
+/// for a new window size, as it would at its own swap.
 namespace arbiter::state::software {
 
-/// Of drawables with `show`; the interposer's.
+/// The functions, which the interposer implements. They take drawables with `show`.
 struct WindowFrames {
-  /// True since show(), whichever context it was called by, until it is asked with `forget`.
+  /// True if show() was called since the last query with `forget`, in any context.
   bool (*hostMissed)(const Drawable &drawable, bool forget) = nullptr;
-  /// The host swaps buffers. Its back buffer is to hold what is shown.
+  /// Makes the host swap buffers. Its back buffer holds the presented frame.
   void (*swapHost)(const Drawable &drawable) = nullptr;
 };
-/// Before the first context; once.
+/// Sets the functions, once, before the first context is made.
 void setWindowFrames(const WindowFrames &frames);
 [[nodiscard]] const WindowFrames &windowFrames();
 

@@ -10,38 +10,38 @@
 
 namespace arbiter::state {
 
-/// Names of textures and renderbuffers that a share group's contexts deleted. A host gives such a
-/// name out again while the object that had it lives on: attached to a framebuffer, or bound in
-/// another context. Asked what is attached, it tells that name, of either object. So code that
-/// finds an object by what the host says is attached asks here which one is meant.
+/// Names of textures and renderbuffers that contexts of a share group deleted. A deleted object
+/// lives on while it is attached to a framebuffer or bound in another context. Meanwhile the host
+/// may give its name to a new object, and reports the same name for both. Code that finds an object
+/// by the name that the host reports asks here which object is meant.
 class DeletedNames {
 public:
   enum class Kind : std::uint8_t { Texture, Renderbuffer };
 
-  /// Before the host deletes them in context `serial`.
+  /// Notes that context `serial` is about to delete the names.
   void add(Kind kind, GLsizei n, const GLuint *names, std::uint32_t serial);
-  /// Nothing of that name can be bound in context `serial` but what has the name now: its own
-  /// deletions unbind.
+  /// True if the name, where bound in context `serial`, can only mean the object that has it now: a
+  /// context's own deletions unbind.
   [[nodiscard]] bool isUniqueWhereBound(Kind kind, GLuint name, std::uint32_t serial);
-  /// The object of that name was attached at a point of a framebuffer of context `serial`.
+  /// Notes that the object that now has the name is attached to a framebuffer of context `serial`.
   void attached(std::uint32_t serial, GLuint framebuffer, GLenum point, Kind kind, GLuint name);
-  /// What is attached there under that name is the object that has it now.
+  /// True if the attachment of that name is the object that has the name now.
   [[nodiscard]] bool isAttached(std::uint32_t serial, GLuint framebuffer, GLenum point, Kind kind,
                                 GLuint name);
-  /// Without a lock: none was ever deleted.
+  /// True if no name was ever deleted. Takes no lock.
   [[nodiscard]] bool none() const { return !m_any.load(std::memory_order_relaxed); }
 
 private:
   using Key = std::tuple<Kind, GLuint>;
   struct Deletion {
-    std::uint32_t count = 0;  ///< of objects that had the name
-    std::uint32_t serial = 0; ///< of the context that deleted the last one
-    bool others = false;      ///< and another one deleted one before
+    std::uint32_t count = 0;  ///< of deleted objects that had the name
+    std::uint32_t serial = 0; ///< of the context that deleted the last of them
+    bool others = false;      ///< contexts other than `serial` deleted one too
   };
   std::mutex m_mutex;
   std::atomic<bool> m_any{false};
   std::map<Key, Deletion> m_deleted;
-  /// By context, framebuffer and point: the name, and its count when it was attached.
+  /// By context, framebuffer and attachment point: the name, and its `count` when it was attached.
   std::map<std::tuple<std::uint32_t, GLuint, GLenum>, std::tuple<Kind, GLuint, std::uint32_t>>
       m_attached;
 };

@@ -29,7 +29,8 @@ TEST(DeletedNames, ADeletionUnbindsInItsOwnContextAlone) {
   EXPECT_TRUE(names.isUniqueWhereBound(Kind::Texture, kName, kHere));
   EXPECT_FALSE(names.isUniqueWhereBound(Kind::Texture, kName, kThere))
       << "the old object may still be bound there";
-  // The other context deletes the object that has the name next: now either may have an old one.
+  // The other context deletes the next object of that name. Now both contexts may have an old one
+  // bound.
   deleteName(names, Kind::Texture, kName, kThere);
   EXPECT_FALSE(names.isUniqueWhereBound(Kind::Texture, kName, kHere));
   EXPECT_FALSE(names.isUniqueWhereBound(Kind::Texture, kName, kThere));
@@ -47,13 +48,13 @@ TEST(DeletedNames, AnAttachmentIsOfTheObjectThatHadTheNameThen) {
   const auto isAttached = [&] {
     return names.isAttached(kHere, kFramebuffer, GL_COLOR_ATTACHMENT0, Kind::Texture, kName);
   };
-  // Attached before the first deletion: the framebuffer keeps the object that is gone.
+  // It is attached before the first deletion, so the framebuffer keeps the deleted object.
   names.attached(kHere, kFramebuffer, GL_COLOR_ATTACHMENT0, Kind::Texture, kName);
   deleteName(names, Kind::Texture, kName, kThere);
   EXPECT_FALSE(isAttached());
   names.attached(kHere, kFramebuffer, GL_COLOR_ATTACHMENT0, Kind::Texture, kName);
   EXPECT_TRUE(isAttached());
-  // Not at other points, and not in other framebuffers or contexts.
+  // Other points, framebuffers and contexts are not affected.
   EXPECT_FALSE(names.isAttached(kHere, kFramebuffer, GL_COLOR_ATTACHMENT1, Kind::Texture, kName));
   EXPECT_FALSE(
       names.isAttached(kHere, kFramebuffer + 1, GL_COLOR_ATTACHMENT0, Kind::Texture, kName));

@@ -28,7 +28,7 @@ std::shared_ptr<ProgramObject> ShareGroup::findOrCreate(GLuint name, Target targ
       it->second->exists = true;
     return it->second;
   }
-  auto made = std::make_shared<ProgramObject>(name, target); // whole before it can be found
+  auto made = std::make_shared<ProgramObject>(name, target); // complete before it can be found
   made->locals.resize(localParameters);
   made->exists = existence == Existence::Now;
   if (!known)

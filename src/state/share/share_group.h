@@ -19,11 +19,12 @@
 
 namespace arbiter::state {
 
-/// What contexts that share display lists have in common (AFP 3953-3974): the name space of program
-/// objects, display lists that hold our commands, and host objects that a dead context left behind.
+/// The state that contexts with common display lists share (AFP 3953-3974): the name space of
+/// program objects, display lists that hold the layer's commands, and host objects that a destroyed
+/// context left behind.
 ///
-/// The lock is taken by Gen, Delete, Bind and ProgramString and by list calls, never on the way of
-/// a draw. The atomics beside the maps say "none" without it.
+/// Gen, Delete, Bind, ProgramString and list calls take the lock; draws never do. The atomics
+/// beside the maps tell without it that a map is empty.
 class ShareGroup {
 public:
   ShareGroup();
@@ -33,32 +34,33 @@ public:
 
   // --- Program objects: one name space for all targets (AFP 1364-1367) ---
 
-  /// The object of that name, or null. A name that Gen returned and that was never bound has no
-  /// object.
+  /// Returns the object of that name, or null. A name that Gen returned and that was never bound
+  /// has no object.
   [[nodiscard]] std::shared_ptr<ProgramObject> find(GLuint name);
-  /// The object of that name, made if there is none. Its target may not be `target`, unless it does
-  /// not exist yet to the application: then it is made anew.
+  /// Returns the object of that name and makes it if there is none. An existing object may have
+  /// another target. An object that does not exist yet to the application is replaced by one for
+  /// `target`.
   [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name, Target target,
                                                             std::size_t localParameters,
                                                             Existence existence = Existence::Now);
-  /// Frees the name; the object lives on where it is bound. Null if there was none.
+  /// Frees the name. The object lives on where it is bound. Returns null if there was none.
   std::shared_ptr<ProgramObject> remove(GLuint name);
-  /// True of an object that exists to the application.
+  /// True if the name's object exists to the application.
   [[nodiscard]] bool contains(GLuint name);
-  /// A name that is unused and was not given before.
+  /// Returns an unused name that was not given before.
   [[nodiscard]] GLuint takeName();
-  /// Every object of the group that may have a text, shaders of ATI_fragment_shader among them, at
-  /// this moment.
+  /// Returns the group's present objects that may have a text, including shaders of
+  /// ATI_fragment_shader.
   [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects();
   void setCompiled(ProgramObject &object, std::shared_ptr<const CompiledProgram> compiled);
   [[nodiscard]] std::shared_ptr<const CompiledProgram> compiledOf(const ProgramObject &object);
-  /// Object 0 of the target: starts empty, hence invalid (AFP 4691).
+  /// Returns object 0 of the target. It starts empty and so is invalid (AFP 4691).
   [[nodiscard]] const std::shared_ptr<ProgramObject> &defaultProgram(Target target) const {
     return m_defaults[std::size_t(target)];
   }
   void setDefaultLocals(Target target, std::size_t count);
 
-  /// Shader objects of ATI_fragment_shader and of EXT_vertex_shader, each under a lock of its own.
+  /// Shader objects of ATI_fragment_shader and of EXT_vertex_shader. Each table has its own lock.
   ShaderTable fragmentShaders{Target::AtiApi};
   ShaderTable vertexShaders{Target::VertexShader};
   VertexSymbolTable vertexSymbols;
@@ -70,10 +72,10 @@ public:
 
   // --- Host objects to delete ---
 
-  /// Host GLSL programs of a context that is gone. Any context of the group may delete them, at a
-  /// moment when it is current.
+  /// Host objects of a context that is gone. Any context of the group may delete them while it is
+  /// current.
   struct Garbage {
-    std::vector<GLuint> programs; ///< GLSL
+    std::vector<GLuint> programs; ///< GLSL programs
     std::vector<GLuint> shaders;
     std::vector<GLuint> samplers;
     std::vector<GLuint> assembly; ///< program objects of the host's ARB path
@@ -82,41 +84,40 @@ public:
   [[nodiscard]] bool hasGarbage() const { return m_hasGarbage.load(std::memory_order_acquire); }
   [[nodiscard]] Garbage takeGarbage();
 
-  // --- Host programs and shaders of the layer's, so that IsProgram and its kin do not know them
-  // ---
+  // --- The layer's programs and shaders on the host: IsProgram and the like must not know them ---
 
   void addHostProgram(GLuint name);
   void removeHostProgram(GLuint name);
   [[nodiscard]] bool ownsHostProgram(GLuint name);
 
-  // --- Display lists that hold our commands ---
+  // --- Display lists that hold the layer's commands ---
 
   DisplayListTable lists;
   LinkedStages linkedStages;
 
-  /// Set for good by the first use of a program target of the layer's by any context of the group:
-  /// until then lists are the host's own, whole, and cost nothing.
+  /// Set for good when a context of the group first uses a program target of the layer's. Until
+  /// then lists are whole and the host's, and cost nothing.
   std::atomic<bool> programApiUsed{false};
-  /// Set for good by the first enable of ATI fragment shaders or register combiners: lists are cut
-  /// where fixed-function state that their draws depend on changes.
+  /// Set for good when ATI fragment shaders or register combiners are first enabled. From then on
+  /// lists are cut at changes of the fixed-function state that such draws depend on.
   std::atomic<bool> shadersFollowFixedFunction{false};
-  /// Set for good by the first enable of a clip plane that goes into a list.
+  /// Set for good when a list first records the enable of a clip plane.
   std::atomic<bool> listsEnableClipPlanes{false};
-  /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.
+  /// Set for good when TEXTURE_COMPARE_MODE is first set to another value than NONE.
   std::atomic<bool> compareModeUsed{false};
-  /// DEPTH_TEXTURE_MODE was set to ALPHA: draws beside clip distances look for such images.
+  /// Set for good when DEPTH_TEXTURE_MODE is first set to ALPHA. Draws then look for such textures.
   std::atomic<bool> alphaDepthsUsed{false};
-  /// Set for good by the first image that may hold depths: draws of register combiners look for
-  /// such.
+  /// Set for good when an image first gets a format that may hold depths. Draws of register
+  /// combiners then look for such images.
   std::atomic<bool> depthImagesUsed{false};
-  /// A list kept by the host alone holds UseProgram, or calls others, which may push or pop
+  /// A list that only the host keeps calls UseProgram; or calls other lists, which may push or pop
   /// attributes.
   std::atomic<bool> hostListsChangeProgram{false};
   std::atomic<bool> hostListsNest{false};
-  /// A list of the host's holds bitmaps, which hosts may keep for later (kept_letters.h).
+  /// A list on the host holds bitmaps, which a host may defer (kept_letters.h).
   std::atomic<bool> listsHoldLetters{false};
   std::atomic<int> contexts{0};
-  /// The state of ARBITER_REPLACE's folder that the group's programs were compiled from.
+  /// The version of ARBITER_REPLACE's folder that the group's programs were compiled from.
   std::atomic<std::uint64_t> replacementsSeen{0};
 
 private:

@@ -33,7 +33,7 @@ GLenum TextureFormats::find(GLuint name, GLenum image, GLint level) {
   const auto texture = m_textures.find(name);
   if (texture == m_textures.end())
     return 0;
-  GLenum ofFirst = 0; // levels that GenerateMipmap made are as level 0
+  GLenum ofFirst = 0; // levels that GenerateMipmap made have level 0's format
   for (const Image &known : texture->second) {
     if (known.image != image)
       continue;

@@ -9,19 +9,19 @@
 
 namespace arbiter::state {
 
-/// Which images of a share group's textures have an internal format of NV_texture_shader, for which
-/// the host has another one. Of any other image nothing is kept.
+/// The images of a share group's textures that have an internal format of NV_texture_shader. The
+/// host stores them in another format. Other images have no entry.
 class TextureFormats {
 public:
-  /// The image was given an internal format; 0: one that the host has itself.
-  /// \param name the texture's, 0 of a default texture or a proxy
-  /// \param image the target as TexImage names it: a face of a cube map
+  /// Notes the internal format of an image; 0: a format that the host supports.
+  /// \param name the texture's; 0 for a default texture or a proxy
+  /// \param image the target of TexImage, for instance a face of a cube map
   void set(GLuint name, GLenum image, GLint level, GLenum internalFormat);
-  /// 0: one of the host's.
+  /// Returns the image's format of NV_texture_shader; 0 if it has a host format.
   [[nodiscard]] GLenum find(GLuint name, GLenum image, GLint level);
-  /// Before the host deletes the textures.
+  /// Forgets textures. Called before the host deletes them.
   void remove(GLsizei n, const GLuint *names);
-  /// Some image has one, or had: until then nothing else takes the lock.
+  /// True if any image has or had such a format. Until then nothing else takes the lock.
   [[nodiscard]] bool any() const { return m_any.load(std::memory_order_relaxed); }
 
 private:

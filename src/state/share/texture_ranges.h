@@ -9,8 +9,8 @@
 
 namespace arbiter::state {
 
-/// What APPLE_texture_range keeps of a texture: promises and hints about the application's memory.
-/// Images are copied, so that nothing depends on it.
+/// A texture's state of APPLE_texture_range: promises and hints about the application's memory.
+/// Images are copied, so nothing depends on them.
 struct TextureRange {
   GLsizei length = 0; ///< bytes
   const void *pointer = nullptr;
@@ -19,19 +19,19 @@ struct TextureRange {
   bool operator==(const TextureRange &) const = default;
 };
 
-/// The ranges of a share group's textures. Of one that was given none nothing is kept.
+/// The ranges of a share group's textures. A texture that was given no range has no entry.
 class TextureRanges {
 public:
-  /// A texture's name; of a default one (name 0) its target too.
+  /// A texture's name, and for a default texture (name 0) its target.
   struct Key {
     GLuint name = 0;
     GLenum target = 0;
   };
   void set(Key key, const TextureRange &range);
   [[nodiscard]] TextureRange find(Key key);
-  /// Before the host deletes the textures.
+  /// Forgets textures. Called before the host deletes them.
   void remove(GLsizei n, const GLuint *names);
-  /// Some texture has one, or had: until then nothing else takes the lock.
+  /// True if any texture has or had a range. Until then nothing else takes the lock.
   [[nodiscard]] bool any() const { return m_any.load(std::memory_order_relaxed); }
 
 private:

@@ -8,22 +8,22 @@
 
 namespace arbiter::state {
 
-/// Textures of a share group that have texels in common (ARB_texture_view). A host does not say of
-/// a texture that another one is a view of it, so what makes views is noted, in whichever context.
-/// Such textures have no shadow: what is drawn to one is seen in the other.
+/// Textures of a share group that share texels (ARB_texture_view). The host cannot be asked whether
+/// a texture has views, so every context notes the views it makes. Such textures have no shadow, as
+/// drawing to one changes the other.
 class TextureViews {
 public:
-  /// Before the host makes `view` of the texture `original`.
+  /// Notes a view. Called before the host makes `view` of the texture `original`.
   void add(GLuint view, GLuint original);
-  /// Before the host deletes them: other textures may have the names then. What lives on under one
-  /// of them has no shadow anyway (DeletedNames).
+  /// Forgets names. Called before the host deletes them, as other textures may get the names then.
+  /// An object that lives on under such a name has no shadow anyway (DeletedNames).
   void remove(GLsizei n, const GLuint *names);
-  /// The texture of that name is a view, or one was made of it.
+  /// True if the texture is a view or has one.
   [[nodiscard]] bool contains(GLuint name);
 
 private:
   std::mutex m_mutex;
-  std::atomic<bool> m_any{false}; ///< none was ever made: no lock is taken
+  std::atomic<bool> m_any{false}; ///< false: no view was ever made, and no lock is taken
   std::unordered_set<GLuint> m_names;
 };
 

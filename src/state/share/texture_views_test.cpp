@@ -1,4 +1,4 @@
-// Which textures of a share group have texels in common.
+// The table knows which textures of a share group share texels.
 #include "state/share/texture_views.h"
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The counters of a context, or of several.
+/// Sums of the counters of contexts.
 struct Totals {
   std::array<std::uint64_t, kPathCount> draws{};
   std::array<FeedbackTracker::Totals, kCopyKindCount> copies{};
@@ -56,7 +56,7 @@ struct Registry {
   std::uint32_t nextSerial = 1;
 };
 
-/// Never freed: contexts may die after static destructors began.
+/// Returns the registry. Never freed: contexts may be destroyed after static destructors began.
 Registry &registry() {
   static Registry *const s_registry = new Registry;
   return *s_registry;
@@ -64,7 +64,7 @@ Registry &registry() {
 
 bool wanted() { return !settings().statsPath.empty(); }
 
-/// "!!ARBfp1.0" without the marks: the text's first word up to the end of its version.
+/// Returns a text's language: "!!ARBfp1.0" without the marks, up to the end of its version.
 std::string languageOf(std::string_view text) {
   if (text.substr(0, 2) != "!!")
     return "unknown";
@@ -74,7 +74,7 @@ std::string languageOf(std::string_view text) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     const bool versioned = name.find('.') != name.npos;
     if ((!digit && !letter && c != '.') || (versioned && !digit))
-      break; // behind its version a word may follow at once: "!!ARBfp1.0TEMP r;"
+      break; // a word may follow the version directly: "!!ARBfp1.0TEMP r;"
     name += c;
   }
   return name.empty() ? "unknown" : name;
@@ -85,7 +85,7 @@ void renewFrame(Registry &r) {
   r.record->setFrame(text.before, text.after);
 }
 
-/// The counters as they are now. Allocates nothing, as it is done at exit too.
+/// Updates the record's counters. Allocates nothing, as it runs at exit too.
 void renewCounters(Registry &r) {
   Totals totals = r.gone;
   for (const ContextRow &row : r.contexts)
@@ -104,7 +104,7 @@ void renewCounters(Registry &r) {
     to[kCopies] += totals.copies[std::size_t(i)].copies;
     to[kPixels] += totals.copies[std::size_t(i)].pixels;
   }
-  to[kBytes] = to[kPixels] * 4; // the format of the copy is the host's own business
+  to[kBytes] = to[kPixels] * 4; // the host knows the real format of the copy
   to[kReadBuffers] = totals.readBuffers;
   to[kFrames] = totals.frames;
   const ProgramCacheCounters cache = programCacheCounters();
@@ -127,7 +127,7 @@ void addProgram(const ProgramRow &row) {
   renewCounters(r);
 }
 
-/// What became known of a context since it was made. \return something did
+/// Updates what became known about a context since it was made. \return true if something did
 bool renewContext(Registry &r, const Context &context) {
   for (auto row = r.contexts.rbegin(); row != r.contexts.rend(); ++row) {
     if (row->live != &context)
@@ -143,7 +143,8 @@ bool renewContext(Registry &r, const Context &context) {
   return false;
 }
 
-/// With the first context: the record, and what becomes of it at the end and in a child.
+/// Makes the record, with the first context, and registers what happens to it at exit and in a
+/// child.
 void begin(Registry &r) {
   const std::string &pattern = settings().statsPath;
   r.record = LiveRecord::make(expandPid(pattern), pattern.find("%p") != std::string::npos);
@@ -175,7 +176,7 @@ void noteContextCreated(Context &context) {
     row.live = &context;
     r.contexts.push_back(row);
     renewFrame(r);
-  } catch (const std::exception &) { // a context is not refused for what is told of it
+  } catch (const std::exception &) { // a context is made even if its statistics fail
   }
 }
 
@@ -262,8 +263,8 @@ void writeStatistics() {
   Registry &r = registry();
   if (!wanted() || !r.record)
     return;
-  // The frame below may hold the lock, where a signal's handler called exit(): the counters are
-  // those of the last frame then.
+  // A function below on the stack may hold the lock, if a signal handler called exit(). The
+  // counters then are those of the last frame.
   if (const std::unique_lock lock = lockAtExit(r.mutex))
     renewCounters(r);
   if (!r.record->finish())

@@ -15,8 +15,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// Contexts before the last so many are counted and not listed: an application may make them for
-/// ever.
+/// The number of contexts that are listed, the last ones. Earlier ones are counted, as an
+/// application may keep on making contexts.
 constexpr std::size_t kMaxContexts = 256;
 
 const char *providerName(Provider provider) {
@@ -124,7 +124,7 @@ FrameText frameText(const std::vector<ContextRow> &contexts) {
   json.key("defaults");
   defaults::writeChoice(json, defaults::ownChoiceIfRead());
   json.key("contexts").beginArray();
-  // The last ones where an application makes them for ever.
+  // Lists the last ones, as an application may keep on making contexts.
   const std::size_t first = contexts.size() - std::min(contexts.size(), kMaxContexts);
   for (std::size_t i = first; i < contexts.size(); ++i)
     writeContext(json, contexts[i]);

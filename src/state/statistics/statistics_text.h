@@ -11,13 +11,13 @@
 #include "util/hash.h"
 #include "util/record/live_record.h"
 
-/// What statistics look like as JSON: rows of programs, and a frame around them with places for the
-/// counters (util/record/record_text.h). Which counter lies where is here, and nowhere else.
+/// The JSON form of the statistics: rows of programs, and a frame around them with places for the
+/// counters (util/record/record_text.h). Only this file knows which counter lies where.
 namespace arbiter::state {
 
-/// Places of the record's counters.
+/// The counters' places in the record.
 enum Counter : unsigned {
-  kDraws = 0, ///< by path
+  kDraws = 0, ///< one per path
   kUntouched = kPathCount,
   kDropped,
   kCopies,
@@ -56,17 +56,16 @@ struct ProgramRow {
   bool underNativeLimits = false;
   std::int32_t errorPosition = -1;
   std::string error;
-  Refusal refusal;     ///< where the profile alone is why
-  std::string warning; ///< of a program that loaded
+  Refusal refusal;     ///< set if only the profile refuses the program
+  std::string warning; ///< for a program that loaded
 };
 
-/// The text before the rows and the one behind them: the process, its contexts, and places for the
-/// counters.
+/// The text before and after the rows: the process, its contexts, and places for the counters.
 struct FrameText {
   std::string before, after;
 };
 [[nodiscard]] FrameText frameText(const std::vector<ContextRow> &contexts);
-/// A row as it stands in the array of programs.
+/// Returns a row as an element of the array of programs.
 [[nodiscard]] std::string rowText(const ProgramRow &row);
 
 } // namespace arbiter::state

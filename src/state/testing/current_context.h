@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "host/handlers.h"
-#include "state/host_draw/prepare_draw.h"
 #include "state/contexts/lifecycle.h"
 #include "state/core/context.h"
+#include "state/host_draw/prepare_draw.h"
 #include "state/share/share_group.h"
 #include "state/testing/fake_host.h"
 
@@ -14,7 +14,7 @@ namespace arbiter::state::testing {
 inline constexpr GLenum kFragment = GL_FRAGMENT_PROGRAM_ARB;
 inline constexpr GLenum kVertex = GL_VERTEX_PROGRAM_ARB;
 
-/// A context of the fake host, current for as long as this lives.
+/// A context of the fake host, which is current while this lives.
 class CurrentContext {
 public:
   explicit CurrentContext(FakeHost &host, Context *share = nullptr)
@@ -50,7 +50,8 @@ inline GLuint use(Context &context, std::string_view text, GLenum target = kFrag
   return name;
 }
 
-/// What an entry point of a draw does before it calls the host. False: dropped.
+/// Does what a draw's entry point does before it calls the host. Returns false if the draw is
+/// dropped.
 inline bool draw(Context &context) {
   if (context.attention && !prepareDraw(context, GL_TRIANGLES))
     return false;

@@ -63,7 +63,7 @@ void getIntegerv(GLenum pname, GLint *value) {
   else if (it != f.integers.end())
     *value = it->second;
   else
-    *value = 16; // limits
+    *value = 16; // for limits
 }
 
 void getFloatv(GLenum pname, GLfloat *value) {
@@ -72,7 +72,7 @@ void getFloatv(GLenum pname, GLfloat *value) {
 }
 void matrixMode(GLenum mode) { fake().note(words("MatrixMode", {mode})); }
 
-/// "NAME index x y ..", in thousandths.
+/// Notes "NAME index x y ..", in thousandths.
 template <std::size_t kCount> void noteValues(const char *name, GLuint index, const GLfloat *v) {
   std::string call = std::string(name) + " " + std::to_string(index);
   for (std::size_t i = 0; i < kCount; ++i)
@@ -135,7 +135,7 @@ void getShaderiv(GLuint name, GLenum pname, GLint *value) {
   if (fake().lost)
     return;
   if (pname == GL_SHADER_TYPE)
-    *value = GLint(name); // as getAttachedShaders() names them
+    *value = GLint(name); // the name is the type, as in getAttachedShaders()
   else
     *value = pname == GL_COMPILE_STATUS ? !fake().compileFails : 5;
 }
@@ -177,7 +177,7 @@ void deletePipelines(GLsizei count, const GLuint *names) {
     fake().note(words("DeleteProgramPipeline", {names[i]}));
 }
 
-/// arb_param[i] is at 10 + i, arb_vparam[i] at 500 + i, samplers at 0.
+/// Returns 10 + i for arb_param[i], 500 + i for arb_vparam[i] and 0 for samplers.
 GLint getUniformLocation(GLuint, const GLchar *name) {
   if (std::strncmp(name, "arb_vparam[", 11) == 0)
     return 500 + std::atoi(name + 11);
@@ -233,7 +233,7 @@ void deletePrograms(GLsizei count, const GLuint *names) {
   for (GLsizei i = 0; i < count; ++i)
     fake().assembly.erase(names[i]);
 }
-/// "NAME target first-index x...": the x of each.
+/// Notes "NAME target first-index x...", with the x of each parameter.
 void parameters(const char *name, GLenum target, GLuint index, GLsizei count,
                 const GLfloat *values) {
   std::string call = std::string(name) + " " + std::to_string(target) + " " + std::to_string(index);
@@ -253,7 +253,7 @@ void envParameter(GLenum target, GLuint index, const GLfloat *value) {
 void localParameter(GLenum target, GLuint index, const GLfloat *value) {
   fake().note(words("ProgramLocalParameter4fv", {target, index, static_cast<long long>(value[0])}));
 }
-/// Of program targets what they are is kept.
+/// Keeps the enable of program targets.
 void noteTarget(GLenum cap, bool enabled) {
   if (cap == GL_VERTEX_PROGRAM_ARB || cap == GL_FRAGMENT_PROGRAM_ARB)
     fake().targets[cap] = enabled;

@@ -8,7 +8,7 @@ namespace arbiter::state::testing {
 
 inline constexpr char kKeepingText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
 
-/// The rasterizer is there, so primitives are kept from the host.
+/// A context with the rasterizer, which keeps primitives from the host.
 struct KeepingContext : CurrentContext {
   explicit KeepingContext(FakeHost &host) : CurrentContext(host) {
     Context &context = **this;
@@ -18,7 +18,7 @@ struct KeepingContext : CurrentContext {
     context.host->GetError();
     host.calls.clear();
   }
-  /// The rasterizer goes: the host draws.
+  /// Removes the rasterizer, so that the host draws.
   void leaveToHost(FakeHost &host) {
     Context &context = **this;
     context.software = nullptr;

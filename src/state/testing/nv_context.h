@@ -3,11 +3,11 @@
 
 #include "state/testing/current_context.h"
 
-/// A context that has NVIDIA's languages: the profile of the test's environment has them, and the
-/// host what their programs need.
+/// Contexts with NVIDIA's languages. The profile of the test's environment has them, and the host
+/// supports what their programs need.
 namespace arbiter::state::testing {
 
-/// A fake host whose GLSL can draw programs of NVIDIA's languages.
+/// A fake host whose GLSL can draw programs in NVIDIA's languages.
 class NvHost : public FakeHost {
 public:
   NvHost() {
@@ -31,12 +31,12 @@ inline void loadNv(Context &context, GLenum target, GLuint id, std::string_view 
                           reinterpret_cast<const GLubyte *>(text.data()));
 }
 
-/// The error since the last call.
+/// Returns the error since the last call.
 inline GLenum error(Context &context) { return handlers::GetError(context); }
 inline constexpr GLenum kNoError = GL_NO_ERROR, kEnum = GL_INVALID_ENUM, kValue = GL_INVALID_VALUE,
                         kOperation = GL_INVALID_OPERATION;
 
-/// Whether the command is an error between Begin and End.
+/// Returns the error of a command between Begin and End.
 template <typename Function> GLenum errorInsideBegin(Context &context, Function &&command) {
   context.insideBeginEnd = true;
   command();

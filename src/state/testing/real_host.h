@@ -6,8 +6,8 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 
-/// A context of the real host's (OSMesa over llvmpipe), and the layer's in front of it, for tests
-/// of what is asked of the host.
+/// A context of the real host (OSMesa over llvmpipe) with the layer's context in front of it. For
+/// tests of what the layer queries.
 namespace arbiter::state::software::testing {
 
 class RealHost {
@@ -17,7 +17,7 @@ public:
   RealHost(const RealHost &) = delete;
   RealHost &operator=(const RealHost &) = delete;
 
-  /// False: there is no host to test with.
+  /// False if there is no host to test with.
   [[nodiscard]] bool valid() const { return m_context != nullptr; }
   [[nodiscard]] Context &context() const { return *m_context; }
   [[nodiscard]] const host::HostTable &gl() const { return *m_context->host; }
@@ -28,10 +28,10 @@ private:
   Context *m_context = nullptr;
 };
 
-/// A function of the host by its name, for what its library does not export.
+/// Returns a host function that the host's library does not export.
 [[nodiscard]] void *address(const char *name);
 
-/// Numbers from a seed, the same on every machine.
+/// Random numbers from a seed, the same on every machine.
 class Numbers {
 public:
   explicit Numbers(std::uint64_t seed) : m_engine(seed) {}

@@ -1,4 +1,4 @@
-// TexBumpParameter of ATI_envmap_bumpmap, where the layer has it.
+// TexBumpParameter of ATI_envmap_bumpmap, if the layer implements it.
 #include <cmath>
 #include <type_traits>
 
@@ -17,7 +17,8 @@ namespace {
 
 using fp::texture_shader::Row;
 
-/// Integers stand for [-1, 1], as those of colours do (OpenGL 1.4, table 2.6), and come back so.
+/// Converts an integer to [-1, 1], as for colours (OpenGL 1.4, table 2.6). toInteger() does the
+/// reverse.
 GLfloat fromInteger(GLint value) { return GLfloat((2.0 * double(value) + 1.0) / 4294967295.0); }
 GLint toInteger(GLfloat value) {
   const double wide = (double(value) * 4294967295.0 - 1.0) / 2.0;

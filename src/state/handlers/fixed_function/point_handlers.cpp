@@ -1,4 +1,4 @@
-// PointParameter: POINT_SPRITE_R_MODE_NV is the layer's where it has NV_point_sprite.
+// PointParameter. POINT_SPRITE_R_MODE_NV is the layer's if it offers NV_point_sprite.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -12,7 +12,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// True for a mode of the layer's.
+/// Sets the sprite mode, if the layer implements it. Returns false if the parameter is the host's.
 bool isMode(Context &context, GLenum pname, GLfloat value) {
   if (pname != GL_POINT_SPRITE_R_MODE_NV || !context.era || !context.era->offered.pointSprite)
     return false;

@@ -1,5 +1,5 @@
-// The commands of ARB_robustness and OpenGL 4.5 that read pixels into memory of a known size, where
-// ARB_imaging is the layer's.
+// The commands of ARB_robustness and OpenGL 4.5 that read pixels into memory of a given size, for
+// the layer's ARB_imaging.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -13,7 +13,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// False, with INVALID_OPERATION raised: it does not fit.
+/// True if the pixels fit. Otherwise raises INVALID_OPERATION.
 bool hasRoom(Context &context, GLsizei bytes, int width, int height, GLenum format, GLenum type) {
   if (fits(context, bytes, width, height, format, type))
     return true;
@@ -26,7 +26,8 @@ bool hasRoom(Context &context, GLsizei bytes, const imaging::Pixels &image, GLen
   return hasRoom(context, bytes, image.width, image.height, format, type);
 }
 
-/// Of a target that is an error there is room for nothing, and the command says which error.
+/// True if the table fits. For an invalid target the size is 0, and the command itself raises the
+/// error.
 bool hasRoomForTable(Context &context, GLenum target, GLenum format, GLenum type, GLsizei bytes) {
   bool proxy = false;
   const int table = tableOf(target, proxy);

@@ -1,4 +1,4 @@
-// Colour tables (ARB_imaging), where the host has none.
+// Colour tables (ARB_imaging), for hosts without them.
 #include <cmath>
 #include <type_traits>
 
@@ -22,7 +22,7 @@ bool colorTableAllowed(Context &context) {
   return outsideBeginEnd(context, "a colour table's command between Begin and End");
 }
 
-/// A command with colours in memory. What is an error by its numbers reads none.
+/// Issues a command with colours in memory. Reads none if the command's sizes are an error.
 void give(Context &context, const ImagingCommand &command, GLenum format, GLenum type,
           const void *data) {
   if (!isColorFormat(format) || format == GL_COLOR_INDEX)
@@ -52,7 +52,7 @@ void setParameter(Context &context, GLenum target, GLenum pname, const T *params
   issueImaging(context, command);
 }
 
-/// The row of Format::bits that a size's name asks for; -1 for another name.
+/// Returns the row of Format::bits for the name of a size; -1 for other names.
 int sizeRow(GLenum pname) {
   const GLenum at = pname - GL_COLOR_TABLE_RED_SIZE;
   return at < 6 ? int(at) : -1;
@@ -100,7 +100,7 @@ void ColorTable(Context &context, GLenum target, GLenum internalformat, GLsizei 
   const ImagingCommand command{
       .kind = Kind::Table, .target = target, .pname = internalformat, .width = width};
   bool proxy = false;
-  if (tableOf(target, proxy) >= 0 && proxy) { // at once, and of the memory nothing is read
+  if (tableOf(target, proxy) >= 0 && proxy) { // executed at once, without reading memory
     if (!isColorFormat(format) || format == GL_COLOR_INDEX)
       return raise(context, GL_INVALID_ENUM, "ColorTable: format");
     if (arePixels(context, format, type))

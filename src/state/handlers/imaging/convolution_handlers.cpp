@@ -1,4 +1,4 @@
-// Convolution filters (ARB_imaging), where the host has none.
+// Convolution filters (ARB_imaging), for hosts without them.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -21,8 +21,8 @@ bool convolutionAllowed(Context &context) {
 
 bool isInRange(GLsizei size) { return size > 0 && size <= ImagingState::kMostFilter; }
 
-/// Adds an image in memory to the colours; false after an error. One that is an error by its size
-/// is not read.
+/// Appends an image in memory to the colours. Returns false after an error. Reads nothing if the
+/// size is an error.
 bool read(Context &context, const ImageInMemory &image, const void *pixels,
           std::vector<imaging::Rgba> &colors) {
   if (!isColorFormat(image.format) || image.format == GL_COLOR_INDEX) {
@@ -37,7 +37,7 @@ bool read(Context &context, const ImageInMemory &image, const void *pixels,
   return read.has_value();
 }
 
-/// A target that the command has: the two of ConvolutionFilter are not the separable one's.
+/// True for the command's own target. Otherwise raises an error: each command has just one.
 bool isTarget(Context &context, GLenum target, GLenum only) {
   if (target == only)
     return true;
@@ -64,7 +64,7 @@ void copyFilter(Context &context, GLenum target, GLenum only, const ImagingComma
   issueImaging(context, command);
 }
 
-/// Whole numbers of a colour stand for the range -1 to 1 (OpenGL 2.1, table 2.9).
+/// Converts a colour component: integers stand for -1 to 1 (OpenGL 2.1, table 2.9).
 template <typename T> float colorValue(T value) {
   if constexpr (std::is_integral_v<T>)
     return float((2.0 * double(value) + 1.0) / 4294967295.0);

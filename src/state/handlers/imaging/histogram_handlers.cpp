@@ -1,4 +1,4 @@
-// Histograms and minmax tables (ARB_imaging), where the host has none.
+// Histograms and minmax tables (ARB_imaging), for hosts without them.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -39,7 +39,7 @@ void getHistogramParameter(Context &context, GLenum target, GLenum pname, T *par
   } else if (pname == GL_HISTOGRAM_SINK) {
     *params = T(about.sink ? GL_TRUE : GL_FALSE);
   } else if (pname - GL_HISTOGRAM_RED_SIZE < 5u) {
-    // Counters of the format's components have 32 bits each.
+    // The components that the format has get counters of 32 bits.
     const imaging::Format *const format = imaging::findFormat(about.format);
     const GLenum row = pname - GL_HISTOGRAM_RED_SIZE;
     *params = T(format && about.width != 0 && format->bits[row] != 0 ? 32 : 0);
@@ -59,7 +59,7 @@ void getMinmaxParameter(Context &context, GLenum target, GLenum pname, T *params
       pname == GL_MINMAX_FORMAT ? T(GLint(minmax.format)) : T(minmax.sink ? GL_TRUE : GL_FALSE);
 }
 
-/// The components that a format asks for, and the table has: what a query resets.
+/// Runs `function` for each component that a query returns and resets.
 template <typename F> void eachReturned(GLenum format, F function) {
   for (const int component : componentsOfQuery(format))
     function(std::size_t(component));

@@ -1,5 +1,5 @@
-// Arrays of variants (EXT_vertex_shader, 2.8), which are the host's generic arrays: vertex array
-// objects and the client attribute stack have them. And queries of symbols (6.1.11).
+// Variant arrays (EXT_vertex_shader, 2.8) and queries of symbols (6.1.11). The arrays are the
+// host's generic ones, so vertex array objects and the client attribute stack hold them.
 #include <climits>
 #include <cmath>
 #include <type_traits>
@@ -21,7 +21,7 @@ namespace {
 using fp::vertex_shader::DataType;
 using fp::vertex_shader::From;
 
-/// The bytes of a number of an array; 0 of no type that arrays have.
+/// Returns the bytes of an array's component; 0 for types that arrays do not have.
 GLuint sizeOf(GLenum type) {
   switch (type) {
   case GL_BYTE:
@@ -41,7 +41,7 @@ GLuint sizeOf(GLenum type) {
   }
 }
 
-/// A variant that has arrays; null, after an error, else.
+/// Returns a variant that has arrays. Raises an error and returns null for other names.
 std::shared_ptr<VertexSymbol> arrayOf(Context &context, GLuint id, const char *command) {
   if (!outsideBeginEnd(context, command))
     return nullptr;
@@ -65,7 +65,8 @@ void setArrayEnabled(Context &context, GLuint id, bool enabled, const char *comm
 
 // --- Queries ---
 
-/// A symbol of the storage type, generated or bound; null, after an error, else.
+/// Returns a generated or bound symbol of the storage type. Raises an error and returns null if
+/// there is none.
 std::shared_ptr<VertexSymbol> asked(Context &context, GLuint id, GLenum storage,
                                     const char *command) {
   if (!outsideBeginEnd(context, command))
@@ -86,7 +87,7 @@ template <typename T> T givenAs(GLfloat value) {
     return T(value);
 }
 
-/// Columns of the symbol's value now.
+/// Returns the columns of the symbol's present value.
 std::vector<Vec4> valueOf(Context &context, const VertexSymbol &symbol) {
   std::vector<Vec4> lines(std::size_t(symbol.rows()));
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -141,7 +142,7 @@ template <typename T> void getVariant(Context &context, GLuint id, GLenum value,
   }
 }
 
-/// GetInvariant and GetLocalConstant.
+/// Executes GetInvariant and GetLocalConstant.
 template <typename T>
 void getConstant(Context &context, GLenum storage, GLuint id, GLenum value, T *data) {
   const auto symbol =
@@ -172,7 +173,7 @@ void VariantPointerEXT(Context &context, GLuint id, GLenum type, GLuint stride, 
   if (stride > GLuint(INT_MAX))
     return raise(context, GL_INVALID_VALUE, "VariantPointer: stride");
   context.dirty |= software::dirty::kArrays;
-  // The size is fixed at four numbers (2.8); a matrix has four times as many.
+  // An array has four components (2.8); a matrix has four times as many.
   const int columns = symbol->rows();
   const GLuint apart = stride == 0 && columns > 1 ? 16 * size : stride;
   for (int column = 0; column < columns; ++column)

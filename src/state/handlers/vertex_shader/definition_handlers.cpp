@@ -1,6 +1,6 @@
 // The commands of EXT_vertex_shader that make, bind and define shaders. The specification does not
-// say which lists hold: BindVertexShader is compiled into them, and the others are executed at
-// once, as a definition goes by names that its commands return.
+// say which ones lists hold. Here BindVertexShader is, and the others are executed at once, as a
+// definition uses names that its commands return.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -18,7 +18,7 @@ namespace {
 
 using Verdict = VertexShaderRecorder::Verdict;
 
-/// For commands that must be outside of a Begin/EndVertexShader pair.
+/// True outside a Begin/EndVertexShader pair. Raises an error inside.
 bool outsidePair(Context &context, const char *command) {
   if (!outsideBeginEnd(context, command))
     return false;
@@ -28,7 +28,7 @@ bool outsidePair(Context &context, const char *command) {
   return false;
 }
 
-/// The recorder of the open pair; null, after an error, where there is none.
+/// Returns the recorder of the open pair. Raises an error and returns null outside of one.
 VertexShaderRecorder *insidePair(Context &context, const char *command) {
   if (!outsideBeginEnd(context, command))
     return nullptr;
@@ -87,7 +87,7 @@ void DeleteVertexShaderEXT(Context &context, GLuint id) {
     row.bound = context.group->defaultProgram(Target::VertexShader);
     invalidateProgram(context);
   }
-  // Other contexts may have it bound; their linked programs go when they are swept.
+  // Other contexts may have it bound. Their linked programs are dropped when they are swept.
   if (const auto compiled = context.group->compiledOf(*object))
     dropVariants(context, *compiled);
 }
@@ -107,7 +107,7 @@ void EndVertexShaderEXT(Context &context) {
   if (!insidePair(context, "EndVertexShader without BeginVertexShader"))
     return;
   noteProgramApiUse(context);
-  // Memory that runs out closes the pair too.
+  // Lack of memory closes the pair too.
   const std::unique_ptr<VertexShaderRecorder> recorder = std::move(context.vertexShaders->recorder);
   defineVertexShader(context, recorder->end());
 }

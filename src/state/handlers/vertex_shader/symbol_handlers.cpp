@@ -1,5 +1,5 @@
-// Names of EXT_vertex_shader's symbols, and the values that they are given. Invariants and variants
-// have their place in lists; the other commands are executed at once.
+// Symbols of EXT_vertex_shader and their values. Lists hold commands on invariants and variants;
+// the others are executed at once.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -19,7 +19,8 @@ namespace {
 using fp::vertex_shader::DataType;
 using fp::vertex_shader::From;
 
-/// The symbol, if GenSymbols made it for values of the storage type; else null, after an error.
+/// Returns the symbol, if GenSymbols made it with that storage type. Otherwise raises an error and
+/// returns null.
 std::shared_ptr<VertexSymbol> ownSymbol(Context &context, GLuint id, GLenum storage,
                                         const char *why) {
   std::shared_ptr<VertexSymbol> symbol = context.group->vertexSymbols.find(id);
@@ -42,7 +43,7 @@ From sourceOf(GLenum storage) {
   }
 }
 
-/// A current attribute: of the primitive that is recorded, else of the host.
+/// Sets a current attribute: of the recorded primitive, else of the host.
 void setAttribute(const Context &context, GLuint index, const Vec4 &v) {
   if (context.recorder)
     context.recorder->set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3]);
@@ -59,8 +60,8 @@ template <typename T> void setVariant(Context &context, GLuint id, const T *numb
     setAttribute(context, symbol->meaning.attributes[i].index, columns[i]);
 }
 
-/// Bind...ParameterEXT are not among what the specification lets stand in a definition, and
-/// programs of its days have them there.
+/// Runs Bind...ParameterEXT. The specification does not allow them inside a definition, but
+/// programs of the time use them there.
 template <typename Bind> GLuint bound(Context &context, const char *command, Bind bind) {
   return outsideBeginEnd(context, command) ? bind() : 0;
 }

@@ -6,14 +6,14 @@
 #include "state/mirror/mirror.h"
 #include "state/testing/real_host.h"
 
-/// Pieces of GL state, each with a way to set it at random and to check what the mirror made of it.
+/// Pieces of GL state. Each can be set at random, and checks what the mirror reports for it.
 namespace arbiter::state::software::testing {
 
-/// Fails the running test where the mirror differs from what was set.
+/// Fails the running test if the mirror differs from what was set.
 using Check = std::function<void(const Mirror &)>;
 struct Field {
   const char *name;
-  std::uint32_t dirty; ///< the bit that an entry point of it sets
+  std::uint32_t dirty; ///< the bit that its entry point sets
   Check (*set)(Numbers &numbers);
 };
 [[nodiscard]] std::span<const Field> rasterFields();

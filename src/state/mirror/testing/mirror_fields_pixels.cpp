@@ -48,7 +48,7 @@ constexpr Pair<abi::BlendEquation> kEquations[] = {
     {GL_MIN, abi::BlendEquation::Min},
     {GL_MAX, abi::BlendEquation::Max}};
 
-/// Sets one face by whichever way; `function` etc. are drawn from the tables.
+/// Picks one face's functions from the tables. `names` receives their GL names.
 abi::StencilFaceKey randomFace(Numbers &n, GLenum names[4]) {
   const auto function = n.of(kCompares);
   const auto fail = n.of(kStencilOps), depthFail = n.of(kStencilOps), pass = n.of(kStencilOps);

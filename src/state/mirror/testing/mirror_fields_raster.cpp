@@ -117,7 +117,7 @@ constexpr Field kRaster[] = {
          byte = GLubyte(n.below(256));
        turn(GL_POLYGON_STIPPLE, on);
        glPolygonStipple(rows.data());
-       // How images are packed has nothing to do with it.
+       // The pack state must not affect the query.
        glPixelStorei(GL_PACK_LSB_FIRST, n.below(2));
        glPixelStorei(GL_PACK_ROW_LENGTH, 64 * n.below(2));
        glPixelStorei(GL_PACK_SKIP_PIXELS, n.below(2));

@@ -10,7 +10,7 @@ namespace {
 
 void turn(GLenum cap, bool on) { (on ? glEnable : glDisable)(cap); }
 
-/// The active unit stays as it was.
+/// Runs `act` on each unit and restores the active one.
 template <typename Do> void onUnits(Do act) {
   GLint active = 0;
   glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
@@ -101,7 +101,7 @@ constexpr Field kVertices[] = {
        }
        return [=](const Mirror &m) {
          if (!m.vertex.lighting)
-           return; // then nobody asks
+           return; // then the mirror does not query lights
          EXPECT_EQ(m.vertex.lights, on);
          EXPECT_EQ(m.vertex.positional, on & positional);
          EXPECT_EQ(m.vertex.spots, on & spots);
@@ -144,7 +144,7 @@ constexpr Field kVertices[] = {
        return [=](const Mirror &m) {
          if (depth)
            EXPECT_EQ(m.vertex.fogFrom, from);
-         else // by the host
+         else // the host decides
            EXPECT_TRUE(m.vertex.fogFrom == FogFrom::Coordinate ||
                        m.vertex.fogFrom == FogFrom::AbsoluteCoordinate);
          EXPECT_EQ(m.vertex.pointAttenuation, attenuated);

@@ -15,15 +15,15 @@
 #include "state/residency/residency.h"
 #include "swrast/rect.h"
 
-/// What residency's tests have in common: a context of OSMesa, the host that there is, and draws of
-/// the rasterizer, which are stood in for by fills of what acquireTargets() gives.
+/// The fixture of residency's tests: an OSMesa context on the real host. Fills of the images from
+/// acquireTargets() stand in for draws of the rasterizer.
 namespace arbiter::state::software::residency_scene {
 
-inline constexpr int kWidth = 64, kHeight = 48; ///< of what the context draws to, in pixels
+inline constexpr int kWidth = 64, kHeight = 48; ///< of the context's drawable, in pixels
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A function of OSMesa's GL that is none of the host's table.
+/// Returns a function of OSMesa's GL that the host's table does not have.
 [[nodiscard]] void *hostFunction(const char *name);
 
 class Residency : public ::testing::Test {
@@ -34,7 +34,7 @@ protected:
   Context &context() { return *m_context; }
   software::Residency &residency() { return m_context->software->residency; }
   const host::HostTable &gl() { return *m_context->host; }
-  /// The application changed state.
+  /// Marks state as changed by the application.
   void changed(std::uint32_t bits = dirty::kAll) { m_context->dirty |= bits; }
 
   GLuint texture(GLenum internalFormat, int width, int height, const void *rgba = nullptr);
@@ -43,23 +43,23 @@ protected:
   void inNeighbour(const std::function<void()> &calls);
   void bindFramebuffer(GLuint name);
 
-  /// A draw of the rasterizer's over `rect`.
+  /// Fills `rect`, in place of a draw of the rasterizer.
   void draw(const swrast::Rect &rect, std::uint32_t rgba);
   void drawAll(std::uint32_t rgba) { draw({0, 0, kWidth, kHeight}, rgba); }
 
-  /// What the host has, after it was brought up to date.
+  /// Returns the host's pixel after a synchronisation.
   std::uint32_t hostPixel(int x, int y);
-  /// What the host has now.
+  /// Returns the host's pixel as it is now.
   std::uint32_t directPixel(int x, int y);
   std::uint32_t shadowPixel(int x, int y);
   std::uint32_t hostTexel(int x, int y, int width, int height);
   static std::uint32_t packed(const std::uint8_t *b) {
     return std::uint32_t(b[0]) << 24 | std::uint32_t(b[1]) << 16 | std::uint32_t(b[2]) << 8 | b[3];
   }
-  /// What is bound to GL_TEXTURE_2D.
+  /// Returns the texture that is bound to GL_TEXTURE_2D.
   GLuint boundTexture();
   bool copy(int destX, int destY, int x, int y, int width, int height);
-  /// A texel as a program samples it.
+  /// Returns a texel as a program samples it.
   std::uint32_t sampled(GLuint name, int x, int y);
   ResidencyStatistics statistics() { return residency().statistics(); }
 
