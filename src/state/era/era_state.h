@@ -11,8 +11,8 @@
 #include "state/objects/hints.h"
 
 /// Extensions from the years of the first fragment programs that today's hosts have dropped. They
-/// keep a little state in a context: fences, vertex array ranges, hints. The table of offers.cpp
-/// lists them and says where each is offered.
+/// keep a little state in a context: fences, vertex array ranges, hints. The table of
+/// core/era_offers.cpp lists them and says where each is offered.
 namespace arbiter::state {
 
 /// The client state that PushClientAttrib saves.

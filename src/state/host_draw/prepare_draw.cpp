@@ -16,8 +16,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// As validate(), for commands that transform no vertex: whether a vertex program is valid does not
-/// matter to them (ARB_vertex_program 2.14.4).
+/// Validates for commands that transform no vertices. A vertex program's validity does not matter
+/// to them (ARB_vertex_program 2.14.4).
 bool validatePixels(Context &context) {
   if (validate(context))
     return true;
@@ -26,21 +26,21 @@ bool validatePixels(Context &context) {
     return false;
   setEnabled(context, vertex, false);
   const bool valid = validate(context);
-  setEnabled(context, vertex, true); // and the next draw looks again
+  setEnabled(context, vertex, true); // and the next draw validates again
   return valid;
 }
 
-/// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
-/// too, with what was validated when the segment was opened; where that is not valid the host
-/// refuses it, and records it all the same.
+/// Prepares a draw while a list is compiled. COMPILE just records it. COMPILE_AND_EXECUTE also
+/// executes it, with the state that was validated when the segment was opened. If that is invalid
+/// the host refuses the draw, and still records it.
 void prepareListDraw(Context &context) {
   if (context.listMode != GL_COMPILE_AND_EXECUTE)
     return;
   const std::uint32_t rest = context.attention & ~attention::kList;
   if (rest == 0 || (rest == attention::kInvalid && context.hostAssembly->refuses()))
     return;
-  // Validation calls the host, and none of that belongs into the application's list: the segment
-  // that is opened behind this has it.
+  // Validation calls the host, and these calls must not be recorded in the application's list. The
+  // segment that is opened next draws with the result.
   context.list->outside(context, [] {});
 }
 
@@ -48,7 +48,7 @@ using Validate = bool (*)(Context &);
 
 bool prepare(Context &context, Validate validateDraw) {
   if (context.passThrough || context.insideBeginEnd)
-    return true; // a draw between Begin and End is the host's error to raise
+    return true; // a draw between Begin and End: the host raises the error
   if (context.listMode) {
     prepareListDraw(context);
     return true;
@@ -60,22 +60,22 @@ bool prepare(Context &context, Validate validateDraw) {
   return false;
 }
 
-/// As prepareDraw(): the raster position is fixed function's where a shader of EXT_vertex_shader
-/// shades (2.12 of it). In a list it is what the list is called with.
+/// Prepares RasterPos with fixed function in place of a shader of EXT_vertex_shader (2.12 of it).
+/// In a list the state of the call counts.
 bool prepareWithoutVertexShader(Context &context) {
   if (context.insideBeginEnd || context.listMode != 0)
     return prepare(context, validate);
   ProgramTarget &row = context.row(Target::VertexShader);
   setEnabled(context, row, false);
   const bool valid = prepare(context, validate);
-  setEnabled(context, row, true); // and the next draw looks again
+  setEnabled(context, row, true); // and the next draw validates again
   return valid;
 }
 
 } // namespace
 
 bool prepareDraw(Context &context, GLenum mode) {
-  if (sendParametersAlone(context)) // each of many small draws has its own
+  if (sendParametersAlone(context)) // common: many small draws, each with its own parameters
     return true;
   issuePrimitiveMode(context, mode);
   return prepare(context, validate);
@@ -91,10 +91,10 @@ bool prepareRasterPos(Context &context) {
     return prepareWithoutVertexShader(context);
   if (!prepareDraw(context, PointSprites::kNoPrimitive))
     return false;
-  // The raster position keeps each result of the vertex program, whatever the fragment program in
-  // force reads of them now.
+  // The raster position keeps all results of the vertex program, not just those that the current
+  // fragment program reads.
   if (context.stagesAreLinked && !context.insideBeginEnd && context.listMode == 0) {
-    // Mesa gathers bitmaps, and would draw them with the program that is current when it ends.
+    // Mesa defers bitmaps, and would draw them with a later program.
     context.host->Flush();
     context.vertexResultsMatter = true;
     invalidateProgram(context);

@@ -29,8 +29,8 @@ void issueBeginConditional(Context &context, GLuint id, GLenum mode) {
   if (isRecorded(context))
     return listCompiler(context).record(
         context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
-  // What brings pixels to the host is a blit, which the condition would discard. Until its end the
-  // host draws and clears, so nothing is pending that a blit would have to bring.
+  // An upload is a blit, which the condition could discard. The host draws and clears until the
+  // end, so nothing is pending that would need one.
   if (context.software && !context.insideBeginEnd && context.listMode == 0)
     context.software->residency.synchronise("glBeginConditionalRender");
   context.host->BeginConditionalRender(id, mode);

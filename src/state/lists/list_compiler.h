@@ -12,18 +12,17 @@
 
 namespace arbiter::state {
 
-/// The list between NewList and EndList. The host compiles into one host list after another; each
-/// command of the layer's closes one, and the next is opened when the host is called again: until
-/// then ContextHot::host is the table that stands in for it (raster_draw/immediate/replay.h).
+/// Compiles the list between NewList and EndList. The host compiles one host list after another.
+/// Each command of the layer's closes one, and the next is opened at the next call of the host.
+/// Until then ContextHot::host is the recording table (raster_draw/immediate/replay.h).
 ///
 /// Where the rasterizer may draw (raster_draw/context_state.h, keepsLists) the layer keeps
 /// primitives itself. Host lists then hold the state between them, with notes of what each changes.
 /// In COMPILE_AND_EXECUTE the host also executes its lists as it compiles them, and draws the
 /// primitives outside of them. The rasterizer draws only when the list is called.
 ///
-/// Before a share group makes its first program lists are the host's, whole. One that holds nothing
-/// but primitives and attributes is kept as well (`early`): the first other command makes it the
-/// host's alone.
+/// Before a share group's first program lists are whole and the host's. The layer keeps a copy of a
+/// list that holds only primitives and attributes (`early`). The first other command drops it.
 class ListCompiler final : public ListRecorder {
 public:
   /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
@@ -41,7 +40,7 @@ public:
   /// Keeps the command, unless the list has set the same. Requires: keepsState().
   void recordState(Context &context, const StateCommand &command, std::uint32_t dirty);
 
-  // --- Primitives that are kept ---
+  // --- Kept primitives ---
 
   [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode) override;
   void endPrimitive(Context &context, bool fromArrays = false) override;
@@ -74,12 +73,12 @@ public:
   [[nodiscard]] bool beginExecuted(Context &context, GLenum mode) override;
   void endExecuted(Context &context) override;
   [[nodiscard]] bool hasRoom(GLsizei count) const override;
-  /// The list is the host's alone from here on.
+  /// Makes the list the host's alone from here on.
   void leaveEarly(Context &context);
   [[nodiscard]] Arrays &arrays() override { return m_arrays; }
   [[nodiscard]] bool takeArraysDirty(Context &context) override;
 
-  [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
+  [[nodiscard]] GLuint name() const { return m_name; } ///< for LIST_INDEX
   [[nodiscard]] bool changesKind(bool points) override {
     const Kind kind = points ? Kind::Points : Kind::Others;
     return std::exchange(m_kind, kind) != kind;
@@ -172,7 +171,7 @@ private:
   return static_cast<ListCompiler &>(*context.list);
 }
 
-/// Runs one recorded command.
+/// Executes one recorded command.
 void execute(Context &context, const Command &command);
 /// Executes CallList: the list's segments in order, or the host's list.
 void callList(Context &context, GLuint name);

@@ -15,7 +15,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// One primitive of the mesh; `points` evaluates. False after an error of Begin.
+/// Draws one primitive of the mesh; `points` evaluates. Returns false after an error of Begin.
 template <typename Points> bool primitive(Context &context, GLenum mode, Points &&points) {
   issueBegin(context, mode);
   if (!context.insideBeginEnd)
@@ -25,7 +25,7 @@ template <typename Points> bool primitive(Context &context, GLenum mode, Points 
   return true;
 }
 
-/// As 5.1 has it: FILL is a strip for each step in v. The counters go beyond any GLint.
+/// Draws the mesh as 5.1 says: FILL is a strip for each step in v. The counters may exceed GLint.
 void drawMesh(Context &context, const EvaluatorMesh &mesh) {
   const auto point = [&](std::int64_t u, std::int64_t v) {
     evaluatePoint(context, {mesh.dimension, true, GLdouble(u), GLdouble(v)});
@@ -59,7 +59,7 @@ void drawMesh(Context &context, const EvaluatorMesh &mesh) {
     });
 }
 
-/// True: the mesh was drawn, or is a list's. False: it is the host's, which is prepared.
+/// Draws or records the mesh. Returns false, after preparing a draw, if it is the host's.
 bool takesMesh(Context &context, const EvaluatorMesh &mesh) {
   if (context.mapsNamed && !context.insideBeginEnd) {
     if (context.listMode != 0) {

@@ -6,7 +6,7 @@ namespace arbiter::state {
 
 class Context;
 
-/// EvalMesh: from the first to the last number of the grid in u, and in v.
+/// An EvalMesh command: first and last grid number in u and in v.
 struct EvaluatorMesh {
   GLuint dimension;
   GLenum mode;

@@ -19,7 +19,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The primitive is recorded, to be drawn by the rasterizer.
+/// Starts to record the primitive for the rasterizer. Returns false if the host draws it.
 bool defer(Context &context, GLenum mode) {
   if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
     return false;
@@ -54,7 +54,7 @@ void issueBegin(Context &context, GLenum mode) {
     listCompiler(context).notePixels();
   context.host->Begin(mode);
   if (mode > GL_POLYGON)
-    return; // opens nothing
+    return; // begins no primitive
   if (context.listMode)
     listCompiler(context).notePrimitive(Primitive::Open);
   if (context.listMode != GL_COMPILE && !context.hostAssembly->refuses())
@@ -62,7 +62,7 @@ void issueBegin(Context &context, GLenum mode) {
 }
 
 void issueEnd(Context &context) {
-  if (software::isHeld(context)) [[unlikely]] // an error
+  if (software::isHeld(context)) [[unlikely]] // an End without Begin, which is an error
     software::drawHeld(context);
   if (context.recorder && context.listMode == 0 && software::holdPrimitive(context))
     return;

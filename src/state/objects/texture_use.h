@@ -7,7 +7,7 @@
 
 namespace arbiter::state {
 
-/// The texture of a unit that a program samples, when its draws began.
+/// The texture of a unit that a program samples, at the program's first draw.
 struct TextureUse {
   std::uint8_t unit = 0;
   fp::ir::TexTarget target = fp::ir::TexTarget::Tex2D;
