@@ -1,7 +1,5 @@
 // Executes the layer's commands in a list, when it is called.
-#include "state/lists/conditional_commands.h"
 #include "state/lists/list_compiler.h"
-#include "state/lists/mesh_commands.h"
 
 #include <array>
 #include <cstring>
@@ -12,6 +10,8 @@
 #include "state/era/texture_range.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
+#include "state/lists/conditional_commands.h"
+#include "state/lists/mesh_commands.h"
 #include "state/lists/state_commands.h"
 #include "state/pixel_commands/copy_texture.h"
 #include "state/pixel_commands/imaging_commands.h"
