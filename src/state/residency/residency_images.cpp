@@ -202,6 +202,61 @@ bool isImmutable(ResidentImages &images, Texture &texture) {
   return texture.immutable;
 }
 
+namespace {
+
+/// Returns the type of a renderbuffer's components, GL_FLOAT or GL_UNSIGNED_NORMALIZED; 0 for
+/// others. Only an attachment has a query for it, so the format's name tells.
+GLint componentTypeOf(GLint internalFormat) {
+  switch (internalFormat) {
+  case GL_RGBA32F:
+  case GL_RGB32F:
+  case GL_RG32F:
+  case GL_R32F:
+  case GL_RGBA16F:
+  case GL_RGB16F:
+  case GL_RG16F:
+  case GL_R16F:
+  case GL_DEPTH_COMPONENT32F:
+  case GL_DEPTH32F_STENCIL8:
+    return GL_FLOAT;
+  case GL_RGBA:
+  case GL_RGBA8:
+  case GL_RGB:
+  case GL_RGB8:
+  case GL_SRGB8:
+  case GL_SRGB8_ALPHA8:
+  case GL_RG8:
+  case GL_R8:
+  case GL_RG:
+  case GL_RED:
+  case GL_RGBA16:
+  case GL_RGB16:
+  case GL_RG16:
+  case GL_R16:
+  case GL_RGB4:
+  case GL_RGB5:
+  case GL_RGB565:
+  case GL_RGB10:
+  case GL_RGB12:
+  case GL_RGBA2:
+  case GL_RGBA4:
+  case GL_RGB5_A1:
+  case GL_RGB10_A2:
+  case GL_RGBA12:
+  case GL_DEPTH_COMPONENT:
+  case GL_DEPTH_COMPONENT16:
+  case GL_DEPTH_COMPONENT24:
+  case GL_DEPTH_COMPONENT32:
+  case GL_DEPTH_STENCIL:
+  case GL_DEPTH24_STENCIL8:
+    return GL_UNSIGNED_NORMALIZED;
+  default:
+    return 0; // integers and signed values
+  }
+}
+
+} // namespace
+
 PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
   auto &renderbuffers = images.objects.renderbuffers;
   auto found = renderbuffers.find(name);
@@ -241,56 +296,7 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
   format.stencil = get(GL_RENDERBUFFER_STENCIL_SIZE);
   const GLint samples = get(GL_RENDERBUFFER_SAMPLES);
   host.BindRenderbuffer(GL_RENDERBUFFER, GLuint(previous));
-  // Only an attachment has a query for the type. Sizes of 8 are always integers, and the format's
-  // name tells the others.
-  switch (format.internalFormat) {
-  case GL_RGBA32F:
-  case GL_RGB32F:
-  case GL_RG32F:
-  case GL_R32F:
-  case GL_RGBA16F:
-  case GL_RGB16F:
-  case GL_RG16F:
-  case GL_R16F:
-  case GL_DEPTH_COMPONENT32F:
-  case GL_DEPTH32F_STENCIL8:
-    format.type = GL_FLOAT;
-    break;
-  case GL_RGBA:
-  case GL_RGBA8:
-  case GL_RGB:
-  case GL_RGB8:
-  case GL_SRGB8:
-  case GL_SRGB8_ALPHA8:
-  case GL_RG8:
-  case GL_R8:
-  case GL_RG:
-  case GL_RED:
-  case GL_RGBA16:
-  case GL_RGB16:
-  case GL_RG16:
-  case GL_R16:
-  case GL_RGB4:
-  case GL_RGB5:
-  case GL_RGB565:
-  case GL_RGB10:
-  case GL_RGB12:
-  case GL_RGBA2:
-  case GL_RGBA4:
-  case GL_RGB5_A1:
-  case GL_RGB10_A2:
-  case GL_RGBA12:
-  case GL_DEPTH_COMPONENT:
-  case GL_DEPTH_COMPONENT16:
-  case GL_DEPTH_COMPONENT24:
-  case GL_DEPTH_COMPONENT32:
-  case GL_DEPTH_STENCIL:
-  case GL_DEPTH24_STENCIL8:
-    format.type = GL_UNSIGNED_NORMALIZED;
-    break;
-  default:
-    format.type = 0; // integers and signed values
-  }
+  format.type = componentTypeOf(format.internalFormat);
   image->base = 0;
   image->shadow = {};
   if (samples != 0 || image->width <= 0 || image->height <= 0 ||

@@ -33,7 +33,7 @@ QAction *MainWindow::add(QMenu *menu, const QString &text, const QKeySequence &k
   return made;
 }
 
-void MainWindow::buildMenus() {
+void MainWindow::buildFileMenu() {
   QMenu *file = menuBar()->addMenu(tr("&File"));
   add(file, tr("&New"), QKeySequence::New, [this] { newFile(); });
   add(file, tr("&Open..."), QKeySequence::Open, [this] { openFile(); });
@@ -46,7 +46,9 @@ void MainWindow::buildMenus() {
       [this] { exportSequence(); });
   file->addSeparator();
   add(file, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
 
+void MainWindow::buildEditMenu() {
   QMenu *edit = menuBar()->addMenu(tr("&Edit"));
   add(edit, tr("&Undo"), QKeySequence::Undo, [this] { m_editor->undoStep(); });
   add(edit, tr("&Redo"), QKeySequence::Redo, [this] { m_editor->redoStep(); });
@@ -60,9 +62,9 @@ void MainWindow::buildMenus() {
   add(edit, tr("Pre&vious problem"), QKeySequence(tr("Shift+F8")),
       [this] { m_editor->goToProblem(false); });
   add(edit, tr("&Fix this line"), QKeySequence(tr("Alt+Return")), [this] { m_editor->fixHere(); });
+}
 
-  buildChoices(menuBar()->addMenu(tr("&Program")));
-
+void MainWindow::buildSceneMenu() {
   QMenu *scene = menuBar()->addMenu(tr("&Scene"));
   add(scene, tr("&Pause"), QKeySequence(tr("Ctrl+P")), [this] { m_picture->togglePause(); });
   add(scene, tr("One &frame"), QKeySequence(tr("Ctrl+.")), [this] { m_picture->step(); });
@@ -70,7 +72,9 @@ void MainWindow::buildMenus() {
       [this] { m_bench.renderer().stop(); });
   add(scene, tr("Picture as its own &window"), QKeySequence(tr("F11")),
       [this] { dock(tr("Picture"))->setFloating(!dock(tr("Picture"))->isFloating()); });
+}
 
+void MainWindow::buildDebugMenu() {
   QMenu *debug = menuBar()->addMenu(tr("&Debug"));
   add(debug, tr("&Pixel at the mark"), QKeySequence(tr("Ctrl+D")), [this] {
     const QSize size = m_bench.picture().size();
@@ -87,12 +91,16 @@ void MainWindow::buildMenus() {
     if (!m_bench.trace().nextFlag(QStringLiteral("nan")))
       notice(tr("no instruction makes a NaN at this pixel"));
   });
+}
 
+void MainWindow::buildCompareMenu() {
   QMenu *compare = menuBar()->addMenu(tr("&Compare"));
   add(compare, tr("&Pin the picture as A"), QKeySequence(tr("Ctrl+Shift+A")),
       [this] { m_bench.pin(); });
   add(compare, tr("&Unpin"), {}, [this] { m_bench.unpin(); });
+}
 
+void MainWindow::buildAttachMenu() {
   QMenu *attach = menuBar()->addMenu(tr("&Attach"));
   add(attach, tr("&To an application..."), QKeySequence(tr("Ctrl+Shift+T")), [this] {
     showPanel(tr("Attach"));
@@ -105,8 +113,9 @@ void MainWindow::buildMenus() {
   add(attach, tr("&Measure a frame"), {}, [this] { m_attachment->measure(); });
   add(attach, tr("&Put the text back"), {}, [this] { m_attachment->putBack(); });
   add(attach, tr("&Export replacements..."), {}, [this] { m_attach->askExport(); });
+}
 
-  buildPanelMenu(menuBar()->addMenu(tr("&View")));
+void MainWindow::buildHelpMenu() {
   QMenu *help = menuBar()->addMenu(tr("&Help"));
   add(help, tr("&Word at the cursor"), QKeySequence(tr("F1")), [this] {
     showPanel(tr("Words"));
@@ -114,6 +123,18 @@ void MainWindow::buildMenus() {
   });
   add(help, tr("&Any action..."), QKeySequence(tr("Ctrl+Shift+P")), [this] { anyAction(); });
   add(help, tr("&Keys..."), {}, [this] { bindKeys(); });
+}
+
+void MainWindow::buildMenus() {
+  buildFileMenu();
+  buildEditMenu();
+  buildChoices(menuBar()->addMenu(tr("&Program")));
+  buildSceneMenu();
+  buildDebugMenu();
+  buildCompareMenu();
+  buildAttachMenu();
+  buildPanelMenu(menuBar()->addMenu(tr("&View")));
+  buildHelpMenu();
   const QSettings settings;
   for (QAction *action : m_actions) {
     const QVariant kept = settings.value(QStringLiteral("keys/") + action->text().remove(u'&'));

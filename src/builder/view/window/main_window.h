@@ -70,6 +70,13 @@ private:
 
   // actions.cpp
   void buildMenus();
+  void buildFileMenu();
+  void buildEditMenu();
+  void buildSceneMenu();
+  void buildDebugMenu();
+  void buildCompareMenu();
+  void buildAttachMenu();
+  void buildHelpMenu();
   QAction *add(QMenu *menu, const QString &text, const QKeySequence &keys,
                const std::function<void()> &action);
   void buildChoices(QMenu *menu);

@@ -270,8 +270,12 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
         m_code.field(ir.getInt32Ty(), level, offsetof(abi::TextureLevel, height)),
     };
   });
-  const auto floor = [&](Value *value) {
-    return ir.CreateUnaryIntrinsic(llvm::Intrinsic::floor, value);
+  // `first` in that repetition of the image in which `at` lies.
+  const auto repeated = [&](Value *first, Value *at, Value *inverse, Value *size) {
+    Value *const times = ir.CreateUnaryIntrinsic(
+        llvm::Intrinsic::floor,
+        ir.CreateFMul(ir.CreateFAdd(at, number(0.5)), m_spans.inLanes(inverse)));
+    return ir.CreateFSub(first, ir.CreateFMul(times, size));
   };
   // Sizes as doubles, and one by them. Times around a texture are whole numbers below 2^24 times a
   // size, looked for half a texel off: a product is near enough.
@@ -293,9 +297,7 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
   // in which the middle of the span lies.
   if (key.wrap[0] == abi::Wrap::Repeat) {
     Value *const middle = ir.CreateFAdd(s.first, ir.CreateFMul(m_last, number(0.5)));
-    Value *const times =
-        floor(ir.CreateFMul(ir.CreateFAdd(middle, number(0.5)), m_spans.inLanes(widthInverse)));
-    s.first = ir.CreateFSub(s.first, ir.CreateFMul(times, width));
+    s.first = repeated(s.first, middle, widthInverse, width);
   }
   Value *const first = toInt(s.first);
   m_begin = larger(m_begin, ir.CreateNeg(first));
@@ -314,11 +316,8 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
                                   ir.CreateICmpSLE(m_spans.count(), ir.CreateSub(columns, first))));
 
   // Across: one row, wrapped here.
-  if (key.wrap[1] == abi::Wrap::Repeat) {
-    Value *const times =
-        floor(ir.CreateFMul(ir.CreateFAdd(t.first, number(0.5)), m_spans.inLanes(heightInverse)));
-    t.first = ir.CreateFSub(t.first, ir.CreateFMul(times, height));
-  }
+  if (key.wrap[1] == abi::Wrap::Repeat)
+    t.first = repeated(t.first, t.first, heightInverse, height);
   Value *row = toInt(t.first);
   if (key.wrap[1] == abi::Wrap::ClampToEdge)
     row = smaller(larger(row, integer(0)), ir.CreateSub(rows, integer(1)));
