@@ -2,7 +2,8 @@
 # What a change must satisfy besides the tests: format, include graph, linters, generated
 # files, tidy.
 # shellcheck disable=SC2317  # the checks are called by part()
-# usage: check.sh BUILD_TREE; all parts run, the status says whether any complained.
+# usage: check.sh BUILD_TREE | check.sh --quick
+# --quick leaves out what needs a build tree. All parts run; the status says whether any complained.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$1
@@ -24,7 +25,7 @@ check_format() { sources '*.cpp' '*.h' | xargs -r clang-format --dry-run --Werro
 # Each checker first shows that it finds what is planted.
 check_graph() {
   local checker
-  for checker in include_graph/include_graph include_graph/sub_rooms references/references; do
+  for checker in include_graph/include_graph include_graph/sub_rooms references/{references,sentences,comments}; do
     python3 "$root/tests/$checker.py" --self-test && python3 "$root/tests/$checker.py" "$root" ||
       return 1
   done
@@ -45,6 +46,12 @@ check_meson() {
   ! git -C "$root" grep -nE "'[^']+\.cpp', *'[^']+\.cpp', *'[^']+\.cpp'" -- '*meson.build'
 }
 
+# A subject has 72 characters at most and names one thing. Merges have subjects of their own.
+check_subjects() {
+  ! git -C "$root" log --no-merges -20 --format='%h %s' |
+    awk '{ subject = substr($0, index($0, " ") + 1) } length(subject) > 72 || index(subject, ";")' | grep .
+}
+
 check_generated() {
   python3 "$root/docs/generate.py" --check --build "$build" &&
     python3 "$root/bench/chart.py" --check &&
@@ -62,11 +69,14 @@ for entry in json.load(open(sys.argv[1] + "/compile_commands.json")):
 }
 
 part "format" check_format
-part "include graph, names in comments and docs" check_graph
-part "headers by themselves" check_headers
+part "include graph, names in comments and docs, English" check_graph
 part "Python" check_python
 part "shell" check_shell
 part "lists of Meson" check_meson
-part "generated files" check_generated
-part "tidy" check_tidy
+part "subjects of commits" check_subjects
+if [[ $build != --quick ]]; then
+  part "headers by themselves" check_headers
+  part "generated files" check_generated
+  part "tidy" check_tidy
+fi
 exit "$status"
