@@ -110,6 +110,7 @@ class Table:
     """The rows, checked against gl.xml.
 
     action    {lead: way} of entry_points.toml; `handled` of software.toml is one too
+    offered   {lead: the function of state/handlers/offered.h that says whether it is the layer's}
     software  {lead: way} of software.toml, or "unknown", of those that have no action
     aliased   the leads that have a part in attributes that alias
     dirty     {lead: [bits of mirror/dirty_bits.h]} of those that have either
@@ -134,6 +135,7 @@ class Table:
         for action in ACTIONS:
             for pattern in config.get(action, {}).get("names", []):
                 self._assign(action, pattern, config[action].get("except", []))
+        self.offered = self._read_offered(config["own"]["offered"])
         self._read_software(software)
         self.needs = [self._canonical(n) for n in config.get("host", {}).get("needs", [])]
         self.members = sorted(set(self.action) | set(self.needs))
@@ -163,6 +165,19 @@ class Table:
                     sys.exit(f"entry_points.toml: {name} is both {self.action[name]} and {action}")
                 continue  # a pattern gives way to a row that came before
             self.action[name] = action
+
+    def _read_offered(self, rows):
+        offered = {}
+        for function, patterns in rows.items():
+            for pattern in patterns:
+                names = fnmatch.filter(self.commands, pattern)
+                for lead in {self._canonical(name) for name in names}:
+                    if self.action.get(lead) != "own" or lead in offered:
+                        sys.exit(f"entry_points.toml: [own.offered] {lead} is in two rows, or not in [own]")
+                    offered[lead] = function
+                if not names:
+                    sys.exit(f"entry_points.toml: [own.offered] {pattern} matches nothing in gl.xml")
+        return offered
 
     def _matches(self, pattern, excluded, where):
         """Leads of the groups that have a name of that pattern."""

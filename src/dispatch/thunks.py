@@ -113,10 +113,13 @@ def thunks(table, command, action, symbol):
         handled = dirty + guarded(command, f"  {handled}\n")
         if name in table.config["own"]["everywhere"]:
             return "", lead + handled
+        hosts = "t->passThrough"
+        if name in table.offered:
+            hosts += f" || !arbiter::state::offered::{table.offered[name]}(here())"
         if result == "void":
-            return "", lead + ("  if (t->passThrough) [[unlikely]] {\n"
+            return "", lead + (f"  if ({hosts}) [[unlikely]] {{\n"
                                f"    {call}\n    return;\n  }}\n{handled}")
-        return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n{handled}"
+        return "", lead + f"  if ({hosts}) [[unlikely]]\n    {call}\n{handled}"
     if action == "guard":
         lines = "".join(f"  {n} = handlers::{GUARDS[kind]}(here(), {n});\n" for t, n, kind in command.params
                         if kind in GUARDS and "*" not in t)
@@ -209,7 +212,8 @@ def entry_points_source(table):
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
            '#include "state/host_draw/kept_letters.h"\n#include "state/host_draw/prepare_draw.h"\n'
-           '#include "state/handlers/straight.h"\n#include "state/pixel_commands/pixel_commands.h"\n'
+           '#include "state/handlers/offered.h"\n#include "state/handlers/straight.h"\n'
+           '#include "state/pixel_commands/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'
            '#include "state/raster_draw/immediate/held.h"\n'

@@ -1,5 +1,5 @@
-// The commands of NV_register_combiners and NV_register_combiners2. If the layer does not offer
-// them, the host answers. Queries are executed at once even while a list is compiled (5.4).
+// The commands of NV_register_combiners and NV_register_combiners2. Queries are executed at once
+// even while a list is compiled (5.4).
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -135,39 +135,25 @@ void getFinalInput(Context &context, GLenum variableName, GLenum pname, T *param
   giveInput(context, context.combiners->state().finals[variable], pname, params);
 }
 
-bool hasStageParameters(const Context &context) {
-  return context.combiners && context.combiners->hasPerStageConstants();
-}
-
 } // namespace
 
 namespace handlers {
 
 void CombinerParameterfNV(Context &context, GLenum pname, GLfloat param) {
-  if (!context.combiners)
-    return context.host->CombinerParameterfNV(pname, param);
   setParameter(context, pname, &param, true);
 }
 void CombinerParameteriNV(Context &context, GLenum pname, GLint param) {
-  if (!context.combiners)
-    return context.host->CombinerParameteriNV(pname, param);
   setParameter(context, pname, &param, true);
 }
 void CombinerParameterfvNV(Context &context, GLenum pname, const GLfloat *params) {
-  if (!context.combiners)
-    return context.host->CombinerParameterfvNV(pname, params);
   setParameter(context, pname, params, false);
 }
 void CombinerParameterivNV(Context &context, GLenum pname, const GLint *params) {
-  if (!context.combiners)
-    return context.host->CombinerParameterivNV(pname, params);
   setParameter(context, pname, params, false);
 }
 
 void CombinerStageParameterfvNV(Context &context, GLenum stage, GLenum pname,
                                 const GLfloat *params) {
-  if (!hasStageParameters(context))
-    return context.host->CombinerStageParameterfvNV(stage, pname, params);
   CombinerCommand command{.kind = Kind::StageParameter, .names = {stage, pname}};
   if (params && isColor(pname))
     std::copy_n(params, 4, command.values.begin());
@@ -176,8 +162,6 @@ void CombinerStageParameterfvNV(Context &context, GLenum stage, GLenum pname,
 
 void CombinerInputNV(Context &context, GLenum stage, GLenum portion, GLenum variable, GLenum input,
                      GLenum mapping, GLenum componentUsage) {
-  if (!context.combiners)
-    return context.host->CombinerInputNV(stage, portion, variable, input, mapping, componentUsage);
   issue(context,
         {.kind = Kind::Input, .names = {stage, portion, variable, input, mapping, componentUsage}},
         "CombinerInput between Begin and End");
@@ -186,9 +170,6 @@ void CombinerInputNV(Context &context, GLenum stage, GLenum portion, GLenum vari
 void CombinerOutputNV(Context &context, GLenum stage, GLenum portion, GLenum abOutput,
                       GLenum cdOutput, GLenum sumOutput, GLenum scale, GLenum bias,
                       GLboolean abDotProduct, GLboolean cdDotProduct, GLboolean muxSum) {
-  if (!context.combiners)
-    return context.host->CombinerOutputNV(stage, portion, abOutput, cdOutput, sumOutput, scale,
-                                          bias, abDotProduct, cdDotProduct, muxSum);
   const auto flag = [](GLboolean set, unsigned bit) { return set != GL_FALSE ? bit : 0u; };
   issue(context,
         {.kind = Kind::Output,
@@ -201,55 +182,39 @@ void CombinerOutputNV(Context &context, GLenum stage, GLenum portion, GLenum abO
 
 void FinalCombinerInputNV(Context &context, GLenum variable, GLenum input, GLenum mapping,
                           GLenum componentUsage) {
-  if (!context.combiners)
-    return context.host->FinalCombinerInputNV(variable, input, mapping, componentUsage);
   issue(context, {.kind = Kind::FinalInput, .names = {variable, input, mapping, componentUsage}},
         "FinalCombinerInput between Begin and End");
 }
 
 void GetCombinerInputParameterfvNV(Context &context, GLenum stage, GLenum portion, GLenum variable,
                                    GLenum pname, GLfloat *params) {
-  if (!context.combiners)
-    return context.host->GetCombinerInputParameterfvNV(stage, portion, variable, pname, params);
   getInput(context, stage, portion, variable, pname, params);
 }
 void GetCombinerInputParameterivNV(Context &context, GLenum stage, GLenum portion, GLenum variable,
                                    GLenum pname, GLint *params) {
-  if (!context.combiners)
-    return context.host->GetCombinerInputParameterivNV(stage, portion, variable, pname, params);
   getInput(context, stage, portion, variable, pname, params);
 }
 
 void GetCombinerOutputParameterfvNV(Context &context, GLenum stage, GLenum portion, GLenum pname,
                                     GLfloat *params) {
-  if (!context.combiners)
-    return context.host->GetCombinerOutputParameterfvNV(stage, portion, pname, params);
   getOutput(context, stage, portion, pname, params);
 }
 void GetCombinerOutputParameterivNV(Context &context, GLenum stage, GLenum portion, GLenum pname,
                                     GLint *params) {
-  if (!context.combiners)
-    return context.host->GetCombinerOutputParameterivNV(stage, portion, pname, params);
   getOutput(context, stage, portion, pname, params);
 }
 
 void GetFinalCombinerInputParameterfvNV(Context &context, GLenum variable, GLenum pname,
                                         GLfloat *params) {
-  if (!context.combiners)
-    return context.host->GetFinalCombinerInputParameterfvNV(variable, pname, params);
   getFinalInput(context, variable, pname, params);
 }
 void GetFinalCombinerInputParameterivNV(Context &context, GLenum variable, GLenum pname,
                                         GLint *params) {
-  if (!context.combiners)
-    return context.host->GetFinalCombinerInputParameterivNV(variable, pname, params);
   getFinalInput(context, variable, pname, params);
 }
 
 void GetCombinerStageParameterfvNV(Context &context, GLenum stageName, GLenum pname,
                                    GLfloat *params) {
-  if (!hasStageParameters(context))
-    return context.host->GetCombinerStageParameterfvNV(stageName, pname, params);
   if (!outsideBeginEnd(context, "GetCombinerStageParameter between Begin and End"))
     return;
   const GLenum stage = stageName - GL_COMBINER0_NV;

@@ -7,6 +7,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
+#include "state/handlers/offered.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
@@ -105,31 +106,23 @@ void setRange(Context &context, VertexArrayRange &range, GLsizei length, const v
 namespace handlers {
 
 void GenFencesNV(Context &context, GLsizei n, GLuint *fences) {
-  if (!offers(context, &EraOffers::nvFence))
-    return context.host->GenFencesNV(n, fences);
   generateFences(context, context.era->nvFences, n, fences);
 }
 
 void GenFencesAPPLE(Context &context, GLsizei n, GLuint *fences) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->GenFencesAPPLE(n, fences);
   generateFences(context, context.era->appleFences, n, fences);
 }
 
 void DeleteFencesNV(Context &context, GLsizei n, const GLuint *fences) {
-  if (!offers(context, &EraOffers::nvFence))
-    return context.host->DeleteFencesNV(n, fences);
   deleteFences(context, context.era->nvFences, n, fences);
 }
 
 void DeleteFencesAPPLE(Context &context, GLsizei n, const GLuint *fences) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->DeleteFencesAPPLE(n, fences);
   deleteFences(context, context.era->appleFences, n, fences);
 }
 
 void SetFenceNV(Context &context, GLuint fence, GLenum condition) {
-  if (!offers(context, &EraOffers::nvFence)) {
+  if (!offered::nvFences(context)) {
     if (context.software && !context.listMode)
       context.software->residency.synchronise("glSetFenceNV");
     return context.host->SetFenceNV(fence, condition);
@@ -138,14 +131,10 @@ void SetFenceNV(Context &context, GLuint fence, GLenum condition) {
 }
 
 void SetFenceAPPLE(Context &context, GLuint fence) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->SetFenceAPPLE(fence);
   issueSet(context, FenceOf::Apple, fence, GL_ALL_COMPLETED_NV);
 }
 
 GLboolean TestFenceNV(Context &context, GLuint fence) {
-  if (!offers(context, &EraOffers::nvFence))
-    return context.host->TestFenceNV(fence);
   if (!outsideBeginEnd(context, "TestFence between Begin and End"))
     return GL_TRUE;
   Fences &fences = context.era->nvFences;
@@ -153,8 +142,6 @@ GLboolean TestFenceNV(Context &context, GLuint fence) {
 }
 
 GLboolean TestFenceAPPLE(Context &context, GLuint fence) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->TestFenceAPPLE(fence);
   if (!outsideBeginEnd(context, "TestFence between Begin and End"))
     return GL_TRUE;
   Fences &fences = context.era->appleFences;
@@ -162,15 +149,11 @@ GLboolean TestFenceAPPLE(Context &context, GLuint fence) {
 }
 
 void FinishFenceNV(Context &context, GLuint fence) {
-  if (!offers(context, &EraOffers::nvFence))
-    return context.host->FinishFenceNV(fence);
   if (outsideBeginEnd(context, "FinishFence between Begin and End"))
     finishFence(context, FenceOf::Nv, fence);
 }
 
 void FinishFenceAPPLE(Context &context, GLuint fence) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->FinishFenceAPPLE(fence);
   if (!outsideBeginEnd(context, "FinishFence between Begin and End"))
     return;
   if (context.listMode)
@@ -179,8 +162,6 @@ void FinishFenceAPPLE(Context &context, GLuint fence) {
 }
 
 GLboolean IsFenceNV(Context &context, GLuint fence) {
-  if (!offers(context, &EraOffers::nvFence))
-    return context.host->IsFenceNV(fence);
   return outsideBeginEnd(context, "IsFence between Begin and End") &&
                  context.era->nvFences.isFence(fence)
              ? GL_TRUE
@@ -188,8 +169,6 @@ GLboolean IsFenceNV(Context &context, GLuint fence) {
 }
 
 GLboolean IsFenceAPPLE(Context &context, GLuint fence) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->IsFenceAPPLE(fence);
   return outsideBeginEnd(context, "IsFence between Begin and End") &&
                  context.era->appleFences.isFence(fence)
              ? GL_TRUE
@@ -197,8 +176,6 @@ GLboolean IsFenceAPPLE(Context &context, GLuint fence) {
 }
 
 void GetFenceivNV(Context &context, GLuint fence, GLenum pname, GLint *params) {
-  if (!offers(context, &EraOffers::nvFence))
-    return context.host->GetFenceivNV(fence, pname, params);
   if (!outsideBeginEnd(context, "GetFenceiv between Begin and End"))
     return;
   Fences &fences = context.era->nvFences;
@@ -213,8 +190,6 @@ void GetFenceivNV(Context &context, GLuint fence, GLenum pname, GLint *params) {
 }
 
 GLboolean TestObjectAPPLE(Context &context, GLenum object, GLuint name) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->TestObjectAPPLE(object, name);
   if (object == GL_FENCE_APPLE)
     return TestFenceAPPLE(context, name);
   if (!outsideBeginEnd(context, "TestObject between Begin and End"))
@@ -227,8 +202,6 @@ GLboolean TestObjectAPPLE(Context &context, GLenum object, GLuint name) {
 }
 
 void FinishObjectAPPLE(Context &context, GLenum object, GLint name) {
-  if (!offers(context, &EraOffers::appleFence))
-    return context.host->FinishObjectAPPLE(object, name);
   if (object == GL_FENCE_APPLE)
     return FinishFenceAPPLE(context, GLuint(name));
   if (!outsideBeginEnd(context, "FinishObject between Begin and End"))

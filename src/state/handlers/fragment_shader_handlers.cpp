@@ -24,8 +24,6 @@ using RawOperation = AtiRecorder::RawOperation;
 
 ProgramTarget &shaderRow(Context &context) { return context.row(Target::AtiApi); }
 
-bool offered(const Context &context) { return context.row(Target::AtiApi).offered; }
-
 /// True outside a Begin/EndFragmentShader pair. Raises an error inside.
 bool outsidePair(Context &context, const char *command) {
   if (!outsideBeginEnd(context, command))
@@ -78,8 +76,6 @@ void replaceShader(Context &context, std::shared_ptr<const CompiledProgram> comp
 namespace handlers {
 
 GLuint GenFragmentShadersATI(Context &context, GLuint range) {
-  if (!offered(context))
-    return context.host->GenFragmentShadersATI(range);
   if (!outsidePair(context, "GenFragmentShaders between Begin- and EndFragmentShader"))
     return 0;
   if (range == 0) {
@@ -90,8 +86,6 @@ GLuint GenFragmentShadersATI(Context &context, GLuint range) {
 }
 
 void BindFragmentShaderATI(Context &context, GLuint id) {
-  if (!offered(context))
-    return context.host->BindFragmentShaderATI(id);
   if (!outsideBeginEnd(context, "BindFragmentShader between Begin and End"))
     return;
   noteProgramApiUse(context);
@@ -103,8 +97,6 @@ void BindFragmentShaderATI(Context &context, GLuint id) {
 }
 
 void DeleteFragmentShaderATI(Context &context, GLuint id) {
-  if (!offered(context))
-    return context.host->DeleteFragmentShaderATI(id);
   if (!outsidePair(context, "DeleteFragmentShader between Begin- and EndFragmentShader") || id == 0)
     return;
   const std::shared_ptr<ProgramObject> object = context.group->fragmentShaders.remove(id);
@@ -121,8 +113,6 @@ void DeleteFragmentShaderATI(Context &context, GLuint id) {
 }
 
 void BeginFragmentShaderATI(Context &context) {
-  if (!offered(context))
-    return context.host->BeginFragmentShaderATI();
   if (!outsidePair(context, "BeginFragmentShader between Begin- and EndFragmentShader"))
     return;
   const fp::Limits &limits = shaderRow(context).limits;
@@ -131,8 +121,6 @@ void BeginFragmentShaderATI(Context &context) {
 }
 
 void EndFragmentShaderATI(Context &context) {
-  if (!offered(context))
-    return context.host->EndFragmentShaderATI();
   if (!insidePair(context, "EndFragmentShader without BeginFragmentShader"))
     return;
   // An error closes the pair too, and so does lack of memory.
@@ -148,32 +136,23 @@ void EndFragmentShaderATI(Context &context) {
 }
 
 void PassTexCoordATI(Context &context, GLuint dst, GLuint coord, GLenum swizzle) {
-  if (!offered(context))
-    return context.host->PassTexCoordATI(dst, coord, swizzle);
   setup(context, SetupKind::PassTexCoord, "PassTexCoord outside Begin/EndFragmentShader", dst,
         coord, swizzle);
 }
 
 void SampleMapATI(Context &context, GLuint dst, GLuint interp, GLenum swizzle) {
-  if (!offered(context))
-    return context.host->SampleMapATI(dst, interp, swizzle);
   setup(context, SetupKind::SampleMap, "SampleMap outside Begin/EndFragmentShader", dst, interp,
         swizzle);
 }
 
 void ColorFragmentOp1ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask, GLuint dstMod,
                          GLuint arg1, GLuint arg1Rep, GLuint arg1Mod) {
-  if (!offered(context))
-    return context.host->ColorFragmentOp1ATI(op, dst, dstMask, dstMod, arg1, arg1Rep, arg1Mod);
   operation(context, {false, 1, op, dst, dstMask, dstMod, {{{arg1, arg1Rep, arg1Mod}}}});
 }
 
 void ColorFragmentOp2ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask, GLuint dstMod,
                          GLuint arg1, GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
                          GLuint arg2Mod) {
-  if (!offered(context))
-    return context.host->ColorFragmentOp2ATI(op, dst, dstMask, dstMod, arg1, arg1Rep, arg1Mod, arg2,
-                                             arg2Rep, arg2Mod);
   operation(
       context,
       {false, 2, op, dst, dstMask, dstMod, {{{arg1, arg1Rep, arg1Mod}, {arg2, arg2Rep, arg2Mod}}}});
@@ -182,9 +161,6 @@ void ColorFragmentOp2ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask
 void ColorFragmentOp3ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask, GLuint dstMod,
                          GLuint arg1, GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
                          GLuint arg2Mod, GLuint arg3, GLuint arg3Rep, GLuint arg3Mod) {
-  if (!offered(context))
-    return context.host->ColorFragmentOp3ATI(op, dst, dstMask, dstMod, arg1, arg1Rep, arg1Mod, arg2,
-                                             arg2Rep, arg2Mod, arg3, arg3Rep, arg3Mod);
   operation(context,
             {false,
              3,
@@ -197,17 +173,12 @@ void ColorFragmentOp3ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask
 
 void AlphaFragmentOp1ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod, GLuint arg1,
                          GLuint arg1Rep, GLuint arg1Mod) {
-  if (!offered(context))
-    return context.host->AlphaFragmentOp1ATI(op, dst, dstMod, arg1, arg1Rep, arg1Mod);
   operation(context, {true, 1, op, dst, GL_NONE, dstMod, {{{arg1, arg1Rep, arg1Mod}}}});
 }
 
 void AlphaFragmentOp2ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod, GLuint arg1,
                          GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
                          GLuint arg2Mod) {
-  if (!offered(context))
-    return context.host->AlphaFragmentOp2ATI(op, dst, dstMod, arg1, arg1Rep, arg1Mod, arg2, arg2Rep,
-                                             arg2Mod);
   operation(
       context,
       {true, 2, op, dst, GL_NONE, dstMod, {{{arg1, arg1Rep, arg1Mod}, {arg2, arg2Rep, arg2Mod}}}});
@@ -216,9 +187,6 @@ void AlphaFragmentOp2ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod,
 void AlphaFragmentOp3ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod, GLuint arg1,
                          GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
                          GLuint arg2Mod, GLuint arg3, GLuint arg3Rep, GLuint arg3Mod) {
-  if (!offered(context))
-    return context.host->AlphaFragmentOp3ATI(op, dst, dstMod, arg1, arg1Rep, arg1Mod, arg2, arg2Rep,
-                                             arg2Mod, arg3, arg3Rep, arg3Mod);
   operation(context,
             {true,
              3,
@@ -230,8 +198,6 @@ void AlphaFragmentOp3ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod,
 }
 
 void SetFragmentShaderConstantATI(Context &context, GLuint dst, const GLfloat *value) {
-  if (!offered(context))
-    return context.host->SetFragmentShaderConstantATI(dst, value);
   if (!outsideBeginEnd(context, "SetFragmentShaderConstant between Begin and End"))
     return;
   const int constant = atiConstant(dst);

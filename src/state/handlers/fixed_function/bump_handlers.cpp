@@ -83,23 +83,15 @@ template <typename T> void getBump(Context &context, GLenum pname, T *param) {
 namespace handlers {
 
 void TexBumpParameterfvATI(Context &context, GLenum pname, const GLfloat *param) {
-  if (!hasBumpMaps(context))
-    return context.host->TexBumpParameterfvATI(pname, param);
   set(context, pname, param);
 }
 void TexBumpParameterivATI(Context &context, GLenum pname, const GLint *param) {
-  if (!hasBumpMaps(context))
-    return context.host->TexBumpParameterivATI(pname, param);
   set(context, pname, param);
 }
 void GetTexBumpParameterfvATI(Context &context, GLenum pname, GLfloat *param) {
-  if (!hasBumpMaps(context))
-    return context.host->GetTexBumpParameterfvATI(pname, param);
   getBump(context, pname, param);
 }
 void GetTexBumpParameterivATI(Context &context, GLenum pname, GLint *param) {
-  if (!hasBumpMaps(context))
-    return context.host->GetTexBumpParameterivATI(pname, param);
   getBump(context, pname, param);
 }
 

@@ -51,24 +51,17 @@ namespace handlers {
 #define BOUNDED(Suffix)                                                                            \
   void GetnColorTable##Suffix(Context &context, GLenum target, GLenum format, GLenum type,         \
                               GLsizei bufSize, void *table) {                                      \
-    if (!context.imaging)                                                                          \
-      return context.host->GetnColorTable##Suffix(target, format, type, bufSize, table);           \
     if (hasRoomForTable(context, target, format, type, bufSize))                                   \
       GetColorTable(context, target, format, type, table);                                         \
   }                                                                                                \
   void GetnConvolutionFilter##Suffix(Context &context, GLenum target, GLenum format, GLenum type,  \
                                      GLsizei bufSize, void *image) {                               \
-    if (!context.imaging)                                                                          \
-      return context.host->GetnConvolutionFilter##Suffix(target, format, type, bufSize, image);    \
     if (hasRoomForFilter(context, target, format, type, bufSize))                                  \
       GetConvolutionFilter(context, target, format, type, image);                                  \
   }                                                                                                \
   void GetnSeparableFilter##Suffix(Context &context, GLenum target, GLenum format, GLenum type,    \
                                    GLsizei rowBufSize, void *row, GLsizei columnBufSize,           \
                                    void *column, void *span) {                                     \
-    if (!context.imaging)                                                                          \
-      return context.host->GetnSeparableFilter##Suffix(target, format, type, rowBufSize, row,      \
-                                                       columnBufSize, column, span);               \
     const imaging::Contents &contents = context.imaging->contents;                                 \
     if (hasRoom(context, rowBufSize, contents.row.image, format, type) &&                          \
         hasRoom(context, columnBufSize, contents.column.image, format, type))                      \
@@ -76,16 +69,12 @@ namespace handlers {
   }                                                                                                \
   void GetnHistogram##Suffix(Context &context, GLenum target, GLboolean reset, GLenum format,      \
                              GLenum type, GLsizei bufSize, void *values) {                         \
-    if (!context.imaging)                                                                          \
-      return context.host->GetnHistogram##Suffix(target, reset, format, type, bufSize, values);    \
     if (hasRoom(context, bufSize, int(context.imaging->contents.histogram.bins.size()), 1, format, \
                 type))                                                                             \
       GetHistogram(context, target, reset, format, type, values);                                  \
   }                                                                                                \
   void GetnMinmax##Suffix(Context &context, GLenum target, GLboolean reset, GLenum format,         \
                           GLenum type, GLsizei bufSize, void *values) {                            \
-    if (!context.imaging)                                                                          \
-      return context.host->GetnMinmax##Suffix(target, reset, format, type, bufSize, values);       \
     if (hasRoom(context, bufSize, 2, 1, format, type))                                             \
       GetMinmax(context, target, reset, format, type, values);                                     \
   }

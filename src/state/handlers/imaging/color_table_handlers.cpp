@@ -93,8 +93,6 @@ namespace handlers {
 
 void ColorTable(Context &context, GLenum target, GLenum internalformat, GLsizei width,
                 GLenum format, GLenum type, const void *table) {
-  if (!context.imaging)
-    return context.host->ColorTable(target, internalformat, width, format, type, table);
   if (!colorTableAllowed(context))
     return;
   const ImagingCommand command{
@@ -112,8 +110,6 @@ void ColorTable(Context &context, GLenum target, GLenum internalformat, GLsizei 
 
 void ColorSubTable(Context &context, GLenum target, GLsizei start, GLsizei count, GLenum format,
                    GLenum type, const void *data) {
-  if (!context.imaging)
-    return context.host->ColorSubTable(target, start, count, format, type, data);
   if (colorTableAllowed(context))
     give(context, {.kind = Kind::SubTable, .target = target, .start = start, .width = count},
          format, type, data);
@@ -121,8 +117,6 @@ void ColorSubTable(Context &context, GLenum target, GLsizei start, GLsizei count
 
 void CopyColorTable(Context &context, GLenum target, GLenum internalformat, GLint x, GLint y,
                     GLsizei width) {
-  if (!context.imaging)
-    return context.host->CopyColorTable(target, internalformat, x, y, width);
   if (colorTableAllowed(context))
     issueImaging(context, {.kind = Kind::CopyTable,
                            .target = target,
@@ -134,8 +128,6 @@ void CopyColorTable(Context &context, GLenum target, GLenum internalformat, GLin
 
 void CopyColorSubTable(Context &context, GLenum target, GLsizei start, GLint x, GLint y,
                        GLsizei width) {
-  if (!context.imaging)
-    return context.host->CopyColorSubTable(target, start, x, y, width);
   if (colorTableAllowed(context))
     issueImaging(context, {.kind = Kind::CopySubTable,
                            .target = target,
@@ -146,20 +138,14 @@ void CopyColorSubTable(Context &context, GLenum target, GLsizei start, GLint x, 
 }
 
 void ColorTableParameterfv(Context &context, GLenum target, GLenum pname, const GLfloat *params) {
-  if (!context.imaging)
-    return context.host->ColorTableParameterfv(target, pname, params);
   setParameter(context, target, pname, params);
 }
 
 void ColorTableParameteriv(Context &context, GLenum target, GLenum pname, const GLint *params) {
-  if (!context.imaging)
-    return context.host->ColorTableParameteriv(target, pname, params);
   setParameter(context, target, pname, params);
 }
 
 void GetColorTable(Context &context, GLenum target, GLenum format, GLenum type, void *table) {
-  if (!context.imaging)
-    return context.host->GetColorTable(target, format, type, table);
   if (!colorTableAllowed(context))
     return;
   bool proxy = false;
@@ -172,14 +158,10 @@ void GetColorTable(Context &context, GLenum target, GLenum format, GLenum type, 
 }
 
 void GetColorTableParameterfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
-  if (!context.imaging)
-    return context.host->GetColorTableParameterfv(target, pname, params);
   getColorTableValue(context, target, pname, params);
 }
 
 void GetColorTableParameteriv(Context &context, GLenum target, GLenum pname, GLint *params) {
-  if (!context.imaging)
-    return context.host->GetColorTableParameteriv(target, pname, params);
   getColorTableValue(context, target, pname, params);
 }
 

@@ -145,8 +145,6 @@ namespace handlers {
 
 void ConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
                          GLenum format, GLenum type, const void *image) {
-  if (!context.imaging)
-    return context.host->ConvolutionFilter1D(target, internalformat, width, format, type, image);
   std::vector<imaging::Rgba> colors;
   if (convolutionAllowed(context) && isTarget(context, target, GL_CONVOLUTION_1D) &&
       read(context, {.dimensions = 1, .width = width, .format = format, .type = type}, image,
@@ -156,9 +154,6 @@ void ConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat,
 
 void ConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
                          GLsizei height, GLenum format, GLenum type, const void *image) {
-  if (!context.imaging)
-    return context.host->ConvolutionFilter2D(target, internalformat, width, height, format, type,
-                                             image);
   std::vector<imaging::Rgba> colors;
   if (convolutionAllowed(context) && isTarget(context, target, GL_CONVOLUTION_2D) &&
       read(context, {.width = width, .height = height, .format = format, .type = type}, image,
@@ -169,9 +164,6 @@ void ConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat,
 void SeparableFilter2D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
                        GLsizei height, GLenum format, GLenum type, const void *row,
                        const void *column) {
-  if (!context.imaging)
-    return context.host->SeparableFilter2D(target, internalformat, width, height, format, type, row,
-                                           column);
   std::vector<imaging::Rgba> colors;
   const bool inRange = isInRange(width) && isInRange(height); // else nothing is read
   if (convolutionAllowed(context) && isTarget(context, target, GL_SEPARABLE_2D) &&
@@ -185,8 +177,6 @@ void SeparableFilter2D(Context &context, GLenum target, GLenum internalformat, G
 
 void CopyConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat, GLint x,
                              GLint y, GLsizei width) {
-  if (!context.imaging)
-    return context.host->CopyConvolutionFilter1D(target, internalformat, x, y, width);
   copyFilter(context, target, GL_CONVOLUTION_1D,
              {.kind = Kind::CopyFilter,
               .target = target,
@@ -198,8 +188,6 @@ void CopyConvolutionFilter1D(Context &context, GLenum target, GLenum internalfor
 
 void CopyConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat, GLint x,
                              GLint y, GLsizei width, GLsizei height) {
-  if (!context.imaging)
-    return context.host->CopyConvolutionFilter2D(target, internalformat, x, y, width, height);
   copyFilter(context, target, GL_CONVOLUTION_2D,
              {.kind = Kind::CopyFilter,
               .target = target,
@@ -212,8 +200,6 @@ void CopyConvolutionFilter2D(Context &context, GLenum target, GLenum internalfor
 
 #define SET_PARAMETER(name, Value, pointer, scalar)                                                \
   void name(Context &context, GLenum target, GLenum pname, Value params) {                         \
-    if (!context.imaging)                                                                          \
-      return context.host->name(target, pname, params);                                            \
     setParameter(context, target, pname, pointer, scalar);                                         \
   }
 SET_PARAMETER(ConvolutionParameterf, GLfloat, &params, true)
@@ -224,8 +210,6 @@ SET_PARAMETER(ConvolutionParameteriv, const GLint *, params, false)
 
 void GetConvolutionFilter(Context &context, GLenum target, GLenum format, GLenum type,
                           void *image) {
-  if (!context.imaging)
-    return context.host->GetConvolutionFilter(target, format, type, image);
   if (!convolutionAllowed(context))
     return;
   const int number = filterTargetOf(target);
@@ -237,8 +221,6 @@ void GetConvolutionFilter(Context &context, GLenum target, GLenum format, GLenum
 
 void GetSeparableFilter(Context &context, GLenum target, GLenum format, GLenum type, void *row,
                         void *column, void *span) {
-  if (!context.imaging)
-    return context.host->GetSeparableFilter(target, format, type, row, column, span);
   if (!convolutionAllowed(context))
     return;
   if (target != GL_SEPARABLE_2D)
@@ -249,14 +231,10 @@ void GetSeparableFilter(Context &context, GLenum target, GLenum format, GLenum t
 }
 
 void GetConvolutionParameterfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
-  if (!context.imaging)
-    return context.host->GetConvolutionParameterfv(target, pname, params);
   getConvolutionValue(context, target, pname, params);
 }
 
 void GetConvolutionParameteriv(Context &context, GLenum target, GLenum pname, GLint *params) {
-  if (!context.imaging)
-    return context.host->GetConvolutionParameteriv(target, pname, params);
   getConvolutionValue(context, target, pname, params);
 }
 

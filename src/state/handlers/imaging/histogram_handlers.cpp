@@ -71,8 +71,6 @@ namespace handlers {
 
 void Histogram(Context &context, GLenum target, GLsizei width, GLenum internalformat,
                GLboolean sink) {
-  if (!context.imaging)
-    return context.host->Histogram(target, width, internalformat, sink);
   if (!histogramAllowed(context))
     return;
   const ImagingCommand command{.kind = Kind::Histogram,
@@ -87,8 +85,6 @@ void Histogram(Context &context, GLenum target, GLsizei width, GLenum internalfo
 }
 
 void Minmax(Context &context, GLenum target, GLenum internalformat, GLboolean sink) {
-  if (!context.imaging)
-    return context.host->Minmax(target, internalformat, sink);
   if (histogramAllowed(context))
     issueImaging(context, {.kind = Kind::Minmax,
                            .flag = sink != GL_FALSE,
@@ -97,8 +93,6 @@ void Minmax(Context &context, GLenum target, GLenum internalformat, GLboolean si
 }
 
 void ResetHistogram(Context &context, GLenum target) {
-  if (!context.imaging)
-    return context.host->ResetHistogram(target);
   if (!histogramAllowed(context))
     return;
   if (target != GL_HISTOGRAM)
@@ -107,8 +101,6 @@ void ResetHistogram(Context &context, GLenum target) {
 }
 
 void ResetMinmax(Context &context, GLenum target) {
-  if (!context.imaging)
-    return context.host->ResetMinmax(target);
   if (!histogramAllowed(context))
     return;
   if (target != GL_MINMAX)
@@ -118,8 +110,6 @@ void ResetMinmax(Context &context, GLenum target) {
 
 void GetHistogram(Context &context, GLenum target, GLboolean reset, GLenum format, GLenum type,
                   void *values) {
-  if (!context.imaging)
-    return context.host->GetHistogram(target, reset, format, type, values);
   if (!histogramAllowed(context))
     return;
   if (target != GL_HISTOGRAM)
@@ -135,8 +125,6 @@ void GetHistogram(Context &context, GLenum target, GLboolean reset, GLenum forma
 
 void GetMinmax(Context &context, GLenum target, GLboolean reset, GLenum format, GLenum type,
                void *values) {
-  if (!context.imaging)
-    return context.host->GetMinmax(target, reset, format, type, values);
   if (!histogramAllowed(context))
     return;
   if (target != GL_MINMAX)
@@ -153,26 +141,18 @@ void GetMinmax(Context &context, GLenum target, GLboolean reset, GLenum format, 
 }
 
 void GetHistogramParameterfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
-  if (!context.imaging)
-    return context.host->GetHistogramParameterfv(target, pname, params);
   getHistogramParameter(context, target, pname, params);
 }
 
 void GetHistogramParameteriv(Context &context, GLenum target, GLenum pname, GLint *params) {
-  if (!context.imaging)
-    return context.host->GetHistogramParameteriv(target, pname, params);
   getHistogramParameter(context, target, pname, params);
 }
 
 void GetMinmaxParameterfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
-  if (!context.imaging)
-    return context.host->GetMinmaxParameterfv(target, pname, params);
   getMinmaxParameter(context, target, pname, params);
 }
 
 void GetMinmaxParameteriv(Context &context, GLenum target, GLenum pname, GLint *params) {
-  if (!context.imaging)
-    return context.host->GetMinmaxParameteriv(target, pname, params);
   getMinmaxParameter(context, target, pname, params);
 }
 

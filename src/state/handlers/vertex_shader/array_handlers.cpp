@@ -162,8 +162,6 @@ void getConstant(Context &context, GLenum storage, GLuint id, GLenum value, T *d
 namespace handlers {
 
 void VariantPointerEXT(Context &context, GLuint id, GLenum type, GLuint stride, const void *addr) {
-  if (!context.vertexShaders)
-    return context.host->VariantPointerEXT(id, type, stride, addr);
   const auto symbol = arrayOf(context, id, "VariantPointer: no variant of that name");
   if (!symbol)
     return;
@@ -184,20 +182,14 @@ void VariantPointerEXT(Context &context, GLuint id, GLenum type, GLuint stride, 
 }
 
 void EnableVariantClientStateEXT(Context &context, GLuint id) {
-  if (!context.vertexShaders)
-    return context.host->EnableVariantClientStateEXT(id);
   setArrayEnabled(context, id, true, "EnableVariantClientState: no variant of that name");
 }
 
 void DisableVariantClientStateEXT(Context &context, GLuint id) {
-  if (!context.vertexShaders)
-    return context.host->DisableVariantClientStateEXT(id);
   setArrayEnabled(context, id, false, "DisableVariantClientState: no variant of that name");
 }
 
 GLboolean IsVariantEnabledEXT(Context &context, GLuint id, GLenum cap) {
-  if (!context.vertexShaders)
-    return context.host->IsVariantEnabledEXT(id, cap);
   const auto symbol = arrayOf(context, id, "IsVariantEnabled: no variant of that name");
   if (!symbol)
     return GL_FALSE;
@@ -209,8 +201,6 @@ GLboolean IsVariantEnabledEXT(Context &context, GLuint id, GLenum cap) {
 }
 
 void GetVariantPointervEXT(Context &context, GLuint id, GLenum value, void **data) {
-  if (!context.vertexShaders)
-    return context.host->GetVariantPointervEXT(id, value, data);
   const auto symbol =
       asked(context, id, GL_VARIANT_EXT, "GetVariantPointer: no variant of that name");
   if (!symbol || !data)
@@ -225,18 +215,12 @@ void GetVariantPointervEXT(Context &context, GLuint id, GLenum value, void **dat
 
 #define QUERIES(Type, T)                                                                           \
   void GetVariant##Type##vEXT(Context &context, GLuint id, GLenum value, T *data) {                \
-    if (!context.vertexShaders)                                                                    \
-      return context.host->GetVariant##Type##vEXT(id, value, data);                                \
     getVariant(context, id, value, data);                                                          \
   }                                                                                                \
   void GetInvariant##Type##vEXT(Context &context, GLuint id, GLenum value, T *data) {              \
-    if (!context.vertexShaders)                                                                    \
-      return context.host->GetInvariant##Type##vEXT(id, value, data);                              \
     getConstant(context, GL_INVARIANT_EXT, id, value, data);                                       \
   }                                                                                                \
   void GetLocalConstant##Type##vEXT(Context &context, GLuint id, GLenum value, T *data) {          \
-    if (!context.vertexShaders)                                                                    \
-      return context.host->GetLocalConstant##Type##vEXT(id, value, data);                          \
     getConstant(context, GL_LOCAL_CONSTANT_EXT, id, value, data);                                  \
   }
 QUERIES(Boolean, GLboolean)

@@ -54,16 +54,12 @@ void operation(Context &context, GLenum op, GLuint result, int count,
 namespace handlers {
 
 GLuint GenVertexShadersEXT(Context &context, GLuint range) {
-  if (!context.vertexShaders)
-    return context.host->GenVertexShadersEXT(range);
   if (!outsidePair(context, "GenVertexShaders between Begin- and EndVertexShader"))
     return 0;
   return context.group->vertexShaders.generate(range);
 }
 
 void BindVertexShaderEXT(Context &context, GLuint id) {
-  if (!context.vertexShaders)
-    return context.host->BindVertexShaderEXT(id);
   if (!outsideBeginEnd(context, "BindVertexShader between Begin and End"))
     return;
   noteProgramApiUse(context);
@@ -75,8 +71,6 @@ void BindVertexShaderEXT(Context &context, GLuint id) {
 }
 
 void DeleteVertexShaderEXT(Context &context, GLuint id) {
-  if (!context.vertexShaders)
-    return context.host->DeleteVertexShaderEXT(id);
   if (!outsidePair(context, "DeleteVertexShader between Begin- and EndVertexShader") || id == 0)
     return;
   const std::shared_ptr<ProgramObject> object = context.group->vertexShaders.remove(id);
@@ -93,8 +87,6 @@ void DeleteVertexShaderEXT(Context &context, GLuint id) {
 }
 
 void BeginVertexShaderEXT(Context &context) {
-  if (!context.vertexShaders)
-    return context.host->BeginVertexShaderEXT();
   if (!outsidePair(context, "BeginVertexShader between Begin- and EndVertexShader"))
     return;
   context.vertexShaders->recorder = std::make_unique<VertexShaderRecorder>(
@@ -102,8 +94,6 @@ void BeginVertexShaderEXT(Context &context) {
 }
 
 void EndVertexShaderEXT(Context &context) {
-  if (!context.vertexShaders)
-    return context.host->EndVertexShaderEXT();
   if (!insidePair(context, "EndVertexShader without BeginVertexShader"))
     return;
   noteProgramApiUse(context);
@@ -113,27 +103,19 @@ void EndVertexShaderEXT(Context &context) {
 }
 
 void ShaderOp1EXT(Context &context, GLenum op, GLuint res, GLuint arg1) {
-  if (!context.vertexShaders)
-    return context.host->ShaderOp1EXT(op, res, arg1);
   operation(context, op, res, 1, {arg1});
 }
 
 void ShaderOp2EXT(Context &context, GLenum op, GLuint res, GLuint arg1, GLuint arg2) {
-  if (!context.vertexShaders)
-    return context.host->ShaderOp2EXT(op, res, arg1, arg2);
   operation(context, op, res, 2, {arg1, arg2});
 }
 
 void ShaderOp3EXT(Context &context, GLenum op, GLuint res, GLuint arg1, GLuint arg2, GLuint arg3) {
-  if (!context.vertexShaders)
-    return context.host->ShaderOp3EXT(op, res, arg1, arg2, arg3);
   operation(context, op, res, 3, {arg1, arg2, arg3});
 }
 
 void SwizzleEXT(Context &context, GLuint res, GLuint in, GLenum outX, GLenum outY, GLenum outZ,
                 GLenum outW) {
-  if (!context.vertexShaders)
-    return context.host->SwizzleEXT(res, in, outX, outY, outZ, outW);
   if (VertexShaderRecorder *const recorder =
           insidePair(context, "Swizzle outside Begin/EndVertexShader"))
     judge(context, recorder->swizzle(res, in, {outX, outY, outZ, outW}));
@@ -141,24 +123,18 @@ void SwizzleEXT(Context &context, GLuint res, GLuint in, GLenum outX, GLenum out
 
 void WriteMaskEXT(Context &context, GLuint res, GLuint in, GLenum outX, GLenum outY, GLenum outZ,
                   GLenum outW) {
-  if (!context.vertexShaders)
-    return context.host->WriteMaskEXT(res, in, outX, outY, outZ, outW);
   if (VertexShaderRecorder *const recorder =
           insidePair(context, "WriteMask outside Begin/EndVertexShader"))
     judge(context, recorder->writeMask(res, in, {outX, outY, outZ, outW}));
 }
 
 void InsertComponentEXT(Context &context, GLuint res, GLuint src, GLuint num) {
-  if (!context.vertexShaders)
-    return context.host->InsertComponentEXT(res, src, num);
   if (VertexShaderRecorder *const recorder =
           insidePair(context, "InsertComponent outside Begin/EndVertexShader"))
     judge(context, recorder->insert(res, src, num));
 }
 
 void ExtractComponentEXT(Context &context, GLuint res, GLuint src, GLuint num) {
-  if (!context.vertexShaders)
-    return context.host->ExtractComponentEXT(res, src, num);
   if (VertexShaderRecorder *const recorder =
           insidePair(context, "ExtractComponent outside Begin/EndVertexShader"))
     judge(context, recorder->extract(res, src, num));

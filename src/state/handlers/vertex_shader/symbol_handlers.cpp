@@ -72,8 +72,6 @@ namespace handlers {
 
 GLuint GenSymbolsEXT(Context &context, GLenum datatype, GLenum storagetype, GLenum range,
                      GLuint components) {
-  if (!context.vertexShaders)
-    return context.host->GenSymbolsEXT(datatype, storagetype, range, components);
   if (!outsideBeginEnd(context, "GenSymbols between Begin and End"))
     return 0;
   if (datatype < GL_SCALAR_EXT || datatype > GL_MATRIX_EXT || storagetype < GL_VARIANT_EXT ||
@@ -96,43 +94,31 @@ GLuint GenSymbolsEXT(Context &context, GLenum datatype, GLenum storagetype, GLen
 }
 
 GLuint BindLightParameterEXT(Context &context, GLenum light, GLenum value) {
-  if (!context.vertexShaders)
-    return context.host->BindLightParameterEXT(light, value);
   return bound(context, "BindLightParameter between Begin and End",
                [&] { return bindLightParameter(context, light, value); });
 }
 
 GLuint BindMaterialParameterEXT(Context &context, GLenum face, GLenum value) {
-  if (!context.vertexShaders)
-    return context.host->BindMaterialParameterEXT(face, value);
   return bound(context, "BindMaterialParameter between Begin and End",
                [&] { return bindMaterialParameter(context, face, value); });
 }
 
 GLuint BindTexGenParameterEXT(Context &context, GLenum unit, GLenum coord, GLenum value) {
-  if (!context.vertexShaders)
-    return context.host->BindTexGenParameterEXT(unit, coord, value);
   return bound(context, "BindTexGenParameter between Begin and End",
                [&] { return bindTexGenParameter(context, unit, coord, value); });
 }
 
 GLuint BindTextureUnitParameterEXT(Context &context, GLenum unit, GLenum value) {
-  if (!context.vertexShaders)
-    return context.host->BindTextureUnitParameterEXT(unit, value);
   return bound(context, "BindTextureUnitParameter between Begin and End",
                [&] { return bindTextureUnitParameter(context, unit, value); });
 }
 
 GLuint BindParameterEXT(Context &context, GLenum value) {
-  if (!context.vertexShaders)
-    return context.host->BindParameterEXT(value);
   return bound(context, "BindParameter between Begin and End",
                [&] { return bindParameter(context, value); });
 }
 
 void SetInvariantEXT(Context &context, GLuint id, GLenum type, const void *addr) {
-  if (!context.vertexShaders)
-    return context.host->SetInvariantEXT(id, type, addr);
   if (!outsideBeginEnd(context, "SetInvariant between Begin and End"))
     return;
   if (context.vertexShaders->recorder)
@@ -154,8 +140,6 @@ void SetInvariantEXT(Context &context, GLuint id, GLenum type, const void *addr)
 }
 
 void SetLocalConstantEXT(Context &context, GLuint id, GLenum type, const void *addr) {
-  if (!context.vertexShaders)
-    return context.host->SetLocalConstantEXT(id, type, addr);
   if (!outsideBeginEnd(context, "SetLocalConstant between Begin and End"))
     return;
   if (!context.vertexShaders->recorder)
@@ -176,8 +160,6 @@ void SetLocalConstantEXT(Context &context, GLuint id, GLenum type, const void *a
 
 #define VARIANT(letter, T)                                                                         \
   void Variant##letter##vEXT(Context &context, GLuint id, const T *addr) {                         \
-    if (!context.vertexShaders)                                                                    \
-      return context.host->Variant##letter##vEXT(id, addr);                                        \
     setVariant(context, id, addr);                                                                 \
   }
 VARIANT(b, GLbyte)

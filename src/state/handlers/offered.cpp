@@ -1,0 +1,17 @@
+#include "state/handlers/offered.h"
+
+#include "state/era/era_state.h"
+#include "state/programs/combiners/combiner_state.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
+
+namespace arbiter::state::offered {
+
+bool stageConstants(const Context &context) {
+  return context.combiners && context.combiners->hasPerStageConstants();
+}
+
+bool nvFences(const Context &context) { return context.era && context.era->offered.nvFence; }
+bool appleFences(const Context &context) { return context.era && context.era->offered.appleFence; }
+bool bumpMaps(const Context &context) { return hasBumpMaps(context); }
+
+} // namespace arbiter::state::offered
