@@ -84,10 +84,10 @@ struct RasterState {
   /// r, the smallest resolvable depth difference, for polygon offset
   double depthResolution = 1.0 / 16777215.0;
   float lineWidth = 1, pointSize = 1;
-  /// Selects llvmpipe's rules for lines from Mesa 23.2 on. Endpoints are snapped like polygon
-  /// edges, and line ends at pixel centres are cut off. Directions of smooth lines are found by a
-  /// division. If false, line ends follow a rule of their own, and directions use the sine of an
-  /// angle.
+  /// Selects llvmpipe's rules for lines from Mesa 23.2 on. An end on a pixel's centre follows the
+  /// fill rule of polygon edges, and coordinates are snapped as theirs are. Directions of smooth
+  /// lines are computed by a division. If false, ends and snapping have rules of their own, and
+  /// directions come from an angle.
   bool lineEndsAsEdges = false;
   /// Coverage of smooth lines and points. Any other value than Whole is used with lines alone or
   /// points alone, and the last input then holds the coverage.
