@@ -36,7 +36,8 @@ void CombinerState::restore(Context &context,
                             const std::shared_ptr<const CombinerSettings> &settings) {
   if (settings == m_settings)
     return;
-  m_settings = std::const_pointer_cast<CombinerSettings>(settings); // this class made them
+  // valid, because this class made them
+  m_settings = std::const_pointer_cast<CombinerSettings>(settings);
   ProgramTarget &row = context.row(Target::Combiners);
   row.env.assign(m_settings->constants.begin(), m_settings->constants.end());
   ++row.envVersion;
