@@ -12,7 +12,7 @@ void noteProgramApiUse(Context &context) {
 }
 
 void invalidateProgram(Context &context) {
-  // Sticky bits of the program that was effective go; selecting sets them anew.
+  // The sticky bits of the old effective program are dropped; selecting sets them anew.
   context.attention = attention::kProgram | (context.attention & attention::kRemains);
 }
 
@@ -38,7 +38,7 @@ void bindProgram(Context &context, ProgramTarget &row, GLuint name, Existence ex
       return;
     recent = std::move(object);
   }
-  // Binding the same object again matters only where another context changed it.
+  // Binding the same object again has no effect, unless another context has changed it.
   if (row.bound == recent && row.seenVersion == recent->version.load(std::memory_order_acquire))
     return;
   row.bound = recent;
