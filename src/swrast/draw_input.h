@@ -130,7 +130,7 @@ struct Shading {
   abi::ShadeFunction row = nullptr;
   abi::ShadeFunction quad = nullptr;
   std::uint32_t pixelCost = 1; ///< approximate cost of a pixel on one thread, in nanoseconds
-  int lanes = 16, blockWidth = 4, blockHeight = 4; ///< of the machine code's engine
+  int lanes = 16, blockWidth = 4, blockHeight = 4; ///< the engine's lanes, and block size
   const abi::FragmentData *data = nullptr;
   std::uint32_t inputCount = 0; ///< includes the input of abi::Coverage
   abi::Interpolation interpolation[abi::kMaxInputs] = {};

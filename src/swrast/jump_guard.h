@@ -2,8 +2,8 @@
 #include <pthread.h>
 #include <utility>
 
-// These functions belong to glibc's public ABI, but its header declares the buffer alone. glibc
-// calls the pushed routine when longjmp() leaves the frame that holds the buffer. Destructors would
+// These functions belong to glibc's public ABI, but its header declares the buffer alone. The
+// pushed routine is called when longjmp() leaves the frame that holds the buffer. Destructors would
 // not do: POSIX does not say that a jump runs them, and glibc runs none.
 extern "C" void _pthread_cleanup_push(_pthread_cleanup_buffer *buffer, void (*routine)(void *),
                                       void *argument);

@@ -146,7 +146,7 @@ public:
   }
 
 private:
-  /// What the caller, or a worker, has done of a job.
+  /// The progress of the caller, or of a worker, in a job.
   struct Progress {
     std::uint32_t done = 0; ///< indices
     bool isAtOne = false;
@@ -183,8 +183,8 @@ private:
   void callOff() {
     const std::uint32_t job = m_job.load(std::memory_order_relaxed);
     for (Share &share : m_shares)
-      share.ticket.store(std::uint64_t(job) << 32 | kNoIndex); // the default order keeps the loads
-                                                               // below after this store
+      // The default memory order keeps the loads below after this store.
+      share.ticket.store(std::uint64_t(job) << 32 | kNoIndex);
     const auto idle = [this] {
       return std::none_of(std::begin(m_shares), std::end(m_shares),
                           [](const Share &share) { return share.isAtWork.load(); });

@@ -3,7 +3,7 @@
 
 namespace arbiter::state {
 
-/// What a context knows about its enabled user clip planes without querying the host.
+/// Holds what a context knows about its enabled user clip planes without querying the host.
 struct ClipPlanes {
   bool used = false; ///< true once a plane was enabled; before that none can be
   bool known = true; ///< true if `enabled` is the host's current answer

@@ -99,7 +99,7 @@ void noteClipPlane(Context &context, bool enabled) {
   }
   const bool drawsNow =
       context.listMode == GL_COMPILE_AND_EXECUTE && vertexProgramsEnabled(context);
-  // What follows in the list is drawn with the variant that is effective now. A program that writes
+  // The rest of the list is drawn with the variant that is effective now. A program that writes
   // distances needs the variant for the planes that are enabled when the list gets there.
   if ((first && drawsNow) || context.row(Target::Vertex).limits.nvOptions != 0)
     context.list->cut(context);

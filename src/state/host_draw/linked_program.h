@@ -97,7 +97,7 @@ struct LinkedProgram {
 /// Each program is compiled once, however many it is paired with.
 class LinkedProgramCache {
 public:
-  /// What the fragment program becomes on the host. It is GLSL anyway if the host refuses the
+  /// The form of the fragment program on the host. It is GLSL anyway if the host refuses the
   /// assembly, or if the vertex program is GLSL, with which assembly cannot be combined.
   enum class Fragments : std::uint8_t { Glsl, Assembly };
   /// Returns the linked program of `pair`, which must have at least one program. The first call

@@ -150,8 +150,7 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
     pair.vertex = pair.vertex->clipped->of(*pair.vertex, planes, depths);
   }
   LinkedProgram *const linkedProgram =
-      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair)); // the same choice as
-                                                                              // in link()
+      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair)); // as in link()
   context.stagesAreLinked =
       context.stagesAreLinked || (pair.fragment && linkedProgram->vertexProgram == 0);
   return linkedProgram;

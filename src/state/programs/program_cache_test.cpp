@@ -31,8 +31,7 @@ struct Folder {
   std::vector<fs::path> files() const {
     std::vector<fs::path> found;
     for (const auto &entry : fs::recursive_directory_iterator(path))
-      if (entry.is_regular_file() && entry.path().filename() != "key") // the folder's secret does
-                                                                       // not count
+      if (entry.is_regular_file() && entry.path().filename() != "key") // the folder's secret
         found.push_back(entry.path());
     return found;
   }

@@ -194,8 +194,8 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
 
 bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
-  if (old && old->text == text) { // the same text again: only named parameters and the last error
-                                  // may change
+  // For a repeated text, only named parameters and the last error may change.
+  if (old && old->text == text) {
     context.errorPosition = -1;
     context.errorString = old->warnings;
     if (!old->native.named.empty()) {

@@ -36,7 +36,7 @@ struct ContextState {
   swrast::DrawQueue draws;
   Residency residency;
   ImmediateRecorder recorder;
-  MaterialParts materials;         ///< of the primitive being recorded
+  MaterialParts materials;         ///< materials of the primitive being recorded
   std::vector<float> listVertices; ///< scratch memory for a list's primitive
   bool openParts = false; ///< true if parts of the primitive being recorded have been drawn
   std::uint32_t held = 0; ///< number of ended primitives in the recorder (immediate/held.h)
@@ -63,8 +63,8 @@ struct ContextState {
   /// True if the host drew, in the last frame with draws, something that the rasterizer lacks.
   /// Looks and back-off do not count.
   bool lacked = false;
-  /// True if the host drew, in this frame, something of which it is not yet known whether the
-  /// rasterizer lacks it: the engine or a program is still being compiled.
+  /// True if the host drew something in this frame while the engine or a program was still being
+  /// compiled. It is then not known whether the rasterizer lacks it.
   bool unjudged = false;
   /// True if the application has read pixels that were drawn. It may compare them with others, and
   /// hosts round some colours differently, such as those of few bits. One side must then draw from

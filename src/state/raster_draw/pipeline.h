@@ -84,8 +84,8 @@ private:
     std::uint64_t selections = 0; ///< Context::selections
     std::uint64_t images = 0;     ///< Residency::version()
     bool mayTestDepth = false;    ///< ContextState::mayTestDepth()
-    bool mixesInVain = false;     ///< of FrameHistory
-    KeptLook::Side look = {};     ///< of FrameHistory
+    bool mixesInVain = false;     ///< FrameHistory::mixesInVain
+    KeptLook::Side look = {};     ///< FrameHistory::look
     /// True for draws of vertices; the members below are used only then.
     bool vertices = false;
     std::uint32_t vertexState = 0; ///< VertexState::version
@@ -186,7 +186,7 @@ private:
   std::uint64_t m_filledSeen = 0, m_filledImages = 0;
   swrast::RasterState m_raster;
   abi::FragmentData m_data;
-  swrast::ShadingUse m_use; ///< what m_data refers to
+  swrast::ShadingUse m_use; ///< the objects that m_data refers to
   std::array<swrast::Storage *, abi::kMaxColorTargets + 1> m_written;
 };
 

@@ -9,7 +9,7 @@
 namespace arbiter::swrast {
 namespace {
 
-/// What the edges say of a tile: whether any pixel, or all pixels, are inside.
+/// Tells whether any pixel of a tile, or all of them, are inside of the edges.
 struct TileTest {
   bool any = true, all = true;
 };

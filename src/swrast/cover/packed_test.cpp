@@ -335,8 +335,7 @@ struct Group {
       snapVertex(vertex, state.upsideDownHeight);
     }
     for (float &value : values)
-      value = random() % 9 == 0 ? 0.5f : unit(random); // equal values, so that some planes are
-                                                       // constant
+      value = random() % 9 == 0 ? 0.5f : unit(random); // equal values, for constant planes
     for (PlanePlan &plan : plans) {
       plan.wantsW = random() % 4 != 0;
       for (plan.count = 0; plan.count < 9; ++plan.count) {

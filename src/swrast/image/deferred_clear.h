@@ -9,7 +9,7 @@
 /// Clears of whole images that are written late: each part when its pixels are first needed.
 namespace arbiter::swrast {
 
-/// What a clear does to 16 bytes of pixels: bits of `mask` take the value in `value`. 16 is a
+/// The effect of a clear on 16 bytes of pixels: bits of `mask` take the value in `value`. 16 is a
 /// multiple of every pixel size.
 struct ClearPattern {
   alignas(16) std::uint8_t value[16] = {};

@@ -17,7 +17,7 @@ struct Image {
   std::int32_t width = 0, height = 0, depth = 1; ///< depth: number of slices of a 3D texture
   std::int64_t rowStride = 0, sliceStride = 0;   ///< bytes; rowStride is negative if top row first
   std::shared_ptr<Storage> storage;
-  /// of pixel (0, 0, 0), the lower left, in bytes from the storage's start
+  /// bytes from the storage's start to pixel (0, 0, 0), the lower left
   std::ptrdiff_t offset = 0;
 
   [[nodiscard]] bool empty() const { return !storage; }

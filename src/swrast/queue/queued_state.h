@@ -11,7 +11,7 @@
 /// The state that queued draws are drawn with.
 namespace arbiter::swrast {
 
-/// What a draw's shading refers to, which a queue must copy or keep alive.
+/// The objects that a draw's shading refers to, which a queue must copy or keep alive.
 struct ShadingUse {
   std::uint32_t parameterRows = 0; ///< number of rows in FragmentData::parameters
   /// number of images of each texture: its levels and faces

@@ -13,8 +13,8 @@ struct ClipVertex {
   float user[8];      ///< clip distances
   std::uint8_t place; ///< index into Cuts: the vertex or cut whose inputs this has
   WindowVertex window;
-  /// what the side that begins here lies on: a side of the triangle, kOnPlane + a plane, or
-  /// kOnUserPlane
+  /// the line that the side which begins here lies on: a side of the triangle, kOnPlane + a plane,
+  /// or kOnUserPlane
   int side;
 };
 /// Planes of the view volume are numbered from kOnPlane on. The first kSidePlanes of them run along
@@ -23,7 +23,7 @@ inline constexpr int kOnPlane = 3, kSidePlanes = 4;
 /// A cut by a user clip plane. Unlike a cut by the view volume, it is a side that is drawn.
 inline constexpr int kOnUserPlane = 64;
 
-/// What clipping leaves of a triangle: a convex polygon, with at most one vertex more for each
+/// The rest of a triangle after clipping: a convex polygon, with at most one vertex more for each
 /// plane.
 struct ClippedPolygon {
   std::array<ClipVertex, 20> vertex;

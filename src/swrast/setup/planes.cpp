@@ -8,8 +8,8 @@
 namespace arbiter::swrast {
 
 HostOrder::HostOrder(const RasterState &state, const Triangle &triangle) {
-  int provoking = state.provokingIsFirst ? 0 : 2; // if no corner provokes, as in one half of a
-                                                  // quad, the order stays as it is
+  // If no corner provokes, as in one half of a quad, the order stays as it is.
+  int provoking = state.provokingIsFirst ? 0 : 2;
   if (triangle.cuts)
     provoking = 0;
   else

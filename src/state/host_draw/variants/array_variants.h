@@ -8,7 +8,7 @@
 
 namespace arbiter::state {
 
-/// Where a program finds attribute components that only VertexAttribNV sets (attribute_forms.h).
+/// The place of attribute components that only VertexAttribNV sets (attribute_forms.h).
 enum class WiderAttributes : std::uint8_t {
   Beside, ///< in the generic attribute, beside the conventional one
   /// in the generic attribute, which aliases the conventional one: GLSL may read only one of them

@@ -33,7 +33,7 @@ Program copies(AttributeKind kind, std::string_view mask) {
 Vec4 chosen(AttributeKind kind, unsigned number, const Vec4 &conventional, const Vec4 &generic) {
   const auto form = withAttributes(copies(kind, "xyzw"), 0, 1u << number);
   EXPECT_TRUE(fp::ir::validate(*form).empty());
-  Program plain = copies(kind, "xyzw"); // the same as an ARB program
+  Program plain = copies(kind, "xyzw"); // now as an ARB program
   plain.options = {};
   EXPECT_TRUE(fp::ir::validate(*withAttributes(plain, 0, 1u << number)).empty());
   std::vector<Vec4> attributes;

@@ -23,7 +23,7 @@ enum Part : std::uint8_t {
 struct FixedWriter::Side {
   bool back;
   std::uint8_t tracked, own;
-  Target primary, secondary; ///< the same register unless the specular part is kept apart
+  Target primary, secondary; ///< one register unless the specular part is kept apart
 };
 
 /// A light as seen from the vertex, the same for both sides.

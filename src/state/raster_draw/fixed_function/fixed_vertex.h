@@ -19,7 +19,7 @@ namespace arbiter::state::software {
 /// coordinates.
 inline constexpr int kClipDistanceOutput = 8;
 
-/// What a draw needs of its vertices beside the position.
+/// The vertex results that a draw needs beside the position.
 struct VertexNeeds {
   std::uint8_t texCoords = 0; ///< one bit for each unit
   bool primary = false, secondary = false, fogCoord = false;

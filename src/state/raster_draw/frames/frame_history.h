@@ -5,7 +5,7 @@
 
 namespace arbiter::state::software {
 
-/// What a context has learnt of its frames. It decides how the next frame begins.
+/// Holds what a context has learnt of its frames. It decides how the next frame begins.
 struct FrameHistory {
   BackOff backOff;
   FrameTrials trials;

@@ -45,7 +45,7 @@ struct LeftAlone {
   /// True if the target was not the reason, so that draws may become the rasterizer's. Lists
   /// compiled meanwhile are then kept, unless they change.
   bool keepsLists = false;
-  Figures figures;         ///< what was drawn and refused before
+  Figures figures;         ///< counts from before the context was left
   std::uint64_t since = 0; ///< Context::frames when it was left
   std::uint64_t until = 0; ///< Context::frames when it is looked at again
   std::uint64_t patience = kLeastAlone;

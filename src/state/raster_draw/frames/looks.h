@@ -35,7 +35,7 @@ struct LookedAt {
   const Mirror &mirror;
   const LookBasis &fragments;
   bool isBitmap = false; ///< true if bits make the fragments, not vertices
-  swrast::Topology topology = swrast::Topology::Triangles; ///< of the vertices
+  swrast::Topology topology = swrast::Topology::Triangles; ///< topology of the vertices
 };
 
 /// Returns the looks of a draw, except those of its colour buffers. Does not query the host.

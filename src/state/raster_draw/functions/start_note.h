@@ -8,7 +8,7 @@
 /// draws its first frame.
 namespace arbiter::state::software {
 
-/// What the note says of the last start by the same program (util/defaults/program.h) and the same
+/// The note's account of the last start by the same program (util/defaults/program.h) and the same
 /// build. A wrong note costs time only.
 enum class LastStart : std::uint8_t {
   Unknown,

@@ -14,13 +14,13 @@
 namespace arbiter::state::software {
 
 struct Joining {
-  /// what the indices make: Triangles or Lines
+  /// the primitives that the indices make: Triangles or Lines
   swrast::Topology topology = swrast::Topology::Triangles;
-  bool provokingIsFirst = false; ///< of each triangle or line
+  bool provokingIsFirst = false; ///< true if the first vertex of each provokes
 };
 
 /// Returns how to join primitives of `mode` in the current state, or nothing if joining would be
-/// visible. It would be in these cases: unfilled polygons, whose sides differ from their
+/// visible. These cases are: unfilled polygons, whose sides differ from their
 /// triangles'; stipples that run along a strip; a provoking vertex in the middle of a triangle; and
 /// quad strips outside of lists, where clipping decides the order of their triangles.
 [[nodiscard]] std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode,

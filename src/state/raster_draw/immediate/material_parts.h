@@ -3,7 +3,7 @@
 
 namespace arbiter::state::software {
 
-/// What is known of the materials of recorded primitives. Each part has a bit
+/// Tells what is known of the materials of recorded primitives. Each part has a bit
 /// (primitive_materials.h).
 struct MaterialParts {
   void begin(bool mayDifferNow) {

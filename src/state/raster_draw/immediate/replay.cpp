@@ -107,9 +107,8 @@ const host::HostTable *flushToHost() {
     context.list->giveHost(context);
     return context.host;
   }
-  const bool hasEnded =
-      (context.attention & attention::kHeld) != 0; // this is no command, because commands draw held
-                                                   // primitives first
+  // This is no command, because commands draw held primitives first.
+  const bool hasEnded = (context.attention & attention::kHeld) != 0;
   stopRecording(context);
   context.insideBeginEnd = false; // on the host, no primitive is open yet
   withinMemory(context, "glBegin", [&] {

@@ -295,7 +295,7 @@ struct Gather {
     const std::uint8_t *from;
     std::size_t stride;
     std::uint8_t *to;
-    std::size_t bytes; ///< of one element
+    std::size_t bytes; ///< size of one element
   };
   const std::uint32_t *indices = nullptr;
   Array arrays[kSlots];

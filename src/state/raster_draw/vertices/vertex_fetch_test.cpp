@@ -73,9 +73,7 @@ std::vector<std::uint8_t> bytesFor(const TypeRow &row, std::size_t size) {
     std::fill_n(bytes.begin(), 32, std::uint8_t(0xFF)); // -1, or the largest number
     std::fill_n(bytes.begin() + 32, 32, std::uint8_t(0));
     for (std::size_t i = 0; i < 32; ++i)
-      bytes[64 + i] = std::uint8_t((i + 1) % std::size_t(row.bits / 8) == 0 ? 0x80 : 0); // the
-                                                                                         // least
-                                                                                         // number
+      bytes[64 + i] = std::uint8_t((i + 1) % std::size_t(row.bits / 8) == 0 ? 0x80 : 0); // least
     return bytes;
   }
   if (row.type == GL_FIXED)
