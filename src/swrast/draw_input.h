@@ -105,8 +105,8 @@ struct RasterState {
   const std::uint8_t *polygonStipple =
       nullptr; ///< 32 x 32 bits in glPolygonStipple's unpacked layout; null: off
   /// True if quads are split along the diagonal from their second corner to the fourth. Hosts do so
-  /// for draws with indices in display lists. They also do so where the provoking vertex matters,
-  /// because the fourth vertex is then in both triangles.
+  /// in display lists, with indices, and where the provoking vertex matters: the fourth vertex is
+  /// then in both triangles.
   bool secondDiagonal = false;
   /// True if the host draws this with its clipping path (cutsOtherwise()).
   bool inOtherPath = false;

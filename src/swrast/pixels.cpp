@@ -76,8 +76,8 @@ public:
           offsetof(abi::Primitive, inputs) +
           (std::size_t(colorInput) * 4 + c) * sizeof(abi::Plane) + offsetof(abi::Plane, c));
   }
-  /// Shades pixels (x, y) to (x + count - 1, y). \param columns the index into `row` of each
-  /// pixel's colour
+  /// Shades pixels (x, y) to (x + count - 1, y).
+  /// \param columns the index into `row` of each pixel's colour
   void shade(std::int32_t x, std::int32_t y, std::int32_t count, const float (*row)[4],
              const std::int32_t *columns) {
     m_columns.baseY = y;

@@ -25,8 +25,8 @@ struct ProgramPair;
 /// Links a program from those of the two shaders that are not 0.
 [[nodiscard]] GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex,
                                  GLuint fragment);
-/// Loads the program into an object of the host's ARB path. Raises no error. \param defined
-/// additional results that a vertex program must write (undefined_results.h)
+/// Loads the program into an object of the host's ARB path. Raises no error.
+/// \param defined additional results that a vertex program must write (undefined_results.h)
 [[nodiscard]] GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
                                   const std::vector<fp::ir::Output> &defined);
 

@@ -112,8 +112,8 @@ public:
   /// Returns the program as an object of the host's own ARB path. It is loaded at the first call,
   /// from text that the layer's compiler has checked within its limits. Each has an object of its
   /// own, because a host may crash if one is loaded again and again. Returns null if the host
-  /// refuses it. Raises no error. \param defined additional results that a vertex program must
-  /// write
+  /// refuses it. Raises no error.
+  /// \param defined additional results that a vertex program must write
   [[nodiscard]] AssemblyProgram *assemblyOf(Context &context,
                                             const std::shared_ptr<const CompiledProgram> &compiled,
                                             const std::vector<fp::ir::Output> &defined = {});

@@ -35,8 +35,8 @@ constexpr GLenum kIntegers[] = {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL
                                 GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
 constexpr GLenum kFloats[] = {GL_TEXTURE_MIN_LOD, GL_TEXTURE_MAX_LOD, GL_TEXTURE_LOD_BIAS};
 
-/// Copies parameters of the application's texture or sampler to `uncompared`. \param getIv, getFv
-/// read the parameters
+/// Copies parameters of the application's texture or sampler to `uncompared`.
+/// \param getIv, getFv read the parameters
 template <typename GetIv, typename GetFv>
 void copyParameters(Context &context, GLuint uncompared, GetIv getIv, GetFv getFv) {
   const host::HostTable &host = *context.host;

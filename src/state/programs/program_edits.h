@@ -69,8 +69,8 @@ public:
     return count;
   }
   [[nodiscard]] bool anyHeld() const { return m_anyHeld.load(std::memory_order_relaxed); }
-  /// Returns the held value of a parameter, if there is one. \param hash of the program's text, for
-  /// a local parameter
+  /// Returns the held value of a parameter, if there is one.
+  /// \param hash of the program's text, for a local parameter
   [[nodiscard]] std::optional<Vec4> held(Target target, bool env, std::uint32_t index,
                                          const Hash128 &hash);
 

@@ -19,8 +19,10 @@ struct Replacement;
 [[nodiscard]] fp::Compilation compileText(const Context &context, const ProgramTarget &row,
                                           std::string_view text);
 /// Returns what an object holds after a load of `text`. It has the GLSL of a valid replacement, or
-/// else of the text itself, with the answers that the application expects. \param own the result
-/// for the text \param replacement null if there is none \returns null if neither is valid
+/// else of the text itself, with the answers that the application expects.
+/// \param own the result for the text
+/// \param replacement null if there is none
+/// \returns null if neither is valid
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
 compileProgram(const Context &context, Target target, std::string_view text,
                const fp::Compilation &own, const Replacement *replacement);

@@ -22,8 +22,8 @@ public:
   ReplacementFolder(const ReplacementFolder &) = delete;
   ReplacementFolder &operator=(const ReplacementFolder &) = delete;
 
-  /// Reads a file, and watches it from now on, even if it does not exist. \returns false if there
-  /// is none; an empty file counts as none, because editors create it first
+  /// Reads a file, and watches it from now on, even if it does not exist.
+  /// \returns false if there is none; an empty file counts as none, because editors create it first
   bool read(const std::string &name, std::string &text);
   [[nodiscard]] std::string pathOf(const std::string &name) const { return m_path + "/" + name; }
 

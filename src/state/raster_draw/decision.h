@@ -37,7 +37,8 @@ Outcome decideFragments(Context &context);
 /// Decides about a draw of `count` vertices (0: not known yet), and has its functions compiled. If
 /// the outcome is ok, the rasterizer draws it with what pipelineOf() has chosen, and the current
 /// values that its vertices read are up to date. No pixel is written yet. Requires
-/// usesRasterizer(). \param materials parts of the material that vary from vertex to vertex
+/// usesRasterizer().
+/// \param materials parts of the material that vary from vertex to vertex
 Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask materials = 0);
 /// Decides again about a draw when it turns out later which material parts vary.
 Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials);
@@ -57,8 +58,8 @@ template <typename Attempt> Outcome outcomeOf(Context &context, Attempt attempt)
   return outcome;
 }
 
-/// Counts a draw for the rasterizer, or counts the reason and brings the host up to date. \return
-/// true if the draw is done
+/// Counts a draw for the rasterizer, or counts the reason and brings the host up to date.
+/// \return true if the draw is done
 bool conclude(Context &context, const Outcome &outcome);
 /// The two halves of conclude(), for a primitive that stays open during several calls.
 void noteDrawn(Context &context, std::uint32_t draws = 1);

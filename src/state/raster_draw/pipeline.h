@@ -128,8 +128,8 @@ private:
   /// judged before the frame is.
   Outcome makeKey(Context &context, Mirror &mirror, abi::Coverage coverage, bool hasVertices);
   Outcome chooseFunctions(const Mirror &mirror, abi::Interpolation inputs);
-  /// Chooses the function for small triangles, for which the rasterizer tests depth. \param quads
-  /// true if a level of detail or a derivative is wanted
+  /// Chooses the function for small triangles, for which the rasterizer tests depth.
+  /// \param quads true if a level of detail or a derivative is wanted
   void choosePacked(bool quads, swrast::Shading &shading, Fallback &why);
   [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
   [[nodiscard]] bool isOpaque() const;

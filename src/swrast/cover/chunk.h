@@ -37,8 +37,9 @@ public:
   void clear(const TileGrid &grid);
   /// Sets up triangles [first, end) of the draw and adds them.
   void setUp(const Draw &draw, std::uint32_t first, std::uint32_t end);
-  /// Adds a shape whose planes have been computed. \param hides true if it replaces everything
-  /// below its pixels \param inputs number of inputs in use
+  /// Adds a shape whose planes have been computed.
+  /// \param hides true if it replaces everything below its pixels
+  /// \param inputs number of inputs in use
   void addShape(const Shape &shape, std::uint32_t inputs, bool hides);
 
   [[nodiscard]] const TileGrid &grid() const { return m_grid; }
@@ -58,8 +59,8 @@ public:
   [[nodiscard]] bool isEmpty(std::size_t tile) const { return m_tiles[tile].first == kNone; }
   /// True if the tile's first primitive is opaque and covers the tile.
   [[nodiscard]] bool hidesOlder(std::size_t tile) const { return m_tiles[tile].hidesOlder; }
-  /// Shades the tile's primitives in order. \param rect the pixels of the tile to draw; `emitter`
-  /// has begun this rectangle
+  /// Shades the tile's primitives in order.
+  /// \param rect the pixels of the tile to draw; `emitter` has begun this rectangle
   void shade(std::size_t tile, const PlanePlan &plan, const WindowVertex *window, const Rect &rect,
              Emitter &emitter) const;
 

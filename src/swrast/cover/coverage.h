@@ -24,12 +24,14 @@ struct Region {
 /// rectangles that begin far outside of it do not.
 [[nodiscard]] bool fitsRegions(const Shape &shape);
 /// Makes the region of a shape for which fitsRegions() is true. Returns false if none of the pixels
-/// is inside. \param bounds pixels of one tile, within the shape's own bounds
+/// is inside.
+/// \param bounds pixels of one tile, within the shape's own bounds
 [[nodiscard]] bool regionOf(const Shape &shape, const Rect &bounds, Region &region);
 
-/// Writes the blocks in which the triangle covers a pixel, row by row upwards. \param part pixels
-/// within the triangle's bounds; blocks at its border are tested whole \param lanes 16 (blocks of
-/// 4x4 pixels), 8 (4x2) or 4 (2x2) \param blocks room for all blocks of the part and one more
+/// Writes the blocks in which the triangle covers a pixel, row by row upwards.
+/// \param part pixels within the triangle's bounds; blocks at its border are tested whole
+/// \param lanes 16 (blocks of 4x4 pixels), 8 (4x2) or 4 (2x2)
+/// \param blocks room for all blocks of the part and one more
 using CoverSmall = Cover (*)(const SmallTriangle &triangle, const Rect &part, int lanes,
                              abi::Block *blocks);
 /// Writes the blocks in which a region is covered, as CoverSmall does. Pixels outside the region's

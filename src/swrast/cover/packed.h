@@ -51,8 +51,9 @@ private:
 };
 
 /// Tests the blocks of a triangle against the tile. Passing pixels are written and get the owner
-/// `owner`; blocks with passing pixels are listed in `out`. \param out room for `count` and one
-/// more; may be `blocks` \return the number of blocks listed
+/// `owner`; blocks with passing pixels are listed in `out`.
+/// \param out room for `count` and one more; may be `blocks`
+/// \return the number of blocks listed
 using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::DepthPlane &z,
                                      std::uint32_t owner, const abi::Block *blocks,
                                      std::uint32_t count, abi::Block *out);
@@ -69,8 +70,9 @@ struct PackedTriangle {
 
 /// Lists the pixels of blocks consecutively, for the primitive in `column`. If `owner` is not 0,
 /// only the pixels that it still owns are listed. If `quads` is true, quads are completed with
-/// helper pixels. \param out room for 16 pixels more than the blocks have \return the number of
-/// pixels listed
+/// helper pixels.
+/// \param out room for 16 pixels more than the blocks have
+/// \return the number of pixels listed
 using ListPixels = std::uint32_t (*)(const PackedTile &tile, std::uint32_t owner, unsigned column,
                                      bool quads, const abi::Block *blocks, std::uint32_t count,
                                      abi::Pixel *out);
@@ -100,11 +102,11 @@ public:
   PackedShader(const PackedShader &) = delete;
   PackedShader &operator=(const PackedShader &) = delete;
 
-  /// Begins a tile. Returns false if there is no packed function or no memory. \param tile the part
-  /// of a tile to draw
+  /// Begins a tile. Returns false if there is no packed function or no memory.
+  /// \param tile the part of a tile to draw
   [[nodiscard]] bool begin(const Rect &tile);
-  /// Adds a triangle. The arguments must stay valid until finish(). \param blocks the triangle's
-  /// blocks of 4x4 pixels in the tile
+  /// Adds a triangle. The arguments must stay valid until finish().
+  /// \param blocks the triangle's blocks of 4x4 pixels in the tile
   void add(const PlanePlan &plan, const WindowVertex *window, const SmallTriangle &small,
            const abi::Block *blocks, std::uint32_t count);
   /// Adds a shape. The arguments must stay valid until finish().

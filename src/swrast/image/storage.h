@@ -39,7 +39,8 @@ public:
   struct Owner {
     void (*release)(void *user); ///< called when the last image lets go of the memory
     /// True if another reader still has to read what was written; the memory may not be written
-    /// before that is done. \param wait first waits for the reader
+    /// before that is done.
+    /// \param wait first waits for the reader
     bool (*isRead)(void *user, bool wait);
   };
   /// Wraps memory of another owner. On failure the owner's release() is called at once. Requires

@@ -22,8 +22,8 @@ public:
   /// Returns the object for the next draw. It becomes part of the batch when one of the add
   /// functions is called.
   [[nodiscard]] QueuedDraw &next();
-  /// Adds next(), which has been set up. \param isSameState the result of isLast() before; the
-  /// batch may have been shaded since then
+  /// Adds next(), which has been set up.
+  /// \param isSameState the result of isLast() before; the batch may have been shaded since then
   void add(const RasterState &state, const Shading &shading, const ShadingUse &use,
            bool isSameState);
   /// Adds next(), which keeps its input to be set up later.

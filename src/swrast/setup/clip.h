@@ -30,16 +30,17 @@ struct ClippedPolygon {
   int count = 0;
   Cuts cuts;
 };
-/// Clips a triangle. `polygon.count` is less than 3 if nothing is left. \param corner window
-/// positions of its vertices
+/// Clips a triangle. `polygon.count` is less than 3 if nothing is left.
+/// \param corner window positions of its vertices
 void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[3],
                   const WindowVertex corner[3], ClippedPolygon &polygon);
 /// True if two vertices of the triangle have the same position, so that any clipping leaves no
 /// area.
 [[nodiscard]] bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]);
 
-/// Clips a line. Returns false if nothing is left. \param end receives the ends \param cuts
-/// receives how they were cut
+/// Clips a line. Returns false if nothing is left.
+/// \param end receives the ends
+/// \param cuts receives how they were cut
 [[nodiscard]] bool clipLine(const Viewport &viewport, const Vertices &vertices,
                             const std::uint32_t index[2], const WindowVertex corner[2],
                             ClipVertex end[2], Cuts &cuts);

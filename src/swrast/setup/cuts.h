@@ -24,8 +24,8 @@ struct Cuts {
     step[std::size_t(count)] = {near, far, share};
     return std::uint8_t(kVertices + count++);
   }
-  /// Computes a component at all places. \param value the vertices' values are set; receives the
-  /// others
+  /// Computes a component at all places.
+  /// \param value the vertices' values are set; receives the others
   void follow(float (&value)[kVertices + kMost]) const {
     for (int i = 0; i < count; ++i) {
       const Step &own = step[std::size_t(i)];

@@ -17,8 +17,8 @@ namespace arbiter::swrast {
                           const Vertices &vertices, const std::uint32_t *indices,
                           std::uint32_t first, std::uint32_t count);
 /// Computes the window positions of the used vertices, and the pixels that their primitives may
-/// reach. \param window, bounds buffers that the caller keeps, so that repeated draws allocate
-/// nothing
+/// reach.
+/// \param window, bounds buffers that the caller keeps, so that repeated draws allocate nothing
 void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
                    std::vector<PlacedBounds> &bounds);
 

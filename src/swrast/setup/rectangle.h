@@ -27,13 +27,14 @@ struct Rectangle {
   }
 };
 /// True if the draw is one axis-aligned, filled rectangle that is not culled; `rectangle` then
-/// receives it. \param indices null: vertices first, first + 1, ...; else indices[first], ...
+/// receives it.
+/// \param indices null: vertices first, first + 1, ...; else indices[first], ...
 [[nodiscard]] bool findRectangle(const RasterState &state, Topology topology,
                                  const Vertices &vertices, const std::uint32_t *indices,
                                  std::uint32_t first, std::uint32_t count, Rectangle &rectangle);
 /// Makes one shape of the rectangle, or two triangles if their planes differ in any bit. Returns
-/// the number of shapes, or 0 if the rectangle must be clipped as triangles. \param draw its
-/// vertices need not be placed
+/// the number of shapes, or 0 if the rectangle must be clipped as triangles.
+/// \param draw its vertices need not be placed
 [[nodiscard]] int shapesOfRectangle(const Draw &draw, const Rectangle &rectangle,
                                     Shape (&shapes)[2]);
 

@@ -36,8 +36,8 @@ static_assert(sizeof(SmallTriangle) == 64);
 struct SmallSetUp;
 struct TriangleGroup;
 struct GroupSetUp;
-/// Sets up a group of triangles. \param to receives the small ones in order; has room for
-/// TriangleGroup::kMost
+/// Sets up a group of triangles.
+/// \param to receives the small ones in order; has room for TriangleGroup::kMost
 using SetUpSmall = GroupSetUp (*)(const SmallSetUp &with, const WindowVertex *window,
                                   const TriangleGroup &group, SmallTriangle *to);
 

@@ -107,8 +107,8 @@ struct BlockEdge {
   }
 };
 
-/// Puts vertices into the hosts' order (HostOrder). \param clockwise lanes whose triangles are
-/// clockwise to the host
+/// Puts vertices into the hosts' order (HostOrder).
+/// \param clockwise lanes whose triangles are clockwise to the host
 inline void walkAsHosts(bool provokingIsFirst, const Ints &clockwise, Ints (&vertex)[3],
                         const Ints &provoking, WindowCorner (&v)[3]) {
   Ints isAt[3];

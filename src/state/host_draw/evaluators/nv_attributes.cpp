@@ -20,8 +20,9 @@ constexpr int fewerComponents(GLuint index) {
   return index == 2 || index == 4 ? 3 : index == 5 ? 1 : 0;
 }
 
-/// Records an attribute. \param both records the generic attribute too; otherwise the conventional
-/// one stands for both, on a host whose attributes alias
+/// Records an attribute.
+/// \param both records the generic attribute too; otherwise the conventional one stands for both,
+/// on a host whose attributes alias
 void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, unsigned given,
             bool both) {
   if (index == 0)

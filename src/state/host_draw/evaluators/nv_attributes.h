@@ -33,7 +33,8 @@ void setNvAttribute(Context &context, GLuint index, const Vec4 &value);
 
 /// Executes VertexAttrib, of the ARB and of OpenGL, for an aliased register while attributes alias.
 /// The value also goes to the host's generic attribute, and to that alone while the application's
-/// own GLSL shades vertices. \param given number of components that the command has
+/// own GLSL shades vertices.
+/// \param given number of components that the command has
 void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given);
 
 /// Returns the current value of an attribute other than 0, with the components of table X.2. While
@@ -42,8 +43,8 @@ void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsig
 [[nodiscard]] Vec4 currentNvAttribute(const Context &context, GLuint index);
 
 /// Answers GetVertexAttrib of CURRENT_VERTEX_ATTRIB for an aliased register while attributes alias.
-/// Returns false if the query is an error, which the host raises. \param host the table for queries
-/// (raster_draw/immediate/held.h)
+/// Returns false if the query is an error, which the host raises.
+/// \param host the table for queries (raster_draw/immediate/held.h)
 [[nodiscard]] bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host,
                                        GLuint index, GLfloat *values);
 [[nodiscard]] bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host,

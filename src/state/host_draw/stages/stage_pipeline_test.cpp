@@ -13,8 +13,8 @@ namespace {
 
 using namespace testing;
 
-/// Returns a program with conditional writes, which no ARB text can express. \param more makes
-/// another program of it
+/// Returns a program with conditional writes, which no ARB text can express.
+/// \param more makes another program of it
 std::string choosing(const std::string &more = "") {
   return "!!ARBvp1.0\nOPTION NV_vertex_program2;\nTEMP r;\nMOV result.position, vertex.position;\n"
          "MOVC r, vertex.color;\nMOV r (LT.x), program.env[3];\nMOV result.color, r;\n" +

@@ -25,8 +25,9 @@ public:
       : m_host(host), m_numerics(numerics), m_distances(distances) {}
 
   /// Returns the clip-plane variant of `whole`, the program that this object belongs to. Any thread
-  /// may call it. \param planes one bit for each enabled plane \param alphaDepths
-  /// fp::GlslHost::alphaDepths, if the program writes distances
+  /// may call it.
+  /// \param planes one bit for each enabled plane
+  /// \param alphaDepths fp::GlslHost::alphaDepths, if the program writes distances
   [[nodiscard]] std::shared_ptr<const CompiledProgram>
   of(const CompiledProgram &whole, std::uint8_t planes, std::uint32_t alphaDepths = 0) const;
   /// Returns all variants made so far.

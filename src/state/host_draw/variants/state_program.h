@@ -18,9 +18,10 @@ class Context;
 struct StateText;
 
 /// Compiles a program that was made from GL state, for this context. There is no text of the
-/// application's, and none of its limits apply. \param text the state's text, or null if nothing
-/// needs one \param target the target whose env parameters the program reads \param program a valid
-/// program of language ArbFragment
+/// application's, and none of its limits apply.
+/// \param text the state's text, or null if nothing needs one
+/// \param target the target whose env parameters the program reads
+/// \param program a valid program of language ArbFragment
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
 programOfState(const Context &context, Target target, fp::ir::Program program,
                const fp::GlslHost &host, const StateText *text);
@@ -29,8 +30,9 @@ programOfState(const Context &context, Target target, fp::ir::Program program,
 /// made once. An application has dozens or hundreds. If there are too many, all are dropped.
 template <typename Key> class StatePrograms {
 public:
-  /// Returns the program of `key`. \param lower makes the program of the key \param text see
-  /// programOfState()
+  /// Returns the program of `key`.
+  /// \param lower makes the program of the key
+  /// \param text see programOfState()
   template <typename Lower>
   [[nodiscard]] std::shared_ptr<const CompiledProgram> of(Context &context, Target target,
                                                           const Key &key, const fp::GlslHost &host,

@@ -14,7 +14,8 @@ struct CompiledProgram;
 /// Returns the program of the context's texture shaders under the host's present state: the bound
 /// textures, texture environments or register combiners, and fog. If TEXTURE_SHADER_NV is disabled,
 /// it is a program for conventional texturing. Never null. Requires that the context has texture
-/// shaders. \param combines true if register combiners take the units' results
+/// shaders.
+/// \param combines true if register combiners take the units' results
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
 texturesEffective(Context &context, const fp::GlslHost &host, bool combines);
 

@@ -33,9 +33,9 @@ public:
     bool operator==(const Key &) const = default;
   };
 
-  /// \param stages number of general combiner stages to offer, 2 to fp::combiners::kStages \param
-  /// perStageConstants true if NV_register_combiners2 is offered \param units number of texture
-  /// units that have a register
+  /// \param stages number of general combiner stages to offer, 2 to fp::combiners::kStages
+  /// \param perStageConstants true if NV_register_combiners2 is offered
+  /// \param units number of texture units that have a register
   CombinerState(int stages, bool perStageConstants, int units)
       : m_stages(stages), m_units(units), m_perStageConstants(perStageConstants),
         m_settings(std::make_shared<CombinerSettings>()) {}
@@ -64,8 +64,8 @@ public:
   void restore(Context &context, const std::shared_ptr<const CombinerSettings> &settings);
 
   /// Returns the program for a key, whose state must be fp::combiners::essential(). It is made
-  /// once. \param text the text of the application's state; the key holds the state of its
-  /// replacement
+  /// once.
+  /// \param text the text of the application's state; the key holds the state of its replacement
   [[nodiscard]] std::shared_ptr<const CompiledProgram>
   programUnder(Context &context, const Key &key, const fp::GlslHost &host, const StateText *text);
 

@@ -47,8 +47,8 @@ struct MapDefinition {
   EvaluatorMap map;
 };
 
-/// Executes Map1 and Map2. \error the definition's error; INVALID_OPERATION if the active texture
-/// unit is not 0
+/// Executes Map1 and Map2.
+/// \error the definition's error; INVALID_OPERATION if the active texture unit is not 0
 void defineMap(Context &context, const MapDefinition &definition);
 /// Executes Enable and Disable of a map.
 void enableMap(Context &context, GLenum target, bool enabled);

@@ -12,8 +12,8 @@ class Context;
 [[nodiscard]] bool mayBeTracked(const Context &context, GLuint address);
 
 /// Executes TrackMatrixNV: c[address] to c[address + 3] track the rows of the matrix from now on.
-/// With NONE they keep their last values. \error INVALID_ENUM for target, matrix or transform;
-/// INVALID_VALUE for address
+/// With NONE they keep their last values.
+/// \error INVALID_ENUM for target, matrix or transform; INVALID_VALUE for address
 void trackMatrix(Context &context, GLenum target, GLuint address, GLenum matrix, GLenum transform);
 
 /// Updates the parameters in c[] that track matrices. Requires that the context is current, with no

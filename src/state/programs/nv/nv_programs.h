@@ -21,22 +21,23 @@ struct ProgramObject;
 [[nodiscard]] std::shared_ptr<ProgramObject> existingProgram(Context &context, GLuint id);
 
 /// Executes LoadProgramNV (NVP 2.14.1.7). A text that is not valid leaves the program unchanged.
-/// \error INVALID_ENUM for target; INVALID_VALUE if id is 0 or length < 0 \error INVALID_OPERATION
-/// if id is a program of another target, or the text is not valid
+/// \error INVALID_ENUM for target; INVALID_VALUE if id is 0 or length < 0
+/// \error INVALID_OPERATION if id is a program of another target, or the text is not valid
 void loadNvProgram(Context &context, GLenum target, GLuint id, GLsizei length, const void *text);
 /// Executes BindProgramNV (NVP 2.14.1.8). A name that was never loaded is bound too, and stays
-/// free. \error INVALID_ENUM for target; INVALID_OPERATION if id is a program of another target
+/// free.
+/// \error INVALID_ENUM for target; INVALID_OPERATION if id is a program of another target
 void bindNvProgram(Context &context, GLenum target, GLuint id);
 
 /// Executes ProgramParameters4NV: sets c[index] to c[index + count - 1], or none after an error.
-/// \error INVALID_ENUM for target; INVALID_VALUE for index + count, or if count < 0 \error
-/// INVALID_OPERATION if one of them tracks a matrix (NVP 2.14.5)
+/// \error INVALID_ENUM for target; INVALID_VALUE for index + count, or if count < 0
+/// \error INVALID_OPERATION if one of them tracks a matrix (NVP 2.14.5)
 void setNvParameters(Context &context, GLenum target, GLuint index, GLsizei count,
                      const Vec4 *values);
 
-/// Executes ExecuteProgramNV (NVP 2.14.4) with v[0] = `input`, which writes c[]. \error
-/// INVALID_ENUM for target; INVALID_OPERATION if id is no state program, or if the program writes a
-/// parameter that tracks a matrix
+/// Executes ExecuteProgramNV (NVP 2.14.4) with v[0] = `input`, which writes c[].
+/// \error INVALID_ENUM for target; INVALID_OPERATION if id is no state program, or if the program
+/// writes a parameter that tracks a matrix
 void executeStateProgram(Context &context, GLenum target, GLuint id, const Vec4 &input);
 
 /// Executes ProgramNamedParameter4NV (NFP 3.11.1) for the program `id`, which need not be bound.

@@ -45,8 +45,8 @@ struct ComponentTransfers {
 class TextureShaderState {
 public:
   /// \param extensions how many of the three are offered; 0: none, but ATI_envmap_bumpmap or
-  /// NV_point_sprite, which are drawn by programs of conventional texturing \param units number of
-  /// texture units
+  /// NV_point_sprite, which are drawn by programs of conventional texturing
+  /// \param units number of texture units
   TextureShaderState(int extensions, int units)
       : m_extensions(extensions), m_units(units),
         m_settings(std::make_shared<TextureShaderSettings>()) {}
@@ -72,8 +72,8 @@ public:
   [[nodiscard]] std::shared_ptr<const TextureShaderSettings> settings() const { return m_settings; }
   void restore(Context &context, const std::shared_ptr<const TextureShaderSettings> &settings);
 
-  /// Returns the program for a key, which is made once. \param text see
-  /// CombinerState::programUnder()
+  /// Returns the program for a key, which is made once.
+  /// \param text see CombinerState::programUnder()
   [[nodiscard]] std::shared_ptr<const CompiledProgram>
   programUnder(Context &context, const fp::texture_shader::Key &key, const fp::GlslHost &host,
                const StateText *text);

@@ -9,8 +9,9 @@ namespace arbiter::state {
 class Context;
 
 /// Execute BindLightParameterEXT to BindParameterEXT. They return the symbol's name, or 0 after an
-/// error. \error INVALID_ENUM for a name in none of the tables, or for a light, unit or plane that
-/// does not exist
+/// error.
+/// \error INVALID_ENUM for a name in none of the tables, or for a light, unit or plane that does
+/// not exist
 [[nodiscard]] GLuint bindLightParameter(Context &context, GLenum light, GLenum value);
 [[nodiscard]] GLuint bindMaterialParameter(Context &context, GLenum face, GLenum value);
 [[nodiscard]] GLuint bindTexGenParameter(Context &context, GLenum unit, GLenum coord, GLenum value);

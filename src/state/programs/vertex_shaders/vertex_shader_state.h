@@ -42,8 +42,8 @@ struct VertexShaderState {
 
 /// Executes BindVertexShaderEXT, called or from a list.
 void bindVertexShader(Context &context, GLuint name);
-/// Executes SetInvariantEXT, called or from a list. Requires an invariant that may be set. \param
-/// rows of its value
+/// Executes SetInvariantEXT, called or from a list. Requires an invariant that may be set.
+/// \param rows of its value
 void setInvariant(Context &context, GLuint name, const std::vector<Vec4> &rows);
 
 /// Returns the target of vertex shaders if one is enabled and defined, and sets its invariants'

@@ -10,9 +10,10 @@ namespace arbiter::state::software {
 /// frames without host draws that the next trial needs.
 class FrameTrials {
 public:
-  /// Handles the end of a frame. \param whole true if the host drew nothing that the rasterizer
-  /// cannot \param tried true if the rasterizer tested depth in it \return true if the next frame
-  /// is to be tried
+  /// Handles the end of a frame.
+  /// \param whole true if the host drew nothing that the rasterizer cannot
+  /// \param tried true if the rasterizer tested depth in it
+  /// \return true if the next frame is to be tried
   bool frameEnded(bool whole, bool tried) {
     if (!whole) {
       m_needed = tried ? std::min(2 * m_needed, kMostNeeded) : m_needed;

@@ -29,8 +29,9 @@ public:
     m_side = Side::Host;
     m_row = m_held = 0;
   }
-  /// Handles the end of a frame. \param whole true if the host drew nothing but looks \return true
-  /// if the next frame is to be tried as a whole one
+  /// Handles the end of a frame.
+  /// \param whole true if the host drew nothing but looks
+  /// \return true if the next frame is to be tried as a whole one
   bool frameEnded(bool whole) {
     m_held = m_side == Side::Rasterizer ? std::min(m_held + 1, kLong * kMostNeeded) : 0;
     m_row = m_side == Side::Host && whole ? m_row + 1 : 0;

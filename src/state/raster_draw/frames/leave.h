@@ -16,7 +16,7 @@ inline constexpr int kRefusedFrames = 8;
 /// Frames in which the rasterizer drew nothing because it lacks something, after which the context
 /// is left alone.
 inline constexpr int kGainlessFrames = 8;
-/// As kRefusedFrames, for a context that was left alone before and has gained nothing since.
+/// Frames of either kind, for a context that was left alone before and has gained nothing since.
 inline constexpr int kRefusedAgain = 2;
 /// Frames until a context that was left alone is looked at again. It may draw to another target by
 /// then.

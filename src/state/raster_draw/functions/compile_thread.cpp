@@ -21,8 +21,8 @@ namespace {
 /// Stack size. LLVM recurses as deep as a program's dependencies. Pages that are not reached take
 /// no memory.
 constexpr std::size_t kStack = std::size_t(16) << 20;
-/// A task is late after this time, which is longer than a draw waits if it need not
-/// (functions.cpp).
+/// The delay of each task with ARBITER_DEBUG=late-code. It is longer than a draw waits that can do
+/// without the code (functions.cpp).
 constexpr std::chrono::milliseconds kLate{60};
 /// Tasks that wait for the first frame's end wait no longer than this, because a frame may never
 /// end.

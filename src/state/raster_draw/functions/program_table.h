@@ -10,8 +10,9 @@ namespace arbiter::state::software {
 /// address is stable. When there are too many, all but the effective one are dropped.
 template <typename Entry> class ProgramTable {
 public:
-  /// Finds or adds an entry. \param effective the last draw's entry, or null; it is found without a
-  /// search and never dropped
+  /// Finds or adds an entry.
+  /// \param effective the last draw's entry, or null; it is found without a search and never
+  /// dropped
   [[nodiscard]] Entry &find(const std::shared_ptr<const fp::ir::Program> &source,
                             Entry *effective) {
     if (effective && effective->source == source)

@@ -56,7 +56,8 @@ public:
   [[nodiscard]] GLuint madeHostList() const;
   /// Replays what is between Begin and End. It calls `set(slot, const float value[4], components)`
   /// for each attribute that was set, and then for kPosition, which makes a vertex. `components` is
-  /// the number that the application gave. \param next called between two primitives
+  /// the number that the application gave.
+  /// \param next called between two primitives
   template <typename Set, typename Next> void read(Set &&set, Next &&next) const {
     std::size_t begun = 0;
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -28,9 +28,9 @@ public:
   ListArrays(const ListArrays &) = delete;
   ListArrays &operator=(const ListArrays &) = delete;
 
-  /// Opens the enabled arrays until close(), which must always be called. \param changed true if
-  /// the arrays may have changed since the last call \return false if some can only be read by the
-  /// host, or lie outside their buffers
+  /// Opens the enabled arrays until close(), which must always be called.
+  /// \param changed true if the arrays may have changed since the last call
+  /// \return false if some can only be read by the host, or lie outside their buffers
   [[nodiscard]] bool open(Context &context, const DrawCommand &command, bool changed);
   void close(Context &context) { m_source.close(context); }
   /// Adds the command's vertices. Requires open().

@@ -41,8 +41,8 @@ void replayToHost(Context &context);
 void setCurrentValues(Context &context, const CurrentValues &values, SlotMask touched);
 /// Returns the enumerant of a material part, the same for both sides.
 [[nodiscard]] GLenum materialName(int material);
-/// Sets one attribute, or makes a vertex (kPosition). \param components the number that the
-/// application gave; hosts compile vertex code for it
+/// Sets one attribute, or makes a vertex (kPosition).
+/// \param components the number that the application gave; hosts compile vertex code for it
 void setAttribute(const host::HostTable &host, int slot, const float value[4], int components = 4);
 /// Sets the attributes of a mask.
 void setAttributes(const host::HostTable &host, const CurrentValues &values, SlotMask slots);

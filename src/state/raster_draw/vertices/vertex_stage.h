@@ -50,8 +50,8 @@ public:
   /// Returns the slots whose current values are needed, including slots().
   [[nodiscard]] std::uint32_t currentSlots() const;
 
-  /// Transforms vertices [first, first + count) of the source. \param later true if the rasterizer
-  /// may do it when it needs them (swrast::Vertices::make)
+  /// Transforms vertices [first, first + count) of the source.
+  /// \param later true if the rasterizer may do it when it needs them (swrast::Vertices::make)
   Outcome run(Context &context, Mirror &mirror, const VertexSource &source, std::uint32_t first,
               std::uint32_t count, bool edgeFlags, bool later);
   /// Returns the result of the last successful run(). Fragment inputs are in the order of the
