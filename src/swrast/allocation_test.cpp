@@ -8,13 +8,14 @@
 #include "swrast/testing/canvas.h"
 #include "swrast/threads.h"
 
-/// A draw like the one before it, and a feedback loop between two images, take nothing from the
+/// Checks that repeated draws, and a feedback loop between two images, do not allocate from the
 /// heap.
 namespace {
 std::atomic<std::uint64_t> g_allocations{0};
-std::atomic<int> g_untilFailure{0}; ///< the next one but so many fails; 0: none
+/// countdown: the allocation that brings it to 0 fails; 0: no failure is planned
+std::atomic<int> g_untilFailure{0};
 } // namespace
-// Not inlined: where one of a pair is, the compiler takes the two for strangers.
+// Not inlined: if only one of new and delete is inlined, the compiler reports a mismatched pair.
 [[gnu::noinline]] void *operator new(std::size_t size) {
   g_allocations.fetch_add(1, std::memory_order_relaxed);
   if (g_untilFailure.load(std::memory_order_relaxed) != 0 && --g_untilFailure == 0)
@@ -23,7 +24,7 @@ std::atomic<int> g_untilFailure{0}; ///< the next one but so many fails; 0: none
     return memory;
   throw std::bad_alloc();
 }
-// A sanitizer's own does not call the one above.
+// A sanitizer's nothrow operator new does not call the operator above, so this one is replaced too.
 [[gnu::noinline]] void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
   g_allocations.fetch_add(1, std::memory_order_relaxed);
   return std::malloc(size ? size : 1);
@@ -59,7 +60,7 @@ TEST_P(Allocation, DrawsLikeTheLastTakeNone) {
       const std::uint64_t before = g_allocations.load();
       const DrawStatistics statistics = drawAll(canvas, topology, vertices);
       EXPECT_EQ(g_allocations.load(), before) << int(topology) << " of " << count;
-      // Few vertices may miss the clip rectangle, which is small for the test's sake.
+      // A few vertices may miss the clip rectangle, which this test keeps small.
       EXPECT_TRUE(count < 1000 || statistics.pixels > 0) << int(topology);
     }
 }
@@ -67,7 +68,7 @@ TEST_P(Allocation, DrawsLikeTheLastTakeNone) {
 TEST_P(Allocation, FramesOfDrawsThatWaitTakeNone) {
   Canvas canvas(200, 200);
   canvas.useQuads(16);
-  canvas.state.clip = {80, 80, 24, 24}; // small draws
+  canvas.state.clip = {80, 80, 24, 24}; // keeps the draws small
   Image target = makeImage({abi::Layout::U8x4, abi::kRgba}, 200, 200);
   Storage *const storages[] = {target.storage.get()};
   ShadingUse use;
@@ -78,7 +79,7 @@ TEST_P(Allocation, FramesOfDrawsThatWaitTakeNone) {
     if (frame == 6)
       before = g_allocations.load();
     for (const int count : {4, 60, 3000, 12}) {
-      canvas.data.alphaReference = float(count); // another state
+      canvas.data.alphaReference = float(count); // makes the state differ from the last draw's
       WindowVertices vertices(canvas);
       {
         const std::uint64_t outside = g_allocations.load();
@@ -123,9 +124,9 @@ TEST_P(Allocation, WhatIsJoinedIsDrawnWhereMemoryRunsOut) {
   EXPECT_GT(failed, 3);
 }
 
-// More than are joined at a time, of every kind, with other draws of the same state between them:
-// whichever allocation of the queue's fails, each is drawn, with the input of its own provoking
-// vertex.
+// Draws of every kind, more than the queue joins at a time, are mixed with other draws of the same
+// state. Whichever allocation of the queue fails, each draw must appear, with the input of its own
+// provoking vertex.
 TEST_P(Allocation, DrawsAfterWhatMemoryRanOutForAreDrawn) {
   constexpr Topology kTopologies[] = {Topology::Triangles, Topology::TriangleFan, Topology::Quads,
                                       Topology::Polygon};

@@ -7,18 +7,18 @@
 namespace arbiter::swrast {
 namespace {
 
-/// What is left of the image inside the clip rectangle, and where it goes.
+/// The part of a bitmap inside the clip rectangle.
 struct Clipped {
   const BitImage &bits;
-  std::int32_t x, y; ///< window pixel of the image's first
-  Rect rect;         ///< window pixels
+  std::int32_t x, y; ///< window coordinates of the bitmap's pixel (0, 0)
+  Rect rect;         ///< window pixels to draw
 
   [[nodiscard]] bool at(std::int32_t windowX, std::int32_t windowY) const {
     return bits.at(windowX - x, windowY - y);
   }
 };
 
-/// Items gathered for one call of the shading function.
+/// Gathers items so that one call of the shading function takes many.
 template <typename Item> class Batch {
 public:
   Batch(abi::ShadeFunction shade, const abi::FragmentData *data, const abi::Primitive &primitive)
@@ -86,7 +86,7 @@ std::uint64_t addBlocks(const Clipped &part, int width, int height, Batch<abi::B
 
 abi::Primitive primitiveOf(const Shading &shading, const BitFragments &fragments) {
   abi::Primitive primitive;
-  primitive.backFacing = 0; // points, lines, rectangles of pixels and bitmaps are seen from ahead
+  primitive.backFacing = 0; // points, lines, bitmaps and pixel rectangles are always front-facing
   primitive.z = {fragments.z, 0, 0};
   primitive.inverseW = {fragments.inverseW, 0, 0};
   for (std::size_t i = 0; i < shading.inputCount; ++i)

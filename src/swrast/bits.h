@@ -3,15 +3,15 @@
 
 #include "swrast/draw_input.h"
 
-/// Pixels that are fragments where a bit is set: Bitmap (OpenGL 2.1, 3.7), without GL.
+/// Rasterizes bitmaps: each set bit is a fragment, as for glBitmap (OpenGL 2.1, 3.7). Knows no GL.
 namespace arbiter::swrast {
 
-/// A rectangle of bits in memory, one a pixel, the lowest row first.
+/// A rectangle of bits in memory, one bit a pixel, lowest row first.
 struct BitImage {
   const std::uint8_t *rows = nullptr;
-  std::int64_t stride = 0;  ///< bytes from a row to the one above it
-  std::int32_t skip = 0;    ///< bits of each row before its first pixel
-  bool lowestFirst = false; ///< the first pixel of a byte is its lowest bit
+  std::int64_t stride = 0;  ///< bytes from one row to the row above it
+  std::int32_t skip = 0;    ///< bits to skip at the start of each row
+  bool lowestFirst = false; ///< true if the lowest bit of a byte is its first pixel
   std::int32_t width = 0, height = 0;
 
   [[nodiscard]] bool at(std::int32_t x, std::int32_t y) const {
@@ -22,19 +22,20 @@ struct BitImage {
   }
 };
 
-/// What all of a bitmap's fragments have: it is that of one vertex.
+/// The attributes that all fragments of a bitmap share; they come from one vertex, the raster
+/// position.
 struct BitFragments {
   float z = 0;        ///< window depth, in [0,1]
   float inverseW = 1; ///< 1 / clip w
   float inputs[abi::kMaxInputs][4] = {};
 };
 
-/// Returns the primitive that all fragments of an image are of.
+/// Returns the primitive for the fragments of an image: all of its planes are constant.
 [[nodiscard]] abi::Primitive primitiveOf(const Shading &shading, const BitFragments &fragments);
 
-/// Draws the fragments, those within the clip rectangle, with pixel (0, 0) of the image at window
-/// pixel (x, y). Neither culling, stipples nor polygon offset apply. No input is Perspective.
-/// Returns when all pixels are written.
+/// Draws the bitmap's fragments that lie within the clip rectangle. The bitmap's pixel (0, 0) is
+/// drawn at window pixel (x, y). Culling, stipple and polygon offset do not apply. Requires that no
+/// input is Perspective. Returns when all pixels are written.
 DrawStatistics rasterizeBits(const RasterState &state, const Shading &shading, const BitImage &bits,
                              std::int32_t x, std::int32_t y, const BitFragments &fragments);
 

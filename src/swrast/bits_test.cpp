@@ -11,7 +11,7 @@ namespace {
 
 using testing::Canvas;
 
-/// A bitmap of random bits, its rows in random memory, and where it goes.
+/// A bitmap of random bits with a random memory layout and position.
 struct RandomBits {
   explicit RandomBits(std::uint32_t seed) : numbers(seed) {
     const auto below = [&](int count) { return int(numbers() % unsigned(count)); };
@@ -26,7 +26,8 @@ struct RandomBits {
     x = below(90) - 30;
     y = below(70) - 20;
   }
-  /// The bit as the specification counts them (3.6.4, 3.7), in another way than the image does.
+  /// Returns a bit, located by the rules of the specification (3.6.4, 3.7) and not by BitImage's
+  /// code.
   [[nodiscard]] bool set(int column, int row) const {
     const int bit = image.skip + column;
     const std::uint8_t byte = memory[std::size_t(row * image.stride + bit / 8)];
@@ -39,7 +40,8 @@ struct RandomBits {
   int x = 0, y = 0;
 };
 
-/// Each pixel of the clip rectangle once where its bit is set, and none else; lanes of 0: rows.
+/// Expects each pixel of the clip rectangle to be drawn once if its bit is set, and no other pixel.
+/// \param lanes 0 draws rows, other values blocks
 void expectBits(std::uint32_t seed, int lanes) {
   const RandomBits bits(seed);
   Canvas canvas(61, 47);

@@ -5,7 +5,7 @@
 #include "swrast/image/deferred_clear.h"
 #include "swrast/rect.h"
 
-/// What a draw is made of, as all stages of the rasterizer see it: vertices, state, functions.
+/// The input of a draw for all stages of the rasterizer: vertices, state and shading functions.
 namespace arbiter::swrast {
 
 enum class Topology : std::uint8_t {
@@ -22,29 +22,31 @@ enum class Topology : std::uint8_t {
 };
 enum class PolygonMode : std::uint8_t { Point, Line, Fill };
 
-/// Transformed vertices as arrays, one float a vertex and component. `position` is in clip space.
+/// Transformed vertices: one array of floats for each component. `position` is in clip space.
 struct Vertices {
   std::uint32_t count = 0;
   const float *position[4] = {};
   /// Fragment input i is components[i][c]; null components are 0, 0, 0, 1.
   const float *inputs[abi::kMaxInputs][4] = {};
-  /// Two-sided colour: where set, a back-facing polygon takes input i from here.
+  /// Two-sided colours: a back-facing polygon takes input i from here where an array is set.
   const float *backInputs[abi::kMaxInputs][4] = {};
-  const float *pointSize = nullptr;        ///< in pixels; null: RasterState::pointSize
-  const float *clipDistance[8] = {};       ///< user planes: outside if negative or NaN; null: off
-  const std::uint8_t *edgeFlags = nullptr; ///< of unfilled polygons; null: all are edges
+  const float *pointSize = nullptr; ///< in pixels; null: RasterState::pointSize
+  /// distances to user clip planes; negative or NaN is outside; null: off
+  const float *clipDistance[8] = {};
+  /// true if an edge is drawn in unfilled polygons; null: all are
+  const std::uint8_t *edgeFlags = nullptr;
 
-  /// So many vertices at a time, or what is left of them, are made.
+  /// Number of vertices that one call of `make` fills; the last call may fill fewer.
   static constexpr std::uint32_t kStretch = 1024;
-  /// Where set, the arrays are not filled yet. Called before anything of the vertices [begin, end)
-  /// is read, a stretch's, once and on any thread: what it makes is looked at while it lies in that
-  /// processor's cache. Only of draws of more than two stretches; edge flags are there from the
-  /// start.
+  /// If set, the arrays are empty at first, and the rasterizer calls this function to fill the
+  /// vertices [begin, end). It calls it once a stretch, on any thread, just before it reads them:
+  /// the values then still lie in that processor's cache. It is set only for draws of more than two
+  /// stretches. Edge flags are valid from the start.
   void (*make)(const void *maker, std::uint32_t begin, std::uint32_t end) = nullptr;
   const void *maker = nullptr;
 };
 
-/// The targets of a draw whose clears are still to be written, in part.
+/// Pending clears of the draw's targets, whose tiles are written only when a draw reaches them.
 struct PendingClears {
   DeferredClear *clears[abi::kMaxColorTargets + 1] = {};
   int count = 0;
@@ -52,97 +54,108 @@ struct PendingClears {
     if (clear)
       clears[count++] = clear;
   }
-  /// Before a thread reads or writes pixels of the rectangle: DeferredClear::reach().
+  /// Writes the pending clears of the rectangle (DeferredClear::reach()). Call it before a thread
+  /// reads or writes pixels there.
   void reach(const Rect &rect) const {
     for (int i = 0; i < count; ++i)
       clears[i]->reach(rect);
   }
 };
 
-/// What the fixed functions between vertex and fragment do (OpenGL 1.4 chapter 3).
+/// The state of rasterization (OpenGL 1.4, chapter 3).
 struct RasterState {
   float viewport[4] = {}; ///< x, y, width, height
   float depthNear = 0, depthFar = 1;
-  Rect clip; ///< scissor and target's size, intersected
+  Rect clip; ///< intersection of the scissor and the target's size
   bool cullFront = false, cullBack = false;
   bool frontIsClockwise = false;
-  bool flatShade = false;        ///< colours (inputs whose key is Flat) of the provoking vertex
-  bool provokingIsFirst = false; ///< as the application chose
-  bool quadsProvokingIsFirst = false; ///< of quads and quad strips, for which it need not count
-  /// The triangles are those of fans or polygons, whose provoking vertex is the other one. Hosts
-  /// walk around them as the application chose all the same.
+  bool flatShade = false;        ///< inputs whose key is Flat take the provoking vertex's value
+  bool provokingIsFirst = false; ///< as set by the application
+  /// for quads and quad strips, which may ignore the convention
+  bool quadsProvokingIsFirst = false;
+  /// True if the triangles were cut from fans or polygons, whose provoking vertex follows the other
+  /// convention. Hosts still choose the order of a triangle's vertices by the application's
+  /// convention.
   bool partsProvokeOtherwise = false;
   bool depthClamp = false;
   PolygonMode front = PolygonMode::Fill, back = PolygonMode::Fill;
   bool offsetFill = false, offsetLine = false, offsetPoint = false;
   float offsetFactor = 0, offsetUnits = 0;
-  double depthResolution = 1.0 / 16777215.0; ///< r of polygon offset
+  /// r, the smallest resolvable depth difference, for polygon offset
+  double depthResolution = 1.0 / 16777215.0;
   float lineWidth = 1, pointSize = 1;
-  /// Ends of lines that lie on pixels' centres are cut, and all are snapped, as polygons' edges are
-  /// (llvmpipe from Mesa 23.2 on); else each by a rule of its own. Smooth lines' directions are by
-  /// a division there, else by an angle's sine.
+  /// Selects llvmpipe's rules for lines from Mesa 23.2 on. An end on a pixel's centre follows the
+  /// fill rule of polygon edges, and coordinates are snapped as theirs are. Directions of smooth
+  /// lines are computed by a division. If false, ends and snapping have rules of their own, and
+  /// directions come from an angle.
   bool lineEndsAsEdges = false;
-  /// What is not Whole is drawn by lines, or by points, alone; the last input is its own.
+  /// Coverage of smooth lines and points. Any other value than Whole is used with lines alone or
+  /// points alone, and the last input then holds the coverage.
   abi::Coverage coverage = abi::Coverage::Whole;
   float pointSizeMinimum = 1, pointSizeMaximum = 255;
-  /// Point sprites: bit i: input i is (s, t, 0, 1) over the point.
+  /// Point sprites: if bit i is set, input i is (s, t, 0, 1) across the point.
   std::uint32_t spriteInputs = 0;
   bool spriteOriginLowerLeft = false;
-  /// Their third component is the vertex's over q, of its s or r (NV_point_sprite); else 0.
+  /// Selects the third component of sprite coordinates: 0, or the vertex's s or r divided by its q
+  /// (NV_point_sprite).
   enum class SpriteThird : std::uint8_t { Zero, S, R };
   SpriteThird spriteThird = SpriteThird::Zero;
   std::uint16_t lineStipple = 0xFFFF;
   std::int32_t lineStippleFactor = 0; ///< 0: off
   const std::uint8_t *polygonStipple =
-      nullptr; ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
-  /// Quads are cut from their second corner to the fourth. Hosts do so in a list, by indices, and
-  /// where the provoking vertex counts, as the fourth one then is in both triangles.
+      nullptr; ///< 32 x 32 bits in glPolygonStipple's unpacked layout; null: off
+  /// True if quads are split along the diagonal from their second corner to the fourth. Hosts do so
+  /// in display lists, with indices, and where the provoking vertex matters: the fourth vertex is
+  /// then in both triangles.
   bool secondDiagonal = false;
-  /// Hosts draw it in the path in which they clip (cutsOtherwise()).
+  /// True if the host draws this with its clipping path (cutsOtherwise()).
   bool inOtherPath = false;
-  /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
-  /// 0: roundings and ties then fall as the host's do.
+  /// Height of a target that the host stores upside down (a window, but no framebuffer object),
+  /// else 0. Rounding and ties then match the host's.
   std::int32_t upsideDownHeight = 0;
-  PendingClears clears; ///< of what this draw reads or writes
+  PendingClears clears; ///< pending clears of the images that this draw reads or writes
 };
 
-/// Depth as the rasterizer tests it itself: the test and the buffer's write mask, no stencil.
+/// The depth test and write mask, for when the rasterizer itself tests depth. Stencil is never part
+/// of it.
 struct DepthTest {
-  abi::Layout layout = abi::Layout::None; ///< None: all pass, nothing is written
+  abi::Layout layout = abi::Layout::None; ///< None: every fragment passes and no depth is written
   abi::Compare compare = abi::Compare::Less;
   bool write = false;
 };
 
-/// The functions of one program and state. `quad` may be null where `row` is not and the other way;
-/// where both are there, large primitives take rows and small ones blocks.
+/// The machine code of one program and state. At least one of `row` and `quad` is set. If both are,
+/// large primitives are shaded by rows and small ones by blocks.
 struct Shading {
   abi::ShadeFunction row = nullptr;
   abi::ShadeFunction quad = nullptr;
-  std::uint32_t pixelCost = 1;                     ///< nanoseconds of one thread, roughly
-  int lanes = 16, blockWidth = 4, blockHeight = 4; ///< of the engine
+  std::uint32_t pixelCost = 1; ///< approximate cost of a pixel on one thread, in nanoseconds
+  int lanes = 16, blockWidth = 4, blockHeight = 4; ///< the engine's lanes, and block size
   const abi::FragmentData *data = nullptr;
-  std::uint32_t inputCount = 0; ///< abi::Coverage's included
+  std::uint32_t inputCount = 0; ///< includes the input of abi::Coverage
   abi::Interpolation interpolation[abi::kMaxInputs] = {};
-  std::uint8_t inputComponents[abi::kMaxInputs] = {}; ///< bit a component that is read
-  bool readsDepth = true;                             ///< Primitive::z is wanted
-  bool readsW = true; ///< Primitive::inverseW is wanted, or an input is Perspective
-  /// Fragments replace what is there whatever it is (no test, no blend, no kill, all components):
-  /// what lies below a primitive that covers a tile need not be drawn.
+  std::uint8_t inputComponents[abi::kMaxInputs] = {}; ///< bit c is set if component c is read
+  bool readsDepth = true;                             ///< true if the code reads Primitive::z
+  bool readsW = true; ///< true if the code reads Primitive::inverseW, or an input is Perspective
+  /// True if every fragment replaces the whole pixel: no test, blend, kill or write mask. A
+  /// primitive that covers a tile then hides all that was drawn there before.
   bool opaque = false;
 
-  /// Lanes::Packed, for small triangles, with a key without depth, which `depth` describes. Only
-  /// where nothing after the depth test may discard a fragment.
+  /// Code for Lanes::Packed, used for small triangles. Its key has no depth test; `depth` describes
+  /// the test that the rasterizer makes. Set only if nothing after the depth test may discard a
+  /// fragment.
   abi::PackedShadeFunction packed = nullptr;
   DepthTest depth;
-  bool packsQuads = false; ///< a level of detail or a derivative is wanted
-  /// A fragment that passes replaces what was there, or its unmasked components, whatever it is.
+  bool packsQuads = false; ///< true if the code needs a level of detail or a derivative
+  /// True if a fragment that passes the depth test replaces the unmasked components without reading
+  /// them.
   bool replaces = false;
 };
 
 struct DrawStatistics {
-  std::uint64_t primitives = 0; ///< after clipping and culling
-  std::uint64_t pixels = 0;     ///< given to shading
-  bool incomplete = false;      ///< there was no memory for some of it, or for all
+  std::uint64_t primitives = 0; ///< number after clipping and culling
+  std::uint64_t pixels = 0;     ///< number of pixels given to the shading function
+  bool incomplete = false;      ///< true if a part was not drawn, for lack of memory
 };
 
 } // namespace arbiter::swrast

@@ -2,17 +2,17 @@
 #include <pthread.h>
 #include <utility>
 
-// glibc's, of its public ABI, whose header declares the buffer alone. What is pushed is called when
-// longjmp() leaves the frame that holds the buffer (POSIX leaves open what destructors do then:
-// glibc calls none).
+// These functions belong to glibc's public ABI, but its header declares the buffer alone. The
+// pushed routine is called when longjmp() leaves the frame that holds the buffer. Destructors would
+// not do: POSIX does not say that a jump runs them, and glibc runs none.
 extern "C" void _pthread_cleanup_push(_pthread_cleanup_buffer *buffer, void (*routine)(void *),
                                       void *argument);
 extern "C" void _pthread_cleanup_pop(_pthread_cleanup_buffer *buffer, int execute);
 
 namespace arbiter::swrast {
 
-/// Calls `onLeft()` where its frame is left before done(): by a jump over it, as a signal's handler
-/// makes by siglongjmp(), or by an exception.
+/// Calls `onLeft()` if its frame is left before done() was called. That happens by an exception, or
+/// by a jump over the frame, such as a siglongjmp() in a signal handler.
 template <typename OnLeft> class JumpGuard {
 public:
   explicit JumpGuard(OnLeft onLeft) : m_onLeft(std::move(onLeft)) {

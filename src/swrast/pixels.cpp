@@ -12,8 +12,9 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Returns which of `count` colours side by side the centre of each of `length` pixels from `first`
-/// on lies in. The colours begin at `corner`; the pixels are those that they cover.
+/// Returns, for each of `length` pixels from `first` on, the index of the image column (or row)
+/// that contains the pixel's centre. The image begins at `corner`. Requires that it covers all of
+/// these pixels.
 std::vector<std::int32_t> sourcesOf(std::int32_t first, std::int32_t length, std::int32_t corner,
                                     float zoom, std::int32_t count) {
   std::vector<std::int32_t> sources(static_cast<std::size_t>(length));
@@ -25,13 +26,13 @@ std::vector<std::int32_t> sourcesOf(std::int32_t first, std::int32_t length, std
   return sources;
 }
 
-/// Returns the first pixel whose centre is at `edge` or behind it.
+/// Returns the first pixel whose centre is at or beyond `edge`.
 std::int32_t firstBehind(double edge) {
   constexpr double kFar = 1 << 20;
   return std::int32_t(std::clamp(std::ceil(edge - 0.5), -kFar, kFar));
 }
 
-/// Returns the window pixels that the image covers.
+/// Returns the rectangle of window pixels that the image covers.
 Rect coveredBy(const PixelImage &image) {
   const double right = image.x + double(image.zoomX) * image.width;
   const double top = image.y + double(image.zoomY) * image.height;
@@ -41,7 +42,7 @@ Rect coveredBy(const PixelImage &image) {
           firstBehind(std::max(double(image.y), top)) - y};
 }
 
-/// Shades pixels of one row that have one colour.
+/// Shades a run of pixels in one row. All of them have the primitive's colour.
 void shadeRun(const Shading &shading, const abi::Primitive &primitive, std::int32_t x,
               std::int32_t y, std::int32_t count) {
   if (shading.row) {
@@ -63,7 +64,7 @@ void shadeRun(const Shading &shading, const abi::Primitive &primitive, std::int3
   }
 }
 
-/// Pixels of a colour each, as many in a vector as it has lanes.
+/// Shades rows of pixels that each have their own colour, one vector of lanes at a time.
 class PackedRows {
 public:
   PackedRows(const Shading &shading, const abi::Primitive &primitive, int colorInput)
@@ -75,7 +76,8 @@ public:
           offsetof(abi::Primitive, inputs) +
           (std::size_t(colorInput) * 4 + c) * sizeof(abi::Plane) + offsetof(abi::Plane, c));
   }
-  /// Shades pixels (x, y) to (x + count - 1, y). \param columns which colour of `row` each has
+  /// Shades pixels (x, y) to (x + count - 1, y).
+  /// \param columns the index into `row` of each pixel's colour
   void shade(std::int32_t x, std::int32_t y, std::int32_t count, const float (*row)[4],
              const std::int32_t *columns) {
     m_columns.baseY = y;

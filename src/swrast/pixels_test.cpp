@@ -18,7 +18,8 @@ struct Case {
     const auto below = [&](int count) { return int(numbers() % unsigned(count)); };
     image.width = 1 + below(12);
     image.height = 1 + below(9);
-    for (int i = 0; i < image.width * image.height; ++i) // neighbours are often alike
+    // few values, so that neighbours often have the same colour
+    for (int i = 0; i < image.width * image.height; ++i)
       colors.push_back({float(below(3)), 0, 0, float(below(2))});
     image.colors = reinterpret_cast<const float(*)[4]>(colors.data());
     image.x = below(80) - 20;
@@ -27,8 +28,8 @@ struct Case {
     image.zoomX = kZooms[below(8)];
     image.zoomY = kZooms[below(8)];
   }
-  /// Returns the colour whose rectangle holds a pixel's centre, null where none does, by the words
-  /// of 3.6.4: inside, or on the lower or the left edge.
+  /// Returns the colour at a pixel's centre, or null outside of the image. Follows the text of
+  /// 3.6.4: the lower and the left edge count as inside.
   [[nodiscard]] const float *at(int x, int y) const {
     for (int n = 0; n < image.width; ++n)
       for (int m = 0; m < image.height; ++m)
@@ -56,7 +57,7 @@ void countPacked(const abi::FragmentData *data, const abi::PrimitiveColumns *col
   }
 }
 
-/// \param lanes 0: rows; below 0: packed, so many of them
+/// \param lanes 0 draws rows; a negative value selects packed shading with that many lanes
 void expectColors(std::uint32_t seed, int lanes, int colorInput) {
   const Case drawn(seed);
   Canvas canvas(61, 47);

@@ -15,10 +15,10 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Draws of no more triangles are shaded in bands: sorting them would not pay.
+/// Up to this many triangles are shaded in bands: sorting them into tiles would cost more.
 constexpr std::uint32_t kDirectTriangles = 32;
 
-/// Kept by each thread that draws, so that a draw like the last one allocates nothing.
+/// Buffers that each drawing thread keeps, so that repeated draws allocate nothing.
 struct Scratch {
   std::vector<WindowVertex> window;
   std::vector<PlacedBounds> bounds;
@@ -107,7 +107,7 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
 DrawStatistics rasterize(const RasterState &state, const Shading &shading, Topology topology,
                          const Vertices &vertices, const std::uint32_t *indices,
                          std::uint32_t first, std::uint32_t count, std::uint32_t provokingAt) {
-  OwnScratch::lend(); // the other threads read it
+  OwnScratch::lend(); // the worker threads read the scratch buffers
   DrawStatistics statistics;
   try {
     statistics =

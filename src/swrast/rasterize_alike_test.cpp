@@ -1,5 +1,5 @@
-// Ways of making one picture that must have the same pixels: threads, vertices that are made late,
-// triangles one by one.
+// Compares ways to draw that must give the same pixels: with more threads, with vertices filled
+// late, with triangles drawn one by one.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -19,7 +19,7 @@ using testing::Canvas;
 using testing::drawAll;
 using testing::WindowVertices;
 
-/// A draw of everything at once, on so many threads.
+/// Draws large and small primitives in one draw, with the given number of threads.
 void drawMixture(Canvas &canvas) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> at(-40, 340), small(-6, 6);
@@ -51,7 +51,8 @@ TEST(Rasterize, ThreadsDrawTheSamePicture) {
       drawMixture(canvas);
       if (counts.empty()) {
         counts = canvas.counts;
-        values = canvas.values; // of the last triangle on each pixel: the order is kept
+        // a pixel has the last triangle's value, so this checks the order too
+        values = canvas.values;
       }
       EXPECT_EQ(counts, canvas.counts) << threads << " threads";
       EXPECT_EQ(values, canvas.values) << threads << " threads";
@@ -60,7 +61,7 @@ TEST(Rasterize, ThreadsDrawTheSamePicture) {
   setThreadCount(0);
 }
 
-/// Vertices that are made as the draw comes to them: arrays of nothing until then.
+/// Vertices whose arrays hold no values until the rasterizer asks for them.
 struct MadeVertices {
   explicit MadeVertices(const Vertices &whole) : from(whole), vertices(whole) {
     for (int c = 0; c < 4; ++c) {
@@ -117,8 +118,8 @@ TEST(Rasterize, VerticesMayBeMadeAsTheDrawComesToThem) {
   }
 }
 
-/// Of triangles of all sizes, most of them without a pixel's centre: those that are sorted into
-/// tiles are the same that are drawn one by one.
+/// Draws triangles of all sizes, most of which cover no pixel centre. Sorting them into tiles must
+/// give the pixels of drawing them one by one.
 TEST(Rasterize, ManyTrianglesAreThoseOfEach) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> at(-10, 74);
@@ -134,7 +135,7 @@ TEST(Rasterize, ManyTrianglesAreThoseOfEach) {
       if (i % 12 == 0)
         x = at(random), y = at(random);
       std::uniform_real_distribution<double> near(-size, size);
-      // Corners between pixels and at their centres.
+      // Corners lie between pixel centres, and on them.
       const double dx = near(random), dy = near(random);
       vertices.add(i % 7 == 0 ? std::floor(x) + 0.5 : x + dx, y + dy, 0);
     }
@@ -147,7 +148,7 @@ TEST(Rasterize, ManyTrianglesAreThoseOfEach) {
     const std::uint32_t triangles = triangleCount(topology, kCount);
     ASSERT_GT(triangles, 32u) << "few are not sorted";
     for (std::uint32_t i = 0; i < triangles; ++i) {
-      // Quads of a draw that leaves the window are cut along their other diagonal.
+      // Quads of a draw that leaves the window are split along their other diagonal.
       const TriangleCorners corners = triangleAt(topology, kCount, i, false, true);
       (void)rasterize(each.state, each.shading, Topology::Triangles, whole, corners.corner, 0, 3);
     }

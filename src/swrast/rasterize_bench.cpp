@@ -6,7 +6,7 @@
 #include "swrast/testing/canvas.h"
 #include "swrast/threads.h"
 
-/// Rates of the rasterizer alone: shading is the least that can be called so.
+/// Measures the rasterizer's speed with shading functions that do little.
 namespace arbiter::swrast {
 namespace {
 
@@ -21,7 +21,7 @@ void fillRow(const abi::FragmentData *data, const abi::Primitive *, const void *
                 0x55, std::size_t(spans[i].count) * 4);
 }
 
-/// Arithmetic enough that memory does not bound it.
+/// A shading function with enough arithmetic not to be bound by memory.
 void workRow(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
              std::uint32_t count) {
   const auto *const spans = static_cast<const abi::Span *>(items);
@@ -47,7 +47,7 @@ void fillBlocks(const abi::FragmentData *data, const abi::Primitive *primitive, 
   }
 }
 
-/// Arguments: width and height, threads.
+/// Arguments: width and height (one value), and threads.
 template <abi::ShadeFunction kRow> void screenQuad(benchmark::State &bench) {
   const int size = int(bench.range(0));
   setThreadCount(int(bench.range(1)));
@@ -69,7 +69,7 @@ template <abi::ShadeFunction kRow> void screenQuad(benchmark::State &bench) {
 BENCHMARK(screenQuad<fillRow>)->ArgsProduct({{16, 256, 1024, 4096}, {1, 2}})->UseRealTime();
 BENCHMARK(screenQuad<workRow>)->ArgsProduct({{256, 1024, 4096}, {1, 2}})->UseRealTime();
 
-/// A grid of triangles, one layer over the other, of about `range(0)` pixels a side, inputs of 8
+/// Draws a grid of triangles, in layers, with sides of about `range(0)` pixels and inputs of 8
 /// components.
 void triangles(benchmark::State &bench) {
   constexpr int kSize = 1024;

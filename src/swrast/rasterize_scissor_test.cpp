@@ -1,4 +1,5 @@
-// What a scissor leaves of a draw is what the whole draw has there.
+// Checks that a scissored draw gives the pixels inside the scissor the same values as the whole
+// draw.
 #include <gtest/gtest.h>
 #include <memory>
 #include <random>
@@ -13,12 +14,12 @@ using testing::Canvas;
 using testing::drawAll;
 using testing::WindowVertices;
 
-/// A draw of so many triangles, or of one rectangle, to all of the canvas or to a part.
+/// Draws `triangles` triangles, or one rectangle if that is 0, with the given scissor.
 void drawValues(Canvas &canvas, std::uint32_t seed, int triangles, const Rect &scissor) {
   addInput(canvas, abi::Interpolation::Linear);
   canvas.state.clip = scissor;
   std::mt19937 random(seed);
-  // Beyond the canvas too, and some of them small.
+  // Triangles may leave the canvas, and some are small.
   std::uniform_real_distribution<double> at(-120, 360), beside(-9, 9), value(-3, 3);
   WindowVertices vertices(canvas);
   if (triangles == 0) {
@@ -38,8 +39,8 @@ void drawValues(Canvas &canvas, std::uint32_t seed, int triangles, const Rect &s
   drawAll(canvas, Topology::Triangles, vertices);
 }
 
-/// OpenGL 2.1, appendix A, rule 2: a change of the scissor box has no side effects. Applications
-/// draw the depths of a scene first, and then each light's part of it with GL_EQUAL.
+/// OpenGL 2.1, appendix A, rule 2: changing the scissor box has no side effects. Applications rely
+/// on it: they draw a scene's depths first, then each light's part of the scene with GL_EQUAL.
 TEST(Rasterize, AScissorChangesNoValueOfWhatItLeaves) {
   for (const int lanes : {0, 4, 8, 16})
     for (const int triangles : {0, 1, 3, 40})

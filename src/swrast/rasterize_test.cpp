@@ -38,7 +38,7 @@ TEST(Rasterize, AScreenQuadMapsTexelsToPixelsExactly) {
         for (const int i : {0, 1, 2, 2, 3, 0})
           corner(i);
       const DrawStatistics statistics = drawAll(canvas, topology, vertices);
-      // Planes of two triangles that begin at different corners are the same if nothing rounds.
+      // The two triangles' planes begin at different corners. They are equal if nothing is rounded.
       if (topology != Topology::Triangles || (size & (size - 1)) == 0) {
         EXPECT_EQ(statistics.primitives, 1u) << "one rectangle";
       }
@@ -72,7 +72,7 @@ TEST(Rasterize, WhatIsNotAffineIsTwoTriangles) {
   EXPECT_NEAR(canvas.valueAt(60, 20), 0, 1e-6);
 }
 
-/// A function of the object's plane, seen in perspective, is found again at every pixel.
+/// A linear function on a plane, seen in perspective, must have its value at every pixel.
 TEST(Rasterize, InputsAreThePlanesValues) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> at(-20, 120), depth(0.5, 8), value(-3, 3);
@@ -107,14 +107,14 @@ TEST(Rasterize, InputsAreThePlanesValues) {
               ((px[b] - px[a]) * (cy - py[a]) - (py[b] - py[a]) * (cx - px[a])) / area;
           overW += share * f[k] / w[k];
         }
-        // What is shaded is the value over w; clipping may not change it.
+        // The shaded value is f/w; clipping must not change it.
         ASSERT_NEAR(canvas.valueAt(x, y), overW, 3e-5) << x << ", " << y << " round " << round;
       }
   }
 }
 
-/// The first vertex provokes, of quads only where the convention holds for quads too
-/// (QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION). All of the paths that a quad may take agree.
+/// The first vertex provokes, for quads only if QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION holds. All
+/// code paths that may draw a quad must agree.
 TEST(Rasterize, FlatInputsAreTheProvokingVertexs) {
   struct Case {
     Topology topology;
@@ -125,7 +125,7 @@ TEST(Rasterize, FlatInputsAreTheProvokingVertexs) {
                                Case{Topology::TriangleFan, 3, 2, 2}}) {
     for (const bool first : {false, true})
       for (const bool quadsToo : {false, true})
-        for (const double lean : {0.0, 0.25}) { // upright, and none that is one rectangle
+        for (const double lean : {0.0, 0.25}) { // an upright quad, and one that is no rectangle
           Canvas canvas(32, 32);
           addInput(canvas, abi::Interpolation::Flat);
           canvas.state.provokingIsFirst = first;

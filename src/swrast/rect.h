@@ -4,14 +4,14 @@
 
 namespace arbiter::swrast {
 
-/// Pixels of a target, from the lower left.
+/// A rectangle of a target's pixels; the origin is the lower left.
 struct Rect {
   std::int32_t x = 0, y = 0, width = 0, height = 0;
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
   bool operator==(const Rect &) const = default;
 };
 
-/// The pixels of both; all zeros where there are none.
+/// Returns the pixels that are in both rectangles, or all zeros if there are none.
 [[nodiscard]] inline Rect intersect(const Rect &a, const Rect &b) {
   const std::int64_t left = std::max(a.x, b.x), bottom = std::max(a.y, b.y);
   const std::int64_t right = std::min(std::int64_t(a.x) + a.width, std::int64_t(b.x) + b.width);

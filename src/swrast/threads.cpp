@@ -18,14 +18,14 @@ namespace arbiter::swrast {
 namespace {
 
 constexpr int kMaxThreads = 64;
-/// Room for what a job calls; an application's limit of the stack's size says nothing of the
-/// layer's needs.
+/// The workers' stack size. It is fixed because the default follows the application's stack limit,
+/// which says nothing about what the layer needs.
 constexpr std::size_t kWorkerStack = std::size_t(1) << 20;
-/// How long a worker looks for the next job, and a caller for the last worker, before it sleeps:
-/// as long as it takes to wake up again.
+/// How long a worker spins for the next job, and a caller for the last worker, before it sleeps. It
+/// is about the time that waking up takes.
 constexpr std::chrono::microseconds kSpin{40};
-/// How long a caller that leaves a job waits for what the workers are at. A worker may need what
-/// the caller holds, malloc's lock for one.
+/// How long a caller that leaves a job waits for the workers to stop. The limit is needed because a
+/// worker may wait for a lock that the caller holds, such as malloc's.
 constexpr std::chrono::seconds kLeave{1};
 
 void pause() {
@@ -36,7 +36,7 @@ void pause() {
 #endif
 }
 
-/// What `ready` says, or false after kLeave.
+/// Waits until `ready()` is true. Returns false if it is still false after kLeave.
 template <typename Ready> bool waitFor(Ready ready) {
   const auto end = std::chrono::steady_clock::now() + kLeave;
   while (!ready()) {
@@ -47,7 +47,7 @@ template <typename Ready> bool waitFor(Ready ready) {
   return true;
 }
 
-/// Spins until `ready` or the time is over; returns what `ready` says.
+/// Spins until `ready()` is true or kSpin has passed. Returns the last value of `ready()`.
 template <typename Ready> bool spinFor(Ready ready) {
   for (int i = 0; i < 64; ++i) {
     if (ready())
@@ -74,15 +74,17 @@ int processors() {
 
 using Work = void (*)(void *, std::uint32_t);
 
-/// A job is known by its number. Each thread has a share of the indices, one stretch, the same
-/// stretch of every job of that size: what it wrote or read there last time may lie in its own
-/// caches still. Who is through takes from the others' shares. A share's ticket holds the job's
-/// number and the next index to be taken. Tickets of the job before are taken back before anything
-/// of a new one is written, so that who comes late to a job that is over cannot take an index.
+/// The worker threads, which run one job at a time. A job is known by its number.
 ///
-/// Nothing stops the workers when the process ends, and nothing waits for them: exit() may have
-/// been called by a signal's handler, above a frame that holds a job half done. They end with the
-/// process; what they use is never freed before (the library is not unmapped either).
+/// Each thread owns a share of the job's indices: a contiguous stretch, the same in every job of
+/// that size. Data that it used last time may then still lie in its caches. A thread that has
+/// finished its share takes indices from other shares. A share's ticket holds the job's number and
+/// the next index. Before a new job is written, the tickets are reset, so a worker that is late for
+/// the old job cannot take an index.
+///
+/// Nothing stops the workers when the process ends, and nothing waits for them. A signal handler
+/// may have called exit() while a frame below it is inside a job. The workers end with the process.
+/// What they use is never freed, and the library is never unmapped.
 class Pool {
 public:
   bool run(std::uint32_t count, Work work, void *argument, int threads) {
@@ -103,7 +105,7 @@ public:
     return true;
   }
 
-  /// The job's number; 0 where there is none.
+  /// Begins a job and returns its number, or 0 if none was begun.
   std::uint32_t post(std::uint32_t count, Work work, void *argument, int threads) {
     if (m_busy.exchange(true, std::memory_order_acquire))
       return 0;
@@ -119,7 +121,7 @@ public:
   }
   void join(std::uint32_t job) {
     Progress progress;
-    // The caller's index, which is half done, counts as done: the others do the rest.
+    // The caller's half-done index counts as done; the workers do the rest.
     JumpGuard guard([&] {
       count(job, progress.done + (progress.isAtOne ? 1 : 0));
       leave(job);
@@ -133,7 +135,8 @@ public:
         m_over.wait(now, std::memory_order_acquire);
     }
   }
-  /// Without its threads: what one of them was at stays half done.
+  /// Does the caller's part in a forked child, which has no workers. An index that a worker was at
+  /// stays half done.
   void joinAlone(std::uint32_t job) {
     Progress progress;
     take(job, 0, progress);
@@ -143,7 +146,7 @@ public:
   }
 
 private:
-  /// A caller's part of a job.
+  /// The progress of the caller, or of a worker, in a job.
   struct Progress {
     std::uint32_t done = 0; ///< indices
     bool isAtOne = false;
@@ -151,11 +154,11 @@ private:
 
   std::uint32_t begin(std::uint32_t count, Work work, void *argument, int threads, bool posted) {
     std::uint32_t job = m_job.load(std::memory_order_relaxed) + 1;
-    job += job == 0; // is none
+    job += job == 0; // 0 means no job
     for (int share = m_threads.load(std::memory_order_relaxed); share-- > 0;)
       m_shares[share].ticket.store(std::uint64_t(job) << 32 | kNoIndex, std::memory_order_relaxed);
     m_isPosted.store(posted, std::memory_order_relaxed);
-    if (posted) // never so far back that numbers come round
+    if (posted) // advances m_over, so that job numbers never wrap around past it
       noteOver(job - 1);
     m_done.store(0, std::memory_order_relaxed);
     m_count.store(count, std::memory_order_release);
@@ -170,17 +173,18 @@ private:
     return job;
   }
 
-  /// Until the posted job is over, or kLeave.
+  /// Waits until the posted job is over, at most kLeave.
   void leave(std::uint32_t job) const {
     waitFor([&] { return isOver(job); });
   }
 
-  /// No index is taken any more; returns when no worker is at one, or after kLeave: then the pool
-  /// takes no job again. Also called in handlers.
+  /// Cancels the job: no index is taken any more. Waits until no worker is at an index. If one
+  /// still is after kLeave, the pool accepts no further job. May be called in signal handlers.
   void callOff() {
     const std::uint32_t job = m_job.load(std::memory_order_relaxed);
     for (Share &share : m_shares)
-      share.ticket.store(std::uint64_t(job) << 32 | kNoIndex); // orders the loads below after it
+      // The default memory order keeps the loads below after this store.
+      share.ticket.store(std::uint64_t(job) << 32 | kNoIndex);
     const auto idle = [this] {
       return std::none_of(std::begin(m_shares), std::end(m_shares),
                           [](const Share &share) { return share.isAtWork.load(); });
@@ -196,14 +200,14 @@ private:
       if (worker && startThread("arbiter-raster", kWorkerStack, loop, worker))
         continue;
       delete worker;
-      m_refused = true; // as many as there are will do
+      m_refused = true; // go on with the workers that exist
       return;
     }
   }
 
   struct Worker {
     Pool *pool;
-    std::uint32_t seen; ///< the job that was the last when it was started
+    std::uint32_t seen; ///< the last job's number when the worker was started
     int index;
   };
   static void loop(void *argument) {
@@ -220,7 +224,7 @@ private:
       const int share = index + 1;
       if (share >= m_threads.load(std::memory_order_relaxed))
         continue;
-      // Before it takes an index: callOff() takes the indices back, then asks.
+      // Set before an index is taken: callOff() withdraws the indices first and then reads this.
       m_shares[share].isAtWork.store(true);
       Progress progress;
       take(seen, share, progress);
@@ -236,18 +240,18 @@ private:
     takeAll(job, own, progress);
     count(job, progress.done);
   }
-  /// Works on the share, then on the others'.
+  /// Works on the thread's own share, then on the others.
   void takeAll(std::uint32_t job, int own, Progress &progress) {
     const int threads = m_threads.load(std::memory_order_acquire);
     for (int i = 0; i < threads; ++i)
       takeOf(job, (own + i) % threads, threads, progress);
   }
 
-  /// So many indices more of the job are done.
+  /// Adds `done` to the number of finished indices; ends the job if it was the last.
   void count(std::uint32_t job, std::uint32_t done) {
     if (done == 0)
       return;
-    // As long as this is not added the job is not over, and the count is its own.
+    // The job cannot end before this is added, so m_count still belongs to it.
     const std::uint32_t count = m_count.load(std::memory_order_relaxed);
     const bool isPosted = m_isPosted.load(std::memory_order_relaxed);
     if (m_done.fetch_add(done, std::memory_order_acq_rel) + done != count)
@@ -256,12 +260,12 @@ private:
       m_done.notify_one();
       return;
     }
-    // Who knows that it is over may post the next one.
+    // A thread that sees the end of the job may post the next one at once.
     m_isPosted.store(false, std::memory_order_release);
     m_busy.store(false, std::memory_order_release);
     noteOver(job);
   }
-  /// Another thread may have noted a later one meanwhile.
+  /// Records that `job` is over, unless another thread has recorded a later one.
   void noteOver(std::uint32_t job) {
     std::uint32_t last = m_over.load(std::memory_order_relaxed);
     while (std::int32_t(job - last) > 0 &&
@@ -271,7 +275,7 @@ private:
     m_over.notify_all();
   }
 
-  /// Does indices of the share.
+  /// Takes indices of the share, one after the other, and works on them.
   void takeOf(std::uint32_t job, int share, int threads, Progress &progress) {
     std::atomic<std::uint64_t> &ticketOf = m_shares[share].ticket;
     std::uint64_t ticket = ticketOf.load(std::memory_order_acquire);
@@ -283,7 +287,7 @@ private:
       do {
         if (std::uint32_t(ticket >> 32) != job || std::uint32_t(ticket) >= end)
           return;
-        // Success says that no newer job was begun, so that what was read above is this one's.
+        // Success means that no newer job has begun, so the values read above belong to this job.
       } while (!ticketOf.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
                                                std::memory_order_acquire));
       progress.isAtOne = true;
@@ -298,32 +302,34 @@ private:
   alignas(64) std::atomic<std::uint32_t> m_count{0};
   std::atomic<Work> m_work{nullptr};
   std::atomic<void *> m_argument{nullptr};
-  std::atomic<int> m_threads{1}; ///< that may take part, the caller's included: there may be more
-  std::atomic<bool> m_isPosted{false}; ///< the job has no caller that waits
+  /// threads that may take part, including the caller; the pool may have more
+  std::atomic<int> m_threads{1};
+  std::atomic<bool> m_isPosted{false}; ///< true if no caller waits for the job
   alignas(64) std::atomic<std::uint32_t> m_done{0};
-  std::atomic<std::uint32_t> m_over{0}; ///< the last posted job that is over
+  std::atomic<std::uint32_t> m_over{0}; ///< number of the last posted job that has ended
   static constexpr std::uint32_t kNoIndex = ~0u;
   struct alignas(64) Share {
     std::atomic<std::uint64_t> ticket{0};
-    std::atomic<bool> isAtWork{false}; ///< the worker whose share it is, or it looks for work
+    /// true while the worker of this share works, or looks for work
+    std::atomic<bool> isAtWork{false};
   };
   Share m_shares[kMaxThreads];
-  // Of who holds m_busy.
+  // Only the thread that has set m_busy uses the members below.
   bool m_refused = false;
-  int m_workers = 0; ///< that were started
+  int m_workers = 0; ///< number of workers started
 };
 
 std::atomic<int> g_threads{0};
 std::atomic<Pool *> g_pool{nullptr};
 
-/// The child of a fork has none of the workers, and nothing of the old pool's state can be relied
-/// on: it is left behind.
+/// Replaces the pool in the child of a fork. The child has no workers, and the old pool's state
+/// cannot be trusted, so it is leaked.
 void afterFork() { g_pool.store(new (std::nothrow) Pool, std::memory_order_release); }
 
 Pool *pool() {
   if (Pool *const existing = g_pool.load(std::memory_order_acquire))
     return existing;
-  // Not by call_once, which hands the function over in variables of the thread.
+  // std::call_once passes its function through thread-local variables, so a static is used.
   static const bool s_made = [] {
     g_pool.store(new (std::nothrow) Pool, std::memory_order_release);
     return pthread_atfork(awaitPosted, nullptr, afterFork) == 0;

@@ -19,7 +19,7 @@ protected:
   void TearDown() override { setThreadCount(0); }
 };
 
-/// Every index once, whatever the number of threads.
+/// Expects that every index is done once.
 void expectAllOnce(std::uint32_t count) {
   std::vector<std::atomic<int>> calls(count);
   auto work = [&](std::uint32_t i) { calls[i].fetch_add(1, std::memory_order_relaxed); };
@@ -61,7 +61,7 @@ TEST_P(Threads, JobsOfManyCallersAndNestedOnesEnd) {
   EXPECT_EQ(total.load(), 3 * 200 * 5 * 4);
 }
 
-// As a handler does by siglongjmp(): no thread may use the caller's stack afterwards.
+// A handler may leave a job by siglongjmp(). No thread may use the caller's stack after that.
 TEST_P(Threads, AJumpOutOfAJobEndsIt) {
   static std::jmp_buf s_back;
   static std::atomic<int> s_inside, s_calls;
@@ -71,7 +71,7 @@ TEST_P(Threads, AJumpOutOfAJobEndsIt) {
   auto work = [](std::uint32_t) {
     s_calls.fetch_add(1);
     if (std::this_thread::get_id() == s_caller) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5)); // the others begin
+      std::this_thread::sleep_for(std::chrono::milliseconds(5)); // lets the workers begin
       std::longjmp(s_back, 1);
     }
     s_inside.fetch_add(1);
@@ -86,7 +86,7 @@ TEST_P(Threads, AJumpOutOfAJobEndsIt) {
   const int calls = s_calls.load();
   std::this_thread::sleep_for(std::chrono::milliseconds(30));
   EXPECT_EQ(s_calls.load(), calls) << "indices are taken of a job that is over";
-  // And the next job is all threads' again.
+  // The next job must use all threads again.
   std::atomic<int> others{0};
   auto next = [&](std::uint32_t) {
     others.fetch_add(std::this_thread::get_id() != s_caller);
@@ -113,9 +113,9 @@ TEST_P(Threads, APostedJobIsDoneWithoutTheCallerAndWithHim) {
     EXPECT_EQ(job.number != 0, GetParam() > 1);
     if (job.number == 0)
       continue;
-    expectAllOnce(17); // other work of the caller's meanwhile
+    expectAllOnce(17); // the caller does other work meanwhile
     if (round % 2 == 0)
-      while (!isOver(job)) // all is done by the others
+      while (!isOver(job)) // the workers must finish it alone
         std::this_thread::yield();
     else
       join(job);
@@ -134,7 +134,7 @@ TEST_P(Threads, ManyCallersPost) {
         Calls calls(9);
         const PostedJob job = post(9, Calls::work, &calls);
         if (job.number == 0)
-          continue; // another's is under way
+          continue; // another thread's job is running
         join(job);
         for (std::atomic<int> &each : calls.of)
           ASSERT_EQ(each.load(), 1);

@@ -12,8 +12,8 @@ enum class HostFault : std::uint8_t {
 };
 [[nodiscard]] constexpr std::uint32_t bitOf(HostFault fault) { return 1u << unsigned(fault); }
 
-/// Returns a driver's release as 100 times its first number and its second, 2302 of "Mesa 23.2.1";
-/// 0 where GL_VERSION names another driver.
+/// Returns a driver's release as 100 times its first number plus its second: 2302 for "Mesa
+/// 23.2.1". Returns 0 if GL_VERSION names another driver.
 [[nodiscard]] int releaseOf(std::string_view version, std::string_view driver);
 /// Returns the bits of the faults that a host with this GL_VERSION has.
 [[nodiscard]] std::uint32_t faultsOf(std::string_view version);

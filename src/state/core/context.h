@@ -216,9 +216,9 @@ public:
   const Identity *identity = nullptr; ///< made at the first query; interned
 };
 
-/// Makes the next draw look at what is effective.
+/// Makes the next draw choose the effective programs anew.
 inline void invalidateProgram(Context &context) {
-  // Sticky bits of the program that was effective go; selecting sets them anew.
+  // The sticky bits of the old effective program are dropped; selecting sets them anew.
   context.attention = attention::kProgram | (context.attention & attention::kRemains);
 }
 

@@ -3,20 +3,21 @@
 
 namespace arbiter::state {
 
-/// How fast draws follow each other before which parameters of fragment programs changed, of a
-/// context and while those are the host's own. NVIDIA's driver takes 0.29 microseconds longer for
-/// such a draw than by GLSL.
+/// Measures how quickly draws follow each other for which fragment program parameters changed. A
+/// context has one while its fragment programs are the host's own. NVIDIA's driver takes 0.29
+/// microseconds longer for such a draw than with GLSL.
 class ChangePace {
 public:
   using Clock = std::chrono::steady_clock;
-  /// The clock is read once in so many draws; and few are no reason to compile a program again.
+  /// Draws between two readings of the clock. Fewer draws are no reason to compile a program again.
   static constexpr unsigned kDraws = 256;
-  /// Apart from each other by less, they take more than a hundredth of the time.
+  /// If such draws are closer together than this, they cost more than a hundredth of the time.
   static constexpr std::chrono::microseconds kApart{30};
 
-  /// Another one. True of each kDraws-th, where these were less than kApart apart.
+  /// Counts a draw. True for each kDraws-th one, if these came less than kApart apart.
   [[nodiscard]] bool isFast() { return ++m_draws >= kDraws && isFast(Clock::now()); }
-  /// The same of the last of kDraws.
+  /// Handles the last of kDraws draws, with the time of now. True if they came less than kApart
+  /// apart.
   [[nodiscard]] bool isFast(Clock::time_point now) {
     const bool fast = m_since != Clock::time_point() && now - m_since < kDraws * kApart;
     m_draws = 0;
@@ -26,7 +27,7 @@ public:
 
 private:
   unsigned m_draws = 0;
-  Clock::time_point m_since; ///< the last time that the clock was read; 0: never yet
+  Clock::time_point m_since; ///< when the clock was last read; 0: never
 };
 
 } // namespace arbiter::state

@@ -33,7 +33,7 @@ void askHost(Context &context) {
   planes.known = planes.maskKnown = true;
 }
 
-/// The text that draws now is of certain planes.
+/// True if the effective GLSL writes distances to certain planes only.
 bool drawsWithDistances(const Context &context) {
   const LinkedProgram *const linked = context.linkedProgram;
   return linked && linked->vertex.compiled && writesClipDistances(*linked->vertex.compiled);
@@ -76,7 +76,7 @@ std::uint8_t enabledClipPlanes(Context &context) {
 void noteClipPlanesChange(Context &context) {
   if (context.clipPlanes.used)
     return invalidateClipPlanes(context);
-  noteClipPlanesAfterList(context); // what lists have enabled
+  noteClipPlanesAfterList(context); // lists may have enabled planes
 }
 
 void noteClipPlane(Context &context, bool enabled) {
@@ -86,7 +86,7 @@ void noteClipPlane(Context &context, bool enabled) {
     ClipPlanes &planes = context.clipPlanes;
     if (enabled && planes.known && planes.enabled && !drawsWithDistances(context)) {
       planes.maskKnown = false;
-      return; // one more
+      return; // another plane changes nothing but the mask
     }
     planes.used |= enabled;
     return noteClipPlanesChange(context);
@@ -98,14 +98,14 @@ void noteClipPlane(Context &context, bool enabled) {
   }
   const bool drawsNow =
       context.listMode == GL_COMPILE_AND_EXECUTE && vertexProgramsEnabled(context);
-  // What follows is drawn with the form that is effective now, or, of a program that writes
-  // distances, with that of the planes which are enabled when the list comes there.
+  // The rest of the list is drawn with the variant that is effective now. A program that writes
+  // distances needs the variant for the planes that are enabled when the list gets there.
   if ((first && drawsNow) || context.row(Target::Vertex).limits.nvOptions != 0)
     context.list->cut(context);
 }
 
 void copyClipPlanes(const Context &from, Context &to) {
-  // Neither of the groups need be the other's.
+  // The two contexts may belong to different share groups.
   to.clipPlanes.used |= from.clipPlanes.used || listsEnablePlanes(from);
   noteClipPlanesChange(to);
 }
@@ -116,7 +116,7 @@ void noteClipPlanesOfLists(Context &context) {
   const CompiledProgram *const vertex = context.linkedProgram->vertex.compiled;
   if (!vertex || !vertex->clipped || !vertex->program)
     return;
-  // The host clips what its own vertex programs give, as those of the ARB are to be.
+  // The host's own vertex programs are clipped by the host, as ARB vertex programs must be.
   if (!context.linkedProgram->vertexAssembly || assemblyClipsOtherwise(context, *vertex))
     invalidateProgram(context);
 }

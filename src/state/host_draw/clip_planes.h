@@ -3,35 +3,35 @@
 
 #include <cstdint>
 
-/// Whether user clip planes are enabled beside a vertex program that is GLSL on the host, which is
-/// drawn in a form of its own then (state/programs/variants/clipped_variant.h).
+/// Tells whether user clip planes are enabled while a vertex program is GLSL on the host. It is
+/// then drawn with a special variant (state/programs/variants/clipped_variant.h).
 namespace arbiter::state {
 
 class Context;
 struct CompiledProgram;
 
-/// Whether planes do not clip the program as they are to while it is the host's own assembly: one
-/// of NVIDIA's that gives a position of its own, which they are not to clip; and a shader of
-/// EXT_vertex_shader where the host's programs escape them.
+/// True if planes would clip the program wrongly as the host's own assembly. This is so for a
+/// program of NVIDIA's that computes its own position, which planes must not clip. It is also so
+/// for a shader of EXT_vertex_shader if the host does not clip its programs.
 [[nodiscard]] bool assemblyClipsOtherwise(const Context &context, const CompiledProgram &vertex);
-/// Whether a vertex program has to be drawn in its clipped form now. Asks the host after a change,
-/// once, and only in a context that has used planes.
+/// True if a vertex program must be drawn with its clipped variant now. Queries the host once after
+/// a change, and only in a context that has used planes.
 [[nodiscard]] bool clipPlanesMatter(Context &context);
-/// A bit for each plane that is enabled, for programs that write distances of their own. Asks the
-/// host after a change.
+/// Returns a bit for each enabled plane, for programs that write distances. Queries the host after
+/// a change.
 [[nodiscard]] std::uint8_t enabledClipPlanes(Context &context);
-/// Planes may have been enabled or disabled, by an attribute stack or by another context. One test
-/// where none was ever enabled.
+/// Notes that planes may have been enabled or disabled, by an attribute stack or another context.
+/// It only takes a test if no plane was ever enabled.
 void noteClipPlanesChange(Context &context);
-/// Enable or Disable of a plane. An enable that goes into a display list counts for good, and for
-/// all of the share group: draws of that list follow it without being looked at.
+/// Notes an Enable or Disable of a plane. An Enable in a display list counts for good and for the
+/// whole share group, because draws in that list are not inspected.
 void noteClipPlane(Context &context, bool enabled);
-/// CopyContext brought the enables of `from`.
+/// Notes that CopyContext has copied the enables of `from`.
 void copyClipPlanes(const Context &from, Context &to);
-/// Before a host list is called: one that was compiled since the program became effective may
-/// enable planes.
+/// Notes that a host list will be called. It may enable planes if it was compiled after the program
+/// became effective.
 void noteClipPlanesOfLists(Context &context);
-/// After a host list: it may have enabled or disabled planes.
+/// Notes that a host list has run, which may have enabled or disabled planes.
 void noteClipPlanesAfterList(Context &context);
 
 } // namespace arbiter::state

@@ -1,5 +1,5 @@
-// When vertex programs that are GLSL on the host are drawn in the form that writes gl_ClipVertex,
-// and who is asked for that.
+// Checks when vertex programs that are GLSL on the host are drawn with the variant that writes
+// gl_ClipVertex, and what is queried to find out.
 #include "state/host_draw/clip_planes.h"
 
 #include <gtest/gtest.h>
@@ -18,12 +18,12 @@ using namespace testing;
 
 constexpr std::string_view kText = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
 
-/// What draws vertex programs as GLSL.
+/// A host that draws vertex programs as GLSL.
 struct GlslHost : FakeHost {
   GlslHost() { offerNoAssembly(); }
 };
 
-/// Draws; whether the effective vertex program is clipped.
+/// Draws, and returns whether the effective vertex program is clipped.
 bool clips(Context &context) {
   EXPECT_TRUE(draw(context));
   if (!context.linkedProgram || !context.linkedProgram->vertex.compiled) {
@@ -101,7 +101,7 @@ TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
   handlers::Enable(*context, GL_CLIP_PLANE0);
   handlers::EndList(*context);
   makeCurrent(&*other);
-  handlers::CallList(*other, 7); // and its draws are the host's to make
+  handlers::CallList(*other, 7); // the host makes this list's draws
   EXPECT_NE(other->linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex"),
             std::string::npos);
   EXPECT_TRUE(clips(*other));

@@ -7,9 +7,9 @@
 
 namespace arbiter::state {
 
-/// Has the host take current values into its state. Mesa 22.3.6 does that at the next draw or
-/// question: by the COLOR_MATERIAL of then, and over what PopAttrib has restored. An application
-/// draws in between; where the rasterizer does, the host does not.
+/// Makes the host apply its current values now. Mesa 22.3.6 defers this to the next draw or query:
+/// it then uses the COLOR_MATERIAL of that time, and overwrites what PopAttrib restored. An
+/// application draws in between; if the rasterizer does that draw, the host does not see it.
 inline void settleCurrentValues(const host::HostTable &host) {
   std::array<GLfloat, 4> color{};
   host.GetFloatv(GL_CURRENT_COLOR, color.data());

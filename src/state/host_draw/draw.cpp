@@ -1,5 +1,5 @@
-// The way of a draw: what is effective (path_choice.h) is brought into the host, and its
-// parameters.
+// Prepares a draw on the host: brings the effective programs (path_choice.h) and their parameters
+// into the host.
 #include "state/host_draw/draw.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ void setPath(Context &context, Path path) {
   context.drawCounter = &context.draws[std::size_t(path)];
 }
 
-/// The attention that each draw needs while this path is taken.
+/// Returns the attention bits that every draw needs while this path is in use.
 std::uint32_t stickyAttention(const Context &context) {
   std::uint32_t bits = 0;
   if (isDropped(context.path))
@@ -104,7 +104,7 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kShared;
   if (context.softwarePossible)
     bits |= attention::kSoftware;
-  // A client may switch a program on again, too.
+  // A client may also switch a program on again.
   if ((needsLayer ? replacing() : controlled()) && context.frames == 0 && !context.passThrough)
     bits |= attention::kWatch;
   return bits;
@@ -118,7 +118,7 @@ void releaseHostProgram(Context &context) {
   context.hostProgramIsOurs = false;
 }
 
-/// The GLSL of the layer that draws from now on.
+/// Makes the layer's GLSL current on the host.
 void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
   if (linkedProgram.vertexProgram != 0) {
     context.stagePipeline->use(context, linkedProgram.vertexProgram, linkedProgram.hostProgram);
@@ -128,7 +128,7 @@ void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
   }
 }
 
-/// Chooses what is effective, and brings it into the host.
+/// Chooses the effective programs and brings them into the host.
 void install(Context &context, HostPart part) {
   setPath(context, choosePath(context, part));
   context.attention |= attention::kParameters;
@@ -152,11 +152,11 @@ void install(Context &context, HostPart part) {
   useHostPrograms(context, *context.linkedProgram);
 }
 
-/// What the host has not been given yet.
+/// Brings the effective programs into the host, if that was deferred.
 void installHostPart(Context &context) {
   const LinkedProgram *const before = context.linkedProgram;
   context.attention |=
-      attention::kProgram; // until it is done: without memory the next draw chooses
+      attention::kProgram; // until it is done: if memory runs out, the next draw chooses again
   install(context, HostPart::Now);
   if (context.linkedProgram != before)
     ++context.selections;
@@ -174,14 +174,14 @@ void select(Context &context, HostPart part) {
     hooks->programsEnter(context);
 }
 
-/// Another context loaded a program, or set a local parameter, that draws here use.
+/// True if another context has loaded a program in use here, or set one of its local parameters.
 bool changedElsewhere(const Context &context) {
   return std::any_of(context.targets.begin(), context.targets.end(), [](const ProgramTarget &row) {
     return row.enabled && row.bound->version.load(std::memory_order_acquire) != row.seenVersion;
   });
 }
 
-/// Draws that depend on which textures are bound look at them, once after each change.
+/// Updates what depends on the bound textures, once after each change.
 void followTextureChanges(Context &context) {
   if (mayFollowCombinedDepths(context)) [[unlikely]]
     followCombinedDepths(context);
@@ -190,7 +190,7 @@ void followTextureChanges(Context &context) {
   context.texturesChanged = false;
 }
 
-/// What of GL's state reaches vertex programs as parameters and attributes.
+/// Updates GL state that reaches vertex programs as parameters or attributes.
 void refreshInputs(Context &context) {
   if (context.aliases)
     refreshNativeInputs(context);
@@ -198,8 +198,8 @@ void refreshInputs(Context &context) {
     refreshVertexShader(context);
 }
 
-/// The effective vertex program, if it is the host's own and its local parameters are those that
-/// the application gives.
+/// Returns the effective vertex program if it is the host's own, and if its local parameters are
+/// those that the application sets. Returns null otherwise.
 AssemblyProgram *verticesOfOwnLocals(const Context &context) {
   AssemblyProgram *const vertices =
       context.linkedProgram ? context.linkedProgram->vertexAssembly : nullptr;
@@ -208,7 +208,7 @@ AssemblyProgram *verticesOfOwnLocals(const Context &context) {
              : nullptr;
 }
 
-/// What is effective, as far as that may have changed.
+/// Updates the effective programs if they may have changed.
 void refreshEffective(Context &context, HostPart part) {
   if (context.group->hasGarbage())
     collectGarbage(context);
@@ -233,12 +233,12 @@ bool validatePrograms(Context &context) {
   constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
   const bool known = (context.attention & kMayChange) == 0 && !context.group->hasGarbage() &&
                      context.group->contexts.load(std::memory_order_relaxed) == 1;
-  // A capture tells what a program was drawn with by what was sent to the host.
+  // A capture records what was sent to the host, so the host must be brought up to date.
   if (capturing()) [[unlikely]]
     return validate(context);
   if (known) [[likely]]
     return !isDropped(context.path);
-  // A client of the control interface is told how the programs draw.
+  // A client of the control interface is told how the programs draw, so the choice cannot wait.
   refreshEffective(context, controlHooks() ? HostPart::Now : HostPart::WhenItDraws);
   context.attention = stickyAttention(context) |
                       (context.attention & (attention::kRemains | attention::kParameters));
@@ -250,15 +250,15 @@ bool sendParametersAlone(Context &context) {
       context.insideBeginEnd || context.passThrough ||
       context.group->contexts.load(std::memory_order_relaxed) != 1)
     return false;
-  // Its invariants are looked for in their symbols.
+  // Vertex shaders look for their invariants in their symbols, so they need the full path.
   if (context.vertexShaders && context.vertexShaders->effective)
     return false;
-  // validatePrograms() leaves these as they are, and parameters to be sent.
+  // validatePrograms() does not update these, and leaves parameters to be sent.
   if (context.samplerOverride->active() || !spritesAreTheHosts(context))
     return false;
   if (LinkedProgram *const linkedProgram = context.linkedProgram) {
     if (linkedProgram->fragmentAssembly && linkedProgram->fragmentAssembly->changesOften)
-      return false; // validate() chooses anew
+      return false; // validate() will choose anew
     uploadParameters(context, *linkedProgram, context.attention);
   } else if (context.path == Path::HostAssembly) {
     context.hostAssembly->uploadParameters(context, context.attention);
@@ -309,7 +309,7 @@ void releaseHostState(Context &context) {
 void refuseDraws(Context &context) {
   if (context.hostAssembly->refuse(context))
     return;
-  // Without assembly programs the host can only be made to draw nothing.
+  // Without assembly programs, the host cannot be made to refuse draws, only to draw nothing.
   static const std::shared_ptr<const CompiledProgram> s_mute = [] {
     auto program = std::make_shared<CompiledProgram>();
     program->glsl.text = "#version 120\nvoid main() { discard; }\n";
@@ -335,7 +335,7 @@ void afterHostList(Context &context) {
   GLint current = 0;
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
   context.stagePipeline->forgetCurrent();
-  // An earlier one of the layer's is, where the host waits for what is effective now.
+  // An earlier program of the layer's may be current while the host part is deferred.
   if (context.hostProgramIsOurs && (context.group->ownsHostProgram(GLuint(current)) ||
                                     (current == 0 && context.stagePipeline->isBound())))
     return;

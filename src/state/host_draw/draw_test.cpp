@@ -14,7 +14,7 @@ namespace {
 std::size_t g_allocations = 0;
 } // namespace
 
-// Not inlined: where one of a pair is, the compiler takes the two for strangers.
+// Not inlined: if only one of new and delete is inlined, the compiler reports a mismatched pair.
 [[gnu::noinline]] void *operator new(std::size_t size) {
   ++g_allocations;
   if (void *memory = std::malloc(size))
@@ -33,7 +33,7 @@ constexpr char kThree[] = "!!ARBfp1.0\n"
                           "ADD result.color, program.env[0], program.env[1];\n"
                           "MUL result.color, program.env[5], program.local[2];\n"
                           "END";
-/// All four values reach the result, so that none is optimised away.
+/// All four values reach the result, so that none is optimized away.
 constexpr char kFour[] = "!!ARBfp1.0\nTEMP t;\n"
                          "ADD t, program.env[0], program.env[1];\n"
                          "ADD t, t, program.env[5];\n"
@@ -70,7 +70,7 @@ TEST(Draw, ChangedParametersGoInRuns) {
   EXPECT_EQ(host.count("Uniform4fv"), 1) << "three neighbours are one run";
   host.calls.clear();
   handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 9, 9, 9, 9);
-  handlers::ProgramEnvParameter4fARB(*context, kFragment, 1, 1, 2, 3, 1); // as it was
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 1, 1, 2, 3, 1); // unchanged
   handlers::ProgramEnvParameter4fARB(*context, kFragment, 7, 9, 9, 9, 9); // not read
   handlers::ProgramLocalParameter4fARB(*context, kFragment, 2, 5, 5, 5, 5);
   ASSERT_TRUE(draw(*context));
@@ -114,7 +114,7 @@ TEST(Draw, ALocalParameterOfVerticesIsTheHostsAtOnce) {
   host.calls.clear();
   for (int i = 1; i < 4; ++i) {
     local(1, GLfloat(i));
-    local(1, GLfloat(i)); // as it was
+    local(1, GLfloat(i)); // unchanged
     local(2, GLfloat(i)); // not read
     EXPECT_EQ(context->attention, 0u);
     EXPECT_EQ(host.calls, std::vector<std::string>{call + " 1 " + std::to_string(i)});
@@ -202,7 +202,7 @@ TEST(Draw, AProgramThatIsCurrentIsNotMadeSoAgain) {
   const CurrentContext context(host);
   const GLuint first = use(*context, kThree);
   ASSERT_TRUE(draw(*context));
-  handlers::Disable(*context, kFragment); // as a program does behind each draw of its own
+  handlers::Disable(*context, kFragment); // a program may do this after each of its draws
   handlers::Enable(*context, kFragment);
   host.calls.clear();
   ASSERT_TRUE(draw(*context));
@@ -214,7 +214,7 @@ TEST(Draw, AProgramThatIsCurrentIsNotMadeSoAgain) {
   handlers::BindProgramARB(*context, kFragment, first);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(host.currentProgram, linked);
-  // Fixed function between them.
+  // Fixed function draws in between.
   handlers::Disable(*context, kFragment);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(host.currentProgram, 0u);
@@ -235,7 +235,7 @@ TEST(Draw, WhatAHostsListMadeCurrentIsMadeSoNoLonger) {
   handlers::BindProgramARB(*context, kFragment, first);
   ASSERT_TRUE(draw(*context));
   context->group->hostListsChangeProgram = true;
-  host.currentProgram = other; // the list had it from its time
+  host.currentProgram = other; // the list made it current when it was executed
   host.integers[GL_CURRENT_PROGRAM] = GLint(other);
   afterHostList(*context);
   invalidateProgram(*context);
@@ -248,7 +248,7 @@ TEST(Draw, AUseProgramThatFailsLeavesTheApplicationsProgram) {
   const CurrentContext context(host);
   use(*context, kThree);
   ASSERT_TRUE(draw(*context));
-  handlers::UseProgram(*context, 4711); // the host knows no such program
+  handlers::UseProgram(*context, 4711); // the host has no such program
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_VALUE));
   GLint current = -1;
   handlers::GetIntegerv(*context, GL_CURRENT_PROGRAM, &current);
@@ -399,7 +399,7 @@ TEST(Draw, AnInvalidProgramOfEitherTargetStopsDraws) {
   handlers::Enable(*context, kVertex);
   EXPECT_FALSE(draw(*context)) << "object 0 holds no vertex program";
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
-  load(*context, kVertexText, kVertex); // object 0 may hold one
+  load(*context, kVertexText, kVertex); // now object 0 holds a program
   EXPECT_TRUE(draw(*context));
   handlers::BindProgramARB(*context, kFragment, 0);
   EXPECT_FALSE(draw(*context));

@@ -27,7 +27,7 @@ void noteFixedFunctionChange(Context &context) {
   if (context.followsFixedFunction)
     invalidateProgram(context);
   else
-    noteTextureChange(context); // of fixed function's own textures
+    noteTextureChange(context); // fixed function's own textures may have changed
 }
 
 void noteFixedFunctionCommand(Context &context) {

@@ -4,28 +4,28 @@
 
 #include <GL/gl.h>
 
-/// ATI fragment shaders, in their text and their API form, take the place of texturing alone: the
-/// texture targets they sample, colour sum and fog are fixed function's at the draw. Register
-/// combiners sample the enabled targets and have fog among their inputs. The host is asked for it
-/// (texturing/fixed_function_now.h) when one becomes effective, and again after what may have
-/// changed it.
+/// Follows fixed-function state for programs that depend on it. ATI fragment shaders, as text or by
+/// API, replace texturing alone: their texture targets, colour sum and fog are fixed function's at
+/// the time of the draw. Register combiners sample the enabled targets and may read fog. The host
+/// is queried (variants/fixed_function_now.h) when such a program becomes effective, and again
+/// after what may have changed that state.
 namespace arbiter::state {
 
 class Context;
 struct CompiledProgram;
 
-/// The ATI shader that shades fragments now, in the form for the host's present state: that of the
-/// text form if its target is enabled, else that of the API form. Null where neither is enabled
-/// with a valid shader: draws with another are undefined by both specifications, and are fixed
-/// function's here.
+/// Returns the effective ATI shader, in the variant for the host's present state. The text form is
+/// preferred if its target is enabled, else the API form is used. Returns null if neither is
+/// enabled with a valid shader. Both specifications leave such draws undefined, and here fixed
+/// function does them.
 [[nodiscard]] std::shared_ptr<const CompiledProgram> atiShaderEffective(Context &context);
 
-/// What fixedFunctionNow() asks may have changed: the next draw that depends on it looks again. One
-/// test where none does.
+/// Notes that fixedFunctionNow() may have changed, so that the next draw that depends on it queries
+/// again. It only takes a test if no program does.
 void noteFixedFunctionChange(Context &context);
-/// The same for a parameter or a capability that chooses the form. While a list is compiled that
-/// such shaders may be drawn from, it is cut here, so that what follows is drawn with the form for
-/// the new state.
+/// Notes a change of a parameter or capability that selects the variant. If a list is being
+/// compiled that such shaders may draw in, the list is cut here, so that the rest uses the variant
+/// for the new state.
 void noteFixedFunctionCommand(Context &context);
 
 } // namespace arbiter::state

@@ -1,4 +1,5 @@
-// When the host is asked for fixed-function state, and what an ATI shader becomes under it.
+// Checks when the host is queried for fixed-function state, and what an ATI shader becomes under
+// it.
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using namespace testing;
 
-/// Specifies the bound shader: REG_0 is the texture of unit `unit`, or zero.
+/// Specifies the bound shader: REG_0 is the texture of unit `unit`, or zero if that is negative.
 void specify(Context &context, int unit) {
   handlers::BeginFragmentShaderATI(context);
   if (unit >= 0)
@@ -35,7 +36,7 @@ TEST(FixedFunctionState, ADrawAsksOnceAndThenNothing) {
   EXPECT_GT(host.count("IsEnabled"), 0);
   host.calls.clear();
   ASSERT_TRUE(draw(*context));
-  handlers::Enable(*context, GL_DEPTH_TEST); // has no part in it
+  handlers::Enable(*context, GL_DEPTH_TEST); // does not matter to the shader
   handlers::Fogf(*context, GL_FOG_DENSITY, 2);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(host.count("IsEnabled"), 0);

@@ -1,5 +1,5 @@
-// What the host is given of a program while the rasterizer draws with it: nothing, until the host
-// has a draw.
+// Checks that a program the rasterizer draws with is not given to the host until the host has a
+// draw.
 #include <gtest/gtest.h>
 
 #include "state/host_draw/draw.h"
@@ -16,7 +16,7 @@ constexpr char kRed[] = "!!ARBfp1.0\nMOV result.color, program.local[0];\nEND";
 constexpr char kGreen[] = "!!ARBfp1.0\nADD result.color, program.local[0], fragment.color;\nEND";
 constexpr char kVertexText[] = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
 
-/// A context whose draws the rasterizer may take.
+/// A context whose draws the rasterizer may do.
 class HostPartWaits : public ::testing::Test {
 protected:
   HostPartWaits() : m_context(m_host) {
@@ -24,7 +24,7 @@ protected:
     m_context->softwarePossible = m_context->softwareListens = true;
     m_host.calls.clear();
   }
-  /// As a draw of the rasterizer's.
+  /// Acts as a draw of the rasterizer.
   void rasterize() { ASSERT_TRUE(validatePrograms(*m_context)); }
   int callsOf(const std::string &name) const {
     int count = 0;
@@ -49,7 +49,7 @@ TEST_F(HostPartWaits, UntilTheHostDraws) {
   ASSERT_TRUE(draw(*m_context));
   EXPECT_EQ(m_host.currentProgram, m_context->linkedProgram->hostProgram);
   EXPECT_NE(m_host.currentProgram, 0u);
-  // What the rasterizer chose for these programs holds.
+  // The rasterizer's choice for these programs must stay valid.
   EXPECT_EQ(m_context->selections, selections);
   EXPECT_EQ(m_context->attention & attention::kHostPart, 0u);
 
@@ -81,7 +81,7 @@ TEST_F(HostPartWaits, ProgramsThatTheHostNeverDrawsWithAreNeverItsOwn) {
     rasterize();
   }
   EXPECT_TRUE(m_host.calls.empty()) << m_host.calls.front();
-  ASSERT_TRUE(draw(*m_context)); // with green alone
+  ASSERT_TRUE(draw(*m_context)); // only green is needed
   EXPECT_EQ(m_host.shaders.size(), 1u);
 }
 

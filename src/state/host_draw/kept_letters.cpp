@@ -7,9 +7,9 @@ namespace arbiter::state {
 
 void drawKeptLetters(Context &context) {
   if (context.insideBeginEnd || context.listMode != 0)
-    return; // it is not the time, and there will be another
+    return; // not possible now; a later draw will do it
   context.attention &= ~attention::kLetters;
-  // An incomplete framebuffer makes an error of it.
+  // Clear is an error if the framebuffer is incomplete.
   const HostErrorScope errors(*context.host, context.pendingError);
   context.host->Clear(0);
 }

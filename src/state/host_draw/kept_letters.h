@@ -3,9 +3,9 @@
 #include "state/core/context.h"
 #include "state/share/share_group.h"
 
-/// Bitmaps that a host keeps for later (HostFault::KeptLetters): it draws them where its next draw
-/// begins, with a program that is not current any more. They are drawn before that draw instead,
-/// whatever came between. A bitmap behind others is kept with them.
+/// Works around bitmaps that a host keeps for later (HostFault::KeptLetters). The host draws them
+/// when its next draw begins, with a program that may no longer be current. The layer has them
+/// drawn before that draw, whatever came in between. Consecutive bitmaps are kept together.
 namespace arbiter::state {
 
 [[nodiscard]] inline bool keepsLetters(const Context &context) {
@@ -21,16 +21,16 @@ inline void noteLetters(Context &context) {
   if (context.listMode != 0)
     context.group->listsHoldLetters.store(true, std::memory_order_relaxed);
 }
-/// Notes that lists were called, in which bitmaps may be.
+/// Notes that lists were called, which may contain bitmaps.
 inline void noteLettersOfLists(Context &context) {
   if (context.group->listsHoldLetters.load(std::memory_order_relaxed))
     context.attention |= attention::kLetters;
 }
-/// Makes the host draw what it keeps. Called before its next draw, where attention::kLetters is
-/// set.
+/// Makes the host draw the bitmaps that it keeps. Called before the host's next draw if
+/// attention::kLetters is set.
 void drawKeptLetters(Context &context);
 
-/// While it lives a command is prepared that leaves kept bitmaps where they are.
+/// While it lives, a command is prepared that must not draw kept bitmaps.
 class LettersStay {
 public:
   explicit LettersStay(ContextHot &context)

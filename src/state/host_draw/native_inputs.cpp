@@ -33,9 +33,10 @@ void refreshArrays(Context &context) {
   context.attention |= attention::kProgram;
 }
 
-/// Programs of NVIDIA's own languages read what VertexAttribNV alone sets of an attribute, and
-/// those of the ARB's from when there is some: most of them read a w that nobody has set. The
-/// rasterizer's attributes are never one: where the host's are, it keeps to conventional ones.
+/// Returns where a program finds components that only VertexAttribNV sets. Programs of NVIDIA's own
+/// languages always read them. ARB programs do once there are any, because most of them read a w
+/// that nobody has set. The rasterizer never aliases, so if the host does, the rasterizer keeps to
+/// conventional attributes.
 WiderAttributes widerAttributes(const Context &context, const CompiledProgram &program) {
   const bool isNative = program.native.language != fp::ir::NativeLanguage::None;
   if (!isNative && !context.aliases->widerGiven)
@@ -53,7 +54,7 @@ void noteGenericArray(Context &context, GLuint index, bool enabled) {
   if (enabled)
     context.aliases->arraysUsed |= 1u << index;
   context.aliases->ofProgramsAlone &= ~(1u << index);
-  context.attention |= attention::kState; // the next draw looks
+  context.attention |= attention::kState; // makes the next draw look
 }
 
 std::shared_ptr<const CompiledProgram> withItsAttributes(Context &context,

@@ -1,4 +1,4 @@
-// The mode of arithmetic that programs are compiled for, in every way that they come to be.
+// Checks the numerics that programs are compiled with, for every way in which programs are made.
 // Runs with ARBITER_NUMERICS=fp24.
 #include <gtest/gtest.h>
 

@@ -33,8 +33,9 @@ namespace arbiter::state {
 
 namespace {
 
-/// The host's CURRENT_PROGRAM is the application's unless the layer's is bound. Only the host knows
-/// whether a UseProgram succeeded, and what a list did; so it is asked, once after each.
+/// Returns the application's current GLSL program. It is the host's CURRENT_PROGRAM unless the
+/// layer's is bound. Only the host knows whether a UseProgram succeeded and what a list did, so it
+/// is queried once after each.
 GLuint applicationProgram(Context &context) {
   if (!context.applicationProgramKnown && !context.hostProgramIsOurs) {
     GLint current = 0;
@@ -52,14 +53,16 @@ GLuint applicationPipeline(Context &context) {
   return GLuint(pipeline);
 }
 
-/// The rows whose programs shade now; null where fixed function or the application's GLSL does.
+/// The targets whose programs shade now; null for stages of fixed function or the application's
+/// GLSL.
 struct EffectivePrograms {
   const ProgramTarget *vertex = nullptr;
   const ProgramTarget *fragment = nullptr;
-  bool ati = false;       ///< an ATI fragment shader is enabled, of either form, and no `fragment`
-  bool combiners = false; ///< register combiners are enabled, and no `fragment`
-  /// Texture shaders are enabled, or fixed function has textures, environments or sprites that the
-  /// host lacks, and no `fragment`.
+  /// true if an ATI fragment shader of either form is enabled, and there is no `fragment`
+  bool ati = false;
+  bool combiners = false; ///< true if register combiners are enabled, and there is no `fragment`
+  /// True if there is no `fragment`, and texture shaders are enabled, or fixed function uses
+  /// textures, environments or sprites that the host lacks.
   bool textureShaders = false;
   [[nodiscard]] bool none() const {
     return !vertex && !fragment && !ati && !combiners && !textureShaders;
@@ -76,7 +79,7 @@ EffectivePrograms enabledRows(Context &context) {
     rows.vertex = vertexShaderEffective(context);
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
   rows.combiners = !rows.fragment && ifEnabled(Target::Combiners);
-  // Those are of the texture shaders' text where they follow them.
+  // Combiners that follow texture shaders belong to the texture shaders' text.
   const bool shaders =
       ifEnabled(Target::TextureShaders) && !texturesSwitchedOff(context, rows.combiners);
   if (rows.combiners && !shaders && combinersSwitchedOff(context))
@@ -87,7 +90,7 @@ EffectivePrograms enabledRows(Context &context) {
   return rows;
 }
 
-/// False if the stages read different targets of one unit, which makes draws an error
+/// False if the stages sample different targets of one unit, which makes draws an error
 /// (NV_vertex_program3, section 2.14.4).
 bool targetsAgree(const ProgramPair &pair) {
   if (!pair.vertex || !pair.fragment || pair.vertex->glsl.samplers.empty()) [[likely]]
@@ -99,8 +102,8 @@ bool targetsAgree(const ProgramPair &pair) {
   return true;
 }
 
-/// The compiled programs of the rows; false if one has none that is valid, or they do not go
-/// together. An ATI shader that is not valid leaves fragments to fixed function.
+/// Fetches the compiled programs of the targets. Returns false if one has no valid program, or if
+/// they do not match. An ATI shader that is not valid leaves fragments to fixed function.
 bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
@@ -117,9 +120,9 @@ bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &
   return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment) && targetsAgree(pair);
 }
 
-/// Mesa's GLSL compiler goes along a chain of instructions by recursion and left its stack in one
-/// of 16,000 POW, which its assembly parser takes. Legacy and Fp24 are arithmetic that GLSL alone
-/// has.
+/// True if a program is too long for the host's GLSL compiler. Mesa's recurses along chains of
+/// instructions, and overflowed its stack with a program of 16,000 POW, which its assembly parser
+/// accepts. Legacy and Fp24 numerics need GLSL anyway.
 bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
   constexpr std::size_t kLong = 4096; // instructions
   const auto isLong = [](const std::shared_ptr<const CompiledProgram> &compiled) {
@@ -128,16 +131,17 @@ bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
   return context.numerics == fp::Numerics::Host && (isLong(pair.vertex) || isLong(pair.fragment));
 }
 
-/// The linked program of a pair whose vertex program is GLSL on the host.
+/// Links a pair whose vertex program is GLSL on the host.
 LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
-  // Linked alone it keeps all its results, for feedback and for the raster position.
+  // A vertex program that is linked alone keeps all its results, for feedback and the raster
+  // position.
   if (!context.rasterizes || context.vertexResultsMatter)
     pair.fragment = nullptr;
   if (clipPlanesMatter(context)) {
     const bool distances = writesClipDistances(*pair.vertex) && context.caps.clipDistances();
     const std::uint8_t planes = distances ? enabledClipPlanes(context) : std::uint8_t(0);
     std::uint32_t depths = 0;
-    if (planes != 0) { // GLSL 1.30
+    if (planes != 0) { // needs GLSL 1.30
       if (context.group->alphaDepthsUsed.load(std::memory_order_relaxed))
         depths = alphaDepthsOf(context, pair);
       context.alphaDepths = depths;
@@ -147,14 +151,14 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
     pair.vertex = pair.vertex->clipped->of(*pair.vertex, planes, depths);
   }
   LinkedProgram *const linkedProgram =
-      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair)); // as link() asked
+      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair)); // as in link()
   context.stagesAreLinked =
       context.stagesAreLinked || (pair.fragment && linkedProgram->vertexProgram == 0);
   return linkedProgram;
 }
 
-/// The rasterizer may draw with the pair as it is. Where the host draws for now each draw would
-/// choose twice.
+/// True if the host part may be deferred, because the rasterizer may draw with the pair. While
+/// back-off keeps the host it may not, because each draw would choose twice.
 bool mayWait(Context &context, const ProgramPair &pair) {
   if (pair.fragment)
     context.hooks->engageRasterizer(context);
@@ -162,12 +166,12 @@ bool mayWait(Context &context, const ProgramPair &pair) {
          (!pair.vertex || drawsVerticesByAssembly(context));
 }
 
-/// Planes are enabled that the host's own assembly would not heed as the program is to.
+/// True if planes are enabled and the host's own assembly would clip the program wrongly.
 bool isClippedOtherwise(Context &context, const CompiledProgram &vertex) {
   return assemblyClipsOtherwise(context, vertex) && clipPlanesMatter(context);
 }
 
-/// Both stages by the host's own assembly.
+/// Draws both stages with the host's own assembly. Returns false if that is not possible.
 bool applyAssembly(Context &context, const ProgramPair &pair) {
   return !(pair.vertex && isClippedOtherwise(context, *pair.vertex)) &&
          context.hostAssembly->apply(context, pair);
@@ -231,11 +235,11 @@ Path choosePath(Context &context, HostPart part) {
     pair.fragment = pair.fragment->depths->ofSprites(*pair.fragment, spriteForm(context));
   if (!pair.vertex && !pair.fragment)
     return Path::NoProgram;
-  // RasterPos looks then, as no shader of EXT_vertex_shader transforms the raster position.
+  // RasterPos looks then, because no shader of EXT_vertex_shader transforms the raster position.
   context.stagesAreLinked = pair.vertex && pair.vertex->target == Target::VertexShader;
-  // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
-  // function; no program of the layer's can be linked to the application's. A pipeline of no stages
-  // is the host's to judge: Mesa draws nothing with it, NVIDIA's driver by the ARB programs.
+  // If the application's GLSL has one stage, the ARB program has the other one, as beside fixed
+  // function. The layer's GLSL cannot be linked to the application's. A pipeline without stages is
+  // left to the host: Mesa draws nothing with it, NVIDIA's driver uses the ARB programs.
   if (program != 0 || pipeline != 0)
     return applyAssembly(context, pair) ? Path::HostAssembly
            : theirs.none()              ? Path::ApplicationPipeline

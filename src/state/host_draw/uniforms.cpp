@@ -1,4 +1,4 @@
-// uploadParameters: what the effective programs read, as far as it changed.
+// Implements uploadParameters(), which sends the changed parameters of the effective programs.
 #include "state/host_draw/uniforms.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -24,12 +24,12 @@ Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Para
 
 namespace {
 
-/// \param program of the stage alone, where it stands apart; 0: the current one
+/// \param program the program of the stage, if it is linked alone; 0: the current program
 void uploadStage(Context &context, LinkedProgramStage &stage, GLuint program) {
   const ProgramTarget &row = context.row(stage.compiled->target);
   const auto &uniforms = stage.compiled->glsl.uniforms;
   const bool held = anyHeld();
-  std::size_t begin = 0; // of the run of changed values, as far as it goes
+  std::size_t begin = 0; // the current run of changed values
   std::size_t end = 0;
   const auto flush = [&] {
     const GLfloat *const values = begin != end ? stage.uploaded[begin].data() : nullptr;
@@ -71,7 +71,7 @@ void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint3
     if ((attention & bits) != 0 && !stage.locations.empty())
       uploadStage(context, stage, apart ? program : 0);
   };
-  std::uint32_t assembly = 0; // bits of the stages that are
+  std::uint32_t assembly = 0; // attention bits of the stages that are assembly
   if (linkedProgram.vertexAssembly)
     assembly |= attention::kVertexParameters;
   else
@@ -80,7 +80,7 @@ void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint3
     assembly |= attention::kFragmentParameters;
   else
     upload(*linkedProgram.stages()[1], linkedProgram.hostProgram, attention::kFragmentParameters);
-  // Where draws are captured, rows of state are among what is looked at.
+  // A capture of assembly programs also looks at rows of state.
   if ((attention & attention::kState) != 0 && linkedProgram.readsState)
     attention |= assembly;
   if ((attention & assembly) != 0)

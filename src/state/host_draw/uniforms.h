@@ -11,26 +11,26 @@ namespace arbiter::state {
 
 class Context;
 
-/// Brings the host's uniforms of the effective linked program up to date, as far as `attention`
-/// says that they may have changed; its host program is current. No allocation, one call a run of
-/// changed values.
+/// Updates the host's uniforms of the effective linked program, as far as `attention` says that
+/// they may have changed. Requires that its host program is current. It allocates nothing, and
+/// makes one call for each run of changed values.
 void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention);
-/// The value that a parameter has now; `row`: the effective program's.
+/// Returns a parameter's current value. \param row the effective program's target
 [[nodiscard]] Vec4 currentValue(Context &context, const ProgramTarget &row,
                                 const fp::ir::Parameter &parameter);
-/// What the application gave an env or local parameter.
+/// Returns the value that the application set for an env or local parameter.
 [[nodiscard]] inline Vec4 givenValue(const ProgramTarget &row, bool env, std::size_t index) {
   if (env)
     return index < row.env.size() ? row.env[index] : Vec4{};
   return index < row.bound->locals.size() ? row.bound->locals[index].load() : Vec4{};
 }
-/// The value of one that is no row of state, while no client of control holds any.
+/// Returns the value of a parameter that is no GL state, while no client of control holds any.
 [[nodiscard]] inline Vec4 ownValue(const ProgramTarget &row, const fp::ir::Parameter &parameter) {
   return parameter.kind == fp::ir::ParameterKind::Constant
              ? parameter.constant
              : givenValue(row, parameter.kind == fp::ir::ParameterKind::Env, parameter.index);
 }
-/// Bits, not values: a NaN would be sent for ever, and -0 never.
+/// True if all bits are equal. Values would not do: a NaN would be sent every time, and -0 never.
 [[nodiscard]] inline bool sameBits(const Vec4 &a, const Vec4 &b) {
   using Halves = std::array<std::uint64_t, 2>;
   return std::bit_cast<Halves>(a) == std::bit_cast<Halves>(b);

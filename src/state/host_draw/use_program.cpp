@@ -1,4 +1,5 @@
-// What else decides about a draw's path: the application's own GLSL, and attribute stacks.
+// Handles other commands that decide about a draw's path: the application's own GLSL, and attribute
+// stacks.
 #include "state/host_draw/use_program.h"
 
 #include "host/host_table.h"
@@ -27,10 +28,10 @@
 namespace arbiter::state {
 
 void useProgram(Context &context, GLuint name) {
-  // The application's program must be the host's current one, for a call that fails to leave it.
+  // If the call fails, the application's program must remain current, so it is restored first.
   if (context.hostProgramIsOurs)
     releaseHostState(context);
-  // A name that happens to be one of the layer's is one that the application never made.
+  // The application cannot have created an object with a name of the layer's.
   context.host->UseProgram(guardedName(context, name));
   context.applicationProgramKnown = false;
   invalidateProgram(context);
@@ -76,8 +77,8 @@ void pushEnables(Context &context, GLbitfield mask) {
   (void)context.attribStack.push(std::move(entry));
 }
 
-/// Register combiners: their state and both enables are GL_TEXTURE_BIT's, the enables
-/// GL_ENABLE_BIT's too.
+/// Restores register combiners. Their state and both enables belong to GL_TEXTURE_BIT, the enables
+/// to GL_ENABLE_BIT too.
 void popCombiners(Context &context, const AttribStack::Entry &entry) {
   ProgramTarget &row = context.row(Target::Combiners);
   if (entry.combiners) {
@@ -90,7 +91,7 @@ void popCombiners(Context &context, const AttribStack::Entry &entry) {
   }
 }
 
-/// The same of texture shaders. A context that had none yet had what is initial.
+/// Restores texture shaders. If the context had none when it pushed, it restores the initial state.
 void popTextureShaders(Context &context, const AttribStack::Entry &entry) {
   ProgramTarget &row = context.row(Target::TextureShaders);
   if (entry.hasTextures && !entry.textureShaders)
@@ -103,7 +104,7 @@ void popTextureShaders(Context &context, const AttribStack::Entry &entry) {
     context.textureShaders->transfers = *entry.transfers;
 }
 
-/// ARB_imaging: what is in no entry was as it is at first.
+/// Restores ARB_imaging's state. An entry without it stands for the initial state.
 void popImaging(Context &context, const AttribStack::Entry &entry) {
   ImagingState &state = *context.imaging;
   const imaging::Settings before = entry.imaging ? *entry.imaging : imaging::Settings{};
@@ -143,7 +144,7 @@ void pushAttrib(Context &context, GLbitfield mask) {
   if ((mask & GL_TEXTURE_BIT) != 0)
     releaseSamplers(context);
   releaseSprites(context);
-  context.host->PushAttrib(mask); // raises STACK_OVERFLOW where the layer's would overflow too
+  context.host->PushAttrib(mask); // also raises STACK_OVERFLOW if the layer's stack is full
   pushEnables(context, mask);
 }
 
@@ -152,7 +153,7 @@ void popAttrib(Context &context) {
   if (context.softwareListens && (context.attribStack.restores() & software::dirty::kCurrent) != 0)
     settleCurrentValues(*context.host);
   context.host->PopAttrib();
-  // The host's own enables of the targets are neither the application's to save nor to restore.
+  // The enables that the layer itself made on the host must be neither saved nor restored.
   context.hostAssembly->restoreEnables(context);
   popEnables(context);
   noteFixedFunctionChange(context);

@@ -1,17 +1,17 @@
 #pragma once
 #include <GL/gl.h>
 
-/// Commands that change which programs and enables are current on the host, below the entry points.
+/// Commands that change the current programs and enables on the host, called by the entry points.
 namespace arbiter::state {
 
 class Context;
 
-/// UseProgram, UseProgramObjectARB.
+/// Executes UseProgram and UseProgramObjectARB.
 void useProgram(Context &context, GLuint name);
 void pushAttrib(Context &context, GLbitfield mask);
-/// The attribute stack's entry of the layer's, after the host's.
+/// Pushes the layer's entry of the attribute stack, after the host's.
 void pushEnables(Context &context, GLbitfield mask);
-/// Those that the entry holds become current again, after the host's.
+/// Pops the layer's entry of the attribute stack and restores it, after the host's.
 void popEnables(Context &context);
 void popAttrib(Context &context);
 

@@ -22,7 +22,8 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// The host's list that draws the same. No list is being compiled, and it is outside Begin and End.
+/// Returns the host's list that draws the same. Requires that no list is being compiled, and no
+/// primitive is open.
 GLuint hostListOf(Context &context, const Geometry &geometry) {
   return geometry.hostList([&] {
     const GLuint name = context.group->lists.takeSegmentName(*context.host);
@@ -47,12 +48,12 @@ void callVertices(const Context &context, GLuint list) {
   context.host->CallList(list);
 }
 
-/// The host draws, after it was brought up to date.
+/// Has the host draw, after bringing it up to date.
 void drawOnHost(Context &context, const Geometry &geometry) {
   if (context.attention && !prepareDraw(context, geometry.mode))
     return setCurrentValues(context, geometry.values, geometry.touched);
   const GLuint list = hostListOf(context, geometry);
-  // Where the stack is full the last vertex's values stay.
+  // If the attribute stack is full, the last vertex's values stay.
   const bool restores =
       geometry.fromArrays &&
       context.attribStack.depth() < std::size_t(std::max(context.caps.maxAttribStackDepth, 0));
@@ -62,13 +63,13 @@ void drawOnHost(Context &context, const Geometry &geometry) {
   if (restores)
     context.host->PopAttrib();
   context.dirty |= dirty::kCurrent;
-  // A list of Mesa 22.3.6 leaves those of its last vertex.
+  // Lists of Mesa 22.3.6 leave the values of their last vertex.
   if (geometry.endsOtherwise)
     setCurrentValues(context, geometry.values, geometry.touched);
 }
 
-/// As the application does: whose primitive it is shows when it is whole. Requires: one, which is
-/// open.
+/// Begins an open primitive vertex by vertex, as the application would. Who draws it is decided
+/// when it is whole. Requires geometry.open.
 void beginPrimitive(Context &context, const Geometry &geometry) {
   issueBegin(context, geometry.mode);
   if (ImmediateRecorder *const to = context.recorder) {
@@ -87,16 +88,16 @@ void beginPrimitive(Context &context, const Geometry &geometry) {
   context.dirty |= dirty::kCurrent;
 }
 
-/// Of a primitive of a list that begins before all of its attributes are set. Requires: the draw is
-/// the rasterizer's.
+/// Returns the vertices of a primitive that begins before all of its attributes are set. Requires
+/// that the rasterizer draws it.
 VertexSource completed(Context &context, const Geometry &geometry) {
   ContextState &state = *context.software;
   state.mirror.refreshCurrent(context.dirty, geometry.unsetSlots());
   return geometry.source(state.mirror.current, state.listVertices);
 }
 
-/// Primitives that depend on their own vertices: joined, or one by one. Throws std::bad_alloc where
-/// that fails after the first.
+/// Draws primitives whose vertices depend on each other, joined or one by one. Throws
+/// std::bad_alloc if a later one fails than the first.
 Outcome drawSeveral(Context &context, const Geometry &geometry, const VertexSource &source) {
   Pipeline &pipeline = pipelineOf(context);
   if (const auto joining = joiningOf(context.software->mirror.raster, geometry.mode, true)) {
@@ -119,7 +120,7 @@ Outcome drawSeveral(Context &context, const Geometry &geometry, const VertexSour
   return {};
 }
 
-/// True: drawn. False: the host's, which has been brought up to date for it. Requires:
+/// Draws a primitive and returns true, or brings the host up to date and returns false. Requires
 /// usesRasterizer().
 bool drawGeometry(Context &context, const Geometry &geometry) {
   return conclude(context, outcomeOf(context, [&] {
@@ -136,7 +137,7 @@ bool drawGeometry(Context &context, const Geometry &geometry) {
 } // namespace
 
 void callGeometry(Context &context, const Geometry &geometry) {
-  if (context.insideBeginEnd) // an error, which costs the primitive's vertices too
+  if (context.insideBeginEnd) // an error, and the host loses the open primitive's vertices too
     return issueBegin(context, geometry.mode);
   if (geometry.onlyValues)
     return setCurrentValues(context, geometry.values, geometry.touched);

@@ -8,7 +8,7 @@ namespace arbiter::state::software {
 
 class Geometry;
 
-/// The list is called: its primitives are drawn, by us or by the host, or one begins.
+/// Executes a list's primitives: the rasterizer or the host draws them, or an open one begins.
 void callGeometry(Context &context, const Geometry &geometry);
 
 } // namespace arbiter::state::software

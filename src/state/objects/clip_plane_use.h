@@ -3,12 +3,12 @@
 
 namespace arbiter::state {
 
-/// What is known in a context of its planes' enables, without a question to the host.
+/// Holds what a context knows about its enabled user clip planes without querying the host.
 struct ClipPlanes {
-  bool used = false; ///< one was enabled at some time: until then none can be
-  bool known = true; ///< `enabled` is the host's answer since the last change
+  bool used = false; ///< true once a plane was enabled; before that none can be
+  bool known = true; ///< true if `enabled` is the host's current answer
   bool enabled = false;
-  std::uint8_t mask = 0; ///< a bit for each plane; where maskKnown, the host's answer likewise
+  std::uint8_t mask = 0; ///< one bit for each plane; valid if maskKnown
   bool maskKnown = true;
 };
 

@@ -19,24 +19,25 @@ struct GlslStages {
   [[nodiscard]] bool none() const { return !vertex && !fragment; }
 };
 
-/// What LinkProgram made of each program of a share group. The host tells which shaders are
-/// attached, but an executable keeps those that were attached when it was linked.
+/// The stages of each linked program of a share group. The host tells which shaders are attached
+/// now, but an executable consists of those that were attached when it was linked.
 class LinkedStages {
 public:
-  /// A LinkProgram of `program` with these shaders attached. Whether it succeeded is asked at the
-  /// first use: the answer may have to wait for the host's compiler.
+  /// Notes a LinkProgram with these shaders attached. Its success is queried at the first use,
+  /// because the answer may have to wait for the host's compiler.
   void linked(GLuint program, GlslStages attached);
-  /// Stages that are known without asking.
+  /// Sets the stages of a program if they are known.
   void set(GLuint program, GlslStages executable);
-  /// What is known is of no use any more.
+  /// Forgets a program.
   void forget(GLuint program);
-  /// Empty for a program that was never linked from shaders.
+  /// Returns a program's stages, or nothing if it was never linked from shaders.
   [[nodiscard]] std::optional<GlslStages> of(const host::HostTable &host, GLuint program);
 
 private:
   struct Entry {
     GlslStages executable;
-    std::optional<GlslStages> linked; ///< in place of `executable`, if the link succeeded
+    /// the stages that replace `executable` if the link succeeded
+    std::optional<GlslStages> linked;
   };
   std::mutex m_mutex;
   std::unordered_map<GLuint, Entry> m_programs;

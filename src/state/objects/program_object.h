@@ -22,19 +22,19 @@ namespace arbiter::state {
 
 using Vec4 = std::array<GLfloat, 4>;
 
-/// The program targets (target.h says what is known of each).
+/// The program targets (target.h lists the properties of each).
 enum class Target : std::uint8_t {
   Fragment,       ///< ARB_fragment_program
   Vertex,         ///< ARB_vertex_program
   AtiText,        ///< ATI_text_fragment_shader
-  AtiApi,         ///< ATI_fragment_shader: its objects have commands and names of their own
+  AtiApi,         ///< ATI_fragment_shader: its objects have their own commands and names
   VertexState,    ///< state programs of NV_vertex_program, which are executed and never bound
-  Combiners,      ///< NV_register_combiners: state, not objects, of which programs are made
-  TextureShaders, ///< NV_texture_shader: the same, before combiners or texture environments
-  VertexShader,   ///< EXT_vertex_shader: its objects have commands and names of their own
+  Combiners,      ///< NV_register_combiners: no objects, but state from which programs are made
+  TextureShaders, ///< NV_texture_shader: also state; it precedes combiners or texture environments
+  VertexShader,   ///< EXT_vertex_shader: its objects have their own commands and names
 };
 inline constexpr int kTargetCount = 8;
-/// When a name becomes a program's: BindProgramARB makes one, under NVIDIA's API a load does.
+/// When a name becomes a program's: BindProgramARB creates one, NVIDIA's API does so at a load.
 enum class Existence : std::uint8_t { Now, OnceLoaded };
 
 class ArrayVariants;
@@ -43,47 +43,47 @@ class ClippedVariant;
 class DepthVariants;
 struct VertexShaderInputs;
 
-/// A program string that loaded: what every query and every draw needs of it. Immutable, so that
+/// A compiled program string, with all that queries and draws need. It is immutable, so that
 /// contexts of a share group read it without a lock.
 struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
-  Target target = Target::Fragment; ///< whose env and local parameters it reads
-  std::string text;                 ///< the application's
-  Hash128 hash;                     ///< of `text`
-  /// What was compiled in place of `text` (ARBITER_REPLACE); empty: nothing was.
+  Target target = Target::Fragment; ///< the target whose env and local parameters it reads
+  std::string text;                 ///< the application's text
+  Hash128 hash;                     ///< hash of `text`
+  /// The text that was compiled in place of `text` (ARBITER_REPLACE); empty: none.
   std::string replacement;
   std::string warnings; ///< PROGRAM_ERROR_STRING_ARB after the load
   fp::ResourceCounts counts;
   fp::ResourceCounts nativeCounts;
   bool underNativeLimits = false;
-  fp::NativeInterface native; ///< of a program in one of NVIDIA's languages of their own
+  fp::NativeInterface native; ///< for a program in one of NVIDIA's own languages
   fp::GlslShader glsl;
-  /// As fp::Compilation has it: what the host's ARB path is given, and machine code is made of.
-  /// Null of an ATI shader; the forms that draws are made with have it, with targets, fog and
-  /// colour sum.
+  /// The program of fp::Compilation, from which the host's ARB text and machine code are made. Null
+  /// for an ATI shader, but its variants have one, with texture targets, fog and colour sum.
   std::shared_ptr<const fp::ir::Program> program;
-  /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
+  /// Set for an ATI shader, which is emitted for a draw's state only: `glsl` is empty then.
   std::shared_ptr<const AtiVariants> ati;
-  /// Of a shader of ATI_fragment_shader that has a text, and of its forms: what its commands said,
-  /// which `text` says too.
+  /// Set for a shader of ATI_fragment_shader that has a text, and for its variants: the commands
+  /// that `text` expresses.
   std::shared_ptr<const fp::ati::Shader> commands;
-  /// Of a vertex program, whose `glsl` user clip planes do not clip: the form that they do. Null of
-  /// that form itself.
+  /// Set for a vertex program whose `glsl` is not clipped by user clip planes: the variants that
+  /// are. Null for these variants themselves.
   std::shared_ptr<const ClippedVariant> clipped;
-  /// The variants of a vertex program whose attributes alias, by the arrays that it is drawn with.
+  /// The variants of a vertex program whose attributes alias, by the arrays that are enabled.
   std::shared_ptr<const ArrayVariants> arrays;
-  /// Of a fragment program, or a form of an ATI shader: its forms beside GLSL 1.30.
+  /// Set for a fragment program, or a variant of an ATI shader: its variants for use with GLSL
+  /// 1.30.
   std::shared_ptr<const DepthVariants> depths;
-  /// Of a shader of EXT_vertex_shader, whose `program` is null where it is over a limit.
+  /// Set for a shader of EXT_vertex_shader, whose `program` is null if it exceeds a limit.
   std::shared_ptr<const VertexShaderInputs> vertexShader;
 
   [[nodiscard]] bool replaced() const { return !replacement.empty(); }
-  /// The text that was compiled.
+  /// Returns the text that was compiled.
   [[nodiscard]] const std::string &source() const { return replaced() ? replacement : text; }
 };
 
-/// A local parameter. Contexts of a share group may write and read it at once, without a lock: the
-/// specification leaves to the application which of the values is seen. Two relaxed halves make
-/// that no data race, at the price of plain moves.
+/// A local parameter. Contexts of a share group may write and read it at the same time without a
+/// lock: the specification leaves it to the application which value is seen. Two relaxed halves
+/// avoid a data race at the price of plain moves.
 class LocalParameter {
 public:
   LocalParameter() = default;
@@ -109,33 +109,33 @@ private:
   std::atomic<std::uint64_t> m_high{0};
 };
 
-/// A program object of any target (3.11.1). Of a target that is the host's only name and target are
-/// here, so that all targets share one name space.
+/// A program object of any target (3.11.1). For a target that is the host's, only name and target
+/// are used, so that all targets share one name space.
 struct ProgramObject {
   ProgramObject(GLuint objectName, Target objectTarget) : name(objectName), target(objectTarget) {}
 
   const GLuint name;
   const Target target;
 
-  /// Null: no valid program. Written by ProgramString in any context, under the share group's lock;
-  /// a draw copies it, under the lock, only after `version` has moved.
+  /// Null: no valid program. ProgramString writes it in any context, under the share group's lock.
+  /// A draw copies it under the lock, but only after `version` has changed.
   std::shared_ptr<const CompiledProgram> compiled;
-  /// Local parameters; read and written without a lock, as the specification leaves the order of
-  /// unsynchronised changes from two contexts to the application.
+  /// The local parameters. They are read and written without a lock, because the specification
+  /// leaves the order of unsynchronized changes from two contexts to the application.
   std::vector<LocalParameter> locals;
-  /// Counts changes of `compiled` and `locals`: how another context sees one. Relaxed and without a
-  /// locked instruction, because changes from two contexts are the application's to order.
+  /// Counts changes of `compiled` and `locals`, so that other contexts notice them. It is relaxed
+  /// and uses no locked instruction, because the application must order changes from two contexts.
   std::atomic<std::uint32_t> version{1};
-  /// Its name is free again: it lives on only where it is bound.
+  /// True if the name is free again; the object lives on only where it is bound.
   std::atomic<bool> deleted{false};
-  /// It is a program object to the application, and keeps its target. Else its name was bound by
-  /// BindProgramNV, or a load failed, and any target may be loaded for it.
+  /// True if the application has a program object of this name, which keeps its target. False if
+  /// BindProgramNV bound the name, or a load failed: any target may then be loaded.
   std::atomic<bool> exists{true};
 
   void changed() {
     version.store(version.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
-  /// The same, by a context that had last looked at `seen`: it has seen its own change.
+  /// Counts a change by a context that had last seen `seen`, and keeps that up to date.
   void changed(std::uint32_t &seen) {
     const std::uint32_t before = version.load(std::memory_order_relaxed);
     version.store(before + 1, std::memory_order_release);

@@ -11,21 +11,21 @@
 
 namespace arbiter::state {
 
-/// The shader objects of ATI_fragment_shader (3.8.11) or EXT_vertex_shader (2.14) that a share
-/// group has: a name space of their own. They are program objects of target AtiApi or VertexShader,
-/// so that draws and queries know one kind.
+/// The shader objects of ATI_fragment_shader (3.8.11) or EXT_vertex_shader (2.14) in a share group,
+/// which have a name space of their own. They are program objects of target AtiApi or VertexShader,
+/// so that draws and queries handle one kind of object.
 class ShaderTable {
 public:
   explicit ShaderTable(Target target) : m_target(target) {}
 
-  /// GenFragmentShadersATI and GenVertexShadersEXT: the first of `range` names in a row; 0 if there
-  /// is no such row.
+  /// Executes GenFragmentShadersATI or GenVertexShadersEXT. Returns the first of `range`
+  /// consecutive names, or 0 if there are none.
   [[nodiscard]] GLuint generate(GLuint range) {
     const std::lock_guard lock(m_mutex);
     return m_names.reserveRow(range);
   }
 
-  /// The object of that name, which is not 0; made at first use.
+  /// Returns the object of that name, created at first use. Requires name != 0.
   [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name) {
     const std::lock_guard lock(m_mutex);
     if (const auto it = m_objects.find(name); it != m_objects.end())
@@ -36,7 +36,7 @@ public:
     return object;
   }
 
-  /// Frees the name; the object lives on where it is bound. Null if it had none.
+  /// Frees the name and returns its object, or null. The object lives on where it is bound.
   std::shared_ptr<ProgramObject> remove(GLuint name) {
     const std::lock_guard lock(m_mutex);
     m_names.release(name);
@@ -49,7 +49,7 @@ public:
     return object;
   }
 
-  /// Every object, at this moment.
+  /// Returns all objects that exist now.
   [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects() {
     const std::lock_guard lock(m_mutex);
     std::vector<std::shared_ptr<ProgramObject>> all;

@@ -36,7 +36,7 @@ void forward(const host::HostTable &host, const CopyCommand &c) {
   }
 }
 
-/// As residency sees the copy.
+/// Converts the command for residency.
 software::CopyToTexture copyTo(GLuint texture, const CopyCommand &copy) {
   const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
   const CopyRegion &r = copy.region;
@@ -62,8 +62,8 @@ void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const Co
 
 namespace {
 
-/// To an image that the host has as it is asked for. Where the copy goes to is asked from the host,
-/// once: bindings are passed on untracked, and a query is small beside a copy.
+/// Copies to an image whose format the host has. The destination is queried from the host, because
+/// bindings are passed on untracked, and a query is cheap beside a copy.
 void copyColors(Context &context, const CopyCommand &copy) {
   if (context.insideBeginEnd || context.listMode == GL_COMPILE)
     return forward(*context.host, copy);
@@ -83,7 +83,8 @@ void copyColors(Context &context, const CopyCommand &copy) {
 
 bool defines(CopyKind kind) { return kind == CopyKind::Image1D || kind == CopyKind::Image2D; }
 
-/// An image of HILO components or of a texture offset group (NV_texture_shader, 3.8.2).
+/// True if the image has HILO components or belongs to a texture offset group (NV_texture_shader,
+/// 3.8.2), which cannot be copied to.
 bool takesNoColors(Context &context, const CopyCommand &copy) {
   const GLenum name = defines(copy.kind) ? copy.internalFormat
                                          : componentFormatOf(context, copy.target, copy.level);
@@ -91,7 +92,7 @@ bool takesNoColors(Context &context, const CopyCommand &copy) {
   return format && format->external != 0;
 }
 
-/// The same where internal formats are NV_texture_shader's too.
+/// Copies to an image if internal formats may be those of NV_texture_shader.
 void copyToOwnFormat(Context &context, const CopyCommand &copy) {
   if (takesNoColors(context, copy))
     return raise(context, GL_INVALID_OPERATION, "CopyTexImage: the image has no colours");

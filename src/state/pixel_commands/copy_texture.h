@@ -2,28 +2,27 @@
 #include "state/core/context.h"
 #include "state/objects/display_list.h"
 
-/// Feedback below the entry points: a copy from the read buffer to a texture, called or replayed
-/// from a display list.
+/// Copies from the read buffer to a texture, called directly or replayed from a display list.
 namespace arbiter::state {
 
-/// One of the copies, whatever its entry point.
+/// One of the copy commands, whatever its entry point.
 struct CopyCommand {
   CopyKind kind = CopyKind::Image2D;
   GLenum target = 0;
   GLint level = 0;
-  GLenum internalFormat = 0; ///< of a CopyTexImage
+  GLenum internalFormat = 0; ///< for CopyTexImage
   GLint border = 0;
   CopyRegion region;
 };
 
-/// Counts the copy, and makes it between shadows, or has the host make it.
+/// Counts the copy, and makes it between shadows or on the host.
 void copyTexture(Context &context, const CopyCommand &copy);
-/// The same as a command of a display list, and back.
+/// Converts between a copy and a display list's command.
 [[nodiscard]] Command commandOf(const CopyCommand &copy);
 [[nodiscard]] CopyCommand copyOf(const Command &command);
 
-/// Counts a copy from the current read buffer to `to`. Outside Begin/End; asks the host where the
-/// copy comes from.
+/// Counts a copy from the current read buffer to `to`. Queries the host for the read buffer.
+/// Requires that it is called outside Begin/End.
 void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const CopyRegion &region);
 
 } // namespace arbiter::state

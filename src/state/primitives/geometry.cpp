@@ -43,7 +43,8 @@ void take(Geometry &to, const ImmediateRecorder &recorder) {
   }
 }
 
-/// Requires: take() was called with what is last in `geometry`.
+/// True if a value was set after the last vertex. Requires that take() was called with the last
+/// vertices of `geometry`.
 bool endsOtherwise(const Geometry &geometry) {
   if (geometry.count == 0)
     return geometry.touched != 0;
@@ -90,28 +91,30 @@ std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder, bool fro
 
 namespace {
 
-/// Vertices in one draw of primitives that are joined by indices.
+/// Most vertices in one draw of primitives that are joined by indices.
 constexpr std::uint32_t kMostJoined = 1u << 16;
 
-/// What is behind the last whole primitive makes none, and is left out.
+/// Returns the number of vertices without those of an incomplete last primitive, which is not
+/// drawn.
 std::uint32_t wholeVertices(const Geometry &geometry, std::uint32_t size) {
   return size == 0 ? geometry.count : geometry.count - geometry.count % size;
 }
 
 bool isDrawnAlike(const Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
-  // The order of the slots is that of their first use.
+  // Slots are in the order of their first use.
   return recorder.mode() == to.mode && fromArrays == to.fromArrays && to.uniform &&
          isUniform(recorder) && recorder.slotCount() == to.slotCount &&
          std::equal(to.slots.begin(), to.slots.begin() + to.slotCount, recorder.slots());
 }
 
-/// For so many more elements, which are then added without memory.
+/// Reserves room for `more` elements, so that adding them cannot fail.
 template <typename T> void makeRoom(std::vector<T> &elements, std::size_t more) {
   if (elements.capacity() - elements.size() < more)
     elements.reserve(std::max(elements.size() + more, 2 * elements.capacity()));
 }
 
-/// The recorder's vertices are the last of `to`, from `first` on: a primitive of their own.
+/// Joins the recorder's vertices, which have been appended to `to` from `first` on, as another
+/// primitive.
 void join(Geometry &to, std::uint32_t first) {
   if (to.starts.empty())
     appendIndices(to.indices, to.mode, 0, first);
@@ -128,10 +131,10 @@ bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
       recorder.count() == 0 || to.count + recorder.count() > most)
     return false;
   const std::uint32_t whole = wholeVertices(to, size);
-  // Before anything changes, as there may be no memory.
+  // Memory is reserved before anything changes, because this may fail.
   makeRoom(to.data, std::size_t(recorder.count()) * to.stride);
   if (size == 0) {
-    constexpr std::size_t kIndices = 3; // of a vertex at most
+    constexpr std::size_t kIndices = 3; // most indices for each vertex
     makeRoom(to.starts, 1);
     makeRoom(to.indices, kIndices * ((to.starts.empty() ? whole : 0) + recorder.count()));
   }

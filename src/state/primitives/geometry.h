@@ -11,52 +11,53 @@
 #include "state/mirror/attributes.h"
 #include "state/primitives/recorder.h"
 
-/// Primitives of a display list (OpenGL 1.4, 5.4) as the application gave them: vertices that stay
-/// where they are from call to call.
+/// Primitives in a display list (OpenGL 1.4, 5.4) as the application gave them. Their vertices stay
+/// in memory from call to call.
 namespace arbiter::state::software {
 
-/// Vertices of a primitive where primitives of the mode may follow each other in one; 0: they may
-/// not, as they share vertices.
+/// Returns the number of vertices of a primitive if primitives of this mode share none, so that
+/// several form one. Returns 0 for all other modes.
 [[nodiscard]] std::uint32_t independentVertices(GLenum mode);
 
-/// One or more primitives of one mode, or the beginning of one: a list may leave it open, or go on
-/// in it with a command that is no vertex (CallList). An attribute that was not set in the list
-/// when its vertex was made has the value that is current when the list is called.
+/// One or more primitives of one mode, or the beginning of one. A list may leave a primitive open,
+/// or continue it with a command that is no vertex (CallList). If an attribute was not set in the
+/// list before a vertex, the vertex has the value that is current when the list is called.
 class Geometry {
 public:
   GLenum mode = GL_POINTS;
-  std::uint32_t count = 0;  ///< vertices
+  std::uint32_t count = 0;  ///< number of vertices
   std::vector<float> data;  ///< `count` times `stride` floats
-  std::uint32_t stride = 4; ///< floats: a vec4 for each of `slots`, the position first
+  std::uint32_t stride = 4; ///< floats of a vertex: a vec4 for each of `slots`, the position first
   std::uint32_t slotCount = 1;
   std::array<std::uint8_t, kSlots> slots{};
-  /// From which vertex on each of them is set.
+  /// For each of `slots`, the first vertex for which it was set.
   std::array<std::uint32_t, kSlots> since{};
-  bool open = false;          ///< Begin without End
-  bool onlyValues = false;    ///< no primitive: attributes that were set outside of them
-  bool fromArrays = false;    ///< draws of arrays: current values stay what they are
-  bool uniform = true;        ///< all of them from the first vertex on
-  bool endsOtherwise = false; ///< a value was set behind the last vertex
-  /// Where several primitives depend on their own vertices only (strips, fans, loops, polygons):
-  /// the first vertices of all but the first, and the indices that join them (joined.h).
+  bool open = false;          ///< true if there was a Begin without End
+  bool onlyValues = false;    ///< no primitive: attributes set outside of primitives
+  bool fromArrays = false;    ///< draws of arrays, which do not change current values
+  bool uniform = true;        ///< true if all slots are set from the first vertex on
+  bool endsOtherwise = false; ///< true if a value was set after the last vertex
+  /// Several primitives whose vertices depend on each other (strips, fans, loops, polygons): the
+  /// first vertices of all but the first primitive, and the indices that join them (joined.h).
   std::vector<std::uint32_t> starts, indices;
-  SlotMask touched = 0;    ///< slots that were set, one bit each
-  GivenComponents given{}; ///< of these and of the position
-  CurrentValues values{};  ///< of these, as the primitives leave them behind
+  SlotMask touched = 0;    ///< slots that were set, one bit for each
+  GivenComponents given{}; ///< component counts of these slots and of the position
+  CurrentValues values{};  ///< values of these slots after the primitives
 
-  /// The host's list that draws the same, which `make` makes when it is first asked for and gives
-  /// the name of.
+  /// Returns the host's list that draws the same. At the first call `make` compiles it and returns
+  /// its name.
   template <typename Make> [[nodiscard]] GLuint hostList(Make &&make) const {
     const std::lock_guard lock(m_mutex);
     if (m_hostList == 0)
       m_hostList = make();
     return m_hostList;
   }
-  /// That list, or 0.
+  /// Returns that list's name, or 0 if it was not made.
   [[nodiscard]] GLuint madeHostList() const;
-  /// What is between Begin and End: calls `set(slot, const float value[4], components)` of each
-  /// attribute as it is set, and of kPosition for a vertex, with as many components as were given.
-  /// \param next called between one primitive and the next
+  /// Replays what is between Begin and End. It calls `set(slot, const float value[4], components)`
+  /// for each attribute that was set, and then for kPosition, which makes a vertex. `components` is
+  /// the number that the application gave.
+  /// \param next called between two primitives
   template <typename Set, typename Next> void read(Set &&set, Next &&next) const {
     std::size_t begun = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -75,13 +76,13 @@ public:
       set(slot, values[std::size_t(slot)].data(), mostGiven(given, slot));
     }
   }
-  /// The vertices, for as long as this lives. Where not `uniform`, attributes that were not set yet
-  /// are undefined in it.
+  /// Returns the vertices, valid while this object lives. If not `uniform`, attributes that were
+  /// not set yet are undefined.
   [[nodiscard]] VertexSource source() const;
-  /// The vertices with what is current for what was not set yet, for as long as `store` is not
-  /// changed. Requires: `current` is known of unsetSlots().
+  /// Returns the vertices, with current values for attributes that were not set yet. They are valid
+  /// while `store` is unchanged. Requires that `current` has the values of unsetSlots().
   [[nodiscard]] VertexSource source(const CurrentValues &current, std::vector<float> &store) const;
-  /// The slots that were not set when the first vertex was made, one bit each.
+  /// Returns the slots that were not set before the first vertex, one bit for each.
   [[nodiscard]] std::uint32_t unsetSlots() const;
 
 private:
@@ -89,10 +90,10 @@ private:
   mutable GLuint m_hostList = 0;
 };
 
-/// What the recorder has of a primitive. \param fromArrays Geometry::fromArrays
+/// Makes a Geometry of the recorder's primitive. \param fromArrays Geometry::fromArrays
 [[nodiscard]] std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder,
                                                    bool fromArrays = false);
-/// Adds the recorder's primitive to `to`, if the two are drawn alike as one.
+/// Adds the recorder's primitive to `to` if the two can be drawn as one. Returns false if not.
 [[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays = false);
 
 } // namespace arbiter::state::software

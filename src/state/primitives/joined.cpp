@@ -17,7 +17,7 @@ std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode, 
     return Joining{Topology::Lines, state.provokingIsFirst};
   case GL_TRIANGLE_STRIP:
   case GL_TRIANGLE_FAN:
-    // The last vertex of each triangle is its last corner; the first one may be any.
+    // These triangles are indexed with their last vertex last, so only that one may provoke.
     if (!filled || (state.flatShade && state.provokingIsFirst))
       return std::nullopt;
     return Joining{Topology::Triangles, false};
@@ -26,7 +26,7 @@ std::optional<Joining> joiningOf(const swrast::RasterState &state, GLenum mode, 
       return std::nullopt;
     return Joining{Topology::Triangles, false};
   case GL_POLYGON:
-    // Its first vertex is the first corner of all its triangles.
+    // The provoking vertex of a polygon is its first, which begins all of its triangles.
     if (!filled)
       return std::nullopt;
     return Joining{Topology::Triangles, true};
@@ -45,7 +45,7 @@ void appendIndices(std::vector<std::uint32_t> &indices, GLenum mode, std::uint32
   }
   const std::uint32_t triangles = swrast::triangleCount(topology, count);
   for (std::uint32_t i = 0; i < triangles; ++i) {
-    // Quad strips are of lists, and those take the other order of a quad's two triangles.
+    // Quad strips are joined in lists only, where the two triangles of a quad have the other order.
     const swrast::TriangleCorners triangle = swrast::triangleAt(topology, count, i, false, true);
     const std::uint32_t *const corner = triangle.corner;
     indices.insert(indices.end(), {first + corner[0], first + corner[1], first + corner[2]});

@@ -3,7 +3,7 @@
 
 namespace arbiter::state::software {
 
-/// What is known of the materials of the primitives that are recorded, each part by its bit
+/// Tells what is known of the materials of recorded primitives. Each part has a bit
 /// (primitive_materials.h).
 struct MaterialParts {
   void begin(bool mayDifferNow) {
@@ -12,14 +12,15 @@ struct MaterialParts {
     mayDiffer = mayDifferNow;
   }
 
-  MaterialMask known = 0;     ///< the recorder has their values
-  MaterialMask differing = 0; ///< not the same for all vertices
-  MaterialMask given = 0;     ///< the host has those of the recorder
-  /// Differing ones that the draw was chosen for. The next one is chosen for the same, until it is
-  /// known what differs there.
+  MaterialMask known = 0;     ///< parts whose values the recorder has
+  MaterialMask differing = 0; ///< parts that are not the same for all vertices
+  MaterialMask given = 0;     ///< parts whose recorded values the host has
+  /// The differing parts that the last draw was chosen for. The next primitive is chosen for the
+  /// same, until it is known which parts differ in it.
   MaterialMask chosen = 0;
-  bool mayDiffer = false;   ///< no program reads those of before the primitive
-  bool isUndecided = false; ///< that came to nothing, and may come to something yet
+  /// true if no program reads materials, which would be those of before the primitive
+  bool mayDiffer = false;
+  bool isUndecided = false; ///< true if the last choice failed and must be tried again
 };
 
 } // namespace arbiter::state::software

@@ -39,7 +39,7 @@ void ImmediateRecorder::forget(std::uint32_t first, std::uint32_t count) {
                std::size_t(m_count - first - count) * m_stride * sizeof(float));
   m_count -= count;
   m_next = m_data.get() + m_count * m_stride;
-  // Of a slot that was first set further on it is still known which vertices came before.
+  // Slots that were first set at a later vertex keep their meaning under the new numbers.
   for (unsigned i = 1; i < m_slotCount; ++i) {
     std::uint32_t &since = m_since[m_slots[i]];
     since = since > first ? std::max(since, first + count) - count : since;
@@ -80,10 +80,10 @@ void ImmediateRecorder::touch(int slot) {
   m_given[std::size_t(slot)] = 0;
   const std::size_t stride = m_stride + 4;
   if (m_count != 0 && m_count * stride > m_capacity && !reserve(m_count * stride * 2)) {
-    m_touched |= SlotMask(1) << slot; // the current value is set all the same
+    m_touched |= SlotMask(1) << slot; // the current value is recorded all the same
     return;
   }
-  // From the last one on, as the places of the later ones lie behind those of the earlier.
+  // Works backwards, because vertices move to higher addresses.
   for (std::size_t i = m_count; i-- > 0;) {
     float *const to = m_data.get() + i * stride;
     std::memmove(to, m_data.get() + i * m_stride, m_stride * sizeof(float));

@@ -1,4 +1,4 @@
-// A primitive's vertices as they are recorded, and what is left when some of them are drawn early.
+// Checks how a primitive's vertices are recorded, and what remains after some were drawn early.
 #include "state/primitives/recorder.h"
 
 #include <map>
@@ -9,10 +9,11 @@
 namespace arbiter::state::software {
 namespace {
 
-/// A vertex as the host is told of it: its number in x of the position, and the slots that are set.
+/// A vertex as the host would get it: its number, stored in the position's x, and the slots that
+/// are set.
 struct Told {
   float number = -1;
-  std::map<int, float> slots; ///< x
+  std::map<int, float> slots; ///< x of each slot
   bool operator==(const Told &) const = default;
 };
 
@@ -41,13 +42,13 @@ TEST(Immediate, WhatIsForgottenLeavesTheOthersAsTheyWere) {
     for (const std::uint32_t count : {0u, 2u, 6u}) {
       ImmediateRecorder recorder;
       recorder.begin(GL_TRIANGLE_FAN, {});
-      recorder.set(kColor, 0.5f, 0, 0, 1); // from the first vertex on
+      recorder.set(kColor, 0.5f, 0, 0, 1); // set from the first vertex on
       record(recorder, 0, 4);
-      recorder.set(kNormal, 0.25f, 0, 1, 0); // from the fifth
+      recorder.set(kNormal, 0.25f, 0, 1, 0); // set from the fifth
       record(recorder, 4, 7);
       recorder.set(kColor, 0.75f, 0, 0, 1);
       record(recorder, 7, 9);
-      recorder.set(kTexCoord0, 7, 0, 0, 1); // from the tenth
+      recorder.set(kTexCoord0, 7, 0, 0, 1); // set from the tenth
       record(recorder, 9, 12);
       std::vector<Told> expected = toldOf(recorder);
       expected.erase(expected.begin() + first, expected.begin() + first + count);
@@ -60,7 +61,7 @@ TEST(Immediate, WhatIsForgottenLeavesTheOthersAsTheyWere) {
     }
 }
 
-/// Takes what is recorded whenever it is full.
+/// Takes the recorded vertices whenever the recorder is full.
 struct Taker {
   ImmediateRecorder recorder;
   std::vector<float> taken;
@@ -85,7 +86,7 @@ TEST(Immediate, NoMoreThanTheLimitIsKept) {
   taker.most = 2000;
   taker.recorder.limit(2000, Taker::takeAll, &taker);
   record(taker.recorder, 0, 1500);
-  taker.recorder.set(kColor, 1, 0, 0, 1); // vertices grow
+  taker.recorder.set(kColor, 1, 0, 0, 1); // this makes vertices larger
   record(taker.recorder, 1500, 5000);
   EXPECT_EQ(taker.calls, 1 + (5000u - 2000 - 1) / 64);
   for (const Told &told : toldOf(taker.recorder))
@@ -93,7 +94,7 @@ TEST(Immediate, NoMoreThanTheLimitIsKept) {
   ASSERT_EQ(taker.taken.size(), 5000u);
   for (std::uint32_t i = 0; i < 5000; ++i)
     ASSERT_EQ(taker.taken[i], float(i));
-  // The next primitive has no limit.
+  // The next primitive must have no limit.
   taker.recorder.begin(GL_POINTS, {});
   record(taker.recorder, 0, 5000);
   EXPECT_EQ(taker.recorder.count(), 5000u);

@@ -32,7 +32,7 @@ constexpr OpName kOps[] = {
     {GL_CND0_ATI, Op::Cnd0}, {GL_DOT2_ADD_ATI, Op::Dot2Add},
 };
 
-/// Null if the command of that many arguments does not accept the opcode.
+/// Returns the opcode's row, or null if the command with that many arguments does not accept it.
 const OpName *findOp(GLenum name, int argumentCount) {
   const auto *const found = std::find_if(std::begin(kOps), std::end(kOps), [&](const OpName &row) {
     return row.name == name && fp::ati::argumentCount(row.op) == argumentCount;
@@ -131,7 +131,7 @@ Verdict parseArgument(const AtiRecorder::RawArgument &raw, Argument &argument) {
   return {};
 }
 
-/// Table 3.22; the scales exclude each other.
+/// Parses table 3.22; scales exclude each other.
 Verdict parseDestinationModifiers(GLuint bits, Operation &operation) {
   constexpr Scale kScales[] = {Scale::Twice, Scale::Four,    Scale::Eight,
                                Scale::Half,  Scale::Quarter, Scale::Eighth};
@@ -145,7 +145,7 @@ Verdict parseDestinationModifiers(GLuint bits, Operation &operation) {
   return {};
 }
 
-/// The secondary colour has no alpha (AFS Errors).
+/// True if the argument reads alpha of the secondary colour, which has none (AFS Errors).
 bool readsSecondaryAlpha(bool alpha, Op op, const Argument &argument) {
   if (argument.source != Source::Secondary)
     return false;
@@ -242,7 +242,8 @@ Verdict AtiRecorder::setup(SetupKind kind, GLuint destination, GLuint source, GL
   return {};
 }
 
-/// Dot products of alpha repeat those of colour, and a DOT4 of colour needs the alpha unit.
+/// Checks a pair: dot products of alpha repeat those of colour, and a DOT4 of colour needs the
+/// alpha unit.
 Verdict AtiRecorder::checkPairing(const RawOperation &raw) const {
   const Pass &pass = m_shader.passes[m_shader.passCount == 0 ? 0 : m_shader.passCount - 1u];
   const Operation *const color = m_afterColor ? &*pass.pairs[pass.pairCount - 1u].color : nullptr;
@@ -283,7 +284,7 @@ Verdict AtiRecorder::operation(const RawOperation &raw) {
 void AtiRecorder::setConstant(int constant, const fp::ir::Vec4 &value) {
   fp::ati::Constant &row = m_shader.constants[std::size_t(constant)];
   row.kind = fp::ati::ConstantKind::Value;
-  // Values beyond [0,1] are undefined (AFS:629); text has no numerals for some of them.
+  // Values outside of [0,1] are undefined (AFS:629), and some have no numeral in text.
   constexpr float kMost = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < value.size(); ++i)
     row.value[i] = std::isnan(value[i]) ? 0.0f : std::clamp(value[i], -kMost, kMost);

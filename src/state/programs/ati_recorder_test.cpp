@@ -1,5 +1,5 @@
-// What the recorder builds: pairs, passes, masks and modifiers. Which commands are errors is the
-// API's tests' (tests/layer_vs_specification/ati_errors_test.cpp).
+// Checks what the recorder builds: pairs, passes, masks and modifiers. Tests of the API check which
+// commands are errors (tests/layer_vs_specification/ati_errors_test.cpp).
 #include "state/programs/ati_recorder.h"
 
 #include <cmath>

@@ -3,15 +3,16 @@
 
 #include "state/objects/target.h"
 
-/// The commands of ATI_fragment_shader that display lists hold, below the entry points.
+/// The commands of ATI_fragment_shader that display lists can hold, called by the entry points.
 namespace arbiter::state {
 
 class Context;
 
-/// BindFragmentShaderATI.
+/// Executes BindFragmentShaderATI.
 void bindFragmentShader(Context &context, GLuint name);
-/// SetFragmentShaderConstantATI: the shader's own constant between Begin- and
-/// EndFragmentShaderATI, else the context's. `constant` is 0 to 7.
+/// Executes SetFragmentShaderConstantATI. It sets the shader's own constant between
+/// BeginFragmentShaderATI and EndFragmentShaderATI, else the context's. Requires that `constant` is
+/// 0 to 7.
 void setFragmentShaderConstant(Context &context, int constant, const Vec4 &value);
 
 } // namespace arbiter::state

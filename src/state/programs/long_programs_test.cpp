@@ -1,5 +1,4 @@
-// Programs that are longer than any card's profile lets them be: this runs with
-// ARBITER_PROFILE=host.
+// Checks programs that are longer than any card's profile allows. Runs with ARBITER_PROFILE=host.
 
 #include <string>
 

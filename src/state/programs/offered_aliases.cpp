@@ -13,7 +13,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// By a value that the normal does not have. Where the two are one, the generic one's is its own.
+/// Tests whether the host aliases generic and conventional attributes, by setting a value that the
+/// normal does not have. Then it restores the value.
 bool attributesAreOne(const host::HostTable &host) {
   constexpr GLuint kNormal = 2;
   Vec4 generic = {0.0f, 0.0f, 0.0f, 1.0f}, normal{};

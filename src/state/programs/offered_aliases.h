@@ -4,11 +4,11 @@ namespace arbiter::state {
 
 class Context;
 
-/// True if attributes may alias in this process: the active profile has it so, or
+/// True if attributes may alias in this process, because of the active profile or
 /// ARBITER_ATTRIBUTES.
 [[nodiscard]] bool attributesMayAlias();
-/// Sets `aliases` and `attributesAlias` of a context whose targets are being offered: it is
-/// current, and no list is compiled.
+/// Sets `aliases` and `attributesAlias` of a context whose targets are being offered. Requires that
+/// it is current and compiles no list.
 void offerAliases(Context &context);
 
 } // namespace arbiter::state

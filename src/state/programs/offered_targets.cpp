@@ -22,7 +22,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The target is the layer's from now on.
+/// Makes the target the layer's.
 void offer(Context &context, Target target, fp::Limits limits) {
   ProgramTarget &row = context.row(target);
   row.offered = true;
@@ -31,7 +31,7 @@ void offer(Context &context, Target target, fp::Limits limits) {
   context.group->setDefaultLocals(target, row.localsOfObject());
 }
 
-/// NVIDIA's own languages and their API, where the profile has the first of them.
+/// Offers NVIDIA's own languages and their API, if the profile has the first language.
 void offerNvPrograms(Context &context) {
   const fp::Limits limits = context.row(Target::Vertex).limits;
   if (limits.nvVertexProgram == 0)
@@ -40,7 +40,7 @@ void offerNvPrograms(Context &context) {
   context.nv = std::make_unique<NvState>();
 }
 
-/// Register combiners, where the profile's card has them.
+/// Offers register combiners, if the profile's card has them.
 void offerCombiners(Context &context) {
   const fp::hw::Combiners &card = activeProfile().combiners;
   if (card.general == 0)
@@ -56,7 +56,7 @@ void offerCombiners(Context &context) {
       int(std::min(limits.textureUnits, std::uint32_t(fp::combiners::kTextures))));
 }
 
-/// Extensions that the host lacks and the profile has.
+/// Offers extensions that the profile has and the host lacks.
 void offerEra(Context &context) {
   EraOffers offers = eraOffers(context.caps);
   if (!offers.any())
@@ -75,7 +75,7 @@ void offerEra(Context &context) {
   }
 }
 
-/// Texture shaders, where the profile's card and the host's formats have them.
+/// Offers texture shaders, if the profile's card and the host's formats support them.
 void offerTextureShaders(Context &context) {
   fp::Limits limits = context.row(Target::Fragment).limits;
   const std::uint32_t extensions = activeProfile().textureShaders;

@@ -9,7 +9,7 @@ namespace arbiter::state {
 bool isRange(Context &context, GLuint index, GLsizei count, std::size_t size, const char *command) {
   if (count >= 0 && index < size && std::size_t(count) <= size - index)
     return true;
-  // An empty range at the end is no error: nothing beyond the limit is touched.
+  // An empty range at the end is no error, because nothing beyond the limit is touched.
   if (count == 0 && index <= size)
     return true;
   raise(context, GL_INVALID_VALUE, command);
@@ -20,7 +20,7 @@ void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, c
   if (!isRange(context, index, count, row.env.size(), "ProgramEnvParameter: index"))
     return;
   for (GLsizei i = 0; i < count; ++i)
-    if (!row.follows(index + GLuint(i))) // of a matrix, and no command's
+    if (!row.follows(index + GLuint(i))) // commands do not set parameters that track a matrix
       row.env[index + GLuint(i)] = values[i];
   ++row.envVersion;
   context.attention |= row.parameterBits;

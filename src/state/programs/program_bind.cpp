@@ -33,7 +33,7 @@ void bindProgram(Context &context, ProgramTarget &row, GLuint name, Existence ex
       return;
     recent = std::move(object);
   }
-  // Binding the same object again matters only where another context changed it.
+  // Binding the same object again has no effect, unless another context has changed it.
   if (row.bound == recent && row.seenVersion == recent->version.load(std::memory_order_acquire))
     return;
   row.bound = recent;

@@ -5,26 +5,26 @@
 
 #include "state/objects/program_object.h"
 
-/// Which program objects are bound and enabled, below the entry points: what runs when a command is
-/// executed, be it called or replayed from a display list.
+/// Binds and enables program objects. These functions execute a command, whether it was called or
+/// is replayed from a display list.
 namespace arbiter::state {
 
 class Context;
 struct ProgramTarget;
 
-/// Marks that the share group uses a program target: display lists are divided into segments from
-/// now on.
+/// Notes that the share group uses a program target. Display lists are split into segments from now
+/// on.
 void noteProgramApiUse(Context &context);
 
-/// The object of that name and target, made at first use as BindProgram would
-/// (EXT_direct_state_access); null after an error.
+/// Returns the object of that name and target, created at first use as BindProgram would
+/// (EXT_direct_state_access). Returns null after an error.
 [[nodiscard]] std::shared_ptr<ProgramObject> namedProgram(Context &context,
                                                           const ProgramTarget &row, GLuint name,
                                                           Existence existence = Existence::Now);
-/// BindProgram (2.14.7 of ARB_vertex_program): `name` is made at first use.
+/// Executes BindProgram (2.14.7 of ARB_vertex_program), which creates `name` at first use.
 void bindProgram(Context &context, ProgramTarget &row, GLuint name,
                  Existence existence = Existence::Now);
-/// Enable or Disable of the target.
+/// Executes Enable or Disable of the target.
 void setEnabled(Context &context, ProgramTarget &row, bool enabled);
 
 } // namespace arbiter::state

@@ -19,7 +19,8 @@ struct Cache {
   std::string build;
 };
 
-/// Null: off. Never destroyed, as an application's last GL calls may come from destructors.
+/// Returns the cache, or null if it is off. Never destroyed, because destructors of an application
+/// may make its last GL calls.
 const Cache *cache() {
   static const Cache *const s_cache = []() -> const Cache * {
     if (!settings().cache)
@@ -46,7 +47,7 @@ const Cache *cache() {
 
 fp::Compilation compileCached(const fp::CompilationInput &input, std::string_view text) {
   const Cache *const c = cache();
-  // A text over the limit is refused at a glance, and need not be kept to be refused again.
+  // A text over the limit is refused quickly, so caching the refusal would be useless.
   if (!c || text.size() > fp::kMaxTextBytes)
     return fp::compile(input, text);
   const std::string key = c->build + fp::cacheKey(input, text);

@@ -4,16 +4,17 @@
 
 #include "fp_compiler/compilation.h"
 
-/// Compiled programs on disk (ARBITER_CACHE), beside the host's own cache of what it makes of them:
-/// a program that any process of the user compiled before is read instead of compiled.
+/// Caches compiled programs on disk (ARBITER_CACHE), beside the host's own cache. A program that
+/// any process of the user has compiled before is read, not compiled.
 namespace arbiter::state {
 
-/// fp::compile() by way of the cache. The key holds the text, the language, all limits and options,
-/// what the host's GLSL can do, and the build of this library: another build finds nothing.
+/// Does fp::compile() through the cache. The key has the text, the language, all limits and
+/// options, the host's GLSL features, and the build of this library. Another build thus finds
+/// nothing.
 [[nodiscard]] fp::Compilation compileCached(const fp::CompilationInput &input,
                                             std::string_view text);
 
-/// Of this process; all zero where the cache is off.
+/// The counters of this process; all zero if the cache is off.
 struct ProgramCacheCounters {
   std::uint64_t hits = 0;
   std::uint64_t misses = 0;

@@ -1,4 +1,4 @@
-/// Programs that were compiled before are read from disk, and a draw cannot tell.
+/// Checks that cached programs are read from disk, and that draws cannot tell.
 #include "state/programs/program_cache.h"
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ using testing::kFragment;
 
 namespace fs = std::filesystem;
 
-/// A cache of this process's own, set before the settings are read.
+/// Sets a cache folder for this process, before the settings are read.
 struct Folder {
   Folder() {
     char pattern[] = "/tmp/arbiter-programs-XXXXXX";

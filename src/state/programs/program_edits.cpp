@@ -17,7 +17,7 @@ ProgramEdits &ProgramEdits::instance() {
   return *s_edits;
 }
 
-/// Under the lock.
+/// Requires the lock.
 void ProgramEdits::changed() {
   m_anyHeld.store(!m_held.empty(), std::memory_order_relaxed);
   m_anyOff.store(

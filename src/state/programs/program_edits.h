@@ -14,53 +14,53 @@ namespace arbiter::state {
 
 class Context;
 
-/// Whether this process may be controlled (ARBITER_CONTROL): one load of a constant.
+/// True if this process may be controlled (ARBITER_CONTROL). It only loads a constant.
 [[nodiscard]] bool controlAllowed();
 [[nodiscard]] inline bool controlled() {
   static const bool s_controlled = controlAllowed();
   return s_controlled;
 }
 
-/// A parameter that has a value of a client's in draws.
+/// A parameter for which draws use a client's value.
 struct HeldValue {
-  Target target = Target::Fragment; ///< of an env parameter: whose
+  Target target = Target::Fragment; ///< the target of an env parameter
   bool env = false;
   std::uint32_t index = 0;
-  std::string program; ///< of a local parameter: the name of the text's file
-  Hash128 hash;        ///< likewise: of the text
+  std::string program; ///< for a local parameter: the file name of the program's text
+  Hash128 hash;        ///< for a local parameter: the hash of the text
   Vec4 value{};
 };
 
-/// What clients of control have changed of the process's programs: texts that stand in for the
-/// application's, by the name of the text's file as in a folder of replacements; programs that are
-/// not drawn with; values of parameters. Contexts take it over where they look for changed files
-/// (refreshReplacements()). Any thread may call; never destroyed.
+/// The changes that clients of control have made to the process's programs. There are texts that
+/// replace the application's, by file name as in a folder of replacements; programs that are
+/// switched off; and parameter values. Contexts take changes over when they look for changed files
+/// (refreshReplacements()). Any thread may call. Never destroyed.
 class ProgramEdits {
 public:
   [[nodiscard]] static ProgramEdits &instance();
 
-  /// Grows with every change.
+  /// Returns a number that grows with every change.
   [[nodiscard]] std::uint64_t generation() const {
     return m_generation.load(std::memory_order_acquire);
   }
-  /// What is drawn with that text changed after `generation`.
+  /// True if edits of the program with that text have changed after `generation`.
   [[nodiscard]] bool changedSince(const std::string &name, std::uint64_t generation);
-  /// The generation that a context has taken over, which is that of now from here on.
+  /// Returns the generation that a context has seen, and sets it to `now`.
   [[nodiscard]] std::uint64_t seenBy(const Context &context, std::uint64_t now);
 
   void setText(const std::string &name, std::string text);
-  /// \returns false where none stood in.
+  /// Removes the replacement of a text. \returns false if there was none
   bool resetText(const std::string &name);
-  /// \returns how many did.
+  /// Removes all replacements. \returns their number
   std::size_t resetTexts();
-  /// \returns false where there is none.
+  /// Gets the replacement of a text. \returns false if there is none
   [[nodiscard]] bool text(const std::string &name, std::string &text);
   void setEnabled(const std::string &name, bool enabled);
   [[nodiscard]] bool isOff(const std::string &name);
   [[nodiscard]] bool anyOff() const { return m_anyOff.load(std::memory_order_relaxed); }
 
   void hold(HeldValue value);
-  /// Lets go of what `matches` says. \returns how many.
+  /// Releases the held values for which `matches` is true. \returns their number
   template <typename Matches> std::size_t letGo(Matches matches) {
     const std::lock_guard lock(m_mutex);
     const std::size_t count = std::erase_if(m_held, matches);
@@ -69,44 +69,45 @@ public:
     return count;
   }
   [[nodiscard]] bool anyHeld() const { return m_anyHeld.load(std::memory_order_relaxed); }
-  /// \param hash of the program's text, of a local parameter
+  /// Returns the held value of a parameter, if there is one.
+  /// \param hash of the program's text, for a local parameter
   [[nodiscard]] std::optional<Vec4> held(Target target, bool env, std::uint32_t index,
                                          const Hash128 &hash);
 
-  /// All is the application's again.
+  /// Undoes all changes.
   void clear();
 
-  /// Texts that were loaded are to be told of, or not any more.
+  /// Switches on or off whether loaded texts are collected.
   void watchLoads(bool watch) { m_watchesLoads.store(watch, std::memory_order_relaxed); }
   void noteLoad(const std::string &name);
-  /// Those since the last call, up to a thousand.
+  /// Returns the texts loaded since the last call, up to a thousand.
   [[nodiscard]] std::vector<std::string> takeLoads();
 
 private:
   struct Edit {
     std::string text;
     bool hasText = false, off = false;
-    std::uint64_t changed = 0; ///< the generation
+    std::uint64_t changed = 0; ///< the generation of the last change
   };
   void changed();
   void changed(Edit &edit);
 
   std::mutex m_mutex;
   std::unordered_map<std::string, Edit> m_edits;
-  std::unordered_map<std::uint32_t, std::uint64_t> m_seen; ///< by the context's serial
+  std::unordered_map<std::uint32_t, std::uint64_t> m_seen; ///< by the context's serial number
   std::vector<HeldValue> m_held;
   std::vector<std::string> m_loads;
   std::atomic<bool> m_watchesLoads{false}, m_anyHeld{false}, m_anyOff{false};
   std::atomic<std::uint64_t> m_generation{0};
 };
 
-/// What stands in for an env or local parameter of the row's program; nothing mostly. Asked for
-/// where values are gathered, not at each draw.
+/// Returns the value that replaces an env or local parameter of the target's program; mostly
+/// nothing. It is called where values are collected, not for each draw.
 [[nodiscard]] std::optional<Vec4> findHeld(const Context &context, const ProgramTarget &row,
                                            bool env, std::uint32_t index);
 [[nodiscard]] inline bool anyHeld() { return controlled() && ProgramEdits::instance().anyHeld(); }
-/// The program that is bound to the row is switched off: draws are as if the target were not
-/// enabled.
+/// True if the program bound to the target is switched off. Draws are then done as if the target
+/// were disabled.
 [[nodiscard]] bool isSwitchedOff(const Context &context, const ProgramTarget &row);
 
 } // namespace arbiter::state

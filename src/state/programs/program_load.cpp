@@ -1,4 +1,4 @@
-// ProgramString (3.11.1; ARB_vertex_program 2.14.1): the text goes to our compiler.
+// Implements ProgramString (3.11.1; ARB_vertex_program 2.14.1): passes the text to the compiler.
 #include "state/programs/program_load.h"
 #include "state/core/context.h"
 #include "state/core/context_hooks.h"
@@ -32,7 +32,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// ProgramString's format and length; false after an error.
+/// Checks ProgramString's format and length. Returns false after an error.
 bool checkArguments(Context &context, GLenum format, GLsizei length) {
   if (format != GL_PROGRAM_FORMAT_ASCII_ARB) {
     raise(context, GL_INVALID_ENUM, "ProgramString: format is not PROGRAM_FORMAT_ASCII");
@@ -45,8 +45,8 @@ bool checkArguments(Context &context, GLenum format, GLsizei length) {
   return true;
 }
 
-/// State programs have a target of their own, which the compiler knows nothing of, and it has no
-/// other language.
+/// True if the text's language does not belong to the target. State programs have a target of their
+/// own, which has no other language and is unknown to the compiler.
 bool isOfOtherTarget(Target target, std::string_view text) {
   const bool isState = fp::nativeLanguageOf(text) == fp::ir::NativeLanguage::Vsp1;
   return isState != (target == Target::VertexState);
@@ -64,7 +64,7 @@ fp::Compilation refuseTarget(Target target) {
   return refused;
 }
 
-/// A load gives named parameters the values that their declarations say (NV_fragment_program
+/// Sets named parameters to the values in their declarations, as a load does (NV_fragment_program
 /// 3.11.2.3).
 void storeFirstValues(ProgramObject &object, const fp::NativeInterface &native) {
   for (const fp::NamedParameter &parameter : native.named)
@@ -88,7 +88,7 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   host.drawBuffers = caps.drawBuffers;
   host.bitEncoding = caps.bitEncoding;
   host.negativeFogDistances = caps.negativeFogDistances;
-  host.clipPlanes = false; // the clipped form of a program is made when it is needed
+  host.clipPlanes = false; // the clipped variant of a program is made when it is needed
   return host;
 }
 
@@ -108,7 +108,7 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   const fp::CheckResult &source = replaced ? replacement->result : own.check;
   if (!source.ok())
     return nullptr;
-  // The application hears of its own program, if that is one at all.
+  // The application's queries are answered for its own text, if that is valid.
   const fp::CheckResult &answers = own.check.ok() ? own.check : source;
   auto compiled = std::make_shared<CompiledProgram>();
   compiled->target = target;
@@ -155,7 +155,7 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
 
 namespace {
 
-/// Whether it is the profile alone that refuses the text.
+/// Finds out whether the profile alone refuses the text.
 Refusal refusalOf(const Context &context, const ProgramTarget &row, std::string_view text,
                   const fp::CheckResult &refused) {
   const auto loads = [&](const fp::CompileOptions &options) {
@@ -193,8 +193,8 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
 
 bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
-  if (old &&
-      old->text == text) { // nothing can have changed but named parameters and the last error
+  // For a repeated text, only named parameters and the last error may change.
+  if (old && old->text == text) {
     context.errorPosition = -1;
     context.errorString = old->warnings;
     if (!old->native.named.empty()) {
@@ -226,10 +226,10 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
     return false;
   }
 
-  if (!context.errorString.empty()) // over a limit, under ARBITER_LIMITS=report, or replaced
+  if (!context.errorString.empty()) // over a limit with ARBITER_LIMITS=report, or replaced
     logInfo("state", "context %u: program %u loads with warnings:\n%s", context.serial, object.name,
             context.errorString.c_str());
-  if (!result.ok()) { // only its replacement is valid
+  if (!result.ok()) { // only the replacement is valid
     context.errorPosition = -1;
     context.errorString.clear();
   }
@@ -244,7 +244,7 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   return true;
 }
 
-// --- Shaders that the commands of ATI_fragment_shader made ---
+// --- Shaders made by the commands of ATI_fragment_shader ---
 
 namespace {
 
@@ -254,7 +254,7 @@ fp::CheckResult checkReported(const ProgramTarget &row, std::string_view text) {
   return fp::checkProgram(row.info().language, text, options);
 }
 
-/// Its text, where something asks for one and it can be said so that the compiler takes it.
+/// Sets the shader's text, if something needs one and the compiler would accept it.
 void name(CompiledProgram &compiled, const ProgramTarget &row, const fp::ati::Shader &shader) {
   if (!capturing() && !replacing())
     return;
@@ -316,7 +316,8 @@ void recordProgramString(Context &context, Command::Kind kind, const ProgramTarg
   Command command{.kind = kind, .target = row.info().name, .object = object};
   command.format = format;
   command.count = length;
-  // A text over the limit is refused when executed: so much of it suffices for that.
+  // A text over the limit is refused when it is executed; a part that is too long suffices for
+  // that.
   if (string && length > 0) {
     command.count = std::min<GLsizei>(length, GLsizei(fp::kMaxTextBytes) + 1);
     command.bytes.assign(static_cast<const char *>(string), std::size_t(command.count));

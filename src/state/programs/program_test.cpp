@@ -1,4 +1,4 @@
-// Program objects: names, binding, parameters, attribute stacks, as the handlers keep them.
+// Checks program objects as the handlers keep them: names, binding, parameters, attribute stacks.
 #include <gtest/gtest.h>
 
 #include "state/testing/current_context.h"
@@ -100,7 +100,7 @@ TEST(Programs, ADestroyedContextStaysUsableWhileCurrent) {
   destroyContext(context);
   use(*context, kText);
   EXPECT_TRUE(draw(*context));
-  makeCurrent(nullptr); // frees it
+  makeCurrent(nullptr); // frees the context
   EXPECT_EQ(currentContext(), nullptr);
 }
 

@@ -1,4 +1,5 @@
-// program that last loaded; object 0 and an object without a program answer zero.
+// Answers GetProgramiv for the program that last loaded. Object 0, and an object without a program,
+// answer zero.
 #include "state/programs/queries.h"
 
 #include "fp_compiler/nv_limits.h"
@@ -40,20 +41,21 @@ constexpr CountRow kRows[] = {
      GL_MAX_PROGRAM_NATIVE_ATTRIBS_ARB, &fp::ResourceCounts::attribs},
 };
 
-/// The pnames that ARB_fragment_program adds to GetProgramiv for its own target. A vertex program
-/// has none of these resources: the answer is zero (ARB_vertex_program leaves them out).
+/// True for the pnames that ARB_fragment_program adds to GetProgramiv for its own target. For a
+/// vertex program the answer is zero, because ARB_vertex_program has no such resources.
 bool isFragmentOnly(GLenum pname) {
   return pname >= GL_PROGRAM_ALU_INSTRUCTIONS_ARB &&
          pname <= GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB;
 }
 
-/// Address registers are the vertex language's; other programs use and may use none.
+/// True for address registers, which only the vertex language has. Other programs use none and may
+/// use none.
 bool isAddressRegisters(GLenum pname) {
   return pname >= GL_PROGRAM_ADDRESS_REGISTERS_ARB &&
          pname <= GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB;
 }
 
-/// The target's programs have no such resource.
+/// True if programs of the target have no such resource.
 bool isNoneOf(Target target, GLenum pname) {
   return target == Target::Vertex ? isFragmentOnly(pname) : isAddressRegisters(pname);
 }
@@ -77,8 +79,8 @@ bool queryCounts(const fp::Limits &limits, const CompiledProgram *program, GLenu
   return false;
 }
 
-/// Limits of NV_fragment_program2 and NV_vertex_program2_option: what the specifications promise at
-/// least, or what the compiler holds. Vertex programs have branches and calls alone.
+/// Answers limits of NV_fragment_program2 and NV_vertex_program2_option: the minimum of the
+/// specification, or the compiler's limit. Vertex programs only have branches and calls.
 bool queryNvLimit(const ProgramTarget &row, GLenum pname, GLint *params) {
   const bool vertex = row.target == Target::Vertex;
   const bool fragment = row.target == Target::Fragment;

@@ -7,7 +7,7 @@ class Context;
 struct ProgramObject;
 struct ProgramTarget;
 
-/// GetProgramiv on an object of the target. False: pname is not known.
+/// Answers GetProgramiv for an object of the target. Returns false if pname is unknown.
 [[nodiscard]] bool queryProgram(Context &context, const ProgramTarget &row,
                                 const ProgramObject &object, GLenum pname, GLint *params);
 

@@ -13,21 +13,20 @@ namespace arbiter::state {
 
 namespace {
 
-/// A client's text; it was checked when it came.
-/// Checks the target's program of a file, which may hold both programs of a material.
+/// Checks the target's program in a file, which may hold both programs of a material.
 Replacement checked(Target target, std::string_view file, const fp::CompileOptions &options) {
   const fp::FileProgram program = fp::programOf(file, infoOf(target).language);
   return {std::string(program.in(file)), fp::checkProgramIn(file, program, options)};
 }
 
-/// A client's text; it was checked when it came.
+/// Returns a client's text. It was checked when the client sent it.
 std::optional<Replacement> findEdit(Target target, const std::string &name,
                                     const fp::CompileOptions &options) {
   std::string text;
   if (!ProgramEdits::instance().text(name, text))
     return std::nullopt;
   Replacement replacement = checked(target, text, options);
-  if (!replacement.result.ok()) // in a context of other limits
+  if (!replacement.result.ok()) // a context with other limits may refuse it
     return std::nullopt;
   return replacement;
 }
@@ -47,7 +46,7 @@ std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
   if (!folder.read(name, file))
     return std::nullopt;
   const std::string path = folder.pathOf(name);
-  if (hashBytes(file) == hash) { // as it was captured: it replaces nothing
+  if (hashBytes(file) == hash) { // unchanged since its capture: it replaces nothing
     folder.keepGood(name, {});
     return std::nullopt;
   }
@@ -59,7 +58,7 @@ std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
   }
   logText(LogLevel::Error, "state", path + " is not valid; the last text that was stays:",
           fp::renderAll(path, file, replacement.result.diagnostics));
-  // For a program that is loaded again, in an object of its own.
+  // Keeps the last valid text, for a program that is loaded again into another object.
   if (folder.lastGood(name, file))
     return checked(target, file, options);
   return replacement;
@@ -106,7 +105,7 @@ void refreshFromFolder(Context &context, ReplacementFolder &folder) {
   const std::uint64_t now = folder.generation();
   if (context.group->replacementsSeen.load(std::memory_order_relaxed) == now)
     return;
-  // One context of the group does the work; the others see that the objects changed.
+  // One context of the group does the work; the others notice the changed objects.
   const std::uint64_t since = context.group->replacementsSeen.exchange(now);
   if (since == now)
     return;
@@ -116,21 +115,21 @@ void refreshFromFolder(Context &context, ReplacementFolder &folder) {
   });
 }
 
-/// Each context sees for itself: values that are held are its own matter. What another one of the
-/// group has compiled already is not compiled again.
+/// Takes over clients' changes. Each context does this itself, because each has its own held
+/// values. What another context of the group has already compiled is not compiled again.
 void refreshFromEdits(Context &context) {
   ProgramEdits &edits = ProgramEdits::instance();
   const std::uint64_t now = edits.generation();
-  if (now == 0) [[likely]] // no client ever changed anything
+  if (now == 0) [[likely]] // no client has ever changed anything
     return;
   const std::uint64_t since = edits.seenBy(context, now);
   if (since == now)
     return;
   for (ProgramTarget &row : context.targets) {
-    ++row.envVersion; // values are gathered anew
+    ++row.envVersion; // makes values be collected anew
     context.attention |= row.parameterBits;
   }
-  invalidateProgram(context); // one may be switched off
+  invalidateProgram(context); // a program may have been switched off
   forEachProgram(context, [&](ProgramObject &object, const CompiledProgram &old) {
     if (edits.changedSince(textFileName(object.target, old.hash), since))
       reload(context, object, old);

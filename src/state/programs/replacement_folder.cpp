@@ -15,8 +15,8 @@ namespace arbiter::state {
 
 namespace {
 
-constexpr std::int64_t kPollInterval = 10'000'000;    ///< ns between two questions to inotify
-constexpr std::int64_t kScanInterval = 1'000'000'000; ///< ns between two scans of every file
+constexpr std::int64_t kPollInterval = 10'000'000;    ///< ns between two reads of inotify
+constexpr std::int64_t kScanInterval = 1'000'000'000; ///< ns between two scans of all files
 
 std::int64_t coarseNow() {
   timespec time{};
@@ -40,8 +40,8 @@ ReplacementFolder::~ReplacementFolder() {
     close(m_notify);
 }
 
-/// Begins to listen, in this process: a descriptor inherited by fork shares its events with the
-/// parent's.
+/// Starts to watch the folder, in this process. A descriptor inherited by fork would share its
+/// events with the parent.
 void ReplacementFolder::watch() {
   if (m_notify >= 0)
     close(m_notify);
@@ -49,7 +49,7 @@ void ReplacementFolder::watch() {
   m_notify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
   if (m_notify < 0)
     return;
-  // Writers that truncate are heard when they close.
+  // A writer that truncates the file first is noticed when it closes the file.
   constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
                                     IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
   if (inotify_add_watch(m_notify, m_path.c_str(), kEvents) < 0)
@@ -59,7 +59,7 @@ void ReplacementFolder::watch() {
 bool ReplacementFolder::read(const std::string &name, std::string &text) {
   const std::string path = pathOf(name);
   const std::lock_guard lock(m_mutex);
-  // The state first: what is written between the two is read again.
+  // The state is read first, so that a write between the two calls is noticed later.
   m_files[name].state = stateOf(path.c_str());
   if (readFile(path.c_str(), fp::kMaxTextBytes, text))
     return !text.empty();
@@ -84,7 +84,7 @@ bool ReplacementFolder::lastGood(const std::string &name, std::string &text) {
   return true;
 }
 
-/// Whether inotify has anything to say. What it is does not matter: the files are looked at.
+/// True if inotify has reported anything. The events do not matter, because the files are scanned.
 bool ReplacementFolder::reported() {
   bool any = false;
   alignas(inotify_event) char events[4096];
@@ -96,7 +96,7 @@ bool ReplacementFolder::reported() {
     for (ssize_t at = 0; at < count;) {
       inotify_event event;
       std::memcpy(&event, events + at, sizeof event);
-      if ((event.mask & (IN_IGNORED | IN_MOVE_SELF)) != 0) { // the folder is another one now
+      if ((event.mask & (IN_IGNORED | IN_MOVE_SELF)) != 0) { // the folder has been replaced
         close(std::exchange(m_notify, -1));
         return true;
       }
@@ -125,7 +125,7 @@ void ReplacementFolder::poll() {
   if (now < m_nextPoll.load(std::memory_order_relaxed))
     return;
   const std::unique_lock lock(m_mutex, std::try_to_lock);
-  if (!lock) // another thread is at it
+  if (!lock) // another thread is polling
     return;
   m_nextPoll.store(now + kPollInterval, std::memory_order_relaxed);
   if (m_process != getpid())

@@ -17,7 +17,7 @@ protected:
     ASSERT_TRUE(replacePrivateFile(std::string(m_path) + "/" + name, text));
   }
   void drop(const char *name) { unlink((std::string(m_path) + "/" + name).c_str()); }
-  /// Polls as frames would, until a change is seen or a time is over that inotify never needs.
+  /// Polls as frames would, until a change is seen or a generous time has passed.
   static bool sees(ReplacementFolder &folder, const char *name, std::uint64_t since,
                    int milliseconds = 500) {
     for (int i = 0; i < milliseconds / 10; ++i) {
@@ -34,7 +34,7 @@ protected:
 TEST_F(Replacing, AFileThatAppearsChangesAndGoesIsSeen) {
   ReplacementFolder folder(m_path);
   std::string text;
-  EXPECT_FALSE(folder.read("a.fp", text)); // from now on it is waited for
+  EXPECT_FALSE(folder.read("a.fp", text)); // the file is watched from now on
   std::uint64_t seen = folder.generation();
   EXPECT_FALSE(sees(folder, "a.fp", seen, 50));
 
@@ -81,7 +81,8 @@ TEST_F(Replacing, OnlyTheChangedFileIsChanged) {
 }
 
 TEST_F(Replacing, WithoutInotifyTheFilesAreLookedAt) {
-  const std::string later = std::string(m_path) + "/later"; // cannot be watched: it is not there
+  // does not exist, so inotify cannot watch it
+  const std::string later = std::string(m_path) + "/later";
   ReplacementFolder folder(later);
   std::string text;
   EXPECT_FALSE(folder.read("a.fp", text));

@@ -7,25 +7,26 @@
 #include "state/objects/target.h"
 #include "util/hash.h"
 
-/// Register combiners and texture shaders as texts, where programs are captured or replaced: a
-/// state is written as a text of nvparse's, whose hash is its name as a program's text's is.
+/// Represents register combiners and texture shaders as texts while programs are captured or
+/// replaced. A state is written as a text of nvparse, and the text's hash identifies it, as for
+/// programs.
 namespace arbiter::state {
 
 class Context;
 
-/// The text of a state, and what stands in for it.
+/// The text of a state, and its replacement.
 struct StateText {
   std::string text;
-  Hash128 hash;                              ///< of `text`
-  std::string replacement;                   ///< empty: nothing stands in
-  std::optional<fp::nvparse::Text> replaced; ///< what `replacement` says
-  /// Of the folder and of clients' edits, when it was last looked for.
+  Hash128 hash;                              ///< hash of `text`
+  std::string replacement;                   ///< empty: there is no replacement
+  std::optional<fp::nvparse::Text> replaced; ///< the parsed `replacement`
+  /// Generations of the folder and of clients' edits when the replacement was last looked up.
   std::uint64_t folderSeen = 0, editsSeen = 0;
 
   [[nodiscard]] std::string key() const { return text + '\0' + replacement; }
 };
 
-/// A context's; there is none where none is asked for (state_texts.h).
+/// A context's texts of states; null if nothing needs them (state_texts.h).
 class StateTexts {
 public:
   StateTexts() = default;
@@ -33,14 +34,14 @@ public:
   StateTexts &operator=(const StateTexts &) = delete;
   virtual ~StateTexts() = default;
 
-  /// The text of a state without values, which are the application's to change. Valid until the
-  /// next call.
+  /// Returns the text of a state, without its values, which the application may change. Valid until
+  /// the next call.
   [[nodiscard]] virtual const StateText &of(const Context &context, Target target,
                                             const fp::nvparse::Text &state) = 0;
-  /// A program was made of that text, or of what stands in for it: the capture's record gets it.
+  /// Reports to the capture that a program was made of that text or its replacement.
   virtual void noteProgram(const Context &context, const StateText &text,
                            const CompiledProgram &compiled) = 0;
-  /// True once after each change of a text that may stand in.
+  /// True once after each change of a text that may be a replacement.
   [[nodiscard]] virtual bool changed() = 0;
 };
 

@@ -20,7 +20,7 @@ std::uint64_t folderGeneration() {
 
 std::uint64_t editsGeneration() { return controlled() ? ProgramEdits::instance().generation() : 0; }
 
-/// Clients of control are told of a state, and of what stands in for it.
+/// Tells clients of control about a state and its replacement.
 void tellClients(Target target, const StateText &entry, const fp::CompileOptions &enforced) {
   fp::CompileOptions options = enforced;
   options.policy = fp::LimitPolicy::Report;
@@ -37,7 +37,7 @@ void tellClients(Target target, const StateText &entry, const fp::CompileOptions
     ProgramEdits::instance().noteLoad(textFileName(target, entry.hash));
 }
 
-/// Whether what stands in may be another since it was looked for.
+/// True if the replacement may have changed since it was looked up.
 bool mayDiffer(Target target, const StateText &entry) {
   const std::string name = textFileName(target, entry.hash);
   return (entry.folderSeen != folderGeneration() &&
@@ -82,7 +82,7 @@ void KnownTexts::replace(Target target, StateText &entry, const fp::CompileOptio
     return;
   }
   if (!found->result.ok() || found->text == entry.replacement)
-    return; // what stood in stays
+    return; // keep the last replacement
   entry.replacement = found->text;
   entry.replaced = fp::nvparse::parse(infoOf(target).language, found->text, options).text;
 }

@@ -5,7 +5,7 @@
 
 namespace arbiter::state {
 
-/// The texts of a context's states; null where nothing captures or replaces them.
+/// Returns a context's texts of states, or null if nothing captures or replaces them.
 [[nodiscard]] std::unique_ptr<StateTexts> makeStateTexts();
 
 } // namespace arbiter::state

@@ -1,18 +1,18 @@
 #pragma once
 
-/// Draws of texture shaders and of register combiners depend on which textures are bound and on
-/// what they are: that a texture is consistent, that it has depths, and which of its components the
-/// host does not have, choose among programs. What may have changed that is noted here, and looked
-/// at once, by the next draw (programs/variants).
+/// Notes changes of bound textures, because texture shaders and register combiners depend on them.
+/// Their programs depend on whether a texture is consistent, whether it has depths, and which of
+/// its components the host lacks. The next draw looks once (host_draw/variants).
 namespace arbiter::state {
 
 class Context;
 
-/// After a command that binds or defines textures, or sets how they are sampled: the next draw that
-/// depends on them asks the host. A few tests where none does.
+/// Notes a command that binds or defines textures, or changes sampling. The next draw that depends
+/// on textures queries the host. It only takes a few tests if none does.
 void noteTextureChange(Context &context);
 
-/// Since a draw last asked; always where other contexts may change them.
+/// True if textures may have changed since a draw last looked; always if other contexts may change
+/// them.
 [[nodiscard]] bool texturesMayDiffer(const Context &context);
 
 } // namespace arbiter::state

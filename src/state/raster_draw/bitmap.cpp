@@ -12,14 +12,14 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Bytes from a row to the next (3.6.4, with the elements of 3.7).
+/// Returns the bytes from one row to the next (3.6.4, with the elements of 3.7).
 std::int64_t strideOf(const BitUnpacking &unpack, GLsizei width) {
   const std::int64_t pixels = unpack.rowLength > 0 ? unpack.rowLength : width;
   const std::int64_t unit = 8 * std::int64_t(unpack.alignment);
   return (pixels + unit - 1) / unit * unpack.alignment;
 }
 
-/// All but where its rows are.
+/// Describes the bitmap, without the address of its rows.
 swrast::BitImage imageOf(const BitUnpacking &unpack, const BitmapCommand &command) {
   swrast::BitImage image;
   image.stride = strideOf(unpack, command.width);
@@ -30,8 +30,8 @@ swrast::BitImage imageOf(const BitUnpacking &unpack, const BitmapCommand &comman
   return image;
 }
 
-/// The bits out of a buffer object, `at` bytes behind its start; false where the host has to say
-/// what is wrong with it.
+/// Reads the bits from a buffer object, `at` bytes from its start. Returns false if the arguments
+/// are invalid, so that the host must report it.
 bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, std::intptr_t at,
                      swrast::BitImage &image, std::vector<std::uint8_t> &memory) {
   const host::HostTable &host = *context.host;
@@ -43,7 +43,7 @@ bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, std::intptr_t
     host.GetBufferParameteriv(GL_PIXEL_UNPACK_BUFFER, pname, &value);
     return value;
   };
-  // A host counts whole rows: it is to say whether those at the end are there.
+  // A host checks whole rows, so it must decide if a part of the last row is missing.
   if (at < 0 || first < 0 || first + image.height * image.stride > ask(GL_BUFFER_SIZE) ||
       first + bytes > ask(GL_BUFFER_SIZE) || ask(GL_BUFFER_MAPPED) != 0)
     return false;
@@ -53,7 +53,7 @@ bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, std::intptr_t
   return true;
 }
 
-/// The raster position moves, in the host and in what is known of it.
+/// Moves the raster position, in the host and in the mirror.
 void move(Context &context, const BitmapCommand &command) {
   Mirror &mirror = context.software->mirror;
   context.host->Bitmap(0, 0, 0, 0, command.xMove, command.yMove, nullptr);
@@ -68,7 +68,7 @@ bool drawBits(Context &context, const PlacedBits &bits) {
                   }));
 }
 
-/// Draws the bits; false: the host's.
+/// Draws the bits. Returns false if the host must draw them.
 bool drawAtRasterPosition(Context &context, const BitmapCommand &command) {
   const BitUnpacking unpack = context.software->residency.bitUnpacking();
   PlacedBits bits = {imageOf(unpack, command), command.xOrigin, command.yOrigin};
@@ -80,7 +80,7 @@ bool drawAtRasterPosition(Context &context, const BitmapCommand &command) {
       return false;
     }
   } else if (!command.bits) {
-    return true; // there is nothing to draw
+    return true; // no bits, so nothing to draw
   } else {
     bits.image.rows = command.bits + unpack.skipRows * bits.image.stride;
   }
@@ -91,11 +91,11 @@ bool drawAtRasterPosition(Context &context, const BitmapCommand &command) {
 
 bool tryBitmap(Context &context, const BitmapCommand &command) {
   if (!context.software || !isCandidate(context)) {
-    hostWrites(context, "glBitmap"); // a list notes it, too
+    hostWrites(context, "glBitmap"); // also notes it in an open list
     return false;
   }
   if (command.width < 0 || command.height < 0)
-    return false; // an error, and the host raises it
+    return false; // the host raises the error
   Mirror &mirror = context.software->mirror;
   mirror.refreshRasterPosition(context.dirty, 0);
   const bool draws = command.width > 0 && command.height > 0 && mirror.rasterPosition.valid;

@@ -12,7 +12,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// In the order of section 2.10.
+/// Adds a rectangle's vertices in the order of section 2.10.
 void addRectangle(ImmediateRecorder &to, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   to.vertex(x1, y1, 0, 1);
   to.vertex(x2, y1, 0, 1);
@@ -20,8 +20,8 @@ void addRectangle(ImmediateRecorder &to, GLfloat x1, GLfloat y1, GLfloat x2, GLf
   to.vertex(x1, y2, 0, 1);
 }
 
-/// A POLYGON by section 2.10, whose flat colour is its first vertex's. Smooth ones are cut in two
-/// where the host cuts them, which draws QUADS.
+/// Returns the primitive for glRect. Section 2.10 asks for a POLYGON, whose flat colour is its
+/// first vertex's. Smooth rectangles use QUADS, as the host does, so that they are split alike.
 GLenum rectangleMode(Context &context) {
   Mirror &mirror = context.software->mirror;
   mirror.refresh(context.dirty);
@@ -74,7 +74,7 @@ void hostDoesUnknown(Context &context, const char *name) {
       return;
     if (context.software)
       context.software->residency.hostDoesAnything(name);
-    // It may draw, too.
+    // The command may draw, too.
     if ((context.attention & attention::kParameters) != 0)
       (void)validate(context);
   });

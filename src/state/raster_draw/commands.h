@@ -8,33 +8,33 @@
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/draw.h"
 
-/// What the generated entry points ask of the rasterizer before a command goes to the host
+/// The functions that generated entry points call before a command goes to the host
 /// (src/dispatch/software.toml).
 namespace arbiter::state::software {
 
-// --- Draws that the rasterizer may take; true: drawn. Called where mayDraw(), before anything is
-// --- prepared for the host's draw ---
+// --- Draws that the rasterizer may do. They return true if drawn. They are called only if
+// mayDraw(), before anything is prepared for the host's draw. ---
 
-/// The rasterizer is used or listens, or what becomes effective now may bring it.
+/// True if the rasterizer is in use or listens, or if a program change may start it.
 [[nodiscard]] inline bool mayDraw(const Context &context) {
   return context.softwareListens ||
          (!context.passThrough && (context.attention & attention::kProgram) != 0);
 }
 [[nodiscard]] bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
 
-// --- Before the host does what `name` says. Between Begin and End, where these are errors, and
-// --- while a list is compiled, where nothing is the rasterizer's, they do nothing ---
+// --- Preparations for a host command called `name`. They do nothing between Begin and End, where
+// these commands are errors, and while a list is compiled, where nothing is executed. ---
 
 void hostReads(Context &context, const char *name);
 void hostWaits(Context &context, const char *name);
-/// Before ColorMaterial (host_draw/current_values.h).
+/// Prepares ColorMaterial (host_draw/current_values.h).
 void hostTakesColor(Context &context);
 void hostWrites(Context &context, const char *name);
 void hostDoesUnknown(Context &context, const char *name);
 
 // --- While a primitive is recorded ---
 
-/// A generic attribute; attribute 0 makes a vertex.
+/// Records a generic attribute; attribute 0 makes a vertex.
 inline void generic(ContextHot &hot, GLuint index, GLfloat x, GLfloat y, GLfloat z, GLfloat w,
                     unsigned given) {
   if (index == 0)

@@ -53,7 +53,7 @@ void engage(Context &context) {
   context.software->residency.enter(context.drawable);
 }
 
-// The mirror is never asked for anything while the host is deferred (Context::trueHost).
+// The mirror always queries the real host, even while calls are deferred (Context::trueHost).
 ContextState::ContextState(Context &context)
     : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps,
              context.attributesAlias ? context.aliases.get() : nullptr),

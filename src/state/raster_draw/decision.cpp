@@ -15,27 +15,27 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// What a client makes the host draw is no word on what the rasterizer can.
+/// Draws that an observing client gives to the host must not count against the frame.
 [[gnu::cold]] Outcome observed(Context &context) {
   context.software->observed = true;
   return Fallback::Observed;
 }
 
-/// decideByPath(), as a part of the functions that each draw goes through.
+/// Implements decideByPath(), always inline because every draw runs it.
 [[gnu::always_inline]] inline Outcome judgePath(Context &context) {
   if (context.listMode != 0 || context.listIsExecuted) [[unlikely]]
     return Fallback::List;
   if (isObserved(context)) [[unlikely]]
     return observed(context);
   if (!context.linkedProgram) {
-    // Fixed function alone is the rasterizer's too, once a program has been drawn.
+    // The rasterizer also draws fixed function, without any program.
     if (context.path == Path::HostAssembly && !applicationShades(context))
       return Fallback::NotCompiled; // too long
     if (context.path != Path::NoProgram || applicationShades(context))
       return Fallback::NoFragmentProgram;
   }
   if (!context.software->residency.syncWithNeighbours()) [[unlikely]] {
-    context.software->history.look.becomesHosts(); // whatever its look
+    context.software->history.look.becomesHosts(); // a neighbour's draws go unnoticed
     return Fallback::Shared;
   }
   if (!context.software->history.backOff.engaged())
@@ -43,14 +43,14 @@ namespace {
   return {};
 }
 
-/// The current values that vertices read: unfilled polygons have edge flags too.
+/// Returns the slots of current values that vertices read. Unfilled polygons also read edge flags.
 std::uint32_t currentSlotsOf(const Pipeline &pipeline, const Mirror &mirror) {
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
                         mirror.raster.back != swrast::PolygonMode::Fill;
   return pipeline.currentSlots() | (unfilled ? 1u << kEdgeFlag : 0u);
 }
 
-/// Whether a draw must meet depths that the rasterizer wrote in this frame.
+/// True if a draw must match depths that the rasterizer wrote in this frame.
 bool meetsDepths(const ContextState &state) {
   const abi::DepthStencilKey &depth = state.mirror.pixelOps.depthStencil;
   return state.depthsTested && (depth.depthTest != 0 || depth.stencilTest != 0);
@@ -127,7 +127,8 @@ void giveToHost(Context &context, Fallback reason) {
   ContextState &state = *context.software;
   state.fellBack(reason);
   state.hostDrew = true;
-  // What the rasterizer will take later, or leaves for this alone, says nothing about the frame.
+  // Some reasons say nothing about the frame: the rasterizer will take such draws later, or refuses
+  // them only because the frame is mixed.
   const bool says = reason != Fallback::Compiling && reason != Fallback::Mixed &&
                     reason != Fallback::BackedOff && reason != Fallback::Observed;
   state.lookTurns += reason == Fallback::Look ? 1 : 0;

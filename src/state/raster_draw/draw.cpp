@@ -14,7 +14,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Contents of the arrays of one draw.
+/// Keeps the arrays of one draw open, and closes them.
 struct OpenArrays {
   OpenArrays(Context &inContext, ArraySource &ofSource) : context(inContext), source(ofSource) {}
   ~OpenArrays() { source.close(context); }
@@ -24,13 +24,14 @@ struct OpenArrays {
   ArraySource &source;
 };
 
-/// Of a pipeline that has chosen: what it reads, and edge flags.
+/// Returns the slots that a draw reads, including edge flags. Requires that the pipeline has
+/// chosen.
 std::uint32_t slotsOf(const Pipeline &pipeline) {
   return std::uint32_t(pipeline.slots()) | 1u << kEdgeFlag;
 }
 
-/// In a frame that says nothing yet: whether arrays make the draw the host's turn, as they would
-/// where it was tried (Units::judge).
+/// True if a draw refused as mixed has arrays that the rasterizer lacks anyway. The draw then makes
+/// the frame a mixed one, as it would if it had been tried (Units::judge()).
 bool isHostsTurn(Context &context, const Outcome &outcome, const DrawCommand &command) {
   ContextState &state = *context.software;
   if (outcome.ok() || outcome.reason() != Fallback::Mixed || state.hostTurns != 0)
@@ -72,8 +73,8 @@ bool isIndexType(GLenum type) {
   return type == GL_UNSIGNED_INT || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_BYTE;
 }
 
-/// True: drawn. False: the host's, which has been brought up to date for it. Requires:
-/// usesRasterizer(), a count above 0, `first` of 0 or more.
+/// Draws arrays and returns true, or returns false with the host up to date. Requires
+/// usesRasterizer(), a count above 0, and `first` of 0 or more.
 bool drawArrays(Context &context, const DrawCommand &command) {
   return conclude(context, outcomeOf(context, [&] {
                     const Outcome outcome =
@@ -84,20 +85,20 @@ bool drawArrays(Context &context, const DrawCommand &command) {
                   }));
 }
 
-/// Of several draws that are one command. False, and noted where a list is compiled: the host's.
+/// Leaves a multi-draw to the host, and notes it in an open list. Returns false.
 bool leavesToHost(Context &context) {
   (void)isHosts(context);
   return false;
 }
 
-/// Its draws are to be judged one by one.
+/// True if each draw of a multi-draw is decided on its own.
 bool isEach(Context &context) {
   if (context.listMode != 0 && context.list->keeps())
     return true;
   return !isHosts(context) && usesRasterizer(context);
 }
 
-/// True: one of them is drawn. Requires: isEach().
+/// Draws or records one draw of a multi-draw. Returns false if the host must. Requires isEach().
 bool takes(Context &context, const DrawCommand &command) {
   if (context.listMode == 0)
     return drawArrays(context, command);
@@ -119,7 +120,8 @@ bool tryDraw(Context &context, const DrawCommand &command) {
   if (context.listMode != 0 && draws) {
     if (recordArrays(context, command))
       return true;
-    context.dirty |= dirty::kCurrent; // arrays of a host's list may leave their last values (2.8)
+    // arrays in a list of the host's may change current values (2.8)
+    context.dirty |= dirty::kCurrent;
   }
   return !isHosts(context) && draws && usesRasterizer(context) && drawArrays(context, command);
 }

@@ -7,31 +7,31 @@
 #include "state/raster_draw/outcome.h"
 #include "state/raster_draw/vertices/draw_command.h"
 
-/// Draws of arrays and of vertices that a list has kept.
+/// Draws arrays, and vertices that a list has kept.
 namespace arbiter::state {
 class Context;
 }
 
 namespace arbiter::state::software {
 
-// --- Commands. True: drawn. Called where mayDraw() (commands.h), before anything is prepared for
-// the
-// --- host's draw; false also where the host would raise an error for the arguments: it does so ---
+// --- Commands. They return true if drawn, and are called only if mayDraw() (commands.h), before
+// anything is prepared for the host's draw. They return false for invalid arguments too, for which
+// the host raises the error. ---
 
-/// One draw, of arrays or of elements.
+/// Executes a draw of arrays or elements.
 [[nodiscard]] bool tryDraw(Context &context, const DrawCommand &command);
 [[nodiscard]] bool tryDrawRange(Context &context, GLuint start, GLuint end,
                                 const DrawCommand &command);
-/// Each of its draws is judged by itself: some may be the rasterizer's, and others the host's.
+/// Executes a multi-draw. Each of its draws is decided on its own, so either side may do it.
 [[nodiscard]] bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first,
                                       const GLsizei *count, GLsizei drawCount);
-/// \param baseVertices null: 0 for each
+/// \param baseVertices null: 0 for each draw
 [[nodiscard]] bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count,
                                         GLenum type, const void *const *indices, GLsizei drawCount,
                                         const GLint *baseVertices);
 
-/// Draws the first `count` vertices of `source` with what decide() (decision.h) has chosen. Not ok:
-/// nothing has been drawn.
+/// Draws the first `count` vertices of `source` as decide() (decision.h) has chosen. If the outcome
+/// is not ok, nothing has been drawn.
 Outcome drawSource(Context &context, const VertexSource &source, std::uint32_t count);
 
 } // namespace arbiter::state::software

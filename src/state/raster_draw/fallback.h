@@ -3,7 +3,7 @@
 
 namespace arbiter::state::software {
 
-/// Why the host drew; rows of reasons.def.
+/// The reasons why the host drew: rows of reasons.def.
 enum class Fallback : std::uint8_t {
 #define ARBITER_FALLBACK(Enumerator, key, doc) Enumerator,
 #include "state/raster_draw/reasons.def"
@@ -17,7 +17,7 @@ inline constexpr int kFallbackCount = [] {
   return count;
 }();
 [[nodiscard]] const char *fallbackName(Fallback reason);
-/// The row of reasons.def that a key of the mirror or of residency names; `otherwise` for none.
+/// Returns the reason that a key of the mirror or of residency names, or `otherwise`.
 [[nodiscard]] Fallback fallbackNamed(const char *key, Fallback otherwise);
 
 } // namespace arbiter::state::software

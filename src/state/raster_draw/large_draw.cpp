@@ -12,18 +12,18 @@ namespace {
 
 using swrast::Topology;
 
-/// Vertices of a part: a multiple of those of all primitives, and even, so that each part of a
-/// strip begins with a triangle that is wound as the first one is. So few that what the stages hand
-/// on to each other stays in a processor's cache.
+/// Vertices of a part. It is a multiple of the size of every primitive, and even, so that each part
+/// of a strip begins with the winding of the first triangle. It is small enough that data between
+/// the stages stays in a processor's cache.
 constexpr std::uint32_t kPart = 3u << 12;
 static_assert(kMostOpen > kPart + 3 && kMostOpen < kMostAtOnce);
 
-/// How primitives of a topology go on from one part to the next.
+/// How primitives of a topology continue from one part to the next.
 struct Joint {
-  std::uint32_t shared = 0;             ///< last vertices of a part that are the next one's first
-  bool pivots = false;                  ///< each primitive has the draw's first vertex
-  bool closes = false;                  ///< a line leads from the last vertex to the first
-  Topology topology = Topology::Points; ///< of a part
+  std::uint32_t shared = 0; ///< number of last vertices of a part that begin the next part
+  bool pivots = false;      ///< true if each primitive has the draw's first vertex
+  bool closes = false;      ///< true if a line joins the last vertex to the first
+  Topology topology = Topology::Points; ///< topology of a part
 };
 Joint jointOf(Topology topology) {
   switch (topology) {
@@ -42,7 +42,8 @@ Joint jointOf(Topology topology) {
   }
 }
 
-/// What is counted over a whole primitive has no parts: a stipple along lines, a polygon's sides.
+/// True if a draw cannot be split: a line stipple runs along all lines, and an unfilled polygon
+/// needs its own sides.
 bool isWhole(const Mirror &mirror, Topology topology) {
   const swrast::RasterState &state = mirror.raster;
   if (topology == Topology::LineStrip || topology == Topology::LineLoop)
@@ -84,7 +85,7 @@ private:
   const Topology m_topology;
 };
 
-/// All vertices of the sequence are there, as far as is known where the arrays end.
+/// True if all vertices of the sequence exist, as far as the ends of the arrays are known.
 bool isWithin(const VertexSource &source, const VertexSequence &sequence) {
   IndexBounds bounds{sequence.first, std::int64_t(sequence.first) + sequence.count - 1};
   if (sequence.indexType != 0) {
@@ -114,7 +115,7 @@ Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &so
     if (const Outcome outcome = parts.draw({begin, count, joint.pivots, 0}); !outcome.ok()) {
       if (begin == lead)
         return outcome;
-      throw std::bad_alloc(); // what is drawn cannot be taken back
+      throw std::bad_alloc(); // parts that were drawn cannot be undone
     }
   }
   if (joint.closes && !parts.draw({0, 1, true, sequence.count - 1}).ok())
@@ -124,7 +125,7 @@ Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &so
 
 bool opensInParts(const Context &context, const Pipeline &pipeline) {
   const Topology topology = pipeline.topology();
-  // The line that closes a loop is the last one, and may come to be the host's.
+  // The last line of a loop closes it, and might have to be the host's.
   return !isWhole(context.software->mirror, topology) && !jointOf(topology).closes;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "state/raster_draw/fallback.h"
 
-/// Whether a step of a draw succeeded, or why the host draws.
+/// The outcome of a step of a draw: success, or the reason why the host draws.
 namespace arbiter::state::software {
 
 class [[nodiscard]] Outcome {
@@ -9,7 +9,7 @@ public:
   constexpr Outcome() = default;
   constexpr Outcome(Fallback reason) : m_reason(reason), m_ok(false) {} // NOLINT: reads as a value
   [[nodiscard]] constexpr bool ok() const { return m_ok; }
-  /// Requires: not ok.
+  /// Returns the reason. Requires that the outcome is not ok.
   [[nodiscard]] constexpr Fallback reason() const { return m_reason; }
 
 private:

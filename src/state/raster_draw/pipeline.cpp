@@ -19,11 +19,11 @@ namespace arbiter::state::software {
 using fp::ir::AttributeKind;
 
 namespace {
-/// Vectors of four pixels are rarely so empty that packing them pays.
+/// With fewer lanes, vectors are rarely empty enough for packing to pay.
 constexpr int kLeastPackedLanes = 8;
 
 using SpriteThird = swrast::RasterState::SpriteThird;
-/// Points drawn as sprites replace it.
+/// True if point sprites replace the attribute.
 bool isSprite(const Mirror &mirror, const fp::ir::Attribute &attribute) {
   return attribute.kind == AttributeKind::TexCoord && attribute.index < 8 &&
          (mirror.spriteCoords >> attribute.index & 1) != 0;
@@ -54,7 +54,7 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, abi::Interpolation input
     shading.inputComponents[i] = shape.inputs[i].components;
     if (isSprite(mirror, shape.inputs[i].attribute) &&
         mirror.raster.spriteThird != SpriteThird::Zero)
-      shading.inputComponents[i] = 0xF; // s, r and q of the vertex
+      shading.inputComponents[i] = 0xF; // the vertex's s, r and q
   }
   if (m_key.coverage != abi::Coverage::Whole) {
     const abi::Interpolation how = m_key.coverage == abi::Coverage::Line && !affine
@@ -94,7 +94,7 @@ void Pipeline::choosePacked(bool quads, swrast::Shading &shading, Fallback &why)
     return;
   const abi::DepthStencilKey depth = m_key.depthStencil;
   m_key.depthStencil = {};
-  // By this key it is one of the other type.
+  // with this key the function has the type of packed functions
   shading.packed = reinterpret_cast<abi::PackedShadeFunction>(functionFor(abi::Lanes::Packed, why));
   m_key.depthStencil = depth;
   shading.packsQuads = quads;
@@ -112,7 +112,7 @@ void Pipeline::fillRaster(const Mirror &mirror) {
   if (mirror.scissorEnabled)
     m_raster.clip = swrast::intersect(m_raster.clip, mirror.scissor);
   m_raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
-  // The software host's r is two steps of a depth buffer; passes of both must meet.
+  // The software host's r is two steps of a depth buffer; passes of both sides must match.
   m_raster.depthResolution =
       2.0 / abi::depthStepsOf(m_targets->depthStencil ? m_targets->depthStencil->format.layout
                                                       : abi::Layout::None);
@@ -122,7 +122,7 @@ void Pipeline::fillRaster(const Mirror &mirror) {
       m_raster.spriteInputs |= 1u << i;
 }
 
-/// All but the parameters.
+/// Fills m_data, except the parameters.
 void Pipeline::fillData(const Mirror &mirror) {
   m_data = mirror.constants;
   m_units.fill(m_data.textures);
@@ -137,7 +137,7 @@ void Pipeline::fillData(const Mirror &mirror) {
   m_data.originY = swrast::planesBegin(m_raster);
 }
 
-/// What m_data refers to, but for the parameters.
+/// Fills m_use with what m_data refers to, except the parameters.
 void Pipeline::describeUse() {
   m_units.describe(m_use);
   std::size_t count = 0;
@@ -150,7 +150,7 @@ void Pipeline::describeUse() {
   m_use.functions = m_program->functions;
 }
 
-/// The clears that the draw is to write where it draws.
+/// Collects the pending clears of the draw's targets.
 void Pipeline::takeClears() {
   m_raster.clears = {};
   for (const swrast::Image *const image : m_targets->color)
@@ -160,7 +160,7 @@ void Pipeline::takeClears() {
     m_raster.clears.add(m_targets->depthStencil->storage->pendingClear());
 }
 
-/// The targets' shadows become valid to write to.
+/// Makes the shadows of the targets valid for writing.
 Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint32_t count,
                           bool opaque, swrast::Topology topology) {
   const abi::DepthStencilKey &depth = m_key.depthStencil;
@@ -205,7 +205,7 @@ Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::
   if (const Outcome outcome = acquire(context, indices, count, prepared.shading.opaque, topology);
       !outcome.ok())
     return outcome;
-  // Only now: to acquire an image may give it other memory.
+  // After acquire(), which may give an image other memory.
   const std::uint64_t images = context.software->residency.version();
   if ((changed & kDataGroups) != 0 || images != m_filledImages)
     fillData(mirror);
@@ -225,8 +225,8 @@ Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::
 
 namespace {
 
-/// llvmpipe has smooth lines and points made in the path that clips, whatever primitives are drawn,
-/// and does not take from it then what it does itself: offsets of polygons, and their sides.
+/// True if llvmpipe draws with its clipping path. It does so for every primitive while smooth lines
+/// or points are enabled, and then lacks polygon offset and two-sidedness of its fast path.
 bool takesOtherPath(const Mirror &mirror, bool twoSided) {
   const swrast::RasterState &raster = mirror.raster;
   return (mirror.smoothLines || mirror.smoothPoints) &&
@@ -238,7 +238,8 @@ bool hasFlatInput(const swrast::Shading &shading) {
   return std::find(shading.interpolation, end, abi::Interpolation::Flat) != end;
 }
 
-/// True if no vertex has a colour of its own: the fragments of hosts' fixed function have no such
+/// True if no vertex has a colour of its own. Fixed function's fragments then have no such inputs
+/// on hosts.
 /// inputs then.
 bool hasOneColor(const VertexSource &source) {
   return !source.arrays[kColor].base && !source.arrays[kSecondary].base;
@@ -246,8 +247,8 @@ bool hasOneColor(const VertexSource &source) {
 
 } // namespace
 
-/// True where llvmpipe cuts quads from the second corner to the fourth: in lists, by indices, and
-/// where the provoking vertex counts.
+/// True if llvmpipe splits quads from the second corner to the fourth: in lists, with indices, and
+/// where the provoking vertex matters.
 bool Pipeline::cutsSecondDiagonal(const Context &context, const VertexSource &source,
                                   const IndexRange &indices, const swrast::Shading &shading) const {
   if (source.fromList || indices.indices)
@@ -308,11 +309,11 @@ Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const 
                    {topology, context.software->mirror.raster.provokingIsFirst});
 }
 
-// --- Fragments that no vertices give: those of bitmaps ---
+// --- Fragments at the raster position: bitmaps and pixel rectangles ---
 
 namespace {
 
-/// The values that the raster position has for fragment inputs, as slots.
+/// Returns the slots of the raster position's values that fragments read.
 std::uint32_t rasterSlots(const fp::jit::FragmentShape &shape) {
   std::uint32_t slots = 0;
   for (const fp::jit::FragmentInput &input : shape.inputs)
@@ -320,13 +321,13 @@ std::uint32_t rasterSlots(const fp::jit::FragmentShape &shape) {
   return slots;
 }
 
-/// Images begin at whole pixels, as hosts have it.
+/// Rounds as hosts do: images begin at whole pixels.
 std::int32_t nearestPixel(float raster) {
   constexpr float kFar = 1 << 20;
   return std::int32_t(std::nearbyint(std::clamp(raster, -kFar, kFar)));
 }
 
-/// Hosts add a little, so that a position that is whole but for a rounding error is whole.
+/// Rounds as hosts do: they add a little, so that a rounding error does not move a whole position.
 std::int32_t pixelAt(float raster, float origin) {
   constexpr float kLittle = 0.0001f, kFar = 1 << 20;
   const float at = std::floor(raster + kLittle - origin);
@@ -347,7 +348,7 @@ Outcome Pipeline::readyFragments(Context &context, const swrast::Shading *&shadi
       !outcome.ok())
     return outcome;
   const float *const position = mirror.rasterPosition.position;
-  // As a host has it, which draws a rectangle in clip space: there and back.
+  // Hosts draw a rectangle in clip space, so depth is converted there and back.
   fragments.z = (position[2] * 2.0f - 1.0f) * 0.5f + 0.5f;
   fragments.inverseW = position[3] != 0.0f ? 1.0f / position[3] : 1.0f;
   for (std::size_t i = 0; i < shape.inputs.size(); ++i) {
@@ -379,7 +380,7 @@ Outcome Pipeline::shadePixels(Context &context, const imaging::Pixels &pixels) {
   if (!raster.valid)
     return {};
   std::vector<imaging::Rgba> colors = pixels.texels;
-  if (m_key.clampColors) // the final conversion of 3.6.4
+  if (m_key.clampColors) // final conversion, 3.6.4
     std::transform(colors.begin(), colors.end(), colors.begin(),
                    [](const imaging::Rgba &color) { return imaging::clamped(color); });
   swrast::PixelImage image;

@@ -1,5 +1,5 @@
-// What a draw is drawn with: the fragment program, the targets, the vertex function, and the key
-// that pixels' functions are compiled for.
+// Chooses what a draw is drawn with: the fragment program, the targets, the vertex function, and
+// the key for pixels' functions.
 #include <algorithm>
 
 #include "fp_compiler/ir/ir.h"
@@ -14,19 +14,19 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// GL's modes GL_POINTS to GL_POLYGON are 0 to 9, as Topology's.
+/// GL_POINTS to GL_POLYGON are 0 to 9, in Topology's order.
 static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
 
-/// Primitives are taken to be small: 2x2 quads waste fewer lanes.
+/// True if primitives are assumed to be small, so that 2x2 quads waste fewer lanes.
 bool isMany(const Context &context, std::uint32_t vertices) {
   return vertices == 0 ? context.software->recordsMany : vertices >= kManyVertices;
 }
 
-/// The groups that decide about a choice, but for those that VertexState::version and
-/// Mirror::obstacle stand for.
+/// The groups of state that decide about a choice. VertexState::version and Mirror::obstacle stand
+/// for others.
 constexpr std::uint32_t kChoice = dirty::kTextureBindings | dirty::kTextureParameters |
                                   dirty::kRaster | dirty::kPixelOps | dirty::kFog | dirty::kQueries;
-/// Those, and more, where fixed function shades fragments.
+/// The groups if fixed function shades fragments.
 constexpr std::uint32_t kFixedChoice = kChoice | dirty::kTexGen | dirty::kLighting;
 
 bool anyFloat(const DrawTargets &targets) {
@@ -39,15 +39,15 @@ bool testsAny(const abi::DepthStencilKey &depth) {
   return depth.depthTest != 0 || depth.stencilTest != 0;
 }
 
-/// Draws with this key test depth or stencil of these targets.
+/// True if draws with this key test depth or stencil of these targets.
 bool testsAny(const abi::DepthStencilKey &depth, const DrawTargets &targets) {
   return targets.depthStencil && targets.depthStencil->format.layout != abi::Layout::None &&
          ((depth.depthTest != 0 && targets.depthBits != 0) ||
           (depth.stencilTest != 0 && targets.stencilBits != 0));
 }
 
-/// Before a draw that has a look: which side draws looks now. One that needs a whole frame is the
-/// host's in a mixed one.
+/// Updates the kept look before a draw that has a look. In a mixed frame, a draw that needs a whole
+/// frame gives looks to the host.
 const KeptLook &keepsLook(Context &context, bool needsWhole) {
   ContextState &state = *context.software;
   KeptLook &look = state.history.look;
@@ -57,8 +57,8 @@ const KeptLook &keepsLook(Context &context, bool needsWhole) {
   return look;
 }
 
-/// Returns the looks that draws to a framebuffer object have. A window's are not asked for, as its
-/// size may have to be measured for that.
+/// Returns the looks of draws to the bound framebuffer object. Windows are not asked, because that
+/// may require measuring their size.
 Looks looksOfObject(Context &context) {
   GLint bound = 0;
   context.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -78,15 +78,15 @@ SpriteThird spriteThirdNow(const Context &context) {
   return mode == GL_S ? SpriteThird::S : mode == GL_R ? SpriteThird::R : SpriteThird::Zero;
 }
 
-/// Fixed function's fog, colour sum and some environments clamp where a fragment program's options
-/// and instructions do, and must not while colours are unclamped (ARB_color_buffer_float).
+/// True if fixed function's code clamps colours inside: fog, colour sum and some environments do.
+/// This is wrong while colours are unclamped (ARB_color_buffer_float).
 bool clampsInside(const fp::ir::Program &fixed) {
   return fixed.options.fog != fp::ir::FogMode::None || fixed.options.colorSum ||
          std::any_of(fixed.code.begin(), fixed.code.end(),
                      [](const fp::ir::Instruction &each) { return each.dst.saturate; });
 }
 
-/// The components that a format stores, as a write mask.
+/// Returns the components that a format stores, as a write mask.
 unsigned storedMask(const abi::Format &format) {
   unsigned mask = 0;
   for (unsigned i = 0; i < 4; ++i)
@@ -95,7 +95,7 @@ unsigned storedMask(const abi::Format &format) {
   return mask;
 }
 
-/// Alpha alone, or one intensity: hosts blend such buffers by rules of their own.
+/// True for alpha or intensity formats, which hosts blend by rules of their own.
 bool isOneValue(const abi::Format &format) { return format.swizzle[3] == abi::From::C0; }
 
 } // namespace
@@ -105,7 +105,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   m_key = mirror.pixelOps;
   if (coverage != abi::Coverage::Whole && shape.inputs.size() == m_key.inputs.size())
-    return Fallback::State; // no room for the input
+    return Fallback::State; // no room for the coverage input
   m_key.coverage = coverage;
   m_key.numerics = std::uint8_t(fp::ofInstructions(context.numerics));
   abi::DepthStencilKey &depth = m_key.depthStencil;
@@ -140,8 +140,8 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
     const Outcome bound = m_units.bind(context, mirror, shape.samplers, m_key.samplers);
     return bound.ok() && hasVertices ? m_vertices.bindTextures(context, mirror, m_wait) : bound;
   }
-  // Last: what the rasterizer lacks is the host's turn in mixed frames too, or else one without a
-  // turn would say that the next can be drawn as a whole, and frames would be drawn by turns.
+  // Judged last. In mixed frames too, what the rasterizer lacks must count for the frame. Otherwise
+  // a mixed frame would look whole, the next one would be tried, and frames would alternate.
   Outcome lacking = m_units.judge(context, mirror, shape.samplers);
   if (lacking.ok() && hasVertices)
     lacking = m_vertices.judgeTextures(context, mirror);
@@ -165,7 +165,7 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
 
 Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
   Mirror &mirror = context.software->mirror;
-  releaseSprites(context); // the application's are asked
+  releaseSprites(context); // the mirror queries the application's own state
   mirror.refresh(context.dirty);
   mirror.raster.spriteThird = spriteThirdNow(context);
   if (mirror.obstacle)
@@ -192,7 +192,7 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
     ContextState &state = *context.software;
     if (m_wait == Wait::Not || m_wait == Wait::ForDisk)
       state.unjudged = true;
-    // What the last start left is not all of it: the rest of the frame does not wait.
+    // The last start's code on disk does not cover all, so the rest of the frame does not wait.
     if (m_wait == Wait::ForDisk)
       state.history.waitsForCode = false;
   }
@@ -236,7 +236,7 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
                      vertices ? swrast::Topology(vertices->mode) : swrast::Topology::Points});
   const bool testsDepths = testsAny(mirror.pixelOps.depthStencil);
   if (!m_program->functions || !m_program->functions->prepared())
-    m_looks |= looksOfObject(context); // a draw without code comes to no key
+    m_looks |= looksOfObject(context); // a draw whose code is not ready gets no key
   const bool keeps = keepsLooks(state);
   if (keeps && keepsLook(context, needsWhole(state, testsDepths)).isHosts())
     return Fallback::Look;
@@ -272,8 +272,8 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *ver
                                                                 : Fallback::NotCompiled;
   if (!m_program->values)
     m_program->values = std::make_unique<ProgramValues>(prepared->program());
-  // A window that the host draws to and shows is measured by reads, anew in each frame: not for a
-  // draw that will be the host's whatever its size (makeKey()).
+  // Measuring a window that the host draws to needs reads in each frame. It is avoided for a draw
+  // that will be the host's whatever the size (makeKey()).
   Residency &residency = context.software->residency;
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
   const bool mixed = isMixed(*context.software, testsAny(depth));

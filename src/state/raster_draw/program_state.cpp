@@ -24,7 +24,7 @@ bool sameMatrix(fp::ir::StateRef a, fp::ir::StateRef b) {
   return a == b;
 }
 
-/// In a bit: a NaN is what it was, and -0 is not 0.
+/// True if any bit differs: a NaN equals itself, and -0 differs from 0.
 bool differ(const Vec4 &a, const Vec4 &b) {
   using Bits = std::array<std::uint32_t, 4>;
   return std::bit_cast<Bits>(a) != std::bit_cast<Bits>(b);
@@ -43,7 +43,7 @@ std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::LightProdAmbient:
   case StateItem::LightProdDiffuse:
   case StateItem::LightProdSpecular:
-    // COLOR_MATERIAL follows the colour.
+    // COLOR_MATERIAL makes these follow the current colour.
     return dirty::kLighting | dirty::kMaterial | dirty::kCurrent;
   case StateItem::MaterialShininess:
     return dirty::kLighting | dirty::kMaterial;
@@ -65,7 +65,7 @@ std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state) {
     return dirty::kViewport;
   case StateItem::MatrixModelview:
   case StateItem::MatrixMvp:
-  case StateItem::MatrixPalette: // the modelview matrix where hosts have no palette
+  case StateItem::MatrixPalette: // the modelview matrix on hosts without a palette
     return dirty::kTransform | dirty::kModelview;
   case StateItem::MatrixProjection:
   case StateItem::MatrixTexture:
@@ -126,7 +126,7 @@ bool ProgramValues::update(Context &context, const GenerationCounter &clock,
                            const ProgramTarget *target) {
   bool changed = false;
   if (target) {
-    // Before the values, so that a change by another thread meanwhile is seen the next time.
+    // Read before the values, so that a concurrent change by another thread is seen next time.
     const Versions now = {context.selections,
                           target->bound->version.load(std::memory_order_acquire),
                           target->envVersion};
@@ -149,7 +149,7 @@ bool ProgramValues::update(Context &context, const GenerationCounter &clock,
 
 bool ProgramValues::updateStates(Context &context, std::uint32_t groups) {
   bool changed = false;
-  // Rows of one matrix mostly follow each other: it is asked for once.
+  // Rows of one matrix mostly follow each other, so the matrix is queried once.
   const fp::ir::StateRef *matrix = nullptr;
   GLfloat rows[4][4];
   for (const State &state : m_states) {

@@ -14,16 +14,15 @@ struct ProgramTarget;
 
 namespace arbiter::state::software {
 
-/// The values of a program's parameters, rows as machine code reads them
-/// (FragmentData::parameters). One for each program and context.
+/// The values of a program's parameters, in the rows that machine code reads
+/// (FragmentData::parameters). There is one for each program and context.
 class ProgramValues {
 public:
   explicit ProgramValues(const fp::ir::Program &program);
 
-  /// Brings the rows up to date: env and local ones where one of their target changed, state rows
-  /// where their group did. `row` is the target that the program was loaded to, bound to the object
-  /// that it is of; null for fixed function's. After refresh().
-  /// True if a value changed.
+  /// Updates the rows. Env and local parameters are read if their target changed, and state rows if
+  /// their group did. `row` is the program target with the program's object bound, or null for
+  /// fixed function. Call it after refresh(). Returns true if a value changed.
   bool update(Context &context, const GenerationCounter &clock, const ProgramTarget *row);
   [[nodiscard]] const float (*data() const)[4] {
     return reinterpret_cast<const float(*)[4]>(m_values.data());
@@ -32,7 +31,7 @@ public:
   [[nodiscard]] bool readsMaterials() const { return (m_groups & dirty::kMaterial) != 0; }
 
 private:
-  /// What env and local parameters were read at.
+  /// The versions at which env and local parameters were read.
   struct Versions {
     std::uint64_t selections = 0;
     std::uint32_t object = 0, env = 0;
@@ -49,18 +48,18 @@ private:
   };
   bool updateParameters(const ProgramTarget &target);
   bool updateStates(Context &context, std::uint32_t groups);
-  /// True if that is another value.
+  /// Sets a row. Returns true if its value changed.
   bool set(std::size_t row, const Vec4 &value);
 
-  std::vector<Vec4> m_values; ///< one at least
+  std::vector<Vec4> m_values; ///< at least one
   std::vector<Indexed> m_env, m_local;
   std::vector<State> m_states;
-  std::uint32_t m_groups = 0; ///< of all of m_states
+  std::uint32_t m_groups = 0; ///< union over m_states
   std::uint64_t m_seen = 0;
   Versions m_versions;
 };
 
-/// The dirty bits whose commands may change a row of state.
+/// Returns the dirty bits of the commands that may change a row of state.
 [[nodiscard]] std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state);
 
 } // namespace arbiter::state::software

@@ -1,4 +1,5 @@
-// Values of a program's parameters: constants, env, local, and rows of state against the host's.
+// Checks the values of a program's parameters: constants, env, local, and rows of state against the
+// host's.
 #define GL_GLEXT_PROTOTYPES // before any header of GL
 #include "state/raster_draw/program_state.h"
 
@@ -64,7 +65,7 @@ TEST(ProgramValues, FollowEnvAndLocalParameters) {
   EXPECT_TRUE(values.update(context, clock, &row)) << "zeros of two signs are two values";
   ++row.envVersion;
   EXPECT_FALSE(values.update(context, clock, &row)) << "the value that it was";
-  // An object that has counted as far as the one before it.
+  // Another object whose version happens to be the same.
   const std::uint32_t version = row.bound->version;
   row.bound = std::make_shared<ProgramObject>(78, Target::Vertex);
   row.bound->locals.resize(8);
@@ -102,7 +103,7 @@ TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
   EXPECT_EQ(valueOf(values, row), (Vec4{2, 0, 0, 0}));
 }
 
-/// Every row that a program can name, of each kind.
+/// Returns every kind of row that a program can name.
 std::vector<StateRef> allRows() {
   std::vector<StateRef> rows;
   for (int item = int(StateItem::MaterialAmbient); item <= int(StateItem::PointAttenuation);

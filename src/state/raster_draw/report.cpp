@@ -52,7 +52,7 @@ void Figures::add(const Figures &others) {
 }
 
 namespace {
-/// Where a figure lies among the counters, after those of the reasons.
+/// Indices of the figures among the counters, after those of the reasons.
 enum Figure : unsigned {
   Contexts = kFallbackCount,
   Drawn,

@@ -11,23 +11,23 @@ class JsonWriter;
 
 namespace arbiter::state::software {
 
-/// Of one context, or of several.
+/// The figures of one context, or the sum of several.
 struct Figures {
-  std::uint64_t contexts = 0; ///< that drew, or tried to
+  std::uint64_t contexts = 0; ///< contexts that drew, or tried to
   std::uint64_t drawn = 0;
   std::array<std::uint64_t, kFallbackCount> fallbacks{};
   std::uint64_t trials = 0, framesBackedOff = 0;
   ResidencyStatistics residency;
 
-  /// Adds those of a context, and of the time before it was left alone (frames/leave.h).
+  /// Adds the figures of a context, including those from before it was left alone (frames/leave.h).
   void add(const Context &context);
   void add(const Figures &others);
 };
 
-/// The figures as a run of counters, machine code's among them.
+/// Number of counters that hold the figures, including machine code's.
 inline constexpr unsigned kFigureCount = kFallbackCount + 15;
 void store(const Figures &figures, std::uint64_t (&counters)[kFigureCount]);
-/// The value of the key "software", with places for the counters from `first` on
+/// Writes the value of the key "software", with placeholders for the counters from `first` on
 /// (util/record/record_text.h).
 void write(JsonWriter &json, unsigned first);
 

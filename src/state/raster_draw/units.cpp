@@ -19,7 +19,7 @@ bool isShadow(TexTarget target) {
 
 TextureLevels levelsOf(const SamplerState &state) { return {state.baseLevel, state.maxLevel}; }
 
-/// The stored bytes that sRGB encodes: all but alpha.
+/// Returns the stored bytes that sRGB encodes: all but alpha.
 std::uint8_t encodedBytes(const abi::Format &format) {
   unsigned bytes = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -28,8 +28,8 @@ std::uint8_t encodedBytes(const abi::Format &format) {
   return std::uint8_t(bytes);
 }
 
-/// The border colour as the texture's base format has it (OpenGL 1.4, 3.8.4): a component that is
-/// stored once comes from the first of RGBA that shows it; a depth from red.
+/// Converts the border colour to the texture's base format (OpenGL 1.4, 3.8.4). A component that is
+/// stored once comes from the first of RGBA that shows it; depth comes from red.
 void convertBorder(const abi::Format &format, const float from[4], float to[4]) {
   for (int i = 0; i < 4; ++i) {
     const abi::From source = format.swizzle[std::size_t(i)];
@@ -42,7 +42,7 @@ void convertBorder(const abi::Format &format, const float from[4], float to[4]) 
   }
 }
 
-/// TEXTURE_SWIZZLE_RGBA over what a texture's format gives, of texels and of the border.
+/// Applies TEXTURE_SWIZZLE_RGBA to a format's swizzle, and to the border colour.
 void swizzle(const std::array<GLenum, 4> &names, abi::Swizzle &texel, float border[4]) {
   const abi::Swizzle from = texel;
   const std::array<float, 4> color = {border[0], border[1], border[2], border[3]};
@@ -52,7 +52,7 @@ void swizzle(const std::array<GLenum, 4> &names, abi::Swizzle &texel, float bord
       border[i] = names[i] == GL_ONE ? 1.0f : 0.0f;
       continue;
     }
-    const std::size_t component = names[i] - GL_RED; // RED, GREEN, BLUE, ALPHA
+    const std::size_t component = names[i] - GL_RED; // in the order RED, GREEN, BLUE, ALPHA
     texel[i] = from[component];
     border[i] = color[component];
   }
@@ -137,7 +137,7 @@ Outcome Units::bind(Context &context, Mirror &mirror, const Samplers &samplers, 
     m_bound |= 1u << sampler.unit;
     code.dimension = dimension;
     if (!images->complete)
-      continue; // Layout::None: (0, 0, 0, 1)
+      continue; // Layout::None samples as (0, 0, 0, 1)
     code = state.key;
     code.dimension = dimension;
     code.format = images->format;

@@ -13,42 +13,42 @@ class Context;
 
 namespace arbiter::state::software {
 
-/// The texture that a target samples; a SHADOW target's is the plain one's.
+/// Returns the dimension of a texture target; a SHADOW target has that of the plain one.
 [[nodiscard]] abi::Dimension dimensionOf(fp::ir::TexTarget target);
 
-/// DEPTH_TEXTURE_MODE (ARB_depth_texture): how a depth, or the result of its comparison, becomes
-/// RGBA.
+/// Returns how a depth, or the result of its comparison, becomes RGBA (DEPTH_TEXTURE_MODE,
+/// ARB_depth_texture).
 [[nodiscard]] abi::Swizzle depthSwizzle(GLenum mode);
 
-/// The textures that a program samples: what its code is compiled for, and what it is
-/// called with.
+/// The textures that a program samples: the part of its code's key, and the views it is called
+/// with.
 class Units {
 public:
   using Samplers = std::vector<fp::jit::Sampler>;
   using Keys = std::array<abi::SamplerKey, abi::kMaxUnits>;
-  /// The sampler state of the units comes to be up to date.
+  /// Updates the mirror's sampler state of the sampled units.
   void refresh(Context &context, Mirror &mirror, const Samplers &samplers);
-  /// Why the host draws whatever is in the images of the units that are sampled: their sampler
-  /// state, or their formats. No pixel is moved.
+  /// Returns why the host must draw, whatever the images contain: because of their sampler state or
+  /// formats. Moves no pixel.
   [[nodiscard]] Outcome judge(Context &context, Mirror &mirror, const Samplers &samplers);
-  /// Looks at the units that are sampled, and has their images ready. Fills their samplers of a
-  /// key, which are None before.
+  /// Makes the images of the sampled units ready, and fills their samplers in `keys`, which must be
+  /// None before.
   Outcome bind(Context &context, Mirror &mirror, const Samplers &samplers, Keys &keys);
-  /// The units that are not sampled are null.
+  /// Fills the views; units that are not sampled are null.
   void fill(std::array<const abi::TextureView *, abi::kMaxUnits> &textures) const;
-  /// Draws and clears that wait are done that write what is bound: for functions that sample at
+  /// Finishes queued draws and clears that write the bound images, for functions that sample at
   /// once.
   void settle() const;
-  /// What fill() refers to.
+  /// Describes what fill() refers to.
   void describe(swrast::ShadingUse &use) const;
-  /// Units whose level of detail matters: with mipmaps, or with two filters.
+  /// Returns the units whose level of detail matters: they have mipmaps or two filters.
   [[nodiscard]] std::uint32_t levelsMatter() const { return m_levelsMatter; }
 
 private:
   std::vector<SamplerUse> m_uses;
   std::array<abi::TextureView, abi::kMaxUnits> m_views;
   std::array<std::uint8_t, abi::kMaxUnits> m_imageCount{};
-  std::vector<swrast::Storage *> m_storages; ///< of all images
+  std::vector<swrast::Storage *> m_storages; ///< the storages of all images
   std::uint32_t m_bound = 0;
   std::uint32_t m_levelsMatter = 0;
 };

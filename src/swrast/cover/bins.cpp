@@ -48,7 +48,8 @@ void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
       part.chunk.setUp(draw, first + i * Chunk::kTriangles,
                        first + std::min(count, (i + 1) * Chunk::kTriangles));
       part.usable = true;
-    } catch (const std::bad_alloc &) { // on a thread without a caller: it is not drawn, and said
+    } catch (const std::bad_alloc &) {
+      // No exception may leave a worker thread. The part is skipped, and the draw is incomplete.
     }
   };
   parallel(m_used, setUpPart);

@@ -9,7 +9,7 @@
 namespace arbiter::swrast {
 namespace {
 
-/// The edges of a shape over a tile: is any pixel inside, are all?
+/// Tells whether any pixel of a tile, or all of them, are inside of the edges.
 struct TileTest {
   bool any = true, all = true;
 };
@@ -170,7 +170,7 @@ void Chunk::setUpAs(const Draw &draw, std::uint32_t first, std::uint32_t end) {
     }
   }
   if (group.count != 0) {
-    // Lanes without a triangle are read as well.
+    // The kernel reads all lanes, so unused ones get a valid triangle.
     for (int lane = group.count; lane < TriangleGroup::kMost; ++lane)
       for (auto &vertex : group.vertex)
         vertex[lane] = vertex[0];
@@ -196,13 +196,13 @@ void Chunk::setUp(const Draw &draw, std::uint32_t first, std::uint32_t end) {
   case Topology::Lines:
   case Topology::LineLoop:
   case Topology::LineStrip:
-    return; // no triangles
+    return; // these topologies have no triangles
   }
 }
 
 void Chunk::shade(std::size_t tile, const PlanePlan &plan, const WindowVertex *window,
                   const Rect &rect, Emitter &emitter) const {
-  // Seldom are blocks cut off by it, and then they need no look.
+  // Bounds snapped to tiles seldom cut blocks, and uncut blocks need no masking.
   constexpr int kTile = TileGrid::kTile, kMask = -kTile;
   const Rect bounds = intersect(m_grid.bounds, {rect.x & kMask, rect.y & kMask, kTile, kTile});
   for (std::uint32_t at = m_tiles[tile].first; at != kNone; at = m_links[at].next) {

@@ -5,18 +5,18 @@
 #include "swrast/cover/packed.h"
 #include "swrast/setup/lanes.h"
 
-/// The planes of up to sixteen triangles at a time, a lane each, compiled once for each instruction
-/// set: include it only where its kernels are made. Nothing in here may be shared between those,
-/// hence the nameless namespace and no inline function of another header. The steps are those of
-/// PlaneSteps in the same order, each rounded, so that a pixel's value does not depend on which of
-/// them made its plane.
+/// Computes the planes of up to sixteen triangles at a time, one triangle in each lane. This is
+/// compiled once for each instruction set, so include it only in the kernels' sources. Instruction
+/// sets must not share functions: hence the unnamed namespace, and no inline function of another
+/// header. The steps are those of PlaneSteps in the same order, each one rounded. A pixel's value
+/// therefore does not depend on which of the two made its plane.
 namespace arbiter::swrast {
 namespace {
 
 constexpr int kColumns = abi::PrimitiveColumns::kColumns;
 constexpr int kParts = kColumns / kLanes;
 
-/// Numbers of a run of triangles, a vector behind the other.
+/// One number for each triangle of a run, as consecutive vectors.
 struct ColumnFloats {
   Floats part[kParts];
 };
@@ -26,7 +26,7 @@ inline void load(const float (&values)[kColumns], ColumnFloats &to) {
   __builtin_memcpy(&to, values, sizeof to);
 }
 
-/// Element index[k] & mask of an array in lane k.
+/// Loads element index[k] & mask of the array into lane k.
 inline void gather(const float *from, const std::uint32_t (&index)[kColumns], std::uint32_t mask,
                    float (&values)[kColumns]) {
 #if defined(__AVX512F__)
@@ -38,13 +38,15 @@ inline void gather(const float *from, const std::uint32_t (&index)[kColumns], st
 #endif
 }
 
-/// What planes are made of, of a run of triangles of one draw; behind the last its fields again.
+/// The terms from which planes are computed, for a run of triangles of one draw. Lanes beyond the
+/// run repeat the last triangle.
 struct ColumnTerms {
-  /// Sides by the area, and from the middle of the first pixel to the first corner.
+  /// Differences between corners divided by the area; and the distance from the first pixel's
+  /// centre to the first corner.
   ColumnFloats dyOf01, dyOf20, dxOf01, dxOf20, fromX, fromY;
   ColumnFloats inverseW[3];
   std::uint32_t vertex[3][kColumns], provoking[kColumns], backFacing[kColumns];
-  bool turns; ///< the host's rows go downwards
+  bool turns; ///< true if the host's rows run downwards
 
   ColumnTerms(const RasterState &state, const PackedTriangle *const *triangles, int count)
       : turns(state.upsideDownHeight != 0) {
@@ -85,7 +87,7 @@ struct ColumnTerms {
     fromY.part[i] = y[0].part[i] - 0.5f;
   }
 
-  /// A component of the vertices in \p index.
+  /// Loads a component of the vertices in \p index.
   void fetch(const PlanePlan::Source &source, const std::uint32_t (&index)[kColumns],
              float (&values)[kColumns]) const {
     gather(source.values[0], index, source.mask[0], values);
@@ -96,7 +98,7 @@ struct ColumnTerms {
         values[k] = source.values[1][index[k] & source.mask[1]];
   }
 
-  /// PlaneSteps::plane() of values at the corners.
+  /// Computes PlaneSteps::plane() from the values at the corners.
   void plane(const ColumnFloats (&f)[3], float (&out)[3][kColumns]) const {
     ColumnFloats sums[3];
     for (int i = 0; i < kParts; ++i) {
@@ -111,17 +113,17 @@ struct ColumnTerms {
   }
 };
 
-/// Of a component's plane in a Primitive.
+/// Returns the offset of a component's plane in abi::Primitive.
 inline std::size_t offsetOf(const PlanePlan::Source &source) {
   return offsetof(abi::Primitive, inputs) +
          sizeof(abi::Plane) * (std::size_t(4) * source.input + source.component);
 }
 
-/// Columns [first, first + count) of a plane's rows.
+/// Stores columns [first, first + count) of a plane's rows.
 inline void storePlane(abi::PrimitiveColumns &to, std::size_t offset, int first, int count,
                        const float (&plane)[3][kColumns]) {
   std::uint32_t(*const rows)[kColumns] = to.rows + offset / 4;
-  // From the first column on all may be written: columns behind these are made later.
+  // If this is the first column, whole rows may be written: later columns are stored afterwards.
   if (first == 0) {
     __builtin_memcpy(rows, plane, sizeof plane);
     return;
@@ -131,7 +133,7 @@ inline void storePlane(abi::PrimitiveColumns &to, std::size_t offset, int first,
       __builtin_memcpy(&rows[row][first + k], &plane[row][k], 4);
 }
 
-/// A plane of a primitive.
+/// Copies one plane of a primitive into a column.
 inline void copyPlane(const abi::Primitive &from, std::size_t offset, int column,
                       abi::PrimitiveColumns &to) {
   for (std::size_t word = 0; word < 3; ++word)
@@ -139,7 +141,7 @@ inline void copyPlane(const abi::Primitive &from, std::size_t offset, int column
                      reinterpret_cast<const char *>(&from) + offset + 4 * word, 4);
 }
 
-/// One triangle's planes, as planes.h makes them.
+/// Computes the planes of one triangle as planes.h does.
 inline void setColumnOf(const RasterState &state, const PackedTriangle &each, int column,
                         abi::PrimitiveColumns &to) {
   abi::Primitive primitive;
@@ -150,7 +152,7 @@ inline void setColumnOf(const RasterState &state, const PackedTriangle &each, in
     copyPlane(primitive, offsetOf(each.plan->sources[i]), column, to);
 }
 
-/// Of triangles of one draw.
+/// Computes the planes of several triangles of one draw.
 inline void setColumnsOf(const RasterState &state, const PlanePlan &plan,
                          const PackedTriangle *const *triangles, int first, int count,
                          abi::PrimitiveColumns &to) {
@@ -182,7 +184,7 @@ inline void setColumnsOf(const RasterState &state, const PlanePlan &plan,
   }
 }
 
-/// Planes that are made. Those of components that nothing reads may be anything.
+/// Copies a primitive's ready-made planes. Those of unread components may be undefined.
 inline void copyColumn(const PackedTriangle &each, int column, abi::PrimitiveColumns &to) {
   copyPlane(*each.made, offsetof(abi::Primitive, inverseW), column, to);
   for (std::size_t plane = 0; plane < std::size_t(4) * each.inputs; ++plane)
@@ -190,10 +192,10 @@ inline void copyColumn(const PackedTriangle &each, int column, abi::PrimitiveCol
               to);
 }
 
-/// SetColumns
+/// Implements SetColumns.
 void setColumns(const RasterState &state, const PackedTriangle *const *triangles, int count,
                 abi::PrimitiveColumns &to) {
-  /// All lanes are computed for any number of triangles.
+  /// The vector code computes all lanes, so it pays only from this many triangles on.
   constexpr int kLeastRun = 2;
   for (int k = 0; k < count; ++k) {
     const PackedTriangle &each = *triangles[k];

@@ -4,9 +4,9 @@
 
 #include "swrast/cover/coverage.h"
 
-/// The inside of coverage.h, compiled once for each instruction set: include it only where its
-/// functions are made. Nothing in here may be shared between those, hence the nameless namespace
-/// and no function of the standard library.
+/// The kernels of coverage.h, compiled once for each instruction set, so include it only in their
+/// sources. Instruction sets must not share functions: hence the unnamed namespace, and no function
+/// of the standard library.
 namespace arbiter::swrast {
 namespace {
 
@@ -14,7 +14,7 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 using Int8 = std::int32_t __attribute__((vector_size(32)));
 using Int16 = std::int32_t __attribute__((vector_size(64)));
 
-/// Bit i: lane i is negative.
+/// Returns a mask in which bit i is set if lane i is negative.
 [[maybe_unused]] inline unsigned signs(Int4 value) {
 #if defined(__SSE__)
   using Float4 = float __attribute__((vector_size(16)));
@@ -44,8 +44,8 @@ using Int16 = std::int32_t __attribute__((vector_size(64)));
 #endif
 }
 
-/// Sixteen lanes on processors that have eight: compilers divide a wider vector badly, through
-/// memory.
+/// Sixteen lanes as two vectors of eight, for processors with eight lanes. Compilers split a wider
+/// vector badly, through memory.
 struct Int8Pair {
   Int8 low, high;
 };
@@ -61,7 +61,7 @@ struct Int8Pair {
   return signs(value.low) | signs(value.high) << 8;
 }
 
-/// \p to: c + a * column + b * line in the lanes of a block, row by row.
+/// Sets \p to to c + a * column + b * line; the lanes run through a block row by row.
 template <int kWidth, typename Int>
 void setPlane(Int &to, std::int32_t c, std::int32_t a, std::int32_t b) {
   if constexpr (requires { to.high; }) {
@@ -84,7 +84,7 @@ using Block16 = Int8Pair;
 using Block16 = Int16;
 #endif
 
-/// \p to: the lanes of \p from and a number.
+/// Sets \p to to \p from with a number added to each lane.
 template <typename Int> void setSum(Int &to, const Int &from, std::int32_t number) {
   if constexpr (requires { to.high; }) {
     to.low = from.low + number;
@@ -94,7 +94,7 @@ template <typename Int> void setSum(Int &to, const Int &from, std::int32_t numbe
   }
 }
 
-/// Bits set in the low 16.
+/// Counts the bits set in the low 16.
 inline unsigned bitsOf(unsigned mask) {
 #if defined(__POPCNT__)
   return unsigned(__builtin_popcount(mask));
@@ -106,19 +106,19 @@ inline unsigned bitsOf(unsigned mask) {
 #endif
 }
 
-/// A block's first two fields as the lower half of its word.
+/// Packs a block's first two fields as the lower half of its word.
 inline std::uint64_t wordOf(std::int32_t x, std::int32_t y) {
   return (std::uint32_t(x) & 0xFFFF) | std::uint32_t(y) << 16;
 }
-/// As one word: what is stored field by field and loaded whole waits for the stores.
+/// Stores a block as one word: a load of the whole would have to wait for stores of single fields.
 inline void storeBlock(abi::Block &to, std::uint64_t place, unsigned mask) {
   static_assert(sizeof to == sizeof place && offsetof(abi::Block, mask) == 4);
   place |= std::uint64_t(mask) << 32;
   __builtin_memcpy(static_cast<void *>(&to), &place, sizeof place);
 }
 
-/// Of a small triangle: edge functions at the pixels of a block, one a lane, moved from block to
-/// block by sums.
+/// Finds the blocks that a small triangle covers. The edge functions are held for the pixels of one
+/// block, one pixel in each lane, and moved from block to block by additions.
 template <typename Int, int kWidth, int kHeight>
 Cover cover(const SmallTriangle &triangle, const Rect &part, abi::Block *blocks) {
   constexpr int kLanes = kWidth * kHeight;
@@ -140,8 +140,8 @@ Cover cover(const SmallTriangle &triangle, const Rect &part, abi::Block *blocks)
     Int at0 = start[0], at1 = start[1], at2 = start[2];
     for (std::int32_t x = firstX; x < right; x += kWidth) {
       const unsigned mask = signs(~(at0 | at1 | at2)) & kAll;
-      // Written in any case, kept if something is covered: cheaper than a branch that nothing
-      // foretells.
+      // Always written, but kept only if something is covered. A branch would be mispredicted
+      // often.
       storeBlock(blocks[result.blocks], wordOf(x, y), mask);
       result.blocks += mask != 0 ? 1 : 0;
       result.pixels += bitsOf(mask);
@@ -155,7 +155,7 @@ Cover cover(const SmallTriangle &triangle, const Rect &part, abi::Block *blocks)
   return result;
 }
 
-/// The bits of the columns [from, to) of a block, in each of its rows.
+/// Returns a mask of columns [from, to) in every row of a block.
 template <int kWidth, int kHeight> unsigned columnsMask(std::int32_t from, std::int32_t to) {
   const unsigned row =
       ((1u << (to < kWidth ? to : kWidth)) - 1) & ~((1u << (from > 0 ? from : 0)) - 1);
@@ -164,14 +164,15 @@ template <int kWidth, int kHeight> unsigned columnsMask(std::int32_t from, std::
     mask |= row << (i * kWidth);
   return mask;
 }
-/// The bits of the rows [from, to) of a block.
+/// Returns a mask of rows [from, to) of a block.
 template <int kWidth, int kHeight> unsigned rowsMask(std::int32_t from, std::int32_t to) {
   const std::int32_t first = from > 0 ? from : 0, last = to < kHeight ? to : kHeight;
   return ((1u << (last * kWidth)) - 1) & ~((1u << (first * kWidth)) - 1);
 }
 
-/// Sixteen blocks of a row at a time: of which no pixel is inside, of which all are; between them
-/// the edge functions at the pixels, one a lane.
+/// Finds the blocks that a region covers, sixteen blocks of a row at a time. First it finds the
+/// blocks with no pixel inside and those with all. Only the others evaluate the edge functions for
+/// each pixel.
 template <typename Int, int kWidth, int kHeight>
 Cover coverRegion(const Region &region, abi::Block *blocks) {
   constexpr int kLanes = kWidth * kHeight, kColumns = 16, kMost = Region::kMostEdges;
@@ -180,8 +181,9 @@ Cover coverRegion(const Region &region, abi::Block *blocks) {
   const auto least = [](std::int32_t value) { return value < 0 ? value : 0; };
   const std::int32_t firstX = region.left & -kWidth, firstY = region.bottom & -kHeight;
   const int count = region.count;
-  Block16 column[kMost]; // what a block's first pixel has more than that of the first block
-  Int pixel[kMost];      // what a pixel has more than its block's first
+  // the edge function at a block's first pixel, relative to the first block's
+  Block16 column[kMost];
+  Int pixel[kMost]; // the edge function at a pixel, relative to the block's first pixel
   std::int32_t best[kMost], worst[kMost], start[kMost];
   for (int i = 0; i < count; ++i) {
     const Region::Edge &edge = region.edges[i];

@@ -10,7 +10,7 @@
 #include "swrast/testing/canvas.h"
 #include "util/processor.h"
 
-/// Which pixels are covered, against exact references.
+/// Checks which pixels are covered, against exact references.
 namespace arbiter::swrast {
 namespace {
 
@@ -18,7 +18,8 @@ using testing::Canvas;
 using testing::drawAll;
 using testing::WindowVertices;
 
-/// A mesh with crooked corners, on and off pixel centres, and its whole border outside the canvas.
+/// Draws a mesh with irregular corners, on and off pixel centres. Its border lies outside the
+/// canvas.
 void drawMesh(Canvas &canvas, std::mt19937 &random, int cells, bool snapToCentres) {
   std::vector<std::pair<double, double>> points;
   std::uniform_real_distribution<double> shift(-0.2, 0.2);
@@ -60,7 +61,8 @@ TEST(Rasterize, MeshesCoverEachPixelOnce) {
   }
 }
 
-/// The exact answer for one pixel: edge functions of 64 bits at its centre, the fill rule in words.
+/// Decides exactly whether a pixel is inside: 64-bit edge functions at its centre, and the fill
+/// rule spelled out.
 bool isInside(const std::int64_t (&x)[3], const std::int64_t (&y)[3], int px, int py) {
   const std::int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
   if (area == 0)
@@ -87,12 +89,12 @@ TEST(Rasterize, CoverageIsExact) {
     Canvas canvas(kSize, kSize);
     if (round % 4 != 0)
       canvas.useQuads(2 << (round % 4));
-    // Snapped places, so that the reference need not know how places are snapped; many of them on
-    // pixel centres, many triangles thin.
+    // Positions are multiples of the subpixel grid, so the reference needs no snapping. Many lie on
+    // pixel centres, and many triangles are thin.
     const int unit = round % 3 == 0 ? 256 : round % 3 == 1 ? 16 : 1;
     std::uniform_int_distribution<int> place(0, kSize * 256 / unit);
     std::int64_t x[40][3], y[40][3];
-    const int triangles = round % 2 ? 1 : 40; // in bands, in tiles
+    const int triangles = round % 2 ? 1 : 40; // one triangle is shaded in bands, 40 in tiles
     WindowVertices vertices(canvas);
     for (int t = 0; t < triangles; ++t) {
       for (int k = 0; k < 3; ++k) {
@@ -136,7 +138,7 @@ TEST(Rasterize, FansCoverEachPixelOnce) {
   }
 }
 
-/// Those of this processor's instruction sets beyond the baseline.
+/// Returns the kernels of this processor beyond the baseline.
 std::vector<const CoverKernels *> otherKernels() {
   std::vector<const CoverKernels *> others;
 #if defined(__x86_64__) || defined(__i386__)
@@ -147,7 +149,7 @@ std::vector<const CoverKernels *> otherKernels() {
   return others;
 }
 
-/// The triangle with these corners, if a pixel's centre may be in it.
+/// Returns the triangle with these corners, if a pixel centre may be inside.
 std::optional<SmallTriangle> smallOf(WindowVertex (&corner)[3]) {
   for (WindowVertex &v : corner) {
     v.x = float(v.fixedX) / kSubpixels + 0.5f;
@@ -196,11 +198,12 @@ TEST(Rasterize, SmallTrianglesAreTheSameOnAllInstructionSets) {
   }
 }
 
-/// A triangle of any size around a tile, some thin, some far larger than it.
+/// Returns a random triangle around a tile; some are thin, some far larger than the tile.
 Shape shapeAround(std::mt19937 &random, int round, const Rect &tile) {
   const std::int32_t reach = 64 << (round % 8); // pixels
   std::uniform_int_distribution<std::int32_t> place(-reach * kSubpixels, reach * kSubpixels);
-  const std::int32_t unit = round % 2 ? 1 : 128; // often on centres
+  // odd rounds: any subpixel; even rounds: often on pixel centres
+  const std::int32_t unit = round % 2 ? 1 : 128;
   Shape shape;
   for (;;) {
     WindowVertex corner[3];
@@ -208,7 +211,7 @@ Shape shapeAround(std::mt19937 &random, int round, const Rect &tile) {
       v.fixedX = (tile.x + 32) * kSubpixels + place(random) / unit * unit;
       v.fixedY = (tile.y + 32) * kSubpixels + place(random) / unit * unit;
     }
-    if (round % 5 == 0) { // a sliver
+    if (round % 5 == 0) { // makes a sliver
       corner[2].fixedX = corner[1].fixedX + 300;
       corner[2].fixedY = corner[1].fixedY - 200;
     }
@@ -272,10 +275,10 @@ TEST(Rasterize, RegionsAreExactOnAllInstructionSets) {
       }
     }
   }
-  EXPECT_GT(covered, 1000); // many of the shapes reach their tile
+  EXPECT_GT(covered, 1000); // many of the shapes must reach their tile
 }
 
-/// What the emitter makes of a large shape, stippled or not, and of one whose edges need 64 bits.
+/// Checks how the emitter draws large shapes, stippled or not, and shapes whose edges need 64 bits.
 TEST(Rasterize, LargeShapesAreShadedByBlocks) {
   std::mt19937 random(17);
   std::vector<std::uint8_t> stipple(128);
@@ -288,7 +291,7 @@ TEST(Rasterize, LargeShapesAreShadedByBlocks) {
     canvas.state.polygonStipple = stippled ? stipple.data() : nullptr;
     Shape shape = shapeAround(random, round, {64, 64, 64, 64});
     if (wide) {
-      constexpr std::int32_t kScale = 256; // what is left of 32 bits beside the longest edges
+      constexpr std::int32_t kScale = 256; // makes the longest edges just fit 32 bits
       for (Edge &edge : shape.edges)
         edge = {edge.a * kScale, edge.b * kScale,
                 edge.c * kScale - std::int64_t(random() % kScale)};

@@ -10,23 +10,23 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Fewer pixels than this are done before another thread has woken up.
+/// With fewer pixels, the work is done before another thread has woken up.
 constexpr std::int64_t kParallelPixels = 4096;
-/// More bands than threads, so that a thread that is held up costs a part of its share; but a band
-/// has something to do, as machine code may have to make itself ready for it.
+/// There are more bands than threads, so that a delayed thread loses only a part of its share.
+/// Bands have a minimal size, because the machine code may have a start-up cost for each.
 constexpr int kBandsPerThread = 4;
 constexpr std::int64_t kBandPixels = 32768;
-/// A multiple of every block's height.
+/// Bands begin at multiples of this, which is a multiple of every block's height.
 constexpr int kBandUnit = 4;
-/// Where clears are pending: a tile of theirs is one thread's.
+/// The unit if clears are pending, because one thread must write a whole tile of a clear.
 constexpr int kClearBandUnit = DeferredClear::kTile;
 static_assert(kClearBandUnit % kBandUnit == 0);
 
-/// What of the shapes lies in the rows [bottom, top); returns the pixels.
+/// Shades the parts of the shapes in rows [bottom, top). Returns the number of pixels.
 std::uint64_t shadeBand(const RasterState &state, const Shading &shading, const Shape *shapes,
                         std::size_t count, int bottom, int top) {
   std::size_t start = 0;
-  // What lies below an opaque rectangle over the whole band is not seen.
+  // Skips the shapes that are hidden by an opaque rectangle across the whole band.
   if (shading.opaque && !state.polygonStipple)
     for (std::size_t s = count; s-- > 1 && start == 0;)
       if (shapes[s].edgeCount == 0 && shapes[s].bottom <= bottom && shapes[s].top >= top &&

@@ -4,10 +4,10 @@
 
 #include "swrast/setup/shape.h"
 
-/// Few shapes at a time: the rows that they cover are dealt out to the threads in bands.
+/// Draws few shapes: threads shade them in bands of rows.
 namespace arbiter::swrast {
 
-/// Shades the shapes in order; returns the pixels.
+/// Shades the shapes in order. Returns the number of pixels.
 std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, const Shape *shapes,
                            std::size_t count);
 

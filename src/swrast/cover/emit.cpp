@@ -5,14 +5,14 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Shapes at least this many vectors wide are shaded by rows where there is a choice: the ends of
-/// narrower rows leave most lanes empty.
+/// Shapes at least this many vectors wide are shaded by rows if there is a choice. In narrower
+/// ones, the ends of rows leave most lanes empty.
 constexpr int kRowVectors = 2;
-/// Shapes that cover no more of the 16 pixels of their blocks in a tile, in the middle, are packed:
-/// blocks cost less a vector, packed pixels fill theirs.
+/// A shape is packed by the pixel if its blocks in a tile have on average no more covered pixels
+/// than this, of 16. A block costs less than a packed vector, but packed vectors are full.
 constexpr std::uint32_t kMostPacked = 8;
 
-/// Bits set in the low 16. The processors that this is built for need not have an instruction.
+/// Counts the bits set in the low 16, without the instruction that some supported processors lack.
 unsigned coveredPixels(unsigned mask) {
   mask -= (mask >> 1) & 0x5555u;
   mask = (mask & 0x3333u) + ((mask >> 2) & 0x3333u);
@@ -20,9 +20,9 @@ unsigned coveredPixels(unsigned mask) {
   return (mask + (mask >> 8)) & 0x1Fu;
 }
 
-/// Whether most pixels of the blocks of 4x4 that a triangle touches are its own, as far as its area
-/// and the way around it say: their pixels are about its own and two for each that the way crosses
-/// a column or a row by.
+/// Estimates, from area and perimeter, whether the triangle covers most pixels of the 4x4 blocks
+/// that it touches. These blocks have about as many pixels as its area, plus two for each column or
+/// row that the perimeter crosses.
 bool fillsBlocks(const Shape &shape) {
   if (shape.edgeCount != 3)
     return false;
@@ -53,7 +53,8 @@ RowWalker::RowWalker(const Shape &shape, int left, int bottom, int right, int to
       m_level[m_levels++] = {value, edge.b};
       continue;
     }
-    // Of a left edge the first x with a * x >= -value; of a right one the first x beyond.
+    // For a left edge, the first x with a * x >= -value. For a right edge, the first x beyond the
+    // shape.
     const std::int64_t divisor = edge.a > 0 ? edge.a : -std::int64_t(edge.a);
     const std::int64_t numerator = edge.a > 0 ? divisor - 1 - value : divisor + value;
     const std::int64_t step = edge.a > 0 ? -std::int64_t(edge.b) : edge.b;
@@ -66,7 +67,7 @@ RowWalker::RowWalker(const Shape &shape, int left, int bottom, int right, int to
   }
 }
 
-/// An edge at a time, so that what is stepped stays in registers.
+/// Steps one edge at a time, so that its state stays in registers.
 template <typename Put> void RowWalker::follow(Walk &walk, int count, Put put) const {
   const Walk by = walk;
   const std::int64_t low = m_left, high = m_right;
@@ -112,7 +113,7 @@ bool Emitter::wantsRows(int width) const {
 }
 
 bool Emitter::wantsRowsOfSmall(int width) const {
-  constexpr int kLeastLanes = 8; // blocks of 2x2 are too many
+  constexpr int kLeastLanes = 8; // blocks of 2x2 would be too many
   return m_shading.lanes < kLeastLanes ? wantsRows(width) : m_shading.quad == nullptr;
 }
 
@@ -160,7 +161,7 @@ bool Emitter::pack(const Shape &shape, const Rect &part) {
   if (!regionOf(shape, part, region))
     return true;
   if (region.count == 0 && std::min(part.width, part.height) >= 2 * kPackedBlock.width)
-    return false; // a rectangle that fills most of its blocks
+    return false; // a rectangle fills most of its blocks
   const bool isWide = wantsRows(shape.right - shape.left);
   if (isWide && fillsBlocks(shape))
     return false;
@@ -229,7 +230,7 @@ void Emitter::shadeSmall(const PlanePlan &plan, const WindowVertex *window,
 }
 
 void Emitter::keepInside(const Rect &rect, const Rect &part, BlockSize size) {
-  // What is cut where blocks begin and end cuts none of them.
+  // If all sides lie on block boundaries, no block is cut.
   constexpr int kWithin = 3;
   if (((rect.x | rect.y | rect.width | rect.height) & kWithin) == 0 && !m_stippled)
     return;
@@ -263,7 +264,7 @@ void Emitter::span(int x, int y, int end) {
 }
 
 void Emitter::stippledSpan(int x, int y, int end) {
-  // Rows of the pattern start at the bottom, and its bits at the left with the highest.
+  // The pattern's rows start at the bottom, and a byte's highest bit is its leftmost pixel.
   const std::uint8_t *const row = m_state.polygonStipple + std::ptrdiff_t(4) * (y & 31);
   const auto isSet = [row](int at) { return ((row[(at & 31) >> 3] >> (7 - (at & 7))) & 1) != 0; };
   while (x < end) {

@@ -6,10 +6,10 @@
 #include "swrast/cover/flush_mode.h"
 #include "swrast/cover/packed.h"
 
-/// Shapes to spans and blocks, given to the shading function in batches.
+/// Converts shapes to spans and blocks, and passes them to the shading function in batches.
 namespace arbiter::swrast {
 
-/// One thread's items of one primitive. Call flush() between primitives.
+/// Collects one thread's spans or blocks of one primitive. Call flush() between primitives.
 class Emitter {
 public:
   Emitter(const RasterState &state, const Shading &shading)
@@ -19,69 +19,73 @@ public:
   Emitter(const Emitter &) = delete;
   Emitter &operator=(const Emitter &) = delete;
 
-  /// What follows, until the end, lies in one tile: small triangles may wait for each other.
+  /// Begins a tile. Everything drawn from here to the end must lie in it, and small triangles may
+  /// be deferred.
   void beginTile(const Rect &rect) {
     m_state.clears.reach(rect);
     m_packs = m_packed.begin(rect);
   }
-  /// What of the shape lies in columns left to right and rows bottom to top.
+  /// Shades the part of the shape in columns left to right and rows bottom to top.
   void shade(const Shape &shape, int left, int bottom, int right, int top);
-  /// What of it lies in the rectangle, which is of the tile that has begun. It may wait, so that it
-  /// stays where it is until the emitter's end.
+  /// Shades the part of the shape in the rectangle, which belongs to the tile that was begun.
+  /// Shading may be deferred, so the shape must stay valid until the emitter's end.
   void shadeInTile(const Shape &shape, const Rect &rect);
-  /// What of a small triangle lies in the rectangle, which is of one tile. Planes are made only if
-  /// a pixel is covered. It stays where it is until the emitter's end, and its vertices do.
+  /// Shades the part of a small triangle in the rectangle, which lies in one tile. Its planes are
+  /// computed only if a pixel is covered. The triangle and its vertices must stay valid until the
+  /// emitter's end.
   void shadeSmall(const PlanePlan &plan, const WindowVertex *window, const SmallTriangle &small,
                   const Rect &rect);
-  /// Shades the items that wait, but for those that wait for the tile's end.
+  /// Shades the collected items, but not the triangles deferred to the tile's end.
   void flush();
-  /// Pixels that were given to shading.
+  /// Returns the number of pixels passed to shading.
   [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
 
 private:
-  /// All 2x2 blocks of a tile of 64x64 pixels, and one that is written in vain.
+  /// Room for all 2x2 blocks of a tile of 64x64 pixels, and for one block that is written but not
+  /// kept.
   static constexpr std::uint32_t kBatch = 1025;
 
   void rows(const Shape &shape, int left, int bottom, int right, int top);
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
-  /// Gives the shape to what packs pixels, if it covers few of those of its blocks, or shades the
-  /// blocks that were found. False: it is to be shaded otherwise.
+  /// Handles a shape by blocks: passes it to the packed shader if it covers few pixels of its
+  /// blocks, or shades the blocks found. Returns false if neither suits the shape.
   [[nodiscard]] bool pack(const Shape &shape, const Rect &part);
-  /// What lies in a part of one tile.
+  /// Shades the part of a shape in one tile by blocks.
   void tileBlocks(const Shape &shape, const Rect &part);
-  /// The same of a shape whose edges do not fit 32 bits.
+  /// Shades a part whose edges do not fit 32 bits.
   void wideBlocks(const Shape &shape, const Rect &part);
   void span(int x, int y, int end);
   void stippledSpan(int x, int y, int end);
-  /// Pixels of a block, row by row: a lane each.
+  /// A block's size in pixels. Each pixel is a lane, row by row.
   struct BlockSize {
     int width, height;
     [[nodiscard]] int lanes() const { return width * height; }
   };
-  /// A packed tile's, whatever the shading function's.
+  /// The block size of a packed tile, independent of the shading function.
   static constexpr BlockSize kPackedBlock = {4, 4};
 
   void block(int x, int y, unsigned mask, BlockSize size);
-  /// The blocks in m_blocks, less what the shape's stipple leaves out, wait.
+  /// Keeps the found blocks in m_blocks for shading, less the pixels that the shape's stipple
+  /// removes.
   void takeBlocks(const Shape &shape, const Cover &cover, BlockSize size);
-  /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
+  /// Removes the pixels outside the rectangle or the stipple from a small triangle's blocks.
   void keepInside(const Rect &rect, const Rect &part, BlockSize size);
-  /// Leaves `maskOf(block)` of the blocks that wait, and what the stipple leaves of that.
+  /// Replaces the masks of the collected blocks by `maskOf(block)`, less the stipple.
   template <typename MaskOf> void filterBlocks(MaskOf maskOf, BlockSize size);
   [[nodiscard]] static unsigned insideMask(const Rect &rect, int x, int y, BlockSize size);
   [[nodiscard]] bool wantsRows(int width) const;
-  /// Of small triangles, which rows cut into pieces of less than a vector.
+  /// True if small triangles are shaded by rows, which are shorter than a vector.
   [[nodiscard]] bool wantsRowsOfSmall(int width) const;
 
   FlushMode m_mode;
   const RasterState &m_state;
   const Shading &m_shading;
-  BlockSize m_blockSize; ///< of the shading function
+  BlockSize m_blockSize; ///< the shading function's block size
   const CoverKernels &m_cover;
   PackedShader m_packed;
   bool m_packs = false;
   const abi::Primitive *m_primitive = nullptr;
-  abi::Primitive m_small; ///< the small triangle's
+  abi::Primitive m_small; ///< the planes of the small triangle being shaded
   bool m_stippled = false;
   bool m_isRow = false;
   std::uint32_t m_count = 0;
@@ -92,28 +96,30 @@ private:
   };
 };
 
-/// The covered columns of a shape row by row, upwards: where an edge crosses a row is followed by
-/// exact steps of quotient and remainder. Edges that do not cross what is walked cost nothing.
+/// Finds the covered columns of a shape, row by row upwards. The column where an edge crosses a row
+/// is stepped exactly, as a quotient and a remainder. Edges that do not cross the walked area cost
+/// nothing.
 class RowWalker {
 public:
-  static constexpr int kRows = 64; ///< at a time
+  static constexpr int kRows = 64; ///< most rows in one call of next()
 
   RowWalker(const Shape &shape, int left, int bottom, int right, int top);
-  /// The next `count` rows, at most kRows; begin >= end where nothing is covered.
+  /// Computes the next `count` rows, at most kRows. A row without covered pixels has begin >= end.
   void next(int *begin, int *end, int count);
 
 private:
-  /// Of a left edge the first column that is covered, of a right one the first that is not.
+  /// The column of an edge: the first covered one for a left edge, the first uncovered one for a
+  /// right edge.
   struct Walk {
     std::int64_t quotient, remainder, quotientStep, remainderStep, divisor;
   };
   struct Level { ///< a horizontal edge
     std::int64_t value, step;
   };
-  /// Calls `put(row, column)`, with the column clamped to what is walked.
+  /// Calls `put(row, column)` for each row, with the column clamped to the walked area.
   template <typename Put> void follow(Walk &walk, int count, Put put) const;
 
-  Walk m_walk[4]; ///< left edges from the front, right ones from the back
+  Walk m_walk[4]; ///< left edges from the front, right edges from the back
   Level m_level[4];
   int m_lefts = 0, m_rights = 0, m_levels = 0, m_left, m_right;
 };

@@ -5,10 +5,10 @@
 
 namespace arbiter::swrast {
 
-/// The floating-point mode that the machine code of programs computes in, for as long as this
-/// lives: denormals are zeros, nothing traps, results are rounded to nearest. A function sets it by
-/// itself if it must, but each change waits until all that is under way has been computed, which
-/// for a block or two of pixels takes longer than shading them.
+/// Sets the floating-point mode of the programs' machine code while this object lives: denormals
+/// are zeros, no traps, round to nearest. The machine code sets the mode itself where it must. But
+/// each change waits for all instructions in flight, which takes longer than shading a block or two
+/// of pixels.
 class FlushMode {
 public:
   FlushMode(const FlushMode &) = delete;

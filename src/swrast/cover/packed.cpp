@@ -8,7 +8,7 @@ namespace arbiter::swrast {
 
 namespace {
 constexpr std::uint32_t kMostPending = 512, kMostBlocks = 4096;
-/// As many as one triangle may have, and what is written in vain behind them.
+/// The pixels of one triangle at most; kVector more are written but not kept.
 constexpr std::uint32_t kMostPixels = PackedTile::kSide * PackedTile::kSide;
 constexpr std::uint32_t kVector = 16;
 } // namespace
@@ -19,7 +19,7 @@ struct PackedShader::Storage {
   abi::PrimitiveColumns columns;
   const PackedTriangle *column[abi::PrimitiveColumns::kColumns];
   PackedTriangle pending[kMostPending];
-  /// Of a triangle there are no more than the tile has, and one is written in vain.
+  /// A triangle has at most a tile's blocks, and one more block is written but not kept.
   abi::Block blocks[kMostBlocks + PackedTile::kBlocks + 1];
 };
 
@@ -30,7 +30,7 @@ bool PackedShader::begin(const Rect &tile) {
   if (!m_storage)
     return false;
   constexpr int kSide = PackedTile::kSide;
-  // All of the tile that there is, so that few blocks are cut.
+  // Takes the tile's whole visible part, so that few blocks are cut.
   m_storage->tile.begin(intersect(m_state.clip, {tile.x & -kSide, tile.y & -kSide, kSide, kSide}),
                         m_shading, planesBegin(m_state));
   m_test = m_kernels.test(m_shading.depth);

@@ -4,13 +4,14 @@
 #include "swrast/cover/columns.h"
 #include "swrast/cover/packed_choice.h"
 
-/// The kernels for processors with vectors of 8 lanes: two rows of a block at a time.
+/// Kernels for processors with vectors of 8 lanes, which handle two rows of a block at a time.
 namespace arbiter::swrast {
 namespace {
 
 constexpr int kHalf = 8; // lanes
 
-/// Depth of two rows' pixels, clamped: the same steps in the same order as machine code has them.
+/// Computes the clamped depths of two rows of pixels. The steps and their order are those of the
+/// machine code.
 class DepthSteps {
 public:
   DepthSteps(const PackedTile &tile, const abi::DepthPlane &z)
@@ -18,13 +19,13 @@ public:
         m_dy(_mm256_set1_ps(z.dy)), m_offset(_mm256_set1_ps(z.offset)),
         m_minimum(_mm256_set1_ps(tile.minimum)), m_maximum(_mm256_set1_ps(tile.maximum)) {}
 
-  /// \param at the block's number
+  /// \param at number of the block
   [[nodiscard]] __m256 at(unsigned at, int half) const {
     const float *const y = m_tile.yOf[at >> 4] + kHalf * half;
     const __m256 along = _mm256_fmadd_ps(m_dx, _mm256_load_ps(m_tile.xOf[at & 15]), m_c);
     const __m256 plane = _mm256_fmadd_ps(m_dy, _mm256_load_ps(y), along);
     const __m256 depth = _mm256_add_ps(plane, m_offset);
-    // Where it is not a number: the second operand.
+    // For NaN, these instructions return the second operand.
     return _mm256_min_ps(_mm256_max_ps(depth, m_minimum), m_maximum);
   }
 
@@ -33,11 +34,11 @@ private:
   __m256 m_c, m_dx, m_dy, m_offset, m_minimum, m_maximum;
 };
 
-/// The processor's comparisons of floats in GL's order; the first and the last need none.
+/// The processor's float comparisons in GL's order. Never and Always do not use them.
 constexpr int kFloatCompare[] = {0,          _CMP_LT_OQ,  _CMP_EQ_OQ, _CMP_LE_OQ,
                                  _CMP_GT_OQ, _CMP_NEQ_UQ, _CMP_GE_OQ, 0};
 
-/// All bits of a lane where it holds.
+/// Returns all bits set in each lane where the comparison holds.
 template <abi::Compare kCompare> __m256i compared(__m256i incoming, __m256i stored) {
   using abi::Compare;
   const __m256i all = _mm256_set1_epi32(-1);
@@ -57,7 +58,7 @@ template <abi::Compare kCompare> __m256i compared(__m256i incoming, __m256i stor
   }
 }
 
-/// Lanes of \p mask that pass; \p made is what they make of the buffer's pixels.
+/// Returns the lanes of \p mask that pass. \p made receives the new pixels for the buffer.
 template <abi::Layout kLayout, abi::Compare kCompare>
 __m256i passing(__m256i mask, __m256 depth, __m256i old, __m256i &made) {
   constexpr bool kDecided = kCompare == abi::Compare::Never || kCompare == abi::Compare::Always;
@@ -69,12 +70,12 @@ __m256i passing(__m256i mask, __m256 depth, __m256i old, __m256i &made) {
     if constexpr (!kDecided)
       passes = _mm256_castps_si256(
           _mm256_cmp_ps(depth, _mm256_castsi256_ps(old), kFloatCompare[int(kCompare)]));
-  } else if constexpr (kLayout == abi::Layout::Depth32) { // abi::depth32Of()
+  } else if constexpr (kLayout == abi::Layout::Depth32) { // same as abi::depth32Of()
     const __m256i bits =
         _mm256_slli_epi32(_mm256_cvttps_epi32(_mm256_mul_ps(depth, _mm256_set1_ps(0x1p31f))), 1);
     const __m256 isOne = _mm256_cmp_ps(depth, _mm256_set1_ps(1.0f), _CMP_NLT_UQ);
     made = _mm256_or_si256(bits, _mm256_castps_si256(isOne));
-    // Without a sign, by comparisons with one.
+    // AVX2 compares signed integers only, so the sign bits are flipped.
     const __m256i top = _mm256_set1_epi32(int(0x80000000));
     if constexpr (!kDecided)
       passes = compared<kCompare>(_mm256_xor_si256(made, top), _mm256_xor_si256(old, top));
@@ -114,7 +115,7 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint
       tile.load(block.x, block.y);
     unsigned mask = 0;
     for (int half = 0; half < 2; ++half) {
-      // Vectors are stored whole, as what is stored in part is slow to load again.
+      // Always stores whole vectors: loading one that was stored in parts is slow.
       __m256i lanes = lanesOf(block.mask >> kHalf * half);
       if constexpr (kLayout != abi::Layout::None) {
         __m256i *const depths = vectorAt(tile.depth[at] + kHalf * half);
@@ -139,7 +140,7 @@ struct Kernels {
   static constexpr TestBlocks test = testBlocksBy<kLayout, kCompare>;
 };
 
-/// For each set of 8 lanes the lanes in it, one behind the other.
+/// For each set of 8 lanes, the numbers of its lanes without gaps.
 constexpr auto kClosed = [] {
   std::array<std::array<std::uint8_t, kHalf>, 256> table{};
   for (unsigned mask = 0; mask < 256; ++mask) {
@@ -151,7 +152,7 @@ constexpr auto kClosed = [] {
   return table;
 }();
 
-/// The lanes of the set, without the gaps between them.
+/// Moves the lanes of the set together, without the gaps between them.
 __m256i closed(__m256i lanes, unsigned set) {
   const __m128i order = _mm_loadl_epi64(reinterpret_cast<const __m128i *>(kClosed[set].data()));
   return _mm256_permutevar8x32_epi32(lanes, _mm256_cvtepu8_epi32(order));
@@ -159,7 +160,7 @@ __m256i closed(__m256i lanes, unsigned set) {
 
 std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, unsigned column, bool quads,
                          const abi::Block *blocks, std::uint32_t count, abi::Pixel *out) {
-  // x and y of the lanes of two rows as abi::Pixel, row by row or quad by quad.
+  // x and y of the lanes of two rows as in abi::Pixel, by rows or by quads.
   const __m256i rows = _mm256_setr_epi32(0, 1, 2, 3, 0x100, 0x101, 0x102, 0x103);
   const __m256i byQuad = _mm256_setr_epi32(0, 1, 0x100, 0x101, 2, 3, 0x102, 0x103);
   const __m256i lanes =
@@ -177,7 +178,8 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, unsigned c
       __m256i pixels =
           _mm256_add_epi32(lanes, _mm256_set1_epi32(PackedTile::placeOf(block) + (2 * half << 8)));
       if (quads) {
-        // The second pair of a row changes places with the first pair of the next.
+        // To order by quads, the second pair of a row is swapped with the first pair of the next
+        // row.
         mask = (mask & 0xC3) | (mask & 0x0C) << 2 | (mask >> 2 & 0x0C);
         unsigned any = mask | mask >> 1;
         any = (any | any >> 2) & 0x11;

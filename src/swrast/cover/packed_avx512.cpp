@@ -3,12 +3,12 @@
 #include "swrast/cover/columns.h"
 #include "swrast/cover/packed_choice.h"
 
-/// The kernels for processors with vectors of 16 lanes, and instructions that close the gaps in
-/// them.
+/// Kernels for processors with vectors of 16 lanes and compress instructions.
 namespace arbiter::swrast {
 namespace {
 
-/// Depth of a block's pixels, clamped: the same steps in the same order as machine code has them.
+/// Computes the clamped depths of a block's pixels. The steps and their order are those of the
+/// machine code.
 class DepthSteps {
 public:
   DepthSteps(const PackedTile &tile, const abi::DepthPlane &z)
@@ -16,12 +16,12 @@ public:
         m_dy(_mm512_set1_ps(z.dy)), m_offset(_mm512_set1_ps(z.offset)),
         m_minimum(_mm512_set1_ps(tile.minimum)), m_maximum(_mm512_set1_ps(tile.maximum)) {}
 
-  /// \param at the block's number
+  /// \param at number of the block
   [[nodiscard]] __m512 at(unsigned at) const {
     const __m512 along = _mm512_fmadd_ps(m_dx, _mm512_load_ps(m_tile.xOf[at & 15]), m_c);
     const __m512 plane = _mm512_fmadd_ps(m_dy, _mm512_load_ps(m_tile.yOf[at >> 4]), along);
     const __m512 depth = _mm512_add_ps(plane, m_offset);
-    // Where it is not a number: the second operand.
+    // For NaN, these instructions return the second operand.
     return _mm512_min_ps(_mm512_max_ps(depth, m_minimum), m_maximum);
   }
 
@@ -30,14 +30,14 @@ private:
   __m512 m_c, m_dx, m_dy, m_offset, m_minimum, m_maximum;
 };
 
-/// The processor's comparisons in GL's order; the first and the last need none.
+/// The processor's comparisons in GL's order. Never and Always do not use them.
 constexpr int kIntegerCompare[] = {
     0, _MM_CMPINT_LT, _MM_CMPINT_EQ, _MM_CMPINT_LE, _MM_CMPINT_NLE, _MM_CMPINT_NE, _MM_CMPINT_NLT,
     0};
 constexpr int kFloatCompare[] = {0,          _CMP_LT_OQ,  _CMP_EQ_OQ, _CMP_LE_OQ,
                                  _CMP_GT_OQ, _CMP_NEQ_UQ, _CMP_GE_OQ, 0};
 
-/// Lanes of \p mask that pass; \p made is what they make of the buffer's pixels.
+/// Returns the lanes of \p mask that pass. \p made receives the new pixels for the buffer.
 template <abi::Layout kLayout, abi::Compare kCompare>
 __mmask16 passing(__mmask16 mask, __m512 depth, __m512i old, __m512i &made) {
   constexpr bool kDecided = kCompare == abi::Compare::Never || kCompare == abi::Compare::Always;
@@ -48,7 +48,7 @@ __mmask16 passing(__mmask16 mask, __m512 depth, __m512i old, __m512i &made) {
     if constexpr (!kDecided)
       mask = _mm512_mask_cmp_ps_mask(mask, depth, _mm512_castsi512_ps(old),
                                      kFloatCompare[int(kCompare)]);
-  } else if constexpr (kLayout == abi::Layout::Depth32) { // abi::depth32Of()
+  } else if constexpr (kLayout == abi::Layout::Depth32) { // same as abi::depth32Of()
     const __m512i bits =
         _mm512_slli_epi32(_mm512_cvttps_epi32(_mm512_mul_ps(depth, _mm512_set1_ps(0x1p31f))), 1);
     const __mmask16 isOne = _mm512_cmp_ps_mask(depth, _mm512_set1_ps(1.0f), _CMP_NLT_UQ);
@@ -77,7 +77,7 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint
   const bool writes = tile.test.write;
   std::uint32_t left = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    // As one word, which compilers take apart well.
+    // Loaded as one word, from which compilers extract the fields well.
     std::uint64_t block = 0;
     __builtin_memcpy(&block, &blocks[i], sizeof block);
     const auto x = unsigned(block), y = unsigned(block >> 16);
@@ -85,7 +85,7 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::DepthPlane &z, std::uint
     if (__builtin_expect((tile.loaded[at >> 4] >> (at & 15) & 1) == 0, 0))
       tile.load(std::int16_t(x), std::int16_t(y));
     auto mask = __mmask16(block >> 32);
-    // Vectors are stored whole, as what is stored in part is slow to load again.
+    // Always stores whole vectors: loading one that was stored in parts is slow.
     if constexpr (kLayout != abi::Layout::None) {
       const __m512i old = _mm512_load_si512(tile.depth[at]);
       __m512i made;
@@ -107,7 +107,7 @@ struct Kernels {
   static constexpr TestBlocks test = testBlocksBy<kLayout, kCompare>;
 };
 
-/// x and y of the lanes of a block as abi::Pixel, row by row or quad by quad.
+/// Returns x and y of a block's lanes as in abi::Pixel, by rows or by quads.
 __m512i lanesOf(bool quads) {
   const __m512i rows = _mm512_setr_epi32(0, 1, 2, 3, 0x100, 0x101, 0x102, 0x103, 0x200, 0x201,
                                          0x202, 0x203, 0x300, 0x301, 0x302, 0x303);
@@ -130,7 +130,7 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, unsigned c
           owners, _mm512_load_si512(tile.owner[PackedTile::blockAt(block.x, block.y)]));
     __m512i pixels = _mm512_add_epi32(lanes, _mm512_set1_epi32(PackedTile::placeOf(block)));
     if (quads) {
-      // The second pair of a row changes places with the first pair of the next.
+      // To order by quads, the second pair of a row is swapped with the first pair of the next row.
       mask = (mask & 0xC3C3) | (mask & 0x0C0C) << 2 | (mask >> 2 & 0x0C0C);
       unsigned any = mask | mask >> 1;
       any = (any | any >> 2) & 0x1111;

@@ -1,11 +1,11 @@
 #pragma once
 #include "swrast/cover/packed.h"
 
-/// Which of an instruction set's kernels tests a draw's depth. Included where these are made, for
-/// types of nameless namespaces, so that no two instruction sets share a function.
+/// Chooses the kernel that tests a draw's depth. Included in the kernels' sources. Its template
+/// arguments are types of unnamed namespaces, so that no two instruction sets share a function.
 namespace arbiter::swrast {
 
-/// \tparam Kernels `test<layout, compare>` is the function of a test
+/// \tparam Kernels has a function `test<layout, compare>` for each test
 template <typename Kernels, abi::Layout kLayout> TestBlocks testOf(abi::Compare compare) {
   using abi::Compare;
   static constexpr TestBlocks kAll[] = {Kernels::template test<kLayout, Compare::Never>,

@@ -8,7 +8,7 @@
 #include "swrast/testing/canvas.h"
 #include "util/processor.h"
 
-/// Small triangles packed by the pixel against blocks whose shading function tests depth itself.
+/// Compares packed small triangles with blocks whose shading function tests depth itself.
 namespace arbiter::swrast {
 namespace {
 
@@ -19,7 +19,7 @@ constexpr abi::Layout kLayouts[] = {abi::Layout::None, abi::Layout::Depth16,
                                     abi::Layout::Depth24Stencil8, abi::Layout::Depth32F,
                                     abi::Layout::Depth32};
 
-/// The depth test of machine code, a pixel at a time, from its description (4.1.6).
+/// Tests one pixel's depth as the machine code must, written from the specification (4.1.6).
 bool testReference(const DepthTest &test, const abi::FragmentData &data,
                    const abi::Primitive &primitive, int x, int y) {
   if (test.layout == abi::Layout::None)
@@ -59,11 +59,12 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
   return passes;
 }
 
-DepthTest g_test; ///< of the draw under way: shading functions are given no more than their data
+/// the current draw's test; global, because shading functions get no more than their data
+DepthTest g_test;
 bool g_quads = false;
-int g_lanes = 16; ///< of the function of packed pixels
+int g_lanes = 16; ///< lanes of the packed shading function
 
-std::uint32_t g_inBlocks = 0; ///< pixels
+std::uint32_t g_inBlocks = 0; ///< number of pixels
 
 void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
                   std::uint32_t count) {
@@ -78,7 +79,7 @@ void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive
     }
 }
 
-std::uint32_t g_several = 0; ///< calls whose first vector has pixels of several triangles
+std::uint32_t g_several = 0; ///< number of calls whose first vector has pixels of several triangles
 
 void packedPixels(const abi::FragmentData *data, const abi::PrimitiveColumns *primitives,
                   const abi::Pixel *pixels, std::uint32_t count) {
@@ -88,8 +89,8 @@ void packedPixels(const abi::FragmentData *data, const abi::PrimitiveColumns *pr
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Pixel &pixel = pixels[i], &first = pixels[i & ~3u];
     if (pixel.column >= g_lanes)
-      __builtin_trap(); // where no lane would find it
-    // Padding may follow the last quad in any number.
+      __builtin_trap(); // no lane would read this column
+    // The last quad may be followed by any number of padding pixels.
     const bool padding =
         (first.isHelper & (&first)[1].isHelper & (&first)[2].isHelper & (&first)[3].isHelper) != 0;
     if (g_quads && !padding &&
@@ -177,9 +178,9 @@ Case randomCase(std::mt19937 &random, int round) {
   const int triangles = round % 5 == 0 ? 2000 : 150;
   std::uniform_real_distribution<float> unit(0, 1);
   for (int i = 0; i < triangles; ++i) {
-    // Some are larger than small ones may be, and wait for those before them.
+    // Some are too large to be small triangles, and must wait for those before them.
     const float size = i % 40 == 39 ? 150.0f : i % 3 ? 9.0f : 40.0f;
-    const float thin = i % 80 == 39 ? 0.03f : 1.0f; // which are packed as well
+    const float thin = i % 80 == 39 ? 0.03f : 1.0f; // thin ones, which are packed as well
     const float x = unit(random) * kWidth, y = unit(random) * kHeight;
     for (int k = 0; k < 3; ++k) {
       what.x.push_back(std::clamp(x + size * thin * (unit(random) - 0.5f), 0.0f, float(kWidth)));
@@ -243,7 +244,7 @@ TEST(Packed, LargeThinShapesArePackedToo) {
   }
 }
 
-/// A tile in the middle of a buffer, with its depth.
+/// A tile in the middle of a buffer, filled with depths.
 struct Tile {
   Tile(const DepthTest &test, const Rect &rect, int originY) : buffer(128 * 128) {
     std::mt19937 random(3);
@@ -253,7 +254,7 @@ struct Tile {
       if (test.layout != abi::Layout::Depth32F)
         pixel = std::uint32_t(random());
       else if (random() % 64 == 0)
-        pixel = 0x7FC00000; // as an application may have written
+        pixel = 0x7FC00000; // NaN, which an application may write
     }
     data.depthStencil = {reinterpret_cast<std::uint8_t *>(buffer.data()),
                          128 * std::max(2, abi::bytesOf(test.layout))};
@@ -267,7 +268,7 @@ struct Tile {
   std::unique_ptr<PackedTile> tile = std::make_unique<PackedTile>();
 };
 
-/// The others that this processor runs.
+/// Returns the kernels of this processor beyond the baseline.
 std::vector<const PackedKernels *> otherKernels() {
   std::vector<const PackedKernels *> result;
 #if defined(__x86_64__) || defined(__i386__)
@@ -280,7 +281,7 @@ std::vector<const PackedKernels *> otherKernels() {
 }
 
 class Kernels : public ::testing::TestWithParam<const PackedKernels *> {};
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Kernels); // a processor that has the baseline's alone
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Kernels); // some processors run the baseline alone
 INSTANTIATE_TEST_SUITE_P(Processors, Kernels, ::testing::ValuesIn(otherKernels()),
                          [](const auto &row) { return std::to_string(row.index); });
 
@@ -322,10 +323,10 @@ TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
   }
 }
 
-/// Triangles of several draws, with what their planes are made of.
+/// Triangles of several draws, with the values that their planes come from.
 struct Group {
   static constexpr int kVertices = 60;
-  static constexpr int kWindow = 20; ///< of them with a position
+  static constexpr int kWindow = 20; ///< number of vertices with a position
   Group(std::mt19937 &random, int count) {
     std::uniform_real_distribution<float> unit(-1, 1);
     state.upsideDownHeight = random() % 2 ? 64 : 0;
@@ -334,7 +335,7 @@ struct Group {
       snapVertex(vertex, state.upsideDownHeight);
     }
     for (float &value : values)
-      value = random() % 9 == 0 ? 0.5f : unit(random); // some planes are level
+      value = random() % 9 == 0 ? 0.5f : unit(random); // equal values, for constant planes
     for (PlanePlan &plan : plans) {
       plan.wantsW = random() % 4 != 0;
       for (plan.count = 0; plan.count < 9; ++plan.count) {
@@ -359,14 +360,14 @@ struct Group {
       each.window = window;
       for (std::uint32_t &vertex : own.vertex)
         vertex = std::uint32_t(random() % kWindow);
-      if (k % 7 == 3) // thin
+      if (k % 7 == 3) // makes it degenerate
         own.vertex[2] = own.vertex[1];
       own.provokingAndFace = own.vertex[random() % 3] << 1 | (random() & 1);
       own.originX = std::int16_t(random() % 64);
       own.originY = std::int16_t(random() % 64);
       each.depth = {unit(random), unit(random), unit(random), unit(random)};
       each.made = nullptr;
-      if (k % 5 == 2) { // as a shape's
+      if (k % 5 == 2) { // gives it ready-made planes, as a shape has
         makePlanes(state, *each.plan, own, window, made[k]);
         each.made = &made[k];
         each.inputs = abi::kMaxInputs;
@@ -384,7 +385,7 @@ struct Group {
   const PackedTriangle *pointers[abi::PrimitiveColumns::kColumns];
 };
 
-/// All kernels make the planes that makePlanes() makes, bit for bit.
+/// All kernels must compute the planes of makePlanes(), bit for bit.
 TEST(Packed, ColumnsAreThePlanesOfEachTriangle) {
   std::vector<const PackedKernels *> all = otherKernels();
   all.push_back(&kPackedBaseline);

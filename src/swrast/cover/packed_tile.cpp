@@ -25,7 +25,7 @@ void PackedTile::begin(const Rect &tile, const Shading &shading, int planesFrom)
       xOf[block][lane] = float(left + 4 * block + lane % 4);
       yOf[block][lane] = float(bottom + 4 * block + lane / 4);
     }
-  // Rows of a window are often whole pages apart, which processors do not foresee.
+  // A window's rows are often whole pages apart, and hardware prefetchers do not cross pages.
   constexpr int kLine = 64;
   const int bytes = rect.width * abi::bytesOf(test.layout);
   const std::uint8_t *row =
@@ -35,7 +35,7 @@ void PackedTile::begin(const Rect &tile, const Shading &shading, int planesFrom)
       __builtin_prefetch(row + at, 1, 2);
 }
 
-/// Calls `visit(lane, address)` for the block's pixels that there are.
+/// Calls `visit(lane, address)` for each pixel of the block that lies in the tile.
 template <typename Visit> void PackedTile::eachPixel(int x, int y, Visit visit) const {
   const int bytes = abi::bytesOf(test.layout);
   for (int lane = 0; lane < kLanes; ++lane) {
@@ -67,7 +67,7 @@ void PackedTile::load(int x, int y) {
   std::memset(depth[at], 0, sizeof depth[at]);
   const auto bytes = std::size_t(abi::bytesOf(test.layout));
   eachPixel(x, y, [&](int lane, const std::uint8_t *from) {
-    std::memcpy(&depth[at][lane], from, bytes); // the lower half of a number first
+    std::memcpy(&depth[at][lane], from, bytes); // little endian: a short depth fills the lower half
   });
 }
 
@@ -117,9 +117,9 @@ template <typename Number> bool passes(abi::Compare compare, Number incoming, Nu
   return false;
 }
 
-/// One pixel's depth against the buffer's; `pixel` is written if it passes.
+/// Tests one pixel's depth against the buffer's, and replaces `pixel` if it passes.
 bool testPixel(const PackedTile &tile, float depth, std::int32_t &pixel) {
-  // Written so that what is not a number becomes the minimum.
+  // Written so that NaN becomes the minimum.
   depth = depth > tile.minimum ? depth : tile.minimum;
   depth = depth < tile.maximum ? depth : tile.maximum;
   const abi::Compare compare = tile.test.compare;
@@ -182,7 +182,7 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, unsigned c
     for (int k = 0; k < PackedTile::kLanes; ++k) {
       const int inQuad = (k / 8 * 2 + k % 4 / 2) * 4 + k / 4 % 2 * 2 + k % 2;
       const int lane = quads ? inQuad : k;
-      const int first = lane / 8 * 8 + lane % 4 / 2 * 2; // of the lane's quad
+      const int first = lane / 8 * 8 + lane % 4 / 2 * 2; // first lane of this lane's quad
       const bool seen = isSeen(lane);
       if (!seen && !(quads && (isSeen(first) || isSeen(first + 1) || isSeen(first + 4) ||
                                isSeen(first + 5))))

@@ -13,10 +13,10 @@ namespace {
 using abi::Layout;
 
 constexpr int kBandRows = 32;
-/// Less is written as soon as it is noted.
+/// Clears of fewer bytes are written at once.
 constexpr std::int64_t kDeferredBytes = 8 << 10;
 
-/// Calls `row(y)` for rows 0 to height - 1, on all threads where that pays.
+/// Calls `row(y)` for rows 0 to height - 1, on all threads if there is enough work.
 template <typename Row> void forRows(int height, std::int64_t bytes, const Row &row) {
   auto band = [&](std::uint32_t i) {
     const int end = std::min(height, int(i + 1) * kBandRows);
@@ -31,7 +31,8 @@ template <typename Row> void forRows(int height, std::int64_t bytes, const Row &
       band(i);
 }
 
-/// Four bytes from four: shift[i] is where byte i comes from; what no byte gives is in `ones`.
+/// A permutation of a pixel's four bytes. shift[i] selects the source of byte i; bytes without a
+/// source are set from `ones`.
 struct BytePermutation {
   unsigned shift[4] = {};
   std::uint32_t keep[4] = {};
@@ -100,7 +101,7 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
     return;
   }
   if (abi::componentsOf(to.format.layout) == 0 || abi::componentsOf(from.format.layout) == 0)
-    return; // depth converts to nothing but its own format
+    return; // depth converts only to its own format
   if (to.format.layout == Layout::U8x4 && from.format.layout == Layout::U8x4) {
     const BytePermutation permutation = permutationOf(to.format, from.format);
     each([&](std::uint8_t *out, const std::uint8_t *in) {
@@ -115,7 +116,7 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
 
 namespace {
 
-/// Writes the pattern now, or where it covers a large image, when its pixels are needed.
+/// Clears with the pattern: a large image when its pixels are needed, anything else now.
 void clearPixels(Image &image, const Rect &rect, const ClearPattern &pattern) {
   image.storage->settle();
   const ClearedPixels pixels = {image.placeOf(0, 0), image.rowStride, image.width, image.height,
@@ -141,7 +142,7 @@ void fill(Image &image, const Rect &rect, const float rgba[4], unsigned writeMas
     return;
   const auto pixelBytes = std::size_t(abi::bytesOf(image.format.layout));
   float value[1][4] = {{rgba[0], rgba[1], rgba[2], rgba[3]}};
-  // What the mask keeps shows as bits that differ between two backgrounds.
+  // Packing over two different backgrounds shows which bits the mask keeps: they differ.
   ClearPattern pattern;
   std::memset(pattern.mask, 0xFF, sizeof pattern.mask);
   packPixels(image.format, value, 1, pattern.value, writeMask);

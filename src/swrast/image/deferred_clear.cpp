@@ -24,7 +24,7 @@ Word wordOf(const std::uint8_t *bytes) {
   return word;
 }
 
-/// Never destroyed: images may outlive the library's static objects.
+/// Spare clears. Never destroyed, because images may outlive the library's static objects.
 struct Store {
   std::mutex mutex;
   std::array<DeferredClear *, 16> free{};
@@ -56,11 +56,11 @@ void writePattern(const ClearedPixels &pixels, const ClearPattern &pattern, cons
   const Word value = wordOf(pattern.value) & wordOf(pattern.mask), keep = ~wordOf(pattern.mask);
   const bool isWhole = pattern.isWhole();
   for (int y = all.y; y < all.y + all.height; ++y) {
-    // The pattern repeats by the pixel, so it may begin at any.
+    // The pattern repeats with every pixel, so it may begin at any pixel.
     std::uint8_t *const row =
         pixels.base + y * pixels.rowStride + std::ptrdiff_t(all.x) * pixels.pixelBytes;
     std::ptrdiff_t at = 0;
-    // What is changed is read first: it has left the nearer caches.
+    // A masked clear reads pixels first, and they have left the nearer caches: prefetch them.
     if (!isWhole)
       for (std::ptrdiff_t line = 0; line < bytes; line += kLine)
         __builtin_prefetch(row + line + kRowsAhead * pixels.rowStride, 1, 3);

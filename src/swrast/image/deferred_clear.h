@@ -6,53 +6,54 @@
 
 #include "swrast/rect.h"
 
-/// Clears of whole images that are written where, and when, their pixels are first needed.
+/// Clears of whole images that are written late: each part when its pixels are first needed.
 namespace arbiter::swrast {
 
-/// What a clear does to 16 bytes of pixels, which no pixel's size straddles: bits of `mask` become
-/// those of `value`.
+/// The effect of a clear on 16 bytes of pixels: bits of `mask` take the value in `value`. 16 is a
+/// multiple of every pixel size.
 struct ClearPattern {
   alignas(16) std::uint8_t value[16] = {};
   alignas(16) std::uint8_t mask[16] = {};
-  /// All bits of a pixel are replaced.
+  /// True if all bits of a pixel are replaced.
   [[nodiscard]] bool isWhole() const;
-  /// Nothing is left of a clear by `other` before this one.
+  /// True if this clear overwrites everything that `other` would have written.
   [[nodiscard]] bool replaces(const ClearPattern &other) const;
 };
 
-/// Where the pixels of an image of one slice lie.
+/// The location of an image's pixels in memory; the image has one slice.
 struct ClearedPixels {
-  std::uint8_t *base = nullptr; ///< of pixel (0, 0)
+  std::uint8_t *base = nullptr; ///< address of pixel (0, 0)
   std::int64_t rowStride = 0;   ///< bytes
   int width = 0, height = 0;
   int pixelBytes = 0; ///< 1, 2, 4, 8 or 16
   bool operator==(const ClearedPixels &) const = default;
 };
 
-/// Writes the pattern to a rectangle.
+/// Writes the pattern to all pixels of a rectangle.
 void writePattern(const ClearedPixels &pixels, const ClearPattern &pattern, const Rect &rect);
 
-/// The clear of one image that is still to be written, in part: a tile of 64x64 pixels at a time,
-/// by the thread that draws to the tile first, so that it lies in that processor's cache when it is
-/// drawn to; what is neither drawn to nor read is never written.
+/// A clear of one image that is partly still to be written. Each tile of 64x64 pixels is written by
+/// the first thread that draws to it, so that it lies in that processor's cache when it is drawn
+/// to. Tiles that are neither drawn to nor read are never written.
 class DeferredClear {
 public:
   static constexpr int kTileShift = 6, kTile = 1 << kTileShift;
 
-  /// From a store of a few that are free; null if there is no memory.
+  /// Returns an object from a small pool of free ones, or null if there is no memory.
   [[nodiscard]] static DeferredClear *take();
   static void giveBack(DeferredClear *clear);
 
-  /// Clears the image. What of a clear before it is still to be written is forgotten, or written
-  /// where the new one leaves some of it. False if there is no memory; then nothing is pending.
+  /// Begins a clear of the image. What an earlier clear has left pending is dropped, or written if
+  /// the new clear keeps some of its bits. Returns false if there is no memory; nothing is pending
+  /// then.
   [[nodiscard]] bool begin(const ClearedPixels &pixels, const ClearPattern &pattern);
   [[nodiscard]] bool isPending() const { return m_left.load(std::memory_order_relaxed) != 0; }
-  /// Before pixels of the rectangle are read or written. Threads may reach different tiles at a
-  /// time, none the same.
+  /// Writes the pending tiles of a rectangle. Call it before its pixels are read or written.
+  /// Threads may reach different tiles at the same time, but never the same tile.
   void reach(const Rect &rect);
-  /// Before pixels anywhere are read or written; no other thread is at it.
+  /// Writes all pending tiles. Requires that no other thread uses this clear.
   void complete();
-  /// All pixels are about to be replaced.
+  /// Drops all pending tiles. Call it when every pixel is about to be replaced.
   void forget() { m_left.store(0, std::memory_order_relaxed); }
 
 private:
@@ -61,7 +62,8 @@ private:
   ClearedPixels m_pixels;
   ClearPattern m_pattern;
   int m_tilesX = 0, m_tilesY = 0;
-  std::vector<std::uint8_t> m_pending; ///< a byte a tile, each written by one thread at a time
+  /// one byte a tile; a tile's byte is written by one thread at a time
+  std::vector<std::uint8_t> m_pending;
   std::atomic<std::uint32_t> m_left{0};
 };
 

@@ -10,7 +10,7 @@
 #include "swrast/image/image.h"
 #include "swrast/threads.h"
 
-/// Clears that are written late give the pixels of clears that are written at once.
+/// Checks that deferred clears give the same pixels as clears written at once.
 namespace arbiter::swrast {
 namespace {
 
@@ -20,7 +20,7 @@ constexpr abi::Format kHalves = {abi::Layout::F16x4, kRgba};
 constexpr abi::Format kDepth = {abi::Layout::Depth24Stencil8, kRgba};
 constexpr abi::Format kDepth16 = {abi::Layout::Depth16, kRgba};
 
-/// An image of several tiles, the last of each row and column a part of one.
+/// The image has several tiles; the last ones in each row and column are partial.
 constexpr int kWidth = 200, kHeight = 150;
 
 Image imageOf(const abi::Format &format, bool topRowFirst = false) {
@@ -92,7 +92,7 @@ TEST(DeferredClear, KeepsItsMemoryForTheNextImage) {
   }
 }
 
-/// The same commands to an image whose clears may be deferred and to one that has none pending.
+/// Applies the same commands to two images, one of which completes each clear at once.
 class Twins {
 public:
   explicit Twins(const abi::Format &format, bool topRowFirst)
@@ -102,7 +102,7 @@ public:
     command(m_atOnce);
     m_atOnce.complete();
   }
-  /// As a draw: reached, then written.
+  /// Acts as a draw does: it reaches the rectangle, then writes to it.
   void draw(const Rect &rect, std::uint8_t byte) {
     if (DeferredClear *const clear = m_late.storage->pendingClear())
       clear->reach(rect);
@@ -111,7 +111,7 @@ public:
         const int bytes = rect.width * abi::bytesOf(image->format.layout);
         std::uint8_t *const row = image->placeOf(rect.x, y);
         for (int i = 0; i < bytes; ++i)
-          row[i] = std::uint8_t(row[i] + byte); // reads what was cleared
+          row[i] = std::uint8_t(row[i] + byte); // depends on the cleared value
       }
   }
   void expectEqual() {

@@ -23,9 +23,8 @@ void copyBytes(std::uint8_t *to, const std::uint8_t *from, std::size_t bytes) {
   parallel(std::uint32_t((bytes + kCopyBytes - 1) / kCopyBytes), part);
 }
 
-/// Rows of long images are an odd number of lines apart: those of a power of two would lie in the
-/// same few sets of a cache all of them, and code that goes down a column would not find the row
-/// above it there any more.
+/// Returns the row stride. Long rows span an odd number of cache lines: with a power of two, all
+/// pixels of a column would share a few cache sets and evict each other.
 std::int64_t strideOf(std::int64_t bytes) {
   constexpr std::int64_t kCacheLine = 64, kLong = 1024;
   const std::int64_t lines = (bytes + kCacheLine - 1) / kCacheLine;
@@ -41,7 +40,7 @@ Image makeImage(const abi::Format &format, int width, int height, int depth, boo
     return image;
   const std::int64_t row = strideOf(std::int64_t(width) * abi::bytesOf(format.layout));
   const std::int64_t slice = row * height;
-  // 2^28 rows of 2^18 bytes cannot overflow, but no machine has them.
+  // The product cannot overflow: at most 2^28 rows of 2^18 bytes. No machine has as much memory.
   std::shared_ptr<Storage> storage = Storage::make(std::uint64_t(slice) * std::uint64_t(depth));
   if (!storage)
     return image;

@@ -41,7 +41,7 @@ TEST(Image, SizesOutOfRangeMakeNone) {
 
 TEST(Image, SizesBeyondAllAddressesMakeNone) {
   EXPECT_TRUE(makeImage(kRgba32f, 16384, 16384, 16384).empty());
-  if (sizeof(void *) == 4) { // counted in 32 bits it would be half a megabyte
+  if (sizeof(void *) == 4) { // a 32-bit product would wrap to half a megabyte
     EXPECT_TRUE(makeImage(kRgba32f, 16384, 8193, 2).empty());
   }
 }
@@ -53,7 +53,8 @@ TEST(Storage, HoldsNoMoreThanItMay) {
   for (int i = 0; i < 3; ++i)
     EXPECT_TRUE(held.emplace_back(Storage::make(kBytes))) << i;
   EXPECT_FALSE(Storage::make(kBytes));
-  // What was given back waits in the pool for one of its size, and makes way for others.
+  // Freed storage waits in the pool for a request of its size, and is released if others need the
+  // room.
   held.resize(1);
   EXPECT_TRUE(held.emplace_back(Storage::make(kBytes / 2)));
   EXPECT_TRUE(held.emplace_back(Storage::make(kBytes + kBytes / 4)));
@@ -143,7 +144,7 @@ TEST(Image, MemoryThatOthersReadIsWaitedForBeforeAWrite) {
   lent.isRead = true;
   EXPECT_TRUE(image.storage->isRead());
   Image copy = image;
-  ASSERT_TRUE(makeWritable(copy, true)); // elsewhere, which needs no waiting
+  ASSERT_TRUE(makeWritable(copy, true)); // the copy gets other memory, so it need not wait
   EXPECT_EQ(lent.waits, 0);
   EXPECT_FALSE(copy.storage->isRead());
   ASSERT_TRUE(makeWritable(image, true));
@@ -223,7 +224,7 @@ TEST(Image, CopiesConvertByValue) {
           const From origin = format.swizzle[std::size_t(c)];
           if (origin == From::Zero || origin == From::One)
             continue;
-          // Luminance is red.
+          // Luminance is stored from red.
           const float expected = source[0][sourceOf(format.swizzle, int(origin))];
           ASSERT_NEAR(got[0][c], expected, format.layout == Layout::F16x4 ? 0x1p-11 : 1e-7)
               << int(format.layout) << " at " << x << ", " << y << " component " << c;
@@ -251,7 +252,7 @@ TEST(Image, FillsKeepWhatTheMaskLeavesOut) {
   Image image = makeImage(kBgra8, 130, 4);
   const float first[4] = {1, 1, 1, 1}, second[4] = {0, 0.25f, 0, 0};
   fill(image, {0, 0, 130, 4}, first);
-  fill(image, {1, 1, 128, 2}, second, 0xB); // not blue
+  fill(image, {1, 1, 128, 2}, second, 0xB); // all components but blue
   EXPECT_EQ(bytesAt(image, 1, 1), (std::vector<int>{255, 64, 0, 0}));
   EXPECT_EQ(bytesAt(image, 128, 2), (std::vector<int>{255, 64, 0, 0}));
   for (const auto &[x, y] : {std::pair(0, 1), {129, 1}, {1, 0}, {1, 3}})
@@ -259,7 +260,7 @@ TEST(Image, FillsKeepWhatTheMaskLeavesOut) {
 }
 
 TEST(Image, BytesAreRoundedAsHostsRoundThem) {
-  // 0.7 times 255 is a little less than 178.5, 0.3 times 255 a little more than 76.5.
+  // 0.7 times 255 is a little less than 178.5, and 0.3 times 255 is a little more than 76.5.
   Image image = makeImage(kRgba8, 4, 4);
   const float color[4] = {0.7f, 0.3f, 0.5f, 0.1f};
   fill(image, {0, 0, 4, 4}, color);
@@ -288,8 +289,8 @@ TEST(Image, DepthAndStencilFills) {
   EXPECT_EQ(at(1, 1), 0x800000A0u);
   fillDepthStencil(image, {1, 1, 3, 3}, false, 0, 0xFF, 0x11);
   EXPECT_EQ(at(3, 3), 0x80000011u);
-  // 5033164.5 steps as a double and as a float's product, which are 5033164.7 of the float as a
-  // double.
+  // 0.3 is 5033164.5 steps as a double or as a product of floats, but 5033164.7 if the float is
+  // widened to a double.
   fillDepthStencil(image, {0, 0, 5, 5}, true, 0.3, 0, 0);
   EXPECT_EQ(at(0, 0) >> 8, 5033164u);
   fillDepthStencil(image, {0, 0, 5, 5}, true, 1, 0, 0);

@@ -65,15 +65,15 @@ float load(Kind kind, const std::uint8_t *pixel, int component) {
   return 0;
 }
 
-/// NaN becomes 0.
+/// Scales [0, 1] to [0, largest] and rounds; NaN becomes 0.
 float scaled(float value, float largest) {
   if (!(value > 0))
     return 0;
   return value >= 1 ? largest : std::floor(value * largest + 0.5f);
 }
 
-/// To the nearest byte, as hosts round a colour that they clear to: of two that are nearly as near
-/// the even one, as the sum has 8 bits of a byte's fraction.
+/// Converts to the nearest byte as hosts round a clear colour. The float sum keeps only 8 bits
+/// below the byte, so values close to a half round to even.
 std::uint8_t toByte(float value) {
   if (!(value > 0))
     return 0;
@@ -140,11 +140,12 @@ std::uint16_t floatToHalf(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const auto sign = std::uint16_t((bits >> 16) & 0x8000u);
   const std::uint32_t magnitude = bits & 0x7FFFFFFFu;
-  if (magnitude >= 0x7F800000u) // infinite, or NaN
+  if (magnitude >= 0x7F800000u) // infinity or NaN
     return std::uint16_t(sign | (magnitude > 0x7F800000u ? 0x7E00u : 0x7C00u));
   if (magnitude >= 0x47800000u) // 65536
     return std::uint16_t(sign | 0x7BFFu);
-  if (magnitude < 0x38800000u) { // below the least normal number, 2^-14: units of 2^-24
+  // below 2^-14, the smallest normal number: denormals in units of 2^-24
+  if (magnitude < 0x38800000u) {
     const float units = std::ldexp(std::bit_cast<float>(magnitude), 24);
     return std::uint16_t(sign | std::uint16_t(units));
   }

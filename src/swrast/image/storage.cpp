@@ -11,26 +11,28 @@
 namespace arbiter::swrast {
 namespace {
 
-constexpr std::size_t kGuardBytes = 64; ///< that may be read before and behind
+constexpr std::size_t kGuardBytes = 64; ///< bytes before and after a block that may be read
 constexpr std::size_t kHugePage = std::size_t(2) << 20;
-/// Two cache lines, which processors fetch in pairs: more than any object of the layer's has, by
-/// which safety/guarded_memory.cpp tells images from those.
+/// Two cache lines, which processors fetch in pairs. No object of the layer has a larger alignment,
+/// and safety/guarded_memory.cpp tells images from other objects by that.
 constexpr std::size_t kBlockAlignment = 128;
 constexpr std::size_t kPoolBlocks = 8;
-constexpr std::size_t kPoolBytes = std::size_t(16) << 20; ///< beyond as much as is in use
+/// the pool may exceed the bytes in use by this much
+constexpr std::size_t kPoolBytes = std::size_t(16) << 20;
 constexpr std::uint64_t kLargestBytes = std::min(std::uint64_t(1) << 40, Storage::kMostBytes);
 
 struct Freed {
   std::uint8_t *block = nullptr;
-  std::size_t bytes = 0; ///< as asked for
+  std::size_t bytes = 0; ///< the requested size
 };
 
-/// Never destroyed: images may outlive the library's static objects.
+/// The pool of freed blocks. Never destroyed, because images may outlive the library's static
+/// objects.
 struct Pool {
   std::mutex mutex;
-  std::array<Freed, kPoolBlocks> freed; ///< the oldest first
+  std::array<Freed, kPoolBlocks> freed; ///< oldest first
   std::size_t count = 0, freedBytes = 0, usedBytes = 0;
-  std::array<void *, 32> handles; ///< memory of the handles of storages
+  std::array<void *, 32> handles; ///< freed memory of shared_ptr control blocks
   std::size_t handleCount = 0;
 };
 Pool &pool() {
@@ -48,8 +50,8 @@ std::uint8_t *allocate(std::size_t bytes) {
   void *block = nullptr;
   if (posix_memalign(&block, huge ? kHugePage : kBlockAlignment, size) != 0)
     return nullptr;
-  // Large pages save most of the address translation of a walk over an image; a kernel that has
-  // none says so, and that is no harm.
+  // Huge pages save most of the address translation when an image is traversed. A kernel without
+  // them fails the call, which does no harm.
   if (huge)
     (void)madvise(block, size, MADV_HUGEPAGE);
   return static_cast<std::uint8_t *>(block);
@@ -60,7 +62,7 @@ void release(const Freed &freed) {
   std::free(freed.block);
 }
 
-/// Whether there may be another block of that size; what the pool keeps goes before it is refused.
+/// True if another block of that size is allowed; empties the pool first if that helps.
 bool mayGrow(std::size_t bytes) {
   const auto fits = [bytes] {
     return g_totalBytes.load(std::memory_order_relaxed) + std::uint64_t(blockBytes(bytes)) <=
@@ -75,7 +77,7 @@ bool mayGrow(std::size_t bytes) {
   return fits();
 }
 
-/// Gives back what std::shared_ptr keeps beside the storage, without the heap in a steady state.
+/// Allocates shared_ptr control blocks from the pool, so that repeated use does not touch the heap.
 template <typename T> struct HandleAllocator {
   using value_type = T;
   static constexpr std::size_t kBytes = 128;
@@ -116,7 +118,7 @@ std::shared_ptr<Storage> Storage::make(std::uint64_t wanted) {
   {
     Pool &p = pool();
     const std::lock_guard lock(p.mutex);
-    // The newest first: its lines may still be in a cache.
+    // Takes the newest block, whose lines may still be in a cache.
     for (std::size_t i = p.count; i-- > 0 && !block;) {
       if (p.freed[i].bytes != bytes)
         continue;

@@ -5,44 +5,46 @@
 
 #include "swrast/image/deferred_clear.h"
 
-/// The memory of images, and the pool of what was freed.
+/// The memory of images, and the pool of freed blocks.
 namespace arbiter::swrast {
 
-/// Draws that wait to be done.
+/// Draws that have been queued and not been done yet.
 class PendingDraws {
 public:
-  /// All are done when it returns.
+  /// Does all of them before it returns.
   virtual void finish() = 0;
-  /// Other threads begin with them, where there are any.
+  /// Has the worker threads begin with them, if there are any.
   virtual void post() = 0;
 
 protected:
   ~PendingDraws() = default;
 };
 
-/// Which draws wait that read or write what lies in a storage.
+/// The queued draws that read or write a storage.
 struct PendingUse {
-  PendingDraws *draws = nullptr; ///< null: none
-  std::uint32_t batch = 0;       ///< the last one that does
-  bool isDrawnTo = false;        ///< by that batch
-  bool isSampled = false;        ///< likewise
+  PendingDraws *draws = nullptr; ///< the queue that holds them; null: none
+  std::uint32_t batch = 0;       ///< number of the last batch that uses the storage
+  bool isDrawnTo = false;        ///< true if that batch draws to it
+  bool isSampled = false;        ///< true if that batch samples it
 };
 
-/// A block of memory that images share. 64 bytes before and behind may be read. Freed blocks go to
-/// a small pool, so that ping-pong between two buffers allocates nothing.
+/// A block of memory that images share. 64 bytes before and after it may be read. Freed blocks go
+/// to a small pool, so that alternating between two buffers allocates nothing.
 class Storage {
 public:
-  /// Null if there is no memory, or storages hold what they may. The bytes are undefined.
+  /// Returns a block of undefined bytes, or null if there is no memory or the total limit is
+  /// reached.
   [[nodiscard]] static std::shared_ptr<Storage> make(std::uint64_t bytes);
-  /// Whose memory images use that no Storage allocated.
+  /// The owner of memory that images use but no Storage has allocated.
   struct Owner {
-    void (*release)(void *user); ///< the last image lets go
-    /// Whether a reader other than the images has still to read what was written: until then it may
-    /// not be written again. \param wait until he has
+    void (*release)(void *user); ///< called when the last image lets go of the memory
+    /// True if another reader still has to read what was written; the memory may not be written
+    /// before that is done.
+    /// \param wait first waits for the reader
     bool (*isRead)(void *user, bool wait);
   };
-  /// On failure the owner's release() is called at once. 64 bytes before and after may be read of
-  /// it too.
+  /// Wraps memory of another owner. On failure the owner's release() is called at once. Requires
+  /// that 64 bytes before and after the memory may be read.
   [[nodiscard]] static std::shared_ptr<Storage> wrap(std::uint8_t *data, std::size_t bytes,
                                                      const Owner &owner, void *user);
   ~Storage();
@@ -50,38 +52,38 @@ public:
   Storage &operator=(const Storage &) = delete;
   [[nodiscard]] std::uint8_t *data() const { return m_data; } ///< aligned to 64 bytes
   [[nodiscard]] std::size_t bytes() const { return m_bytes; }
-  /// Whether a reader other than the images still reads it; false without an owner.
+  /// True if the owner's reader still reads the memory; false without an owner.
   [[nodiscard]] bool isRead() const { return m_owner && m_owner->isRead(m_user, false); }
-  /// Until it may be written again.
+  /// Waits until the memory may be written again.
   void awaitReader() const {
     if (m_owner)
       (void)m_owner->isRead(m_user, true);
   }
-  /// Before what lies here is read or written by anyone but draws that wait, or freed.
+  /// Finishes the queued draws that use the memory. Call it before anyone but a queued draw reads,
+  /// writes or frees it.
   void settle() const {
     if (m_use.draws) [[unlikely]]
       m_use.draws->finish();
   }
   [[nodiscard]] PendingUse &pendingUse() { return m_use; }
-  /// The clear of what lies here that is still to be written, in part; null: none. Draws that wait
-  /// may write it.
+  /// Returns the clear that is still to be written, in part, or null. Queued draws may write it.
   [[nodiscard]] DeferredClear *pendingClear() const {
     return m_clear && m_clear->isPending() ? m_clear.get() : nullptr;
   }
-  /// Clears without writing. False if there is no memory for it.
+  /// Notes a clear without writing it. Returns false if there is no memory for that.
   [[nodiscard]] bool deferClear(const ClearedPixels &pixels, const ClearPattern &pattern);
-  /// All that lies here is about to be replaced.
+  /// Drops a pending clear. Call it when the whole memory is about to be replaced.
   void forgetClear() {
     settle();
     if (m_clear)
       m_clear->forget();
   }
-  /// Memory that all storages hold now, pool included.
+  /// Returns the bytes that all storages hold now, including the pool.
   [[nodiscard]] static std::size_t totalBytes();
-  /// How much all may hold, pool included. In processes of 32 bits it is an eighth of the addresses
-  /// there are: what the application and the host's driver cannot map ends the application.
+  /// Limit of the bytes that all storages may hold, including the pool. A 32-bit process may use an
+  /// eighth of its addresses: an application ends if it or the host's driver cannot map memory.
   static constexpr std::uint64_t kMostBytes = std::uint64_t(1) << (sizeof(void *) == 4 ? 29 : 46);
-  /// For tests. \returns what it was
+  /// Sets the limit, for tests. \returns the limit before
   static std::uint64_t limitTotal(std::uint64_t bytes);
 
 protected:
@@ -90,13 +92,13 @@ protected:
 private:
   std::uint8_t *m_data;
   std::size_t m_bytes;
-  const Owner *m_owner = nullptr; ///< null: the pool's memory
+  const Owner *m_owner = nullptr; ///< null: the memory belongs to the pool
   void *m_user = nullptr;
   PendingUse m_use;
   struct GiveBack {
     void operator()(DeferredClear *clear) const { DeferredClear::giveBack(clear); }
   };
-  std::unique_ptr<DeferredClear, GiveBack> m_clear; ///< null: never deferred
+  std::unique_ptr<DeferredClear, GiveBack> m_clear; ///< null: no clear was ever deferred
 };
 
 } // namespace arbiter::swrast

@@ -10,26 +10,26 @@
 namespace arbiter::swrast {
 namespace {
 
-// Nanoseconds of one thread, roughly. It matters only whether waking another one pays.
+// Approximate nanoseconds on one thread. They only decide whether waking another thread pays.
 constexpr std::uint64_t kDrawCost = 100, kLinkCost = 80, kTriangleCost = 120;
 
-/// A row of tiles in Batch::m_tiles: 16384 pixels.
+/// The width of a row of tiles in Batch::m_tiles: 16384 pixels.
 constexpr std::uint32_t kAcross = 16384 >> TileGrid::kTileShift;
 
-/// The next of a store whose elements are used again.
+/// Returns the next element of a store whose elements are reused.
 template <typename T> T &nextOf(std::vector<std::unique_ptr<T>> &store, std::size_t used) {
   if (used == store.size())
     store.push_back(std::make_unique<T>());
   return *store[used];
 }
 
-/// Room for so many more, which push_back() then finds.
+/// Reserves room for `more` elements, so that the next push_back() calls cannot throw.
 template <typename T> void reserve(std::vector<T> &store, std::size_t more) {
   if (store.capacity() < store.size() + more)
     store.reserve(std::max(2 * store.capacity(), store.size() + more));
 }
 
-/// Draws keep their memory for those of the next batch, but of so large ones only so many.
+/// Draws keep their memory for the next batch, but only this many large ones may.
 constexpr std::size_t kLargeBytes = std::size_t(1) << 20, kMostLarge = 16;
 
 std::atomic<std::uint32_t> g_lastNumber{0};
@@ -160,13 +160,14 @@ void Batch::setUpAll() {
     const std::uint32_t i = m_nextSetUp.fetch_add(1, std::memory_order_relaxed);
     if (i >= count)
       break;
-    // Who jumps out of one leaves it half made; the others wait for it all the same.
+    // A jump may leave a set-up half done. It is still counted, because the other threads wait for
+    // it.
     const auto done = [this] { m_setUpsDone.fetch_add(1, std::memory_order_release); };
     JumpGuard guard(done);
     try {
       m_draws[m_setUps[i].draw]->setUp(m_setUps[i].chunk);
     } catch (const std::bad_alloc &) {
-      // On a thread without a caller: what there was memory for is drawn.
+      // No exception may leave a worker thread. What memory was found for is drawn.
     }
     guard.done();
     done();
@@ -196,7 +197,8 @@ void Batch::shadeTile(std::uint32_t number) {
       emitter.emplace(state->raster(), state->shading());
       emitter->beginTile(rect);
     }
-    // Planes are exact at a pixel of what the draw may reach in the tile, as Bins has it.
+    // Planes are exact within the pixels that the draw may reach, so the tile is clipped to those,
+    // as in Bins.
     draw.shade(segment.chunk, segment.tile, intersect(rect, draw.chunk(segment.chunk).grid().clip),
                *emitter);
   }

@@ -11,20 +11,21 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Draws of more vertices are made by all threads as they come.
+/// Draws of more vertices are not queued: all threads work on each of them at once.
 constexpr std::uint32_t kMostVertices = 16384;
-/// Draws of so few triangles may be shaded in bands, whose rows are longer than a tile's.
+/// Draws of at most this many triangles may be shaded in bands, whose rows are longer than a
+/// tile's.
 constexpr std::uint32_t kFewTriangles = 32;
 constexpr std::uint64_t kLargePixels = 32768;
-/// Draws of more are set up by the threads that shade them.
+/// Draws of more triangles are set up by the threads that shade them.
 constexpr std::uint32_t kManyTriangles = 512;
-constexpr std::size_t kMostShapes = 4096; ///< of lines and points: 700 bytes each
+constexpr std::size_t kMostShapes = 4096; ///< most shapes of lines and points: 700 bytes each
 
-/// A batch that costs so many nanoseconds is given to the other threads, if they are free.
+/// A batch of this cost, in nanoseconds, is given to the other threads if they are free.
 constexpr std::uint64_t kPostCost = 90'000;
-/// What is less is done by one thread.
+/// A batch of less cost is shaded by one thread.
 constexpr std::uint64_t kAloneCost = 40'000;
-/// A batch waits no longer for the threads to be free.
+/// A batch of this cost no longer waits for the threads to be free.
 constexpr std::uint64_t kMostCost = 4'000'000;
 constexpr std::size_t kMostDraws = 2048;
 
@@ -43,7 +44,8 @@ DrawQueue::~DrawQueue() {
   finish();
   if (isEmpty())
     return;
-  // A handler ends the context in the midst of a draw. What other threads read is not freed.
+  // A signal handler may end the context in the middle of a draw. Then memory that other threads
+  // may read is leaked.
   awaitPosted();
   for (std::unique_ptr<Batch> &batch : m_batches)
     (void)batch.release();
@@ -72,7 +74,7 @@ bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology t
     try {
       isAdded = addChecked({state, shading, topology, vertices, indices, first, count, use});
     } catch (const std::bad_alloc &) {
-      // It was not added.
+      // the draw was not added
     }
     if (filling().cost() >= (isOver(m_job) ? kPostCost : kMostCost))
       postFilling();
@@ -80,10 +82,10 @@ bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology t
   return isAdded;
 }
 
-/// Of a draw that fills the better part of the picture, by rows, where nothing waits: a filter, or
-/// a step of a simulation. All threads shade it at once, and rows of bands are longer than those of
-/// tiles. What is less than that, or follows other draws, waits as they do: shaded at once, it
-/// would make all threads wait for each such draw.
+/// True if a draw should be shaded at once, by rows: nothing is queued, and it fills most of the
+/// picture, as a filter or a simulation step does. All threads shade it then, and rows of bands are
+/// longer than rows of tiles. Other draws are queued, because shading each at once would make all
+/// threads wait for it.
 bool DrawQueue::fillsPicture(const GivenDraw &given, std::uint64_t pixels) const {
   return given.shading.row && pixels >= kLargePixels && 2 * pixels >= areaOf(given.state.clip) &&
          isEmpty();
@@ -202,7 +204,7 @@ void DrawQueue::addJoined() {
   batch.addLike();
 }
 
-/// There is no memory to let them wait.
+/// Draws the joined draws at once, because there is no memory to queue them.
 void DrawQueue::drawJoinedAtOnce() {
   joinRunning();
   const QueuedState &state = filling().lastState();
@@ -213,12 +215,12 @@ void DrawQueue::drawJoinedAtOnce() {
 }
 
 bool DrawQueue::setUpStrokes(const Draw &draw, Chunk &chunk) {
-  // They are wider than what lies between their vertices.
+  // Lines and points reach beyond the bounds of their vertices.
   chunk.clear(TileGrid::of(draw.state.clip));
   const auto add = [](void *user, const Draw &of, const Shape *shapes, std::size_t count) {
     auto &to = *static_cast<Chunk *>(user);
     if (to.primitives() >= kMostShapes)
-      return; // more than is kept
+      return; // too many to keep
     for (std::size_t i = 0; i < count; ++i)
       to.addShape(shapes[i], of.shading.inputCount, of.shading.opaque && !shapes[i].stippled);
   };
@@ -265,11 +267,11 @@ void DrawQueue::postFilling() {
 
 void DrawQueue::giveUp() {
   m_isSpoilt = false;
-  awaitPosted(); // where the jump came before it was known what was posted
+  awaitPosted(); // the jump may have come before m_job was set
   joinRunning();
   filling().reset();
   m_joined.clear();
-  // Its lists may be half made.
+  // The batch's lists may be inconsistent.
   m_batches[m_filling] = std::make_unique<Batch>(*this);
 }
 

@@ -1,5 +1,5 @@
-// Draws that wait: their pixels are those of draws that are done at once, whatever changes or is
-// asked for meanwhile.
+// Checks that queued draws give the pixels of immediate draws, whatever changes or is read between
+// them.
 #include "swrast/queue/draw_queue.h"
 
 #include <atomic>
@@ -39,9 +39,9 @@ TEST_P(Queue, OnlyWhatFillsThePictureWhereNothingWaitsIsDoneAtOnce) {
     return drawBy(queue, queued, topology, mesh);
   };
   EXPECT_FALSE(draw(Topology::Quads, whole));
-  EXPECT_FALSE(draw(Topology::Triangles, triangle)); // by its bounds
+  EXPECT_FALSE(draw(Topology::Triangles, triangle)); // its bounds fill the picture
   EXPECT_TRUE(draw(Topology::Quads, half));
-  EXPECT_TRUE(draw(Topology::Quads, whole)); // another waits
+  EXPECT_TRUE(draw(Topology::Quads, whole)); // a draw is queued already
   EXPECT_TRUE(draw(Topology::Triangles, triangle));
   queue.finish();
   EXPECT_FALSE(draw(Topology::Quads, whole));
@@ -98,13 +98,13 @@ TEST_P(Queue, SmallDrawsOfOneStateAreThoseThatAreDoneAtOnce) {
     for (int i = 0; i < 1500; ++i) {
       const Topology topology = kTopologies[random() % 6];
       const Mesh mesh = meshOf(random, 1 + int(random() % 12), 9);
-      // Some draw what others name, and vertices that are not there.
+      // Some use indices, and some of these are out of range.
       std::vector<std::uint32_t> indices(random() % 3 == 0 ? 3 + random() % 9 : 0);
       for (std::uint32_t &index : indices)
         index = std::uint32_t(random() % (mesh.count() + (random() % 8 == 0 ? 1 : 0)));
       const std::uint32_t *const named = indices.empty() ? nullptr : indices.data();
       const std::uint32_t count = named ? std::uint32_t(indices.size()) : mesh.count();
-      if (random() % 100 == 0) { // another state, now and then
+      if (random() % 100 == 0) { // changes the state now and then
         const std::uint32_t parameter = random(), kind = random() % 4;
         for (Scene *const scene : {&queued, &direct}) {
           scene->setParameter(parameter);
@@ -276,7 +276,8 @@ void jumpOut(const abi::FragmentData *data, const abi::Primitive *primitive, con
   shadeRow(data, primitive, items, count);
 }
 
-// As a handler does by siglongjmp(): no thread reads what the queue gives up, and it goes on.
+// A handler may leave the queue by siglongjmp(). No thread may read what the queue drops, and the
+// queue must keep working.
 TEST_P(Queue, AJumpOutOfItLeavesItEmpty) {
   DrawQueue queue;
   Image image = cleared();

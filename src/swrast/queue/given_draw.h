@@ -6,7 +6,7 @@
 
 namespace arbiter::swrast {
 
-/// A draw as it is added to a queue: what rasterize() is called with, and what that refers to.
+/// A draw to be added to a queue: the arguments of rasterize(), and what they refer to.
 struct GivenDraw {
   const RasterState &state;
   const Shading &shading;
@@ -15,7 +15,7 @@ struct GivenDraw {
   const std::uint32_t *indices;
   std::uint32_t first, count;
   const ShadingUse &use;
-  bool isSameState = false; ///< as the batch's last draw's
+  bool isSameState = false; ///< true if it has the state of the batch's last draw
 };
 
 } // namespace arbiter::swrast

@@ -8,7 +8,8 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Of filled triangles that no user plane cuts. The outcodes are windowVertex()'s.
+/// Finds what is visible of filled triangles without user clip planes. The tests are those of
+/// windowVertex()'s outcodes.
 Sight sightOf(const Vertices &vertices, bool depthClamp) {
   bool inside = true;
   std::uint32_t beyond = kOutSides | kOutNear | kOutFar;
@@ -33,7 +34,8 @@ Sight sightOf(const Vertices &vertices, bool depthClamp) {
   return inside ? Sight::Whole : beyond != 0 ? Sight::None : Sight::Part;
 }
 
-/// What is not filled has edges; clip distances and what is cut make other triangles.
+/// True for filled triangles without user clip planes. Unfilled polygons need their edges, and
+/// clipping makes other triangles.
 bool isPlain(const GivenDraw &given) {
   const RasterState &state = given.state;
   const Vertices &vertices = given.vertices;
@@ -47,7 +49,7 @@ bool isPlain(const GivenDraw &given) {
                       [](const float *plane) { return plane != nullptr; });
 }
 
-/// Calls `visit(own, given)` for each array of inputs that the shading may read.
+/// Calls `visit(own, given)` for each input array that the shading may read.
 template <typename Visit>
 void forInputs(const Shading &shading, Vertices &own, const Vertices &given, Visit visit) {
   for (std::uint32_t i = 0; i < shading.inputCount; ++i)

@@ -6,7 +6,7 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Without what is not used of it.
+/// Copies a plan without its unused sources.
 void copyPlan(PlanePlan &to, const PlanePlan &from) {
   to.linearFrom = from.linearFrom;
   to.flatFrom = from.flatFrom;
@@ -83,7 +83,7 @@ void QueuedDraw::free() {
 }
 
 void QueuedDraw::setUp(std::uint32_t chunk) {
-  Vertices vertices; // what is set up without clipping reads no array of them
+  Vertices vertices; // setup without clipping reads no vertex array
   vertices.count = m_allVertices;
   Draw draw = {m_state->raster(),
                m_state->shading(),

@@ -7,38 +7,38 @@
 #include "swrast/queue/queued_state.h"
 #include "swrast/setup/draw.h"
 
-/// One draw that waits.
+/// A draw in the queue.
 namespace arbiter::swrast {
 
-/// A draw that is set up, or has all that it takes to be. Used again for other draws, so that one
-/// like the last one allocates nothing.
+/// A draw that has been set up, or that keeps what setup needs. Objects are reused, so that
+/// repeated draws allocate nothing.
 class QueuedDraw {
 public:
-  /// Of draws that are set up later: triangles that a thread sets up at a time.
+  /// For delayed setup: number of triangles that a thread sets up at a time.
   static constexpr std::uint32_t kChunkTriangles = 1024;
 
   QueuedDraw() : m_chunks(1) {}
   QueuedDraw(const QueuedDraw &) = delete;
   QueuedDraw &operator=(const QueuedDraw &) = delete;
 
-  /// Where window positions of the draw's vertices lie.
+  /// Returns the window positions of the draw's vertices.
   [[nodiscard]] std::vector<WindowVertex> &window() { return m_window; }
   /// Begins a draw with one chunk, which the caller sets up.
   [[nodiscard]] Chunk &begin() {
     m_count = 1;
     return m_chunks[0];
   }
-  /// Keeps what tiles need of the vertices' inputs. Throws std::bad_alloc.
+  /// Copies the vertices' inputs that shading needs. May throw std::bad_alloc.
   void keepInputs(const PlanePlan &plan, std::uint32_t vertices);
-  /// Begins a draw that setUp() sets up, and keeps what that needs. No vertex of it is clipped.
-  /// Throws std::bad_alloc.
+  /// Begins a draw that setUp() will set up, and copies what that needs. Requires that no vertex is
+  /// clipped. May throw std::bad_alloc.
   void keep(const Draw &draw, std::uint32_t triangles);
-  /// What it is drawn with, which lives as long as the draw waits.
+  /// Sets the draw's state, which must live as long as the draw waits.
   void setState(const QueuedState &state) { m_state = &state; }
-  /// Sets up a chunk of a kept draw. Threads may set up different ones at a time.
+  /// Sets up a chunk of a kept draw. Threads may set up different chunks at the same time.
   void setUp(std::uint32_t chunk);
 
-  /// That it keeps.
+  /// Returns the bytes that the draw keeps allocated.
   [[nodiscard]] std::size_t bytes() const;
   void free();
 
@@ -51,12 +51,12 @@ public:
 
 private:
   const QueuedState *m_state = nullptr;
-  std::vector<Chunk> m_chunks; ///< one at least
-  std::uint32_t m_count = 0;   ///< of the draw
+  std::vector<Chunk> m_chunks; ///< at least one
+  std::uint32_t m_count = 0;   ///< number of chunks in use
   std::vector<WindowVertex> m_window;
-  std::vector<float> m_values; ///< of the vertices' inputs
-  PlanePlan m_plan;            ///< over m_values
-  // Of a draw that was kept.
+  std::vector<float> m_values; ///< copies of the vertices' inputs
+  PlanePlan m_plan;            ///< refers to m_values
+  // Set by keep().
   std::vector<std::uint32_t> m_indices;
   Topology m_topology = Topology::Triangles;
   std::uint32_t m_first = 0, m_vertexCount = 0, m_allVertices = 0, m_triangles = 0;

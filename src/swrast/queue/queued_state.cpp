@@ -6,7 +6,7 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Bytes between members may differ where values do not: that only costs a copy.
+/// True if all bytes are equal. Padding may make equal values differ, which only costs a copy.
 template <typename T> bool sameBytes(const T &a, const T &b) {
   static_assert(std::is_trivially_copyable_v<T>);
   return std::memcmp(&a, &b, sizeof a) == 0;

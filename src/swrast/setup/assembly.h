@@ -3,43 +3,43 @@
 
 #include "swrast/draw_input.h"
 
-/// Vertices to triangles and lines. Any primitive of a draw can be asked for by its number.
+/// Primitive assembly: vertices to triangles and lines. Each primitive of a draw can be computed
+/// from its number.
 namespace arbiter::swrast {
 
-/// Places in the draw's sequence of vertices, 0 to count - 1.
+/// A triangle, as positions in the draw's sequence of vertices: 0 to count - 1.
 struct TriangleCorners {
   std::uint32_t corner[3];
   std::uint32_t provoking;
-  /// Bit k: the side from corner k to the next is a side of the primitive, not a diagonal; where it
-  /// is drawn depends on the edge flag of corner k too.
+  /// Bit k is set if the side from corner k to the next is a side of the primitive, not a diagonal.
+  /// Whether it is drawn also depends on the edge flag of corner k.
   std::uint32_t sides;
 };
-/// A line, in the same numbers.
+/// A line, as positions in the draw's sequence of vertices.
 struct LineEnds {
   std::uint32_t end[2];
   std::uint32_t provoking;
-  bool restartsStipple; ///< the line stipple begins again here
+  bool restartsStipple; ///< true if the line stipple pattern begins anew here
 };
 
-/// Whether its primitives are triangles, quads or polygons: those with faces.
+/// True if the primitives are triangles, quads or polygons: those with faces.
 [[nodiscard]] bool isPolygonal(Topology topology);
-/// Whether the first vertex of such a primitive is the provoking one.
+/// True if a primitive's first vertex is the provoking one. Requires isPolygonal(topology).
 [[nodiscard]] bool provokesFirst(const RasterState &state, Topology topology);
-/// Whether quads of a draw are cut otherwise (triangleAt()). Hosts clip and stipple in another path
-/// than the plain one, which cuts them so; and the plain one does, but not with strips, where the
-/// provoking vertex counts or is the first, by indices and in lists.
+/// True if quads of a draw are split along their other diagonal (triangleAt()). Hosts have two
+/// paths. The one that clips and stipples always splits quads so. The plain one does it if the
+/// provoking vertex matters or is the first, for indices, and in lists, but never for quad strips.
 [[nodiscard]] inline bool cutsOtherwise(const RasterState &state, Topology topology, bool clipped) {
   return clipped || state.inOtherPath || state.polygonStipple != nullptr ||
          (topology != Topology::QuadStrip && (state.secondDiagonal || state.provokingIsFirst));
 }
-/// How many triangles `count` vertices make; vertices that complete none are ignored. 0 of points
-/// and lines.
+/// Returns the number of triangles that `count` vertices make, or 0 for points and lines. Vertices
+/// that complete no triangle are ignored.
 [[nodiscard]] std::uint32_t triangleCount(Topology topology, std::uint32_t count);
-/// Triangle `i` of triangleCount(), wound as the primitive is. Quads and polygons are cut as hosts
-/// cut them, so that what is not flat looks the same: a quad from its first corner to the third,
-/// and in draws that are clipped or not filled, or where the first vertex provokes
-/// (`otherDiagonal`), from the second to the fourth. Of strips the halves of a quad change places
-/// instead, and not for the sake of the provoking vertex.
+/// Returns triangle `i` of triangleCount(), with the primitive's winding. Quads and polygons are
+/// split as hosts split them, so that non-planar ones look the same. A quad is split from its first
+/// corner to the third, or, if `otherDiagonal` is true, from the second to the fourth. In a quad
+/// strip, `otherDiagonal` swaps the order of the two halves instead.
 [[nodiscard]] inline TriangleCorners triangleAt(Topology topology, std::uint32_t count,
                                                 std::uint32_t i, bool provokingIsFirst,
                                                 bool otherDiagonal) {
@@ -49,7 +49,7 @@ struct LineEnds {
     return {{a, a + 1, a + 2}, provokingIsFirst ? a : a + 2, 7};
   }
   case Topology::TriangleStrip:
-    // Every other triangle runs the other way round.
+    // Every other triangle has its first two corners swapped, to keep the winding.
     if (i & 1)
       return {{i + 1, i, i + 2}, provokingIsFirst ? i : i + 2, 7};
     return {{i, i + 1, i + 2}, provokingIsFirst ? i : i + 2, 7};
@@ -69,7 +69,7 @@ struct LineEnds {
                  : TriangleCorners{{a, a + 1, a + 3}, provoking, 5};
   }
   case Topology::QuadStrip: {
-    // The quad is a, a + 1, a + 3, a + 2.
+    // The quad's corners are a, a + 1, a + 3, a + 2.
     const std::uint32_t a = i / 2 * 2;
     const std::uint32_t provoking = provokingIsFirst ? a : a + 3;
     return (i & 1) == (otherDiagonal ? 1u : 0u) ? TriangleCorners{{a, a + 1, a + 3}, provoking, 3}
@@ -79,9 +79,9 @@ struct LineEnds {
     return {};
   }
 }
-/// How many lines `count` vertices make; 0 of anything but lines.
+/// Returns the number of lines that `count` vertices make, or 0 if the topology is not lines.
 [[nodiscard]] std::uint32_t lineCount(Topology topology, std::uint32_t count);
-/// Line `i` of lineCount().
+/// Returns line `i` of lineCount().
 [[nodiscard]] inline LineEnds lineAt(Topology topology, std::uint32_t count, std::uint32_t i,
                                      bool provokingIsFirst) {
   if (topology == Topology::Lines)

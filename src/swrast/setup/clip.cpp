@@ -6,13 +6,13 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Inside where the sum of products is not negative.
+/// A clip plane: a position is inside if the sum of the products is not negative.
 struct Plane {
   float x, y, z, w, constant;
-  int user; ///< a clip distance, or -1
+  int user; ///< number of a clip distance, or -1
 };
 
-/// w no smaller than this keeps 1/w and what it multiplies finite.
+/// Returns a lower limit of w that keeps 1/w, and its products, finite.
 float smallestW(const ClipVertex *vertex, int count) {
   float largest = 0;
   for (int i = 0; i < count; ++i)
@@ -20,7 +20,7 @@ float smallestW(const ClipVertex *vertex, int count) {
   return std::max(largest * 0x1p-20f, 0x1p-100f);
 }
 
-/// In the order of hosts, so that what is cut twice is cut alike.
+/// Lists the clip planes. Their order is the hosts', so that a corner cut by two planes matches.
 int planesOf(const Viewport &viewport, float smallest, Plane planes[16]) {
   int count = 0;
   planes[count++] = {-1, 0, 0, 1, 0, -1};
@@ -45,11 +45,12 @@ float distanceOf(const Plane &plane, const ClipVertex &vertex) {
   return plane.x * p[0] + plane.y * p[1] + plane.z * p[2] + plane.w * p[3] + plane.constant;
 }
 
-/// Always from the end that is nearer to the plane, so that two triangles cut their common side
-/// alike, and in single precision, as hosts do it: depths are the same to the last bit then.
+/// Computes the vertex where a side crosses a plane. It always starts from the end that is nearer
+/// to the plane, so that two triangles cut a common side alike. It uses single precision as hosts
+/// do, so that depths are equal to the last bit.
 void between(const ClipVertex &inside, const ClipVertex &outside, float inner, float outer,
              bool userPlanes, Cuts &cuts, ClipVertex &result) {
-  // A distance may be NaN, which is outside.
+  // A distance may be NaN, which counts as outside.
   const bool fromOutside = -outer < inner;
   const ClipVertex &near = fromOutside ? outside : inside;
   const ClipVertex &far = fromOutside ? inside : outside;
@@ -62,7 +63,7 @@ void between(const ClipVertex &inside, const ClipVertex &outside, float inner, f
   if (userPlanes)
     for (int i = 0; i < 8; ++i)
       result.user[i] = mix(near.user[i], far.user[i]);
-  result.window.outcode = kOutW; // its window position is still to be made
+  result.window.outcode = kOutW; // marks that the window position is still to be computed
   result.side = 0;
 }
 
@@ -80,7 +81,7 @@ void takeOriginal(const Viewport &viewport, const Vertices &vertices, std::uint3
 
 void finish(const Viewport &viewport, ClipVertex &vertex) {
   if (!(vertex.window.outcode & kOutW))
-    return; // an original, to be placed as in its other triangles
+    return; // an original vertex, placed as in the other triangles that use it
   cutToWindow(viewport, vertex.position, vertex.window);
 }
 
@@ -147,7 +148,7 @@ bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]) {
   return same(index[0], index[1]) || same(index[1], index[2]) || same(index[2], index[0]);
 }
 
-/// Each end moves along the whole line, by the greatest share that a plane wants, as hosts have it.
+/// Moves each end along the whole line, by the largest share that a plane demands, as hosts do.
 bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[2],
               const WindowVertex corner[2], ClipVertex end[2], Cuts &cuts) {
   ClipVertex original[2];
@@ -165,7 +166,7 @@ bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uin
       if (distance[i] >= 0)
         continue;
       const float wanted = distance[i] / (distance[i] - distance[1 - i]);
-      if (!(wanted <= 1)) // of no number
+      if (!(wanted <= 1)) // wanted may be NaN
         return false;
       share[i] = std::max(share[i], wanted);
     }

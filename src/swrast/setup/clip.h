@@ -4,37 +4,43 @@
 #include "swrast/setup/cuts.h"
 #include "swrast/setup/viewport.h"
 
-/// Clipping against the view volume and user planes.
+/// Clips primitives against the view volume and user clip planes.
 namespace arbiter::swrast {
 
-/// A corner of what clipping leaves.
+/// A corner of a clipped polygon.
 struct ClipVertex {
   float position[4];  ///< in clip space
   float user[8];      ///< clip distances
-  std::uint8_t place; ///< whose inputs it has: a place of the cuts
+  std::uint8_t place; ///< index into Cuts: the vertex or cut whose inputs this has
   WindowVertex window;
-  int side; ///< what it is the first end of: a side of the triangle, kOnPlane + a plane,
-            ///< kOnUserPlane
+  /// the line that the side which begins here lies on: a side of the triangle, kOnPlane + a plane,
+  /// or kOnUserPlane
+  int side;
 };
-/// The planes of the view volume that run along the viewport's sides come first.
+/// Planes of the view volume are numbered from kOnPlane on. The first kSidePlanes of them run along
+/// the viewport's sides.
 inline constexpr int kOnPlane = 3, kSidePlanes = 4;
-/// A cut by a clip plane of the application's is a side that is drawn, unlike those of the volume.
+/// A cut by a user clip plane. Unlike a cut by the view volume, it is a side that is drawn.
 inline constexpr int kOnUserPlane = 64;
 
-/// A convex polygon of what is left of a triangle; at most a vertex more for each plane.
+/// The rest of a triangle after clipping: a convex polygon, with at most one vertex more for each
+/// plane.
 struct ClippedPolygon {
   std::array<ClipVertex, 20> vertex;
   int count = 0;
   Cuts cuts;
 };
-/// What is left of a triangle; `polygon.count` is less than 3 if nothing is.
-/// \param corner where its vertices are in the window
+/// Clips a triangle. `polygon.count` is less than 3 if nothing is left.
+/// \param corner window positions of its vertices
 void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[3],
                   const WindowVertex corner[3], ClippedPolygon &polygon);
-/// Two vertices of the triangle have one place: nothing of its inside is left by any cut.
+/// True if two vertices of the triangle have the same position, so that any clipping leaves no
+/// area.
 [[nodiscard]] bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]);
 
-/// The ends of what is left of a line, in `end`, and how they were cut; false if nothing is.
+/// Clips a line. Returns false if nothing is left.
+/// \param end receives the ends
+/// \param cuts receives how they were cut
 [[nodiscard]] bool clipLine(const Viewport &viewport, const Vertices &vertices,
                             const std::uint32_t index[2], const WindowVertex corner[2],
                             ClipVertex end[2], Cuts &cuts);

@@ -3,17 +3,17 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The steps by which hosts make the inputs of vertices that clipping creates.
+/// Records how clipping creates vertices, so that their inputs are computed by the hosts' steps.
 namespace arbiter::swrast {
 
-/// Places that are made of a primitive's vertices: places 0 to 2 are those, each further one lies
-/// between two that were there before.
+/// A list of points derived from a primitive's vertices. Places 0 to 2 are the vertices. Each
+/// further place lies between two earlier ones.
 struct Cuts {
   struct Step {
     std::uint8_t near, far;
-    float share; ///< of the way from `near` to `far`
+    float share; ///< fraction of the way from `near` to `far`
   };
-  /// All planes cut twice each at most, and the stipple of a line twice more.
+  /// Every plane may cut twice, and line stipple may cut twice more.
   static constexpr int kMost = 40;
   static constexpr int kVertices = 3;
   std::array<Step, kMost> step;
@@ -24,7 +24,8 @@ struct Cuts {
     step[std::size_t(count)] = {near, far, share};
     return std::uint8_t(kVertices + count++);
   }
-  /// A component at all places. \param value those of the vertices are set
+  /// Computes a component at all places.
+  /// \param value the vertices' values are set; receives the others
   void follow(float (&value)[kVertices + kMost]) const {
     for (int i = 0; i < count; ++i) {
       const Step &own = step[std::size_t(i)];

@@ -1,7 +1,7 @@
 #pragma once
 #include "swrast/setup/planes.h"
 
-/// What the stages of one draw look at and keep.
+/// The data that all stages of one draw share.
 namespace arbiter::swrast {
 
 struct Draw {
@@ -13,20 +13,21 @@ struct Draw {
   std::uint32_t first, count;
   Viewport viewport;
   PlanePlan plan;
-  const WindowVertex *window = nullptr; ///< of all vertices that the draw uses
-  Rect bounds;                          ///< scissor, target and viewport, intersected
+  const WindowVertex *window = nullptr; ///< window positions of all vertices that the draw uses
+  Rect bounds;                          ///< intersection of scissor, target and viewport
   Rect visible;                         ///< pixels that the draw may reach
-  bool otherDiagonal = false;           ///< of quads: see triangleAt()
-  bool isClipped = false;               ///< a vertex that the draw uses lies outside
-  /// Of Triangles by indices: the place of the first one's provoking vertex, which those of the
-  /// others follow; 0: as the state has it.
+  bool otherDiagonal = false;           ///< for quads, see triangleAt()
+  bool isClipped = false; ///< true if a vertex of the draw lies outside the view volume
+  /// For triangles by indices: position of the first triangle's provoking vertex; those of the next
+  /// triangles follow it. 0: as RasterState says.
   std::uint32_t provokingAt = 0;
 
   [[nodiscard]] std::uint32_t vertexAt(std::uint32_t place) const {
     return indices ? indices[place] : first + place;
   }
-  /// A face that is culled has the other's mode, so that no mode that is not seen is asked for.
-  /// That decides how quads are cut; points are the exception that hosts make.
+  /// Returns the polygon mode of a face. A culled face takes the other face's mode, so that an
+  /// invisible mode has no effect. This decides how quads are split; hosts make an exception for
+  /// points.
   [[nodiscard]] PolygonMode modeOf(bool backFacing) const {
     const PolygonMode own = backFacing ? state.back : state.front;
     const PolygonMode other = backFacing ? state.front : state.back;

@@ -5,13 +5,13 @@
 #include <immintrin.h>
 #endif
 
-/// The widest vectors of an instruction set, and how they are turned: include it only where kernels
-/// are compiled once for each of them. Nothing in here may be shared between those, hence the
-/// nameless namespace and no function of the standard library.
+/// The widest vectors of an instruction set, with the shuffles that they need. Include it only in
+/// sources that are compiled once for each instruction set. Instruction sets must not share
+/// functions: hence the unnamed namespace, and no function of the standard library.
 namespace arbiter::swrast {
 namespace {
 
-/// What one vector holds of 32 bits, as wider ones are taken apart badly.
+/// The number of 32-bit lanes in one register. Compilers split wider vectors badly.
 #if defined(__AVX512F__)
 constexpr int kLanes = 16;
 #elif defined(__AVX2__)
@@ -27,12 +27,12 @@ using HalfInts = std::int32_t __attribute__((vector_size(2 * kLanes)));
 using Doubles = double __attribute__((vector_size(4 * kLanes)));
 using Longs = std::int64_t __attribute__((vector_size(4 * kLanes)));
 
-/// \param mask all bits or none of a lane
+/// Selects `yes` or `no` for each lane. \param mask all bits of a lane are set, or none
 template <typename Vector> Vector chosen(const Ints &mask, const Vector &yes, const Vector &no) {
   return mask ? yes : no;
 }
 
-/// Bit i: lane i of the mask is set.
+/// Returns a mask in which bit i is set if lane i is.
 [[maybe_unused]] inline unsigned lanesIn(const Ints &mask) {
 #if defined(__AVX512F__)
   return unsigned(_mm512_movepi32_mask((__m512i)mask));
@@ -48,8 +48,8 @@ template <typename Vector> Vector chosen(const Ints &mask, const Vector &yes, co
 #endif
 }
 
-/// By the instruction: compilers convert a wide vector in pieces. A mask of all lanes gives the
-/// same instruction, and GCC 12 warns of the form without one.
+/// Converts to double. It uses the instruction, because compilers convert a wide vector in pieces.
+/// The form with a full mask is the same instruction; GCC 12 warns of the form without one.
 [[maybe_unused]] inline Doubles widened(const HalfFloats &values) {
 #if defined(__AVX512F__)
   return (Doubles)_mm512_maskz_cvtps_pd(__mmask8(-1), (__m256)values);
@@ -65,7 +65,8 @@ template <typename Vector> Vector chosen(const Ints &mask, const Vector &yes, co
 #endif
 }
 
-/// In registers: what is stored in halves and loaded whole, or the other way, waits for the stores.
+/// Splits and joins vectors in registers. Through memory, a load would wait for stores of another
+/// size.
 template <int... lane> struct Lanes {
   template <typename Whole> static auto low(const Whole &whole) {
     return __builtin_shufflevector(whole, whole, lane...);
@@ -85,8 +86,8 @@ using HalfLanes = Lanes<0, 1, 2, 3>;
 using HalfLanes = Lanes<0, 1>;
 #endif
 
-/// Of each four lanes of two vectors those that the numbers name: 0 to 3 the first's, 4 to 7 the
-/// second's.
+/// Selects from each four lanes of two vectors: numbers 0 to 3 are lanes of `a`, 4 to 7 lanes of
+/// `b`.
 template <int p0, int p1, int p2, int p3, typename Vector>
 Vector picked(const Vector &a, const Vector &b) {
 #if defined(__AVX512F__)
@@ -107,7 +108,7 @@ Vector picked(const Vector &a, const Vector &b) {
 #endif
 }
 
-/// Of four vectors the first, second, third and fourth of each four vertices: afterwards quarter q
+/// Transposes four vectors that hold the first to the fourth value of each vertex. Then quarter q
 /// of vector v holds all four values of vertex 4 q + v.
 template <typename Vector> void turn(Vector &a, Vector &b, Vector &c, Vector &d) {
   const Vector abLow = picked<0, 4, 1, 5>(a, b), cdLow = picked<0, 4, 1, 5>(c, d);

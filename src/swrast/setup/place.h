@@ -1,13 +1,14 @@
 #pragma once
 #include "swrast/setup/viewport.h"
 
-/// Many vertices to window positions at a time.
+/// Transforms many vertices to window positions at a time.
 namespace arbiter::swrast {
 
-/// What some vertices are like.
+/// The combined outcodes and window bounds of some vertices.
 struct PlacedBounds {
-  std::uint32_t outcodes = 0; ///< of all of them
-  std::int32_t minX = INT32_MAX, minY = INT32_MAX, maxX = INT32_MIN, maxY = INT32_MIN; ///< snapped
+  std::uint32_t outcodes = 0; ///< union of all outcodes
+  /// snapped coordinates
+  std::int32_t minX = INT32_MAX, minY = INT32_MAX, maxX = INT32_MIN, maxY = INT32_MIN;
 
   void add(const PlacedBounds &other) {
     outcodes |= other.outcodes;
@@ -18,22 +19,22 @@ struct PlacedBounds {
   }
 };
 
-/// windowVertex() of the vertices [begin, end), to `window` at their numbers.
+/// Computes windowVertex() for vertices [begin, end), and stores each in `window` at its index.
 using PlaceVertices = PlacedBounds (*)(const Viewport &viewport, const Vertices &vertices,
                                        std::uint32_t begin, std::uint32_t end,
                                        WindowVertex *window);
 
-/// One for each instruction set that pays; all give the same to the bit.
+/// One function for each useful instruction set. All give the same bits.
 PlacedBounds placeVerticesBaseline(const Viewport &viewport, const Vertices &vertices,
                                    std::uint32_t begin, std::uint32_t end, WindowVertex *window);
 PlacedBounds placeVerticesAvx2(const Viewport &viewport, const Vertices &vertices,
                                std::uint32_t begin, std::uint32_t end, WindowVertex *window);
 PlacedBounds placeVerticesAvx512(const Viewport &viewport, const Vertices &vertices,
                                  std::uint32_t begin, std::uint32_t end, WindowVertex *window);
-/// The best that this processor runs.
+/// Returns the best function for this processor.
 [[nodiscard]] PlaceVertices choosePlaceVertices();
 
-/// windowVertex() of the four vertices that are named, which need not follow each other.
+/// Computes windowVertex() for four vertices, given by their indices.
 void placeCorners(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[4],
                   WindowVertex window[4]);
 

@@ -5,13 +5,13 @@
 #include "swrast/setup/lanes.h"
 #include "swrast/setup/place.h"
 
-/// The inside of place.h, compiled once for each instruction set: include it only where its
-/// functions are made. Nothing in here may be shared between those, hence the nameless namespace
-/// and no function of the standard library.
+/// The kernels of place.h, compiled once for each instruction set, so include it only in their
+/// sources. Instruction sets must not share functions: hence the unnamed namespace, and no function
+/// of the standard library.
 namespace arbiter::swrast {
 namespace {
 
-/// Vertices of a block, one component a vector.
+/// A block of vertices: one vector for each component.
 struct PlacedBlock {
   Floats x, y, z, inverseW;
   Ints fixedX, fixedY, outcode;
@@ -28,7 +28,7 @@ inline Ints outcodesOf(const Floats (&clip)[4], bool depthClamp) {
          coded(~(sum - sum == 0), kOutNan);
 }
 
-/// One rounding of the product and the sum together, as toWindow() has it.
+/// Computes value * scale + translate with a single rounding, as toWindow() does.
 inline Floats scaled(const Floats &value, float scale, float translate) {
   const auto half = [&](const HalfFloats &values) {
     return narrowed(widened(values) * double(scale) + double(translate));
@@ -36,7 +36,7 @@ inline Floats scaled(const Floats &value, float scale, float translate) {
   return HalfLanes::joined(half(HalfLanes::low(value)), half(HalfLanes::high(value)));
 }
 
-/// To whole numbers, ties to even, of what is not beyond 1e9.
+/// Rounds to integers, ties to even. Requires values up to 1e9.
 inline Ints rounded(const Floats &value) {
 #if defined(__AVX512F__)
   return (Ints)_mm512_cvtps_epi32((__m512)value);
@@ -45,7 +45,7 @@ inline Ints rounded(const Floats &value) {
 #elif defined(__SSE2__)
   return (Ints)_mm_cvtps_epi32((__m128)value);
 #else
-  // A sum with so great a number has no fraction left.
+  // Adding this number rounds the fraction away.
   const auto half = [](const HalfFloats &values) {
     const Doubles wide = __builtin_convertvector(values, Doubles);
     return __builtin_convertvector((Longs)(wide + 0x1.8p52), HalfInts);
@@ -54,14 +54,14 @@ inline Ints rounded(const Floats &value) {
 #endif
 }
 
-/// To 1/256 of a pixel.
+/// Snaps to 1/256 of a pixel.
 inline Ints snapped(const Floats &value) {
   const Floats fixed = (value - 0.5f) * float(kSubpixels);
   const Floats size = (Floats)((Ints)fixed & 0x7FFFFFFF);
   return rounded(chosen(size < 1e9f, fixed, Floats{}));
 }
 
-/// As toWindow() says, of vertices that can be placed; 0 of the others.
+/// Places the vertices of a block as toWindow() does. Those that cannot be placed become 0.
 inline void placeBlock(const Viewport &viewport, const Floats (&clip)[4], PlacedBlock &out) {
   const Ints placed = (out.outcode & std::int32_t(kOutW | kOutNan)) == 0;
   const auto finite = [&](int c) { return chosen(placed, clip[c], Floats{}); };
@@ -83,7 +83,7 @@ inline void placeBlock(const Viewport &viewport, const Floats (&clip)[4], Placed
   out.inverseW = chosen(placed, inverseW, Floats{});
 }
 
-/// Bounds lane by lane, so that blocks are added without looking across lanes.
+/// Bounds that are kept for each lane, so that adding a block needs no operation across lanes.
 struct LaneBounds {
   Ints outcodes = Ints{}, minX = Ints{} + INT32_MAX, minY = Ints{} + INT32_MAX,
        maxX = Ints{} + INT32_MIN, maxY = Ints{} + INT32_MIN;
@@ -95,14 +95,14 @@ struct LaneBounds {
     maxX = chosen(block.fixedX > maxX, block.fixedX, maxX);
     maxY = chosen(block.fixedY > maxY, block.fixedY, maxY);
   }
-  /// Of the first `lanes`.
+  /// Adds the bounds of the first `lanes` lanes.
   void addTo(PlacedBounds &all, int lanes) const {
     for (int i = 0; i < lanes; ++i)
       all.add({std::uint32_t(outcodes[i]), minX[i], minY[i], maxX[i], maxY[i]});
   }
 };
 
-/// The first `count` vertices of a block; the others are a harmless point.
+/// Loads the first `count` vertices of a block. The other lanes get a harmless position.
 inline void load(const Vertices &vertices, std::uint32_t at, int count, Floats (&clip)[4]) {
   for (int c = 0; c < 4; ++c) {
     const float *const from = vertices.position[c] + at;
@@ -130,7 +130,7 @@ inline void store(PlacedBlock &block, int count, WindowVertex *to) {
   }
 }
 
-/// One block of `count` vertices.
+/// Places one block of `count` vertices.
 inline void placeSome(const Viewport &viewport, const Vertices &vertices, std::uint32_t at,
                       int count, WindowVertex *window, LaneBounds &bounds) {
   Floats clip[4];
@@ -150,7 +150,8 @@ inline void placeSome(const Viewport &viewport, const Vertices &vertices, std::u
 
 inline PlacedBounds placeAll(const Viewport &shared, const Vertices &vertices, std::uint32_t begin,
                              std::uint32_t end, WindowVertex *window) {
-  const Viewport viewport = shared; // no store to the window changes it, as the compiler sees
+  // a copy, so that the compiler knows that stores to `window` do not change it
+  const Viewport viewport = shared;
   PlacedBounds all;
   LaneBounds lanes;
   std::uint32_t at = begin;

@@ -9,14 +9,14 @@
 namespace arbiter::swrast {
 namespace {
 
-/// The vertices that the draw uses: [begin, end).
+/// Finds the range [begin, end) of vertices that the draw uses.
 void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
   begin = draw.first;
   end = draw.first + draw.count;
   if (!draw.indices)
     return;
-  // Without a branch, and of signed numbers, which all processors compare in vectors: an index that
-  // is too great is taken for the end of the buffer.
+  // Branch-free, and with signed numbers, because all processors have vector comparisons for those.
+  // Invalid indices are replaced by the buffer's end or by -1.
   const auto bufferEnd = std::int32_t(std::min(draw.vertices.count, std::uint32_t(INT32_MAX)));
   std::int32_t first = bufferEnd, last = -1;
   for (std::uint32_t i = 0; i < draw.count; ++i) {
@@ -83,7 +83,7 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
   const bool clipped = draw.isClipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
   draw.otherDiagonal = cutsOtherwise(draw.state, draw.topology, clipped);
   if (clipped)
-    return; // a vertex that is outside has no place that bounds anything
+    return; // vertices outside the view volume have no position to bound anything with
   const std::int32_t left = pixelFrom(all.minX), bottom = pixelFrom(all.minY);
   draw.visible = intersect(draw.visible, {left, bottom, (all.maxX >> kSubpixelBits) + 1 - left,
                                           (all.maxY >> kSubpixelBits) + 1 - bottom});

@@ -4,20 +4,21 @@
 #include "swrast/setup/draw.h"
 #include "swrast/setup/place.h"
 
-/// The vertices of a draw to window coordinates.
+/// Prepares a draw: transforms its vertices to window coordinates.
 namespace arbiter::swrast {
 
-/// How many of the `count` vertices are drawn, by `indices` or (null) from `first` on: 0 where
-/// nothing is.
+/// Returns how many of the `count` vertices to draw, or 0 if nothing can be drawn. They are those
+/// that `indices` names, or, if it is null, those from `first` on.
 [[nodiscard]] std::uint32_t drawnCount(const RasterState &state, const Shading &shading,
                                        const Vertices &vertices, const std::uint32_t *indices,
                                        std::uint32_t first, std::uint32_t count);
-/// The arguments refer to what outlives the draw. Nothing is placed yet.
+/// Makes a Draw without vertex positions. Its arguments must outlive the draw.
 [[nodiscard]] Draw drawOf(const RasterState &state, const Shading &shading, Topology topology,
                           const Vertices &vertices, const std::uint32_t *indices,
                           std::uint32_t first, std::uint32_t count);
-/// Window positions of the vertices that are used, and what can be seen of their primitives.
-/// \param window, bounds kept by the caller, so that a draw like the last one allocates nothing
+/// Computes the window positions of the used vertices, and the pixels that their primitives may
+/// reach.
+/// \param window, bounds buffers that the caller keeps, so that repeated draws allocate nothing
 void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
                    std::vector<PlacedBounds> &bounds);
 

@@ -11,7 +11,7 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Clip coordinates: most of them inside, some at the ends of what there is.
+/// Returns clip coordinates: most lie inside, some are extreme values.
 std::vector<float> coordinates(std::mt19937 &random, std::size_t count, float low, float high) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kSpecial[] = {
@@ -28,7 +28,7 @@ std::vector<float> coordinates(std::mt19937 &random, std::size_t count, float lo
 struct Case {
   int upsideDownHeight;
   bool depthClamp;
-  unsigned planes; ///< how many user planes there are
+  unsigned planes; ///< number of user clip planes
 };
 
 void compare(PlaceVertices place, const Case &each, std::mt19937 &random) {
@@ -51,7 +51,7 @@ void compare(PlaceVertices place, const Case &each, std::mt19937 &random) {
   state.upsideDownHeight = each.upsideDownHeight;
   state.depthClamp = each.depthClamp;
   const Viewport made = makeViewport(state, vertices);
-  // One after the end, which must stay as it is.
+  // The element after the end must stay as it is.
   WindowVertex untouched{};
   untouched.x = 7;
   std::vector<WindowVertex> window(count + 1, untouched);

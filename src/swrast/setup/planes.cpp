@@ -8,8 +8,8 @@
 namespace arbiter::swrast {
 
 HostOrder::HostOrder(const RasterState &state, const Triangle &triangle) {
-  int provoking =
-      state.provokingIsFirst ? 0 : 2; // of a quad's half without it the order is as it is
+  // If no corner provokes, as in one half of a quad, the order stays as it is.
+  int provoking = state.provokingIsFirst ? 0 : 2;
   if (triangle.cuts)
     provoking = 0;
   else
@@ -19,7 +19,7 @@ HostOrder::HostOrder(const RasterState &state, const Triangle &triangle) {
   const int first = state.provokingIsFirst ? provoking : (provoking + 1) % 3;
   for (int k = 0; k < 3; ++k)
     corner[k] = (first + k) % 3;
-  // Hosts count pixels' rows from the top, so the other way round.
+  // Hosts count rows of a window from the top, which reverses the winding.
   const std::int64_t area = areaOf(triangle.corner);
   if ((state.upsideDownHeight != 0 ? -area : area) > 0)
     std::swap(corner[1], corner[state.provokingIsFirst ? 2 : 0]);
@@ -29,7 +29,8 @@ namespace {
 
 constexpr float kMissing[4] = {0, 0, 0, 1};
 
-/// Depth over a triangle that has no area but by its snapped corners, as exact as it can be.
+/// Computes depth, as exactly as possible, for a triangle that only has an area by its snapped
+/// corners.
 abi::Plane exactDepth(const RasterState &state, const WindowVertex *const (&corner)[3]) {
   constexpr double kUnit = 1.0 / kSubpixels;
   const double x1 = (corner[1]->fixedX - corner[0]->fixedX) * kUnit;
@@ -45,13 +46,13 @@ abi::Plane exactDepth(const RasterState &state, const WindowVertex *const (&corn
   return {float(corner[0]->z + dx * toX + dy * toY), float(dx), float(dy)};
 }
 
-/// Of a triangle without an area, whose slopes are those of `plane`.
+/// Returns the polygon offset of a triangle without an area. `plane` holds its slopes.
 float depthOffsetOf(const RasterState &state, const abi::Plane &plane) {
   const float slope = std::max(std::fabs(plane.dx), std::fabs(plane.dy));
   return float(state.depthResolution * state.offsetUnits) + slope * state.offsetFactor;
 }
 
-/// A component of an input at a primitive's corners.
+/// Reads one component of an input at a primitive's corners.
 class Values {
 public:
   Values(const PlanePlan::Source &source, const Triangle &primitive)
@@ -76,7 +77,7 @@ private:
   float m_places[Cuts::kVertices + Cuts::kMost];
 };
 
-/// All planes but that of depth. \param order of the corners, for the steps
+/// Computes all planes but that of depth. \param order the order of the corners in `steps`
 template <int kCorners, typename Steps>
 void makeAll(const PlanePlan &plan, const Triangle &own, const Steps &steps,
              const int (&order)[kCorners], abi::Primitive &primitive) {
@@ -103,8 +104,8 @@ void makeAll(const PlanePlan &plan, const Triangle &own, const Steps &steps,
 } // namespace
 
 float depthOffset(const RasterState &state, const std::array<WindowVertex, 3> &corner) {
-  // In single precision and from the last corner, as hosts have it: a corner that two polygons
-  // share is drawn twice, and whether it passes the depth test again depends on the last bit.
+  // In single precision and from the last corner, as hosts compute it. A corner that two polygons
+  // share is drawn twice, and the last bit decides whether it passes the depth test again.
   const WindowVertex &last = corner[2];
   const float ex = corner[0].x - last.x, ey = corner[0].y - last.y, ez = corner[0].z - last.z;
   const float fx = corner[1].x - last.x, fy = corner[1].y - last.y, fz = corner[1].z - last.z;
@@ -163,7 +164,7 @@ LineSteps::LineSteps(const RasterState &state, const WindowVertex &from, const W
     : m_x(from.x - to.x), m_y(from.y - to.y), m_fromX(from.x), m_fromY(from.y),
       m_turns(state.upsideDownHeight != 0) {
   m_inverse = 1.0f / (m_x * m_x + m_y * m_y);
-  // Values vary along the greater direction alone.
+  // Values vary along the line's major direction alone.
   if (std::fabs(m_x) >= std::fabs(m_y)) {
     const float slope = m_y / m_x;
     m_x *= 1.0f + slope * slope;
@@ -229,7 +230,7 @@ void makeLinePlanes(const RasterState &state, const PlanePlan &plan, const Trian
 }
 
 namespace {
-/// Nothing varies over a point.
+/// Points have constant values.
 struct PointSteps {
   [[nodiscard]] static abi::Plane plane(const float (&f)[1]) { return {f[0], 0, 0}; }
 };

@@ -16,8 +16,9 @@ bool samePlace(const Vertices &vertices, std::uint32_t a, std::uint32_t b) {
   return true;
 }
 
-/// Two triangles with a side in common: the corner that is the first's alone, a shared one, the
-/// second's own, the other shared one.
+/// Joins two triangles that share a side into four corners: the first triangle's own corner, a
+/// shared one, the second triangle's own corner, the other shared one. Returns false if they share
+/// none.
 bool joinTriangles(const Vertices &vertices, const std::uint32_t v[6], Rectangle &rectangle) {
   int own = -1, copies[3] = {-1, -1, -1};
   bool used[3] = {};
@@ -38,7 +39,7 @@ bool joinTriangles(const Vertices &vertices, const std::uint32_t v[6], Rectangle
     return false;
   const int after = (own + 1) % 3, last = (own + 2) % 3;
   const int other = !used[0] ? 0 : !used[1] ? 1 : 2;
-  // Wound the same way, the shared side runs against the first's direction in the second.
+  // Triangles with the same winding traverse the shared side in opposite directions.
   if (copies[last] != (other + 1) % 3 || copies[after] != (other + 2) % 3)
     return false;
   rectangle.vertex[0] = v[own];
@@ -92,7 +93,7 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
   WindowVertex *const corner = rectangle.corner;
   placeCorners(viewport, vertices, rectangle.vertex, corner);
   for (int i = 0; i < 4; ++i) {
-    // Cutting at the sides of the view volume leaves a rectangle of the same inputs.
+    // Clipping at the sides of the view volume leaves a rectangle with the same inputs.
     if (corner[i].outcode & ~kOutSides)
       return false;
     if (std::fabs(corner[i].x) > kGuard || std::fabs(corner[i].y) > kGuard)
@@ -124,7 +125,7 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
 
 namespace {
 
-/// Whether all that the plan has is the same of both, to the last bit.
+/// True if all planes in the plan are equal to the last bit.
 bool isAlike(const PlanePlan &plan, const abi::Primitive &a, const abi::Primitive &b) {
   const auto same = [](const auto &one, const auto &other) {
     return one.c == other.c && one.dx == other.dx && one.dy == other.dy;
@@ -138,7 +139,7 @@ bool isAlike(const PlanePlan &plan, const abi::Primitive &a, const abi::Primitiv
   });
 }
 
-/// Whether nothing that the plan has varies.
+/// True if all planes in the plan are constant.
 bool isLevel(const PlanePlan &plan, const abi::Primitive &primitive) {
   const auto level = [](const auto &plane) { return plane.dx == 0 && plane.dy == 0; };
   if ((plan.wantsDepth && !level(primitive.z)) || (plan.wantsW && !level(primitive.inverseW)))
@@ -169,7 +170,7 @@ int shapesOfRectangle(const Draw &draw, const Rectangle &rectangle, Shape (&shap
     triangle.backFacing = rectangle.backFacing;
     Shape &half = shapes[halves];
     if (!isCut && !shapeOf(rectangle.pixels, triangle.corner, areaOf(triangle.corner), half))
-      continue; // the scissor leaves nothing of it
+      continue; // the scissor removes this half
     makePlanes(state, draw.plan, triangle, state.offsetFill, half.primitive);
     half.stippled = state.polygonStipple != nullptr;
     ++halves;

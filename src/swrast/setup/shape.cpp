@@ -7,10 +7,10 @@ Edge edgeBetween(const WindowVertex &from, const WindowVertex &to) {
   edge.a = from.fixedY - to.fixedY;
   edge.b = to.fixedX - from.fixedX;
   std::int64_t c = -(std::int64_t(edge.a) * from.fixedX + std::int64_t(edge.b) * from.fixedY);
-  // A centre on a left or a lower edge is inside, on another it is the neighbour's.
+  // A centre on a left or a lower edge is inside; on any other edge it belongs to the neighbour.
   if (!(edge.a > 0 || (edge.a == 0 && edge.b > 0)))
     --c;
-  // Pixels are 256 units apart, so that what is below such a step never decides.
+  // Pixels are 256 units apart, so the low bits never decide.
   edge.c = c >> kSubpixelBits;
   return edge;
 }

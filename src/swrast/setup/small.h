@@ -4,25 +4,26 @@
 #include "swrast/setup/draw.h"
 #include "swrast/setup/shape.h"
 
-/// Small triangles, set up a vector at a time: most of what real programs draw in meshes.
+/// Sets up small triangles, a vector of them at a time. Most triangles of meshes are small.
 namespace arbiter::swrast {
 
-/// Triangles whose snapped corners are less than this apart, in x and in y: their edge functions
-/// fit 32 bits near them.
+/// Limit of a small triangle's snapped width and height. Its edge functions then fit 32 bits
+/// nearby.
 inline constexpr std::int32_t kSmallExtent = 64 * kSubpixels;
 
-/// A small triangle that is seen in part at least: all that tiles need of it to find its pixels and
-/// their depths. One line of the cache, four vectors of 16 bytes.
+/// A small triangle that is at least partly visible, with all that tiles need to find its pixels
+/// and their depths. It fills one cache line: four vectors of 16 bytes.
 struct alignas(16) SmallTriangle {
-  std::uint32_t vertex[3];               ///< in the order of hosts (HostOrder)
-  std::uint32_t provokingAndFace;        ///< the lowest bit: it is back facing
-  std::int16_t left, bottom, right, top; ///< pixels, half open, within the draw's clip rectangle
-  std::int16_t originX, originY;         ///< the lower left pixel, within the image but not clipped
-  /// Inside where all three a * (x - originX) + b * (y - originY) + c >= 0, counterclockwise; those
-  /// of the third edge are what closes the triangle.
+  std::uint32_t vertex[3];               ///< in the hosts' order (HostOrder)
+  std::uint32_t provokingAndFace;        ///< the lowest bit is set if it is back-facing
+  std::int16_t left, bottom, right, top; ///< pixels, half-open, within the draw's clip rectangle
+  /// the lower left pixel, limited by the image but not by the clip rectangle
+  std::int16_t originX, originY;
+  /// A pixel is inside if a * (x - originX) + b * (y - originY) + c >= 0 for all three edges,
+  /// counterclockwise. a and b of the third edge are the negative sums of the others.
   std::int16_t a[2], b[2];
   std::int32_t c[3];
-  float depth[4]; ///< c, dx, dy and offset of its abi::DepthPlane
+  float depth[4]; ///< c, dx, dy and offset of an abi::DepthPlane
 
   [[nodiscard]] std::uint32_t provoking() const { return provokingAndFace >> 1; }
   [[nodiscard]] bool isBackFacing() const { return (provokingAndFace & 1) != 0; }
@@ -35,40 +36,41 @@ static_assert(sizeof(SmallTriangle) == 64);
 struct SmallSetUp;
 struct TriangleGroup;
 struct GroupSetUp;
-/// Sets up a group. \param to room for TriangleGroup::kMost; the small ones, in order
+/// Sets up a group of triangles.
+/// \param to receives the small ones in order; has room for TriangleGroup::kMost
 using SetUpSmall = GroupSetUp (*)(const SmallSetUp &with, const WindowVertex *window,
                                   const TriangleGroup &group, SmallTriangle *to);
 
-/// What a draw's small triangles are set up with.
+/// The state of a draw that setup of small triangles needs.
 struct SmallSetUp {
-  /// \param visible pixels that the draw may reach, none beyond 32767
+  /// \param visible pixels that the draw may reach; none beyond 32767
   SmallSetUp(const RasterState &state, const Rect &visible);
-  Rect clip; ///< pixels
+  Rect clip; ///< in pixels
   bool frontIsClockwise, cullFront, cullBack, provokingIsFirst;
-  bool offset; ///< there is polygon offset
+  bool offset; ///< true if there is polygon offset
   float offsetFactor, offsetConstant;
   int upsideDownHeight;
-  SetUpSmall kernel; ///< the best that this processor runs
+  SetUpSmall kernel; ///< the best one for this processor
 };
 
-/// Triangles that are looked at together.
+/// Triangles that are set up together.
 struct TriangleGroup {
   static constexpr int kMost = 16;
-  std::uint32_t vertex[3][kMost], provoking[kMost]; ///< of `count`, numbers that there are
+  std::uint32_t vertex[3][kMost], provoking[kMost]; ///< valid indices, for the first `count`
   int count = 0;
 };
 
-/// What they turned out to be, a bit each; those in none of these are not seen.
+/// The results of a group, one bit for each triangle. Triangles with no bit are not visible.
 struct GroupSetUp {
-  unsigned small = 0; ///< set up
-  unsigned other = 0; ///< to be clipped, or not small
-  /// Of `small`: they have next to no area, so that their depths are still to be made
+  unsigned small = 0; ///< set up as small triangles
+  unsigned other = 0; ///< must be clipped, or not small
+  /// Part of `small`: triangles with almost no area, whose depth plane must still be made
   /// (makeDepthPlane()).
   unsigned depthless = 0;
 };
 
-/// One for each instruction set that pays; all give the same to the bit: what setBounds(),
-/// edgeBetween() and makeDepthPlane() say.
+/// One function for each useful instruction set. All give the same bits as setBounds(),
+/// edgeBetween() and makeDepthPlane().
 GroupSetUp setUpSmallBaseline(const SmallSetUp &with, const WindowVertex *window,
                               const TriangleGroup &group, SmallTriangle *to);
 GroupSetUp setUpSmallAvx2(const SmallSetUp &with, const WindowVertex *window,
@@ -76,12 +78,12 @@ GroupSetUp setUpSmallAvx2(const SmallSetUp &with, const WindowVertex *window,
 GroupSetUp setUpSmallAvx512(const SmallSetUp &with, const WindowVertex *window,
                             const TriangleGroup &group, SmallTriangle *to);
 
-/// A small triangle with its corners, as planes are made of it.
+/// Returns a small triangle with its corners, as needed to compute planes.
 [[nodiscard]] Triangle triangleOf(const SmallTriangle &small, const WindowVertex *window);
-/// Returns the steps that its planes are made with.
+/// Returns the steps that compute its planes.
 [[nodiscard]] PlaneSteps stepsOf(const RasterState &state, const SmallTriangle &small,
                                  const WindowVertex *window);
-/// All of its planes but that of depth, which has been made.
+/// Computes all of its planes but that of depth, which it already has.
 void makePlanes(const RasterState &state, const PlanePlan &plan, const SmallTriangle &small,
                 const WindowVertex *window, abi::Primitive &primitive);
 

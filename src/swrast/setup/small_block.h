@@ -5,22 +5,22 @@
 #include "swrast/setup/lanes.h"
 #include "swrast/setup/small.h"
 
-/// The inside of small.h, compiled once for each instruction set: include it only where its
-/// functions are made. Nothing in here may be shared between those, hence the nameless namespace
-/// and no function of the standard library.
+/// The kernels of small.h, compiled once for each instruction set, so include it only in their
+/// sources. Instruction sets must not share functions: hence the unnamed namespace, and no function
+/// of the standard library.
 namespace arbiter::swrast {
 namespace {
 
-/// A corner of a block's triangles: the second half of its WindowVertex.
+/// One corner of a block's triangles: the second half of their WindowVertex.
 struct SnappedCorner {
   Ints x, y, outcode;
 };
-/// The first half, without 1/w.
+/// One corner of a block's triangles: the first half of their WindowVertex, without 1/w.
 struct WindowCorner {
   Floats x, y, z;
 };
 
-/// 16 bytes of each of the vertices 4 q + \p v of a block: a quarter each.
+/// Loads 16 bytes of each of the vertices 4 q + \p v of a block, one vertex into each quarter.
 inline Ints quartersOf(const char *window, const std::uint32_t *vertex, int v) {
   const auto at = [&](int quarter) {
     return window + std::size_t(vertex[4 * quarter + v]) * sizeof(WindowVertex);
@@ -46,7 +46,7 @@ inline Ints quartersOf(const char *window, const std::uint32_t *vertex, int v) {
 #endif
 }
 
-/// Four words of each vertex of a block, one a vector.
+/// Loads four words of each vertex of a block, one word into each vector.
 inline void loadWords(const char *window, const std::uint32_t *vertex, Ints (&words)[4]) {
   for (int v = 0; v < 4; ++v)
     words[v] = quartersOf(window, vertex, v);
@@ -70,10 +70,10 @@ inline Ints greater(const Ints &a, const Ints &b) { return chosen(a > b, a, b); 
 inline Ints splat(bool all) { return Ints{} - (all ? 1 : 0); }
 inline Floats sizeOf(const Floats &value) { return (Floats)((Ints)value & 0x7FFFFFFF); }
 
-/// What setBounds() says of a block.
+/// Computes setBounds() for a block of triangles.
 struct BlockBounds {
   Ints left, bottom, right, top, originX, originY;
-  Ints isSmall, isSeen; ///< all bits of a lane or none
+  Ints isSmall, isSeen; ///< masks: all bits of a lane are set, or none
 
   BlockBounds(const Rect &clip, const SnappedCorner (&v)[3]) {
     const Ints minX = lesser(lesser(v[0].x, v[1].x), v[2].x);
@@ -93,7 +93,7 @@ struct BlockBounds {
   }
 };
 
-/// An edge's functions from one corner to the next, at the block's origins.
+/// Computes an edge function from one corner to the next, at the block's origins.
 struct BlockEdge {
   Ints a, b, c;
   BlockEdge(const Ints &fromX, const Ints &fromY, const Ints &toX, const Ints &toY,
@@ -101,23 +101,23 @@ struct BlockEdge {
     a = fromY - toY;
     b = toX - fromX;
     c = -(a * (fromX - bounds.originX * kSubpixels) + b * (fromY - bounds.originY * kSubpixels));
-    // As in edgeBetween(): a comparison gives -1 where it holds.
+    // Same rule as in edgeBetween(): a vector comparison gives -1 where it holds.
     c += ~((a > 0) | ((a == 0) & (b > 0)));
     c = c >> kSubpixelBits;
   }
 };
 
-/// Turns vertices into the order in which hosts walk around a triangle (HostOrder). \param
-/// clockwise to them
+/// Puts vertices into the hosts' order (HostOrder).
+/// \param clockwise lanes whose triangles are clockwise to the host
 inline void walkAsHosts(bool provokingIsFirst, const Ints &clockwise, Ints (&vertex)[3],
                         const Ints &provoking, WindowCorner (&v)[3]) {
   Ints isAt[3];
   for (int k = 0; k < 3; ++k)
     isAt[k] = vertex[k] == provoking;
-  // The last one that it is, or else where it is meant to be.
+  // The provoking corner is the last match, or, without a match, the default position.
   const Ints last = isAt[2] | (~(isAt[0] | isAt[1]) & splat(!provokingIsFirst));
   const Ints middle = isAt[1] & ~isAt[2];
-  // The first corner to walk from is the provoking one or the one behind it.
+  // The first corner in the hosts' order is the provoking one or the one after it.
   const Ints fromThird = provokingIsFirst ? last : middle;
   const Ints fromSecond = provokingIsFirst ? middle : ~(last | middle);
   const auto turn = [&](auto &first, auto &second, auto &third) {
@@ -140,7 +140,7 @@ inline void walkAsHosts(bool provokingIsFirst, const Ints &clockwise, Ints (&ver
   swap(vertex[1], vertex[other]);
 }
 
-/// makeDepthPlane() of a block. \return lanes that it says nothing of
+/// Computes makeDepthPlane() for a block. \return the lanes without a result
 inline Ints makeDepths(const SmallSetUp &with, const WindowCorner (&v)[3], Floats (&depth)[4]) {
   const Floats x01 = v[0].x - v[1].x, y01 = v[0].y - v[1].y, z01 = v[0].z - v[1].z;
   const Floats x20 = v[2].x - v[0].x, y20 = v[2].y - v[0].y, z20 = v[2].z - v[0].z;
@@ -167,7 +167,7 @@ inline Ints makeDepths(const SmallSetUp &with, const WindowCorner (&v)[3], Float
 
 inline Ints pairOf(const Ints &low, const Ints &high) { return (low & 0xFFFF) | high << 16; }
 
-/// Of 16 words a lane those of the lanes in \p lanes, one triangle behind the other.
+/// Stores 16 words of each lane in \p lanes, as consecutive triangles.
 inline void storeBlock(Ints (&words)[16], unsigned lanes, SmallTriangle *to) {
   for (int i = 0; i < 16; i += 4)
     turn(words[i], words[i + 1], words[i + 2], words[i + 3]);
@@ -180,7 +180,7 @@ inline void storeBlock(Ints (&words)[16], unsigned lanes, SmallTriangle *to) {
   }
 }
 
-/// The lanes of a block from \p first on.
+/// Sets up the triangles of a group from \p first on, as many as there are lanes.
 inline GroupSetUp setUpBlock(const SmallSetUp &with, const WindowVertex *window,
                              const TriangleGroup &group, int first, SmallTriangle *to) {
   SnappedCorner snapped[3];
@@ -196,11 +196,11 @@ inline GroupSetUp setUpBlock(const SmallSetUp &with, const WindowVertex *window,
   const Ints mayShow = (any != 0) ? (all & std::int32_t(kOutsideMask)) == 0 : bounds.isSeen;
   const Ints isSmall = (any == 0) & bounds.isSmall;
   result.other = lanesIn(mayShow & ~isSmall) & lanes;
-  for (SnappedCorner &each : snapped) { // sums of others could be too great
+  for (SnappedCorner &each : snapped) { // prevents overflow in the lanes of other triangles
     each.x &= isSmall;
     each.y &= isSmall;
   }
-  // Twice the area, as areaOf() has it: the corners of a small one are so near that it fits.
+  // Twice the area, as in areaOf(). It fits, because the corners of a small triangle are close.
   const Ints area = (snapped[1].x - snapped[0].x) * (snapped[2].y - snapped[0].y) -
                     (snapped[2].x - snapped[0].x) * (snapped[1].y - snapped[0].y);
   const Ints counterclockwise = area > 0;

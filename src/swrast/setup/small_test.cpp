@@ -10,14 +10,15 @@
 #include "swrast/setup/triangles.h"
 #include "util/processor.h"
 
-/// Small triangles set up by vectors against the functions that set up one.
+/// Compares vector setup of small triangles with the functions that set up one triangle.
 namespace arbiter::swrast {
 namespace {
 
 constexpr std::uint32_t kVertices = 40;
 constexpr Rect kClip = {13, 6, 470, 380};
 
-/// Vertices in a few places, some on a grid, so that areas and depths are often 0 or alike.
+/// Returns vertices that often coincide or lie on a grid, so that areas and depths are often 0 or
+/// equal.
 std::vector<WindowVertex> randomVertices(std::mt19937 &random, int upsideDownHeight) {
   std::uniform_real_distribution<float> unit(-1, 1);
   std::vector<WindowVertex> window(kVertices);
@@ -32,7 +33,7 @@ std::vector<WindowVertex> randomVertices(std::mt19937 &random, int upsideDownHei
       vertex.x = std::floor(vertex.x) + 0.5f;
       vertex.y = std::floor(vertex.y) + 0.5f;
     }
-    if (random() % 12 == 0) { // nearly on another
+    if (random() % 12 == 0) { // almost the same place as another vertex
       vertex.x = window[0].x + 1e-4f * unit(random);
       vertex.y = window[0].y;
     }
@@ -53,7 +54,7 @@ TriangleGroup randomGroup(std::mt19937 &random) {
   for (int lane = 0; lane < group.count; ++lane) {
     for (auto &vertex : group.vertex)
       vertex[lane] = std::uint32_t(random() % kVertices);
-    // Of a quad's half it may be no corner.
+    // In one half of a quad, the provoking vertex may be no corner.
     group.provoking[lane] =
         random() % 5 == 0 ? std::uint32_t(random() % kVertices) : group.vertex[random() % 3][lane];
   }
@@ -76,7 +77,7 @@ RasterState randomState(std::mt19937 &random) {
 
 enum class Kind { Unseen, Small, Other };
 
-/// What a lane is, by the functions for one triangle.
+/// Classifies a triangle by the functions for one triangle.
 Kind kindOf(const RasterState &state, const Triangle &triangle, Bounds &bounds) {
   const WindowVertex *const v = triangle.corner;
   const std::uint32_t any = v[0].outcode | v[1].outcode | v[2].outcode;

@@ -7,20 +7,21 @@
 #include "swrast/setup/draw.h"
 #include "swrast/setup/shape.h"
 
-/// Triangles of a draw, one by one: assembled, clipped, culled.
+/// Iterates over the triangles of a draw: assembles, clips and culls them.
 namespace arbiter::swrast {
 
-/// Which way a triangle faces. \p area twice its area in snapped units, positive if
-/// counterclockwise
+/// True if a triangle is back-facing. \p area is twice its area in snapped units, positive if
+/// counterclockwise.
 [[nodiscard]] inline bool isBackFacing(const RasterState &state, std::int64_t area) {
   return (area > 0) == state.frontIsClockwise;
 }
-/// Whether polygons that face that way are culled.
+/// True if polygons with that facing are culled.
 [[nodiscard]] inline bool isCulled(const RasterState &state, bool backFacing) {
   return backFacing ? state.cullBack : state.cullFront;
 }
 
-/// Fetches the corners; false if nothing of the triangle can be seen. \p any collects outcodes.
+/// Fetches the corners. Returns false if the triangle cannot be visible. \p any receives the union
+/// of their outcodes.
 [[nodiscard]] inline bool fetchTriangle(const Draw &draw, const TriangleCorners &corners,
                                         Triangle &triangle, std::uint32_t &any) {
   std::uint32_t all = ~0u;
@@ -38,8 +39,8 @@ namespace arbiter::swrast {
   return !(all & kOutsideMask) && !(any & kOutNan) && triangle.provoking < draw.vertices.count;
 }
 
-/// The corners from the one on from which hosts walk around the primitive: the provoking one is the
-/// first or the last.
+/// Rotates the corners into the order in which hosts clip: the provoking corner is the first or the
+/// last.
 inline void turnAsHostsWalk(const RasterState &state, Triangle &triangle) {
   const int wanted = state.provokingIsFirst ? 0 : 2;
   for (int i = 0; i < 2 && triangle.vertex[wanted] != triangle.provoking; ++i) {
@@ -48,8 +49,8 @@ inline void turnAsHostsWalk(const RasterState &state, Triangle &triangle) {
   }
 }
 
-/// What is left of a triangle that leaves the view volume, as the fan that hosts make of it, so
-/// that each piece has the host's depths; calls `take(triangle, shape)` for each.
+/// Clips a triangle that leaves the view volume, and calls `take(triangle, shape)` for each
+/// triangle of the fan. Hosts make the same fan, so each piece has the host's depths.
 template <typename Take> void clipAndTake(const Draw &draw, Triangle &triangle, Take take) {
   if (hasTwins(draw.vertices, triangle.vertex))
     return;
@@ -87,7 +88,7 @@ template <typename Take> void clipAndTake(const Draw &draw, Triangle &triangle, 
       const bool isDiagonal = (k == 0 && i > 1) || (k == 2 && i + 2 < polygon.count);
       const int side = vertexAt(from[k]).side;
       if (!isDiagonal && side >= kOnPlane && side < kOnPlane + kSidePlanes)
-        continue; // along the viewport's side: the bounds
+        continue; // the bounds already cut along the viewport's sides
       const WindowVertex &a = triangle.corner[k], &b = triangle.corner[k == 2 ? 0 : k + 1];
       if (a.fixedX == b.fixedX && a.fixedY == b.fixedY)
         continue;

@@ -11,7 +11,7 @@ namespace arbiter::swrast {
 
 namespace {
 
-/// As std::lrintf in the mode that threads start in.
+/// Returns std::lrintf() of the value in the default rounding mode.
 std::int32_t roundToEven(float value) {
 #if defined(__SSE__)
   return _mm_cvtss_si32(_mm_set_ss(value));
@@ -36,8 +36,8 @@ Viewport makeViewport(const RasterState &state, const Vertices &vertices) {
   result.scale[2] = (state.depthFar - state.depthNear) * 0.5f;
   result.translate[2] = (state.depthFar + state.depthNear) * 0.5f;
   result.depthClamp = state.depthClamp;
-  // std::ceil and std::lrintf are calls where the processor's instructions are not asked for, and
-  // this is a good part of a small draw.
+  // std::ceil and std::lrintf would be function calls without the newer instruction sets, and this
+  // code is a good part of a small draw.
   const auto place = [](double at) {
     const double value = std::clamp(at, -1e6, 1e6) - 0.5;
     const auto whole = std::int32_t(value);
@@ -65,8 +65,8 @@ void snapVertex(WindowVertex &vertex, int upsideDownHeight) {
 
 void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex) {
   const float inverseW = 1.0f / clip[3];
-  // One rounding of scale and translation together, as a fused multiply-add has it: hosts do the
-  // same, and the snapped position must not differ from the host's.
+  // Scale and translation are rounded once, like a fused multiply-add. Hosts do the same, and the
+  // snapped position must not differ from theirs.
   const auto place = [&](int i) {
     return float(double(clip[i] * inverseW) * double(viewport.scale[i]) +
                  double(viewport.translate[i]));
@@ -106,7 +106,7 @@ WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices, st
   }
   out |= w > 0 ? 0u : kOutW;
   const float sum = clip[0] + clip[1] + clip[2] + clip[3];
-  out |= sum - sum == 0 ? 0u : kOutNan; // infinite, or not a number
+  out |= sum - sum == 0 ? 0u : kOutNan; // infinity or NaN
   for (unsigned planes = viewport.userPlanes; planes != 0; planes &= planes - 1) {
     const auto plane = unsigned(__builtin_ctz(planes));
     out |= vertices.clipDistance[plane][index] >= 0 ? 0u : kOutUser << plane;

@@ -3,33 +3,34 @@
 
 #include "swrast/strokes/strokes.h"
 
-/// Lines as parallelograms: as wide as asked across the lesser direction, and cut at the ends so
-/// that pixels follow the diamond rule (3.4.1) as hosts read it.
+/// Draws lines as parallelograms. Their width is measured along the minor direction, and their ends
+/// are cut so that pixels follow the diamond rule (3.4.1) as hosts implement it.
 namespace arbiter::swrast {
 namespace {
 
-/// Ties go away from zero, unlike those of triangles: so do the host's, but for those whose ends
-/// are edges' (RasterState::lineEndsAsEdges).
+/// Rounds ties away from zero, as the host does for lines, or to even if
+/// RasterState::lineEndsAsEdges is set.
 std::int32_t rounded(float value, bool toEven) {
   return std::int32_t(toEven ? std::lrint(value) : std::lround(value));
 }
 float fraction(float value) { return value - std::floor(value); }
 
-/// One end of a line, along its greater (major) and its lesser direction.
+/// One end of a line, along the line's major and minor direction.
 struct End {
   float major, minor;         ///< window coordinates
-  float fromMajor, fromMinor; ///< from the centre of its pixel
+  float fromMajor, fromMinor; ///< distance from the centre of its pixel
   [[nodiscard]] bool inDiamond() const {
     return std::fabs(fromMajor) + std::fabs(fromMinor) < 0.5f;
   }
 };
 
-/// Do both point the same way? Zero counts as positive in x and as negative in y.
+/// True if both point the same way. Zero counts as positive in x and as negative in y.
 bool same(float a, float b, bool alongY) {
   return alongY ? (-a >= 0) == (-b >= 0) : (a >= 0) == (b >= 0);
 }
 
-/// In the host's own window coordinates: ties fall by them, whichever way up they are.
+/// Computes where a line's ends are cut. It uses the host's window coordinates, because their
+/// direction decides ties.
 class LineCaps {
 public:
   LineCaps(const WindowVertex &start, const WindowVertex &finish, bool yMajor,
@@ -39,12 +40,12 @@ public:
     m_travel = m_finish.major - m_start.major;
     m_rise = m_finish.minor - m_start.minor;
     m_slope = m_rise / m_travel;
-    // Between two pixels the finish is in the one that the line comes from.
+    // If the finish lies between two pixels, it belongs to the one that the line comes from.
     if (m_finish.fromMinor == -0.5f && m_rise > 0)
       m_finish.fromMinor = 0.5f;
   }
-  /// What is added to an end's major coordinate. Where a cap at the end itself would not draw the
-  /// end's pixel as it should be, the cap moves back to the pixel's side.
+  /// Returns what to add to an end's major coordinate. If a cut at the end itself would draw the
+  /// end's pixel wrongly, the cut moves back to the pixel's side.
   [[nodiscard]] float startOffset() const {
     return startCovers() != drawsStart() ? back(m_start) : 0;
   }
@@ -54,13 +55,14 @@ public:
   [[nodiscard]] float slope() const { return m_slope; }
 
 private:
-  /// Is the centre of an end's pixel on the side that the line travels to, by the rule of edges?
+  /// True if the centre of an end's pixel lies in the line's direction. Ties follow the fill rule
+  /// of edges.
   [[nodiscard]] bool isAhead(float from) const {
     if (from != 0)
       return (from < 0) == (m_travel > 0);
     return (m_travel > 0) != (m_yMajor && m_upsideDown);
   }
-  /// Would a cap at the end itself leave the centre of the end's pixel to the line?
+  /// True if a cut at the start itself would put the centre of the start's pixel inside.
   [[nodiscard]] bool startCovers() const {
     const float from = m_start.fromMajor;
     if (m_asEdges)
@@ -81,7 +83,7 @@ private:
     const float major = m_yMajor ? vertex.y : vertex.x, minor = m_yMajor ? vertex.x : vertex.y;
     return {major, minor, fraction(major) - 0.5f, fraction(minor) - 0.5f};
   }
-  /// In the crossing of the pixel's column (or row) of centres.
+  /// Returns where the line crosses the centre line of the pixel's column (or row).
   [[nodiscard]] float crossing(const End &end) const {
     return fraction(end.minor) + end.fromMajor * m_slope;
   }
@@ -119,13 +121,13 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   const bool yMajor = std::fabs(b.x - a.x) < std::fabs(b.y - a.y);
   const LineCaps caps(a, b, yMajor, draw.state);
   const float wanted = draw.state.lineWidth;
-  const float width = wanted > 1 ? std::min(wanted, 8192.0f) : 1.0f; // 1 of what is no number
+  const float width = wanted > 1 ? std::min(wanted, 8192.0f) : 1.0f; // NaN becomes 1
   const bool toEven = draw.state.lineEndsAsEdges;
   const int half = rounded(width, toEven) * kSubpixels / 2;
   const auto snap = [toEven](float value) {
     return rounded((value - 0.5f) * float(kSubpixels), toEven);
   };
-  WindowVertex corner[4]{}; // the start's two, the finish's two
+  WindowVertex corner[4]{}; // two of the start, two of the finish
   const auto place = [&](const WindowVertex &end, float offset, WindowVertex &low,
                          WindowVertex &high) {
     const float shift = offset * caps.slope();
@@ -140,7 +142,7 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   place(b, caps.finishOffset(), corner[1], corner[2]);
   if (!setBounds(draw.state.clip, corner, 4, shape))
     return false;
-  // A cap that moved back beyond the other end leaves nothing.
+  // If the cut moved back beyond the other end, nothing is left.
   const std::int64_t area = areaOf(corner);
   const bool upwards = (b.y > a.y) == (draw.state.upsideDownHeight == 0);
   if (area == 0 || (area > 0) != (yMajor ? !upwards : b.x > a.x))

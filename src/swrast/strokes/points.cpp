@@ -3,13 +3,13 @@
 
 #include "swrast/strokes/strokes.h"
 
-/// Points as squares, of whole pixels (3.3), or with sprites of any size and place; smooth ones as
-/// discs.
+/// Draws points: as squares of whole pixels (3.3), as sprites of any size and position, or, if
+/// smooth, as discs.
 namespace arbiter::swrast {
 namespace {
 
-/// Ties go away from zero, unlike those of triangles: so do the host's. As std::lround(), which is
-/// a call, of what is no further from zero than kGuard.
+/// Snaps to 1/256 pixel and rounds ties away from zero, as the host does for points. It equals
+/// std::lround(), which would be a function call, for values up to kGuard.
 std::int32_t snap(float value) {
   const float fixed = value * float(kSubpixels);
   const auto whole = std::int32_t(fixed);
@@ -17,14 +17,14 @@ std::int32_t snap(float value) {
   return whole + (rest >= 0.5f ? 1 : 0) - (rest <= -0.5f ? 1 : 0);
 }
 
-/// A sprite's in 1/256 of a pixel, another point's in pixels.
+/// Returns a sprite's width in 1/256 of a pixel, or another point's in pixels.
 int widthOf(float size, bool sprite) {
   return sprite ? std::max(kSubpixels, snap(size))
                 : std::max(1, (snap(size) + kSubpixels / 2 - 1) >> kSubpixelBits);
 }
 
-/// The pixels [first, end) along one axis, in the host's coordinates. `down`:
-/// in those that run down, ties go to the neighbour.
+/// Computes the pixels [first, end) along one axis, in the host's coordinates. If `down` is true
+/// the axis points down, and ties go to the neighbouring pixel.
 inline void extent(float center, int width, bool sprite, bool down, int &first, int &end) {
   const std::int32_t tie = down ? 1 : 0;
   if (sprite) {
@@ -38,7 +38,7 @@ inline void extent(float center, int width, bool sprite, bool down, int &first, 
   end = first + width;
 }
 
-/// The point's size, of those that there are.
+/// Returns the point's size, clamped to the supported range.
 float sizeWithin(const RasterState &state, float size) {
   size = std::clamp(size, state.pointSizeMinimum, state.pointSizeMaximum);
   return size > 0 ? std::min(size, 8192.0f) : 1.0f;
@@ -48,12 +48,12 @@ bool isNear(const WindowVertex &vertex) {
   return std::fabs(vertex.x) < kGuard && std::fabs(vertex.y) < kGuard;
 }
 
-/// Where the centre is in the image.
+/// Returns the height of the point's centre in the image.
 float heightOf(const RasterState &state, const WindowVertex &at) {
   return state.upsideDownHeight != 0 ? float(state.upsideDownHeight) - at.y : at.y;
 }
 
-/// Cuts the shape's rectangle to what is drawn to; false if nothing is left.
+/// Clips the shape's rectangle. Returns false if nothing is left.
 bool clipTo(const Rect &clip, Shape &shape) {
   shape.left = std::max(shape.left, clip.x);
   shape.bottom = std::max(shape.bottom, clip.y);
@@ -62,14 +62,15 @@ bool clipTo(const Rect &clip, Shape &shape) {
   return shape.left < shape.right && shape.bottom < shape.top;
 }
 
-/// All but the bounds.
+/// Sets all of the shape but its bounds.
 void fill(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, Shape &shape) {
   shape.edgeCount = 0;
   shape.stippled = false;
   makePointPlanes(draw.plan, stroke.primitive(at), shape.primitive);
 }
 
-/// Of the vertex's coordinates: whether they were divided does not matter.
+/// Returns the third component of sprite coordinates. It is a quotient of the vertex's coordinates,
+/// so it does not matter whether these were divided by w.
 float thirdOf(const RasterState &state, const abi::Plane *vertex) {
   using Third = RasterState::SpriteThird;
   if (state.spriteThird == Third::Zero)
@@ -103,7 +104,7 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
       continue;
     const bool divided = draw.shading.interpolation[i] != abi::Interpolation::Linear;
     const float scale = divided ? at.window.inverseW : 1.0f;
-    // In the host's coordinates, which run down in windows.
+    // Sprite coordinates follow the host's window coordinates, whose y points down in windows.
     const float across = float(kSubpixels) / float(width);
     const float down = (height == 0) == state.spriteOriginLowerLeft ? across : -across;
     abi::Plane *const input = shape.primitive.inputs[i];
@@ -122,13 +123,13 @@ bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd 
                         Shape &shape) {
   if (!isNear(at.window))
     return false;
-  // As the software host has them, so that frames of both are alike: no radius is less than 1,
-  // where points have no sizes of their own, and between the circle and one of a pixel less its
-  // formula has 1 for what would fade.
+  // As the software host does it, so that frames of both look alike. A radius is at least 1 unless
+  // vertices have point sizes. Between the circle and one that is a pixel smaller, the host's
+  // formula gives 1 instead of fading.
   const float half = 0.5f * sizeWithin(draw.state, size);
   const float radius = draw.vertices.pointSize ? half : std::max(half, 1.0f);
   const float x = at.window.x, y = heightOf(draw.state, at.window);
-  // A centre on the circle is inside at the left and below, as of a rectangle.
+  // A centre on the circle is inside on the left and lower side, as for a rectangle.
   WindowVertex corner[2] = {at.window, at.window};
   for (int i = 0; i < 2; ++i) {
     corner[i].x += i == 0 ? -radius : radius;
@@ -146,7 +147,7 @@ bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd 
   abi::Plane *const input = shape.primitive.inputs[draw.shading.inputCount - 1];
   input[0] = {(0.5f - x) * step, step, 0};
   input[1] = {(float(planesBegin(draw.state)) + 0.5f - y) * step, 0, step};
-  // Where that inner circle is no smaller, the whole disc is covered.
+  // If the inner circle is not smaller than the outer one, the whole disc is covered.
   const float inner = (radius - 1) * step, ring = 1.0f - inner * inner;
   constexpr float kAll = 0x1p100f;
   input[2] = {ring > 0 ? 1.0f / ring : kAll, 0, 0};

@@ -3,22 +3,22 @@
 
 #include "swrast/strokes/strokes.h"
 
-/// Smooth lines as rectangles around the line (OpenGL 2.1, 3.4.2, figure 3.4), half a pixel larger
-/// on each side, over which the covered part of a pixel falls to nothing. The specification leaves
-/// the part's formula open; this is the software host's, so that frames of both are alike: so it
-/// is interpolated with perspective over two triangles.
+/// Draws smooth lines as rectangles around the line (OpenGL 2.1, 3.4.2, figure 3.4). The rectangle
+/// is half a pixel larger on each side, and coverage falls to zero across its border. The
+/// specification leaves the formula of coverage open. This is the software host's, so that frames
+/// of both look alike: coverage is interpolated with perspective over two triangles.
 namespace arbiter::swrast {
 namespace {
 
-/// The line from end to end, and how far from its middle it still reaches a pixel's centre: by the
-/// host's steps, as depths are equal only over equal corners. Of no length: along x.
+/// A line's direction, and half the size of its rectangle. It is computed by the host's steps,
+/// because depths only match if the corners are equal. A line of zero length points along x.
 struct Extent {
   Extent(const WindowVertex &a, const WindowVertex &b, const RasterState &state)
       : length(lengthOf(b.x - a.x, b.y - a.y)),
-        // 1 of what is no number.
+        // NaN becomes 1.
         halfWidth(0.5f * (state.lineWidth > 1 ? std::min(state.lineWidth, 8192.0f) : 1.0f) + 0.5f),
         halfLength(0.5f * length + 0.5f) {
-    if (state.lineEndsAsEdges) { // those hosts divide, others take the angle
+    if (state.lineEndsAsEdges) { // these hosts divide, others use an angle
       alongX = length > 0 ? (b.x - a.x) / length : 1;
       alongY = length > 0 ? (b.y - a.y) / length : 0;
       return;
@@ -30,11 +30,11 @@ struct Extent {
 
   static float lengthOf(float x, float y) { return std::sqrt(x * x + y * y); }
 
-  float length, alongX, alongY; ///< in host's window coordinates
+  float length, alongX, alongY; ///< in the host's window coordinates
   float halfWidth, halfLength;
 };
 
-/// `end` moved outwards by half a pixel, and sideways.
+/// Returns `end` moved outwards and sideways.
 WindowVertex cornerAt(const WindowVertex &end, const Extent &extent, float outwards, float sideways,
                       int upsideDownHeight) {
   WindowVertex corner = end;
@@ -44,15 +44,15 @@ WindowVertex cornerAt(const WindowVertex &end, const Extent &extent, float outwa
   return corner;
 }
 
-/// A corner of the rectangle, or of a triangle over it: what the coverage is there, and whose
-/// inputs it takes.
+/// A corner of the rectangle, or of one of its triangles, with its place on the line and the end
+/// whose inputs it takes.
 struct Corner {
   WindowVertex window;
-  float across, along; ///< pixels from the middle of the line
+  float across, along; ///< distance in pixels from the middle of the line
   const StrokeEnd *end;
 };
 
-/// All planes of the triangle, the input of abi::Coverage::Line among them.
+/// Computes all planes of a triangle, including the input for abi::Coverage::Line.
 void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
                const Corner *const corner[3], Shape &shape) {
   // Hosts begin with the second corner.
@@ -81,7 +81,7 @@ void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
     const float values[3] = {a * scale[0], b * scale[1], c * scale[2]};
     return steps.plane({values[walked[0]], values[walked[1]], values[walked[2]]});
   };
-  // A line of less than a pixel covers as much less of it.
+  // A line shorter than a pixel covers proportionally less.
   const float share = extent.length < 1 ? extent.length / extent.halfLength : 1.0f;
   const float reach = extent.halfLength * share, width = extent.halfWidth;
   abi::Plane *const input = shape.primitive.inputs[number];

@@ -1,4 +1,4 @@
-// Smooth lines: the pixels that they reach, and the input that says how much of each.
+// Checks which pixels smooth lines reach, and how much of each they cover.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ struct Line {
   float width;
 };
 
-/// The covered part of a pixel (abi::Coverage).
+/// Writes the covered part of a pixel (abi::Coverage).
 void shadeCovered(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
                   std::uint32_t count) {
   const auto *const spans = static_cast<const abi::Span *>(items);
@@ -62,8 +62,8 @@ TEST(SmoothLines, CoverAsMuchAsTheyAreLargeWhateverTheirSlope) {
     Canvas canvas(64, 64);
     const double angle = degrees * M_PI / 180;
     draw(canvas, {32.2, 31.7, 32.2 + 24 * std::cos(angle), 31.7 + 24 * std::sin(angle), 3});
-    // Each side's last pixel fades over one pixel whose middle is the side.
-    // The fade is sampled at whole pixels: a sixteenth of a pixel along the sides.
+    // At each side, coverage fades over one pixel centred on the side. Sampling the fade at whole
+    // pixels adds an error of a sixteenth of a pixel along the sides.
     EXPECT_NEAR(coveredBy(canvas), 24 * 3, 3) << degrees;
   }
 }
@@ -71,7 +71,8 @@ TEST(SmoothLines, CoverAsMuchAsTheyAreLargeWhateverTheirSlope) {
 TEST(SmoothLines, FadeOverOnePixelAtEachSide) {
   Canvas canvas(32, 32);
   draw(canvas, {4.5, 10.25, 27.5, 10.25, 1});
-  // The middle of row 9 is 0.75 below, of row 10 0.25 above, of row 11 1.25.
+  // The line lies 0.75 above the centre of row 9, 0.25 below that of row 10, and 1.25 below that of
+  // row 11.
   EXPECT_NEAR(canvas.valueAt(16, 9), 0.25, 1e-4);
   EXPECT_NEAR(canvas.valueAt(16, 10), 0.75, 1e-4);
   EXPECT_EQ(canvas.valueAt(16, 11), 0);

@@ -15,7 +15,7 @@ StrokeEnd endOf(const ClipVertex &vertex) { return {vertex.window, vertex.place}
 
 constexpr Cuts kUncut = {};
 
-/// The point at `t` of the way; as hosts cut a stippled line.
+/// Returns the point at fraction `t` of the way, as hosts cut a stippled line.
 StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t, Cuts &cuts) {
   const auto mix = [t](float from, float to) { return from + t * (to - from); };
   StrokeEnd end = a;
@@ -31,8 +31,8 @@ StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t, Cuts &cuts) {
   return end;
 }
 
-/// Positive if counterclockwise. Of places that are not snapped: what is too thin to be filled has
-/// sides all the same, and a winding.
+/// Returns the winding, positive if counterclockwise. It uses positions that are not snapped,
+/// because a polygon too thin to fill still has sides and a winding.
 int windingOf(const Draw &draw, const ClippedPolygon &polygon) {
   double area = 0;
   const WindowVertex &a = polygon.vertex[0].window;
@@ -46,8 +46,8 @@ int windingOf(const Draw &draw, const ClippedPolygon &polygon) {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-/// The same triangle from the corner on from which hosts walk around it: the provoking one is the
-/// first or the last.
+/// Rotates a triangle's corners into the order of hosts: the provoking one is the first or the
+/// last.
 TriangleCorners asHostsWalk(const TriangleCorners &corners, bool provokingIsFirst) {
   const std::uint32_t wanted = provokingIsFirst ? 0 : 2;
   TriangleCorners turned = corners;
@@ -58,8 +58,8 @@ TriangleCorners asHostsWalk(const TriangleCorners &corners, bool provokingIsFirs
   return turned;
 }
 
-/// Which of the sides hosts draw as number `i`: of a triangle they begin with the last, of what is
-/// left of one that was cut with the first; there the last two may change places.
+/// Returns the side that hosts draw as number `i`. They begin with the last side of a triangle, but
+/// with the first of a clipped one, where the last two sides may be swapped.
 int sideInTurn(int i, int count, bool clipped, bool provokingIsFirst) {
   if (!clipped || (provokingIsFirst && count == 3))
     return (count - 1 + i) % count;
@@ -68,16 +68,14 @@ int sideInTurn(int i, int count, bool clipped, bool provokingIsFirst) {
   return i;
 }
 
-/// Which of the corners hosts draw as point number `i`: of what is left of a triangle that was cut
-/// the pieces of a fan, of which each ends with its centre, corner 0, where the provoking one is
-/// the last.
+/// Returns the corner that hosts draw as point number `i`. A clipped triangle is a fan to them. If
+/// the provoking corner is the last, each piece of the fan ends with its centre, corner 0.
 int pointInTurn(int i, bool clipped, bool provokingIsFirst) {
   return clipped && !provokingIsFirst && i < 2 ? 1 - i : i;
 }
 
-/// What is added to the depths at the ends of side `side`. Hosts cut what is left of a triangle
-/// that was cut into a fan, whose pieces have slopes of their own; its centre is the first corner
-/// of each, or the last one.
+/// Returns the polygon offset for the ends of side `side`. Hosts split a clipped triangle into a
+/// fan whose pieces have slopes of their own. The centre is each piece's first or last corner.
 float offsetAt(const RasterState &state, const ClippedPolygon &polygon, int side, bool clipped) {
   const auto next = std::size_t(std::clamp(side + 1, 2, polygon.count - 1));
   const WindowVertex &centre = polygon.vertex[0].window;
@@ -87,14 +85,14 @@ float offsetAt(const RasterState &state, const ClippedPolygon &polygon, int side
   return depthOffset(state, {centre, from, to});
 }
 
-/// In steps of the stipple: pixels along the greater direction, or of a smooth line along itself
-/// (OpenGL 2.1, 3.4.2).
+/// Returns the number of stipple steps: pixels along the major direction, or, for a smooth line,
+/// along the line itself (OpenGL 2.1, 3.4.2).
 float lengthOf(const RasterState &state, const WindowVertex &from, const WindowVertex &to) {
   const float x = std::fabs(to.x - from.x), y = std::fabs(to.y - from.y);
   return state.coverage == abi::Coverage::Line ? std::hypot(x, y) : std::max(x, y);
 }
 
-/// The size that the vertices say, of a point at one of them or where their primitive was cut.
+/// Returns the point size at a vertex, or at a point that clipping created.
 float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
   const float *const sizes = draw.vertices.pointSize;
   if (!sizes)
@@ -212,7 +210,8 @@ void Strokes::addLines(const Draw &draw) {
     const WindowVertex &a = draw.window[index[0]], &b = draw.window[index[1]];
     if ((a.outcode & b.outcode & kOutsideMask) || ((a.outcode | b.outcode) & kOutNan))
       continue;
-    // Of no length: no pixel, and no step into the stipple; but half a pixel around a smooth one.
+    // Zero length covers no pixel and takes no stipple step. A smooth line still covers half a
+    // pixel around it.
     if (a.x == b.x && a.y == b.y && !((a.outcode | b.outcode) & kClipMask) &&
         (draw.state.coverage != abi::Coverage::Line || draw.state.lineStippleFactor > 0))
       continue;
@@ -281,7 +280,7 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
   ClippedPolygon polygon;
   if (any & kClipMask) {
     clipTriangle(draw.viewport, draw.vertices, triangle.vertex, triangle.corner, polygon);
-    m_stipple = 0; // what is cut stands alone
+    m_stipple = 0; // a clipped polygon does not continue the stipple
   } else {
     polygon.count = 3;
     for (int i = 0; i < 3; ++i) {
@@ -294,7 +293,7 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
   if (polygon.count < 3)
     return;
   const int facing = windingOf(draw, polygon);
-  // Where there is no winding hosts see the one that is negative in their own coordinates.
+  // Without a winding, hosts assume the one that is negative in their own coordinates.
   const int unwound = state.upsideDownHeight != 0 ? -1 : 1;
   triangle.backFacing = isBackFacing(state, facing != 0 ? facing : unwound);
   if (isCulled(state, triangle.backFacing) || (facing == 0 && (state.cullFront || state.cullBack)))
@@ -332,7 +331,7 @@ void Strokes::addPolygons(const Draw &draw) {
   const std::uint32_t triangles = triangleCount(draw.topology, draw.count);
   const bool quads = draw.topology == Topology::Quads || draw.topology == Topology::QuadStrip;
   for (std::uint32_t i = 0; i < triangles; ++i) {
-    // The stipple goes around a whole polygon or quad.
+    // The stipple continues around a whole polygon or quad.
     if (quads ? i % 2 == 0 : draw.topology != Topology::Polygon)
       m_stipple = 0;
     addTriangle(draw, i);

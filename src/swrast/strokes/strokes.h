@@ -6,22 +6,22 @@
 #include "swrast/setup/draw.h"
 #include "swrast/setup/shape.h"
 
-/// Lines, points, and polygons drawn as such, to shapes.
+/// Converts lines, points, and polygons drawn as such, to shapes.
 namespace arbiter::swrast {
 
 /// An end of a line, or a point.
 struct StrokeEnd {
   WindowVertex window;
-  std::uint8_t place; ///< of the cuts that `Stroke` has
+  std::uint8_t place; ///< place in the Cuts of its `Stroke`
 };
-/// Whose inputs a line or a point takes.
+/// The vertices from which a line or a point takes its inputs.
 struct Stroke {
   std::uint32_t vertex[3] = {};
   std::uint32_t provoking = 0;
   bool backFacing = false;
   const Cuts *cuts = nullptr; ///< never null
 
-  /// A primitive of its ends, or corners, as planes are made of it.
+  /// Returns a Triangle of its ends or corners, from which planes are computed.
   template <typename... Ends> [[nodiscard]] Triangle primitive(const Ends &...ends) const {
     Triangle result;
     std::copy(vertex, vertex + 3, result.vertex);
@@ -34,32 +34,35 @@ struct Stroke {
   }
 };
 
-/// One line without stipple. False if it covers nothing.
+/// Makes the shape of a line without stipple. Returns false if it covers nothing.
 [[nodiscard]] bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                                const StrokeEnd &to, Shape &shape);
-/// What of a smooth line is one shape: all, or where its ends differ in w or depth either triangle.
+/// The part of a smooth line that is one shape: all of it, or, if its ends differ in w or depth,
+/// one of two triangles.
 enum class SmoothPart : std::uint8_t { Whole, First, Second };
-/// The same of a smooth line, or a part of it (abi::Coverage::Line).
+/// Makes the shape of a smooth line, or of a part of it (abi::Coverage::Line). Returns false if it
+/// covers nothing.
 [[nodiscard]] bool shapeOfSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                                      const StrokeEnd &to, SmoothPart part, Shape &shape);
-/// A point of `size` pixels.
+/// Makes the shape of a point of `size` pixels. Returns false if it covers nothing.
 [[nodiscard]] bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at,
                                 float size, Shape &shape);
-/// The same of a smooth point (abi::Coverage::Disc).
+/// Makes the shape of a smooth point (abi::Coverage::Disc). Returns false if it covers nothing.
 [[nodiscard]] bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at,
                                       float size, Shape &shape);
 
-/// Lines, points and polygons that are not filled, in order; shapes are shaded as they get many.
+/// Rasterizes lines, points and unfilled polygons in order. Shapes are collected, and shaded when
+/// there are many.
 class Strokes {
 public:
-  /// Where shapes go, some at a time.
+  /// Receives shapes, several at a time.
   struct Sink {
     void (*take)(void *user, const Draw &draw, const Shape *shapes, std::size_t count);
     void *user;
   };
-  /// Shades them.
+  /// Shades the shapes of a draw.
   void rasterize(const Draw &draw, DrawStatistics &statistics);
-  /// Hands them to the sink.
+  /// Passes the shapes of a draw to the sink.
   void gather(const Draw &draw, const Sink &sink);
 
 private:
@@ -73,16 +76,16 @@ private:
   void addSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                      const StrokeEnd &to);
   void addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size);
-  /// Where the next shape is made. What is read of a shape is written of each, so that one that
-  /// was shaded is used again as it is.
+  /// Returns a slot for the next shape. Each shape sets all fields that are read, so slots are
+  /// reused without clearing.
   [[nodiscard]] Shape &nextShape();
   void keepShape(const Draw &draw);
   void handOn(const Draw &draw);
 
   std::vector<Shape> m_shapes;
-  std::size_t m_count = 0; ///< of m_shapes that wait
+  std::size_t m_count = 0; ///< number of shapes in m_shapes that wait
   Sink m_sink = {};
-  std::uint32_t m_stipple = 0; ///< steps into the line stipple
+  std::uint32_t m_stipple = 0; ///< current step of the line stipple
 };
 
 } // namespace arbiter::swrast

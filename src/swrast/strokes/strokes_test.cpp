@@ -1,4 +1,4 @@
-// Polygons that are drawn as lines and points: what is drawn of them, from which corner on.
+// Checks polygons drawn as lines or points: what is drawn, and from which corner on.
 #include <gtest/gtest.h>
 
 #include "swrast/testing/canvas.h"
@@ -18,7 +18,7 @@ std::uint32_t drawnIn(Canvas &canvas, const Rect &rect) {
   return count;
 }
 
-/// Right-angled corners, counterclockwise, each as wide and high as `size`.
+/// Adds a right-angled triangle, counterclockwise, whose width and height are `size`.
 void addTriangle(WindowVertices &vertices, double x, double y, double size) {
   vertices.add(x, y);
   vertices.add(x + size, y);
@@ -31,7 +31,7 @@ TEST(Strokes, TheStippleRestartsWithEveryTriangle) {
   canvas.state.lineStipple = 0x7FF0;
   canvas.state.lineStippleFactor = 1;
   WindowVertices vertices(canvas);
-  addTriangle(vertices, 4.5, 4.5, 37); // sides that are no multiple of the stipple
+  addTriangle(vertices, 4.5, 4.5, 37); // sides are no multiple of the stipple pattern
   addTriangle(vertices, 64.5, 4.5, 37);
   drawAll(canvas, Topology::Triangles, vertices);
   EXPECT_GT(drawnIn(canvas, {0, 0, 64, 48}), 40u);
@@ -42,7 +42,8 @@ TEST(Strokes, TheStippleRestartsWithEveryTriangle) {
 }
 
 TEST(Strokes, TheStippleGoesAroundAQuad) {
-  // Eight on, eight off: each side of 24 alone would have 16 on, all of them together half of 96.
+  // The pattern is eight on, eight off. Each side of 24 alone would have 16 on; around the quad it
+  // is half of 96.
   Canvas canvas(32, 32);
   canvas.state.front = PolygonMode::Line;
   canvas.state.lineStipple = 0x00FF;
@@ -63,7 +64,7 @@ TEST(Strokes, ACutByAPlaneOfTheApplicationIsASide) {
     WindowVertices vertices(canvas);
     addTriangle(vertices, 2.5, 2.5, 26);
     Vertices arrays = vertices.get();
-    const float distance[3] = {10.0f, -16.0f, 10.0f}; // outside to the right of x = 12.5
+    const float distance[3] = {10.0f, -16.0f, 10.0f}; // clips what is right of x = 12.5
     arrays.clipDistance[0] = distance;
     rasterize(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
     if (mode == PolygonMode::Line)
@@ -101,7 +102,7 @@ TEST(Strokes, CornersAsPointsTakeTheirVerticesSizes) {
   EXPECT_EQ(drawnIn(canvas, {0, 16, 12, 16}), 1u);
 }
 
-/// Writes which side of the stencil a fragment is tested by.
+/// Writes the face that the stencil test of a fragment uses.
 void writeSide(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
                std::uint32_t count) {
   const auto *const spans = static_cast<const abi::Span *>(items);
@@ -113,8 +114,7 @@ void writeSide(const abi::FragmentData *data, const abi::Primitive *primitive, c
 }
 
 TEST(Strokes, OutlinesOfBackFacesAreBackFaces) {
-  // OpenGL 2.0, section 4.1.5: a primitive is still a polygon though it is drawn as points or
-  // lines.
+  // OpenGL 2.0, section 4.1.5: a polygon stays a polygon when it is drawn as points or lines.
   for (const PolygonMode mode : {PolygonMode::Line, PolygonMode::Point}) {
     for (const bool clockwise : {false, true}) {
       Canvas canvas(32, 32);

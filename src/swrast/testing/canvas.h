@@ -5,7 +5,8 @@
 #include "swrast/rasterize.h"
 #include "swrast/setup/planes.h"
 
-/// What the rasterizer's tests draw to: how often each pixel was shaded, and what an input was.
+/// The render target of the rasterizer's tests. It records how often each pixel was shaded, and the
+/// last value of an input.
 namespace arbiter::swrast::testing {
 
 struct Canvas {
@@ -30,7 +31,7 @@ struct Canvas {
     shading.blockHeight = lanes == 16 ? 4 : 2;
     shading.quad = lanes == 16 ? countQuad<4, 4> : lanes == 8 ? countQuad<4, 2> : countQuad<2, 2>;
   }
-  /// Turns the rows as hosts keep windows: the first row in memory is the upper one.
+  /// Flips the rows as hosts store windows: the first row in memory is the top one.
   void turn(bool upsideDown) {
     state.upsideDownHeight = upsideDown ? height : 0;
     data.originY = planesBegin(state);
@@ -79,14 +80,14 @@ struct Canvas {
   Shading shading;
 };
 
-/// One input of one component.
+/// Declares one input with one component.
 inline void addInput(Canvas &canvas, abi::Interpolation interpolation) {
   canvas.shading.inputCount = 1;
   canvas.shading.interpolation[0] = interpolation;
   canvas.shading.inputComponents[0] = 1;
 }
 
-/// Vertices in window coordinates of a canvas, with one input of one component.
+/// Vertices given in window coordinates of a canvas, with one input of one component.
 struct WindowVertices {
   explicit WindowVertices(const Canvas &canvas) : m_canvas(canvas) {}
   void add(double x, double y, float input = 0, float w = 1, float z = 0) {

@@ -10,15 +10,15 @@
 #include "swrast/queue/draw_queue.h"
 #include "swrast/rasterize.h"
 
-/// What tests of draws that wait have in common: a picture, meshes, and a shading function whose
-/// pixels tell how often and in which order it ran.
+/// Helpers for tests of queued draws: a target, meshes, and a shading function whose pixels tell
+/// how often, and in which order, it ran.
 namespace arbiter::swrast {
 
 inline constexpr int kSize = 200;
 inline constexpr abi::Format kWord = {abi::Layout::U8x4, abi::kRgba, 0};
 
-/// A shading function for tests: pixel = 3 * pixel + parameter, so that order and number count; and
-/// where a texture is bound, its texel is added.
+/// Shades a pixel: pixel = 3 * pixel + parameter. The result depends on the order and number of
+/// draws. If a texture is bound, its texel is added.
 inline void shadePixel(const abi::FragmentData *data, int x, int y) {
   std::uint32_t add = 0;
   std::memcpy(&add, data->parameters[0], sizeof add);
@@ -27,7 +27,7 @@ inline void shadePixel(const abi::FragmentData *data, int x, int y) {
   };
   if (const abi::TextureView *const texture = data->textures[0]) {
     std::uint32_t texel = 0;
-    // From the other side of the image: from another thread's tile.
+    // Samples the opposite side of the image, which another thread's tile contains.
     const abi::TextureLevel &level = texture->levels[0];
     std::memcpy(&texel,
                 level.base + (level.height - 1 - y) * level.rowStride +
@@ -50,7 +50,7 @@ inline void shadeRow(const abi::FragmentData *data, const abi::Primitive *, cons
       shadePixel(data, spans[i].x + x, spans[i].y);
 }
 
-/// A target, what is drawn with, and what that refers to.
+/// A target, with the state and the shading for draws to it.
 struct Scene {
   explicit Scene(const Image &image) : target(image) { refer(); }
   Scene(const Scene &) = delete;
@@ -156,7 +156,7 @@ inline std::vector<std::uint32_t> pixelsOf(const Image &image) {
   return pixels;
 }
 
-/// By the queue, or at once where it does not take it.
+/// Draws through the queue, or at once if the queue refuses the draw.
 inline bool drawBy(DrawQueue &queue, Scene &scene, Topology topology, const Mesh &mesh) {
   const Vertices vertices = mesh.get();
   if (queue.add(scene.state, scene.shading, topology, vertices, nullptr, 0, mesh.count(),

@@ -13,10 +13,10 @@ namespace {
 
 constexpr GLuint kPosition = 0, kNormal = 2;
 
-/// Conventional maps (OpenGL 2.1, table 5.1), but for colour indices. Of two of one attribute the
-/// first that is enabled counts.
+/// The conventional maps (OpenGL 2.1, table 5.1), except that of colour indices. If two maps of an
+/// attribute are enabled, the first in the table counts.
 struct Conventional {
-  GLenum target; ///< MAP1's; MAP2's is as much higher as VERTEX_3's
+  GLenum target; ///< the target of MAP1; that of MAP2 has the same offset as for VERTEX_3
   GLuint attribute;
   std::size_t components;
 };
@@ -26,7 +26,7 @@ constexpr Conventional kConventional[] = {
     {GL_MAP1_TEXTURE_COORD_2, 8, 2},  {GL_MAP1_TEXTURE_COORD_1, 8, 1},
     {GL_MAP1_VERTEX_4, kPosition, 4}, {GL_MAP1_VERTEX_3, kPosition, 3}};
 
-/// A conventional map as one of four components.
+/// Returns a conventional map of the host's, extended to four components.
 EvaluatorMap hostsMap(const host::HostTable &host, GLenum target, int dimension,
                       std::size_t components) {
   EvaluatorMap map;
@@ -56,7 +56,7 @@ bool has(const Evaluation::Dimension &dimension, GLuint attribute) {
                      [&](const Evaluation::Map &map) { return map.attribute == attribute; });
 }
 
-/// The maps of one dimension; NV_vertex_program's take the place of conventional ones.
+/// Collects the enabled maps of one dimension. Maps of NV_vertex_program replace conventional ones.
 Evaluation::Dimension take(Context &context, int number) {
   const host::HostTable &host = *context.host;
   Evaluation::Dimension dimension;
@@ -78,7 +78,8 @@ Evaluation::Dimension take(Context &context, int number) {
   return dimension;
 }
 
-/// (dq/du) x (dq/dv) with q = (x/w, y/w, z/w), of any length: programs normalise (5.1).
+/// Returns (dq/du) x (dq/dv) with q = (x/w, y/w, z/w). It is not normalized: programs do that
+/// (5.1).
 Vec4 normalOf(const MapPoint &position) {
   const auto slope = [&](const Vec4 &along, std::size_t c) {
     const Vec4 &p = position.value;
@@ -97,7 +98,7 @@ GLfloat gridPoint(GLdouble number, GLfloat from, GLfloat to, GLint segments) {
   return number == segments ? to : from + GLfloat(number) * ((to - from) / GLfloat(segments));
 }
 
-/// To the host, whose maps are all that there are.
+/// Passes a point to the host, whose maps are the only ones in use.
 void pass(const host::HostTable &host, const EvaluatorPoint &point) {
   const bool curve = point.dimension == 1;
   if (point.onGrid && curve)
@@ -154,7 +155,7 @@ void evaluatePoint(Context &context, const EvaluatorPoint &point) {
     u = gridPoint(point.u, u1, u2, dimension.gridSegments[0]);
     v = gridPoint(point.v, v1, v2, dimension.gridSegments[1]);
   }
-  // The current values are what they were before, whatever is evaluated.
+  // Evaluation must not change current values.
   std::array<Vec4, NvState::kAttributes> before = evaluation->current;
   std::uint32_t touched = 0;
   const auto set = [&](GLuint attribute, const Vec4 &value) {

@@ -14,14 +14,15 @@ namespace {
 
 constexpr GLuint kFirstTexCoord = 8;
 
-/// Components that the conventional attribute has of its own, where they are fewer than four; else
+/// Returns the number of components of the conventional attribute if it has fewer than four, else
 /// 0.
 constexpr int fewerComponents(GLuint index) {
   return index == 2 || index == 4 ? 3 : index == 5 ? 1 : 0;
 }
 
-/// \param both the generic attribute is recorded beside the conventional one, which stands for the
-/// two on a host whose attributes are one
+/// Records an attribute.
+/// \param both records the generic attribute too; otherwise the conventional one stands for both,
+/// on a host whose attributes alias
 void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, unsigned given,
             bool both) {
   if (index == 0)
@@ -37,17 +38,17 @@ void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, 
                conventional[3], given);
 }
 
-/// True if the host's attributes are one.
+/// True if the host's attributes alias.
 bool areOne(const Context &context) { return context.aliases && context.aliases->areOne; }
 
-/// True if a component beyond those of the conventional command has another value than that leaves.
+/// True if a component that the conventional command cannot set differs from its default.
 bool isWider(GLuint index, const Vec4 &v) {
   constexpr Vec4 kDefault = {0.0f, 0.0f, 0.0f, 1.0f};
   const int common = fewerComponents(index);
   return common != 0 && !std::equal(v.begin() + common, v.end(), kDefault.begin() + common);
 }
 
-/// Has programs of the ARB's look for such values from the first one on.
+/// Makes ARB programs look for such values, from the first one on.
 void noteWider(Context &context, GLuint index, const Vec4 &v) {
   if (!context.aliases || context.aliases->widerGiven || !isWider(index, v)) [[likely]]
     return;
@@ -76,7 +77,8 @@ void sendConventional(const host::HostTable &host, GLuint index, const Vec4 &v) 
     host.MultiTexCoord4fv(GL_TEXTURE0 + (index - kFirstTexCoord), v.data());
 }
 
-/// Sends the generic one last: on hosts whose attributes are one it is what counts.
+/// Sends an attribute. The generic one comes last, because it counts on hosts whose attributes
+/// alias.
 void send(const host::HostTable &host, GLuint index, const Vec4 &v, bool both) {
   sendConventional(host, index, v);
   if (both)
@@ -110,8 +112,9 @@ Vec4 hostsConventional(const host::HostTable &host, GLuint index) {
   return value;
 }
 
-/// What VertexAttribNV has set, if no conventional command came later: the same choice as programs
-/// make (state/programs/variants/attribute_forms.h).
+/// Returns the value that was set last. The generic value is taken if the common components are
+/// equal: then no conventional command came after VertexAttribNV. Programs decide in the same way
+/// (state/programs/variants/attribute_forms.h).
 const Vec4 &later(GLuint index, const Vec4 &conventional, const Vec4 &generic) {
   const bool same =
       std::equal(generic.begin(), generic.begin() + fewerComponents(index), conventional.begin());

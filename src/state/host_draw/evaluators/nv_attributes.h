@@ -10,17 +10,17 @@ namespace arbiter::host {
 struct HostTable;
 }
 
-/// Vertex attributes by their numbers, where each but 1, 6 and 7 is a conventional one
-/// (NV_vertex_program 2.14.1.1, table X.2). Of the normal, the secondary colour and the fog
-/// coordinate the host's conventional attribute has fewer components: all four are given to its
-/// generic one of the same number as well, where programs find the others
+/// Handles vertex attributes by number, where each number but 1, 6 and 7 is a conventional
+/// attribute (NV_vertex_program 2.14.1.1, table X.2). The host's conventional normal, secondary
+/// colour and fog coordinate have fewer than four components. For these, all four are also stored
+/// in the generic attribute of the same number, where programs find the others
 /// (state/programs/variants/attribute_forms.h).
 namespace arbiter::state {
 
 class Context;
 struct ContextHot;
 
-/// A float as a Get of type \p T answers it: integers are the nearest (OpenGL 1.4, 6.1.2).
+/// Converts a float as a Get of type \p T does: to the nearest integer (OpenGL 1.4, 6.1.2).
 template <typename T> [[nodiscard]] T rounded(GLfloat value) {
   if constexpr (std::is_integral_v<T>)
     return T(std::lround(value));
@@ -28,22 +28,23 @@ template <typename T> [[nodiscard]] T rounded(GLfloat value) {
     return T(value);
 }
 
-/// VertexAttribNV. Attribute 0 makes a vertex.
+/// Executes VertexAttribNV. Attribute 0 makes a vertex.
 void setNvAttribute(Context &context, GLuint index, const Vec4 &value);
 
-/// Does VertexAttrib, the ARB's and OpenGL's, of an aliased register where attributes alias. The
-/// host's generic attribute is given the value too, and while the application's own GLSL shades
-/// vertices it alone is.
-/// \param given components that the command has
+/// Executes VertexAttrib, of the ARB and of OpenGL, for an aliased register while attributes alias.
+/// The value also goes to the host's generic attribute, and to that alone while the application's
+/// own GLSL shades vertices.
+/// \param given number of components that the command has
 void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given);
 
-/// The current value of an attribute but 0, with the components of table X.2: while a primitive is
-/// recorded that is the recorder's, else the host's, which must be outside of Begin and End.
+/// Returns the current value of an attribute other than 0, with the components of table X.2. While
+/// a primitive is recorded it is the recorder's, else the host's, which must have no open
+/// primitive.
 [[nodiscard]] Vec4 currentNvAttribute(const Context &context, GLuint index);
 
-/// Answers GetVertexAttrib of CURRENT_VERTEX_ATTRIB, of an aliased register where attributes alias.
-/// False: the question is an error, the host's to raise.
-/// \param host whom the application asks (raster_draw/immediate/held.h)
+/// Answers GetVertexAttrib of CURRENT_VERTEX_ATTRIB for an aliased register while attributes alias.
+/// Returns false if the query is an error, which the host raises.
+/// \param host the table for queries (raster_draw/immediate/held.h)
 [[nodiscard]] bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host,
                                        GLuint index, GLfloat *values);
 [[nodiscard]] bool getAliasedAttribute(const ContextHot &hot, const host::HostTable &host,

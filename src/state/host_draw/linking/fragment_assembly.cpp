@@ -17,7 +17,8 @@ namespace {
 using Fragments = LinkedProgramCache::Fragments;
 
 bool isShort(const CompiledProgram &compiled) {
-  constexpr std::size_t kMost = 256; // instructions; of longer ones GLSL is the better known way
+  // in instructions; for longer programs GLSL is the better tested path
+  constexpr std::size_t kMost = 256;
   const fp::ir::Program *const program = compiled.program.get();
   return compiled.target == Target::Fragment && program &&
          program->language == fp::ir::Language::ArbFragment && program->code.size() <= kMost;
@@ -39,7 +40,7 @@ bool readsColors(const CompiledProgram &compiled) {
   });
 }
 
-/// Other contexts of the share group, and clients, may change it at any time.
+/// True while no other context and no client can change the conditions for assembly at any time.
 bool mayBeAssembly(const Context &context) {
   const ShareGroup &group = *context.group;
   return context.caps.fragmentProgram && context.numerics == fp::Numerics::Host &&
@@ -47,19 +48,20 @@ bool mayBeAssembly(const Context &context) {
          !group.alphaDepthsUsed.load(std::memory_order_relaxed) && !controlHooks() && !capturing();
 }
 
-/// In the frame in which they are new.
+/// True if new programs may begin as assembly, for their first frame.
 bool mayBeginAsAssembly(const Context &context) {
   return context.softwarePossible && context.caps.onProcessor && mayBeAssembly(context);
 }
 
-/// As long as there is nothing that only the layer's GLSL does.
+/// True if programs may stay assembly, as long as nothing needs the layer's GLSL.
 bool mayStayAssembly(const Context &context) {
   return context.caps.ownFragments && !context.softwarePossible && !mayFollowSprites(context) &&
          spritesAreTheHosts(context) && mayBeAssembly(context);
 }
 
-/// The options of ARB_fragment_program's own and ARB_draw_buffers'. Two programs that are to give
-/// one depth must not be compiled by two compilers.
+/// True if the program has only options of ARB_fragment_program itself and of ARB_draw_buffers, and
+/// writes no depth. Two programs that must compute the same depth must not be compiled by two
+/// compilers.
 bool isHostsAsItIs(const CompiledProgram &compiled) {
   if (!isShort(compiled) || compiled.replaced() || compiled.glsl.writesDepth)
     return false;

@@ -1,5 +1,5 @@
-// Fragment programs as the host's own, where the rasterizer draws and over a host that draws them
-// as well itself: which, and which are GLSL there.
+// Checks which fragment programs are the host's own, where the rasterizer draws and over a host
+// that draws them correctly, and which are GLSL.
 #include "state/host_draw/linking/fragment_assembly.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ constexpr char kFog[] =
 class FragmentDraws : public ::testing::Test {
 protected:
   FragmentDraws() : m_context(m_host) {}
-  /// The next draw's fragments are the host's own program, and it links nothing.
+  /// Draws, and returns whether the fragments are shaded by the host's own program without linking.
   [[nodiscard]] bool drawsByAssembly() {
     const int links = m_host.count("LinkProgram");
     return draw(*m_context) && m_host.targets[kFragment] && m_host.currentProgram == 0 &&
@@ -40,7 +40,7 @@ protected:
   CurrentContext m_context;
 };
 
-/// Where the rasterizer draws.
+/// Tests where the rasterizer draws.
 class FragmentAssembly : public FragmentDraws {
 protected:
   FragmentAssembly() {
@@ -159,11 +159,11 @@ TEST_F(FragmentAssembly, AProgramThatIsDeletedLeavesNothing) {
   EXPECT_FALSE(m_host.targets[kFragment]);
 }
 
-/// Over a host whose own fragment programs draw as they should.
+/// Tests over a host whose own fragment programs draw correctly.
 class OwnFragments : public FragmentDraws {
 protected:
   OwnFragments() { m_context->caps.ownFragments = true; }
-  /// Draws before each of which a local parameter changes, as fast as they go.
+  /// Draws `count` times as fast as possible, with a changed local parameter each time.
   [[nodiscard]] bool drawChanging(unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
       handlers::ProgramLocalParameter4fARB(*m_context, kFragment, 2, GLfloat(++m_value), 0, 0, 1);

@@ -18,8 +18,8 @@ namespace {
 /// The host's targets, in the order of HostAssembly's stages.
 constexpr GLenum kHostTargets[] = {GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB};
 
-/// Values of consecutive parameters that lie in memory in a row: one call of the host's, where it
-/// takes several.
+/// Collects consecutive parameters whose values are adjacent in memory, and sends them in one call
+/// if the host can take several.
 class ParameterRun {
 public:
   ParameterRun(const Context &context, GLenum target) : m_context(context), m_target(target) {}
@@ -152,14 +152,14 @@ void HostAssembly::uploadStage(Context &context, std::size_t stage) {
                            program.stage.compiled->glsl.uniforms[given.place].parameter)
             : givenValue(row, env, given.index);
     if (env && given.index >= m_env[stage].size()) {
-      run.send();                                   // growing moves what it points to
+      run.send(); // growing the vector would move what the run points to
       m_env[stage].resize(given.index + 1, Vec4{}); // the host's initial values
     }
     Vec4 &sent = env ? m_env[stage][given.index] : uploaded[given.place];
     const bool changed = !sameBits(value, sent);
     sent = value;
     if (env)
-      uploaded[given.place] = value; // what a capture shows
+      uploaded[given.place] = value; // for captures
     if (changed && (env || local))
       run.add(env, given.index, sent);
   }
@@ -182,7 +182,7 @@ bool HostAssembly::sendLocal(Context &context, GLuint index, const Vec4 &value) 
     return false;
   const std::uint32_t place = m_direct->localPlaces[index];
   if (place == AssemblyProgram::kNoPlace)
-    return true; // it does not read this one
+    return true; // the program does not read this parameter
   Vec4 &sent = m_direct->stage.uploaded[place];
   if (sameBits(value, sent))
     return true;
@@ -206,7 +206,7 @@ void HostAssembly::forget(Context &context, const AssemblyProgram *program) {
   for (std::size_t stage = 0; stage < m_active.size(); ++stage) {
     if (m_active[stage] == program)
       applyStage(context, stage, nullptr);
-    if (m_bound[stage] == program->name) // deleting it binds none
+    if (m_bound[stage] == program->name) // deleting a bound program binds none
       m_bound[stage] = 0;
   }
 }

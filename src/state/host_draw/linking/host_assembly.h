@@ -15,50 +15,52 @@ struct AssemblyProgram;
 struct LinkedProgram;
 struct ProgramPair;
 
-/// The host's target of the program's language.
+/// Returns the host's target for the program's language.
 [[nodiscard]] GLenum hostAssemblyTarget(const CompiledProgram &compiled);
 
-/// What is bound and enabled of the host's own ARB path. Vertex programs are the host's there where
-/// they can be (LinkedProgram says why). Fragment programs are where the application's GLSL program
-/// has the vertex stage alone, as no GLSL program of the layer's can join one of the application's,
-/// where a program is so long that the host's GLSL compiler may not survive it, and where
-/// fragment_assembly.h says.
+/// The host's own ARB programs that are bound and enabled.
+///
+/// Vertex programs are assembly where they can be (LinkedProgram says why). Fragment programs are
+/// in three cases. The application's GLSL program has the vertex stage alone, which no GLSL of the
+/// layer's can join. The program is so long that the host's GLSL compiler may crash. Or
+/// fragment_assembly.h chooses it.
 class HostAssembly {
 public:
-  /// Binds and enables the programs of `pair` on the host, loading each at its first call; a stage
-  /// that has none is disabled. False, with nothing enabled, if the host refuses one. Raises no
-  /// error.
+  /// Binds and enables the programs of `pair` on the host, and loads each at its first use. A stage
+  /// without a program is disabled. Returns false, with nothing enabled, if the host refuses one.
+  /// Raises no error.
   [[nodiscard]] bool apply(Context &context, const ProgramPair &pair);
-  /// The stages of `linkedProgram` that are assembly; nothing else stays enabled.
+  /// Enables the stages of `linkedProgram` that are assembly, and disables others.
   void apply(Context &context, const LinkedProgram &linkedProgram);
-  /// Gives the host the env and local values that the enabled programs read, as far as they
-  /// changed, of the stages that `attention` names.
+  /// Sends the env and local parameters that the enabled programs read and that have changed. Only
+  /// stages in `attention` are considered.
   void uploadParameters(Context &context, std::uint32_t attention);
-  /// After a choice, and what it needs has been sent: local parameters of this vertex program may
-  /// go to the host as they are given. Null: none may.
+  /// Allows local parameters of this vertex program to be sent at once when they are set; null: of
+  /// none. Call it after a choice, when everything else has been sent.
   void sendDirectly(AssemblyProgram *vertices) { m_direct = vertices; }
-  /// A local parameter of the vertex program that is bound, in a context where nothing waits for a
-  /// draw. True: the host has it, and nothing waits. That is so of the first one after a draw:
-  /// where draws have more of them, one call for them all is better.
+  /// Sends a local parameter of the bound vertex program at once. Returns true if nothing then
+  /// waits for the draw. This is only done for the first parameter after a draw: for more of them,
+  /// one call for all is better. Requires that nothing else waits for a draw.
   [[nodiscard]] bool sendLocal(Context &context, GLuint index, const Vec4 &value);
-  /// Enables the host's fragment target with no program in it: each draw is the host's error then,
-  /// as it would be the layer's. False if the host has no such target.
+  /// Enables the host's fragment target without a program, so that each draw is an error. Returns
+  /// false if the host has no such target.
   [[nodiscard]] bool refuse(Context &context);
   [[nodiscard]] bool refuses() const { return m_refuses; }
-  /// PopAttrib may have brought back an enable of the layer's on the host, or taken one away.
+  /// Restores the enables on the host after PopAttrib, which may have changed them.
   void restoreEnables(Context &context) const;
-  /// The same of CopyContext, whose target need not be current: at the next choice of programs.
+  /// Notes that CopyContext may have changed the enables. The context need not be current, so they
+  /// are restored at the next choice of programs.
   void enablesCopied() { m_used = m_copied = true; }
   /// Disables what apply() enabled.
   void release(Context &context);
-  /// The program is about to be deleted.
+  /// Unbinds a program that is about to be deleted.
   void forget(Context &context, const AssemblyProgram *program);
-  /// Another program was bound to the host's `target` (GL_VERTEX_PROGRAM_ARB or
-  /// GL_FRAGMENT_PROGRAM_ARB): binds again the one that is enabled there, if one is.
+  /// Binds the layer's program again after another one was bound to the host's `target`
+  /// (GL_VERTEX_PROGRAM_ARB or GL_FRAGMENT_PROGRAM_ARB).
   void bindAgain(Context &context, GLenum target) const;
-  /// One of the host's targets is enabled by the layer.
+  /// True if the layer has enabled one of the host's targets.
   [[nodiscard]] bool active() const { return m_active[0] || m_active[1] || m_refuses; }
-  /// The host draws with this program now, as assembly rather than as GLSL.
+  /// True if the host draws with this program now, as assembly and not as GLSL.
   [[nodiscard]] bool runs(const CompiledProgram *compiled) const;
 
 private:
@@ -67,15 +69,15 @@ private:
   void uploadStage(Context &context, std::size_t stage);
 
   bool m_refuses = false;
-  bool m_used = false;   ///< the host's enables were ever set
-  bool m_copied = false; ///< they may be others than m_active says
-  /// Vertex, fragment; null where the host's target is disabled.
+  bool m_used = false;   ///< true once the layer has enabled a target
+  bool m_copied = false; ///< true if the host's enables may differ from m_active
+  /// The vertex and the fragment program; null if the target is disabled.
   std::array<AssemblyProgram *, 2> m_active = {};
-  std::array<GLuint, 2> m_bound = {};     ///< on the host
-  std::array<std::vector<Vec4>, 2> m_env; ///< the host's env values, as far as they were set
+  std::array<GLuint, 2> m_bound = {};     ///< names bound on the host
+  std::array<std::vector<Vec4>, 2> m_env; ///< the host's env values that were set
   ChangePace m_fragmentPace;
-  AssemblyProgram *m_direct = nullptr; ///< sendDirectly()
-  std::uint64_t m_directAt = ~0ull;    ///< Context::drawCounter when one was sent so
+  AssemblyProgram *m_direct = nullptr; ///< set by sendDirectly()
+  std::uint64_t m_directAt = ~0ull;    ///< Context::drawCounter when a parameter was sent at once
 };
 
 } // namespace arbiter::state

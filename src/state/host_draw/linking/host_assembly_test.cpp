@@ -1,4 +1,4 @@
-// Vertex programs as the host's own: what it is given, what is enabled, and what is sent.
+// Checks vertex programs that are the host's own: their text, the enables, and the parameters sent.
 #include "state/host_draw/linking/host_assembly.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using Calls = std::vector<std::string>;
 
 const std::string kVertexName = std::to_string(kVertex);
 
-/// The calls that sent a parameter.
+/// Returns the calls that sent a parameter.
 Calls sent(const FakeHost &host) {
   Calls calls;
   for (const std::string &call : host.calls)
@@ -83,8 +83,8 @@ TEST(HostAssembly, WhatTheFragmentProgramReadsAndNothingWritesIsDefined) {
   EXPECT_EQ(text.find("MOV result.texcoord[4]"), std::string::npos) << text;
 }
 
-// NVIDIA's driver gives (0, 0, 0, 1) for what nothing writes, and osgFX's cartoons divide by that
-// w.
+// NVIDIA's driver gives (0, 0, 0, 1) for components that are never written, and osgFX's cartoons
+// divide by that w.
 TEST(HostAssembly, ComponentsThatNothingWritesAreTheHosts) {
   FakeHost host;
   const CurrentContext context(host);
@@ -121,7 +121,8 @@ TEST(HostAssembly, ParametersGoAsFarAsTheyChanged) {
   EXPECT_EQ(host.calls.size(), 1u) << "nothing else is asked";
 }
 
-// A palette of matrices: one call for what changed in a row, where the host takes several.
+// For a palette of matrices, consecutive changed parameters go in one call if the host can take
+// several.
 TEST(HostAssembly, ConsecutiveParametersGoTogether) {
   constexpr char kPalette[] = "!!ARBvp1.0\n"
                               "PARAM m[4] = {program.env[8..11]};\nADDRESS a;\nTEMP p;\n"
@@ -156,7 +157,7 @@ TEST(HostAssembly, ConsecutiveParametersGoTogether) {
     EXPECT_EQ(calls, (offered ? Calls{ee + " 8 8 9 10 11", l + " 2 2", ll + " 5 5 6"}
                               : Calls{e + " 10 10", e + " 11 11", e + " 8 8", e + " 9 9",
                                       l + " 2 2", l + " 5 5", l + " 6 6"}));
-    // What changed in the midst is sent alone, with its neighbour.
+    // Changed parameters in the middle are sent alone, with their neighbours.
     env(9, 1);
     env(10, 2);
     host.calls.clear();
@@ -165,7 +166,8 @@ TEST(HostAssembly, ConsecutiveParametersGoTogether) {
   }
 }
 
-// An env value is the target's: another program's draw may have changed what the host holds.
+// Env parameters belong to the target, so another program's draw may have changed the host's
+// values.
 TEST(HostAssembly, EnvValuesAreTheTargets) {
   FakeHost host;
   const CurrentContext context(host);
@@ -182,8 +184,7 @@ TEST(HostAssembly, EnvValuesAreTheTargets) {
   EXPECT_EQ(sent(host), (Calls{"ProgramEnvParameter4fv " + kVertexName + " 3 1"}));
 }
 
-// What is pushed is the layer's enable of the moment, which is neither the application's to save
-// nor to bring back.
+// The layer's own enable must be neither saved nor restored for the application.
 TEST(HostAssembly, AttributeStacksBringBackNoEnable) {
   FakeHost host;
   const CurrentContext context(host);
@@ -201,7 +202,8 @@ TEST(HostAssembly, AttributeStacksBringBackNoEnable) {
 
   handlers::Disable(*context, kVertex);
   ASSERT_TRUE(draw(*context));
-  handlers::PushAttrib(*context, GL_COLOR_BUFFER_BIT); // the fake saves the enables all the same
+  // the fake host saves the enables all the same
+  handlers::PushAttrib(*context, GL_COLOR_BUFFER_BIT);
   handlers::Enable(*context, kVertex);
   ASSERT_TRUE(draw(*context));
   handlers::PopAttrib(*context);
@@ -209,16 +211,17 @@ TEST(HostAssembly, AttributeStacksBringBackNoEnable) {
   EXPECT_TRUE(host.targets[kVertex]) << "a pop without enables takes none away";
 }
 
-// A list of before the first program is the host's alone: what it pops is not seen as it comes.
+// A list compiled before the first program is the host's alone, so its PopAttrib is not noticed
+// directly.
 TEST(HostAssembly, AHostsListThatPopsBringsNoEnable) {
   FakeHost host;
   const CurrentContext context(host);
-  host.lists.insert(7); // as compiled before
+  host.lists.insert(7); // compiled before
   use(*context, kText, kVertex);
   ASSERT_TRUE(draw(*context));
   handlers::Disable(*context, kVertex);
   ASSERT_TRUE(draw(*context));
-  host.targets[kVertex] = true; // what the list's PopAttrib brings back
+  host.targets[kVertex] = true; // the list's PopAttrib does this
   handlers::CallList(*context, 7);
   EXPECT_FALSE(host.targets[kVertex]);
 }
@@ -245,7 +248,7 @@ TEST(HostAssembly, CopyContextBringsNoEnable) {
   FakeHost host;
   const CurrentContext from(host);
   const CurrentContext to(host);
-  host.targets[kVertex] = true; // as CopyContext of a context that draws by it leaves the host
+  host.targets[kVertex] = true; // CopyContext of a context that draws with it leaves this
   copyContext(*from, *to, GL_ALL_ATTRIB_BITS);
   ASSERT_TRUE(draw(*to));
   EXPECT_FALSE(host.targets[kVertex]);
@@ -291,7 +294,7 @@ TEST(HostAssembly, WhatTheHostRefusesIsGlsl) {
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR));
 }
 
-/// Under NVIDIA's option: a loop of two turns, which are additions of two rows.
+/// Uses NVIDIA's option: a loop of two iterations that adds two rows.
 constexpr char kCounted[] = "!!ARBvp1.0\nOPTION NV_vertex_program2;\nTEMP r, k;\nADDRESS a;\n"
                             "PARAM c[4] = { program.env[0..3] };\nMOV k.x, 1.0;\nagain:\n"
                             "ARL a.x, k.x;\nADD r, r, c[a.x + 2];\nADDC k.x, k.x, -1.0;\n"
@@ -340,7 +343,7 @@ TEST(HostAssembly, RowsByAddressOfNvidiasHaveZerosBesideThem) {
   EXPECT_EQ(host.count("CreateShader"), 1) << "of the fragments";
 }
 
-/// The instructions of a text, and the temporaries that it declares.
+/// Returns the number of instructions in a text, and of the temporaries that it declares.
 std::pair<GLint, GLint> sizeOf(const std::string &text) {
   std::istringstream lines(text);
   GLint instructions = 0, temporaries = 0;
@@ -359,7 +362,7 @@ TEST(HostAssembly, ATextOfNvidiasThatIsTooMuchForTheHostIsGlsl) {
                            "MOV r, c[a.x];\nADD r, r, c[a.x + 1];\n"
                            "MOV result.position, vertex.position;\nMOV result.color, r;\nEND\n";
   struct Outcome {
-    std::string assembly; ///< empty: none was given to the host
+    std::string assembly; ///< empty if no assembly was given to the host
     int shaders = 0;
   };
   const auto under = [&](GLenum limit, GLint most) {

@@ -19,7 +19,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The info log of a shader or program, for our log.
+/// Returns the info log of a shader or program.
 template <typename GetIv, typename GetLog>
 std::string infoLog(GLuint object, GetIv getIv, GetLog getLog) {
   GLint length = 0;
@@ -93,7 +93,8 @@ GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLu
 
 namespace {
 
-/// Of vertex programs: what its parser takes, and what it runs as they are meant to.
+/// Returns the limits of the host's vertex programs: the smaller of what its parser accepts and
+/// what it runs natively.
 fp::AssemblyLimits hostAssemblyLimits(const host::HostTable &host) {
   const auto most = [&](GLenum limit, GLenum nativeLimit) {
     GLint all = 0, native = 0;
@@ -109,9 +110,9 @@ fp::AssemblyLimits hostAssemblyLimits(const host::HostTable &host) {
           most(GL_MAX_PROGRAM_ADDRESS_REGISTERS_ARB, GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB)};
 }
 
-/// A program of NVIDIA's languages as an ARB text, where what is left of it after the passes is
-/// one: hosts make less of that than of GLSL, which they link with each fragment program. Empty
-/// where it is none.
+/// Returns the ARB text of a program in NVIDIA's languages, if the passes leave only what ARB can
+/// express. Hosts take less time for that than for GLSL, which they link with each fragment
+/// program. Returns an empty text otherwise.
 std::string textOfNvidias(const Context &context, const CompiledProgram &compiled,
                           const std::vector<fp::ir::Output> &defined) {
   if (!isVertex(compiled))
@@ -122,8 +123,8 @@ std::string textOfNvidias(const Context &context, const CompiledProgram &compile
   return isOfArb ? fp::emitAssembly(program, fp::PartlyWritten::Zero, most) : std::string();
 }
 
-/// Returns the program with its colours clamped as they are written. Fog applies to the clamped
-/// colour (ARB_fragment_program 3.11.4.5.1), but NVIDIA's driver applies it before the clamp.
+/// Returns the program with its colours clamped when they are written. Fog applies to the clamped
+/// colour (ARB_fragment_program 3.11.4.5.1), but NVIDIA's driver applies it before clamping.
 fp::ir::Program withClampedColors(fp::ir::Program program) {
   for (fp::ir::Instruction &instruction : program.code)
     if (instruction.dst.file == fp::ir::File::Output && fp::ir::writeMask(instruction) != 0 &&
@@ -135,17 +136,17 @@ fp::ir::Program withClampedColors(fp::ir::Program program) {
 std::string assemblyText(const Context &context, const CompiledProgram &compiled,
                          const std::vector<fp::ir::Output> &defined) {
   if (isVertex(compiled) && !compiled.clipped)
-    return {}; // the form that clips by itself, where the host's own would not be clipped so
+    return {}; // a clipped variant clips by itself, which the host's assembly cannot
   if (!compiled.program || compiled.program->language == fp::ir::Language::AtiFragment)
-    return compiled.source(); // of an ATI shader's form: assembly that was emitted already
+    return compiled.source(); // a variant of an ATI shader, already emitted as assembly
   if (compiled.program->options.nv != fp::ir::NvOption::None)
     return textOfNvidias(context, compiled, defined);
   if (isVertex(compiled) && fp::bindsOneTwice(*compiled.program))
     return {};
   if (compiled.program->options.fog != fp::ir::FogMode::None)
     return fp::emitAssembly(withClampedColors(*compiled.program));
-  // NVIDIA's driver has (0, 0, 0, 1) in components that nothing writes, and programs divide by that
-  // w. Over a software host the rasterizer draws in turns with it, and both have zeros.
+  // NVIDIA's driver gives (0, 0, 0, 1) for components that are never written, and programs divide
+  // by that w. Over a software host, the rasterizer and the host take turns, so both use zeros.
   const auto parts = context.caps.onProcessor ? fp::PartlyWritten::Zero : fp::PartlyWritten::Hosts;
   return defined.empty() ? fp::emitAssembly(*compiled.program, parts)
                          : fp::emitAssembly(withResults(*compiled.program, defined), parts);

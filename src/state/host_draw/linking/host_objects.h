@@ -8,8 +8,8 @@
 #include "state/objects/program_object.h"
 #include "state/objects/target.h"
 
-/// What the host has of a program: a shader of GLSL, a program of GLSL, or a program object of its
-/// own ARB path. Each is 0 if the host refuses it, which is logged.
+/// Creates the host's objects for a program: a GLSL shader, a GLSL program, or an ARB program
+/// object. Functions return 0 and log it if the host refuses.
 namespace arbiter::state {
 
 class Context;
@@ -19,14 +19,14 @@ struct ProgramPair;
   return isOfVertices(compiled.target);
 }
 
-/// A shader of `compiled`'s stage with the text `glsl`.
+/// Compiles a shader of the stage of `compiled` from the text `glsl`.
 [[nodiscard]] GLuint compileShader(Context &context, const CompiledProgram &compiled,
                                    const std::string &glsl);
-/// A program of those of the two shaders that are not 0.
+/// Links a program from those of the two shaders that are not 0.
 [[nodiscard]] GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex,
                                  GLuint fragment);
-/// An object of the host's ARB path that holds the program. Raises no error.
-/// \param defined results of a vertex program beside those that it writes (undefined_results.h)
+/// Loads the program into an object of the host's ARB path. Raises no error.
+/// \param defined additional results that a vertex program must write (undefined_results.h)
 [[nodiscard]] GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
                                   const std::vector<fp::ir::Output> &defined);
 

@@ -17,8 +17,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// Samplers are set once: two of different types on one unit, which zero would give, is an error at
-/// the draw. Requires the program to be current.
+/// Sets the samplers to their units, once. Otherwise all would use unit 0, and two types on one
+/// unit are an error at the draw. Requires the program to be current.
 void setSamplers(Context &context, GLuint hostProgram, const CompiledProgram &compiled) {
   for (const fp::GlslSampler &sampler : compiled.glsl.samplers) {
     const GLint location = context.host->GetUniformLocation(hostProgram, sampler.uniform.c_str());
@@ -40,7 +40,7 @@ void findParameters(Context &context, GLuint hostProgram, LinkedProgramStage &st
   stage.uploaded.assign(uniforms.size(), Vec4{}); // the host's initial values
   stage.locations.resize(uniforms.size());
   for (std::size_t i = 0; i < uniforms.size(); ++i) {
-    char name[40]; // the longer name, and any number
+    char name[40]; // room for the longer name and any number
     std::snprintf(name, sizeof name, "%s[%zu]", array, i);
     stage.locations[i] = context.host->GetUniformLocation(hostProgram, name);
   }
@@ -58,8 +58,7 @@ bool hasPlainSamplers(const CompiledProgram &compiled) {
                      [](const auto &sampler) { return isPlain(sampler.target); });
 }
 
-/// The host's program becomes current, and the uniforms of those of its stages that are given are
-/// found.
+/// Makes the host's program current, and looks up the uniforms of the given stages.
 void setUp(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
            LinkedProgram &linkedProgram) {
   context.stagePipeline->useAlone(context, hostProgram);
@@ -73,7 +72,7 @@ void setUp(Context &context, GLuint hostProgram, std::initializer_list<LinkedPro
   }
 }
 
-/// The host's programs that are of this linked program alone.
+/// Returns the host's programs that belong to this linked program alone.
 std::array<GLuint, 2> ownPrograms(const LinkedProgram &linkedProgram) {
   return {linkedProgram.vertexAlone ? 0 : linkedProgram.vertexProgram,
           linkedProgram.fragmentAlone ? 0 : linkedProgram.hostProgram};
@@ -85,11 +84,11 @@ void destroy(Context &context, const LinkedProgram &linkedProgram) {
       continue;
     context.stagePipeline->forget(context, program);
     context.group->removeHostProgram(program);
-    context.host->DeleteProgram(program); // where current, when it is no longer
+    context.host->DeleteProgram(program); // if current, deleted when it no longer is
   }
 }
 
-/// A host program that was just linked for `linkedProgram`: known as the layer's, and set up.
+/// Registers a host program that was just linked for `linkedProgram`, and sets it up.
 void keep(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
           LinkedProgram &linkedProgram) {
   try {
@@ -138,7 +137,7 @@ GLuint LinkedProgramCache::shaderOf(Context &context,
   try {
     if (name != 0)
       context.group->addHostProgram(name);
-  } catch (...) { // no memory: none was made
+  } catch (...) { // no memory: as if none had been made
     context.host->DeleteShader(name);
     throw;
   }
@@ -157,7 +156,7 @@ LinkedProgramCache::assemblyOf(Context &context,
     return (*known)->name != 0 ? known->get() : nullptr;
   auto made = std::make_unique<AssemblyProgram>();
   made->stage.compiled = compiled.get();
-  made->stage.uploaded.assign(compiled->glsl.uniforms.size(), Vec4{}); // the host's initial ones
+  made->stage.uploaded.assign(compiled->glsl.uniforms.size(), Vec4{}); // the host's initial values
   const auto &uniforms = compiled->glsl.uniforms;
   for (std::size_t i = 0; i < uniforms.size(); ++i) {
     using fp::ir::ParameterKind;
@@ -172,7 +171,7 @@ LinkedProgramCache::assemblyOf(Context &context,
     made->localPlaces[parameter.index] = std::uint32_t(i);
   }
   made->defined = defined;
-  all.reserve(all.size() + 1); // its place first
+  all.reserve(all.size() + 1); // reserved first, so that the object cannot be lost
   made->name = loadAssembly(context, *compiled, defined);
   AssemblyProgram *const assembly = all.emplace_back(std::move(made)).get();
   return assembly->name != 0 ? assembly : nullptr;
@@ -201,8 +200,8 @@ bool LinkedProgramCache::takeFragmentAssembly(
   return linkedProgram.fragmentAssembly != nullptr;
 }
 
-/// A vertex program that defines more results for this fragment program than it writes is of this
-/// pair alone; others are linked once for all of their pairs.
+/// Links the stages apart. A vertex program that must define additional results for this fragment
+/// program belongs to this pair alone. All others are linked once for all of their pairs.
 bool LinkedProgramCache::buildApart(Context &context, const ProgramPair &pair,
                                     LinkedProgram &linkedProgram) {
   if (!context.stagePipeline->make(context))
@@ -251,7 +250,7 @@ void LinkedProgramCache::build(Context &context, const ProgramPair &pair, Fragme
     if (shader == 0)
       return;
   }
-  // A shader of this pair's own where the two do not fit each other: rare.
+  // If the two stages do not match, which is rare, the pair gets a vertex shader of its own.
   const std::string whole =
       pair.vertex && pair.fragment
           ? glslWithResults(*pair.vertex, missingResults(*pair.vertex, *pair.fragment))
@@ -277,7 +276,7 @@ LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pa
     sweep(context);
   for (const auto &compiled : {pair.vertex, pair.fragment})
     if (compiled)
-      (void)objectsOf(compiled); // which keeps it
+      (void)objectsOf(compiled); // keeps the program alive
   auto made = std::make_unique<LinkedProgram>();
   made->vertex.compiled = pair.vertex.get();
   made->fragment.compiled = pair.fragment.get();
@@ -291,7 +290,7 @@ LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair
     return linkedProgram;
   try {
     build(context, pair, fragments, *linkedProgram);
-  } catch (...) { // no memory: it stays as it was placed
+  } catch (...) { // no memory: leave it as place() made it
     *linkedProgram = {.vertex = {.compiled = pair.vertex.get()},
                       .fragment = {.compiled = pair.fragment.get()}};
     throw;
@@ -327,7 +326,7 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
     if (entry.first.vertex != compiled && entry.first.fragment != compiled)
       return false;
     if (context.linkedProgram == entry.second.get()) {
-      captureLeave(context); // it holds the parameters of its last draw
+      captureLeave(context); // a capture reads the parameters of its last draw
       context.linkedProgram = nullptr;
     }
     destroy(context, *entry.second);
@@ -337,7 +336,7 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
   m_objects.erase(objects);
 }
 
-/// Programs that left their object through another context: nothing else holds them any more.
+/// Drops programs that left their object through another context, so that nothing else holds them.
 void LinkedProgramCache::sweep(Context &context) {
   std::vector<const CompiledProgram *> left;
   for (const auto &[compiled, objects] : m_objects) {

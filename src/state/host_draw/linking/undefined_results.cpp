@@ -15,7 +15,7 @@ using fp::ir::Instruction;
 using fp::ir::Output;
 using fp::ir::OutputKind;
 
-/// The built-in of a vertex shader.
+/// Returns the built-in variable of a vertex shader.
 std::string builtinOf(const Output &result) {
   switch (result.kind) {
   case OutputKind::FrontPrimary:
@@ -29,7 +29,7 @@ std::string builtinOf(const Output &result) {
   }
 }
 
-/// The result that a fragment attribute interpolates; none for those that no vertex gives.
+/// Returns the result that a fragment attribute interpolates, or none if vertices do not give it.
 std::optional<Output> resultOf(const Attribute &attribute) {
   switch (attribute.kind) {
   case AttributeKind::ColorPrimary:
@@ -49,7 +49,7 @@ std::optional<Output> resultOf(const Attribute &attribute) {
   return std::nullopt;
 }
 
-/// A result of which nothing is written is as if it were not bound.
+/// True if the program writes the result. One that is bound but never written does not count.
 bool writes(const fp::ir::Program &vertex, const Output &result) {
   return std::any_of(vertex.code.begin(), vertex.code.end(), [&](const Instruction &instruction) {
     return instruction.dst.file == fp::ir::File::Output &&

@@ -5,18 +5,18 @@
 #include "fp_compiler/ir/interface.h"
 #include "state/objects/program_object.h"
 
-/// Results that a fragment program reads and its vertex program does not write are (0, 0, 0, 1), as
-/// the rasterizer has them. Left alone they are whatever the host's memory holds. Before fixed
-/// function hosts take the vertex's current values themselves.
+/// Defines results that a fragment program reads but its vertex program does not write: as (0, 0,
+/// 0, 1), like the rasterizer. Otherwise they would be whatever the host's memory holds. For
+/// fixed-function fragments, hosts use the vertex's current values themselves.
 namespace arbiter::state {
 
-/// The results that are missing in a pair.
+/// Returns the results that a pair lacks.
 [[nodiscard]] std::vector<fp::ir::Output> missingResults(const CompiledProgram &vertex,
                                                          const CompiledProgram &fragment);
-/// The vertex program with these defined.
+/// Returns the vertex program with these results defined.
 [[nodiscard]] fp::ir::Program withResults(fp::ir::Program vertex,
                                           const std::vector<fp::ir::Output> &missing);
-/// The same of its GLSL; empty where nothing is missing.
+/// Returns its GLSL with these results defined; empty if none is missing.
 [[nodiscard]] std::string glslWithResults(const CompiledProgram &vertex,
                                           const std::vector<fp::ir::Output> &missing);
 

@@ -1,4 +1,4 @@
-// The application's own GLSL programs and pipelines: which stages they leave to ARB programs.
+// Finds out which stages the application's own GLSL programs and pipelines leave to ARB programs.
 #include "state/host_draw/stages/application_glsl.h"
 
 #include "host/host_table.h"
@@ -15,7 +15,7 @@ GlslStages stageOf(GLenum shaderType) {
 }
 
 namespace {
-/// No host gives so high a name; it is unknown, as the layer's must seem.
+/// A name that no host gives, so it is unknown, as the layer's objects must seem to be.
 constexpr GLuint kUnknown = 0xFFFFFFF0u;
 } // namespace
 

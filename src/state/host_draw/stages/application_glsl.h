@@ -9,18 +9,19 @@ namespace arbiter::state {
 
 class Context;
 
-/// A name of the application's for a program or shader as the host may be given it: where it is
-/// one of the layer's objects, a name that the host does not know.
+/// Returns the name to pass to the host for an application's program or shader. If it names an
+/// object of the layer's, this is a name that the host does not know.
 [[nodiscard]] GLuint guardedName(const Context &context, GLuint name);
-/// The same of program pipelines.
+/// Returns the name to pass to the host for an application's program pipeline.
 [[nodiscard]] GLuint guardedPipeline(const Context &context, GLuint name);
-/// The stage of a shader of that type.
+/// Returns the stage of a shader type.
 [[nodiscard]] GlslStages stageOf(GLenum shaderType);
-/// The stages of the shaders that are attached to the program now; empty if there are none.
+/// Returns the stages of the shaders attached to the program now, or nothing if there are none.
 [[nodiscard]] std::optional<GlslStages> attachedStages(Context &context, GLuint program);
-/// The stages of a program; both if the host does not tell (one loaded by ProgramBinary).
+/// Returns the stages of a program; both if the host does not tell, as for one loaded by
+/// ProgramBinary.
 [[nodiscard]] GlslStages stagesOf(Context &context, GLuint program);
-/// The stages that a program pipeline has programs for.
+/// Returns the stages for which a pipeline has programs.
 [[nodiscard]] GlslStages stagesOfPipeline(Context &context, GLuint pipeline);
 
 } // namespace arbiter::state

@@ -28,7 +28,7 @@ std::optional<GlslStages> LinkedStages::of(const host::HostTable &host, GLuint p
     return std::nullopt;
   Entry &entry = it->second;
   if (entry.linked) {
-    // After a link that failed, a program in use keeps the executable that it had.
+    // After a failed link, a program in use keeps its old executable.
     GLint succeeded = GL_FALSE;
     host.GetProgramiv(program, GL_LINK_STATUS, &succeeded);
     if (succeeded)

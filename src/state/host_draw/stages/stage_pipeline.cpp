@@ -25,7 +25,7 @@ void StagePipeline::setStage(Context &context, GLbitfield stage, GLuint &held, G
 void StagePipeline::use(Context &context, GLuint vertex, GLuint fragment) {
   setStage(context, GL_VERTEX_SHADER_BIT, m_vertex, vertex);
   setStage(context, GL_FRAGMENT_SHADER_BIT, m_fragment, fragment);
-  context.host->UseProgram(0); // a current program goes before the pipeline
+  context.host->UseProgram(0); // a current program would take precedence over the pipeline
   if (!std::exchange(m_isBound, true))
     context.host->BindProgramPipeline(m_name);
   m_current = 0;
@@ -58,7 +58,7 @@ void StagePipeline::forget(Context &context, GLuint program) {
     return;
   if (m_current == program)
     m_current = 0;
-  // A later program may have the name, and the host keeps what a pipeline holds.
+  // A later program may get the name, and the host keeps what a pipeline holds.
   if (m_vertex == program)
     setStage(context, GL_VERTEX_SHADER_BIT, m_vertex, 0);
   if (m_fragment == program)

@@ -1,5 +1,5 @@
-// Vertex programs that are GLSL beside fragment programs, each linked alone: what the host is
-// asked.
+// Checks which calls the host gets for GLSL vertex and fragment programs that are each linked
+// alone.
 #include "state/host_draw/stages/stage_pipeline.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ namespace {
 
 using namespace testing;
 
-/// It chooses, which no text of the ARB's says. \p more makes another of it.
+/// Returns a program with conditional writes, which no ARB text can express.
+/// \param more makes another program of it
 std::string choosing(const std::string &more = "") {
   return "!!ARBvp1.0\nOPTION NV_vertex_program2;\nTEMP r;\nMOV result.position, vertex.position;\n"
          "MOVC r, vertex.color;\nMOV r (LT.x), program.env[3];\nMOV result.color, r;\n" +
@@ -154,14 +155,14 @@ TEST_F(StagePipelines, TheApplicationsProgramsGoFirst) {
   EXPECT_EQ(m_context->path, Path::ApplicationGlsl);
   handlers::UseProgram(*m_context, 0);
   ASSERT_TRUE(drawsApart());
-  handlers::BindProgramPipeline(*m_context, 88); // which has no stages here
+  handlers::BindProgramPipeline(*m_context, 88); // it has no stages here
   EXPECT_EQ(boundPipeline(), 88u);
   ASSERT_TRUE(draw(*m_context));
   EXPECT_EQ(m_context->path, Path::ApplicationPipeline);
   EXPECT_EQ(boundPipeline(), 88u);
   handlers::BindProgramPipeline(*m_context, 0);
   ASSERT_TRUE(drawsApart());
-  // What a host's list may have done, of before the first program.
+  // A host list compiled before the first program may have changed anything.
   m_context->group->hostListsChangeProgram = true;
   m_host.lists.insert(7);
   handlers::CallList(*m_context, 7);

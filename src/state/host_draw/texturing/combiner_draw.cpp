@@ -23,7 +23,7 @@ using fp::combiners::Surroundings;
 using fp::combiners::Texel;
 using fp::ir::TexTarget;
 
-/// A target whose textures can be depths, with and without a comparison.
+/// A target whose textures can be depths, without and with comparison.
 struct DepthTarget {
   TexTarget plain, compares;
 };
@@ -49,11 +49,11 @@ bool comparesNow(Context &context, GLenum target) {
   return mode != GL_NONE;
 }
 
-/// Of the active unit: what its texture register gets, and by which target.
+/// Finds out, for the active unit, what its texture register gets, and by which target.
 void askDepth(Context &context, const DepthTarget &target, Texel &texel, TexTarget &sampled) {
   const host::HostTable &host = *context.host;
   const TextureNames names = textureNames(target.plain);
-  constexpr GLint kMostLevels = 12; // that every host can be asked for
+  constexpr GLint kMostLevels = 12; // every host has as many levels
   GLint base = 0, depth = 0;
   host.GetTexParameteriv(names.target, GL_TEXTURE_BASE_LEVEL, &base);
   host.GetTexLevelParameteriv(names.level, base < kMostLevels ? base : 0, GL_TEXTURE_DEPTH_SIZE,
@@ -69,11 +69,11 @@ void askDepth(Context &context, const DepthTarget &target, Texel &texel, TexTarg
     sampled = target.compares;
 }
 
-/// What is sampled as a depth, of targets that are known.
+/// Finds out which units sample depths, of those whose targets are known.
 void askDepths(Context &context, Surroundings &around) {
   if (!mayCombineDepths(context))
     return;
-  releaseSamplers(context); // the application's are asked, not the layer's
+  releaseSamplers(context); // query the application's samplers, not the layer's
   for (std::size_t unit = 0; unit < around.texels.size(); ++unit) {
     if (around.texels[unit] == Texel::None)
       continue;
@@ -136,7 +136,7 @@ bool mayFollowCombinedDepths(const Context &context) {
 
 void followCombinedDepths(Context &context) {
   if ((context.attention & attention::kProgram) != 0)
-    return; // the choice looks by itself
+    return; // the choice will look anyway
   Surroundings now = context.combiners->drawnUnder;
   askDepths(context, now);
   if (!(now == context.combiners->drawnUnder))

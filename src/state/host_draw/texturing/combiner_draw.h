@@ -3,27 +3,27 @@
 
 #include "fp_compiler/emit.h"
 
-/// Draws with register combiners: the program that their state is made into, under what it depends
-/// on: the targets that the units sample, whether their textures are depths, whether those are
-/// compared, and fog.
+/// Chooses the program for draws with register combiners. It depends on their state, the targets
+/// that the units sample, whether their textures are depths and compared, and on fog.
 namespace arbiter::state {
 
 class Context;
 struct CompiledProgram;
 
-/// The program of the combiners as they are now. Asks the host. REGISTER_COMBINERS_NV is enabled.
+/// Returns the program of the combiners' current state. Queries the host. Requires that
+/// REGISTER_COMBINERS_NV is enabled.
 [[nodiscard]] std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
                                                                         const fp::GlslHost &host);
 
-/// A client of control has switched off what the combiners are now, without texture shaders before
-/// them: draws are as if REGISTER_COMBINERS_NV were not enabled.
+/// True if a client of control has switched off the combiners' current program, and no texture
+/// shaders precede them. Draws are then done as if REGISTER_COMBINERS_NV were disabled.
 [[nodiscard]] bool combinersSwitchedOff(Context &context);
 
-/// What draws now samples textures that might be depths, or cease to be: after what may have
-/// changed which are (noteTextureChange()), and always where other contexts may.
+/// True if the sampled textures may have become depths, or ceased to be: after noteTextureChange(),
+/// and always if other contexts may change them.
 [[nodiscard]] bool mayFollowCombinedDepths(const Context &context);
-/// Before a draw of which that is true: the program is chosen anew if one is otherwise than when it
-/// was chosen. Asks the host.
+/// Checks the textures before a draw if mayFollowCombinedDepths(). Has the program chosen anew if
+/// one differs from the time of the choice. Queries the host.
 void followCombinedDepths(Context &context);
 
 } // namespace arbiter::state

@@ -19,7 +19,7 @@ using fp::texture_shader::CombineSource;
 using fp::texture_shader::Environment;
 using fp::texture_shader::EnvironmentMode;
 
-/// Rows of CombineFunction, but for the last three.
+/// The values of CombineFunction, without the last three.
 constexpr GLenum kFunctions[] = {GL_REPLACE,
                                  GL_MODULATE,
                                  GL_ADD,
@@ -59,8 +59,8 @@ CombineSource sourceOf(GLint name) {
              : CombineSource::Texture;
 }
 
-/// The names of RGB's and of alpha's half differ by one distance throughout, and those of the
-/// fourth argument follow the third's.
+/// Queries one half of COMBINE. The enumerants of RGB's and alpha's halves differ by a fixed
+/// distance, and those of the fourth argument follow the third's.
 CombineHalf halfOf(const host::HostTable &host, bool alpha, bool four) {
   CombineHalf half;
   const auto function = GLenum(valueOf(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB));
@@ -84,7 +84,7 @@ CombineHalf halfOf(const host::HostTable &host, bool alpha, bool four) {
   return half;
 }
 
-/// Of the active unit.
+/// Queries the active unit's environment.
 Environment environmentOf(const host::HostTable &host) {
   Environment environment;
   const GLint mode = valueOf(host, GL_TEXTURE_ENV_MODE);

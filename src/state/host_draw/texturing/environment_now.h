@@ -5,8 +5,9 @@ namespace arbiter::state {
 
 class Context;
 
-/// The texture environments of the host's units, and those that are NONE, which the layer keeps. An
-/// environment that NV_texture_shader does not speak of, of another extension, is MODULATE here.
+/// Returns the texture environments of the host's units, and those set to NONE, which the layer
+/// keeps. An environment of an extension that NV_texture_shader does not mention counts as
+/// MODULATE.
 [[nodiscard]] fp::texture_shader::Environments environmentsNow(Context &context);
 
 } // namespace arbiter::state

@@ -11,8 +11,8 @@ namespace {
 using fp::ir::FogMode;
 using fp::ir::TexTarget;
 
-/// The target that the active unit samples (ARB_texture_rectangle, 3.8.15: "cube map ... is used");
-/// false if none is enabled.
+/// Finds the target that the active unit samples (ARB_texture_rectangle, 3.8.15: "cube map ... is
+/// used"). Returns false if none is enabled.
 bool enabledTarget(Context &context, TexTarget &target) {
   struct Row {
     GLenum cap;
@@ -72,8 +72,9 @@ bool vertexProgramEffective(const Context &context) {
          (context.vertexShaders && context.vertexShaders->effective);
 }
 
-/// Lighting makes the secondary colour itself, whatever COLOR_SUM says, and leaves it black unless
-/// its specular part is kept apart (OpenGL 1.4, sections 2.13.1 and 3.9).
+/// Returns whether colour sum applies. Lighting computes the secondary colour itself, whatever
+/// COLOR_SUM says, and leaves it black unless the specular part is kept separate (OpenGL 1.4,
+/// sections 2.13.1 and 3.9).
 bool queryColorSum(Context &context) {
   if (vertexProgramEffective(context) || !context.host->IsEnabled(GL_LIGHTING))
     return context.host->IsEnabled(GL_COLOR_SUM) != GL_FALSE;

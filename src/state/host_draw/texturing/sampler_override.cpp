@@ -9,7 +9,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// 0 for SHADOW targets, which compare as they should.
+/// Returns the texture target of a plain sampler; 0 for SHADOW targets, which are meant to compare.
 GLenum plainTarget(fp::ir::TexTarget target) {
   using fp::ir::TexTarget;
   switch (target) {
@@ -35,7 +35,8 @@ constexpr GLenum kIntegers[] = {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL
                                 GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
 constexpr GLenum kFloats[] = {GL_TEXTURE_MIN_LOD, GL_TEXTURE_MAX_LOD, GL_TEXTURE_LOD_BIAS};
 
-/// Copies to `uncompared` what `get` reads of the application's texture or sampler.
+/// Copies parameters of the application's texture or sampler to `uncompared`.
+/// \param getIv, getFv read the parameters
 template <typename GetIv, typename GetFv>
 void copyParameters(Context &context, GLuint uncompared, GetIv getIv, GetFv getFv) {
   const host::HostTable &host = *context.host;
@@ -102,7 +103,7 @@ void SamplerOverride::apply(Context &context, const LinkedProgram &linkedProgram
   release(context);
   GLint active = GL_TEXTURE0;
   context.host->GetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  // A unit that both stages read is done once: what it has then compares no more.
+  // A unit that both stages read is handled once: after that it no longer compares.
   for (const LinkedProgramStage *stage : {&linkedProgram.vertex, &linkedProgram.fragment})
     if (stage->compiled)
       for (const fp::GlslSampler &sampler : stage->compiled->glsl.samplers)

@@ -12,35 +12,36 @@ namespace arbiter::state {
 class Context;
 struct LinkedProgram;
 
-/// Without a SHADOW target TEXTURE_COMPARE_MODE counts as NONE (AFP 4051-4057), while a host's
-/// plain samplers still compare. Where a texture of a used unit compares, a sampler object of the
-/// layer's that copies its parameters with compare NONE is bound for the draw.
+/// Switches off texture comparison for plain samplers. Without a SHADOW target,
+/// TEXTURE_COMPARE_MODE must count as NONE (AFP 4051-4057), but a host's plain samplers still
+/// compare. For each unit in use whose texture compares, it binds a sampler object with the
+/// texture's parameters and compare mode NONE.
 class SamplerOverride {
 public:
   static constexpr int kMaxUnits = 32;
 
-  /// Checks the plain samplers of `linked program`. Called for each draw while any texture may
-  /// compare.
+  /// Overrides the plain samplers of a linked program where needed. Called for each draw while any
+  /// texture may compare.
   void apply(Context &context, const LinkedProgram &linkedProgram);
-  /// Puts the application's sampler bindings back.
+  /// Restores the application's sampler bindings.
   void release(Context &context);
   [[nodiscard]] bool active() const { return m_active != 0; }
   [[nodiscard]] bool owns(GLuint sampler) const;
-  /// Empties without touching the host; gives the sampler names.
+  /// Empties the object without calling the host, and returns the names of its samplers.
   [[nodiscard]] std::vector<GLuint> abandon();
 
 private:
   void applyUnit(Context &context, const fp::GlslSampler &sampler);
 
   struct Unit {
-    GLuint uncompared = 0;  ///< made at first use
-    GLuint application = 0; ///< its binding while the override is bound
+    GLuint uncompared = 0;  ///< created at first use
+    GLuint application = 0; ///< the application's binding while the override is bound
   };
   std::array<Unit, kMaxUnits> m_units{};
-  std::uint32_t m_active = 0; ///< one bit a unit
+  std::uint32_t m_active = 0; ///< one bit for each unit
 };
 
-/// The host's sampler bindings become the application's again; the next draw looks.
+/// Restores the application's sampler bindings; the next draw overrides again.
 void releaseSamplers(Context &context);
 
 } // namespace arbiter::state

@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  static constexpr GLint kMostLevel = 12; ///< that every host can be asked for
+  static constexpr GLint kMostLevel = 12; ///< every host has as many levels
 
   GLint parameter(GLenum pname) {
     GLint value = 0;
@@ -123,7 +123,7 @@ private:
     return plain.compares ? depth() : plain;
   }
 
-  /// By the components' sizes. `compares`: it has depths.
+  /// Classifies the texture by the sizes of its components. It sets `compares` for depths.
   Texture ask() {
     const auto bits = [&](GLenum pname) { return level(m_names.level, m_base, pname); };
     if (m_context.caps.shadow && bits(GL_TEXTURE_DEPTH_SIZE) != 0)
@@ -138,7 +138,8 @@ private:
       texture.base = alpha != 0 ? Base::LuminanceAlpha : Base::Luminance;
       type = GL_TEXTURE_LUMINANCE_TYPE;
     } else if (bits(GL_TEXTURE_RED_SIZE) != 0) {
-      texture.base = alpha != 0 ? Base::Rgba : Base::Rgb; // RED and RG are RGB that lacks some
+      // RED and RG are RGB with missing components
+      texture.base = alpha != 0 ? Base::Rgba : Base::Rgb;
     } else {
       texture.base = Base::Alpha;
       type = GL_TEXTURE_ALPHA_TYPE;
@@ -148,7 +149,7 @@ private:
     return texture;
   }
 
-  /// DEPTH_TEXTURE_MODE decides what a depth is a texture of.
+  /// Classifies a depth texture by DEPTH_TEXTURE_MODE.
   Texture depth() {
     Texture texture;
     const GLint mode = parameter(GL_DEPTH_TEXTURE_MODE);

@@ -45,7 +45,7 @@ std::uint32_t allUnits(const Context &context) {
 }
 
 void askTextures(Context &context, State &state) {
-  releaseSamplers(context); // the application's are asked, not the layer's
+  releaseSamplers(context); // query the application's samplers, not the layer's
   for (int unit = 0; unit < state.units; ++unit) {
     const auto &info = fp::texture_shader::infoOf(state.stages[std::size_t(unit)].operation);
     if (info.target)
@@ -53,7 +53,7 @@ void askTextures(Context &context, State &state) {
   }
 }
 
-/// What of the environments bumps, of conventional texturing.
+/// Adds the bump environments of conventional texturing to the state.
 void addBumps(const TextureShaderSettings &settings,
               const fp::texture_shader::Environments &environments, State &state) {
   for (std::size_t unit = 0; unit < state.units; ++unit)
@@ -66,8 +66,8 @@ bool isEnabled(const Context &context) {
   return context.row(Target::TextureShaders).enabled && !context.textureShaders->switchedOff;
 }
 
-/// The stages and what they sample; conventional ones where the enable is off.
-/// \param instead stages that stand in for the application's
+/// Returns the stages and what they sample; conventional stages if TEXTURE_SHADER_NV is disabled.
+/// \param instead stages that replace the application's
 State stagesNow(Context &context, const State *instead = nullptr) {
   const TextureShaderState &shaders = *context.textureShaders;
   State state;
@@ -85,12 +85,12 @@ State stagesNow(Context &context, const State *instead = nullptr) {
   return state;
 }
 
-/// A texture whose meaning fixed function lacks.
+/// True if fixed function does not support the texture.
 bool isSpecial(const fp::texture_shader::Texture &texture) {
   return texture.base >= Base::Hilo || texture.signs != fp::texture_shader::Signs::Unsigned;
 }
 
-/// The text of the stages that are enabled, and of combiners behind them.
+/// Returns the text of the enabled stages, and of combiners after them.
 const StateText &textOf(const Context &context, bool combines) {
   fp::nvparse::Text own;
   State &shaders = own.shaders.emplace();
@@ -158,7 +158,7 @@ bool mayFollowTextures(const Context &context) {
 
 void followTextures(Context &context) {
   if ((context.attention & attention::kProgram) != 0)
-    return; // the choice looks by itself
+    return; // the choice will look anyway
   TextureShaderState &shaders = *context.textureShaders;
   if (!shaders.effective) {
     const LinkedProgram *const linked = context.linkedProgram;

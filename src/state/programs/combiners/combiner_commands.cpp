@@ -19,7 +19,7 @@ using namespace fp::combiners;
 
 static_assert(std::is_trivially_copyable_v<CombinerCommand>);
 
-/// What is wrong with a command.
+/// An error of a command.
 struct Wrong {
   GLenum error = GL_NO_ERROR;
   const char *why = "";
@@ -32,7 +32,7 @@ Vec4 clamped(const Vec4 &color) {
   return result;
 }
 
-/// A stage that is offered, or -1.
+/// Returns the number of an offered stage, or -1.
 int stageOf(const CombinerState &combiners, GLenum name) {
   const GLenum stage = name - GL_COMBINER0_NV;
   return stage < GLenum(combiners.stages()) ? int(stage) : -1;
@@ -73,7 +73,7 @@ Wrong stageParameter(Context &context, CombinerState &combiners, const CombinerC
   return {};
 }
 
-/// 3.8.12.2
+/// Executes CombinerInput (3.8.12.2).
 Wrong input(Context &context, CombinerState &combiners, const CombinerCommand &command) {
   const auto [stageName, portion, variableName, source, mappingName, usageName, unused] =
       command.names;
@@ -143,7 +143,7 @@ Wrong output(Context &context, CombinerState &combiners, const CombinerCommand &
   return {};
 }
 
-/// 3.8.12.3
+/// Executes FinalCombinerInput (3.8.12.3).
 Wrong finalInput(Context &context, CombinerState &combiners, const CombinerCommand &command) {
   const GLenum variable = command.names[0] - GL_VARIABLE_A_NV;
   const auto from = enumerants::finalInputRegister(command.names[1], combiners.units());

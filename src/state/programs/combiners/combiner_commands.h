@@ -7,13 +7,13 @@
 
 #include "state/objects/program_object.h"
 
-/// The commands of NV_register_combiners and 2 that display lists hold, below the entry points.
+/// The commands of NV_register_combiners and 2 that display lists can hold, called by the entry
+/// points.
 namespace arbiter::state {
 
 class Context;
 
-/// One command with its arguments, as the application gave them. Plain bytes, in which a list keeps
-/// it.
+/// One command with the application's arguments. It consists of plain bytes, which a list stores.
 struct CombinerCommand {
   enum class Kind : std::uint8_t {
     Parameter,         ///< CombinerParameter: names[0] the pname; values, colours in [0,1]
@@ -25,17 +25,17 @@ struct CombinerCommand {
   };
   enum Flags : std::uint8_t { kAbDot = 1, kCdDot = 2, kMux = 4, kOn = 8 };
   Kind kind = Kind::Parameter;
-  bool scalar = false; ///< CombinerParameterf and -i, which take no colours
+  bool scalar = false; ///< true for CombinerParameterf and -i, which set no colours
   std::uint8_t flags = 0;
   std::uint8_t unused = 0;
   std::array<GLenum, 7> names{};
   Vec4 values{};
 };
 
-/// Executes it, or raises its error. The context offers the extension.
+/// Executes a command, or raises its error. Requires that the context offers the extension.
 void executeCombinerCommand(Context &context, const CombinerCommand &command);
 
-/// The command as a list's bytes, and back: of one command or of several that follow each other.
+/// Converts a command to a list's bytes, and executes the bytes of one or several commands.
 [[nodiscard]] std::string bytesOf(const CombinerCommand &command);
 void executeCombinerCommands(Context &context, const std::string &bytes);
 

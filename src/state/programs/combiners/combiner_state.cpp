@@ -37,7 +37,8 @@ void CombinerState::restore(Context &context,
                             const std::shared_ptr<const CombinerSettings> &settings) {
   if (settings == m_settings)
     return;
-  m_settings = std::const_pointer_cast<CombinerSettings>(settings); // this class made them
+  // valid, because this class made them
+  m_settings = std::const_pointer_cast<CombinerSettings>(settings);
   for (const Target target : {Target::Combiners, Target::TextureShaders})
     if (ProgramTarget &row = context.row(target); row.offered) {
       std::copy(m_settings->constants.begin(), m_settings->constants.end(), row.env.begin());

@@ -1,5 +1,5 @@
-// Register combiners as draws see them: what makes a program, what does not, what the host is
-// asked.
+// Checks register combiners as draws see them: which changes make another program, and which
+// queries the host gets.
 #include "state/programs/combiners/combiner_state.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ public:
   }
 };
 
-/// Variable A of stage 0's colours.
+/// Sets variable A of the colour portion of stage 0.
 void input(Context &context, GLenum name) {
   handlers::CombinerInputNV(context, GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, name,
                             GL_UNSIGNED_IDENTITY_NV, GL_RGB);
@@ -55,7 +55,7 @@ TEST(CombinerState, WhatIsNotReadMakesNoProgram) {
   ASSERT_TRUE(draw(*context));
   const LinkedProgram *const linked = context->linkedProgram;
   handlers::CombinerInputNV(*context, GL_COMBINER3_NV, GL_RGB, GL_VARIABLE_A_NV, GL_FOG,
-                            GL_SIGNED_NEGATE_NV, GL_RGB); // one stage is active
+                            GL_SIGNED_NEGATE_NV, GL_RGB); // only one stage is active
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(context->linkedProgram, linked);
 }
@@ -69,13 +69,13 @@ TEST(CombinerState, AConstantChoosesNothing) {
   const std::uint64_t selections = context->selections;
   const GLfloat color[] = {0.25f, 0, 0, 1};
   handlers::CombinerParameterfvNV(*context, GL_CONSTANT_COLOR1_NV, color);
-  input(*context, GL_CONSTANT_COLOR1_NV); // as it is
+  input(*context, GL_CONSTANT_COLOR1_NV); // unchanged
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(context->selections, selections);
   EXPECT_EQ(context->row(Target::Combiners).env[1][0], 0.25f);
 }
 
-/// A query is small beside a draw, but not beside a small one.
+/// A query is cheap beside a large draw, but not beside a small one.
 TEST(CombinerState, DrawsAskForDepthsOnceAfterAChange) {
   CombinerHost host;
   const CurrentContext context(host);

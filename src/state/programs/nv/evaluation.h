@@ -6,30 +6,30 @@
 
 namespace arbiter::state {
 
-/// EvalCoord, or EvalPoint, whose u and v are numbers of the grid. A display list keeps its bytes.
+/// An EvalCoord or an EvalPoint, whose u and v are grid indices. A display list stores its bytes.
 struct EvaluatorPoint {
   GLuint dimension = 1; ///< 1 or 2
   bool onGrid = false;
-  GLdouble u = 0, v = 0; ///< which hold any float and any GLint
+  GLdouble u = 0, v = 0; ///< can hold any float and any GLint
 };
 
-/// What a primitive's points are evaluated by: taken at its Begin, as the host may not be asked
-/// behind it.
+/// The maps that a primitive's points are evaluated with. They are fetched at its Begin, because
+/// the host cannot be queried after that.
 struct Evaluation {
   struct Map {
-    GLuint attribute = 0; ///< NV_vertex_program's number
+    GLuint attribute = 0; ///< the number in NV_vertex_program
     EvaluatorMap map;
   };
   struct Dimension {
-    /// The enabled ones, without those that another takes the place of; that of the position is the
-    /// last one. None where the position has none, as nothing is evaluated then.
+    /// The enabled maps that are not replaced by others; the position's map is last. Empty if the
+    /// position has none, because nothing is evaluated then.
     std::vector<Map> maps;
     std::array<GLfloat, 4> gridDomain = {0, 1, 0, 1};
     std::array<GLint, 2> gridSegments = {1, 1};
-    bool makesNormal = false; ///< AUTO_NORMAL, in place of a map of the normal
+    bool makesNormal = false; ///< true if AUTO_NORMAL replaces a map of the normal
   };
-  std::array<Dimension, 2> dimensions; ///< of curves, and of surfaces
-  /// What becomes current again after each point, where the host has the primitive.
+  std::array<Dimension, 2> dimensions; ///< for curves, and for surfaces
+  /// The values that become current again after each point, if the host has the primitive.
   std::array<Vec4, 16> current{};
 };
 

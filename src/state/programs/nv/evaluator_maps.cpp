@@ -10,8 +10,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// Bernstein's polynomials of one order at t in [0,1], by the recurrence that de Casteljau's
-/// algorithm runs through, and their derivatives.
+/// The Bernstein polynomials of one order at t in [0,1], by de Casteljau's recurrence, and their
+/// derivatives.
 struct Weights {
   std::vector<GLfloat> values{1.0f};
   std::vector<GLfloat> slopes{0.0f};

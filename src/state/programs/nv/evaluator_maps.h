@@ -9,15 +9,15 @@
 #include "state/objects/target.h"
 
 /// The 32 evaluator maps of NV_vertex_program (table 5.1): MAP1_VERTEX_ATTRIBn_4_NV and
-/// MAP2_VERTEX_ATTRIBn_4_NV. Whether one is enabled is a bit of a mask: n of the former, 16 + n of
-/// the latter.
+/// MAP2_VERTEX_ATTRIBn_4_NV. A mask has a bit for each enabled map: bit n for the former, 16 + n
+/// for the latter.
 namespace arbiter::state {
 
 class Context;
 
 inline constexpr GLuint kEvaluatorMaps = 32;
 
-/// The bit's number of a map; kEvaluatorMaps or more for any other name.
+/// Returns the bit number of a map; kEvaluatorMaps or more for any other name.
 [[nodiscard]] constexpr GLuint evaluatorMapOf(GLenum target) {
   return target - GL_MAP1_VERTEX_ATTRIB0_4_NV;
 }
@@ -27,12 +27,12 @@ inline constexpr GLuint kEvaluatorMaps = 32;
 
 /// A Bezier curve or surface of four components.
 struct EvaluatorMap {
-  std::array<GLint, 2> order = {1, 1};          ///< in u, and in v (1 of a curve)
+  std::array<GLint, 2> order = {1, 1};          ///< in u and in v; 1 in v for a curve
   std::array<GLfloat, 4> domain = {0, 1, 0, 1}; ///< u1, u2, v1, v2
-  std::vector<Vec4> points = {{0, 0, 0, 1}};    ///< order[0] rows of order[1]
+  std::vector<Vec4> points = {{0, 0, 0, 1}};    ///< order[0] rows of order[1] points
 };
 
-/// A point of a map and, of a surface, what it changes by along u and v.
+/// A point of a map, with its derivatives along u and, for a surface, v.
 struct MapPoint {
   Vec4 value{};
   Vec4 alongU{};
@@ -40,20 +40,20 @@ struct MapPoint {
 };
 [[nodiscard]] MapPoint evaluate(const EvaluatorMap &map, GLfloat u, GLfloat v);
 
-/// What Map1 or Map2 says, with the points copied, or the error that it is.
+/// The arguments of Map1 or Map2 with a copy of the points, or their error.
 struct MapDefinition {
   GLenum target = 0;
   GLenum error = GL_NO_ERROR;
   EvaluatorMap map;
 };
 
-/// Map1 and Map2 when they are executed.
-/// \error the definition's; INVALID_OPERATION the active texture unit is not 0
+/// Executes Map1 and Map2.
+/// \error the definition's error; INVALID_OPERATION if the active texture unit is not 0
 void defineMap(Context &context, const MapDefinition &definition);
-/// Enable and Disable of a map.
+/// Executes Enable and Disable of a map.
 void enableMap(Context &context, GLenum target, bool enabled);
 
-/// The map; one that was not defined is a constant (0,0,0,1).
+/// Returns a map; one that was never defined is constant (0,0,0,1).
 [[nodiscard]] const EvaluatorMap &evaluatorMap(const Context &context, GLuint map);
 
 } // namespace arbiter::state

@@ -22,7 +22,7 @@ using fp::ir::MatrixModifier;
 using fp::ir::StateItem;
 using fp::ir::StateRef;
 
-constexpr GLuint kRows = 4; ///< of a matrix
+constexpr GLuint kRows = 4; ///< rows of a matrix
 
 std::optional<MatrixModifier> modifierOf(GLenum transform) {
   switch (transform) {
@@ -39,7 +39,7 @@ std::optional<MatrixModifier> modifierOf(GLenum transform) {
   }
 }
 
-/// TEXTURE is the active unit's at the time of the call.
+/// Replaces TEXTURE by the active unit's TEXTUREi, as of the time of the call.
 GLenum wholeName(Context &context, GLenum matrix) {
   if (matrix != GL_TEXTURE)
     return matrix;
@@ -48,7 +48,7 @@ GLenum wholeName(Context &context, GLenum matrix) {
   return GLenum(unit);
 }
 
-/// The matrix as a row of state; nothing where no program could read it so.
+/// Returns the matrix as a row of state, or nothing if programs cannot read it.
 std::optional<StateRef> stateOf(const Context &context, GLenum matrix) {
   const auto numbered = [&](GLenum first, GLint count, StateItem item) -> std::optional<StateRef> {
     if (matrix < first || matrix - first >= GLuint(std::max(count, 0)))
@@ -81,7 +81,7 @@ bool isMatrix(const Context &context, GLenum matrix) {
          stateOf(context, matrix).has_value();
 }
 
-/// Programs do not read the colour matrix, so that it is no StateItem.
+/// Fetches the colour matrix. It is no StateItem, because programs do not read it.
 void fetchColorMatrix(Context &context, MatrixModifier modifier, GLfloat rows[4][4]) {
   glm::mat4 matrix(1.0f);
   if (context.imaging)
@@ -104,7 +104,8 @@ void fetch(Context &context, const TrackedMatrix &tracked, GLfloat rows[4][4]) {
   fetchMatrix(context, state, rows);
 }
 
-/// Bits, not values: a NaN would be sent for ever, and -0 never.
+/// Stores a row, and returns true if any bit changed. Comparing values would send a NaN every time,
+/// and -0 never.
 bool store(Vec4 &to, const GLfloat row[4]) {
   const Vec4 value = {row[0], row[1], row[2], row[3]};
   using Bits = std::array<std::uint32_t, 4>;
@@ -147,13 +148,13 @@ void trackMatrix(Context &context, GLenum target, GLuint address, GLenum matrix,
     return raise(context, GL_INVALID_ENUM, "TrackMatrix: matrix");
   if (!modifierOf(transform))
     return raise(context, GL_INVALID_ENUM, "TrackMatrix: transform");
-  refreshTrackedMatrices(context); // what is no longer tracked keeps its last value
+  refreshTrackedMatrices(context); // parameters no longer tracked keep their last value
   ProgramTarget &row = context.row(Target::Vertex);
   const std::size_t group = address / kRows;
   context.nv->tracked[group] = {wholeName(context, matrix), transform};
   const std::uint64_t bit = std::uint64_t(1) << group;
   row.tracked = matrix == GL_NONE ? row.tracked & ~bit : row.tracked | bit;
-  // The next draw looks, and each one from then on.
+  // This makes the next draw, and each one after it, look.
   context.attention |= attention::kState | row.parameterBits;
 }
 

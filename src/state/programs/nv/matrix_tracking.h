@@ -1,23 +1,23 @@
 #pragma once
 #include <GL/gl.h>
 
-/// Program parameters that follow GL's matrices (NV_vertex_program 2.14.5): their values are those
-/// of the matrices at the moment that they are read.
+/// Program parameters that track GL's matrices (NV_vertex_program 2.14.5). They have the matrices'
+/// values at the time they are read.
 namespace arbiter::state {
 
 class Context;
 
-/// Four parameters from `address` on may follow a matrix: it is a multiple of four, below their
-/// number.
+/// True if four parameters from `address` on may track a matrix: a multiple of four, within the
+/// number of parameters.
 [[nodiscard]] bool mayBeTracked(const Context &context, GLuint address);
 
-/// TrackMatrixNV: c[address] to c[address + 3] are the rows of the
-/// matrix from now on; with NONE they keep what they had last.
-/// \error INVALID_ENUM target, matrix or transform; INVALID_VALUE address
+/// Executes TrackMatrixNV: c[address] to c[address + 3] track the rows of the matrix from now on.
+/// With NONE they keep their last values.
+/// \error INVALID_ENUM for target, matrix or transform; INVALID_VALUE for address
 void trackMatrix(Context &context, GLenum target, GLuint address, GLenum matrix, GLenum transform);
 
-/// Brings c[] up to date with the matrices that it follows. The context is current, and outside of
-/// Begin and End. Costs a test where it follows none.
+/// Updates the parameters in c[] that track matrices. Requires that the context is current, with no
+/// open primitive. It only takes a test if none is tracked.
 void refreshTrackedMatrices(Context &context);
 
 } // namespace arbiter::state

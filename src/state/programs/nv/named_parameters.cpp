@@ -1,5 +1,5 @@
-// Named parameters of !!FP1.0 programs (NV_fragment_program 3.11.1): local parameters beyond those
-// that have a number.
+// Named parameters of !!FP1.0 programs (NV_fragment_program 3.11.1), which are local parameters
+// after the numbered ones.
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/nv/nv_programs.h"
@@ -10,7 +10,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The program and its local parameter; no object after an error.
+/// A program and the index of its local parameter; the object is null after an error.
 struct Named {
   std::shared_ptr<ProgramObject> object;
   std::size_t local = 0;

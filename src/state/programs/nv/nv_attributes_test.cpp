@@ -1,4 +1,4 @@
-// Vertex attributes and their arrays by NV_vertex_program's commands (2.14.1.1, 2.14.3).
+// Checks NV_vertex_program's commands for vertex attributes and their arrays (2.14.1.1, 2.14.3).
 #include <set>
 #include <string>
 
@@ -24,7 +24,8 @@ TEST(NvAttributes, AreTheConventionalOnesByNumber) {
   for (GLuint i = 0; i < 16; ++i) {
     host.calls.clear();
     handlers::VertexAttrib4fNV(*context, i, 1, 2, 3, 4);
-    const bool wider = i == 2 || i == 4 || i == 5; // than the conventional one
+    // has more components than the conventional attribute
+    const bool wider = i == 2 || i == 4 || i == 5;
     ASSERT_EQ(host.calls.size(), wider ? 2u : 1u);
     EXPECT_EQ(host.calls[0].substr(0, std::string(expected[i]).size()), expected[i]);
     EXPECT_NE(host.calls[0].find(" 1000"), std::string::npos);

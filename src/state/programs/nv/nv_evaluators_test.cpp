@@ -1,5 +1,5 @@
-// Evaluator maps of NV_vertex_program (5.1): what defines them, their errors, queries and enables.
-// What they draw is in tests/layer_vs_specification.
+// Checks how NV_vertex_program's evaluator maps (5.1) are defined, their errors, queries and
+// enables. Tests in tests/layer_vs_specification check what they draw.
 #include <array>
 #include <cmath>
 #include <string>
@@ -17,7 +17,7 @@ using namespace testing;
 constexpr GLenum kCurve = GL_MAP1_VERTEX_ATTRIB3_4_NV, kSurface = GL_MAP2_VERTEX_ATTRIB3_4_NV;
 constexpr GLfloat kPoints[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
 
-/// A host whose greatest order is 8.
+/// A host whose maximal order is 8.
 class MapHost : public NvHost {
 public:
   MapHost() {
@@ -31,7 +31,7 @@ TEST(NvEvaluators, PointsAndSlopesOfACurve) {
   map.order = {3, 1};
   map.domain = {2, 4, 0, 1};
   map.points = {{0, 0, 0, 1}, {1, 2, 0, 1}, {4, 0, 0, 1}};
-  // (2t(1-t) + 4t^2, 4t(1-t)) with t = (u - 2) / 2
+  // The curve is (2t(1-t) + 4t^2, 4t(1-t)) with t = (u - 2) / 2.
   for (const GLfloat u : {2.0f, 2.5f, 3.0f, 4.0f}) {
     const GLfloat t = (u - 2) / 2;
     const MapPoint point = evaluate(map, u, 0);
@@ -48,7 +48,7 @@ TEST(NvEvaluators, PointsAndSlopesOfASurface) {
   EvaluatorMap map;
   map.order = {2, 2};
   map.domain = {0, 1, 0, 2};
-  map.points = {{0, 0, 0, 1}, {0, 2, 0, 1}, {1, 0, 0, 1}, {1, 2, 4, 1}}; // u by u
+  map.points = {{0, 0, 0, 1}, {0, 2, 0, 1}, {1, 0, 0, 1}, {1, 2, 4, 1}}; // row by row along u
   const MapPoint point = evaluate(map, 0.5f, 0.5f);
   EXPECT_EQ(point.value, (Vec4{0.5f, 0.5f, 0.5f, 1}));
   EXPECT_EQ(point.alongU, (Vec4{1, 0, 1, 0}));
@@ -145,7 +145,7 @@ TEST(NvEvaluators, Enables) {
 }
 
 TEST(NvEvaluators, WithoutTheLanguagesTheyAreTheHosts) {
-  FakeHost host; // whose GLSL lacks what they need
+  FakeHost host; // its GLSL lacks features that NVIDIA's languages need
   const CurrentContext context(host);
   ASSERT_FALSE(context->nv);
   handlers::Enable(*context, kCurve);

@@ -1,5 +1,5 @@
-// Commands of NVIDIA's program API in display lists: which are compiled, and that a list's errors
-// are raised when it is called (NV_vertex_program 5.4, NV_fragment_program 5.4).
+// Checks NVIDIA's program commands in display lists: which are compiled, and that errors are raised
+// when the list is called (NV_vertex_program 5.4, NV_fragment_program 5.4).
 #include <gtest/gtest.h>
 
 #include "state/lists/list_compiler.h"

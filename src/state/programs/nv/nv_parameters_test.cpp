@@ -1,5 +1,5 @@
-// Program parameters of NV_vertex_program (2.14.1.2), the matrices that they follow (2.14.5), and
-// named parameters (NV_fragment_program 3.11.1).
+// Checks program parameters of NV_vertex_program (2.14.1.2), matrix tracking (2.14.5), and named
+// parameters (NV_fragment_program 3.11.1).
 #include <array>
 #include <string>
 
@@ -123,7 +123,8 @@ TEST(NvTrack, Queries) {
   EXPECT_EQ(error(*context), kEnum);
 }
 
-/// Modelview: a move by (2, 3, 4); projection: twice the size. In columns, as GL gives them.
+/// Sets the modelview matrix to a translation by (2, 3, 4), and the projection to a scale by 2.
+/// Matrices are in GL's column order.
 void setMatrices(NvHost &host) {
   host.floats[GL_MODELVIEW_MATRIX] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 2, 3, 4, 1};
   host.floats[GL_PROJECTION_MATRIX] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};

@@ -14,13 +14,13 @@ namespace arbiter::state {
 
 namespace {
 
-/// What a text may be loaded for: state programs too.
+/// Returns the target that a text may be loaded for, including that of state programs.
 ProgramTarget *loadRowOf(Context &context, GLenum target) {
   return target == infoOf(Target::VertexState).name ? &context.row(Target::VertexState)
                                                     : nvRowOf(context, target);
 }
 
-/// True where [index, index + count) are parameters and none of them follows a matrix.
+/// True if [index, index + count) are parameters and none of them tracks a matrix.
 bool mayBeSet(Context &context, const ProgramTarget &row, GLuint index, GLsizei count) {
   const std::size_t size = std::min<std::size_t>(NvState::kParameters, row.env.size());
   if (!isRange(context, index, count, size, "ProgramParameters: index"))

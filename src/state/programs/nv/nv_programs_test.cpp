@@ -1,5 +1,5 @@
-// Program objects by NV_vertex_program's commands: what each answers, and every error of the
-// specification (NV_vertex_program and NV_fragment_program, Errors).
+// Checks NV_vertex_program's commands for program objects: their answers, and every error of the
+// specifications (NV_vertex_program and NV_fragment_program, Errors).
 #include <string>
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST(NvLoad, AProgramKeepsItsTarget) {
   loadNv(*context, kNvState, 101, kVsp);
   EXPECT_EQ(error(*context), kOperation);
   EXPECT_EQ(query(*context, 101, GL_PROGRAM_TARGET_NV), GLint(kNvVertex));
-  // A name that no load succeeded for has none.
+  // A name has no target if no load has succeeded for it.
   loadNv(*context, kNvVertex, 109, "!!VP1.0\nBAD;\nEND");
   EXPECT_EQ(error(*context), kOperation);
   loadNv(*context, kNvFragment, 109, kFp);
@@ -146,7 +146,7 @@ TEST(NvBind, ANameThatWasNeverLoadedStaysFree) {
   loadNv(*context, kNvFragment, 4000, kFp);
   EXPECT_EQ(error(*context), kNoError);
   EXPECT_EQ(query(*context, 4000, GL_PROGRAM_TARGET_NV), GLint(kNvFragment));
-  // BindProgramARB makes one at once, of either kind of name.
+  // BindProgramARB creates an object at once for any kind of name.
   handlers::BindProgramNV(*context, kNvVertex, 4001);
   handlers::BindProgramARB(*context, kVertex, 4001);
   EXPECT_TRUE(handlers::IsProgramARB(*context, 4001));
@@ -312,7 +312,7 @@ TEST(NvExecute, Errors) {
 }
 
 TEST(NvAbsent, WithoutNvidiasLanguagesTheCommandsAreErrors) {
-  FakeHost host; // whose GLSL lacks what they need
+  FakeHost host; // its GLSL lacks features that NVIDIA's languages need
   const CurrentContext context(host);
   ASSERT_FALSE(context->nv);
   loadNv(*context, kNvVertex, 101, kVp);

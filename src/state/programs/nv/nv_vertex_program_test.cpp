@@ -1,4 +1,4 @@
-/// NV_vertex_program and 1_1 on cards that have no fragment programs: the profile nv25.
+/// Checks NV_vertex_program and 1_1 on cards without fragment programs: the profile nv25.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(NvVertexProgram, LaterLanguagesAreRefusedAndTheirProfilesNamed) {
   EXPECT_NE(context->errorString.find("nv30 to nv40"), std::string::npos) << context->errorString;
 }
 
-// NV_fragment_program brought the enumerants.
+// The enumerants belong to NV_fragment_program.
 TEST(NvVertexProgram, NothingIsAFragmentProgramOfNvidias) {
   NvHost host;
   const CurrentContext context(host);

@@ -1,4 +1,5 @@
-// ExecuteProgramNV (NV_vertex_program 2.14.4): a state program is run once, by the interpreter.
+// Implements ExecuteProgramNV (NV_vertex_program 2.14.4): the interpreter runs a state program
+// once.
 #include <algorithm>
 
 #include "fp_compiler/ir/evaluate.h"
@@ -12,7 +13,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The program that may be executed now; null after an error.
+/// Returns the program if it may be executed now, or null after an error.
 std::shared_ptr<const CompiledProgram> validStateProgram(Context &context, GLuint id) {
   const std::shared_ptr<ProgramObject> object = existingProgram(context, id);
   if (!object || object->target != Target::VertexState) {
@@ -31,7 +32,7 @@ std::shared_ptr<const CompiledProgram> validStateProgram(Context &context, GLuin
 
 fp::ir::Evaluation run(const ProgramTarget &row, const fp::ir::Program &program,
                        const Vec4 &input) {
-  // v[0] is the only attribute that it may read.
+  // The program may read v[0] only.
   const std::vector<Vec4> attributes(program.attributes.size(), input);
   fp::ir::Inputs inputs;
   inputs.attributes = attributes;
@@ -51,7 +52,7 @@ void executeStateProgram(Context &context, GLenum target, GLuint id, const Vec4 
   const auto compiled = validStateProgram(context, id);
   if (!compiled)
     return;
-  refreshTrackedMatrices(context); // it may read them
+  refreshTrackedMatrices(context); // the program may read them
   ProgramTarget &row = context.row(Target::Vertex);
   const fp::ir::Program &program = *compiled->program;
   const fp::ir::Evaluation result = run(row, program, input);

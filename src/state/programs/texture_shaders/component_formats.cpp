@@ -18,11 +18,11 @@ constexpr Bits kRgba = {8, 8, 8, 8}, kRgb = {8, 8, 8}, kAlpha = {0, 0, 0, 8},
                kDsdtMag = {0, 0, 0, 0, 0, 0, 0, 0, 8, 8, 8},
                kDsdtMagIntensity = {0, 0, 0, 0, 0, 8, 0, 0, 8, 8, 8}, kDudv = {};
 
-// Signed colours are the host's signed normalised ones, so that it converts pixels. Mixed ones have
-// none; 16 bits hold both kinds of eight. HILO components and offsets come as numbers that the
-// layer has clamped and rounded, for which floats are wide enough and known to its rasterizer. What
-// a program samples of them is as table X.5 of NV_fragment_program has it: HILO components have a
-// third one.
+// Signed colours use the host's signed normalized formats, so that the host converts pixels.
+// Formats with mixed signs have no such format; 16 bits hold both kinds of eight. HILO components
+// and offsets reach the host as numbers that the layer has clamped and rounded. Floats are wide
+// enough for these, and the rasterizer supports them. Programs sample them as in table X.5 of
+// NV_fragment_program: HILO formats have a third component.
 constexpr ComponentFormat kFormats[] = {
     {GL_SIGNED_RGBA_NV, Base::Rgba, Signs::Signed, GL_RGBA8_SNORM, 0, 1, kRgba},
     {GL_SIGNED_RGBA8_NV, Base::Rgba, Signs::Signed, GL_RGBA8_SNORM, 0, 1, kRgba},

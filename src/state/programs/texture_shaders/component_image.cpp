@@ -45,7 +45,7 @@ GLuint boundTo(const Context &context, GLenum image) {
   return GLuint(name);
 }
 
-/// A component of the format: its number among the transfers, whether it is signed, its bits.
+/// A component of the format: its index in the transfers, its sign, and its bits.
 struct Component {
   std::size_t transfer;
   bool isSigned;
@@ -57,7 +57,7 @@ Component componentOf(const ComponentFormat &format, int number) {
   return {2 + std::size_t(number), number < 2, 8};
 }
 
-/// The third component that programs see of HILO components: 1, or that of a unit vector
+/// Adds the third component that programs see in HILO formats: 1, or that of a unit vector
 /// (NV_fragment_program, table X.5).
 std::vector<GLfloat> withThird(const std::vector<GLfloat> &pixels, bool isSigned) {
   std::vector<GLfloat> wide;
@@ -70,18 +70,19 @@ std::vector<GLfloat> withThird(const std::vector<GLfloat> &pixels, bool isSigned
   return wide;
 }
 
-/// 3.6.5, 3.8.1, the precision of the internal format, and what the host stores of it.
+/// Converts pixels: scale and bias (3.6.5), clamping (3.8.1), rounding to the internal format, and
+/// the third component that the host stores.
 void convert(const ComponentTransfers &transfers, const ComponentFormat &format,
              std::vector<GLfloat> &pixels) {
   const auto count = std::size_t(format.components());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Component to = componentOf(format, int(i % count));
     const GLfloat wide =
-        format.base == Base::Dudv // no scale is of it
+        format.base == Base::Dudv // it has no scale
             ? pixels[i]
             : pixels[i] * transfers.scales[to.transfer] + transfers.biases[to.transfer];
     const GLfloat low = to.isSigned ? -1.0f : 0.0f;
-    const GLfloat value = wide > low ? std::min(wide, 1.0f) : low; // a NaN is the least
+    const GLfloat value = wide > low ? std::min(wide, 1.0f) : low; // NaN becomes the smallest value
     const double steps = double((1 << (to.isSigned ? to.bits - 1 : to.bits)) - 1);
     pixels[i] = GLfloat(std::round(double(value) * steps) / steps);
   }
@@ -124,7 +125,7 @@ void replace(const host::HostTable &host, const ComponentImage &image, GLenum fo
   }
 }
 
-/// To the host as floats; \returns its error.
+/// Sends the pixels to the host as floats. \returns the host's error
 GLenum upload(Context &context, const ComponentImage &image, const ComponentFormat &format,
               const std::vector<GLfloat> &pixels) {
   const PlainTransfer plain(context, PixelStore::Unpack);
@@ -145,7 +146,7 @@ bool mayHaveSize(const Context &context, const ComponentImage &image) {
                             : image.target == GL_TEXTURE_RECTANGLE ? GL_MAX_RECTANGLE_TEXTURE_SIZE
                                                                    : GL_MAX_TEXTURE_SIZE,
                             &most);
-  most += 2; // borders
+  most += 2; // allows for borders
   return image.width <= most && image.height <= most && image.depth <= most;
 }
 
@@ -155,8 +156,8 @@ GLenum componentFormatOf(Context &context, GLenum image, GLint level) {
   const ComponentFormat *const format = componentFormat(name);
   if (!format)
     return 0;
-  // A command that the layer does not see, CompressedTexImage or TexStorage, may have given it
-  // another.
+  // Commands that the layer does not see (CompressedTexImage, TexStorage) may have given it another
+  // format.
   GLint there = 0;
   context.host->GetTexLevelParameteriv(image, level, GL_TEXTURE_INTERNAL_FORMAT, &there);
   return GLenum(there) == format->host ? name : 0;
@@ -169,7 +170,7 @@ void noteImageFormat(Context &context, GLenum image, GLint level, GLenum interna
   context.textureShaders->used = context.textureShaders->used || internalFormat != 0;
   noteTextureChange(context);
   if (first && !isProxy(image))
-    invalidateProgram(context); // draws look from now on
+    invalidateProgram(context); // makes draws look from now on
 }
 
 void executeComponentImage(Context &context, const ComponentImage &image,

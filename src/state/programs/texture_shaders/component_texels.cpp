@@ -18,10 +18,10 @@ namespace arbiter::state {
 
 namespace {
 
-/// Of a component, or of a texel of a packed type; 0 for what is no type.
+/// Returns the size of a component, or of a texel of a packed type; 0 for an invalid type.
 std::size_t bytesOf(GLenum type) { return isSignedPacked(type) ? 4 : componentBytes(type); }
 
-/// Where texels lie in memory.
+/// The layout of texels in memory.
 struct Layout : ImageLayout {
   std::size_t element = 0, texel = 0;
 };
@@ -82,7 +82,7 @@ GLfloat component(const std::uint8_t *at, GLenum type, bool swaps) {
   }
 }
 
-/// The four components of a packed type, two of them signed.
+/// Unpacks the four components of a packed type; two of them are signed.
 void packed(std::uint32_t word, GLenum type, GLfloat *to) {
   const bool reversed = type == GL_UNSIGNED_INT_8_8_S8_S8_REV_NV;
   for (int i = 0; i < 4; ++i) {

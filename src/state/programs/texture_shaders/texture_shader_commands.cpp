@@ -20,13 +20,13 @@ using fp::texture_shader::Row;
 
 static_assert(std::is_trivially_copyable_v<TextureShaderCommand>);
 
-/// What is wrong with a command.
+/// An error of a command.
 struct Wrong {
   GLenum error = GL_NO_ERROR;
   const char *why = "";
 };
 
-/// An enumerant that came as a float.
+/// Returns an enumerant that was passed as a float.
 GLenum nameIn(GLfloat value) { return value >= 0.0f && value < 16777216.0f ? GLenum(value) : ~0u; }
 
 Wrong operation(Context &context, TextureShaderState &shaders, int unit, GLenum name) {

@@ -7,44 +7,43 @@
 
 #include "state/objects/program_object.h"
 
-/// The commands of NV_texture_shader, 2 and 3 and of ATI_envmap_bumpmap that display lists hold,
-/// below the entry points.
+/// The commands of NV_texture_shader, 2 and 3 and of ATI_envmap_bumpmap that display lists can
+/// hold, called by the entry points.
 namespace arbiter::state {
 
 class Context;
 
-/// One command with its arguments, as the application gave them. Plain bytes, in which a list keeps
-/// it.
+/// One command with the application's arguments. It consists of plain bytes, which a list stores.
 struct TextureShaderCommand {
   enum class Kind : std::uint8_t {
     Environment, ///< TexEnv of TEXTURE_SHADER_NV: pname, values
     Mode,        ///< TEXTURE_ENV_MODE of the active unit: values[0] is 1 for NONE, 0 for another
-    Transfer,    ///< PixelTransfer of a component of the extension's: pname, values[0]
+    Transfer,    ///< PixelTransfer of a component of these formats: pname, values[0]
     BumpMode, ///< COMBINE_RGB of the active unit: values[0] is 1 for BUMP_ENVMAP_ATI, 0 for another
     BumpTarget, ///< BUMP_TARGET_ATI of the active unit: values[0]
     BumpMatrix, ///< TexBumpParameter of BUMP_ROT_MATRIX_ATI: values
-    Format,     ///< an image got an internal format: pname, or 0; values: its target and level
+    Format,     ///< a new internal format of an image: pname, or 0; values: its target and level
   };
   Kind kind = Kind::Environment;
-  bool scalar = false; ///< TexEnvf and TexEnvi, which take no vectors
+  bool scalar = false; ///< true for TexEnvf and TexEnvi, which set no vectors
   std::uint16_t unused = 0;
   GLenum pname = 0;
   Vec4 values{};
 };
 
-/// Executes it, or raises its error. The context offers the extension.
+/// Executes a command, or raises its error. Requires that the context offers the extension.
 void executeTextureShaderCommand(Context &context, const TextureShaderCommand &command);
 
-/// The command as a list's bytes, and back: of one command or of several that follow each other.
+/// Converts a command to a list's bytes, and executes the bytes of one or several commands.
 [[nodiscard]] std::string bytesOf(const TextureShaderCommand &command);
 void executeTextureShaderCommands(Context &context, const std::string &bytes);
 
-/// How many values a pname of TEXTURE_SHADER_NV has: 1, 3 or 4; 0 for a name that TexEnv lacks.
+/// Returns the number of values of a pname of TEXTURE_SHADER_NV: 1, 3 or 4; 0 for an unknown name.
 [[nodiscard]] int textureShaderValues(GLenum pname);
-/// 0 to 5 for HI_SCALE_NV to VIBRANCE_SCALE_NV, 6 to 11 for HI_BIAS_NV to VIBRANCE_BIAS_NV; -1 for
-/// another name.
+/// Returns 0 to 5 for HI_SCALE_NV to VIBRANCE_SCALE_NV, 6 to 11 for HI_BIAS_NV to VIBRANCE_BIAS_NV,
+/// and -1 for another name.
 [[nodiscard]] int componentTransfer(GLenum pname);
-/// The active texture unit, counted from 0.
+/// Returns the active texture unit, counted from 0.
 [[nodiscard]] GLuint activeUnit(const Context &context);
 
 } // namespace arbiter::state

@@ -50,7 +50,8 @@ void TextureShaderState::restore(Context &context,
   if (settings == m_settings)
     return;
   changed(context);
-  m_settings = std::const_pointer_cast<TextureShaderSettings>(settings); // this class made them
+  // valid, because this class made them
+  m_settings = std::const_pointer_cast<TextureShaderSettings>(settings);
   setParameters(context);
   changed(context);
 }

@@ -15,14 +15,16 @@ namespace arbiter::state {
 
 class Context;
 
-/// What NV_texture_shader, 2 and 3 keep in GL_TEXTURE_BIT (3.8.13.3), but for TEXTURE_SHADER_NV,
-/// which is a target's enable.
+/// The state of NV_texture_shader, 2 and 3 that belongs to GL_TEXTURE_BIT (3.8.13.3), except
+/// TEXTURE_SHADER_NV, which is the enable of a target.
 struct TextureShaderSettings {
   std::array<fp::texture_shader::Stage, fp::texture_shader::kUnits> stages{};
-  /// Of each unit by fp::texture_shader::Row: matrix, scale and bias, eye vector, bump matrix.
+  /// For each unit, indexed by fp::texture_shader::Row: matrix, scale and bias, eye vector, bump
+  /// matrix.
   std::array<std::array<Vec4, fp::texture_shader::kRows>, fp::texture_shader::kUnits> rows;
-  std::uint8_t environmentNone = 0; ///< units whose TEXTURE_ENV_MODE is NONE, one bit each
-  /// ATI_envmap_bumpmap: units whose COMBINE_RGB is BUMP_ENVMAP_ATI, and BUMP_TARGET_ATI of each.
+  std::uint8_t environmentNone = 0; ///< units whose TEXTURE_ENV_MODE is NONE, one bit for each
+  /// ATI_envmap_bumpmap: units whose COMBINE_RGB is BUMP_ENVMAP_ATI, and each unit's
+  /// BUMP_TARGET_ATI.
   std::uint8_t bumps = 0;
   std::array<std::uint8_t, fp::texture_shader::kUnits> bumpTargets{};
 
@@ -38,13 +40,13 @@ struct ComponentTransfers {
   std::array<GLfloat, 6> biases{};
 };
 
-/// A context's texture shaders, and what else of texturing the layer keeps in GL_TEXTURE_BIT. The
-/// settings are shared with the attribute stack and copied when they are next changed.
+/// A context's texture shaders, and other texturing state of GL_TEXTURE_BIT that the layer keeps.
+/// The attribute stack shares the settings, which are copied when they next change.
 class TextureShaderState {
 public:
-  /// \param extensions the first of the three that are offered; 0: none, but ATI_envmap_bumpmap or
-  ///                   NV_point_sprite, whose draws are programs of conventional texturing
-  /// \param units texture units
+  /// \param extensions how many of the three are offered; 0: none, but ATI_envmap_bumpmap or
+  /// NV_point_sprite, which are drawn by programs of conventional texturing
+  /// \param units number of texture units
   TextureShaderState(int extensions, int units)
       : m_extensions(extensions), m_units(units),
         m_settings(std::make_shared<TextureShaderSettings>()) {}
@@ -53,8 +55,7 @@ public:
   [[nodiscard]] int units() const { return m_units; }
   [[nodiscard]] const TextureShaderSettings &now() const { return *m_settings; }
 
-  /// A part of a unit's stage, or of environmentNone, changes to `value`; the next draw looks,
-  /// unless it is that already.
+  /// Sets a part of a unit's stage, or environmentNone. If that changes it, the next draw looks.
   template <typename Part, typename Value>
   void set(Context &context, Part part, const Value &value) {
     if (part(std::as_const(*m_settings)) == value)
@@ -64,35 +65,36 @@ public:
   }
   void setRow(Context &context, int unit, fp::texture_shader::Row row, const Vec4 &value);
 
-  /// All of the target's env parameters are set from the settings, and from register combiners'.
+  /// Sets all env parameters of the target from these settings and from register combiners'.
   void setParameters(Context &context);
 
-  /// For the attribute stack.
+  /// Returns the settings for the attribute stack.
   [[nodiscard]] std::shared_ptr<const TextureShaderSettings> settings() const { return m_settings; }
   void restore(Context &context, const std::shared_ptr<const TextureShaderSettings> &settings);
 
-  /// The program for a key; made once for each.
-  /// \param text as of CombinerState::programUnder()
+  /// Returns the program for a key, which is made once.
+  /// \param text see CombinerState::programUnder()
   [[nodiscard]] std::shared_ptr<const CompiledProgram>
   programUnder(Context &context, const fp::texture_shader::Key &key, const fp::GlslHost &host,
                const StateText *text);
 
   ComponentTransfers transfers;
 
-  /// TEXTURE_SHADER_NV is enabled, and a client of control has switched off what is drawn with.
+  /// True if TEXTURE_SHADER_NV is enabled, but a client of control has switched off its program.
   bool switchedOff = false;
 
-  /// A stage was set here once, or an image of their formats: lists are cut where textures change.
+  /// True once a stage was set, or an image got one of these formats. Lists are then cut where
+  /// textures change.
   bool used = false;
 
-  /// The effective program is of texture shaders, made for `drawnUnder`; textures may change
-  /// without a command that the layer sees (texture_shader_draw.h).
+  /// True if the effective program is one of texture shaders, made for `drawnUnder`. Textures may
+  /// change without a command that the layer sees (texture_shader_draw.h).
   bool effective = false;
   fp::texture_shader::State drawnUnder;
-  /// What is known of the host's internal formats: of each its base and signedness.
+  /// The base and the signedness of the host's internal formats, as far as known.
   std::unordered_map<GLint, fp::texture_shader::Texture> formats;
-  /// Textures whose pyramids or faces were found whole, by what that was decided of: name, target,
-  /// base level, last level, width, height, internal format.
+  /// Textures whose pyramids or faces were found complete, with the values that decided it: name,
+  /// target, base level, last level, width, height, internal format.
   using Whole = std::array<GLint, 7>;
   std::vector<Whole> wholeTextures;
 
@@ -102,27 +104,27 @@ private:
 
   int m_extensions;
   int m_units;
-  /// Never null. Made by this class alone, as what may be changed while nothing else has it.
+  /// Never null. Made by this class alone, which may change it while nothing else shares it.
   std::shared_ptr<TextureShaderSettings> m_settings;
   StatePrograms<fp::texture_shader::Key> m_programs;
   NamedStatePrograms<fp::texture_shader::Key> m_named;
 };
 
-/// An extension is offered that keeps its state here. Other than texture shaders do they begin to
-/// with their first command.
+/// True if an extension is offered that keeps its state here. Those other than texture shaders only
+/// begin to do so with their first command.
 [[nodiscard]] bool mayKeepTextures(const Context &context);
-/// The context has its TextureShaderState from here on. Requires mayKeepTextures().
+/// Returns the context's TextureShaderState, and creates it if necessary. Requires
+/// mayKeepTextures().
 TextureShaderState &keepTextures(Context &context);
-/// NV_texture_shader is offered.
+/// True if NV_texture_shader is offered.
 [[nodiscard]] bool hasTextureShaders(const Context &context);
-/// ATI_envmap_bumpmap is the layer's.
+/// True if ATI_envmap_bumpmap is the layer's.
 [[nodiscard]] bool hasBumpMaps(const Context &context);
 
-/// Draws depend on which textures are bound and on what they are: their consistency chooses
-/// programs.
+/// True if draws depend on the bound textures, because their consistency selects programs.
 [[nodiscard]] bool followsTextures(const Context &context);
 
-/// The value of Get of TEXTURE_SHADER_NV; false where the context does not offer it.
+/// Answers a Get of TEXTURE_SHADER_NV. Returns false if the context does not offer it.
 [[nodiscard]] bool textureShaderValue(const Context &context, GLint &value);
 
 } // namespace arbiter::state

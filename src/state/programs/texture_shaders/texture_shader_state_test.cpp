@@ -1,4 +1,5 @@
-// Texture shaders as draws see them: where they are offered, what makes a program, what does not.
+// Checks texture shaders as draws see them: where they are offered, and which changes make another
+// program.
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ TEST(TextureShaderState, AParameterChoosesNothing) {
   ASSERT_TRUE(draw(*context));
   const std::uint64_t selections = context->selections;
   handlers::TexEnvf(*context, GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_SCALE_NV, 3);
-  operation(*context, GL_PASS_THROUGH_NV); // as it is
+  operation(*context, GL_PASS_THROUGH_NV); // unchanged
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(context->selections, selections);
   const int row = fp::texture_shader::parameter(0, fp::texture_shader::Row::ScaleBias);

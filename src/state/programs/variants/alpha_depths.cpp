@@ -11,7 +11,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// A unit of another image than depths may have the mode too, where it does nothing.
+/// True if the unit samples a depth texture with mode ALPHA. Other images may have the mode too,
+/// without an effect.
 bool readsAlpha(Context &context, const fp::GlslSampler &sampler) {
   const host::HostTable &host = *context.host;
   const TextureNames image = textureNames(sampler.target);
@@ -23,7 +24,7 @@ bool readsAlpha(Context &context, const fp::GlslSampler &sampler) {
   GLint base = 0;
   GLint depth = 0;
   host.GetTexParameteriv(image.target, GL_TEXTURE_BASE_LEVEL, &base);
-  constexpr GLint kMostLevels = 12; // that every host can be asked for
+  constexpr GLint kMostLevels = 12; // every host has as many levels
   host.GetTexLevelParameteriv(image.level, base < kMostLevels ? base : 0, GL_TEXTURE_DEPTH_SIZE,
                               &depth);
   return depth != 0;

@@ -24,7 +24,7 @@ ArrayVariants::of(const CompiledProgram &whole, std::uint32_t arrays, WiderAttri
     return whole.shared_from_this();
   return m_forms.of(arrays | either << 16, [&] {
     auto form = std::make_shared<CompiledProgram>(whole);
-    form->arrays = nullptr; // it would keep itself
+    form->arrays = nullptr; // it would keep itself alive
     form->program = withAttributes(*whole.program, arrays, either);
     form->glsl = fp::emitGlsl(*form->program, m_host, m_numerics);
     fp::GlslHost clipping = m_host;

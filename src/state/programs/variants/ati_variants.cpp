@@ -10,7 +10,8 @@ namespace arbiter::state {
 
 namespace {
 
-/// The state as far as the shader sees it, so that what it does not sample makes no further form.
+/// Returns the part of the state that the shader sees, so that what it does not sample makes no
+/// further variant.
 fp::FixedFunction seenBy(std::uint32_t units, const fp::FixedFunction &state) {
   fp::FixedFunction seen = state;
   for (std::size_t unit = 0; unit < seen.targets.size(); ++unit)
@@ -43,7 +44,7 @@ std::shared_ptr<const CompiledProgram> AtiVariants::under(const CompiledProgram 
     form->depths = std::make_shared<const DepthVariants>(m_host, m_numerics);
     form->text = fp::emitAssembly(fp::asArbFragment(std::move(program)));
     if (whole.replaced())
-      form->replacement = form->text; // it is emitted from the replacement
+      form->replacement = form->text; // it was emitted from the replacement
     if (debugFlag(DebugFlag::Glsl))
       logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
     return form;

@@ -10,22 +10,22 @@
 
 namespace arbiter::state {
 
-/// An ATI fragment shader, and what it becomes under the fixed-function state of draws: its samples
-/// name no texture targets, and fog and colour sum follow it. Each form is emitted once; contexts
-/// of a share group use the same ones.
+/// An ATI fragment shader, with its variants by fixed-function state. Its samples name no texture
+/// targets, and it is followed by fog and colour sum. Each variant is emitted once, and contexts of
+/// a share group use the same ones.
 class AtiVariants {
 public:
-  /// `program` is checked, of language AtiFragment.
+  /// Requires that `program` is checked, of language AtiFragment.
   AtiVariants(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics);
 
-  /// The image units that it samples, one bit each.
+  /// Returns the image units that it samples, one bit for each.
   [[nodiscard]] std::uint32_t units() const { return m_units; }
-  /// The form under `state`, of which units that it does not sample are not looked at: its GLSL,
-  /// and as its text the assembly for the host's ARB path. `whole` is the program that this is the
-  /// shader of. Any thread may call it.
+  /// Returns the variant under `state`: its GLSL, and as its text the assembly for the host's ARB
+  /// path. The state of units that it does not sample is ignored. `whole` is the program that this
+  /// object belongs to. Any thread may call it.
   [[nodiscard]] std::shared_ptr<const CompiledProgram> under(const CompiledProgram &whole,
                                                              const fp::FixedFunction &state) const;
-  /// The forms there are.
+  /// Returns all variants made so far.
   [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const {
     return m_forms.all();
   }

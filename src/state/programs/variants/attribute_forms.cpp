@@ -17,7 +17,8 @@ using fp::ir::Operand;
 using fp::ir::Program;
 using fp::ir::Select;
 
-/// Components that the attribute's conventional commands set; all of those without a difference.
+/// Returns the components that the attribute's conventional commands set; all four if there is no
+/// difference to the generic one.
 std::uint8_t conventionalMask(const Attribute &attribute) {
   switch (attribute.kind) {
   case AttributeKind::Normal:
@@ -30,7 +31,7 @@ std::uint8_t conventionalMask(const Attribute &attribute) {
   }
 }
 
-/// Requires: isAliasedRegister(number).
+/// Returns the conventional attribute of a register. Requires isAliasedRegister(number).
 Attribute conventionalOf(unsigned number) {
   switch (number) {
   case 2:
@@ -61,8 +62,8 @@ std::uint16_t addTemporary(Program &program) {
   return std::uint16_t(program.temporaries.size() - 1);
 }
 
-/// Code that leaves the attribute's value in the temporary that is returned. SEQ and MIN find
-/// whether all of the components are equal; a NaN among them is taken for one that is not.
+/// Appends code that leaves the attribute's value in a temporary, and returns the temporary. SEQ
+/// and MIN test whether all common components are equal; a NaN counts as unequal.
 std::uint16_t choose(Program &program, std::size_t attribute, std::vector<Instruction> &code) {
   const std::uint8_t mask = conventionalMask(program.attributes[attribute]);
   const std::size_t generic = program.attributes.size();
@@ -142,7 +143,7 @@ std::shared_ptr<const Program> withAttributes(const Program &program, std::uint3
     }
   }
   if (!before.empty() && form->options.nv == fp::ir::NvOption::None)
-    form->options.nv = fp::ir::NvOption::First; // whose opcodes choose() has
+    form->options.nv = fp::ir::NvOption::First; // choose() uses opcodes of this option
   form->code.insert(form->code.begin(), before.begin(), before.end());
   return form;
 }

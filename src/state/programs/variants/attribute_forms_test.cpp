@@ -1,4 +1,4 @@
-// Forms of vertex programs by where their attributes are, run by the interpreter.
+// Checks variants of vertex programs by the place of their attributes, run by the interpreter.
 #include "state/programs/variants/attribute_forms.h"
 
 #include <gtest/gtest.h>
@@ -23,17 +23,17 @@ Program copies(AttributeKind kind, std::string_view mask) {
   builder.op(Opcode::Mov, builder.result(OutputKind::FrontPrimary).mask(mask),
              {builder.attribute(kind)});
   Program program = builder.take();
-  // As programs of NVIDIA's own languages are lowered.
+  // Lowered like programs of NVIDIA's own languages.
   program.options.nv = fp::ir::NvOption::First;
   program.options.native = fp::ir::NativeLanguage::Vp1;
   return program;
 }
 
-/// The colour of the form of `v[number]` with both attributes.
+/// Returns the colour computed by the variant of `v[number]` that reads both attributes.
 Vec4 chosen(AttributeKind kind, unsigned number, const Vec4 &conventional, const Vec4 &generic) {
   const auto form = withAttributes(copies(kind, "xyzw"), 0, 1u << number);
   EXPECT_TRUE(fp::ir::validate(*form).empty());
-  Program plain = copies(kind, "xyzw"); // as one of the ARB's language
+  Program plain = copies(kind, "xyzw"); // now as an ARB program
   plain.options = {};
   EXPECT_TRUE(fp::ir::validate(*withAttributes(plain, 0, 1u << number)).empty());
   std::vector<Vec4> attributes;

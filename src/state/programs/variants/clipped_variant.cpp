@@ -20,7 +20,7 @@ std::shared_ptr<const CompiledProgram> ClippedVariant::of(const CompiledProgram 
     key = {planes, alphaDepths};
   return m_forms.of(key, [&] {
     auto form = std::make_shared<CompiledProgram>(whole);
-    form->clipped = nullptr; // it would keep itself
+    form->clipped = nullptr; // it would keep itself alive
     fp::GlslHost host = m_host;
     host.clipDistances = key.planes;
     host.alphaDepths = key.alphaDepths;

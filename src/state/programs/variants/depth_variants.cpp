@@ -13,7 +13,7 @@ std::shared_ptr<const CompiledProgram> DepthVariants::of(const CompiledProgram &
     return whole.shared_from_this();
   return m_forms.of(alphaDepths, [&] {
     auto form = std::make_shared<CompiledProgram>(whole);
-    form->depths = nullptr; // it would keep itself
+    form->depths = nullptr; // it would keep itself alive
     fp::GlslHost host = m_host;
     host.alphaDepths = alphaDepths;
     form->glsl = fp::emitGlsl(*whole.program, host, m_numerics);

@@ -10,17 +10,19 @@
 
 namespace arbiter::state {
 
-/// The forms of a fragment program that is linked to a vertex shader of GLSL 1.30, beside which
-/// Mesa takes DEPTH_TEXTURE_MODE ALPHA for INTENSITY: each has it in its text for some image units.
-/// And those that points are drawn with as sprites of NV_point_sprite's, each with such forms.
+/// The variants of a fragment program linked with a vertex shader of GLSL 1.30, with which Mesa
+/// takes DEPTH_TEXTURE_MODE ALPHA for INTENSITY. Each variant applies the mode itself for some
+/// image units. There are also variants for point sprites of NV_point_sprite, each again with such
+/// variants.
 class DepthVariants {
 public:
   DepthVariants(fp::GlslHost host, fp::Numerics numerics) : m_host(host), m_numerics(numerics) {}
 
-  /// The form of `whole`, which this is the one of; `whole` itself without such units.
+  /// Returns the variant of `whole`, the program that this object belongs to, for some units;
+  /// `whole` itself if there are none.
   [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole,
                                                           std::uint32_t alphaDepths) const;
-  /// The same for sprites; `whole` itself without units.
+  /// Returns the variant for point sprites; `whole` itself if no unit is replaced.
   [[nodiscard]] std::shared_ptr<const CompiledProgram> ofSprites(const CompiledProgram &whole,
                                                                  const SpriteForm &sprites) const;
   [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const {

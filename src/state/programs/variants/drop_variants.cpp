@@ -14,7 +14,7 @@ void dropVariants(Context &context, const CompiledProgram &compiled) {
   const auto dropAll = [&](const auto &variants) {
     if (variants)
       for (const auto &form : variants->all())
-        dropVariants(context, *form); // which has no such forms
+        dropVariants(context, *form); // a variant has no variants of the same kind
   };
   dropAll(compiled.arrays);
   dropAll(compiled.clipped);

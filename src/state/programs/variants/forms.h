@@ -9,13 +9,13 @@ namespace arbiter::state {
 
 struct CompiledProgram;
 
-/// What one program becomes under different state, by that state. Each form is made once; contexts
-/// of a share group use the same ones, and any thread may ask. Few: they are looked for one by one.
+/// The variants of one program by the state that they are for. Each is made once. Contexts of a
+/// share group use the same ones, and any thread may ask. There are few, so the search is linear.
 template <typename Key> class Forms {
 public:
   using Form = std::shared_ptr<const CompiledProgram>;
 
-  /// The form under `key`; `make()`, which returns one, is called if there is none yet.
+  /// Returns the variant for `key`; calls `make()` if there is none yet.
   template <typename Make> [[nodiscard]] Form of(const Key &key, Make make) const {
     const std::lock_guard lock(m_mutex);
     const auto it = std::find_if(m_forms.begin(), m_forms.end(),
@@ -24,7 +24,7 @@ public:
       return it->second;
     return m_forms.emplace_back(key, make()).second;
   }
-  /// The forms that were asked for.
+  /// Returns all variants made so far.
   [[nodiscard]] std::vector<Form> all() const {
     const std::lock_guard lock(m_mutex);
     std::vector<Form> forms;

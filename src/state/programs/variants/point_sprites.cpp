@@ -13,7 +13,7 @@ namespace arbiter::state {
 
 namespace {
 
-constexpr int kMostUnits = 8; ///< gl_TexCoord's that programs read
+constexpr int kMostUnits = 8; ///< number of gl_TexCoord elements that programs read
 
 GLenum polygonMode(const Context &context, std::size_t face) {
   GLint modes[2] = {GL_FILL, GL_FILL};
@@ -21,7 +21,8 @@ GLenum polygonMode(const Context &context, std::size_t face) {
   return GLenum(modes[face]);
 }
 
-/// Polygons of which one face alone comes to points are none here: a program cannot tell.
+/// True if the draw makes points. Polygons of which only one face is drawn as points do not count,
+/// because a program cannot tell the faces apart.
 bool drawsPoints(const Context &context, GLenum mode) {
   if (mode < GL_TRIANGLES || mode > GL_POLYGON)
     return mode == GL_POINTS;
@@ -109,7 +110,7 @@ void setSpriteMode(Context &context, GLenum mode) {
   sprites.rMode = mode;
   sprites.used = true;
   context.dirty |= software::dirty::kRaster;
-  invalidateProgram(context); // draws look from now on
+  invalidateProgram(context); // makes draws look from now on
 }
 
 } // namespace arbiter::state

@@ -5,55 +5,56 @@
 #include "state/era/era_state.h"
 #include "state/era/point_sprites.h"
 
-/// POINT_SPRITE_R_MODE_NV (NV_point_sprite) of S and R on a host, which replaces all four
-/// components of a unit's coordinates by (s, t, 0, 1). Points are drawn with a form of the fragment
-/// program that reads gl_PointCoord, and the vertex's coordinates beside it: COORD_REPLACE of the
-/// units is FALSE on the host meanwhile. Fixed function is a program then. The rasterizer has the
-/// mode by itself.
+/// Emulates POINT_SPRITE_R_MODE_NV (NV_point_sprite) with values S and R on a host that always
+/// replaces a unit's coordinates by (s, t, 0, 1). Points are drawn with a variant of the fragment
+/// program that reads gl_PointCoord beside the vertex's coordinates. Meanwhile the host's
+/// COORD_REPLACE is FALSE for these units, and fixed function is drawn as a program. The rasterizer
+/// supports the mode itself.
 namespace arbiter::state {
 
-/// Null where the layer does not have the extension.
+/// Returns null if the layer does not offer the extension.
 [[nodiscard]] inline PointSprites *spritesOf(const Context &context) {
   return context.era && context.era->offered.pointSprite ? &context.era->sprites : nullptr;
 }
 
-/// A mode was set that draws look at each time.
+/// True if a mode was set that each draw must check.
 [[nodiscard]] bool mayFollowSprites(const Context &context);
-/// Notes the mode of the draw that comes, outside of lists; `PointSprites::kNoPrimitive` of one
-/// without.
+/// Notes the primitive mode of the next draw, outside of lists. `PointSprites::kNoPrimitive` stands
+/// for a draw without one.
 inline void notePrimitiveMode(Context &context, GLenum mode) {
   PointSprites *const sprites = spritesOf(context);
   if (sprites && sprites->used && context.listMode == 0) [[unlikely]]
     sprites->drawn = mode;
 }
-/// Before the choice of what is effective: another one is made if the draw needs another form. Asks
-/// the host.
+/// Has another program chosen if the next draw needs another variant. Call it before the choice.
+/// Queries the host.
 void followSprites(Context &context);
-/// POINT_SPRITE_R_MODE_NV; ZERO where the layer does not have it.
+/// Returns POINT_SPRITE_R_MODE_NV, or ZERO if the layer does not offer it.
 [[nodiscard]] inline GLenum spriteMode(const Context &context) {
   const PointSprites *const sprites = spritesOf(context);
   return sprites ? sprites->rMode : GLenum(GL_ZERO);
 }
-/// The form that the effective program is chosen for.
+/// Returns the variant for which the effective program is chosen.
 [[nodiscard]] SpriteForm spriteForm(const Context &context);
-/// No form of the layer's is effective, nor a unit's COORD_REPLACE hidden from the host.
+/// True if no variant of the layer's is effective, and no unit's COORD_REPLACE is hidden from the
+/// host.
 [[nodiscard]] inline bool spritesAreTheHosts(const Context &context) {
   const PointSprites *const sprites = spritesOf(context);
   return !sprites || (sprites->form.units == 0 && sprites->hidden == 0);
 }
-/// After the choice: the host's COORD_REPLACE is what the program of the draw needs.
+/// Sets the host's COORD_REPLACE as the chosen program needs it.
 void applySprites(Context &context);
 
-/// releaseSprites(), where there are hidden units.
+/// Implements releaseSprites() when units are hidden.
 [[gnu::cold]] void showCoordinates(Context &context, PointSprites &sprites);
-/// The host's COORD_REPLACE becomes the application's again; the next draw looks.
+/// Restores the application's COORD_REPLACE on the host; the next draw hides it again.
 inline void releaseSprites(Context &context) {
   if (PointSprites *const sprites = spritesOf(context); sprites && sprites->hidden != 0)
       [[unlikely]]
     showCoordinates(context, *sprites);
 }
 
-/// PointParameter of POINT_SPRITE_R_MODE_NV, outside of lists, with its errors.
+/// Executes PointParameter of POINT_SPRITE_R_MODE_NV outside of lists, and raises its errors.
 void setSpriteMode(Context &context, GLenum mode);
 
 } // namespace arbiter::state

@@ -17,22 +17,22 @@ class Context;
 
 struct StateText;
 
-/// A program that GL state was made into, compiled for this context: there is no text of the
-/// application's, and none of its limits count.
-/// \param text of the state; null where nothing asks for one
-/// \param target whose env parameters the program reads
-/// \param program valid, of language ArbFragment
+/// Compiles a program that was made from GL state, for this context. There is no text of the
+/// application's, and none of its limits apply.
+/// \param text the state's text, or null if nothing needs one
+/// \param target the target whose env parameters the program reads
+/// \param program a valid program of language ArbFragment
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
 programOfState(const Context &context, Target target, fp::ir::Program program,
                const fp::GlslHost &host, const StateText *text);
 
-/// A context's programs of a target that is state, by what they were made for: plain bytes. Each is
-/// made once. An application has some dozens or hundreds; one that makes others for ever begins
-/// again here.
+/// A context's programs of a target whose program is GL state, by the state's plain bytes. Each is
+/// made once. An application has dozens or hundreds. If there are too many, all are dropped.
 template <typename Key> class StatePrograms {
 public:
-  /// \param lower gives the program of the key
-  /// \param text as of programOfState()
+  /// Returns the program of `key`.
+  /// \param lower makes the program of the key
+  /// \param text see programOfState()
   template <typename Lower>
   [[nodiscard]] std::shared_ptr<const CompiledProgram> of(Context &context, Target target,
                                                           const Key &key, const fp::GlslHost &host,
@@ -62,7 +62,7 @@ private:
   std::unordered_map<Key, std::shared_ptr<const CompiledProgram>, Hash> m_programs;
 };
 
-/// Those of states that have texts, by the text and what stands in for it.
+/// A context's programs of states that have texts, by the text and its replacement.
 template <typename Key> class NamedStatePrograms {
 public:
   [[nodiscard]] StatePrograms<Key> &of(Context &context, const std::string &name) {

@@ -43,7 +43,7 @@ VertexSymbol ofAttribute(AttributeKind kind, GLuint index = 0) {
   return symbol;
 }
 
-/// A value that draws ask for.
+/// Returns a symbol whose value draws must query.
 VertexSymbol follower(DataType type, VertexSymbol::Follows follows, GLuint light = 0) {
   VertexSymbol symbol = ofState(type, {});
   symbol.meaning.from = From::Invariant;
@@ -78,7 +78,7 @@ std::optional<VertexSymbol> lightParameter(std::uint8_t light, GLenum value) {
     symbol.meaning.isDirection = true;
     return symbol;
   }
-  case GL_SPOT_CUTOFF: // state of programs has its cosine
+  case GL_SPOT_CUTOFF: // program languages only have its cosine
     return follower(DataType::Scalar, VertexSymbol::Follows::SpotCutoff, light);
   default:
     return std::nullopt;
@@ -152,7 +152,7 @@ std::optional<VertexSymbol> parameter(const Context &context, GLenum value) {
   return ofState(DataType::Vector, {.item = StateItem::ClipPlane, .index = std::uint8_t(plane)});
 }
 
-/// The group's name of it. A key begins with what binds.
+/// Returns the share group's name of the symbol. A key begins with the enumerant that was bound.
 GLuint nameOf(Context &context, const std::optional<VertexSymbol> &symbol, const char *why,
               const std::array<GLenum, 3> &key) {
   if (!symbol) {

@@ -26,7 +26,7 @@ using fp::vertex_shader::From;
 using fp::vertex_shader::Lowered;
 using Recorded = VertexShaderRecorder::Recorded;
 
-/// The registers that the shader's symbols take, by where their values come from.
+/// Counts the registers that the shader's symbols use, by kind of storage.
 void countSymbols(const Recorded &recorded, VertexShaderInputs &inputs) {
   for (std::size_t i = 0; i < recorded.symbols.size(); ++i) {
     const VertexSymbol &symbol = *recorded.symbols[i];
@@ -44,7 +44,7 @@ void countSymbols(const Recorded &recorded, VertexShaderInputs &inputs) {
   }
 }
 
-/// Two variants that the shader reads have the same attribute.
+/// True if two variants that the shader reads have the same attribute.
 bool sharesAttributes(const Recorded &recorded) {
   std::set<std::uint8_t> taken;
   for (std::size_t i = 0; i < recorded.symbols.size(); ++i) {
@@ -96,7 +96,7 @@ std::shared_ptr<const CompiledProgram> compile(const Context &context, const Rec
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), listing);
   if (!compiled->vertexShader->fits)
-    return compiled; // nothing draws with it
+    return compiled; // no draw uses it
   const fp::GlslHost host = glslHost(context.caps);
   compiled->glsl = fp::emitGlsl(lowered.program, host, context.numerics);
   compiled->text = fp::emitAssembly(lowered.program);

@@ -5,7 +5,7 @@ namespace arbiter::state {
 
 class Context;
 
-/// EndVertexShaderEXT: the bound shader becomes what was recorded.
+/// Executes EndVertexShaderEXT: defines the bound shader as recorded.
 void defineVertexShader(Context &context, const VertexShaderRecorder::Recorded &recorded);
 
 } // namespace arbiter::state

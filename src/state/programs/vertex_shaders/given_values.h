@@ -9,11 +9,12 @@
 
 #include "state/objects/symbol_table.h"
 
-/// Values of symbols as the application gives them: one number of a scalar, four of a vector,
-/// sixteen of a matrix, column after column.
+/// Converts values of symbols as the application passes them: one number for a scalar, four for a
+/// vector, sixteen for a matrix in column order.
 namespace arbiter::state {
 
-/// Of NORMALIZED_RANGE whole numbers are mapped by table 2.6 (OpenGL 1.2), others clamped.
+/// Converts a number. With NORMALIZED_RANGE, integers are mapped by table 2.6 (OpenGL 1.2), and
+/// floats are clamped.
 template <typename T> [[nodiscard]] GLfloat givenNumber(T value, bool normalized) {
   if (!normalized)
     return GLfloat(value);
@@ -25,7 +26,7 @@ template <typename T> [[nodiscard]] GLfloat givenNumber(T value, bool normalized
   }
 }
 
-/// The columns of a matrix; of a vector all, of a scalar the first number.
+/// Returns the columns of a matrix. A vector is one column, and a scalar is its first number.
 template <typename T>
 [[nodiscard]] std::vector<Vec4> givenColumns(const VertexSymbol &symbol, const T *numbers) {
   std::vector<Vec4> columns(std::size_t(symbol.rows()));
@@ -36,7 +37,7 @@ template <typename T>
   return columns;
 }
 
-/// Rows of columns, and columns of rows.
+/// Transposes a matrix; anything else is returned unchanged.
 [[nodiscard]] inline std::vector<Vec4> transposed(const std::vector<Vec4> &lines) {
   if (lines.size() != 4)
     return lines;
@@ -47,7 +48,8 @@ template <typename T>
   return turned;
 }
 
-/// The rows of what SetInvariantEXT and SetLocalConstantEXT are given; none of a type that is none.
+/// Returns the rows of a value passed to SetInvariantEXT or SetLocalConstantEXT, or nothing for an
+/// invalid type.
 [[nodiscard]] inline std::optional<std::vector<Vec4>> givenRows(const VertexSymbol &symbol,
                                                                 GLenum type, const void *numbers) {
   const auto rows = [&](auto example) {

@@ -16,7 +16,7 @@ using fp::vertex_shader::Symbol;
 using fp::vertex_shader::Take;
 using Verdict = VertexShaderRecorder::Verdict;
 
-// The enumerants stand in the order of Op and of Take.
+// The enumerants are in the order of Op and of Take.
 static_assert(GL_OP_MOV_EXT - GL_OP_INDEX_EXT + 1 == fp::vertex_shader::kShaderOps);
 static_assert(GL_OP_CLAMP_EXT - GL_OP_INDEX_EXT == int(Op::Clamp));
 static_assert(GL_OP_MULTIPLY_MATRIX_EXT - GL_OP_INDEX_EXT == int(Op::MultiplyMatrix));
@@ -102,7 +102,7 @@ void VertexShaderRecorder::add(const Operation &operation) {
   const int count = fp::vertex_shader::argumentCount(operation.op);
   for (int i = 0; i < count; ++i)
     m_recorded.used[operation.arguments[std::size_t(i)]] = true;
-  // OP_INDEX may read any of the block.
+  // OP_INDEX may read any symbol of the block.
   if (operation.op == Op::Index) {
     const Symbol &base = m_recorded.shader.symbols[operation.arguments[1]];
     std::fill_n(m_recorded.used.begin() + base.blockFirst, base.blockCount, true);

@@ -12,8 +12,8 @@ GLuint VertexSymbolTable::add(const VertexSymbol &kind, GLuint count) {
     auto symbol = std::make_shared<VertexSymbol>(kind);
     symbol->first = first;
     symbol->count = count;
-    // Each variant has attributes of its own as long as there are any: then they come round again,
-    // and a shader that reads two variants of one attribute does not fit.
+    // Variants get attributes of their own until none are left. Then attributes are reused, and a
+    // shader that reads two variants with the same attribute exceeds the limits.
     if (symbol->isOwn(GL_VARIANT_EXT))
       for (int column = 0; column < symbol->rows(); ++column)
         symbol->meaning.attributes[std::size_t(column)] = {

@@ -29,8 +29,8 @@ namespace {
 
 ProgramTarget &shaderRow(Context &context) { return context.row(Target::VertexShader); }
 
-/// The env parameters of the row become the shader's invariants; those of GL's alone if `all` is
-/// not set.
+/// Sets the target's env parameters to the shader's invariants, or, if `all` is false, only to
+/// those that follow GL parameters.
 void takeValues(Context &context, const VertexShaderInputs &inputs, bool all) {
   ProgramTarget &row = shaderRow(context);
   bool changed = false;
@@ -75,7 +75,7 @@ void setInvariant(Context &context, GLuint name, const std::vector<Vec4> &rows) 
     symbol->value[row].store(rows[row]);
   table.valueChanged();
   if (context.vertexShaders->effective)
-    context.attention |= shaderRow(context).parameterBits; // the next draw looks
+    context.attention |= shaderRow(context).parameterBits; // makes the next draw look
 }
 
 const ProgramTarget *vertexShaderEffective(Context &context) {

@@ -14,47 +14,51 @@ class Context;
 struct CompiledProgram;
 struct ProgramTarget;
 
-/// What a compiled shader of EXT_vertex_shader has beside its program.
+/// The properties of a compiled shader of EXT_vertex_shader beside its program.
 struct VertexShaderInputs {
-  /// What an env parameter of the program holds.
+  /// The source of one env parameter.
   struct Row {
     std::shared_ptr<const VertexSymbol> symbol;
     std::uint8_t row;
   };
-  std::vector<Row> env; ///< by number
-  bool follows = false; ///< a value of `env` is one of GL's, which draws ask for
-  /// Within the limits. A shader that is not is undefined: vertices are fixed function's (2.14).
+  std::vector<Row> env; ///< indexed by the parameter's number
+  bool follows = false; ///< true if some value in `env` is a GL parameter that draws must query
+  /// True if it is within the limits. Otherwise it is undefined, and fixed function processes
+  /// vertices (2.14).
   bool fits = true;
-  bool optimized = true; ///< within those of the card itself
+  bool optimized = true; ///< true if it is within the limits of the card itself
   GLuint instructions = 0, variants = 0, invariants = 0, localConstants = 0, locals = 0;
 };
 
-/// EXT_vertex_shader in a context, where the layer has it. Shaders are objects of
-/// Target::VertexShader, whose env parameters are the invariants of the one that is drawn with.
+/// A context's state of EXT_vertex_shader, if the layer offers it. Shaders are objects of
+/// Target::VertexShader; the target's env parameters are the invariants of the effective one.
 struct VertexShaderState {
-  std::unique_ptr<VertexShaderRecorder> recorder; ///< between Begin- and EndVertexShaderEXT
-  /// Of the shader that draws are drawn with; null: of none.
+  /// set between BeginVertexShaderEXT and EndVertexShaderEXT
+  std::unique_ptr<VertexShaderRecorder> recorder;
+  /// The inputs of the effective shader, or null.
   std::shared_ptr<const VertexShaderInputs> effective;
-  std::uint64_t seenValues = 0; ///< VertexSymbolTable::version() that the env parameters are of
+  std::uint64_t seenValues = 0; ///< VertexSymbolTable::version() of the env parameters
 };
 
-/// BindVertexShaderEXT, also of a list.
+/// Executes BindVertexShaderEXT, called or from a list.
 void bindVertexShader(Context &context, GLuint name);
-/// SetInvariantEXT, also of a list: the rows of its value. It is one that can be set.
+/// Executes SetInvariantEXT, called or from a list. Requires an invariant that may be set.
+/// \param rows of its value
 void setInvariant(Context &context, GLuint name, const std::vector<Vec4> &rows);
 
-/// The row of vertex shaders, if one is enabled and defined: what draws are drawn with unless a
-/// vertex program is enabled. Gives its invariants their values.
+/// Returns the target of vertex shaders if one is enabled and defined, and sets its invariants'
+/// values. Draws use it unless a vertex program is enabled.
 [[nodiscard]] const ProgramTarget *vertexShaderEffective(Context &context);
-/// Before a draw: values that have changed since, by other contexts too. Outside of Begin and End.
+/// Updates values that have changed, in other contexts too, before a draw. Requires that no
+/// primitive is open.
 void refreshVertexShader(Context &context);
-/// Each draw must look.
+/// True if each draw must call refreshVertexShader().
 [[nodiscard]] bool vertexShaderFollows(const Context &context);
 
-/// A row of what GL has of a symbol that follows it. Outside of Begin and End.
+/// Returns a row of the GL value that a symbol follows. Requires that no primitive is open.
 [[nodiscard]] Vec4 followedValue(Context &context, const VertexSymbol &symbol, std::size_t row);
 
-/// A value of GetIntegerv and its kin; false: it is the host's to answer.
+/// Answers GetIntegerv and similar queries. Returns false if the host must answer.
 [[nodiscard]] bool vertexShaderValue(const Context &context, GLenum pname, GLint &value);
 
 } // namespace arbiter::state

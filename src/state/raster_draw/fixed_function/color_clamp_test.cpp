@@ -1,4 +1,4 @@
-// What is no number among the colours of vertices: programs clamp it as the host does.
+// Checks that NaN in vertex colours is clamped as the host does.
 #define GL_GLEXT_PROTOTYPES // before any header of GL
 #include "state/raster_draw/fixed_function/fixed_vertex.h"
 
@@ -21,7 +21,8 @@ using fp::ir::OutputKind;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// The front colour that the program makes of a primary colour; its parameters are constants.
+/// Returns the front colour that the program makes of a primary colour. Requires that all
+/// parameters are constants.
 fp::ir::Vec4 colorOf(const fp::ir::Program &program, const fp::ir::Vec4 &primary) {
   EXPECT_EQ(fp::ir::validate(program), std::vector<std::string>{});
   const std::vector<fp::ir::Vec4> attributes(program.attributes.size(), primary);
@@ -35,7 +36,7 @@ fp::ir::Vec4 colorOf(const fp::ir::Program &program, const fp::ir::Vec4 &primary
   return {};
 }
 
-/// Writes the colour in two parts, one of them by arithmetic.
+/// Returns a program that writes the colour in two parts, one of them computed.
 fp::ir::Program ownProgram() {
   fp::ir::Builder b(fp::ir::Language::ArbVertex);
   const fp::ir::Target color = b.result(OutputKind::FrontPrimary);
@@ -66,11 +67,11 @@ TEST(ColorClamp, WithoutItColoursStay) {
   EXPECT_EQ(colorOf(withFixedPosition(ownProgram(), 0, ColorClamp::None), color), color);
 }
 
-/// HostCaps goes by the host's name, so the host is asked by a draw.
+/// HostCaps decides by the host's name, so a draw checks what the host really does.
 TEST(ColorClamp, TheHostClampsAsItsCapsSay) {
   const testing::RealHost host;
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
-  // Each vertex has one: a colour of before Begin is a constant, which Mesa clamps by itself.
+  // Each vertex sets a colour: Mesa itself clamps a constant colour set before Begin.
   glBegin(GL_TRIANGLES);
   glColor4f(kNan, 0.5f, 0, 1);
   glVertex2f(-1, -1);

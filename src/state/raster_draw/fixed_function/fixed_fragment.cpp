@@ -15,7 +15,7 @@ using fp::ir::Source;
 using fp::ir::StateItem;
 using fp::ir::Target;
 
-/// Writes one key's program: the colour goes from unit to unit in a temporary.
+/// Writes the program of one key. A temporary carries the colour from unit to unit.
 class Writer {
 public:
   explicit Writer(const FixedFragmentKey &key) : m_key(key) {}
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  /// Texels first: COMBINE may read those of later units (ARB_texture_env_crossbar).
+  /// Samples all units first: COMBINE may read texels of later units (ARB_texture_env_crossbar).
   void sampleAll() {
     for (std::size_t unit = 0; unit < m_key.units.size(); ++unit) {
       const TextureUnitKey &key = m_key.units[unit];
@@ -139,7 +139,7 @@ private:
     return complement.read();
   }
 
-  /// One half of COMBINE (table 3.24) into the mask of a temporary; before the scale.
+  /// Writes one half of COMBINE (table 3.24), before the scale, to a temporary through its mask.
   void function(int unit, const Combiner &half, const Target &to) {
     const auto arg = [&](int i) { return argument(unit, half, i); };
     const Target work = m_builder.temporary();
@@ -181,8 +181,8 @@ private:
     if (!dotRgba)
       function(unit, key.alpha, result.mask("w"));
     const auto scale = [](const Combiner &half) { return float(half.scale); };
-    // Of DOT3_RGBA too (ARB_texture_env_dot3, issue 2), as Mesa has it; NVIDIA scales its alpha as
-    // RGB.
+    // Applies to DOT3_RGBA too (ARB_texture_env_dot3, issue 2), as in Mesa. NVIDIA's driver scales
+    // its alpha like RGB.
     const float rgb = scale(key.color), alpha = scale(key.alpha);
     m_builder.op(Opcode::Mul, m_color.sat(),
                  {result.read(), m_builder.constant(rgb, rgb, rgb, alpha)});

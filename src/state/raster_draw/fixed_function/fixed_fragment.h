@@ -10,21 +10,22 @@
 #include "state/raster_draw/fixed_function/fixed_programs.h"
 #include "state/raster_draw/outcome.h"
 
-/// Fixed-function fragments (OpenGL 1.4, sections 3.8.13 to 3.10: texture environments, colour sum,
-/// fog) as programs of Language::ArbFragment, so that frames that mix them with programs of the
-/// application stay the rasterizer's.
+/// Writes fixed-function fragment processing (texture environments, colour sum and fog: OpenGL 1.4,
+/// 3.8.13 to 3.10) as programs of Language::ArbFragment. Frames that mix it with the application's
+/// programs can then stay on the rasterizer.
 namespace arbiter::state {
 class Context;
 }
 
 namespace arbiter::state::software {
 
-/// What of a texture's format its environment function depends on (table 3.20 and those after it).
+/// The property of a texture's format that environment functions depend on (table 3.20 and the
+/// following ones).
 enum class TexelKind : std::uint8_t { Alpha, Opaque, Translucent, Intensity };
 
-/// COMBINE's one half, as plain numbers.
+/// One half of COMBINE, as plain numbers.
 struct Combiner {
-  std::uint8_t function = 0; ///< row of kCombineFunctions
+  std::uint8_t function = 0; ///< a row of kCombineFunctions
   std::array<std::uint8_t, 3>
       sources{}; ///< 0 texture, 1 constant, 2 primary, 3 previous, 4+n unit n
   std::array<std::uint8_t, 3> operands{}; ///< bit 0: one minus; bit 1: alpha
@@ -42,7 +43,8 @@ struct TextureUnitKey {
   bool operator==(const TextureUnitKey &) const = default;
 };
 
-/// All that the code depends on. Plain bytes: compare and hash as such.
+/// All state that the code depends on. It consists of plain bytes, and is compared and hashed as
+/// such.
 struct FixedFragmentKey {
   std::array<TextureUnitKey, 8> units{};
   fp::ir::FogMode fog = fp::ir::FogMode::None;
@@ -52,11 +54,11 @@ struct FixedFragmentKey {
 
 [[nodiscard]] fp::ir::Program makeFixedFragmentProgram(const FixedFragmentKey &key);
 
-/// The programs made, by key, and the host's state that chooses among them.
+/// The programs in use, by key, and the host's state that selects one.
 class FixedFragments {
 public:
-  /// The program for the host's state of now; null, with the reason, where an environment is one
-  /// that we lack. After refresh().
+  /// Returns the program for the host's current state. Returns null, with the reason, if an
+  /// environment is not supported. Call it after refresh().
   [[nodiscard]] std::shared_ptr<const fp::ir::Program> get(Context &context, Mirror &mirror,
                                                            Outcome &outcome);
 
@@ -65,7 +67,7 @@ private:
   Outcome completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key);
 
   FixedPrograms<FixedFragmentKey> m_programs;
-  FixedFragmentKey m_state; ///< as asked: units' kinds are not known yet
+  FixedFragmentKey m_state; ///< as queried; the units' kinds are not known yet
   Outcome m_outcome;
   std::uint64_t m_seen = 0;
 };

@@ -1,4 +1,4 @@
-// The host's state that chooses a fixed-function fragment program.
+// Queries the host's state that selects a fixed-function fragment program.
 #include <algorithm>
 #include <iterator>
 
@@ -16,11 +16,11 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Commands that change what is asked here.
+/// The groups of commands that change this state.
 constexpr std::uint32_t kGroups = dirty::kTextureBindings | dirty::kTextureParameters |
                                   dirty::kTexGen | dirty::kFog | dirty::kLighting;
 
-/// The rows of Combiner::function.
+/// The values of Combiner::function.
 constexpr GLenum kCombineFunctions[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,      GL_ADD_SIGNED,
                                         GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
 constexpr int kArguments[] = {1, 2, 2, 2, 3, 2, 2, 2};
@@ -31,8 +31,8 @@ GLint environmentValue(const host::HostTable &host, GLenum pname) {
   return value;
 }
 
-/// One half of COMBINE. `half` 0 is RGB's, 1 alpha's: their names differ by one distance
-/// throughout.
+/// Queries one half of COMBINE: RGB's or alpha's. The enumerants of the halves differ by one fixed
+/// distance.
 bool queryCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
   const GLint function = environmentValue(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB);
   const auto *const row =
@@ -68,7 +68,7 @@ bool queryCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
   return true;
 }
 
-/// Of the active unit. False: an environment of an extension.
+/// Queries the active unit's environment. Returns false for an environment of an extension.
 bool queryEnvironment(const host::HostTable &host, TextureUnitKey &unit) {
   switch (environmentValue(host, GL_TEXTURE_ENV_MODE)) {
   case GL_REPLACE:
@@ -103,8 +103,8 @@ TexelKind kindOf(const abi::Swizzle &s) {
   return s[0] == s[3] ? TexelKind::Intensity : TexelKind::Translucent;
 }
 
-/// The target whose sample is compared; false: a target that fixed function compares by no
-/// component of its coordinate (OpenGL 1.4, 3.8.14: TEXTURE_3D and cube maps have no depths).
+/// Changes the target to one whose samples are compared. Returns false if fixed function cannot
+/// compare with it (OpenGL 1.4, 3.8.14: TEXTURE_3D and cube maps have no depths).
 bool makeShadow(fp::ir::TexTarget &target) {
   using fp::ir::TexTarget;
   switch (target) {
@@ -122,7 +122,7 @@ bool makeShadow(fp::ir::TexTarget &target) {
   }
 }
 
-/// COMBINE reads a unit that has no texture: undefined, and the host's to decide.
+/// True if COMBINE reads a unit without a texture. That is undefined, so the host draws.
 bool readsMissing(const FixedFragmentKey &key, const Combiner &half) {
   return std::any_of(half.sources.begin(), half.sources.end(), [&](std::uint8_t source) {
     return source >= 4 && key.units[source - 4u].environment == Environment::Off;
@@ -148,7 +148,8 @@ Outcome FixedFragments::ask(Context &context) {
   return {};
 }
 
-/// What depends on the textures themselves. A unit whose texture is not complete is as if disabled.
+/// Completes the key with what depends on the textures. A unit with an incomplete texture counts as
+/// disabled.
 Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key) {
   for (std::size_t i = 0; i < key.units.size(); ++i) {
     TextureUnitKey &unit = key.units[i];
@@ -169,7 +170,7 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
       unit = {};
       continue;
     }
-    // Of components in another order an environment makes what the host does.
+    // If components are swizzled, only the host knows what the environment does.
     if (sampler.swizzle != SamplerState{}.swizzle)
       return Fallback::NoFragmentProgram;
     const bool isDepth = abi::isDepth(texture->format.layout);

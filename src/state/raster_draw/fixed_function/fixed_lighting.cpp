@@ -1,4 +1,4 @@
-// Lighting (OpenGL 1.4, 2.13): the equation of 2.13.1, for each side that may be seen.
+// Writes lighting (OpenGL 1.4, 2.13): the equation of 2.13.1, for each side that may be visible.
 #include <bit>
 
 #include "state/raster_draw/fixed_function/fixed_writer.h"
@@ -8,7 +8,7 @@ namespace arbiter::state::software {
 using fp::ir::OutputKind;
 
 namespace {
-/// Bits of FixedVertexKey::colorMaterialParts, and of VertexNeeds::frontMaterials.
+/// The bits of FixedVertexKey::colorMaterialParts and VertexNeeds::frontMaterials.
 enum Part : std::uint8_t {
   kEmission = 1,
   kAmbient = 2,
@@ -18,20 +18,20 @@ enum Part : std::uint8_t {
 };
 } // namespace
 
-/// One side of a lit vertex: its sums, and the parts of its material that the colour is, or that
-/// are attributes.
+/// One side of a lit vertex: its sums, and the material parts that track the colour or are
+/// attributes.
 struct FixedWriter::Side {
   bool back;
   std::uint8_t tracked, own;
-  Target primary, secondary; ///< one register where the specular part is not kept apart
+  Target primary, secondary; ///< one register unless the specular part is kept apart
 };
 
-/// What a light is to this vertex, whichever side is seen.
+/// A light as seen from the vertex, the same for both sides.
 struct FixedWriter::Ray {
   int light;
-  Source direction;             ///< to the light, of length 1
-  Source half;                  ///< between that and the viewer, of length 1
-  std::optional<Source> factor; ///< in x: attenuation and spot; none: 1
+  Source direction;             ///< to the light, normalized
+  Source half;                  ///< half-way vector between the light and the viewer, normalized
+  std::optional<Source> factor; ///< in x: attenuation times spot effect; none: 1
 };
 
 fp::ir::Source FixedWriter::materialPart(const Side &side, std::uint8_t part) {
@@ -47,7 +47,7 @@ fp::ir::Source FixedWriter::materialPart(const Side &side, std::uint8_t part) {
   return state(item, 0, 0, side.back);
 }
 
-/// Material times light.
+/// Returns material times light.
 fp::ir::Source FixedWriter::product(const Side &side, std::uint8_t part, int light) {
   const bool ambient = part == kAmbient, diffuse = part == kDiffuse;
   if (((side.tracked | side.own) & part) == 0)
@@ -64,7 +64,7 @@ fp::ir::Source FixedWriter::product(const Side &side, std::uint8_t part, int lig
   return result.read();
 }
 
-/// emission + model ambient * material ambient; the alpha is the diffuse part's.
+/// Starts with emission + model ambient * material ambient. Alpha is the diffuse part's.
 void FixedWriter::startSums(Side &side) {
   side.primary = temporary();
   if (((side.tracked | side.own) & (kEmission | kAmbient)) == 0)
@@ -82,7 +82,7 @@ void FixedWriter::startSums(Side &side) {
   op(Opcode::Mov, side.secondary, {constant(0, 0, 0, 0)});
 }
 
-/// 1 / (k0 + k1 d + k2 d^2), with d^2 and 1/d in x and w of `distance`.
+/// Returns 1 / (k0 + k1 d + k2 d^2). `distance` has d^2 in x and 1/d in w.
 fp::ir::Source FixedWriter::attenuation(int light, const Source &distance) {
   const Source k = state(StateItem::LightAttenuation, light);
   const Target t = temporary();
@@ -93,7 +93,7 @@ fp::ir::Source FixedWriter::attenuation(int light, const Source &distance) {
   return t.read();
 }
 
-/// The cosine to the spot's axis to the power of its exponent; 0 outside of the cone.
+/// Returns the cosine to the spot's axis, raised to the spot exponent, or 0 outside of the cone.
 fp::ir::Source FixedWriter::spot(int light, const Source &direction) {
   const Source axis = state(StateItem::LightSpotDirection, light);
   const Target t = temporary();
@@ -149,7 +149,7 @@ void FixedWriter::addLight(const Side &side, const Ray &ray) {
   op(Opcode::Dp3, t.mask("y"), {n, ray.half});
   op(Opcode::Mov, t.mask("w"), {materialPart(side, kShininess).swz("x")});
   op(Opcode::Lit, lit, {t.read()});
-  if (ray.factor) // of all three terms; lit.x is 1
+  if (ray.factor) // applies to all three terms; lit.x is 1
     op(Opcode::Mul, lit.mask("xyz"), {lit.read(), ray.factor->swz("x")});
   const auto add = [&](std::uint8_t part, std::string_view weight, const Target &sum) {
     op(Opcode::Mad, sum.mask("xyz"),

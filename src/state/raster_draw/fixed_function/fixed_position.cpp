@@ -1,4 +1,4 @@
-// What fixed function adds to an application's vertex program.
+// Adds parts of fixed function to an application's vertex program.
 #include <algorithm>
 #include <initializer_list>
 
@@ -21,7 +21,7 @@ using fp::ir::OutputKind;
 using fp::ir::Program;
 using fp::ir::StateItem;
 
-/// Adds instructions to the end of a program.
+/// Appends instructions to the end of a program.
 class Appender {
 public:
   explicit Appender(Program &program) : m_program(program) {}
@@ -48,7 +48,7 @@ public:
     std::uint16_t temporary;
     std::uint8_t mask; ///< the components that are written
   };
-  /// A new temporary that takes what the program writes to the output.
+  /// Makes a temporary that replaces the output in the program's instructions.
   Redirected redirected(std::uint16_t output, const char *name) {
     Redirected result{temporary(name), 0};
     for (Instruction &instruction : m_program.code) {
@@ -106,7 +106,7 @@ void clampColors(Program &program) {
       instruction.dst.saturate = true;
 }
 
-/// The same where what is no number becomes 1, which saturation has as 0.
+/// Clamps colours so that NaN becomes 1. A saturating instruction would give 0.
 void clampColorsToOne(Program &program) {
   Appender append(program);
   for (std::size_t output = 0; output < program.outputs.size(); ++output) {
@@ -123,10 +123,11 @@ void clampColorsToOne(Program &program) {
   }
 }
 
-/// Of the position that is drawn, taken back through the projection, whatever wrote it: that of
-/// fixed function, of an invariant program and of one that computes the same itself are cut at the
-/// same bits. So hosts do it, in clip space, by planes taken through the projection; of programs
-/// without the option the specification has no clipping by planes at all.
+/// Writes clip distances for the position that is drawn, transformed back by the projection.
+/// Positions of fixed function, of an invariant program, and of a program that computes the same
+/// are thus clipped at the same bits. Hosts do the same in clip space, with planes transformed by
+/// the projection. For programs without ARB_position_invariant, the specification defines no
+/// clipping by user planes at all.
 void addClipDistances(Appender &append, std::uint8_t planes, std::uint16_t position) {
   const std::uint16_t eye = append.temporary("eye");
   append.transform(File::Temporary, eye, StateItem::MatrixProjection, MatrixModifier::Inverse,
@@ -169,7 +170,8 @@ Program withFixedPosition(Program program, std::uint8_t clipPlanes, ColorClamp c
     clampColors(program);
   if (clamp == ColorClamp::NanIsOne)
     clampColorsToOne(program);
-  // Of NVIDIA's options: clipped by what it writes, or by the planes if they have its position.
+  // With NVIDIA's options, a program clips by distances that it writes, or by the planes if it is
+  // position-invariant.
   const bool ownDistances = program.options.clipsByDistances();
   if (program.options.positionInvariant)
     addInvariantPosition(program);
@@ -193,7 +195,7 @@ ExtendedPrograms::get(const std::shared_ptr<const Program> &program, std::uint8_
   return m_programs.emplace(key, std::move(entry)).first->second.extended;
 }
 
-/// Programs that nothing else holds any more.
+/// Drops programs that nothing else holds.
 void ExtendedPrograms::sweep() {
   std::unordered_map<const Program *, long> held;
   for (const auto &[key, entry] : m_programs)

@@ -8,17 +8,17 @@
 
 namespace arbiter::state::software {
 
-/// The programs of fixed function by the state that they stand for, of all contexts of the process.
-/// Machine code is found by its program (functions/), and lives as long as that: what one context
-/// has compiled, the next one draws with from its first frame on.
+/// The programs of fixed function by state, shared by all contexts of the process. Machine code is
+/// found by its program (functions/) and lives as long. A new context can thus draw its first frame
+/// with code that another one compiled.
 template <typename Key> class FixedPrograms {
 public:
   FixedPrograms() = default;
   FixedPrograms(const FixedPrograms &) = delete;
   FixedPrograms &operator=(const FixedPrograms &) = delete;
 
-  /// The program of a context for `key`: the same object for the same key. Takes no lock where this
-  /// context had it before. The reference stays good as long as *this does.
+  /// Returns the program for `key`; the same key gives the same object. Takes no lock if this
+  /// context has used it before. The reference is valid as long as *this.
   template <typename Make>
   [[nodiscard]] const std::shared_ptr<const fp::ir::Program> &get(const Key &key, Make make) {
     if (m_last && m_last->first == key) [[likely]]
@@ -40,7 +40,7 @@ private:
   public:
     template <typename Make> Program get(const Key &key, Make make) {
       const std::lock_guard lock(m_mutex);
-      if (m_programs.size() >= kMost) // contexts hold those that they draw with
+      if (m_programs.size() >= kMost) // contexts keep the programs that they use alive
         m_programs.clear();
       Program &program = m_programs[key];
       if (!program)
@@ -53,14 +53,14 @@ private:
     std::mutex m_mutex;
     Map m_programs;
   };
-  /// Never freed, as contexts may outlive static destructors.
+  /// Returns the process's programs. Never freed, because contexts may outlive static destructors.
   static OfProcess &ofProcess() {
     static auto *const s_programs = new OfProcess;
     return *s_programs;
   }
 
   Map m_programs;
-  /// Of the last answer: what draws differ in, often as not, is no part of the key.
+  /// The last result. What differs between draws is often no part of the key.
   typename Map::value_type *m_last = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// Texture coordinates made from positions and normals (OpenGL 1.4, 2.10.4).
+// Writes generated texture coordinates, computed from positions and normals (OpenGL 1.4, 2.10.4).
 #include "state/raster_draw/fixed_function/fixed_writer.h"
 
 namespace arbiter::state::software {
@@ -7,7 +7,7 @@ namespace {
 bool isMode(std::uint8_t coded, TexGenMode mode) { return coded == 1 + int(mode); }
 } // namespace
 
-/// r = u - 2 n (n . u)
+/// Returns r = u - 2 n (n . u).
 fp::ir::Source FixedWriter::reflected() {
   if (m_reflected)
     return *m_reflected;
@@ -20,7 +20,8 @@ fp::ir::Source FixedWriter::reflected() {
   return *(m_reflected = r.read());
 }
 
-/// s = rx/m + 1/2, t likewise, m = 2 sqrt(rx^2 + ry^2 + (rz + 1)^2); of every unit the same.
+/// Returns s = rx/m + 1/2 and t = ry/m + 1/2, with m = 2 sqrt(rx^2 + ry^2 + (rz + 1)^2). All units
+/// share it.
 fp::ir::Source FixedWriter::sphere() {
   if (m_sphere)
     return *m_sphere;
@@ -33,7 +34,7 @@ fp::ir::Source FixedWriter::sphere() {
   return *(m_sphere = st.read());
 }
 
-/// The coordinates of a unit before its matrix.
+/// Returns a unit's coordinates before its texture matrix.
 fp::ir::Source FixedWriter::generated(int unit) {
   const auto &modes = m_key.texGen[std::size_t(unit)];
   const Source given = attribute(Kind::TexCoord, unit);

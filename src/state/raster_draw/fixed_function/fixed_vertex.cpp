@@ -102,7 +102,8 @@ Source FixedWriter::eye() {
   return *(m_eye = eye.read());
 }
 
-/// No square is below the smallest normal number, so that its root has a reciprocal.
+/// Returns the squared length, at least the smallest normal number, so that its root has a
+/// reciprocal.
 Source FixedWriter::square(const Source &vector) {
   const Target square = temporary();
   op(Opcode::Dp3, square.mask("x"), {vector, vector});
@@ -123,7 +124,7 @@ Source FixedWriter::eyeUnit() {
   return *m_eyeUnit;
 }
 
-/// By the inverse of the modelview matrix, transposed (2.10.3).
+/// Returns the normal, transformed by the inverse transpose of the modelview matrix (2.10.3).
 Source FixedWriter::normal() {
   if (m_normal)
     return *m_normal;
@@ -143,7 +144,7 @@ Source FixedWriter::normal() {
   return *(m_normal = normal.read());
 }
 
-/// With planes that clip it (2.12): see addClipDistances().
+/// Writes the position, and clip distances (2.12) as addClipDistances() does.
 void FixedWriter::position() {
   const Target result = m_builder.result(OutputKind::Position);
   const Target position = m_key.clipPlanes == 0 ? result : temporary();
@@ -233,9 +234,8 @@ void FixedWriter::fogCoord() {
   }
 }
 
-/// size * sqrt(1 / (a + b*d + c*d*d)), between the limits (3.3). Hosts take the depth for the
-/// distance, as NVIDIA's driver and Mesa do, and the rasterizer's points are to be of the same
-/// size.
+/// Writes size * sqrt(1 / (a + b*d + c*d*d)), clamped (3.3). Hosts use depth in place of the
+/// distance, as NVIDIA's driver and Mesa do, and the rasterizer's points must have the same size.
 void FixedWriter::pointSize() {
   if (!m_key.pointAttenuation)
     return;
@@ -247,7 +247,7 @@ void FixedWriter::pointSize() {
   op(Opcode::Rsq, t.mask("w"), {t.read().swz("z")});
   op(Opcode::Mul, t.mask("w"), {t.read().swz("w"), size.swz("x")});
   op(Opcode::Max, t.mask("w"), {t.read().swz("w"), size.swz("y")});
-  // The least size of points that hosts have (OpenGL 2.1, 3.3).
+  // The smallest size of points on hosts (OpenGL 2.1, 3.3).
   op(Opcode::Max, t.mask("w"), {t.read().swz("w"), constant(1, 1, 1, 1)});
   op(Opcode::Min, m_builder.result(OutputKind::PointSize).mask("x"),
      {t.read().swz("w"), size.swz("z")});

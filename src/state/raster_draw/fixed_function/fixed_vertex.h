@@ -10,25 +10,27 @@
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/fixed_function/fixed_programs.h"
 
-/// Fixed-function vertex processing (OpenGL 1.4, chapter 2) as programs of Language::ArbVertex, one
-/// for each state that differs in code.
+/// Writes fixed-function vertex processing (OpenGL 1.4, chapter 2) as programs of
+/// Language::ArbVertex, one for each state that needs other code.
 namespace arbiter::state::software {
 
-/// User clip planes: distances to planes 0 to 3 are the components of result.texcoord[8], those to
-/// planes 4 to 7 of result.texcoord[9]: coordinates that no application has.
+/// The first output for clip distances. Distances to planes 0 to 3 are the components of
+/// result.texcoord[8], those to planes 4 to 7 of result.texcoord[9]. No application has these
+/// coordinates.
 inline constexpr int kClipDistanceOutput = 8;
 
-/// What a draw wants of its vertices beside the position.
+/// The vertex results that a draw needs beside the position.
 struct VertexNeeds {
-  std::uint8_t texCoords = 0; ///< one bit each
+  std::uint8_t texCoords = 0; ///< one bit for each unit
   bool primary = false, secondary = false, fogCoord = false;
-  bool pointSize = false; ///< the primitives are points
-  /// Parts of the materials that are the vertex's own (attributes.h), one bit each.
+  bool pointSize = false; ///< true if the primitives are points
+  /// Material parts that are vertex attributes (attributes.h), one bit for each.
   std::uint8_t frontMaterials = 0, backMaterials = 0;
   bool operator==(const VertexNeeds &) const = default;
 };
 
-/// All that the code depends on. Plain bytes: compare and hash as such.
+/// All state that the code depends on. It consists of plain bytes, and is compared and hashed as
+/// such.
 struct FixedVertexKey {
   VertexNeeds needs;
   std::uint8_t clipPlanes = 0;
@@ -40,23 +42,24 @@ struct FixedVertexKey {
   std::uint8_t colorMaterialFace = 0, colorMaterialParts = 0;
   std::uint8_t normalize = 0, rescale = 0;
   std::uint8_t lights = 0, positional = 0, spots = 0, attenuated = 0;
-  std::array<std::array<std::uint8_t, 4>, 8> texGen{}; ///< 0 off, else 1 + TexGenMode
+  std::array<std::array<std::uint8_t, 4>, 8> texGen{}; ///< 0: off, else 1 + TexGenMode
   bool operator==(const FixedVertexKey &) const = default;
 };
-/// Without what the needs make irrelevant, so that few programs serve.
+/// Returns the key, without what the needs make irrelevant, so that few programs suffice.
 [[nodiscard]] FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs);
 
-/// Outputs: the position; FrontPrimary and, where lit on both sides, BackPrimary; the secondaries;
-/// FogCoord; PointSize; TexCoord; the clip distances: those that are needed.
+/// Makes the program of a key. It writes the outputs that are needed, of: the position,
+/// FrontPrimary, BackPrimary if both sides are lit, the secondary colours, FogCoord, PointSize,
+/// TexCoord, and clip distances.
 [[nodiscard]] fp::ir::Program makeFixedVertexProgram(const FixedVertexKey &key);
 
-/// An application's vertex program with what fixed function adds: the position where it has
-/// ARB_position_invariant, clip distances, colours clamped to [0,1] (VertexState::clampColors).
+/// Extends an application's vertex program with parts of fixed function: the position if it has
+/// ARB_position_invariant, clip distances, and clamping of colours to [0,1]
+/// (VertexState::clampColors).
 [[nodiscard]] fp::ir::Program withFixedPosition(fp::ir::Program program, std::uint8_t clipPlanes,
                                                 ColorClamp clamp);
 
-/// The programs that withFixedPosition() gave, so that an application that changes between programs
-/// finds them again.
+/// Keeps the results of withFixedPosition(), for applications that alternate between programs.
 class ExtendedPrograms {
 public:
   [[nodiscard]] const std::shared_ptr<const fp::ir::Program> &
@@ -84,10 +87,11 @@ private:
   std::size_t m_sweepAt = 64;
 };
 
-/// The programs made, and the choice among them.
+/// The programs in use, and the choice among them.
 class FixedVertexPrograms {
 public:
-  /// For mirror.vertex as it is now; a few compares where neither it nor the needs have changed.
+  /// Returns the program for mirror.vertex. It only takes a few compares if neither that nor the
+  /// needs have changed.
   [[nodiscard]] const std::shared_ptr<const fp::ir::Program> &get(const VertexState &state,
                                                                   const VertexNeeds &needs);
 

@@ -1,5 +1,5 @@
-// Fixed-function vertices as programs, run by the interpreter, against what the host makes of the
-// same state: its feedback mode gives positions, colours and texture coordinates.
+// Compares fixed-function vertex programs, run by the interpreter, with the host in the same state.
+// The host's feedback mode gives positions, colours and texture coordinates.
 #define GL_GLEXT_PROTOTYPES // before any header of GL
 #include "state/raster_draw/fixed_function/fixed_vertex.h"
 
@@ -33,7 +33,7 @@ struct Vertex {
 };
 
 struct Result {
-  Vec position{}, color{}, texCoord{}; ///< position: x, y, z of the window, and clip w
+  Vec position{}, color{}, texCoord{}; ///< position: x, y, z in the window, and clip w
 };
 
 Vertex randomVertex(Numbers &numbers) {
@@ -148,7 +148,7 @@ void send(const Vertex &v) {
   glVertex4fv(v.position.data());
 }
 
-/// False: clipped.
+/// Processes a vertex on the host. Returns false if it is clipped.
 bool byHost(const Vertex &vertex, Result &result) {
   GLfloat buffer[32] = {};
   glFeedbackBuffer(32, GL_4D_COLOR_TEXTURE, buffer);
@@ -235,7 +235,7 @@ TEST(FixedVertex, IsWhatTheHostMakesOfTheSameState) {
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
   Context &context = host.context();
   glViewport(0, 0, 64, 64);
-  // The host processes coordinates of units that are used, and of no others.
+  // The host only processes coordinates of units that are in use.
   const GLubyte texel[4] = {};
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -347,11 +347,12 @@ TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
   needs.fogCoord = needs.pointSize = true;
   const fp::ir::Program program = makeFixedVertexProgram(fixedVertexKey(mirror.vertex, needs));
   Vertex vertex{};
-  vertex.position = {1, 0, 1, 1}; // (1, 0, -3) to the eye; the plane was given before z moved on
+  // (1, 0, -3) in eye space; the plane was set before z was translated
+  vertex.position = {1, 0, 1, 1};
   const fp::ir::Evaluation got = run(context, program, vertex);
   EXPECT_FLOAT_EQ(output(program, got, OutputKind::FogCoord)[0], 3);
   EXPECT_NEAR(output(program, got, OutputKind::PointSize)[0], 10 / std::sqrt(1 + 0.25 * 9), 1e-5);
-  // Given in object coordinates of the time: 1*1 + 0.5*1 + 2.
+  // The plane was set in object coordinates of that time: 1*1 + 0.5*1 + 2.
   EXPECT_NEAR(output(program, got, OutputKind::TexCoord, kClipDistanceOutput + 1)[1], 3.5, 1e-5);
 
   fp::ir::Builder b(fp::ir::Language::ArbVertex);
@@ -398,7 +399,7 @@ TEST(FixedVertex, FogCoordinatesBelowZeroAreFoldedWhereTheHostFoldsThem) {
   }
 }
 
-/// HostCaps goes by the host's release, so the host is asked by a draw.
+/// HostCaps decides by the host's release, so a draw checks what the host really does.
 TEST(FixedVertex, TheHostFoldsFogCoordinatesIfItsCapsSaySo) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
@@ -417,7 +418,7 @@ TEST(FixedVertex, TheHostFoldsFogCoordinatesIfItsCapsSaySo) {
     glReadPixels(8, 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
     return int(pixel[0]);
   };
-  (void)fogOf(0); // Mesa 25 draws the first without fog
+  (void)fogOf(0); // Mesa 25 draws the first one without fog
   const int above = fogOf(2), below = fogOf(-2);
   EXPECT_NEAR(above, 128, 2);
   EXPECT_NEAR(below, host.context().caps.foldsFogCoordinates ? above : 0, 2);

@@ -5,7 +5,8 @@
 #include "fp_compiler/ir/builder.h"
 #include "state/raster_draw/fixed_function/fixed_vertex.h"
 
-/// Writes the program of one key; a part of fixed_vertex.cpp, which calls the functions in turn.
+/// Writes the program of one key. It is a part of fixed_vertex.cpp, which calls its functions in
+/// turn.
 namespace arbiter::state::software {
 
 class FixedWriter {
@@ -37,23 +38,23 @@ private:
   [[nodiscard]] Source attribute(Kind kind, int index = 0) {
     return m_builder.attribute(kind, index);
   }
-  /// Rows are declared once.
+  /// Returns a source; each parameter is declared once.
   [[nodiscard]] Source constant(float x, float y, float z, float w);
   [[nodiscard]] Source state(const fp::ir::StateRef &ref);
   [[nodiscard]] Source state(StateItem item, int index = 0, int row = 0, bool back = false);
   [[nodiscard]] Source matrixRow(StateItem item, int index, int row,
                                  MatrixModifier modifier = MatrixModifier::Plain);
 
-  // What several parts need; made at the first call.
-  [[nodiscard]] Source eye();       ///< the vertex in eye coordinates
-  [[nodiscard]] Source eyeUnit();   ///< from the eye to the vertex, of length 1
-  [[nodiscard]] Source normal();    ///< in eye coordinates, rescaled or normalised as asked
-  [[nodiscard]] Source reflected(); ///< eyeUnit() about normal()
-  /// A vector of length 1; of a zero vector, zero.
+  // Values that several parts need; computed at the first call.
+  [[nodiscard]] Source eye();     ///< the vertex in eye coordinates
+  [[nodiscard]] Source eyeUnit(); ///< vector from the eye to the vertex, normalized
+  [[nodiscard]] Source normal();  ///< in eye coordinates, rescaled or normalized as the state says
+  [[nodiscard]] Source reflected(); ///< eyeUnit() reflected about normal()
+  /// Returns a vector normalized; a zero vector stays zero.
   [[nodiscard]] Source normalized(const Source &vector);
-  [[nodiscard]] Source square(const Source &vector); ///< in x, never 0
+  [[nodiscard]] Source square(const Source &vector); ///< in x; never 0
 
-  /// Clamped as the key says.
+  /// Writes a colour, clamped as the key says.
   void storeColor(fp::ir::OutputKind kind, const Source &value);
   void unlit();
   [[nodiscard]] Source sphere(); ///< (s, t)

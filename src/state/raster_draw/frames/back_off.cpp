@@ -22,8 +22,8 @@ void BackOff::tryAgain() {
 
 namespace {
 
-/// The mean without the quarter that is highest, and the one that is lowest. A median would be one
-/// kind of frame, by chance, where an application has two by turns.
+/// Returns the mean without the highest and the lowest quarter. If an application alternates
+/// between two kinds of frames, a median would select one kind by chance.
 float middleOf(float *values, int count) {
   std::sort(values, values + count);
   const int left = count > 2 ? std::max(count / 4, 1) : 0;
@@ -56,7 +56,7 @@ bool BackOff::isHostFaster() const {
          (wait ? m_software.busy : m_software.time);
 }
 
-/// Both ways have been tried.
+/// Compares the times of both sides and keeps the faster one.
 void BackOff::decide() {
   ++m_statistics.trials;
   m_statistics.lastSoftwareMilliseconds = double(m_software.time);
@@ -140,7 +140,7 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
     m_moving = frame.moved ? m_moving + 1 : 0;
     m_plain = frame.plain ? m_plain + 1 : 0;
     m_others.look(time);
-    // After a trial that was won the next one waits, too.
+    // The next trial waits for m_keep frames, also after one that the rasterizer won.
     if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames)
       tryAgain();
     break;

@@ -7,7 +7,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Frames of an application whose time depends on who draws.
+/// Simulates an application's frames, whose time depends on who draws.
 class Frames {
 public:
   explicit Frames(BackOff &backOff) : m_backOff(backOff) {}
@@ -18,7 +18,7 @@ public:
       m_onHost += !software;
       m_onRasterizer += software;
       m_now += std::chrono::milliseconds(software ? softwareMilliseconds : hostMilliseconds);
-      // The host moves nothing while it draws.
+      // The host moves no images while it draws.
       m_backOff.frameEnded({moved && software, plain && software}, m_now);
     }
   }
@@ -70,7 +70,7 @@ TEST(BackOff, AnApplicationThatChangesIsTriedAgain) {
   EXPECT_EQ(backOff.statistics().trials, 2u);
 }
 
-/// A title of which the host draws more in less time, then what the application is for.
+/// A title that the host draws faster is followed by the application's real frames.
 TEST(BackOff, FramesOfAnotherTimeAreTriedSoon) {
   BackOff backOff;
   Frames frames(backOff);
@@ -79,11 +79,11 @@ TEST(BackOff, FramesOfAnotherTimeAreTriedSoon) {
   frames.run(100, true, 20, 40);
   EXPECT_TRUE(backOff.engaged());
   EXPECT_EQ(backOff.statistics().trials, 2u);
-  frames.run(100, true, 50, 40); // and the other way
+  frames.run(100, true, 50, 40); // and back again
   EXPECT_FALSE(backOff.engaged());
 }
 
-/// Frames of two kinds by turns cost no more than a tenth of them on the slower side.
+/// If two kinds of frames alternate, at most a tenth of them is drawn by the slower side.
 TEST(BackOff, FramesThatAlwaysChangeAreNotTriedForEver) {
   BackOff backOff;
   Frames frames(backOff);
@@ -159,7 +159,7 @@ TEST(BackOff, TrialsThatTheRasterizerWinsClearlyBecomeRare) {
   EXPECT_GT(backOff.statistics().trials, 10u);
 }
 
-/// Slow frames are seen: few of them suffice where each says the same.
+/// Slow frames are visible, so few of them suffice if each says the same.
 TEST(BackOff, TrialsThatAreClearTakeFewFrames) {
   BackOff slow;
   Frames frames(slow);
@@ -178,7 +178,7 @@ TEST(BackOff, TrialsThatAreClearTakeFewFrames) {
   EXPECT_LT(faster.onHost(), 5);
 }
 
-/// A clearly slower rasterizer is looked at again, and each time for a moment only.
+/// A clearly slower rasterizer is tried again ever more rarely, each time for a moment.
 TEST(BackOff, LooksAtASlowRasterizerBecomeRareAndShort) {
   BackOff backOff;
   Frames frames(backOff);
@@ -188,11 +188,11 @@ TEST(BackOff, LooksAtASlowRasterizerBecomeRareAndShort) {
   EXPECT_FALSE(backOff.engaged());
   EXPECT_GT(frames.onRasterizer(), before + 20);
   EXPECT_LT(frames.onRasterizer(), before + 50);
-  frames.run(20'000, true, 5, 10); // and one that has become the faster is found
+  frames.run(20'000, true, 5, 10); // finds that the rasterizer has become faster
   EXPECT_TRUE(backOff.engaged());
 }
 
-/// One slow frame of a look, as where code is made for it, is not taken for all.
+/// One slow frame in a trial, as when code is compiled for it, must not decide.
 TEST(BackOff, ASlowFrameOfALookIsOutvoted) {
   BackOff backOff;
   Frames frames(backOff);
@@ -218,7 +218,7 @@ TEST(BackOff, FramesOfALookAreNeverTheHostsToTry) {
     ASSERT_TRUE(backOff.engaged()) << i;
   }
   EXPECT_EQ(backOff.statistics().trials, 0u);
-  // A look that is first drawn while a trial goes on ends it.
+  // A trial ends when the rasterizer first draws a look.
   while (backOff.engaged())
     frame(false);
   EXPECT_FALSE(backOff.followsHost());
@@ -242,7 +242,7 @@ TEST(BackOff, ATrialOfTheHostsFramesFollowsIt) {
   EXPECT_TRUE(backOff.followsHost());
 }
 
-/// Frames of two kinds by turns, of which a median is one or the other.
+/// Two kinds of frames alternate; a median would be one of them.
 TEST(BackOff, FramesByTurnsAreComparedByBothKinds) {
   for (const bool heavyFirst : {false, true}) {
     BackOff backOff;
@@ -259,7 +259,7 @@ TEST(BackOff, FramesByTurnsAreComparedByBothKinds) {
   }
 }
 
-/// Frames that wait for a tick take as long whoever draws.
+/// Frames that wait for a tick take the same time whoever draws.
 TEST(BackOff, FramesThatWaitAreComparedByTheProcessorsTime) {
   for (const bool softwareIsCheap : {false, true}) {
     BackOff backOff;

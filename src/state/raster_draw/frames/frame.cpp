@@ -17,7 +17,8 @@ std::uint64_t transfers(const ContextState &state) {
   return statistics.downloads + statistics.uploads;
 }
 
-/// Draws of either rasterizer, and the host's turns that are none of the application's draws.
+/// Returns the number of draws on either side, plus the host's work that was no draw of the
+/// application.
 std::uint64_t workOf(const ContextState &state) {
   return std::accumulate(state.fallbacks.begin(), state.fallbacks.end(),
                          state.drawn + state.hostTurns);
@@ -30,7 +31,7 @@ std::chrono::nanoseconds processorTime() {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-/// A frame whose draws were the host's for a client's sake is as if there had been none.
+/// Ignores a frame whose draws the host did for a client's sake.
 void passOver(ContextState &state) {
   state.unjudged = state.observed = state.hostDrew = state.depthsTested = state.lacked = false;
   state.hostTurns = state.lookTurns = 0;
@@ -39,8 +40,8 @@ void passOver(ContextState &state) {
   state.history.backOff.frameIgnored(std::chrono::steady_clock::now());
 }
 
-/// Whether the rasterizer drew so little of a frame that it is not worth the images that were moved
-/// for it. Programs may be costly on the host, however few their draws are.
+/// True if the rasterizer's part of a mixed frame was too small to be worth moving images for it.
+/// Frames with programs never count: programs may be costly on the host, however few the draws.
 bool mixedInVain(const ContextState &state, bool moved) {
   constexpr std::uint64_t kLeastShare = 4;
   const std::uint64_t drawn = state.drawn - state.drawnSeen;
@@ -48,11 +49,11 @@ bool mixedInVain(const ContextState &state, bool moved) {
          drawn * kLeastShare < workOf(state) - state.workSeen;
 }
 
-/// A frame ended in which something was drawn.
+/// Updates the history after a frame in which something was drawn.
 void judgeWhole(ContextState &state, bool moved) {
   FrameHistory &history = state.history;
   history.waitsForCode = false;
-  // Nor does one that the host drew before anything could be said of it.
+  // A frame that the host drew before it could be judged says nothing either.
   if (state.hostTurns != 0 || !state.unjudged) {
     history.judged = true;
     history.wholeFrames = history.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
@@ -78,7 +79,7 @@ void judge(Context &context, bool moved) {
   if (state.observed)
     return passOver(state);
   const bool plain = state.drawsPlain && !state.hostDrew && state.hostTurns == 0;
-  // A frame in which nothing was drawn says nothing about the next one.
+  // An empty frame says nothing about the next one.
   const bool drew = workOf(state) != state.workSeen;
   if (drew) {
     frameEndsForCompiler();

@@ -1,23 +1,23 @@
 #pragma once
 #include <GL/gl.h>
 
-/// The end of a frame, as far as the rasterizer can tell one.
+/// Recognises the ends of frames, and updates the rasterizer's frame history.
 namespace arbiter::state {
 class Context;
 }
 
 namespace arbiter::state::software {
 
-/// Before the window system shows the window: residency's present(), and the frame is judged
-/// (back_off.h). Transfers that presenting makes do not
-/// count against the rasterizer. True: it is shown.
+/// Ends a frame before the window system shows the window. Calls Residency::present() and judges
+/// the frame (back_off.h). Transfers made for presenting do not count against the rasterizer.
+/// Returns true if the window is shown already and the host has nothing to swap.
 [[nodiscard]] bool presentFrame(Context &context);
-/// Finish, by an application that never shows a window, is the end of its frame.
+/// Handles Finish: it ends the frame of an application that never shows a window.
 void finishFrame(Context &context);
-/// Before Clear. Of an application that neither shows a window nor calls Finish a frame ends where
-/// the target that it cleared first is cleared again, as a whole and in all its colours and depths:
-/// no earlier pass is left in it. Clears of other targets, for passes of the same frame, and of
-/// depths alone end none.
+/// Handles a Clear that is about to be done. It ends the frame of an application that neither shows
+/// a window nor calls Finish, if it clears again the target that was cleared first, with all
+/// colours and depths. Nothing of an earlier pass is left in such a target. Clears of other
+/// targets, or of depths alone, belong to passes of the same frame.
 void clearsTarget(Context &context, GLbitfield mask);
 
 } // namespace arbiter::state::software

@@ -8,12 +8,13 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Trivially destroyed, so that contexts may outlive static destructors. Only ever tried: a thread
-/// that is killed or forked away from inside leaves it locked for good, and nothing then waits.
+/// The history of the last frame in this process. It has a trivial destructor, because contexts may
+/// outlive static objects. The mutex is only tried: a thread may be killed, or the process forked,
+/// while it is locked, and nothing must then wait for it.
 struct {
   std::mutex mutex;
   FrameHistory history;
-  bool kept = false; ///< a frame has ended
+  bool kept = false; ///< true once a frame has ended
 } g_last;
 
 FrameHistory historyOfLastStart() {

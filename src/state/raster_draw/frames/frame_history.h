@@ -5,29 +5,29 @@
 
 namespace arbiter::state::software {
 
-/// What a context has learnt of its frames, by which the next one is begun.
+/// Holds what a context has learnt of its frames. It decides how the next frame begins.
 struct FrameHistory {
   BackOff backOff;
   FrameTrials trials;
   KeptLook look;
-  bool judged = false; ///< of a frame it was said whether it is a whole one
-  bool wholeFrames =
-      false;              ///< the last frames had no turn of the host, as many as `trials` asks for
-  int unjudgedFrames = 0; ///< in a row
-  /// The last frames were mixed ones, in which the rasterizer drew little beside the host, by fixed
-  /// function alone, and images were moved for it: not until a frame is a whole one again.
+  bool judged = false;      ///< true once a frame was judged as whole or mixed
+  bool wholeFrames = false; ///< the last frames were whole, as many as `trials` asks for
+  int unjudgedFrames = 0;   ///< number in a row
+  /// True after mixed frames in which images were moved for few draws of the rasterizer, all of
+  /// fixed function. Cleared by the next whole frame.
   bool mixesInVain = false;
-  /// The first frame of a program that ran before: its machine code is on disk, and waited for.
+  /// True in the first frame of a program that ran before: its machine code is on disk and is
+  /// waited for.
   bool waitsForCode = false;
 };
 
-/// The history that a context begins with: that of the context of this process whose frame ended
-/// last, or, of the first one, what the program's last start tells (functions/start_note.h).
-/// Applications that make a context for each view, document or even frame
-/// would never be drawn by what their frames are; an application of several kinds of contexts has
-/// one frame of each judged by another's.
+/// Returns the history with which a new context begins: that of the context whose frame ended last.
+/// The first context begins with what the program's last start tells (functions/start_note.h).
+/// Applications that make a context for each view, document or frame would otherwise never profit.
+/// If contexts are of different kinds, one frame of each is misjudged.
 [[nodiscard]] FrameHistory historyOfProcess();
-/// At the end of a frame. Does nothing while another thread is in one of these two.
+/// Keeps the history at the end of a frame. Does nothing while another thread is in one of these
+/// two functions.
 void keepHistory(const FrameHistory &history);
 
 } // namespace arbiter::state::software

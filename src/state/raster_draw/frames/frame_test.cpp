@@ -1,4 +1,4 @@
-// Where frames end, and which of them the rasterizer drew as a whole.
+// Checks where frames end, and which of them count as whole frames of the rasterizer.
 #include "state/raster_draw/frames/frame.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ protected:
   ContextState &state() { return *context().software; }
   const host::HostTable &gl() { return m_host.gl(); }
   void clear(GLbitfield mask) {
-    context().dirty = dirty::kAll; // the test sets state behind the layer's back
+    context().dirty = dirty::kAll; // the test sets state without the layer's entry points
     clearsTarget(context(), mask);
     gl().Clear(mask);
   }
@@ -167,7 +167,7 @@ TEST_F(Frame, MixesInVainWhereLittleIsDrawnBesideTheHost) {
   EXPECT_FALSE(frame(1, 40, true)) << "a program may be worth it";
 }
 
-// While machine code is made nothing is known of what the host draws in its place.
+// While machine code is compiled, the host's draws tell nothing about the frame.
 TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
   const auto frame = [&](bool unjudged) {
     state().fellBack(unjudged ? Fallback::Compiling : Fallback::Mixed);
@@ -188,7 +188,7 @@ TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
       << "a turn of the host's is one, whatever else was drawn";
 }
 
-// A client of control looked at it: all of its draws were the host's.
+// A client of control observes this frame, so all of its draws are the host's.
 TEST_F(Frame, WhatWasObservedSaysNothing) {
   drawnWithDepths();
   finishFrame(context());
@@ -196,7 +196,7 @@ TEST_F(Frame, WhatWasObservedSaysNothing) {
   for (int i = 0; i < 3; ++i) {
     state().fellBack(Fallback::Observed);
     state().observed = true;
-    drawnByHost(); // a list
+    drawnByHost(); // a list of the host's
     finishFrame(context());
     EXPECT_TRUE(state().history.wholeFrames);
     EXPECT_TRUE(state().mayTestDepth()) << "the frame behind it is drawn as those before";
@@ -228,7 +228,7 @@ TEST_F(Frame, AnApplicationThatReadsPixelsWaitsForMachineCode) {
   EXPECT_FALSE(state().mayGoUnjudged());
 }
 
-// A draw that is found out to be the host's only where it is tried: frames must not go by turns.
+// A draw that turns out to be the host's only when it is tried must not make frames alternate.
 TEST_F(Frame, TrialsThatFailBecomeRare) {
   int tried = 0, turns = 0;
   bool before = false;
@@ -260,7 +260,7 @@ TEST_F(Frame, TrialsThatHoldForgetThoseThatFailed) {
       drawnByHost();
     finishFrame(context());
   };
-  // After each failure twice as many frames, the failed one and those before it not counted.
+  // After each failure, twice as many whole frames are needed, counted from the failed one on.
   for (int needed = 1; needed <= 8; needed *= 2) {
     for (int i = 0; i < needed; ++i) {
       EXPECT_FALSE(state().history.wholeFrames) << needed;

@@ -3,16 +3,17 @@
 
 namespace arbiter::state::software {
 
-/// When a frame is tried as a whole one: the rasterizer tests depths from its beginning. What state
-/// says that the rasterizer lacks is seen in mixed frames too, but not what memory or machine code
-/// come to. An application with a draw of that kind in every frame would have each second frame
-/// begun by the rasterizer and ended by the host. So each trial that fails doubles the frames
-/// without a turn of the host that the next one waits for.
+/// Decides when to try a whole frame, in which the rasterizer tests depth from the beginning. What
+/// the rasterizer lacks is known from state in mixed frames too, but failures of memory or machine
+/// code show only when a draw is tried. If such a draw came in every frame, the rasterizer would
+/// begin, and the host end, every second frame. Therefore each failed trial doubles the number of
+/// frames without host draws that the next trial needs.
 class FrameTrials {
 public:
-  /// \param whole the frame had no turn of the host
-  /// \param tried the rasterizer tested depths in it
-  /// \return whether the next one is to be tried
+  /// Handles the end of a frame.
+  /// \param whole true if the host drew nothing that the rasterizer cannot
+  /// \param tried true if the rasterizer tested depth in it
+  /// \return true if the next frame is to be tried
   bool frameEnded(bool whole, bool tried) {
     if (!whole) {
       m_needed = tried ? std::min(2 * m_needed, kMostNeeded) : m_needed;
@@ -28,10 +29,10 @@ public:
 
 private:
   static constexpr int kMostNeeded = 64;
-  static constexpr int kKept = 4; ///< trials in a row that held, until failures are forgotten
-  int m_needed = 1;               ///< frames without a turn of the host
-  int m_row = 0;                  ///< that there were
-  int m_kept = 0;                 ///< of those, the ones that were tried
+  static constexpr int kKept = 4; ///< successful trials in a row after which failures are forgotten
+  int m_needed = 1;               ///< frames in a row that a trial needs
+  int m_row = 0;                  ///< such frames so far
+  int m_kept = 0;                 ///< number of those that were trials
 };
 
 } // namespace arbiter::state::software

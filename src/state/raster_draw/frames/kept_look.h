@@ -4,11 +4,12 @@
 
 namespace arbiter::state::software {
 
-/// The side that draws what the two draw otherwise (looks.h). The first such draw decides, and it
-/// stays so: the rasterizer where the frame is its own, the host where the frame is a mixed one, or
-/// where the host was faster and drew the frames before. A frame may have been a mixed one by
-/// chance, so the host's looks are chosen anew after many frames in which they alone were the
-/// host's; each time after twice as many, unless the rasterizer kept them for long in between.
+/// Keeps the side that draws a context's looks: features that the two sides draw differently
+/// (looks.h). The first such draw decides. The rasterizer gets them if the frame is its own. The
+/// host gets them in mixed frames, or if back-off kept the host for the frames before. A frame may
+/// be mixed by chance, so the host's choice is dropped after many frames in which looks were all
+/// that the host drew. Each time it takes twice as many frames, unless the rasterizer kept the
+/// looks for long in between.
 class KeptLook {
 public:
   enum class Side : std::uint8_t { Undecided, Rasterizer, Host };
@@ -16,20 +17,21 @@ public:
   [[nodiscard]] bool isRasterizers() const { return m_side == Side::Rasterizer; }
   [[nodiscard]] bool isHosts() const { return m_side == Side::Host; }
 
-  /// Before a draw that has a look.
+  /// Chooses the side, if there is none yet, before a draw that has a look.
   void meets(bool hostDrewBefore) {
     if (m_side == Side::Undecided)
       m_side = hostDrewBefore ? Side::Host : Side::Rasterizer;
   }
-  /// The host draws one, or may do so unseen.
+  /// Gives looks to the host, because it draws one, or may do so unnoticed.
   void becomesHosts() {
     if (m_held >= kLong * m_needed)
       m_needed = kLeastNeeded;
     m_side = Side::Host;
     m_row = m_held = 0;
   }
-  /// \param whole all but looks was the rasterizer's, or would have been
-  /// \return whether the next frame is to be tried as a whole one
+  /// Handles the end of a frame.
+  /// \param whole true if the host drew nothing but looks
+  /// \return true if the next frame is to be tried as a whole one
   bool frameEnded(bool whole) {
     m_held = m_side == Side::Rasterizer ? std::min(m_held + 1, kLong * kMostNeeded) : 0;
     m_row = m_side == Side::Host && whole ? m_row + 1 : 0;
@@ -43,11 +45,11 @@ public:
 
 private:
   static constexpr int kLeastNeeded = 64, kMostNeeded = 4096;
-  static constexpr int kLong = 16; ///< times as many frames
+  static constexpr int kLong = 16; ///< m_held counts as long from this multiple of m_needed on
   Side m_side = Side::Undecided;
-  int m_needed = kLeastNeeded; ///< frames in a row, until the host's looks are chosen anew
-  int m_row = 0;               ///< that there were
-  int m_held = 0;              ///< frames in a row for which looks were the rasterizer's
+  int m_needed = kLeastNeeded; ///< frames in a row until the host's looks are chosen anew
+  int m_row = 0;               ///< such frames so far
+  int m_held = 0;              ///< frames in a row in which the rasterizer had the looks
 };
 
 } // namespace arbiter::state::software

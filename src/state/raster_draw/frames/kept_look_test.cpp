@@ -20,7 +20,7 @@ TEST(KeptLook, TheFirstDrawDecides) {
   EXPECT_TRUE(hosts.isHosts());
 }
 
-/// Frames that end until the looks are chosen anew, at most.
+/// Returns how many frames end before the looks are chosen anew.
 int framesUntilUndecided(KeptLook &look, int most) {
   for (int i = 1; i <= most; ++i)
     if (look.frameEnded(true))

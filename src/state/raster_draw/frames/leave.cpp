@@ -25,7 +25,7 @@ LeftAlone::Seen seenOf(const ContextState &state) {
   return seen;
 }
 
-/// Counts a frame in which the rasterizer drew nothing. A frame without draws says nothing.
+/// Counts a frame in which the rasterizer drew nothing. A frame without draws does not count.
 void judge(const ContextState &state, LeftAlone &left) {
   const LeftAlone::Seen now = seenOf(state), before = std::exchange(left.seen, now);
   const bool drew = now.drawn != before.drawn;
@@ -49,12 +49,12 @@ bool gainsNothing(const LeftAlone &left) {
 void leave(Context &context, LeftAlone &left) {
   ContextState &state = *context.software;
   invalidateProgram(context);
-  state.history.look.becomesHosts(); // whatever is drawn meanwhile
+  state.history.look.becomesHosts(); // the host may draw looks meanwhile
   keepHistory(state.history);
   Figures figures;
   figures.add(context);
   const std::uint64_t patience = left.patience;
-  // A look between, for other times, puts the regular one off by nothing.
+  // An early return, made because frame times changed, must not postpone the regular one.
   const std::uint64_t until =
       left.until > context.frames ? left.until : context.frames + kFramesAlone;
   const bool keepsLists = left.refusedFrames < kRefusedAgain;
@@ -71,7 +71,8 @@ void leave(Context &context, LeftAlone &left) {
   left.patience = patience;
 }
 
-/// A frame of the host's took its time. The first one pays for the change of sides.
+/// Measures a frame of the host's. The first one is skipped, because it pays for the change of
+/// sides.
 void time(LeftAlone &left, std::uint64_t frame, Clock::time_point now) {
   const auto took = now - std::exchange(left.frameEnd, now);
   const float milliseconds = std::chrono::duration<float, std::milli>(took).count();
@@ -87,7 +88,7 @@ void time(LeftAlone &left, std::uint64_t frame, Clock::time_point now) {
   }
 }
 
-/// Whether a context that is left alone is to be looked at again.
+/// True if a context that was left alone must be looked at again.
 bool isToReturn(LeftAlone &left, std::uint64_t frames, Clock::time_point now) {
   if (left.returns)
     return false;
@@ -117,7 +118,7 @@ void leaveOrReturn(Context &context, Clock::time_point now) {
       leave(context, left);
   } else if (!state && context.leftAlone && isToReturn(*context.leftAlone, context.frames, now)) {
     context.leftAlone->returns = true;
-    context.softwareRefused = false; // the next draw engages it
+    context.softwareRefused = false; // the next draw calls engage()
     invalidateProgram(context);
   }
 }

@@ -1,4 +1,4 @@
-// A context that gains nothing is left alone.
+// Checks that a context that gains nothing is left alone.
 #include "state/raster_draw/frames/leave.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ protected:
     ASSERT_TRUE(context().software);
   }
   Context &context() { return m_host.context(); }
-  /// A frame with such a draw, several times.
+  /// Ends `count` frames with one refused draw each.
   void frames(int count, Fallback reason) {
     for (int i = 0; i < count; ++i) {
       if (context().software)
@@ -32,7 +32,7 @@ protected:
     }
   }
 
-  /// Frames in which the host has a turn for what the rasterizer lacks, and draws for its sake.
+  /// Ends frames in which the rasterizer lacks something and the host draws for its sake.
   void gainless(int count) {
     for (int i = 0; i < count; ++i) {
       if (context().software) {
@@ -42,7 +42,7 @@ protected:
       frames(1, Fallback::Mixed);
     }
   }
-  /// A draw after long enough.
+  /// Draws after enough frames, so that the context is looked at again.
   void returns() {
     frames(int(kFramesAlone), Fallback::Mixed);
     engage(context());
@@ -76,7 +76,7 @@ TEST_F(Leave, IsLookedAtAgainAfterManyFrames) {
   context().attention = 0;
   frames(1, Fallback::Target);
   EXPECT_NE(context().attention & attention::kProgram, 0u);
-  engage(context()); // as a draw does
+  engage(context()); // a draw calls this
   ASSERT_TRUE(context().software);
   frames(kRefusedAgain, Fallback::Target);
   EXPECT_FALSE(context().software) << "it is known";
@@ -95,7 +95,7 @@ TEST_F(Leave, NotWhereAnythingElseIsDrawnOrRefused) {
   }
   EXPECT_TRUE(context().software);
   for (int i = 0; i < 2 * kRefusedFrames; ++i)
-    leaveOrReturn(context()); // frames without a draw
+    leaveOrReturn(context()); // no draw in these frames
   EXPECT_TRUE(context().software);
 }
 

@@ -8,7 +8,8 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// True if a bitmap's fragments have this value of the raster position, and hosts give another.
+/// True if a bitmap's fragments take this value from the raster position. Hosts give them another
+/// value.
 bool isRasterValue(const fp::ir::Attribute &attribute) {
   return attribute.kind == fp::ir::AttributeKind::TexCoord ||
          attribute.kind == fp::ir::AttributeKind::FogCoord ||

@@ -6,40 +6,41 @@
 #include "fp_compiler/jit.h"
 #include "state/mirror/mirror.h"
 
-/// Features that the rasterizer draws otherwise than a software host, on purpose. Which of the two
-/// draws is never visible, so a draw that has a look keeps its side (kept_look.h).
+/// Looks: features that the rasterizer deliberately draws differently from a software host. Nobody
+/// should see which of the two draws, so one side draws all looks of a context (kept_look.h).
 namespace arbiter::state::software {
 
-/// Rows of looks.def.
+/// The rows of looks.def.
 enum class Look : std::uint8_t {
 #define ARBITER_LOOK(Enumerator, doc) Enumerator,
 #include "state/raster_draw/frames/looks.def"
 #undef ARBITER_LOOK
 };
-using Looks = std::uint32_t; ///< one bit a row
+using Looks = std::uint32_t; ///< one bit for each row
 [[nodiscard]] constexpr Looks bitOf(Look look) { return 1u << int(look); }
 
-/// The part of a fragment program that decides about looks.
+/// The parts of a fragment program that decide about looks.
 struct LookBasis {
-  std::vector<fp::jit::Sampler> samplers; ///< each unit once
+  std::vector<fp::jit::Sampler> samplers; ///< one for each unit
   fp::ir::Options options;
-  bool isFixed = false;           ///< fixed function's program
-  bool readsRasterValues = false; ///< those that go with a raster position, beside its colour
+  bool isFixed = false; ///< true for fixed function's program
+  /// true if it reads values of the raster position other than the colour
+  bool readsRasterValues = false;
 };
 [[nodiscard]] LookBasis lookBasisOf(const fp::ir::Program &fragments, bool isFixed);
 
-/// The parts of a draw. The mirror is up to date, with the samplers of the program.
+/// The parts of a draw that decide about looks. The mirror must be up to date, including the
+/// program's samplers.
 struct LookedAt {
   const Mirror &mirror;
   const LookBasis &fragments;
-  bool isBitmap = false;                                   ///< bits give fragments, not vertices
-  swrast::Topology topology = swrast::Topology::Triangles; ///< of vertices
+  bool isBitmap = false; ///< true if bits make the fragments, not vertices
+  swrast::Topology topology = swrast::Topology::Triangles; ///< topology of the vertices
 };
 
-/// Returns the looks that a draw has, but for those of its buffers. It asks nothing of the
-/// host.
+/// Returns the looks of a draw, except those of its colour buffers. Does not query the host.
 [[nodiscard]] Looks looksOf(const LookedAt &draw);
-/// Returns the looks that all draws to a colour buffer have.
+/// Returns the looks of all draws to a colour buffer with this layout.
 [[nodiscard]] Looks looksOf(abi::Layout target);
 
 } // namespace arbiter::state::software

@@ -2,16 +2,16 @@
 
 namespace arbiter::state::software {
 
-/// A frame is another one if it takes so many times the time, or such a part of it.
+/// A frame differs from others if its time is this many times longer or shorter.
 inline constexpr float kOtherTime = 1.5f;
-/// The number of such frames in a row that is no chance.
+/// This many such frames in a row are no chance.
 inline constexpr int kOtherFrames = 8;
 
-/// Tells when an application's frames are others than those that something was decided by, as where
-/// it shows its title first.
+/// Tells when frame times differ from those on which a decision was based, as after an
+/// application's title.
 class OtherTimes {
 public:
-  /// \param time a frame's; 0: nothing is decided yet
+  /// Sets the time to compare with. \param time a frame's time; 0: nothing is decided yet
   void decide(float time) {
     m_decided = time;
     m_row = 0;
@@ -21,13 +21,13 @@ public:
         m_decided > 0 && (time > m_decided * kOtherTime || time * kOtherTime < m_decided);
     m_row = isOther ? m_row + 1 : 0;
   }
-  /// Another row begins.
+  /// Starts counting anew.
   void restart() { m_row = 0; }
   [[nodiscard]] bool areOthers() const { return m_row >= kOtherFrames; }
 
 private:
   float m_decided = 0;
-  int m_row = 0; ///< of other frames
+  int m_row = 0; ///< frames in a row that differ
 };
 
 } // namespace arbiter::state::software

@@ -18,12 +18,14 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// LLVM recurses by the depth of a program's dependencies. Pages that are not reached are not
-/// there.
+/// Stack size. LLVM recurses as deep as a program's dependencies. Pages that are not reached take
+/// no memory.
 constexpr std::size_t kStack = std::size_t(16) << 20;
-/// Longer than a draw waits that can do without (functions.cpp).
+/// The delay of each task with ARBITER_DEBUG=late-code. It is longer than a draw waits that can do
+/// without the code (functions.cpp).
 constexpr std::chrono::milliseconds kLate{60};
-/// What waits for the end of the first frame waits no longer, as a frame may never end.
+/// Tasks that wait for the first frame's end wait no longer than this, because a frame may never
+/// end.
 constexpr std::chrono::milliseconds kLongestFrame{500};
 
 std::atomic<bool> g_frameEnded{false};
@@ -106,18 +108,18 @@ private:
   std::mutex m_mutex;
   std::condition_variable m_wake, m_idle;
   std::deque<std::function<void()>> m_tasks;
-  std::deque<std::function<void()>> m_patient; ///< of the first frame, for after it
+  std::deque<std::function<void()>> m_patient; ///< tasks for after the first frame
   std::chrono::steady_clock::time_point m_deadline;
-  bool m_released = g_frameEnded.load(); ///< nothing is patient any more
+  bool m_released = g_frameEnded.load(); ///< true once the first frame has ended
   bool m_started = false;
-  bool m_busy = false; ///< a task is run, without the lock
+  bool m_busy = false; ///< true while a task runs, without the lock
 };
 
 std::atomic<Compiler *> g_compiler{nullptr};
 
-/// Never freed: contexts may draw in other libraries' destructors, and the thread runs on until the
-/// process is gone. A child of fork() has no thread and perhaps a held lock, so it makes one anew
-/// and leaks its parent's.
+/// The process's compiler. Never freed: contexts may draw in other libraries' destructors, and the
+/// thread runs until the process ends. A forked child has no thread, and perhaps a locked mutex. It
+/// makes a new compiler and leaks the parent's.
 Compiler *compiler() {
   if (Compiler *const existing = g_compiler.load(std::memory_order_acquire))
     return existing;

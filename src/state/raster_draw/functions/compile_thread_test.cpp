@@ -1,4 +1,5 @@
-// What waits for the end of the first frame. Each process has one: each case is a child process.
+// Checks tasks that wait for the first frame's end. A process has one, so each case is a child
+// process.
 #include "state/raster_draw/functions/compile_thread.h"
 
 #include <atomic>
@@ -27,11 +28,11 @@ bool inChild(const std::function<bool()> &run) {
   waitpid(child, &status, 0);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
-/// As inChild(), of what a busy machine may delay.
+/// Tries inChild() several times, because a busy machine may delay it.
 bool inSomeChild(const std::function<bool()> &run) {
   return inChild(run) || inChild(run) || inChild(run);
 }
-/// Waits until so many tasks are done, ten seconds at most. \return how long
+/// Waits until that many tasks are done, at most ten seconds. \return the time it took
 milliseconds until(int done) {
   const auto begin = std::chrono::steady_clock::now();
   while (g_done.load() < done && std::chrono::steady_clock::now() - begin < milliseconds(10000))
@@ -45,11 +46,11 @@ TEST(CompileThread, ItWaitsForTheFramesEnd) {
     compileLater(kTask);
     (void)until(1);
     std::this_thread::sleep_for(milliseconds(20));
-    if (g_done.load() != 1) // the other, which was asked for later
+    if (g_done.load() != 1) // the task that was posted later
       return false;
     frameEndsForCompiler();
     (void)until(2);
-    compileLater(kTask, When::AfterFrame); // of a later frame
+    compileLater(kTask, When::AfterFrame); // a task of a later frame
     return g_done.load() == 2 || until(3) < milliseconds(400);
   }));
 }

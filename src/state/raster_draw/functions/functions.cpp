@@ -19,7 +19,7 @@ namespace {
 std::atomic<bool> g_engineKnown{false};
 std::atomic<std::uint64_t> g_functions{0}, g_failed{0}, g_codeBytes{0}, g_nanoseconds{0};
 
-/// Adds the time until its end to the statistics.
+/// Adds its lifetime to the statistics.
 class Stopwatch {
 public:
   ~Stopwatch() {
@@ -31,17 +31,16 @@ private:
   std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
 };
 
-/// A software host compiles too before it draws with a program or a state for the first time, on
-/// the thread that draws, and takes longer than this back end as a rule: the draw waits for our
-/// function rather than for the host's. What takes longer than this is left to the compiling
-/// thread, and the host draws meanwhile.
+/// How long a draw waits for a function. A software host also compiles on the drawing thread before
+/// the first draw with a program or state, and usually takes longer than this back end. If it takes
+/// longer than this limit, the compiling thread goes on, and the host draws meanwhile.
 constexpr std::chrono::milliseconds kWorthWaiting{50};
-/// Code that is on disk is there in half a millisecond.
+/// How long a draw waits for code on disk, which takes half a millisecond to read.
 constexpr std::chrono::milliseconds kWorthReading{8};
 
-/// On the compiling thread, as the application's may have a small stack, or an operator new or a
-/// floating-point environment that LLVM is not made for. Where there is no such thread what was
-/// asked for stays in the making, and the host draws.
+/// Runs a task on the compiling thread. The application's thread may have a small stack, an
+/// operator new of its own, or a floating-point environment that LLVM does not support. If there is
+/// no such thread, the function is never ready and the host draws.
 template <typename Task> void run(Wait wait, Task task) {
   const When when = wait == Wait::Not ? When::AfterFrame : When::Soon;
   if (!compileLater(std::move(task), when) || wait == Wait::Not)
@@ -62,7 +61,7 @@ template <typename Code> void note(const Code &code, const char *what, const std
   logInfo("software", "a %s program stays with the host: %s", what, reason.c_str());
 }
 
-/// What finds no memory here makes no function: the program stays with the host.
+/// Runs `work`, and ignores a lack of memory. The function is then missing, and the host draws.
 template <typename Work> void withoutMemory(Work work) {
   try {
     work();
@@ -70,7 +69,7 @@ template <typename Work> void withoutMemory(Work work) {
   }
 }
 
-/// Fills a place with what `compile` makes.
+/// Fills a slot with the code that `compile` makes.
 template <typename Slot, typename Compile>
 void make(Slot &slot, const char *what, Compile compile) {
   const Stopwatch stopwatch;
@@ -82,7 +81,7 @@ void make(Slot &slot, const char *what, Compile compile) {
   slot.progress.store(slot.code ? Progress::Ready : Progress::Failed, std::memory_order_release);
 }
 
-/// The place for a key, which `fill` fills where it is new.
+/// Returns the slot of a key. A new slot is filled by `fill`, on the compiling thread.
 template <typename Slots, typename Key, typename Fill>
 typename Slots::Slot &placeFor(Slots &slots, const Key &key, Wait wait, Fill fill) {
   bool made = false;
@@ -91,15 +90,15 @@ typename Slots::Slot &placeFor(Slots &slots, const Key &key, Wait wait, Fill fil
     return slot;
   try {
     run(wait, [fill = std::move(fill), place = &slot] { fill(*place); });
-  } catch (const std::exception &) { // it will not be made
+  } catch (const std::exception &) { // the function will never be made
     slot.progress.store(Progress::Failed, std::memory_order_release);
     throw;
   }
   return slot;
 }
 
-/// The objects by program and mode. An entry whose program nothing else holds is dropped when the
-/// next one is made.
+/// The function objects by program and mode. When an entry is added, entries whose program nothing
+/// else holds are dropped.
 template <typename Functions> class Table {
 public:
   std::shared_ptr<Functions> find(const std::shared_ptr<const fp::ir::Program> &program,
@@ -131,7 +130,7 @@ private:
     std::shared_ptr<const fp::ir::Program> program;
     std::shared_ptr<Functions> functions;
   };
-  /// Two holders are the entry and its functions themselves.
+  /// Drops unused entries: those held by the table and by their own functions alone.
   void sweep() {
     if (m_entries.size() < m_sweepAt)
       return;
@@ -145,7 +144,7 @@ private:
   std::size_t m_sweepAt = 64;
 };
 
-/// Never freed, as the compiling thread may outlive static destructors.
+/// Returns the table. Never freed, because the compiling thread may outlive static destructors.
 template <typename Functions> Table<Functions> &table() {
   static auto *const s_table = new Table<Functions>;
   return *s_table;
@@ -171,7 +170,7 @@ fp::jit::Engine *engine() {
       logWarn("software", "no rasterizer, the host draws: %s", reason.c_str());
     }
     g_engineKnown.store(true, std::memory_order_release);
-    return made.release(); // its code may run until the process is gone
+    return made.release(); // leaked, because its code may run until the process ends
   }();
   return s_engine;
 }

@@ -11,39 +11,41 @@
 #include "fp_compiler/jit.h"
 #include "state/raster_draw/outcome.h"
 
-/// The process's machine code: the engine, made when first wanted, and the functions by program and
-/// key. What is missing is compiled on a thread of its own, which the draw waits for a while; if it
-/// is not ready by then the host draws until it is.
+/// The process's machine code: the engine, created on first use, and functions by program and key.
+/// Missing functions are compiled on another thread. A draw waits for that only a while; then the
+/// host draws until the function is ready.
 namespace arbiter::state::software {
 
-/// The engine, made at the first call (it loads LLVM); null where the library does not load, which
-/// is said once in the log.
+/// Returns the engine, created at the first call, which loads LLVM. Returns null if the library
+/// does not load; this is logged once.
 [[nodiscard]] fp::jit::Engine *engine();
-/// Has it made by the compiling thread. True while it is not there yet; false where there is no
-/// such thread, too.
+/// Starts to create the engine on the compiling thread. Returns true until it is ready. Returns
+/// false if there is no such thread, too.
 [[nodiscard]] bool awaitsEngine();
 
-/// How far a thing that is compiled aside has come.
+/// The progress of something that is compiled in the background.
 enum class Progress : std::uint8_t { Making, Ready, Failed };
 
-/// One function, or the place where it will be.
+/// One function, or the slot where it will be.
 template <typename Function> struct FunctionSlot {
-  /// Null until it is ready: one load is all that a draw pays.
+  /// Null until it is ready. A draw pays only for this load.
   std::atomic<Function> function{nullptr};
   std::atomic<Progress> progress{Progress::Making};
   std::unique_ptr<fp::jit::Code<Function>> code;
 };
 
-/// Whether a caller waits: not at all, as the host draws this time whatever there is; as long as
-/// reading the disk takes, as the code should be there; for a while; or until all is compiled
-/// (ARBITER_BACKEND=swrast).
+/// How long a caller waits:
+/// - Not: not at all, because the host can draw this time
+/// - ForDisk: as long as reading code from disk takes
+/// - Briefly: for a while
+/// - UntilDone: until all is compiled (ARBITER_BACKEND=swrast)
 enum class Wait : std::uint8_t { Not, ForDisk, Briefly, UntilDone };
 
-/// The functions of one program by key.
+/// The functions of one program, by key.
 template <typename Key, typename Function> class FunctionSlots {
 public:
   using Slot = FunctionSlot<Function>;
-  /// The place of the function for `key`. \param made whether there was none before
+  /// Returns the slot for `key`. \param made true if it is new
   Slot &find(const Key &key, bool &made) {
     const std::lock_guard lock(m_mutex);
     std::unique_ptr<Slot> &entry = m_slots[key];
@@ -61,11 +63,11 @@ private:
   std::unordered_map<Key, std::unique_ptr<Slot>, Hash> m_slots;
 };
 
-/// Functions of one program that were asked for before, so that a draw that repeats takes no lock.
+/// Caches the slots that draws asked for recently, so that a repeated draw takes no lock.
 template <typename Functions, typename Key> class RecentFunctions {
 public:
   using Slot = typename Functions::Slot;
-  /// As Functions::slot().
+  /// Returns Functions::slot(), from the cache if possible.
   Slot &slot(Functions &functions, const Key &key, Wait wait) {
     for (const Recent &recent : m_recent)
       if (recent.slot && std::memcmp(&recent.key, &key, sizeof key) == 0)
@@ -84,7 +86,7 @@ private:
   std::size_t m_next = 0;
 };
 
-/// What a draw has of a place: the function, or why it is the host's.
+/// Returns ok if the slot has its function, or else the reason why the host draws.
 template <typename Function> Outcome outcomeOf(const FunctionSlot<Function> &slot) {
   if (slot.function.load(std::memory_order_acquire))
     return {};
@@ -92,8 +94,8 @@ template <typename Function> Outcome outcomeOf(const FunctionSlot<Function> &slo
                                                                            : Fallback::Compiling;
 }
 
-/// The functions of one fragment program in one mode. Contexts share it; it lives as long as
-/// someone holds it, functions as long as it.
+/// The functions of one fragment program in one mode. Contexts share the object. Its functions live
+/// as long as it does.
 class FragmentFunctions : public std::enable_shared_from_this<FragmentFunctions> {
 public:
   using Slots = FunctionSlots<abi::FragmentKey, abi::ShadeFunction>;
@@ -101,15 +103,15 @@ public:
   FragmentFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
       : m_source(std::move(source)), m_numerics(numerics) {}
 
-  /// The program as the back end sees it; null while it is prepared, and where it cannot be.
+  /// Returns the program prepared for the back end; null until that is done, or if it failed.
   [[nodiscard]] const fp::jit::FragmentProgram *prepared() const {
     return m_prepared.load(std::memory_order_acquire);
   }
   [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
-  /// Of what prepared() is, in nanoseconds (pixel_cost.h).
+  /// Returns the cost of a pixel in nanoseconds (pixel_cost.h). Requires prepared().
   [[nodiscard]] std::uint32_t pixelCost() const { return m_pixelCost; }
-  /// The place of the function for `key`; asks for it if it was not asked for yet. Requires
-  /// prepared(). Takes a lock: keep the answer.
+  /// Returns the slot for `key`, and requests the function if this is the first call. Requires
+  /// prepared(). It takes a lock, so keep the result.
   [[nodiscard]] Slot &slot(const abi::FragmentKey &key, Wait wait);
 
 private:
@@ -127,23 +129,24 @@ private:
   Slots m_slots;
 };
 
-/// The same of a vertex program. One that samples nothing has one function.
+/// The functions of one vertex program in one mode. A program that samples no texture has one
+/// function.
 class VertexFunctions : public std::enable_shared_from_this<VertexFunctions> {
 public:
   using Slots = FunctionSlots<abi::VertexKey, abi::VertexFunction>;
   using Slot = Slots::Slot;
   VertexFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
       : m_source(std::move(source)), m_numerics(numerics) {}
-  /// Null until it is ready, its function included where it is the only one, and where it cannot
-  /// be made.
+  /// Returns the prepared program; null until it is ready or if it failed. If there is only one
+  /// function, that is ready too.
   [[nodiscard]] const fp::jit::VertexProgram *prepared() const {
     return m_prepared.load(std::memory_order_acquire);
   }
-  /// The only one, of a program that samples nothing.
+  /// Returns the only function of a program that samples nothing.
   [[nodiscard]] abi::VertexFunction function() const {
     return m_only.function.load(std::memory_order_acquire);
   }
-  /// As FragmentFunctions::slot(), of a program that samples.
+  /// Returns the slot for `key`, for a program that samples, like FragmentFunctions::slot().
   [[nodiscard]] Slot &slot(const abi::VertexKey &key, Wait wait);
   [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
 
@@ -162,8 +165,8 @@ private:
   std::atomic<Progress> m_progress{Progress::Making};
 };
 
-/// The functions of a program, the same object for the same program and mode. Takes a lock: keep
-/// the answer while the program is effective.
+/// Returns the functions of a program. The same program and mode give the same object. It takes a
+/// lock, so keep the result while the program is effective.
 [[nodiscard]] std::shared_ptr<FragmentFunctions>
 fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
                   Wait wait);
@@ -171,11 +174,11 @@ fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Num
 vertexFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
                 Wait wait);
 
-/// Compiled and still waiting, for --stats.
+/// Counts of compiled functions, for --stats.
 struct CompileStatistics {
   std::uint64_t functions = 0, failed = 0;
   std::uint64_t codeBytes = 0;
-  double milliseconds = 0; ///< spent compiling, on whatever thread
+  double milliseconds = 0; ///< time spent compiling, on any thread
 };
 [[nodiscard]] CompileStatistics compileStatistics();
 

@@ -5,7 +5,7 @@
 namespace arbiter::state::software {
 namespace {
 
-// Tenths of a nanosecond, with eight lanes.
+// In tenths of a nanosecond, with eight lanes.
 constexpr std::uint32_t kArithmetic = 4, kFunction = 15;
 constexpr std::uint32_t kSample = 50, kSampleOfThree = 150;
 

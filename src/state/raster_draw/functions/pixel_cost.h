@@ -5,9 +5,9 @@
 
 namespace arbiter::state::software {
 
-/// What a pixel of a fragment program costs on one thread, in nanoseconds, at least 1: a rough sum
-/// over its instructions, loops taken once. It decides whether other threads take part
-/// (swrast::Shading::pixelCost), nothing else.
+/// Estimates the cost of a pixel on one thread in nanoseconds, at least 1: a sum over the program's
+/// instructions, with loops taken once. It only decides whether other threads take part
+/// (swrast::Shading::pixelCost).
 [[nodiscard]] std::uint32_t pixelCost(const fp::ir::Program &program);
 
 } // namespace arbiter::state::software

@@ -6,11 +6,12 @@
 
 namespace arbiter::state::software {
 
-/// What a context keeps for each program that it drew with. An entry begins as `Entry{source}` and
-/// stays where it is until there are so many that all but the effective one are dropped.
+/// A context's data for each program that it drew with. An entry begins as `Entry{source}`, and its
+/// address is stable. When there are too many, all but the effective one are dropped.
 template <typename Entry> class ProgramTable {
 public:
-  /// \param effective the entry of the last draw, or null: found again without a search, and never
+  /// Finds or adds an entry.
+  /// \param effective the last draw's entry, or null; it is found without a search and never
   /// dropped
   [[nodiscard]] Entry &find(const std::shared_ptr<const fp::ir::Program> &source,
                             Entry *effective) {
@@ -20,7 +21,7 @@ public:
       std::erase_if(m_entries, [&](const auto &item) { return &item.second != effective; });
     Entry &entry = m_entries[source.get()];
     if (!entry.source)
-      entry.source = source; // which keeps the address its own
+      entry.source = source; // keeps the program alive, so that its address stays unique
     return entry;
   }
 

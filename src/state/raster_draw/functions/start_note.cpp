@@ -15,9 +15,9 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// So many whole frames in a row are noted again after one that was not.
+/// After a mixed frame, this many whole frames in a row are needed to note whole frames again.
 constexpr int kWholeAgain = 64;
-/// An application of frames of many kinds does not write all the time.
+/// Limits writes by an application that alternates between kinds of frames.
 constexpr int kMostNotes = 8;
 
 struct Note {
@@ -44,12 +44,13 @@ LastStart readNote() {
   return *value == "whole frames" ? LastStart::WholeFrames : LastStart::Engine;
 }
 
-/// What is on disk, or will be.
+/// The note that is on disk, or about to be written.
 std::atomic<LastStart> g_noted{LastStart::Unknown};
 std::atomic<int> g_notes{0};
-std::atomic<int> g_wholeInRow{kWholeAgain}; ///< frames
+std::atomic<int> g_wholeInRow{kWholeAgain}; ///< number of frames
 
-/// Behind what is being compiled: a start that finds the note finds the code.
+/// Writes the note after the pending compilations, so that a start that finds the note also finds
+/// the code.
 void write(LastStart noted) {
   if (g_noted.exchange(noted, std::memory_order_relaxed) == noted ||
       g_notes.fetch_add(1, std::memory_order_relaxed) >= kMostNotes)

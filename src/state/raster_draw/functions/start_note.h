@@ -1,29 +1,29 @@
 #pragma once
 #include <cstdint>
 
-/// What a program leaves for its next start, beside the machine code on disk (ARBITER_CACHE). The
-/// first frame would go to the host, as the engine is not there (LLVM is relocated and initialised
-/// for some milliseconds) and it is not known whether the rasterizer can draw it as a whole; the
-/// host then compiles, or at least translates, what will not be used again. A program that ran
-/// before has its engine made while it starts, and its first frame drawn by the code that it left.
+/// A note on disk for the program's next start, beside its machine code (ARBITER_CACHE). Without
+/// it, the host would draw the first frame: loading LLVM takes some milliseconds, and it is not
+/// known whether the rasterizer can draw the whole frame. The host would then compile what is never
+/// used again. With the note, the engine is created while the program starts, and the code on disk
+/// draws its first frame.
 namespace arbiter::state::software {
 
-/// Of the same program (util/defaults/program.h) and build, whose code alone is on disk. How it
-/// was, not a promise: what turns out otherwise costs time.
+/// The note's account of the last start by the same program (util/defaults/program.h) and the same
+/// build. A wrong note costs time only.
 enum class LastStart : std::uint8_t {
   Unknown,
   Engine,      ///< the engine was used
-  WholeFrames, ///< and the rasterizer could draw frames as a whole
+  WholeFrames, ///< the engine was used, and the rasterizer drew whole frames
 };
 
-/// Reads the disk at the first call of a process.
+/// Returns the note. The process's first call reads the disk.
 [[nodiscard]] LastStart lastStart();
-/// Has the engine made by the compiling thread, where the last start used it. Only the first call
-/// of a process does anything.
+/// Starts to create the engine on the compiling thread if the last start used it. Only the
+/// process's first call has an effect.
 void startEngineAsBefore();
-/// The engine is there.
+/// Notes that the engine is in use.
 void noteEngine();
-/// A frame ended that was judged. \param whole it had no turn of the host
+/// Notes a frame that was judged. \param whole true if it was a whole frame
 void noteFrame(bool whole);
 
 } // namespace arbiter::state::software

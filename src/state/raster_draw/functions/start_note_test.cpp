@@ -1,4 +1,4 @@
-// What a start of a program finds of the last one. Each start is a child process.
+// Checks what a start of a program finds of the last one. Each start is a child process.
 #include "state/raster_draw/functions/start_note.h"
 
 #include <cstdlib>
@@ -26,7 +26,7 @@ protected:
   }
   void TearDown() override { std::filesystem::remove_all(m_folder); }
 
-  /// Runs the start and waits for what it writes. \return whether it held
+  /// Runs a start in a child, and waits for what it writes. \return true if it succeeded
   bool start(const std::function<bool()> &run, const char *cache = "1") {
     const pid_t child = fork();
     if (child == 0) {
@@ -82,7 +82,7 @@ TEST_F(StartNote, TheEngineAloneSaysNothingOfFrames) {
     return true;
   }));
   EXPECT_TRUE(start([] {
-    noteEngine(); // what is known stays
+    noteEngine(); // must not change what is known
     frames(1, true);
     return lastStart() == LastStart::Engine;
   }));
@@ -108,7 +108,7 @@ TEST_F(StartNote, WithoutACacheNothingIsLeftAndNothingFound) {
   EXPECT_TRUE(start([] { return lastStart() == LastStart::Unknown; }, "0"));
 }
 
-/// A process that alternates does not write in each frame.
+/// A process whose frames alternate must not write in each of them.
 TEST_F(StartNote, FewNotesAreWritten) {
   EXPECT_TRUE(start([] {
     for (int i = 0; i < 100; ++i) {

@@ -15,7 +15,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// A vertex outside of Begin and End: the host's, which makes nothing of it.
+/// Passes a vertex outside of Begin and End to the host, which ignores it.
 bool vertexOutside(void *owner, const float position[4]) {
   auto &context = *static_cast<Context *>(owner);
   drawHeld(context);

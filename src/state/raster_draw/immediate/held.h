@@ -5,30 +5,31 @@
 
 #include "state/core/context.h"
 
-/// Primitives of Begin and End that follow one another, drawn as one: of some applications each
-/// triangle is a primitive. Points, lines, triangles and quads share no vertices, so several of a
-/// mode are one with all their vertices (OpenGL 2.1, 2.6.1); the others are joined by indices
-/// (joined.h). After End such a primitive is held:
-/// the recorder stays, attributes go to it, and another Begin of the mode opens it anew. Every
-/// other command has it drawn first (attention::kHeld), by its generated entry point, and so has
-/// what the window system is asked for.
+/// Holds ended primitives of Begin and End, so that several can be drawn as one. Old applications
+/// make a primitive of each triangle. Points, lines, triangles and quads share no vertices, so
+/// several are one primitive with all their vertices (OpenGL 2.1, 2.6.1). Other modes are joined by
+/// indices (joined.h).
+///
+/// After End, the recorder stays open for attributes, and another Begin of the same mode continues
+/// it. Every other command first draws the held primitives: its generated entry point tests
+/// attention::kHeld. Requests to the window system do the same.
 namespace arbiter::state::software {
 
-/// More vertices are not held, so that other threads get to work.
+/// Most vertices that are held. After more, the other threads should begin to draw.
 inline constexpr std::uint32_t kMostHeld = 3072;
 
 [[nodiscard]] inline bool isHeld(const ContextHot &hot) {
   return (hot.attention & attention::kHeld) != 0;
 }
-/// At End, while the primitive is recorded. False: it is none that can be held, and must end.
+/// Holds the recorded primitive at End. Returns false if it cannot be held and must be drawn.
 [[nodiscard]] bool holdPrimitive(Context &context);
-/// At Begin: true if the held primitive is open again. False: nothing is held any more.
+/// Continues the held primitive at Begin. Returns false if nothing is held any more.
 [[nodiscard]] bool reopenHeld(Context &context, GLenum mode);
-/// Draws the primitive that is held. Requires: held.
+/// Draws the held primitives. Requires isHeld().
 [[gnu::cold]] void drawHeld(ContextHot &hot);
 
-/// Whom the application asks what is no part of a list: while one is compiled, the host behind what
-/// stands in for it.
+/// Returns the host's table for queries, which are never part of a list. It is the real host, even
+/// while a display list redirects calls to a recorder.
 [[nodiscard]] const host::HostTable *answeringHost(ContextHot &hot);
 
 } // namespace arbiter::state::software

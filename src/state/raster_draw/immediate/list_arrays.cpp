@@ -19,7 +19,8 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Of one draw. A list of more is the host's, which keeps a vertex that is drawn again once.
+/// Most vertices of one draw. A larger draw stays in the host's list, which stores repeated
+/// vertices once.
 constexpr GLsizei kMostVertices = 1 << 20;
 
 const host::HostTable &ownHostOf(const Context &context) {
@@ -42,8 +43,8 @@ bool applicationShadesVertices(Context &context) {
   return pipeline != 0 && stagesOfPipeline(context, pipeline).vertex;
 }
 
-/// Returns the arrays of generic attributes that the host would keep apart from the conventional
-/// ones, in a list that is compiled and under fixed function. 0: the host draws as it should.
+/// Returns the generic arrays that the host would not alias with the conventional ones, in a list
+/// that is compiled or under fixed function. 0 means that the host draws correctly.
 std::uint32_t strangeArrays(Context &context) {
   if (!context.attributesAlias || context.aliases->arraysUsed == 0 || context.aliases->areOne ||
       context.insideBeginEnd) [[likely]]
@@ -55,7 +56,8 @@ std::uint32_t strangeArrays(Context &context) {
          (program ? ~0u : ~context.aliases->ofProgramsAlone);
 }
 
-/// The host itself is called within it, which neither compiles nor is in Begin and End.
+/// Calls the host itself while this object lives. Requires that the host neither compiles a list
+/// nor has an open primitive.
 class OwnHost {
 public:
   explicit OwnHost(Context &context) : m_context(context), m_before(context.host) {
@@ -106,7 +108,8 @@ private:
   ListArrays &m_arrays;
 };
 
-/// The types of the commands that set one attribute; of others hosts convert by rules of their own.
+/// True for the types that commands for single attributes have. Hosts convert other types by rules
+/// of their own.
 bool isPlain(const VertexSource::Array &array) {
   switch (array.type) {
   case GL_BYTE:
@@ -123,8 +126,8 @@ bool isPlain(const VertexSource::Array &array) {
   }
 }
 
-/// An array as the command is that sets the attribute: table 2.9 of OpenGL 2.1, whatever rule the
-/// host's arrays have.
+/// An array whose values are converted as by the command for its attribute: table 2.9 of OpenGL
+/// 2.1, whatever rule the host uses for arrays.
 struct Column {
   int slot = 0;
   Convert convert = nullptr;
@@ -174,8 +177,8 @@ void drawOnHost(const host::HostTable &host, const DrawCommand &c, const OpenArr
 
 namespace {
 
-/// Returns the aliases that count now: arrays that EnableClientState enabled are conventional ones
-/// while a program reads them, and else none.
+/// Returns the aliases that count now. Arrays enabled by EnableClientState count as conventional
+/// ones while a program reads them.
 AttributeAliases aliasesNow(const Context &context) {
   if (!context.attributesAlias)
     return {};
@@ -187,8 +190,7 @@ AttributeAliases aliasesNow(const Context &context) {
 } // namespace
 
 bool ListArrays::open(Context &context, const DrawCommand &command, bool changed) {
-  // Buffers are written by commands that leave no trace here, and restarts have no bit of their
-  // own.
+  // Buffers can be written without notice here, and primitive restart has no dirty bit of its own.
   const AttributeAliases aliases = aliasesNow(context);
   changed = std::exchange(m_aliases, aliases) != aliases || changed;
   m_mirror.clock.mark(dirty::kBuffers | dirty::kRaster | (changed ? dirty::kArrays : 0u));
@@ -196,7 +198,7 @@ bool ListArrays::open(Context &context, const DrawCommand &command, bool changed
   const ArrayBindings &arrays = m_mirror.arrays;
   if (arrays.restart)
     return false;
-  // A draw that no list has is converted as the host converts arrays.
+  // Outside of lists, arrays are converted as the host converts them.
   m_symmetric = context.listMode == 0 && context.caps.symmetricSigned;
   for (std::uint32_t left = arrays.enabled; left != 0; left &= left - 1) {
     const VertexSource::Array &array = arrays.slots[std::size_t(std::countr_zero(left))].array;
@@ -206,7 +208,7 @@ bool ListArrays::open(Context &context, const DrawCommand &command, bool changed
   return m_source.open(context, m_mirror, arrays.enabled, command) && isWithin(command);
 }
 
-/// All vertices are in the buffers. In client memory they are where the application says.
+/// True if all vertices lie in the buffers. Client memory cannot be checked.
 bool ListArrays::isWithin(const DrawCommand &command) const {
   IndexBounds bounds = {command.first, std::int64_t(command.first) + command.count - 1};
   if (command.indexType != 0 &&
@@ -227,7 +229,7 @@ template <typename Set> void ListArrays::read(const DrawCommand &command, Set &&
                         static_cast<const std::uint8_t *>(array.base), array.stride,
                         unsigned(array.components)};
   }
-  // The lowest slot, the position, makes the vertex.
+  // The position has the lowest slot and comes last: it makes the vertex.
   for (GLsizei i = 0; i < command.count; ++i) {
     const std::int64_t index =
         command.baseVertex + (command.indexType == 0
@@ -275,8 +277,8 @@ bool recordArrays(Context &context, const DrawCommand &command) {
 
 bool recordElement(Context &context, GLint index) {
   const DrawCommand command = {.first = index, .count = 1};
-  // The host would need the whole of a primitive that the rasterizer has begun, and would take its
-  // arrays for others.
+  // While aliases are in use, the rasterizer's open primitive cannot go to the host with this
+  // element: the host would misread its arrays.
   const bool isDeferred = context.listMode == 0 && context.recorder && context.attributesAlias &&
                           context.insideBeginEnd;
   if ((!isDeferred && !(context.listMode != 0 && context.list->recordsPrimitive())) || index < 0)
@@ -306,7 +308,7 @@ bool aliasedDrawRange(Context &context, GLuint start, GLuint end, const DrawComm
 
 namespace {
 
-/// True if several draws that are one command are the host's: it is an error, or no array aliases.
+/// True if a multi-draw is left to the host: it is an error, or no array aliases.
 bool drawsNone(Context &context, GLenum mode, const GLsizei *count, GLsizei drawCount) {
   return mode > GL_POLYGON || drawCount <= 0 || strangeArrays(context) == 0 ||
          std::any_of(count, count + drawCount, [](GLsizei each) { return each < 0; });

@@ -8,9 +8,9 @@
 #include "state/raster_draw/vertices/array_source.h"
 #include "state/raster_draw/vertices/draw_command.h"
 
-/// Vertex arrays in a display list that keeps its primitives: their vertices, as they lie in memory
-/// when the list is compiled. Pointers and what enables arrays are no part of a list (OpenGL 2.1,
-/// 5.4), and a draw is Begin, an ArrayElement for each vertex, and End (2.8).
+/// Records draws of vertex arrays in a display list that keeps its primitives. It reads the
+/// vertices when the list is compiled, because pointers and enables are no part of a list (OpenGL
+/// 2.1, 5.4). A draw equals Begin, an ArrayElement for each vertex, and End (2.8).
 namespace arbiter::state {
 class Context;
 }
@@ -19,50 +19,49 @@ namespace arbiter::state::software {
 
 class ImmediateRecorder;
 
-/// What reads them; the list compiler's.
+/// Reads the arrays for the list compiler.
 class ListArrays {
 public:
-  /// Both outlive it. The host's own table, never the one that stands in for it.
+  /// Both arguments must outlive the object. `host` is the real table, never a recorder's.
   ListArrays(const host::HostTable &host, const HostCaps &caps)
       : m_mirror(host, caps, &m_aliases) {}
   ListArrays(const ListArrays &) = delete;
   ListArrays &operator=(const ListArrays &) = delete;
 
-  /// The arrays that are enabled, until close(), which is called in any case.
-  /// \param changed which of them, or where they are, since the last call
-  /// \return false: some are of a kind that only the host reads, or not where they should be
+  /// Opens the enabled arrays until close(), which must always be called.
+  /// \param changed true if the arrays may have changed since the last call
+  /// \return false if some can only be read by the host, or lie outside their buffers
   [[nodiscard]] bool open(Context &context, const DrawCommand &command, bool changed);
   void close(Context &context) { m_source.close(context); }
-  /// Of what is open: adds the command's vertices.
+  /// Adds the command's vertices. Requires open().
   void addTo(ImmediateRecorder &recorder, const DrawCommand &command) const;
-  /// The same, given to the host between Begin and End.
+  /// Sends the command's vertices to the host, between Begin and End. Requires open().
   void sendTo(const host::HostTable &host, const DrawCommand &command) const;
 
 private:
-  /// Calls `set(slot, value, components)` of each array, the position last, vertex by vertex.
+  /// Calls `set(slot, value, components)` for each array, vertex by vertex, the position last.
   template <typename Set> void read(const DrawCommand &command, Set &&set) const;
   [[nodiscard]] bool isWithin(const DrawCommand &command) const;
 
-  AttributeAliases m_aliases; ///< of the draw
-  Mirror m_mirror;            ///< of which the arrays alone
+  AttributeAliases m_aliases; ///< the aliases during the draw
+  Mirror m_mirror;            ///< only its arrays are used
   ArraySource m_source;
-  bool m_symmetric = false; ///< as VertexSource::symmetric
+  bool m_symmetric = false; ///< see VertexSource::symmetric
 };
 
-/// A draw while a list is compiled: true if its vertices are a primitive of the list's now. The
+/// Records a draw in the list being compiled. Returns false if the host must. Requires that the
 /// command is legal and draws something.
 [[nodiscard]] bool recordArrays(Context &context, const DrawCommand &command);
-/// ArrayElement between Begin and End of a primitive that is recorded.
+/// Records ArrayElement in an open primitive. Returns false if none is being recorded.
 [[nodiscard]] bool recordElement(Context &context, GLint index);
 
-// --- Draws of the host's, validated, whose arrays it would take for others (strangeArrays()):
-// --- true, and they are drawn as what they are, Begin, an ArrayElement for each vertex, and End
-// ---
+// --- Draws by the host whose arrays it would misread (strangeArrays()). They are sent as Begin, an
+// ArrayElement for each vertex, and End, and return true. Requires that state is validated. ---
 
 [[nodiscard]] bool aliasedDraw(Context &context, const DrawCommand &command);
 [[nodiscard]] bool aliasedDrawRange(Context &context, GLuint start, GLuint end,
                                     const DrawCommand &command);
-/// Draws each of several draws by `takes`, or else on the host.
+/// Executes a multi-draw: each draw by `takes`, or else on the host.
 void drawEach(Context &context, const MultiDraw &draws,
               bool (*takes)(Context &, const DrawCommand &));
 [[nodiscard]] bool aliasedMultiDrawArrays(Context &context, GLenum mode, const GLint *first,

@@ -22,13 +22,13 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Gives the host what there is of the primitive that was recorded, for the reason.
+/// Gives the recorded vertices to the host, and counts the reason.
 void replayFor(Context &context, Fallback reason) {
   withinMemory(context, "End", [&] { giveToHost(context, reason); });
   replayToHost(context);
 }
 
-/// What reaches pixels of materials that differ.
+/// Returns the material parts that affect pixels if they differ.
 MaterialMask visible(Context &context) {
   const VertexState &state = context.software->mirror.vertex;
   if (!state.lighting || !pipelineOf(context).hasFixedVertices())
@@ -36,8 +36,9 @@ MaterialMask visible(Context &context) {
   return state.twoSided ? kAllMaterials : kFrontMaterial;
 }
 
-/// Before recorded vertices are drawn: those that have a material in common have it of the host,
-/// and functions are chosen for the others. Not ok: the host draws. Requires: no primitive is open.
+/// Prepares the materials of recorded vertices. Parts that all vertices share are set on the host,
+/// and functions are chosen for the others. Not ok if the host must draw. Requires that no
+/// primitive is open.
 Outcome readyMaterials(Context &context) {
   ContextState &state = *context.software;
   MaterialParts &materials = state.materials;
@@ -56,8 +57,7 @@ Outcome readyMaterials(Context &context) {
   return outcome;
 }
 
-/// What is drawn with the functions that are chosen, after others have been chosen where materials
-/// ask for them.
+/// Draws with the chosen functions, after choosing others if materials require it.
 template <typename Draw> Outcome drawWithMaterials(Context &context, Draw draw) {
   return outcomeOf(context, [&] {
     const Outcome outcome = readyMaterials(context);
@@ -65,8 +65,8 @@ template <typename Draw> Outcome drawWithMaterials(Context &context, Draw draw) 
   });
 }
 
-/// Primitives [0, starts().size()) of the recorder, or with `last` the last one too. Not ok:
-/// nothing has been drawn.
+/// Draws the recorder's primitives [0, starts().size()), and with `last` the last one too. If the
+/// outcome is not ok, nothing has been drawn.
 Outcome drawJoined(Context &context, const VertexSource &source, bool last) {
   ContextState &state = *context.software;
   const ImmediateRecorder &recorder = state.recorder;
@@ -85,8 +85,9 @@ Outcome drawJoined(Context &context, const VertexSource &source, bool last) {
       *joining);
 }
 
-/// A primitive that was joined to others comes to have many vertices: those are drawn, and it goes
-/// on alone. Where that cannot be all are the host's, with the vertex at `position`.
+/// Draws the earlier primitives, because the last one gets many vertices, and lets it continue
+/// alone. If that fails, the host gets all of them, and the vertex at `position`. Returns false
+/// then.
 bool drawEarlier(void *owner, const float position[4]) {
   auto &context = *static_cast<Context *>(owner);
   ContextState &state = *context.software;
@@ -113,8 +114,8 @@ bool drawEarlier(void *owner, const float position[4]) {
   return true;
 }
 
-/// More vertices are recorded than a draw has arrays for: what is full of parts is drawn. Where
-/// that cannot be the primitive is the host's from here on, with the vertex at `position`.
+/// Draws the full parts of a primitive that has more vertices than a draw may have. If that fails,
+/// the host gets the primitive from here on, and the vertex at `position`. Returns false then.
 bool drawOpen(void *owner, const float position[4]) {
   auto &context = *static_cast<Context *>(owner);
   ContextState &state = *context.software;
@@ -129,8 +130,9 @@ bool drawOpen(void *owner, const float position[4]) {
     outcome = drawWithMaterials(
         context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
   } catch (const std::exception &error) {
-    recorder.fail();         // and End says so
-    startRecording(context); // an application that catches its own exception is before End still
+    recorder.fail(); // End reports it
+    // an application that catches its own exception is still between Begin and End
+    startRecording(context);
     passOn(error);
     stopRecording(context);
     context.insideBeginEnd = false;
@@ -191,7 +193,7 @@ bool beginPrimitive(Context &context, GLenum mode) {
 
 namespace {
 
-/// `primitives` that follow one another, of which some may have waited since their End.
+/// Draws `primitives` consecutive primitives. \param haveWaited true if they were held
 void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
   ContextState &state = *context.software;
   const VertexSource source = state.recorder.end();
@@ -211,7 +213,7 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
         return state.recorder.starts().empty() ? drawSource(context, source, count)
                                                : drawJoined(context, source, true);
       });
-    } catch (const std::exception &) { // the attributes have been set whatever was drawn
+    } catch (const std::exception &) { // attributes keep their values whatever was drawn
       setCurrentValues(context, state.recorder.values(), slotsToSet(context));
       throw;
     }

@@ -1,27 +1,27 @@
 #pragma once
 #include <GL/gl.h>
 
-/// The vertices between Begin and End, drawn when the primitive is whole; of very many, parts of
-/// them before.
+/// Records the vertices between Begin and End, and draws the primitive when it ends. Parts of a
+/// very large one are drawn earlier.
 namespace arbiter::state {
 class Context;
 }
 
 namespace arbiter::state::software {
 
-/// True if the primitive is deferred: the recorder is open, and endPrimitive() draws it, or has the
-/// host draw it after all. False: the host draws, and has been brought up to date. Requires:
-/// isCandidate() (decision.h), a legal mode.
+/// Begins a primitive. Returns true if it is deferred: the recorder is open, and endPrimitive()
+/// will draw it or give it to the host. Returns false if the host draws, after bringing it up to
+/// date. Requires isCandidate() (decision.h) and a legal mode.
 [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
-/// The open primitive may be of as many vertices as its draw allows.
+/// Limits the open primitive to as many vertices as a draw may have.
 void limitOpen(Context &context);
-/// Another primitive of the mode opens behind those that are held, in modes that are joined by
-/// indices. False: there is no memory for it, and nothing has changed.
+/// Begins another primitive behind the held ones, in a mode that is joined by indices. Returns
+/// false if there is no memory; nothing has changed then.
 [[nodiscard]] bool openNext(Context &context);
-/// Draws what is recorded, with the primitives that were held before it (held.h). Raises
-/// OUT_OF_MEMORY where vertices found no memory.
+/// Draws the recorded primitive, with those held before it (held.h). Raises OUT_OF_MEMORY if
+/// vertices are missing.
 void endPrimitive(Context &context);
-/// The same of those alone, as no other follows.
+/// Draws the held primitives, when no other follows.
 void endHeld(Context &context);
 
 } // namespace arbiter::state::software

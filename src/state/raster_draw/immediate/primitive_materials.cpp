@@ -12,7 +12,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Bits of one side; 0: no name of Material's.
+/// Returns the parts of one side that glMaterial's `pname` sets; 0 for an invalid name.
 MaterialMask partsNamed(GLenum pname) {
   switch (pname) {
   case GL_EMISSION:
@@ -36,13 +36,13 @@ MaterialMask onSides(MaterialMask parts, bool front, bool back) {
   return MaterialMask((front ? parts : 0) | (back ? parts << kMaterialParts : 0));
 }
 
-/// 0: an error.
+/// Returns the parts that glMaterial sets; 0 for invalid arguments.
 MaterialMask materialsNamed(GLenum face, GLenum pname) {
   const bool both = face == GL_FRONT_AND_BACK;
   return onSides(partsNamed(pname), both || face == GL_FRONT, both || face == GL_BACK);
 }
 
-/// What is the colour's: Material leaves it as it is (2.14.3).
+/// Returns the parts that track the colour, which Material does not change (2.14.3).
 MaterialMask tracked(const VertexState &state) {
   return state.colorMaterial
              ? onSides(state.colorMaterialParts, (state.colorMaterialFace & 1u) != 0,
@@ -50,7 +50,7 @@ MaterialMask tracked(const VertexState &state) {
              : MaterialMask(0);
 }
 
-/// The host's, behind what stands in for it.
+/// Returns the current material of the real host.
 std::array<float, 4> currentMaterial(const Context &context, int material) {
   std::array<float, 4> value{};
   context.trueHost->GetMaterialfv(material < kMaterialParts ? GL_FRONT : GL_BACK,

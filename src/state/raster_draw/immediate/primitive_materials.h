@@ -4,24 +4,24 @@
 #include "state/core/context_hot.h"
 #include "state/mirror/attributes.h"
 
-/// Materials between Begin and End (OpenGL 2.1, 2.14.2). Some programs give them with each vertex,
-/// and mostly the same ones again. What changes nothing is left out; parts that change are recorded
-/// as attributes are, in slots of their own, and those that differ from vertex to vertex are
-/// attributes of fixed function's vertices (fixed_function/). Programs of the application's that
-/// read materials take those of before the primitive, which is split for them (split.h).
+/// Handles glMaterial between Begin and End (OpenGL 2.1, 2.14.2). Some programs call it for each
+/// vertex, mostly without a change. Calls without effect are dropped. Changed parts are recorded
+/// like attributes, in slots of their own. Those that differ between vertices become attributes of
+/// fixed function's vertices (fixed_function/). Programs of the application that read materials use
+/// those of before the primitive, so the primitive is split for them (split.h).
 namespace arbiter::state {
 class Context;
 }
 
 namespace arbiter::state::software {
 
-/// Of Material with these values: true where it is part of a primitive that is recorded now, or
-/// changes nothing of it. The host may be asked. No error is raised.
+/// Records a glMaterial in the recorded primitive. Returns true if that is done, or if nothing
+/// would change. It may query the host. It raises no error.
 [[nodiscard]] bool recordsMaterial(ContextHot &hot, GLenum face, GLenum pname,
                                    const GLfloat *values);
 
-/// Slots whose values the host is to have behind the primitive (ImmediateRecorder::touched()), but
-/// for those that it has.
+/// Returns the slots that the host must be given after the primitive
+/// (ImmediateRecorder::touched()), without those that it already has.
 [[nodiscard]] SlotMask slotsToSet(const Context &context);
 
 } // namespace arbiter::state::software

@@ -11,7 +11,7 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// While one lives, the host may be asked: of it, no primitive is open.
+/// Makes the real host available for queries while it lives. No primitive is open on it.
 class HostBehind {
 public:
   explicit HostBehind(Context &context) : m_context(context) {

@@ -1,20 +1,20 @@
 #pragma once
 #include "state/core/context.h"
 
-/// Commands that are errors between Begin and End (OpenGL 2.1, 2.6.3), while a primitive is
-/// recorded: applications that set state there, or open a primitive in a primitive, run on other
-/// drivers, where nothing comes of it. Given to the host, such a command would take the primitive
-/// with it, and with the primitive the frame.
+/// Refuses commands that are errors between Begin and End (OpenGL 2.1, 2.6.3), while a primitive is
+/// recorded. Some applications set state there or nest primitives, and run on other drivers, where
+/// such commands have no effect. Passing such a command to the host would give it the primitive,
+/// and with it the frame.
 namespace arbiter::state::software {
 
-/// A primitive is recorded, or held: refuses() says what follows.
+/// True if a primitive is recorded or held, so that refuses() must be asked.
 [[nodiscard]] inline bool isRecorded(const ContextHot &hot) {
   return (hot.attention & (attention::kHeld | attention::kRecorded)) != 0;
 }
-/// True: the command is an error, and INVALID_OPERATION was raised; nothing else comes of it.
-/// False: it goes its way. A primitive that is held has been drawn, and one whose application
-/// listens to the host's messages (KHR_debug) is the host's, which tells of the error.
-/// Requires: isRecorded().
+/// Returns true if the command is an error: INVALID_OPERATION was raised, and the command is done.
+/// Returns false if the command must go on. Held primitives have been drawn then. If the
+/// application listens to the host's messages (KHR_debug), the host gets the primitive and reports
+/// the error. Requires isRecorded().
 [[nodiscard, gnu::cold]] bool refuses(ContextHot &hot, const char *command);
 
 } // namespace arbiter::state::software

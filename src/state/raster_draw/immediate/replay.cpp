@@ -24,7 +24,7 @@ void setMaterial(const host::HostTable &host, int material, const float *v) {
   host.Materialfv(material < kMaterialParts ? GL_FRONT : GL_BACK, materialName(material), v);
 }
 
-/// Materials as they change between vertices.
+/// Remembers the materials sent last, so that unchanged ones are not sent again.
 class SentMaterials {
 public:
   [[nodiscard]] bool areSent(int material, const float *value) {
@@ -39,7 +39,7 @@ private:
   std::array<const float *, std::size_t(2 * kMaterialParts)> m_last{};
 };
 
-/// The host was given current values.
+/// Updates the mirror after the host was given current values.
 void noteSet(Context &context, const CurrentValues &values, SlotMask slots) {
   if (materialsIn(slots) != 0) [[unlikely]]
     context.dirty |= dirty::kMaterial | dirty::kProgramState;
@@ -50,7 +50,7 @@ void noteSet(Context &context, const CurrentValues &values, SlotMask slots) {
 } // namespace
 
 void setAttribute(const host::HostTable &host, int slot, const float *v, int components) {
-  // The table's functions, by how many components they take.
+  // Selects the host's function by the number of components.
   const auto take = [&](auto two, auto three, auto four) {
     return (components == 2 ? two : components == 3 ? three : four)(v);
   };
@@ -101,15 +101,15 @@ void stopRecording(Context &context) {
 const host::HostTable *flushToHost() {
   auto &context = static_cast<Context &>(*t_current);
   if (context.host != &kRecordingHost)
-    return context.host; // the caller kept the table of a moment ago
+    return context.host; // the caller holds a pointer to the table of a moment ago
   if (context.listMode != 0) {
     context.list->giveHost(context);
     return context.host;
   }
-  const bool hasEnded =
-      (context.attention & attention::kHeld) != 0; // no command, as those have it drawn first
+  // This is no command, because commands draw held primitives first.
+  const bool hasEnded = (context.attention & attention::kHeld) != 0;
   stopRecording(context);
-  context.insideBeginEnd = false; // of the host this is still true
+  context.insideBeginEnd = false; // on the host, no primitive is open yet
   withinMemory(context, "glBegin", [&] {
     context.software->hostDraws("glBegin");
     (void)validate(context);

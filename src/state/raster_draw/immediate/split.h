@@ -3,15 +3,15 @@
 
 #include "state/core/context_hot.h"
 
-/// Commands between Begin and End that are neither attributes nor vertices, but legal: glMaterial.
+/// Splits a recorded primitive for commands between Begin and End that are neither attributes nor
+/// vertices, but legal: glMaterial.
 namespace arbiter::state::software {
 
-/// While one lives, a primitive that is recorded is not: the host is outside of Begin and End and
-/// its state may be set. What there is of the primitive has been drawn, and what follows is
-/// recorded as another of the same mode, which is equal where primitives share no vertices and what
-/// there is makes whole ones: points, lines, triangles and quads, or nothing yet
-/// (OpenGL 2.1, 2.6.1). In any other case nothing is done here, and the host is given the primitive
-/// as far as it is there (replay.h).
+/// Suspends a recorded primitive while it lives, so that the host's state can be set outside of
+/// Begin and End. The part so far is drawn, and the rest is recorded as another primitive of the
+/// same mode. This is equivalent if primitives share no vertices and the part holds whole ones:
+/// points, lines, triangles and quads, or nothing yet (OpenGL 2.1, 2.6.1). In all other cases it
+/// does nothing, and the host gets the primitive as far as it goes (replay.h).
 class PrimitiveSplit {
 public:
   explicit PrimitiveSplit(ContextHot &hot) {
@@ -29,7 +29,7 @@ private:
   void open(ContextHot &hot);
   void close();
 
-  ContextHot *m_hot = nullptr; ///< where a primitive is split
+  ContextHot *m_hot = nullptr; ///< null: no primitive was split
   GLenum m_mode = 0;
 };
 

@@ -12,9 +12,10 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// A buffer that the application keeps mapped while it draws (ARB_buffer_storage), read where it
-/// writes: on a host that draws on the processor the mapping is the buffer's memory. Null data
-/// where not all of it is mapped so. The buffer is bound to `target`.
+/// Returns the contents of a buffer that the application keeps mapped while it draws
+/// (ARB_buffer_storage). A host that draws on the processor maps the buffer's own memory, so it can
+/// be read in place. Data is null if not all of the buffer is mapped so. Requires that the buffer
+/// is bound to `target`.
 BufferCopies::Contents persistentMapping(const Context &context, GLenum target, GLint bytes) {
   const host::HostTable &host = *context.host;
   const auto get = [&](GLenum pname) {
@@ -31,7 +32,8 @@ BufferCopies::Contents persistentMapping(const Context &context, GLenum target, 
   return {static_cast<const std::uint8_t *>(data), data ? std::size_t(bytes) : 0};
 }
 
-/// Binds buffers to a target for as long as it lives. COPY_READ_BUFFER is no part of any draw.
+/// Binds buffers to a target while it lives, and restores the binding. No draw uses
+/// COPY_READ_BUFFER.
 class BufferScope {
 public:
   BufferScope(const host::HostTable &host, const HostCaps &caps)
@@ -105,11 +107,12 @@ BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
     host.GetBufferParameteriv(scope.target, pname, &value);
     return value;
   };
-  const GLint bytes = get(GL_BUFFER_SIZE); // of 2 GiB and more: the largest integer
-  // One that the application has mapped, or whose storage is not to be read, would be an error.
+  const GLint bytes = get(GL_BUFFER_SIZE); // the largest integer for 2 GiB and more
+  // Mapping fails for a buffer that is mapped, or whose storage may not be read.
   if (bytes <= 0)
     return {};
-  if (get(GL_BUFFER_MAPPED) != 0) { // it changes without a command: no copy
+  // mapped by the application: it changes without a command, so it is not copied
+  if (get(GL_BUFFER_MAPPED) != 0) {
     const BufferCopies::Contents contents = persistentMapping(context, scope.target, bytes);
     if (contents.data)
       m_mapped[std::size_t(m_mappedCount++)] = {buffer, contents, true};

@@ -9,7 +9,7 @@
 
 #include "state/raster_draw/vertices/buffer_copies.h"
 
-/// Vertex arrays and indices in memory, for the time of one draw.
+/// Finds a draw's vertex arrays and indices in memory.
 namespace arbiter::state {
 class Context;
 }
@@ -17,48 +17,48 @@ class Context;
 namespace arbiter::state::software {
 struct Mirror;
 
-/// Where the arrays of a draw lie: in client memory, in a copy of a buffer, or in a buffer that is
-/// mapped from open() to close(), which must be called before the host draws. A draw like the one
-/// before, of arrays that have not changed, looks at none of them.
+/// The arrays of a draw: in client memory, in a copy of a buffer, or in a buffer that is mapped
+/// from open() to close(). close() must be called before the host draws. If a draw repeats the last
+/// one and no array has changed, no array is looked at.
 class ArraySource {
 public:
-  /// Why open() refuses whatever is in the buffers: an array of a kind that we lack, or a primitive
-  /// that restarts. The mirror's arrays are fresh.
+  /// True if open() would fail whatever the buffers contain: an array type that the rasterizer
+  /// lacks, or primitive restart. Requires that the mirror's arrays are up to date.
   [[nodiscard]] static bool lacks(const Mirror &mirror, std::uint32_t slots,
                                   const DrawCommand &command);
-  /// The arrays of `slots` and the indices of `command`. The mirror's arrays are fresh. False: an
-  /// array is of a kind that we lack, a buffer cannot be mapped, or indices lie outside of theirs;
-  /// the host draws.
+  /// Opens the arrays of `slots` and the indices of `command`. Returns false if the host must draw:
+  /// an array type is not supported, a buffer cannot be mapped, or indices lie outside of their
+  /// buffer. Requires that the mirror's arrays are up to date.
   [[nodiscard]] bool open(Context &context, const Mirror &mirror, std::uint32_t slots,
                           const DrawCommand &command);
   void close(Context &context);
 
-  /// VertexSource::count is set where a buffer's end is known.
+  /// Returns the arrays. VertexSource::count is set if a buffer's end is known.
   [[nodiscard]] const VertexSource &source() const { return m_source; }
-  /// Null where the command has none.
+  /// Returns the indices, or null if the command has none.
   [[nodiscard]] const void *indices() const { return m_indices; }
 
 private:
   struct Mapped {
     GLuint buffer = 0;
     BufferCopies::Contents contents;
-    bool isApplications = false; ///< its own mapping, which stays
+    bool isApplications = false; ///< true if the application mapped it, so that it stays mapped
   };
-  /// Null data: the buffer cannot be read.
+  /// Returns a buffer's contents; data is null if it cannot be read.
   [[nodiscard]] BufferCopies::Contents contentsOf(Context &context, const Mirror &mirror,
                                                   GLuint buffer);
-  /// Maps it until close(), or finds the application's own mapping.
+  /// Maps a buffer until close(), or finds the application's own mapping.
   [[nodiscard]] BufferCopies::Contents map(Context &context, GLuint buffer);
   [[nodiscard]] bool addArrays(Context &context, const Mirror &mirror, std::uint32_t slots);
   [[nodiscard]] bool addIndices(Context &context, const Mirror &mirror, const DrawCommand &command);
 
   VertexSource m_source;
-  std::uint32_t m_slots = 0; ///< that m_source has arrays of
+  std::uint32_t m_slots = 0; ///< slots whose arrays are in m_source
   const void *m_indices = nullptr;
   BufferCopies m_copies;
   std::array<Mapped, kSlots + 1> m_mapped{};
   int m_mappedCount = 0;
-  /// m_source holds for these slots, at this time of the clock, without a buffer that is mapped.
+  /// True if m_source is valid for these slots at this clock value, and uses no mapped buffer.
   bool m_kept = false;
   std::uint32_t m_keptSlots = 0;
   std::uint64_t m_seen = 0;

@@ -33,7 +33,7 @@ void BufferCopies::drawnFrom(GLuint buffer, const Contents &contents) {
   if (contents.bytes > kMostBytes || g_stopped.load(std::memory_order_relaxed))
     return;
   try {
-    // Copies are in use: none of them gives way to another.
+    // Copies in use are never replaced by others.
     if (m_bytes + contents.bytes > kAllBytes ||
         (m_copies.size() >= kMostBuffers && !m_copies.contains(buffer)))
       return;
@@ -43,7 +43,7 @@ void BufferCopies::drawnFrom(GLuint buffer, const Contents &contents) {
     copy->second.assign(contents.data, contents.data + contents.bytes);
     m_bytes += contents.bytes;
   } catch (const std::bad_alloc &) {
-    // The next draw maps it again.
+    // The next draw maps the buffer again.
   }
 }
 

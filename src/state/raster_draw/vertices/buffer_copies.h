@@ -10,28 +10,28 @@ namespace arbiter::state::software {
 
 class GenerationCounter;
 
-/// What small buffer objects hold, kept on our side so that a draw from one that has not changed
-/// needs no mapping. A buffer that is drawn from once after each change is never copied.
+/// Copies of small buffer objects, so that draws from unchanged buffers need no mapping. A buffer
+/// that is drawn from once after each change is never copied.
 class BufferCopies {
 public:
   struct Contents {
     const std::uint8_t *data = nullptr;
     std::size_t bytes = 0;
   };
-  /// Null data: there is no copy that still holds. Copies stay until a change of any buffer.
+  /// Finds a valid copy; data is null if there is none. Copies are valid until any buffer changes.
   [[nodiscard]] Contents find(const GenerationCounter &clock, GLuint buffer);
-  /// The buffer is mapped for a draw. It is copied if it was drawn from before, unchanged since.
+  /// Notes that the buffer was mapped for a draw. It is copied if it was drawn from before and has
+  /// not changed since.
   void drawnFrom(GLuint buffer, const Contents &contents);
-  /// An application of this process gives the host memory of its own as a buffer
-  /// (AMD_pinned_memory), and writes to it without a command: from now on nothing is copied, in any
-  /// context.
+  /// Stops copying in all contexts. Called when an application gives the host its own memory as a
+  /// buffer (AMD_pinned_memory), because it may write there without a command.
   static void stop();
 
 private:
-  static constexpr std::size_t kMostBytes = 64 << 10; ///< of one
+  static constexpr std::size_t kMostBytes = 64 << 10; ///< most bytes of one buffer
   static constexpr std::size_t kAllBytes = 1 << 20;
   static constexpr std::size_t kMostBuffers = 256;
-  /// Empty until the buffer is drawn from a second time.
+  /// An entry is empty until the buffer is drawn from a second time.
   std::unordered_map<GLuint, std::vector<std::uint8_t>> m_copies;
   std::size_t m_bytes = 0;
   std::uint64_t m_seen = 0;

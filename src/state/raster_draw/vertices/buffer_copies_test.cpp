@@ -81,13 +81,13 @@ TEST(AttributeGroups, NameWhatAPopRestores) {
   EXPECT_EQ(color & dirty::kFramebuffer, dirty::kFramebuffer) << "DRAW_BUFFER is in it";
 }
 
-/// The last test: it holds for the process.
+/// Must be the last test, because stop() affects the process.
 TEST_F(BufferCopiesTest, NothingIsCopiedWhereMemoryIsTheApplications) {
   draw(7);
   draw(7);
   ASSERT_TRUE(m_copies.find(m_clock, 7).data);
   BufferCopies::stop();
-  m_clock.mark(dirty::kBuffers); // by the command that gives the memory
+  m_clock.mark(dirty::kBuffers); // as the command that gives the memory does
   for (int i = 0; i < 3; ++i)
     draw(7);
   EXPECT_FALSE(m_copies.find(m_clock, 7).data);

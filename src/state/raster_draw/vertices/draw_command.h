@@ -3,8 +3,9 @@
 
 namespace arbiter::state::software {
 
-/// `count` vertices from `first`, or by `indices` (of type GL_UNSIGNED_BYTE, _SHORT, _INT; an
-/// offset into the element buffer where one is bound) with `baseVertex` added.
+/// A draw of `count` vertices: those from `first` on, or those that `indices` name, plus
+/// `baseVertex`. Indices have the type GL_UNSIGNED_BYTE, _SHORT or _INT; the pointer is an offset
+/// if an element buffer is bound.
 struct DrawCommand {
   GLenum mode = GL_TRIANGLES;
   GLint first = 0;
@@ -14,8 +15,8 @@ struct DrawCommand {
   GLint baseVertex = 0;
 };
 
-/// Several draws that are one command. Requires: all arrays are as long as `drawCount`; `first` or
-/// `indices` may be null, and `baseVertices`.
+/// A multi-draw command. `count` and every other array that is not null have `drawCount` elements.
+/// `first`, `indices` and `baseVertices` may be null.
 struct MultiDraw {
   GLenum mode;
   const GLint *first;

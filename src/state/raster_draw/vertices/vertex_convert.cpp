@@ -13,8 +13,8 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// How numbers become floats: as they are, or fixed-point by one of the rules (OpenGL 1.4,
-/// table 2.6; 4.2, 2.3.4).
+/// How numbers become floats: unchanged, or as fixed point by one of two rules (OpenGL 1.4, table
+/// 2.6; 4.2, 2.3.4).
 enum class Rule : std::uint8_t { Plain, Normalized, Symmetric };
 
 struct Half {
@@ -42,7 +42,8 @@ float fromHalf(std::uint16_t half) {
   return sign != 0 ? -small : small;
 }
 
-/// Of `bits` bits. Wide numbers are divided in doubles, or the largest would not be 1.
+/// Converts a fixed-point number of `bits` bits. It divides in doubles, or the largest wide number
+/// would not become 1.
 template <Rule rule> float fixedPoint(double value, int bits, bool isSigned) {
   const double largest = double((std::uint64_t(1) << (isSigned ? bits - 1 : bits)) - 1);
   if (!isSigned)
@@ -52,7 +53,7 @@ template <Rule rule> float fixedPoint(double value, int bits, bool isSigned) {
   return float((2.0 * value + 1.0) / double((std::uint64_t(1) << bits) - 1));
 }
 
-/// Fractions of 255: a division costs more than all else of a colour.
+/// The fractions of 255 in a table, because a division would be the slowest part of a colour.
 constexpr auto kByteFractions = [] {
   std::array<float, 256> fractions{};
   for (std::size_t i = 0; i < fractions.size(); ++i)
@@ -79,7 +80,7 @@ template <typename T, Rule rule> float number(T value) {
     return fixedPoint<rule>(double(value), 8 * sizeof(T), std::is_signed_v<T>);
 }
 
-/// Elements at a time of the kinds that most programs use.
+/// Number of elements that vector code converts at a time, for the most common types.
 constexpr std::uint32_t kLanes = 4;
 using Floats = float __attribute__((vector_size(16)));
 using Words = std::uint32_t __attribute__((vector_size(16)));
@@ -88,8 +89,8 @@ static_assert(std::endian::native == std::endian::little);
 
 void store(float *to, const Floats &values) { std::memcpy(to, &values, sizeof values); }
 
-/// The fractions of 255 without a division: the first part of 1/255 has so few bits that its
-/// products are exact, so that there is one rounding that counts.
+/// The two parts of 1/255, to compute fractions without a division. The first part has so few bits
+/// that its products are exact, so only the sum is rounded.
 constexpr float kFractionHigh = float(0x8080) / float(1 << 23);
 constexpr float kFractionLow = float(1.0 / 255.0 - double(kFractionHigh));
 static_assert([] {
@@ -99,7 +100,7 @@ static_assert([] {
   return true;
 }());
 
-/// Four colours of bytes, one a word.
+/// Stores four colours of bytes, one in each word.
 void storeFractions(const Words &words, float *const to[4], std::uint32_t at) {
   using Signed = std::int32_t __attribute__((vector_size(16)));
   for (unsigned c = 0; c < 4; ++c) {
@@ -109,7 +110,7 @@ void storeFractions(const Words &words, float *const to[4], std::uint32_t at) {
   }
 }
 
-/// Converts elements in vectors; returns how many.
+/// Converts elements in vectors, and returns their number.
 template <typename T, Rule rule, int components> std::uint32_t convertLanes(const Conversion &job) {
   constexpr bool isBytes =
       std::is_same_v<T, std::uint8_t> && rule != Rule::Plain && components == 4;
@@ -125,7 +126,8 @@ template <typename T, Rule rule, int components> std::uint32_t convertLanes(cons
                              load<std::uint32_t>(from + 3 * stride)},
                        job.to, i);
       } else {
-        // Two components of four elements: pairs, and of them the first and the second numbers.
+        // Loads two components of four elements as pairs, and splits them into first and second
+        // numbers.
         const auto two = [&](const std::uint8_t *at, int c) {
           const auto a = (Floats)Pairs{load<std::uint64_t>(at), load<std::uint64_t>(at + stride)};
           const auto b = (Floats)Pairs{load<std::uint64_t>(at + 2 * stride),
@@ -167,7 +169,7 @@ template <Rule rule> void convertBgra(const Conversion &job) {
   convert<std::uint8_t, rule, 4>(swapped);
 }
 
-/// INT_2_10_10_10_REV and its unsigned like: x in the lowest bits.
+/// Converts INT_2_10_10_10_REV or the unsigned type; x is in the lowest bits.
 template <bool isSigned, Rule rule, bool bgra> void convertPacked(const Conversion &job) {
   const std::uint8_t *from = job.base;
   for (std::uint32_t i = 0; i < job.count; ++i, from += job.stride) {

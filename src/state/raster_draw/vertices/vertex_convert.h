@@ -5,11 +5,11 @@
 
 #include "state/mirror/attributes.h"
 
-/// Elements of vertex arrays as floats.
+/// Converts elements of vertex arrays to floats.
 namespace arbiter::state::software {
 
-/// Converts `count` elements from `base` on: component c of element i goes to to[c][i], for the
-/// components that the array has. Nothing need be aligned.
+/// A conversion of `count` elements from `base` on. Component c of element i goes to to[c][i], for
+/// the components that the array has. No alignment is required.
 struct Conversion {
   const std::uint8_t *base = nullptr;
   std::size_t stride = 0;
@@ -17,7 +17,8 @@ struct Conversion {
   float *to[4] = {};
 };
 using Convert = void (*)(const Conversion &);
-/// Null where the type, or the type with these components, is unknown.
+/// Returns the function for an array, or null if the type, or its number of components, is unknown.
+/// \param symmetric selects the rule of OpenGL 4.2 for signed numbers
 [[nodiscard]] Convert conversionOf(const VertexSource::Array &array, bool symmetric);
 
 } // namespace arbiter::state::software

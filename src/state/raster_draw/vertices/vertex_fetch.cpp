@@ -13,7 +13,7 @@ namespace arbiter::state::software {
 namespace {
 
 constexpr std::align_val_t kAlignment{64};
-/// Vertices of a share of one thread.
+/// Number of vertices in one thread's share.
 constexpr std::uint32_t kShare = 16384;
 
 } // namespace
@@ -52,7 +52,7 @@ const float *VertexFetcher::constant(Constant &constant, float value) {
       return nullptr;
     constant.filled = 0;
   }
-  // Bits, not values: a NaN differs from itself, and -0 does not from 0.
+  // Compares bits, because a NaN differs from itself and -0 equals 0.
   if (std::bit_cast<std::uint32_t>(value) != std::bit_cast<std::uint32_t>(constant.value))
     constant.filled = 0;
   if (constant.filled < m_padded) {
@@ -126,7 +126,7 @@ bool VertexFetcher::open(const VertexSource &source, const CurrentValues &curren
                          std::uint32_t first, std::uint32_t count) {
   if (source.count != 0 && (first > source.count || count > source.count - first))
     return false;
-  constexpr std::uint32_t kMost = 1u << 28; // indices and sizes stay within 32 bits
+  constexpr std::uint32_t kMost = 1u << 28; // keeps indices and sizes within 32 bits
   if (count > kMost)
     return false;
   m_count = count;
@@ -181,7 +181,7 @@ const std::uint8_t *VertexFetcher::edgeFlags() {
 
 namespace {
 
-/// The lowest and the highest of what was widened so far.
+/// The lowest and the highest index widened so far.
 struct Extremes {
   std::uint32_t low = ~0u, high = 0;
   void add(std::uint32_t value) {
@@ -205,7 +205,7 @@ void widen(const void *from, std::uint32_t first, std::uint32_t count, std::uint
   extremes = own;
 }
 
-/// Indices [first, first + count) as 32 bits; of type 0 the places themselves.
+/// Writes indices [first, first + count) as 32 bits. For type 0, they are the numbers themselves.
 bool widen(GLenum type, const void *from, std::uint32_t first, std::uint32_t count,
            std::uint32_t *to, Extremes &extremes) {
   switch (type) {
@@ -281,21 +281,21 @@ bool VertexFetcher::decodePart(GLenum type, const void *indices, const SequenceP
 }
 
 bool VertexFetcher::isSparse(const IndexRange &range) {
-  constexpr std::uint32_t kFew = 1024; // not worth it below
+  constexpr std::uint32_t kFew = 1024; // below this, compacting does not pay
   return range.count != 0 && range.maximum - range.minimum >= kFew &&
          (range.maximum - range.minimum) / 2 >= range.count;
 }
 
 namespace {
 
-/// Vertices here and there, copied together. All arrays of a vertex at a time, and asked for ahead,
-/// as most of the time is spent waiting for memory.
+/// Copies scattered vertices together. It handles all arrays of a vertex at once and prefetches,
+/// because most of the time is spent waiting for memory.
 struct Gather {
   struct Array {
     const std::uint8_t *from;
     std::size_t stride;
     std::uint8_t *to;
-    std::size_t bytes; ///< of an element
+    std::size_t bytes; ///< size of one element
   };
   const std::uint32_t *indices = nullptr;
   Array arrays[kSlots];
@@ -313,7 +313,7 @@ struct Gather {
       }
   }
   static void copy(std::uint8_t *to, const std::uint8_t *from, std::size_t bytes) {
-    switch (bytes) { // sizes that compilers know are no calls
+    switch (bytes) { // memcpy of a constant size is no function call
     case 4:
       std::memcpy(to, from, 4);
       return;

@@ -11,20 +11,20 @@
 #include "state/mirror/attributes.h"
 #include "state/raster_draw/vertices/vertex_convert.h"
 
-/// Vertices as machine code reads them: one array of floats for each component, with defaults
-/// (0, 0, 0, 1) filled in and fixed-point numbers converted (OpenGL 1.4, table 2.6).
+/// Fetches vertices in the form that machine code reads: one array of floats for each component.
+/// Defaults (0, 0, 0, 1) are filled in, and fixed-point numbers are converted (OpenGL 1.4, table
+/// 2.6).
 namespace arbiter::state::software {
 
-/// Indices as 32 bits, less `minimum`, so that the vertex range [minimum, maximum] is what must be
-/// fetched.
+/// Indices as 32 bits, relative to `minimum`. The vertices to fetch are [minimum, maximum].
 struct IndexRange {
   const std::uint32_t *indices = nullptr;
   std::uint32_t count = 0;
-  std::uint32_t minimum = 0, maximum = 0; ///< baseVertex added
+  std::uint32_t minimum = 0, maximum = 0; ///< baseVertex included
 };
 
-/// Places in a draw's sequence of vertices: [begin, begin + count), with `pivot` before them where
-/// that is set.
+/// Positions in a draw's sequence of vertices: [begin, begin + count), after `pivot` if `pivots` is
+/// set.
 struct SequencePart {
   std::uint32_t begin = 0, count = 0;
   bool pivots = false;
@@ -34,11 +34,12 @@ struct SequencePart {
 struct IndexBounds {
   std::int64_t minimum = 0, maximum = 0;
 };
-/// Of `count` indices, at least one; false for a type that DrawElements does not have.
+/// Computes the bounds of `count` indices, at least one. Returns false for a type that DrawElements
+/// does not allow.
 [[nodiscard]] bool boundsOf(GLenum type, const void *indices, std::uint32_t count,
                             IndexBounds &bounds);
 
-/// Memory of a context for the vertices of one draw; grows and is kept.
+/// Fetches the vertices of a draw. Its memory belongs to a context, and is kept from draw to draw.
 class VertexFetcher {
 public:
   VertexFetcher();
@@ -46,50 +47,51 @@ public:
   VertexFetcher(const VertexFetcher &) = delete;
   VertexFetcher &operator=(const VertexFetcher &) = delete;
 
-  /// False if there is no memory, or an index plus `baseVertex` is below zero. `type` is that of
-  /// DrawElements; `indices` need not be aligned.
+  /// Converts indices. Returns false if there is no memory, or if an index plus `baseVertex` is
+  /// below zero. `type` is as in DrawElements; `indices` need not be aligned.
   [[nodiscard]] bool decodeIndices(GLenum type, const void *indices, std::uint32_t count,
                                    std::int32_t baseVertex, IndexRange &out);
 
-  /// The same of a part of them, which is not empty; a `type` of 0: the places are the indices.
+  /// Converts the indices of a part, which must not be empty. For a `type` of 0, the positions are
+  /// the indices.
   [[nodiscard]] bool decodePart(GLenum type, const void *indices, const SequencePart &part,
                                 std::int32_t baseVertex, IndexRange &out);
 
-  /// Indices name few vertices of a wide range: compact() pays.
+  /// True if indices name few vertices of a wide range, so that compact() pays.
   [[nodiscard]] static bool isSparse(const IndexRange &range);
-  /// Of a sparse range: copies its vertices of the slots' arrays together, in the order of the
-  /// indices, and makes `range` count them. `source` is then another one, valid until the next
-  /// call. False: no memory, or a vertex is not there.
+  /// Copies the vertices of a sparse range together, in the order of the indices. `source` then
+  /// refers to the copy, which is valid until the next call, and `range` counts its vertices.
+  /// Returns false if there is no memory or a vertex is out of range.
   [[nodiscard]] bool compact(VertexSource &source, SlotMask slots, IndexRange &range);
 
-  /// Fetches vertices [first, first + count) of the slots of a mask: from their arrays, or the
-  /// current value for each. False if there is no memory, a type is unknown, or a vertex is not
-  /// there. Float arrays of the current value are kept from draw to draw.
+  /// Fetches vertices [first, first + count) of the slots in a mask: from their arrays, or the
+  /// current value for each. Returns false if there is no memory, a type is unknown, or a vertex is
+  /// out of range. Constant arrays of current values are kept from draw to draw.
   [[nodiscard]] bool fetch(const VertexSource &source, const CurrentValues &current, SlotMask slots,
                            std::uint32_t first, std::uint32_t count);
-  /// The same, but nothing is read of the arrays yet: convert() does it.
+  /// Prepares fetch() without reading the arrays; convert() reads them.
   [[nodiscard]] bool open(const VertexSource &source, const CurrentValues &current, SlotMask slots,
                           std::uint32_t first, std::uint32_t count);
-  /// Fills in [begin, end) of the vertices that open() was called for. Threads may call it at a
-  /// time, for vertices of their own.
+  /// Fills vertices [begin, end) after open(). Several threads may call it for different vertices.
   void convert(std::uint32_t begin, std::uint32_t end) const;
-  /// The current value of a slot for every vertex of the last fetch(), whatever it fetched for it:
-  /// component() gives it. False if there is no memory.
+  /// Fills a slot with a current value for every vertex of the last fetch(), in place of what was
+  /// fetched. Returns false if there is no memory.
   [[nodiscard]] bool fetchCurrent(const std::array<float, 4> &value, int slot);
-  /// Component c of a fetched slot: `count` floats, padded to a multiple of 16 that may be read;
-  /// aligned to 64 bytes.
+  /// Returns component c of a fetched slot: `count` floats aligned to 64 bytes. They may be read up
+  /// to a multiple of 16.
   [[nodiscard]] const float *component(int slot, int c) const {
     return m_components[std::size_t(slot)][std::size_t(c)];
   }
-  /// VertexData::inputs of a program that reads `attributes`; all of their slots were fetched.
-  /// Valid until the next call.
+  /// Returns VertexData::inputs for a program with these attributes, whose slots must have been
+  /// fetched. Valid until the next call.
   [[nodiscard]] const float *const *inputs(std::span<const fp::ir::Attribute> attributes);
-  /// VertexData::outputs: four arrays for each of `count` outputs, of as many floats as fetch()
-  /// made. Null if there is no memory. Valid until the next call that outputsVersion() counts.
+  /// Returns VertexData::outputs: four arrays for each of `count` outputs, as long as those of
+  /// fetch(). Returns null if there is no memory. They are valid as long as outputsVersion() does
+  /// not change.
   [[nodiscard]] float *const *outputs(std::size_t count);
-  /// Moves on when outputs() gives other arrays than before.
+  /// Returns a number that changes when outputs() gives different arrays.
   [[nodiscard]] std::uint32_t outputsVersion() const { return m_outputsVersion; }
-  /// The edge flags of unfilled polygons as bytes, after a fetch with kEdgeFlag.
+  /// Returns the edge flags of unfilled polygons as bytes, after a fetch with kEdgeFlag.
   [[nodiscard]] const std::uint8_t *edgeFlags();
 
 private:
@@ -102,7 +104,7 @@ private:
     ~Block();
     [[nodiscard]] bool reserve(std::size_t wanted);
   };
-  /// An array that holds one value throughout.
+  /// An array whose elements all have the same value.
   struct Constant {
     Block block;
     float value = 0;
@@ -113,7 +115,7 @@ private:
   [[nodiscard]] bool openArray(const VertexSource &source, int slot, std::uint32_t first);
 
   std::uint32_t m_count = 0, m_padded = 0;
-  /// What is to be done for the arrays of the draw.
+  /// A pending conversion of one of the draw's arrays.
   struct Job {
     Convert convert;
     Conversion conversion;
@@ -127,7 +129,7 @@ private:
   std::vector<const float *> m_inputs;
   std::vector<Block> m_outputBlocks;
   std::vector<float *> m_outputs;
-  std::uint32_t m_outputFloats = 0; ///< that each of m_outputs has at least
+  std::uint32_t m_outputFloats = 0; ///< least length of the arrays in m_outputs
   std::uint32_t m_outputsVersion = 0;
   std::vector<std::uint8_t> m_edgeFlags;
   std::unique_ptr<std::uint32_t[]> m_indices;
@@ -135,7 +137,7 @@ private:
   std::array<Block, kSlots> m_compacted;
 };
 
-/// The slots that a program's attributes need.
+/// Returns the slots of a program's attributes.
 [[nodiscard]] SlotMask slotsOf(std::span<const fp::ir::Attribute> attributes);
 
 } // namespace arbiter::state::software

@@ -1,4 +1,5 @@
-// Vertices of every type against a plain reading of the table of conversions, and indices.
+// Compares fetched vertices of every type with a plain reading of the conversion table, and tests
+// indices.
 #include "state/raster_draw/vertices/vertex_fetch.h"
 
 #include <chrono>
@@ -28,7 +29,7 @@ constexpr TypeRow kTypes[] = {
     {GL_HALF_FLOAT, 16, true, false}, {GL_FIXED, 32, true, false},
 };
 
-/// Component `c` of an element, read bit by bit, in doubles.
+/// Reads component `c` of an element bit by bit, in doubles.
 double plainly(const TypeRow &row, const std::uint8_t *element, int c, bool normalized,
                bool symmetric) {
   const std::uint8_t *const at = element + c * row.bits / 8;
@@ -62,14 +63,14 @@ double plainly(const TypeRow &row, const std::uint8_t *element, int c, bool norm
   return (2 * value + 1) / (std::ldexp(1.0, row.bits) - 1);
 }
 
-/// Bytes that make finite floats, and the extremes of each integer.
+/// Returns bytes that make finite floats, and the extremes of each integer type.
 std::vector<std::uint8_t> bytesFor(const TypeRow &row, std::size_t size) {
   std::vector<std::uint8_t> bytes(size);
   std::uint32_t state = 12345;
   for (std::uint8_t &byte : bytes)
     byte = std::uint8_t((state = state * 1664525 + 1013904223) >> 24);
   if (row.isInteger) {
-    std::fill_n(bytes.begin(), 32, std::uint8_t(0xFF)); // -1, or the largest
+    std::fill_n(bytes.begin(), 32, std::uint8_t(0xFF)); // -1, or the largest number
     std::fill_n(bytes.begin() + 32, 32, std::uint8_t(0));
     for (std::size_t i = 0; i < 32; ++i)
       bytes[64 + i] = std::uint8_t((i + 1) % std::size_t(row.bits / 8) == 0 ? 0x80 : 0); // least
@@ -77,7 +78,7 @@ std::vector<std::uint8_t> bytesFor(const TypeRow &row, std::size_t size) {
   }
   if (row.type == GL_FIXED)
     return bytes;
-  for (std::uint8_t &byte : bytes) // no NaN, no infinity, no denormal, wherever a number begins
+  for (std::uint8_t &byte : bytes) // avoids NaN, infinity and denormals wherever a number begins
     byte = std::uint8_t((byte & 0x83u) | 0x38u);
   return bytes;
 }
@@ -97,7 +98,7 @@ TEST_P(EveryType, IsWhatTheTableSays) {
       array.normalized = normalized;
       const std::uint32_t element = elementBytes(array);
       ASSERT_EQ(element, std::uint32_t(components * row.bits / 8));
-      array.stride = element + 3; // nothing is aligned
+      array.stride = element + 3; // misaligned on purpose
       const std::vector<std::uint8_t> bytes = bytesFor(row, 200 * (element + 3) + 1);
       array.base = bytes.data() + 1;
       VertexFetcher fetcher;
@@ -121,7 +122,7 @@ TEST(VertexFetch, BgraAndPackedNumbers) {
   VertexSource source;
   const std::uint8_t bgra[8] = {0, 51, 102, 255, 255, 0, 0, 0};
   source.arrays[kColor] = {bgra, 4, GL_UNSIGNED_BYTE, 4, true, true};
-  // x = 1, y = -512, z = 511, w = -2; and the same unsigned: 1, 512, 511, 2
+  // The components are x = 1, y = -512, z = 511, w = -2, or unsigned 1, 512, 511, 2.
   const std::uint32_t packed = 1u | 512u << 10 | 511u << 20 | 2u << 30;
   source.arrays[kNormal] = {&packed, 4, GL_INT_2_10_10_10_REV, 4, false, false};
   source.arrays[kSecondary] = {&packed, 4, GL_UNSIGNED_INT_2_10_10_10_REV, 4, true, true};
@@ -175,7 +176,7 @@ TEST(VertexFetch, IndicesAreWidenedAndRebased) {
   const std::uint32_t words[] = {0xFFFFFFF0u, 0xFFFFFFF1u};
   std::uint8_t shorts[7] = {0};
   const std::uint16_t values[] = {300, 100, 65535};
-  std::memcpy(shorts + 1, values, sizeof values); // not aligned
+  std::memcpy(shorts + 1, values, sizeof values); // misaligned on purpose
   VertexFetcher fetcher;
   IndexRange range;
   ASSERT_TRUE(fetcher.decodeIndices(GL_UNSIGNED_BYTE, bytes, 4, -5, range));
@@ -243,7 +244,7 @@ TEST(VertexFetch, IsFastEnoughForScenes) {
   }
   RecordProperty("milliseconds", std::to_string(best));
   std::printf("fetch of 300000 vertices: %.3f ms\n", best);
-  // A sanitizer's or a debug build's is slower; this catches a loop gone quadratic.
+  // Sanitizers and debug builds are slower; this only catches a loop gone quadratic.
   EXPECT_LT(best, 200.0);
 }
 

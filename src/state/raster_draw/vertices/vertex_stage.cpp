@@ -13,7 +13,8 @@ namespace {
 using fp::ir::AttributeKind;
 using fp::ir::OutputKind;
 
-/// Vertices that one call of the function transforms: what is written stays in the cache.
+/// Vertices that one call of the function transforms; few enough for the results to stay in the
+/// cache.
 constexpr std::uint32_t kStretch = swrast::Vertices::kStretch;
 
 VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, const VertexStage::Use &use) {
@@ -39,13 +40,13 @@ VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, const VertexStage::
     case AttributeKind::Normal:
     case AttributeKind::Generic:
     case AttributeKind::Facing:
-      break; // no fragment attribute that vertices give
+      break; // vertices give no such fragment attribute
     }
   }
   return needs;
 }
 
-/// The vertex result that a fragment attribute interpolates.
+/// Returns the vertex result that a fragment attribute interpolates.
 fp::ir::Output resultOf(const fp::ir::Attribute &attribute, bool back) {
   switch (attribute.kind) {
   case AttributeKind::ColorPrimary:
@@ -153,7 +154,7 @@ std::uint32_t VertexStage::currentSlots() const {
 
 void VertexStage::transformStretch(std::uint32_t begin, std::uint32_t end) const {
   m_fetcher.convert(begin, end);
-  // Pointers of a stretch lie on the stack of the thread that makes it.
+  // The pointers lie on the stack, because several threads transform stretches at a time.
   constexpr std::size_t kMost = 4 * 64;
   const float *inputs[kMost];
   float *results[kMost];
@@ -239,7 +240,8 @@ void VertexStage::connect(float *const *outputs) {
   for (std::uint8_t plane = 0; plane < 8; ++plane) {
     if ((m_clipPlanes >> plane & 1u) == 0)
       continue;
-    // Those of planes before those of the program: a position-invariant one may write some.
+    // The layer's clip distances come first: a position-invariant program may write some of its
+    // own.
     if (float *const *const distances =
             find({OutputKind::TexCoord, std::uint8_t(kClipDistanceOutput + plane / 4)}))
       out.clipDistance[plane] = distances[plane % 4];

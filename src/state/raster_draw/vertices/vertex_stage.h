@@ -21,41 +21,41 @@ struct CompiledProgram;
 
 namespace arbiter::state::software {
 
-/// From the application's vertices to transformed ones: the effective vertex program or fixed
-/// function's, its function, and the arrays that it reads and writes.
+/// Transforms the application's vertices: chooses the effective vertex program or fixed function's,
+/// its machine code, and the arrays that it reads and writes.
 class VertexStage {
 public:
-  /// What a draw says of its vertices.
+  /// The properties of a draw that the choice needs.
   struct Use {
     bool points = false;
-    MaterialMask materials = 0; ///< that vary from vertex to vertex
+    MaterialMask materials = 0; ///< parts of the material that vary from vertex to vertex
   };
   /// Chooses the function for what the fragments need. `compiled` is the application's vertex
-  /// program, or null; `floatTarget`: a colour buffer holds floats.
+  /// program, or null. `floatTarget` is true if a colour buffer holds floats.
   Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
                  const fp::jit::FragmentShape &fragments, const Use &use, bool floatTarget,
                  Wait wait);
-  /// Back sides have colours of their own.
+  /// True if back faces have colours of their own.
   [[nodiscard]] bool isTwoSided() const { return m_twoSided; }
-  /// The chosen program is the application's.
+  /// True if the chosen program is the application's.
   [[nodiscard]] bool isApplications() const { return m_compiled != nullptr; }
-  /// It reads materials as they are before the primitive. Requires: choose().
+  /// True if the program reads materials, as they are before the primitive. Requires choose().
   [[nodiscard]] bool readsMaterials() const { return m_program->values->readsMaterials(); }
-  /// Of the textures that the program samples, as Units::judge(). Requires: choose().
+  /// Judges the textures that the program samples, like Units::judge(). Requires choose().
   [[nodiscard]] Outcome judgeTextures(Context &context, Mirror &mirror);
-  /// Has them ready, and the function for them. Requires: choose().
+  /// Makes these textures ready, and the function for them. Requires choose().
   Outcome bindTextures(Context &context, Mirror &mirror, Wait wait);
-  /// The slots that the function reads.
+  /// Returns the slots that the function reads.
   [[nodiscard]] SlotMask slots() const { return m_slots; }
-  /// Those, and the others whose current values are wanted.
+  /// Returns the slots whose current values are needed, including slots().
   [[nodiscard]] std::uint32_t currentSlots() const;
 
   /// Transforms vertices [first, first + count) of the source.
-  /// \param later that may wait until the rasterizer comes to them (swrast::Vertices::make)
+  /// \param later true if the rasterizer may do it when it needs them (swrast::Vertices::make)
   Outcome run(Context &context, Mirror &mirror, const VertexSource &source, std::uint32_t first,
               std::uint32_t count, bool edgeFlags, bool later);
-  /// The result of the last run() that succeeded; fragment inputs are in the order of the shape
-  /// that was chosen for.
+  /// Returns the result of the last successful run(). Fragment inputs are in the order of the
+  /// chosen shape.
   [[nodiscard]] const swrast::Vertices &vertices() const { return m_vertices; }
   [[nodiscard]] VertexFetcher &fetcher() { return m_fetcher; }
 
@@ -64,7 +64,7 @@ private:
     std::shared_ptr<const fp::ir::Program> source;
     std::shared_ptr<VertexFunctions> functions;
     std::unique_ptr<ProgramValues> values;
-    RecentFunctions<VertexFunctions, abi::VertexKey> recent; ///< of one that samples
+    RecentFunctions<VertexFunctions, abi::VertexKey> recent; ///< for a program that samples
   };
   void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, Wait wait);
   void connect(float *const *outputs);
@@ -76,10 +76,10 @@ private:
   const CompiledProgram *m_compiled = nullptr;
   const fp::jit::FragmentShape *m_fragments = nullptr;
   FixedVertexPrograms m_fixed;
-  /// Application programs with what fixed function adds.
+  /// The application's programs, with additions for fixed function.
   ExtendedPrograms m_extended;
   ProgramTable<Program> m_programs;
-  Program *m_program = nullptr; ///< current; one of m_programs
+  Program *m_program = nullptr; ///< one of m_programs
   abi::VertexFunction m_function = nullptr;
   Units m_units;
   std::array<const abi::TextureView *, abi::kMaxUnits> m_textures = {};
@@ -88,18 +88,18 @@ private:
   bool m_pointSize = false;
   std::uint8_t m_clipPlanes = 0;
   VertexFetcher m_fetcher;
-  const fp::jit::VertexShape *m_shape = nullptr; ///< of m_program
+  const fp::jit::VertexShape *m_shape = nullptr; ///< the shape of m_program
   swrast::Vertices m_vertices;
-  abi::VertexData m_data; ///< of the vertices that the fetcher has open
+  abi::VertexData m_data; ///< refers to the vertices that the fetcher has open
   /// Fragment inputs of fixed function that the application's program does not write. They are
-  /// undefined; hosts take the vertex's current values, and some applications count on it.
+  /// undefined, but hosts use current values, and some applications rely on it.
   struct Unwritten {
-    std::uint8_t input = 0; ///< of swrast::Vertices::inputs
+    std::uint8_t input = 0; ///< index into swrast::Vertices::inputs
     std::uint8_t slot = 0;
   };
   std::vector<Unwritten> m_unwritten;
-  bool m_connected = false;        ///< m_vertices points at the outputs of m_shape ..
-  std::uint32_t m_connectedTo = 0; ///< .. at this VertexFetcher::outputsVersion()
+  bool m_connected = false;        ///< true if m_vertices points at the outputs of m_shape
+  std::uint32_t m_connectedTo = 0; ///< the VertexFetcher::outputsVersion() of that moment
 };
 
 } // namespace arbiter::state::software
