@@ -110,7 +110,7 @@ class Table:
     """The rows, checked against gl.xml.
 
     action    {lead: way} of entry_points.toml; `handled` of software.toml is one too
-    offered   {lead: the function of state/handlers/offered.h that says whether it is the layer's}
+    offered   {lead: the function of state/handlers/entry/offered.h that says whether it is the layer's}
     software  {lead: way} of software.toml, or "unknown", of those that have no action
     aliased   the leads that have a part in attributes that alias
     dirty     {lead: [bits of mirror/dirty_bits.h]} of those that have either

@@ -78,7 +78,7 @@ def hides_from_host(table, name):
 
 def straight(command, symbol, dirty, call, handled):
     """A command of the layer's own that mostly is the host's alone: a jump there, by what
-    state/handlers/straight.h says, and the handler in a function of its own."""
+    state/handlers/entry/straight.h says, and the handler in a function of its own."""
     result = command.result
     give = "return " if result != "void" else ""
     lead = "  ContextHot *const t = t_current;\n"
@@ -212,7 +212,7 @@ def entry_points_source(table):
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
            '#include "state/host_draw/kept_letters.h"\n#include "state/host_draw/prepare_draw.h"\n'
-           '#include "state/handlers/offered.h"\n#include "state/handlers/straight.h"\n'
+           '#include "state/handlers/entry/offered.h"\n#include "state/handlers/entry/straight.h"\n'
            '#include "state/pixel_commands/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n'

@@ -38,7 +38,7 @@ ORDER = {
     "state": ["capabilities", "mirror", "primitives", "objects", "share", "core", "client_pixels", "era", "imaging",
               "residency", "report", "programs", "host_draw", "raster_draw", "pixel_commands", "lists", "statistics",
               "control", "hud", "handlers", "contexts"],
-    "state/handlers": ["fixed_function", "imaging", "vertex_shader"],
+    "state/handlers": ["entry", "fixed_function", "imaging", "vertex_shader"],
     "state/host_draw": ["evaluators", "stages", "linking", "texturing"],
     "state/programs": ["nv", "variants", "combiners", "texture_shaders", "vertex_shaders"],
     "state/raster_draw": ["functions", "fixed_function", "frames", "vertices", "immediate"],

@@ -7,7 +7,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
-#include "state/handlers/offered.h"
+#include "state/handlers/entry/offered.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"

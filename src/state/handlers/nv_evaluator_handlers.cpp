@@ -1,5 +1,6 @@
 // Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): commands that name such a
-// map, and evaluation after one was named. All else is the host's (state/handlers/straight.h).
+// map, and evaluation after one was named. All else is the host's
+// (state/handlers/entry/straight.h).
 #include <algorithm>
 #include <cstdint>
 

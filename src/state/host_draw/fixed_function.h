@@ -7,7 +7,7 @@
 /// Follows fixed-function state for programs that depend on it. ATI fragment shaders, as text or by
 /// API, replace texturing alone: their texture targets, colour sum and fog are fixed function's at
 /// the time of the draw. Register combiners sample the enabled targets and may read fog. The host
-/// is queried (variants/fixed_function_now.h) when such a program becomes effective, and again
+/// is queried (texturing/fixed_function_now.h) when such a program becomes effective, and again
 /// after what may have changed that state.
 namespace arbiter::state {
 

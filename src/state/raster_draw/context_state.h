@@ -44,7 +44,7 @@ struct ContextState {
   /// begins is not known. Functions for small primitives would make a first draw wait, perhaps for
   /// nothing.
   bool recordsMany = false;
-  /// scratch memory for joined primitives (immediate/joined.h)
+  /// scratch memory for joined primitives (primitives/joined.h)
   std::vector<std::uint32_t> joinedIndices;
   /// Null before the first draw that the rasterizer considers. The deleter comes from decision.cpp,
   /// because this header knows Pipeline by name only.

@@ -47,7 +47,7 @@ public:
   /// Perspective, so that all parts use the same functions.
   Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, swrast::Topology topology);
-  /// Draws primitives that were joined (immediate/joined.h), by indices.
+  /// Draws primitives that were joined (primitives/joined.h), by indices.
   Outcome shadeJoined(Context &context, const VertexSource &source, const IndexRange &indices,
                       const Joining &joining);
   /// Chooses for fragments at the current raster position.

@@ -1,5 +1,5 @@
 // The fast paths of entry points do what the handlers would have done.
-#include "state/handlers/straight.h"
+#include "state/handlers/entry/straight.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "state/handlers/offered.h"
+#include "state/handlers/entry/offered.h"
 
 #include "state/era/era_state.h"
 #include "state/programs/combiners/combiner_state.h"
