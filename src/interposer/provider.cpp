@@ -5,7 +5,7 @@
 
 #include "dispatch/entry_points.h"
 #include "interposer/process.h"
-#include "state/host_draw/native_inputs.h"
+#include "state/programs/offered_aliases.h"
 #include "util/flags.h"
 #include "util/log.h"
 

@@ -220,7 +220,7 @@ void GetConvolutionFilter(Context &context, GLenum target, GLenum format, GLenum
 }
 
 void GetSeparableFilter(Context &context, GLenum target, GLenum format, GLenum type, void *row,
-                        void *column, void *span) {
+                        void *column, void * /*span*/) {
   if (!convolutionAllowed(context))
     return;
   if (target != GL_SEPARABLE_2D)
