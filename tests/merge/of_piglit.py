@@ -9,7 +9,7 @@ import json
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "piglit_vs_host"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "piglit"))
 
 import expectations
 import table

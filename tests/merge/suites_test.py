@@ -18,7 +18,7 @@ SUITES = {
     # The block of a way is smaller than the count of shards; edges are one test.
     "differential": (["scripts/run_differential.py", "--count", "8", "--vertex-count", "2", "--mode-count", "5",
                       "--ways", "glsl,layer,vertex-glsl,swrast-edges,swrast-vertex"], "--out"),
-    "piglit": (["tests/piglit_vs_host/compare.py", "--platform", "surfaceless_egl", "--jobs", "2",
+    "piglit": (["tests/piglit/compare.py", "--platform", "surfaceless_egl", "--jobs", "2",
                 "--profiles", "r300", "fp-abs", "fp-kil", "fp-indirections"], "--results"),
 }
 

@@ -26,7 +26,7 @@ import results
 import run as piglit
 import sharding
 
-SOURCES = ("include", "src", "tests/piglit_vs_host")  # what a result depends on
+SOURCES = ("include", "src", "tests/piglit")  # what a result depends on
 
 
 def layer_is_active(layer, library, folder, platform):
