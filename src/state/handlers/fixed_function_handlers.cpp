@@ -1,4 +1,5 @@
-// Fog and the light model: parameters that choose a shader variant where fixed function takes part.
+// Fog and the light model. FOG_MODE and LIGHT_MODEL_COLOR_CONTROL choose a shader variant where
+// fixed function takes part. The other parameters reach the host's shader by themselves.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -6,55 +7,21 @@
 
 namespace arbiter::state::handlers {
 
-// FOG_MODE and LIGHT_MODEL_COLOR_CONTROL choose a variant. The other parameters reach the host's
-// shader by themselves.
+#define COMMAND(name, T, choosing)                                                                 \
+  void name(Context &context, GLenum pname, T value) {                                             \
+    context.host->name(pname, value);                                                              \
+    if (pname == (choosing))                                                                       \
+      noteFixedFunctionCommand(context);                                                           \
+  }
 
-void Fogf(Context &context, GLenum pname, GLfloat param) {
-  context.host->Fogf(pname, param);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void Fogi(Context &context, GLenum pname, GLint param) {
-  context.host->Fogi(pname, param);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void Fogfv(Context &context, GLenum pname, const GLfloat *params) {
-  context.host->Fogfv(pname, params);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void Fogiv(Context &context, GLenum pname, const GLint *params) {
-  context.host->Fogiv(pname, params);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModelf(Context &context, GLenum pname, GLfloat param) {
-  context.host->LightModelf(pname, param);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModeli(Context &context, GLenum pname, GLint param) {
-  context.host->LightModeli(pname, param);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModelfv(Context &context, GLenum pname, const GLfloat *params) {
-  context.host->LightModelfv(pname, params);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModeliv(Context &context, GLenum pname, const GLint *params) {
-  context.host->LightModeliv(pname, params);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
+COMMAND(Fogf, GLfloat, GL_FOG_MODE)
+COMMAND(Fogi, GLint, GL_FOG_MODE)
+COMMAND(Fogfv, const GLfloat *, GL_FOG_MODE)
+COMMAND(Fogiv, const GLint *, GL_FOG_MODE)
+COMMAND(LightModelf, GLfloat, GL_LIGHT_MODEL_COLOR_CONTROL)
+COMMAND(LightModeli, GLint, GL_LIGHT_MODEL_COLOR_CONTROL)
+COMMAND(LightModelfv, const GLfloat *, GL_LIGHT_MODEL_COLOR_CONTROL)
+COMMAND(LightModeliv, const GLint *, GL_LIGHT_MODEL_COLOR_CONTROL)
+#undef COMMAND
 
 } // namespace arbiter::state::handlers
