@@ -75,7 +75,7 @@ struct ArgumentRow {
 inline constexpr std::size_t kMaxArguments = 9;
 
 struct WordRow {
-  std::string_view word; ///< empty: the default, which needs no word
+  std::string_view word; ///< empty: the value (a file's name, numbers) stands without a word
   std::string_view meaning;
   std::array<ArgumentRow, kMaxArguments> rows = {};
   std::string_view form = {}; ///< of a setting: what follows it
