@@ -80,7 +80,12 @@ NOUNS = set("""
     widgets windows words zeros
     red need seed speed fixed indeed signed unsigned shared nested packed
 """.split())
-OPENERS = {"true", "false", "whether"}  # "True if ..."
+# Words that begin a sentence with a verb, as in "True if ...": the last ones are nouns elsewhere.
+OPENERS = set("""
+    true false whether
+    blocks figures files frames groups labels limits lists models numbers pairs points programs registers samples
+    scripts states targets times
+""".split())
 TAG = re.compile(r"^(?:TODO|NOTE|FIXME)\b:?\s*")
 
 
@@ -229,6 +234,8 @@ DOCUMENTED = [  # (a comment above a function, whether it is faulty)
     ("What a pixel shows.", True),
     ("What does a pixel show?", False),
     ("Whatever a pixel shows is returned.", False),
+    ("Samples the texture.", False),
+    ("A pixel of the samples.", True),
 ]
 PLANTED = [({"src/a/a.h": f"/// {text}\nint color(int x);\n"}, int(wrong)) for text, wrong in DOCUMENTED] + [
     ({"demos/a.py": f'def color(x):\n    """{text}"""\n    return x\n'}, int(wrong)) for text, wrong in DOCUMENTED] + [
