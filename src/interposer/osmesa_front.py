@@ -4,9 +4,9 @@
 It is a library without symbols of its own that needs the layer and the real library, the latter by absolute path
 because its name is taken.
 
-osmesa_front.py --find COMPILER...                 prints the real library's path, or nothing
-osmesa_front.py --core LIB --real PATH -o FRONT -- COMPILER...
-makes the front; run again when either moves
+  osmesa_front.py --find COMPILER...                 prints the real library's path, or nothing
+  osmesa_front.py --core LIB --real PATH -o FRONT -- COMPILER...
+                                                     makes the front; run again when either moves
 """
 import argparse
 import os
