@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Fails on an #include between the rooms inside a room that goes against their one way down, on
-units that reach each other in a circle of more than eight, on a room of too many files, and on an
-entry point of state that lies outside the room of entry points.
+"""Fails on an #include between rooms inside a room that is against their order, on
+circular includes of more than eight units, on a room of too many files, and on an
+entry point of state outside of the room of entry points.
 
-A room is a folder of ALLOWED; a folder that has no row belongs to the room that it lies in. Edges
-between a room and one that it lies in are free: what all of its rooms share lies in the outer one,
-and what puts them together too. A unit is a header and its source. Tests, benchmarks and what lies
-in a folder `testing` may see everything.
+A room is a folder of ALLOWED; a folder that has no row belongs to the room that contains it. Includes
+between a room and one that contains it are free: the outer one has what its rooms share, and what puts
+them together. A unit is a header and its source. Tests, benchmarks and files in a folder `testing` may
+include everything.
 
 usage: sub_rooms.py ROOT | sub_rooms.py --self-test
 """
@@ -37,7 +37,7 @@ PIXELS = "state/client_pixels"
 STATE = {CONTROL, HUD, CORE, SHARE, PROGRAMS, LISTS, HOST_DRAW, REPORT, MIRROR, RESIDENCY, RASTER_DRAW,
          ERA, IMAGING, PIXELS}
 
-# Of rooms that do not lie in each other: which ones a room includes.
+# The rooms that a room may include, if neither contains the other.
 ALLOWED = {
     "fp_compiler": set(),
     IR: set(),
@@ -69,8 +69,8 @@ ALLOWED = {
     "swrast/setup": set(),
     "swrast/cover": {"swrast/setup"},
     "swrast/strokes": {"swrast/setup", "swrast/cover"},
-    # A context has parts of all rooms but of the entry points, which nothing includes: what they call
-    # never calls back. The mirror and residency know no context.
+    # A context has parts of all rooms except the entry points, which nothing includes: what they call never calls back.
+    # The mirror and residency do not know contexts.
     "state": set(),
     CORE: STATE,
     SHARE: {CORE, PROGRAMS, LISTS, HOST_DRAW, RASTER_DRAW},
@@ -85,15 +85,15 @@ ALLOWED = {
     "state/handlers": STATE,
     MIRROR: {CORE},
     RESIDENCY: {CORE, SHARE, MIRROR},
-    # What watches drawing stands above what draws, which knows hooks of it (core/control_hooks.h).
+    # Observers of drawing are above the drawing rooms, which only know their hooks (core/control_hooks.h).
     CONTROL: {CORE, SHARE, PROGRAMS, HOST_DRAW, REPORT, MIRROR, RASTER_DRAW, HUD, PIXELS},
     HUD: {CORE, SHARE, REPORT, MIRROR, RASTER_DRAW, CONTROL, PIXELS},
-    # Words and panels come first; textures and meshes are made of them; the document has all.
+    # Words and panels come first; textures and meshes are made from them; the document has all.
     "scene": set(),
     "scene/panel": set(),
     "scene/texture": {"scene/panel"},
     "scene/mesh": {"scene/panel", "scene/texture"},
-    # The window: a view shows a model, and nothing of a model includes a view.
+    # The window's views show models, and no model includes a view.
     "builder/model": set(),
     "builder/model/text": set(),
     "builder/model/language": {"builder/model/text"},
@@ -112,8 +112,8 @@ ALLOWED = {
     "util/cache": set(),
     "util/record": set(),
 }
-MOST_UNITS = 8  # of a circle
-MOST_FILES = 35  # of one folder, tests and tables included
+MOST_UNITS = 8  # in a circle
+MOST_FILES = 35  # in one folder, including tests and tables
 
 HANDLERS = "state/handlers"
 HANDLER = re.compile(r"^namespace (arbiter::state::)?handlers {", re.M)
@@ -121,7 +121,7 @@ SUFFIXES = {".h", ".cpp", ".def"}
 
 
 def room_of(name):
-    """The innermost room of ALLOWED that the file lies in; None if there is none."""
+    """Returns the innermost room of ALLOWED that contains the file; None if there is none."""
     for folder in pathlib.PurePosixPath(name).parents:
         if str(folder) in ALLOWED:
             return str(folder)
@@ -138,7 +138,7 @@ def lies_in(inner, outer):
 
 
 def read(source):
-    """{file: [files of src/ that it includes]} of what is no test."""
+    """Returns {file: [files of src/ that it includes]}, without tests."""
     graph = {}
     for path, includes in tree.includes(source):
         name = path.relative_to(source).as_posix()
@@ -161,7 +161,7 @@ def wrong_edges(graph):
 
 
 def circles(graph):
-    """The strongly connected sets of units, by Tarjan's method without recursion."""
+    """Returns the strongly connected sets of units, by Tarjan's method without recursion."""
     units = {}
     for name, includes in graph.items():
         unit = units.setdefault(name.rsplit(".", 1)[0], set())
@@ -208,7 +208,7 @@ def crowded(source):
 
 
 def misplaced(source):
-    """Sources that implement entry points (namespace handlers) elsewhere than in state/handlers."""
+    """Yields sources that implement entry points (namespace handlers) outside of state/handlers."""
     for path in sorted(source.glob("state/**/*.cpp")):
         name = path.relative_to(source).as_posix()
         if is_production(name) and room_of(name) != HANDLERS and HANDLER.search(path.read_text()):
@@ -216,7 +216,7 @@ def misplaced(source):
 
 
 def check(root):
-    """Complaints about the tree, and the number of files read."""
+    """Returns the complaints about the tree, and the number of files read."""
     source = root / "src"
     graph = read(source)
     complaints = [*wrong_edges(graph), *crowded(source), *misplaced(source)]

@@ -100,6 +100,7 @@ def after(lines, number):
 
 def is_function(line):
     """True if a line of C++ begins the declaration or the definition of a function."""
+    line = re.sub(r"^template\s*<.*?>\s*(?=\w)", "", line)
     head = re.split(r"[{;=]", line, maxsplit=1)[0]
     return bool(re.match(r"[A-Za-z_:\[~]", line) and re.search(r"[\w>\])&*~]\s*\(|operator", head)
                 and not re.match(r"(?:#|if|for|while|switch|return|case|else|do|static_assert|using|typedef|struct|"
