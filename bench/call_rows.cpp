@@ -8,7 +8,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The average time of \p call(i) over \p count calls.
+/// Returns the average time of \p call(i) over \p count calls.
 template <typename Call> std::vector<double> average(int count, Call call) {
   const auto begin = Clock::now();
   for (int i = 0; i < count; ++i)
@@ -17,7 +17,7 @@ template <typename Call> std::vector<double> average(int count, Call call) {
   return {time.count() / count};
 }
 
-/// Two program objects with a text each, made once; the first one is bound and enabled.
+/// Returns two program objects with a text each, made once; the first one is bound and enabled.
 const GLuint *programs() {
   static GLuint names[2] = {0, 0};
   if (names[0])
@@ -34,7 +34,7 @@ const GLuint *programs() {
   return names;
 }
 
-/// The same of the vertex target.
+/// Returns two vertex programs, made once; the first one is bound and enabled.
 const GLuint *vertexPrograms() {
   static GLuint names[2] = {0, 0};
   if (!names[0]) {
@@ -53,7 +53,7 @@ const GLuint *vertexPrograms() {
   return names;
 }
 
-// Known to the layer as calls of no concern: these go from glvnd straight to the host.
+// The layer does not intercept these calls: they go from libglvnd straight to the host.
 std::vector<double> color(int count, unsigned) {
   return average(count, [](int i) { glColor4f(float(i & 1), 0.5f, 0.25f, 1.0f); });
 }
@@ -66,7 +66,7 @@ std::vector<double> activeTexture(int count, unsigned) {
   return time;
 }
 
-// Intercepted: the layer has a look, or the state is its own.
+// The layer intercepts these: it inspects the call, or the state is its own.
 std::vector<double> local(int count, unsigned) {
   programs();
   return average(count, [](int i) {

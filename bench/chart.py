@@ -2,7 +2,7 @@
 """Draws the chart of docs/driver/performance.md, and fills its first table, from figures of bench/feedback.py.
 
 usage: chart.py            writes both from bench/figures/*.json
-       chart.py --check    1 if one of them is not what the figures say
+       chart.py --check    1 if one of them does not match the figures
        chart.py -o SVG FEEDBACK.json...    draws a chart of other figures
 
 The files of bench/figures have the form that `bench/feedback.py --json` writes, without the turns.
@@ -47,7 +47,7 @@ def tidy(figure):
 
 
 def draw(documents):
-    """Returns the chart: for each row a bar a machine, and the bound as a red line."""
+    """Returns the chart: for each row one bar for each machine, and the bound as a red line."""
     rows = [row["name"] for row in shown_rows(documents[0])]
     most = max(row["figure"] for document in documents for row in shown_rows(document))
     scale = (WIDTH - LEFT - 60) / most
@@ -84,7 +84,7 @@ def draw(documents):
 
 
 def table(documents):
-    """Returns the page's table: the first machine in full, and the others' ratio."""
+    """Returns the page's table: the first machine in full, and the ratio of the others."""
     first, *others = documents
     out = ["| program | llvmpipe, ms | Arbiter, ms | times faster | 95 of 100 | bound | in a window |"
            + "".join(f" {name_of(other)} |" for other in others),

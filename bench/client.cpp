@@ -1,8 +1,8 @@
-// The measured side of bench/run: a GL client that takes one order a line on its input, so that a
-// process with the layer and one without can take turns.
+// The measured client of bench/run. It takes one command for each line of input, so that a process
+// with the layer and one without can take turns.
 //   rows                    -> ["name", ...]
 //   sample COUNT SEED NAME  -> [nanoseconds, ...]
-//   differ PAIR             -> the part of the pixels that a pair of nv_texts.h draws otherwise
+//   differ PAIR             -> the fraction of pixels that differ within a pair of nv_texts.h
 #include "nv_rows.h"
 #include "rows.h"
 

@@ -9,7 +9,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kDraws = 10000;
 
-/// Four pixels or so: what is measured is the call, not the filling.
+/// Prepares a quad of about four pixels, so that the call is measured and not the fill.
 void prepareQuad() {
   static constexpr float kQuad[8] = {0.0f, 0.0f, 0.004f, 0.0f, 0.004f, 0.004f, 0.0f, 0.004f};
   static GLuint buffer = 0;
@@ -43,14 +43,14 @@ void prepare() {
   static GLuint program = 0;
   prepareFragments(program);
 }
-/// Of the row that changes its parameters: a driver, or the layer, may draw with a program by how
-/// often that was done, which is no business of the other rows'.
+/// Prepares the row that changes its parameters. A driver, or the layer, may choose how to draw by
+/// how often that happened, so that this row has a program of its own.
 void prepareChanging() {
   static GLuint program = 0;
   prepareFragments(program);
 }
 
-/// The same behind a vertex program.
+/// Prepares a vertex and a fragment program.
 void preparePair() {
   static GLuint program = 0;
   if (!program) {
@@ -72,13 +72,13 @@ void preparePair() {
   glEnable(GL_VERTEX_PROGRAM_ARB);
 }
 
-/// The vertex program before fixed-function fragments.
+/// Prepares a vertex program with fixed-function fragments.
 void prepareVertex() {
   preparePair();
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
 }
 
-/// The time of \p count frames of kDraws draws each, glFinish included.
+/// Returns the time of \p count frames of kDraws draws each, including glFinish.
 template <typename Draw>
 std::vector<double> frames(int count, Draw draw, void (*setUp)() = prepare) {
   setUp();

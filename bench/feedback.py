@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
-"""How much faster the rasterizer is than the bare host, measured side by side in one run.
+"""Measures how much faster the rasterizer is than the bare host, side by side in one run.
 
 Each row launches the same client twice, bare and with the layer in front (ARBITER_BACKEND=auto
-unless said otherwise), which take turns batch by batch; a frame is one draw, the feedback copy where
+unless stated otherwise). They take turns batch by batch. A frame is one draw, the feedback copy if
 there is one, and a finish. `times faster` is the median over the turns of bare / layered, with the
 interval that holds the true median 95 times in 100, and the acceptance bound beside it.
 
   workloads    the seven programs, headless; and their geometric mean
-  window       the same, shown in a GLX window each frame, on an Xvfb of their own
-  sizes        cost a pixel from 256x256 to 4096x4096, of the layer
-  passes       cost a pixel of a linear filter at 1:1, from 256x256 to 4096x4096, of sizes as films and
-               windows have them too; beside it that of a nearest one
+  window       the same programs, each frame shown in a GLX window on an Xvfb of its own
+  sizes        the layer's cost a pixel from 256x256 to 4096x4096
+  passes       cost a pixel of a linear filter at 1:1, from 256x256 to 4096x4096, including sizes of
+               films and windows; beside it the cost of a nearest filter
   threads      two threads of the rasterizer against one
   scene        100,000 triangles with depth, blending and per-pixel lighting
   first-draw   from a program's text to its first finished frame, 100 generated programs
-  memory       peak resident size beyond the bare host's, by the application's images
+  memory       peak resident size beyond the bare host's, relative to the application's images
   small        draws of a few pixels each, which gain nothing: no more than 1.05x the bare host
 
 examples:
@@ -60,7 +60,7 @@ def parse(argv):
 
 
 def text_of(row):
-    """bound_is `least` or `most`, of `figure`."""
+    """Returns a row as text; its bound_is says whether the bound is the `least` or the `most`."""
     bound = ""
     if row.get("bound") is not None:
         bound = f"{'>=' if row['bound_is'] == 'least' else '<='} {row['bound']:g}"
@@ -72,7 +72,7 @@ def text_of(row):
 
 
 def judge(row):
-    """met, missed, or unclear where the interval has the bound in it; nothing without a bound."""
+    """Returns met, missed, or unclear if the interval contains the bound; nothing without a bound."""
     if row.get("bound") is None:
         return ""
     low, high = row.get("low", row["figure"]), row.get("high", row["figure"])

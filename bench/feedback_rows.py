@@ -1,4 +1,4 @@
-"""The rows of feedback.py: each part yields dictionaries, `figure` of which is judged."""
+"""The rows of feedback.py: each part yields dictionaries, whose `figure` is judged."""
 
 import json
 import math
@@ -18,7 +18,7 @@ class Workload:
     demo: str
     options: list
     least: float  # times faster than the bare host
-    image_bytes: int  # a pixel, of the application's images: colour, depth, textures of that size
+    image_bytes: int  # a pixel, of the application's images of that size: color, depth, textures
 
 
 WORKLOADS = [
@@ -32,11 +32,11 @@ WORKLOADS = [
 ]
 MEAN_LEAST = {"": 6.0, "avx512": 6.0, "avx2": 6.0, "sse4.1": 5.0}  # by --cpu
 SCENE_LEAST = 1.5
-# What holds the bare host's machine code to a lesser processor as well, where it would use more.
+# These variables restrict the bare host's machine code to an older processor as well.
 HOST_HELD_TO = {"sse4.1": {"GALLIUM_OVERRIDE_CPU_CAPS": "sse4.1", "LP_NATIVE_VECTOR_WIDTH": "128"}}
-SHOWN = 0.6  # of each ratio, where the frame is shown in a window
+SHOWN = 0.6  # of each ratio, if the frame is shown in a window
 SIZES = (256, 512, 1024, 2048, 4096)
-# Of linear passes: powers of two, those of films and windows, and odd ones.
+# The sizes of linear passes: powers of two, sizes of films and windows, and odd ones.
 PASS_SIZES = ("256x256", "640x480", "1023x767", "1024x1024", "1280x1280", "1366x768", "1536x1536",
               "1920x1080", "2048x2048", "2047x1535", "2560x1440", "3840x2160", "4096x4096")
 
@@ -61,7 +61,7 @@ def command_of(args, workload, size, headless=True):
 
 
 def drawn_note(stats):
-    """What the layer's statistics say: figures without a draw of the rasterizer would be the host's."""
+    """Returns a note from the layer's statistics: if the rasterizer drew nothing, the figures are the host's."""
     try:
         document = json.loads(stats.read_text())
     except (OSError, ValueError):
@@ -73,7 +73,7 @@ def drawn_note(stats):
 
 
 def pair_row(args, name, command, least, more=None):
-    """Both sides of one command, in turns."""
+    """Measures both sides of one command, in turns."""
     stats = args.scratch / "stats.json"
     stats.unlink(missing_ok=True)
     extra = settings(args, ARBITER_STATS=str(stats))
@@ -108,7 +108,7 @@ def workload_rows(args, _):
 
 
 def window_rows(args, before):
-    """At least SHOWN of the ratio that was asked for without a window."""
+    """Requires at least SHOWN of the ratio that is required without a window."""
     with XServer(f"{max(args.size, 64)}x{max(args.size, 64)}x24") as display:
         for workload in chosen(args):
             row = pair_row(args, workload.name + ", shown",
@@ -123,8 +123,8 @@ def window_rows(args, before):
 
 
 def size_rows(args, _):
-    """Nanoseconds a pixel at each size, the layer alone, in turns; beside it by how much the dearest
-    is dearer than the cheapest."""
+    """Measures nanoseconds a pixel at each size, the layer alone, in turns, and the ratio of the extremes to the
+    middle."""
     sizes = (32, 64) if args.self_test else SIZES
     for workload in chosen(args):
         clients = [Client(command_of(args, workload, size), environment(args.layer, settings(args)))
@@ -138,15 +138,16 @@ def size_rows(args, _):
                  for i, size in enumerate(sizes)}
         middle = statistics.median(costs.values())
         note = "  ".join(f"{size}: {cost:.3f}" for size, cost in costs.items())
-        # The furthest from the middle, as a factor.
+        # The figure is the furthest ratio from the middle.
         figure = max(max(cost / middle, middle / cost) for cost in costs.values())
         yield {"name": workload.name, "unit": "ns/px", "layered": costs[sizes[-1]],
                "figure": figure, "bound": 1.2, "bound_is": "most", "note": note, "costs": costs}
 
 
 def pass_rows(args, _):
-    """Nanoseconds a pixel of a linear filter at 1:1, and how many times a nearest one's, in turns:
-    both move the same memory, of which caches hold less as pictures grow."""
+    """Measures nanoseconds a pixel of a linear filter at 1:1, and its ratio to a nearest filter, in turns.
+
+    Both move the same memory, of which caches hold less as pictures grow."""
     workload = next(w for w in WORKLOADS if w.demo == "pass-through")
     for size in ("64x64", "100x60") if args.self_test else PASS_SIZES:
         width, height = (int(side) for side in size.split("x"))
@@ -166,7 +167,7 @@ def pass_rows(args, _):
 
 
 def thread_rows(args, _):
-    """One thread against two, both with the layer."""
+    """Measures one thread against two, both with the layer."""
     for workload in chosen(args):
         command = command_of(args, workload, args.size)
         clients = [Client(command, environment(args.layer, settings(args, ARBITER_THREADS=count)))
@@ -194,7 +195,7 @@ def scene_rows(args, _):
 
 
 def pictures_differ(args, command):
-    """The fraction of pixels of the third frame that are further apart than 2 of 255."""
+    """Returns the fraction of the third frame's pixels that differ by more than 2 of 255."""
     pictures = []
     for layer, extra in ((None, {}), (args.layer, settings(args, ARBITER_BACKEND="swrast"))):
         client = Client(command, environment(layer, extra))
@@ -213,7 +214,7 @@ def pictures_differ(args, command):
 
 
 def first_draw_rows(args, _):
-    """No disk caches: 100 programs that no one has seen, one after the other."""
+    """Measures 100 programs that no one has seen, one after the other, without disk caches."""
     count = 5 if args.self_test else 100
     command = [args.build / "bench/bench-client"]
     extra = settings(args, ARBITER_CACHE="0")
@@ -236,7 +237,7 @@ def first_draw_rows(args, _):
 
 
 def memory_rows(args, _):
-    """At 4096x4096, where images are most of a process."""
+    """Measures memory at 4096x4096, where images are most of a process."""
     size = 256 if args.self_test else 4096
     for workload in chosen(args):
         peaks = []
@@ -253,7 +254,7 @@ def memory_rows(args, _):
 
 
 def small_rows(args, _):
-    """bench-client's draws and large quads; layered / bare."""
+    """Measures bench-client's draws and large quads; the figure is layered / bare."""
     command = [args.build / "bench/bench-client"]
     clients = [Client(command, environment(None)),
                Client(command, environment(args.layer, settings(args)))]
@@ -265,7 +266,7 @@ def small_rows(args, _):
             times = [0.0, 0.0]
             for side in (turn % 2, 1 - turn % 2):
                 times[side] = clients[side].ask(f"sample 1 {turn + 1} {name}")[0] / 1e6
-            if turn >= 2:  # what happens once stays out
+            if turn >= 2:  # one-time work is left out
                 pairs.append(times)
         low, figure, high = interval([layered / bare for bare, layered in pairs])
         yield {"name": name, "unit": "ms", "bare": statistics.median(p[0] for p in pairs),

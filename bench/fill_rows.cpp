@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Each text is loaded once: what a frame costs is measured, not what a compiler does.
+/// Loads each text only once, as the cost of a frame is measured and not that of a compiler.
 void load(std::string_view text) {
   static std::map<std::string, GLuint, std::less<>> s_programs;
   const auto known = s_programs.find(text);
@@ -28,7 +28,7 @@ void load(std::string_view text) {
     glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, i, 0.5f, 0.25f, 0.75f, 1.0f);
 }
 
-/// Nanoseconds of a frame of the whole surface, after one that is not counted.
+/// Returns the nanoseconds of a frame of the whole surface, after one that is not counted.
 double frame(std::string_view text, int count) {
   bindTextures();
   load(text);
@@ -43,7 +43,7 @@ double frame(std::string_view text, int count) {
   return time.count() / count;
 }
 
-/// Sixteen multiplying instructions on two registers.
+/// Returns a program with sixteen multiplications of two registers.
 std::string multiplying(const char *first, const char *second, const char *saturated) {
   const std::string sat = saturated;
   std::string text =
@@ -54,7 +54,7 @@ std::string multiplying(const char *first, const char *second, const char *satur
   return text + "MOV result.color, c;\nEND\n";
 }
 
-/// Colours, constants, and what _SAT keeps in [0,1].
+/// Measures operands in [0,1]: colors, constants, and results of _SAT.
 std::vector<double> finite(int count, unsigned) {
   static const std::string s_text =
       multiplying("MUL_SAT a, fragment.color, {0.5, 0.25, 0.75, 1.0};",
@@ -62,14 +62,14 @@ std::vector<double> finite(int count, unsigned) {
   return {frame(s_text, count)};
 }
 
-/// Texture coordinates and parameters, of which nothing is known.
+/// Measures operands of unknown range: texture coordinates and parameters.
 std::vector<double> any(int count, unsigned) {
   static const std::string s_text =
       multiplying("MOV a, fragment.texcoord[0];", "MUL b, program.local[0], program.local[1];", "");
   return {frame(s_text, count)};
 }
 
-/// The era's usual program: samples times a colour and parameters.
+/// Measures a typical program of the era: samples times a color and parameters.
 std::vector<double> textured(int count, unsigned) {
   return {frame("!!ARBfp1.0\nTEMP a, b;\nTEX a, fragment.texcoord[0], texture[0], 2D;\n"
                 "TEX b, fragment.texcoord[1], texture[1], 2D;\nMUL a, a, fragment.color;\n"
@@ -78,7 +78,7 @@ std::vector<double> textured(int count, unsigned) {
                 count)};
 }
 
-/// Twelve programs from a seed, the sum of their frames.
+/// Measures the sum of the frames of twelve generated programs.
 std::vector<double> generated(int count, unsigned) {
   double sum = 0;
   for (unsigned seed = 1; seed <= 12; ++seed)

@@ -12,8 +12,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A demonstration's text, made a new one by a constant that nothing reads, so that no cache knows
-/// it.
+/// Returns a demonstration's text. A constant that nothing reads makes it a new one, so that no
+/// cache knows it.
 std::string demoText(unsigned seed) {
   std::string text(demos::kProgramTexts[seed % demos::kProgramTextCount].text);
   text.insert(text.rfind("END"), "PARAM unread = {" + std::to_string(seed) + ".5};\n");
@@ -64,7 +64,7 @@ std::string generateText(unsigned seed) {
 
 namespace {
 
-/// From the program's name to its first pixels; negative if GL rejects it.
+/// Returns the time from the program's name to its first pixels; negative if GL rejects it.
 double loadAndDraw(const std::string &text) {
   const auto begin = Clock::now();
   GLuint name = 0;

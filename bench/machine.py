@@ -1,4 +1,4 @@
-"""What machine figures are of: a table without it says nothing."""
+"""Describes the machine of the figures: a table without it says nothing."""
 
 import os
 import pathlib
@@ -6,7 +6,7 @@ import platform
 
 
 def describe():
-    """Processor, how many of them this process may use, vector extensions, caches."""
+    """Returns the processor, the number of processors for this process, vector extensions and caches."""
     fields, flags = {}, set()
     for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
         key, _, value = line.partition(":")
@@ -24,12 +24,12 @@ def describe():
 
 
 def heading(machine):
-    """The line above a table."""
+    """Returns the line above a table."""
     return f"{machine['model']}, {machine['processors']} processors, {lanes(machine)}"
 
 
 def lanes(machine):
-    """In words: 32-bit lanes of the widest vectors."""
+    """Returns the number of 32-bit lanes of the widest vectors, in words."""
     for flag, text in (("avx512f", "16 lanes (AVX-512)"), ("avx2", "8 lanes (AVX2)"),
                        ("sse4_1", "4 lanes (SSE4.1)"), ("asimd", "4 lanes (NEON)")):
         if flag in machine["vectors"]:

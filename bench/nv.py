@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""What programs in NVIDIA's languages cost beside the same meaning in ARB's, under the profile nv40.
+"""Measures programs in NVIDIA's languages against ARB programs of the same meaning, under the profile nv40.
 
-Each pair of texts (nv_texts.cpp) is drawn by one client with the layer, which takes turns between the
-two; the pictures of both are compared first. A figure is the median over the turns of NV / ARB, with
-the interval that holds the true median 95 times in 100.
+One client with the layer draws each pair of texts (nv_texts.cpp) in turns; the pictures of both are
+compared first. A figure is the median over the turns of NV / ARB, with the interval that holds the
+true median 95 times in 100.
 
   frame   512x512 pixels, or 25,600 quads of a grid whose triangles are all culled, and a finish
-  load    from a program's name to its first finished draw, texts that no cache has seen
-  warm    the same in a process whose caches on disk, the host's too, another one has filled
+  load    from a program's name to its first finished draw, for texts that no cache has seen
+  warm    the load in a process whose disk caches, including the host's, another process has filled
 
 examples:
   bench/nv.py build-bench
@@ -26,7 +26,7 @@ from machine import describe, heading
 from paced import TURN_MS, Client, environment, interval, layered_parser, parse_layered
 
 MOST = 1.15  # NV / ARB
-APART = 0.001  # the part of the pixels that may be further apart than 2 of 255
+APART = 0.001  # the fraction of pixels that may differ by more than 2 of 255
 SIDES = ("ARB", "NV")
 FRAME = "nv-frame/"
 
@@ -47,7 +47,7 @@ def parse(argv):
 
 
 class Layered(Client):
-    """bench-client under the layer; its statistics say in the end whether the back end drew."""
+    """Runs bench-client under the layer; its statistics tell at the end whether the back end drew."""
 
     def __init__(self, args, backend, cache=None):
         self.stats, self.backend = args.scratch / "stats.json", backend
@@ -68,14 +68,14 @@ class Layered(Client):
         return [name for name in names if not args.pair or any(text in name for text in args.pair)]
 
     def sample(self, row, pair, side, count=1, seed=0):
-        """Milliseconds."""
+        """Returns milliseconds."""
         times = self.ask(f"sample {count} {seed} nv-{row}/{pair}, {side}")
         if min(times) < 0:
             raise SystemExit(f"{pair}, {side}: rejected")
         return statistics.fmean(times) / 1e6
 
     def finish(self):
-        """Figures without a draw of the rasterizer's would be the host's."""
+        """Checks that the rasterizer drew: otherwise the figures would be the host's."""
         self.close()
         software = json.loads(self.stats.read_text()).get("software") or {}
         if self.backend == "swrast" and not software.get("drawn"):
@@ -83,7 +83,7 @@ class Layered(Client):
 
 
 def in_turns(turns, sample):
-    """[(ARB, NV)]: sample(side, turn); who is first alternates."""
+    """Returns [(ARB, NV)] of sample(side, turn); the first side alternates."""
     rounds = []
     for turn in range(turns):
         times = {side: sample(side, turn) for side in (SIDES if turn % 2 else SIDES[::-1])}
@@ -106,7 +106,7 @@ def frame_rows(args, backend):
             raise SystemExit(f"{pair}: {100 * apart:.2f} % of the pixels differ: not of one meaning")
         counts = {}
         for side in SIDES:
-            for count in (3, 10):  # machine code is made and tried meanwhile
+            for count in (3, 10):  # machine code is compiled and tried meanwhile
                 once = client.sample("frame", pair, side, count)
             counts[side] = max(1, round(args.turn_ms / once))
         yield row_of(pair, backend, in_turns(args.turns, lambda side, _: client.sample(
@@ -117,7 +117,7 @@ def frame_rows(args, backend):
 def load_rows(args, backend):
     client = Layered(args, backend)
     for pair in client.pairs(args):
-        for side in SIDES:  # what happens once stays out of the figures
+        for side in SIDES:  # one-time work stays out of the figures
             client.sample("load", pair, side, 1, 300)
         yield row_of(pair, backend, in_turns(args.turns, lambda side, turn: client.sample(
             "load", pair, side, 1, turn)))

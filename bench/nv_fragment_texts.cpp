@@ -1,4 +1,4 @@
-// Programs of fragments that say the same in ARB's language and in one of NVIDIA's.
+// Fragment programs of the same meaning in ARB's language and in one of NVIDIA's.
 #include "nv_texts.h"
 
 namespace bench {

@@ -15,10 +15,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kSide = 160; ///< quads of the grid on an edge
+constexpr int kSide = 160; ///< quads along an edge of the grid
 constexpr GLsizei kIndices = kSide * kSide * 6;
 
-/// How the grid is drawn: its triangles all face away from the viewer or towards him.
+/// The direction that all triangles of the grid face: away from the viewer or towards him.
 enum class Facing { Away, Towards };
 
 struct Vertex {
@@ -79,7 +79,7 @@ void enableArrays(bool on) {
   }
 }
 
-/// What vertex programs read as environment parameters, of NVIDIA's languages as c[].
+/// Sets the environment parameters of the vertex programs, which NVIDIA's languages read as c[].
 void setParameters() {
   static constexpr float kMatrix[4][4] = {
       {0.9f, 0.1f, 0, 0}, {-0.1f, 0.9f, 0, 0}, {0, 0, 0.5f, 0}, {0, 0, 0, 1}};
@@ -99,7 +99,7 @@ void setParameters() {
     set(8 + i, i % 3 == 0, i % 3 == 1, i % 3 == 2, 0.002f * float(i));
 }
 
-/// A new program object with this text, bound; no name if GL rejects it.
+/// Returns a new program object with this text, bound; 0 if GL rejects it.
 GLuint makeProgram(GLenum target, const std::string &text) {
   GLuint name = 0;
   glGenProgramsARB(1, &name);
@@ -114,7 +114,7 @@ GLuint makeProgram(GLenum target, const std::string &text) {
   return 0;
 }
 
-/// Programs of both targets enabled, textures and arrays ready; undone by leave().
+/// Enables the program's target and prepares textures and arrays; leave() undoes it.
 void enter(GLenum target) {
   bindTextures();
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
@@ -143,7 +143,7 @@ void draw(GLenum target, Facing facing) {
   glFrontFace(GL_CCW);
 }
 
-/// Binds the program of one side, loaded at the first call; false if GL rejects it.
+/// Binds the program of one side, which the first call loads; false if GL rejects it.
 bool bind(const NvPair &pair, bool nv) {
   static std::map<std::pair<const NvPair *, bool>, GLuint> s_programs;
   GLuint &name = s_programs[{&pair, nv}];
@@ -153,7 +153,8 @@ bool bind(const NvPair &pair, bool nv) {
   return name != 0;
 }
 
-/// Arrays stay enabled only while the grid is drawn: other rows have arrays of their own.
+/// Runs the body with the grid's arrays enabled only meanwhile, as other rows have arrays of their
+/// own.
 template <typename Body> auto withState(const NvPair &pair, Body body) {
   enter(pair.target);
   const bool arrays = pair.target == GL_VERTEX_PROGRAM_ARB;
@@ -181,7 +182,7 @@ std::vector<double> frames(const NvPair &pair, bool nv, int count) {
   });
 }
 
-/// A triangle of a few pixels.
+/// Draws a triangle of a few pixels.
 void drawSmall() {
   static constexpr float kCorners[3][2] = {{0, 0}, {0.05f, 0}, {0.05f, 0.05f}};
   glBegin(GL_TRIANGLES);
@@ -194,7 +195,7 @@ void drawSmall() {
   glEnd();
 }
 
-/// From the program's name to its first pixels, for each of \p count texts.
+/// Returns the times from the program's name to its first pixels, for each of \p count texts.
 std::vector<double> loads(const NvPair &pair, bool nv, int count, unsigned seed) {
   return withState(pair, [&] {
     std::vector<double> times;

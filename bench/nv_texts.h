@@ -8,8 +8,8 @@
 namespace bench {
 
 /// Two texts of one meaning: in the language of ARB_fragment_program or ARB_vertex_program alone,
-/// and in one of NVIDIA's. `@` stands for a number (of a fragment program) or for the index of an
-/// environment parameter (of a vertex program) that differs from text to text.
+/// and in one of NVIDIA's. `@` stands for a number (in a fragment program) or for the index of an
+/// environment parameter (in a vertex program) that differs from text to text.
 struct NvPair {
   std::string_view name;
   GLenum target;
@@ -19,7 +19,8 @@ struct NvPair {
 [[nodiscard]] std::span<const NvPair> nvFragmentPairs();
 [[nodiscard]] std::span<const NvPair> nvVertexPairs();
 
-/// One of a pair's texts with number \p seed in it: another one for each of 400 seeds in a row.
+/// Returns one of a pair's texts with number \p seed in it. Any 400 consecutive seeds give
+/// different texts.
 [[nodiscard]] std::string nvText(const NvPair &pair, bool nv, unsigned seed);
 
 } // namespace bench

@@ -1,4 +1,4 @@
-// Programs of vertexs that say the same in ARB's language and in one of NVIDIA's.
+// Vertex programs of the same meaning in ARB's language and in one of NVIDIA's.
 #include "nv_texts.h"
 
 namespace bench {

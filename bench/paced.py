@@ -1,8 +1,8 @@
-"""Processes that take turns: clients that draw a number of frames for each line of input.
+"""Runs processes that take turns: clients that draw a number of frames for each line of input.
 
-Two of them stand side by side and are asked in turn, so that a busy machine is busy for both. A
-turn is as many frames as take about TURN_MS, calibrated for each side, so that the fast side is not
-measured over a clock's tick.
+Two of them run side by side and get commands in turn, so that a busy machine is busy for both. A
+turn is as many frames as take about TURN_MS, calibrated for each side, so that the fast side does
+not run into the clock's resolution.
 """
 
 import argparse
@@ -18,11 +18,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'tests' / '
 from plain_environment import plain  # noqa: E402
 
 TURN_MS = 40.0
-REACH_PACE_S = 6.0  # the longest that a side may take to reach its pace: machine code is compiled meanwhile
+REACH_PACE_S = 6.0  # the longest time in which a side may reach its pace, as machine code is compiled meanwhile
 
 
 def environment(layer=None, extra=None):
-    """Without any variable of the layer's or of the host's drivers; with the layer in front if there is one."""
+    """Returns an environment without variables of the layer or of the host's drivers, with the layer in front if
+    given."""
     env = plain(MESA_SHADER_CACHE_DISABLE="true")
     if layer:
         env["LD_PRELOAD"] = str(layer)
@@ -31,7 +32,7 @@ def environment(layer=None, extra=None):
 
 
 def layered_parser(doc):
-    """The command line of a benchmark of a build with and without the layer: BUILD, --layer, --json."""
+    """Returns a parser for a benchmark of a build with and without the layer: BUILD, --layer, --json."""
     parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path, help="the build folder")
     parser.add_argument("--layer", type=pathlib.Path, help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
@@ -40,7 +41,7 @@ def layered_parser(doc):
 
 
 def parse_layered(parser, argv):
-    """The arguments of layered_parser(), with the layer's place; ends where it is not built."""
+    """Returns the arguments of layered_parser(), with the layer's path; exits if it is not built."""
     args = parser.parse_args(argv)
     args.build = args.build.resolve()
     args.layer = (args.layer or args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
@@ -50,7 +51,7 @@ def parse_layered(parser, argv):
 
 
 class Client:
-    """A process that says one line of JSON when it is ready, and one for each order."""
+    """A process that prints one line of JSON when it is ready, and one for each command."""
 
     def __init__(self, command, env):
         self.command = [str(word) for word in command]
@@ -75,19 +76,20 @@ class Client:
         return self.answer(order)
 
     def reach_pace(self):
-        """Frames until two batches in a row take the same time; then as many a turn as fill it."""
+        """Draws frames until two batches in a row take the same time, then sets the number of frames that fills a
+        turn."""
         begin, before = time.monotonic(), math.inf
         while True:
             now = self.ask(self.frames)
             self.frames = min(4000, max(1, round(TURN_MS / max(now, 0.001))))
             waited = time.monotonic() - begin
-            # The host draws until machine code is ready: at first a pace says nothing.
+            # The host draws until machine code is ready, so that early agreement means nothing.
             if waited > REACH_PACE_S or (waited > REACH_PACE_S / 12 and abs(now - before) < 0.1 * now):
                 return
             before = now
 
     def turn(self):
-        """Milliseconds a frame."""
+        """Returns milliseconds a frame."""
         return self.ask(self.frames)
 
     def peak_bytes(self):
@@ -104,7 +106,7 @@ class Client:
 
 
 def take_turns(clients, turns):
-    """[times of one round]: a time of each client; who begins moves on every round."""
+    """Returns [times of one round], with a time for each client; the first client changes every round."""
     rounds = []
     for turn in range(turns):
         times = [0.0] * len(clients)
@@ -116,7 +118,7 @@ def take_turns(clients, turns):
 
 
 def interval(values):
-    """(least, median, greatest): the interval that holds the true median 95 times in 100, by rank."""
+    """Returns (least, median, greatest): the interval that holds the true median 95 times in 100, by rank."""
     ordered = sorted(values)
     n = len(ordered)
     half = 0.98 * math.sqrt(n)  # 1.96 deviations of a binomial of n and 1/2
@@ -126,5 +128,5 @@ def interval(values):
 
 
 def ratios(rounds):
-    """Of each round the first client's time by the second's: how many times faster the second is."""
+    """Returns for each round the first client's time divided by the second's: how many times faster the second is."""
     return [times[0] / times[1] for times in rounds]

@@ -2,10 +2,10 @@
 
 namespace bench {
 
-/// Five small textures on the first image units, as many as generated programs sample; made once.
+/// Binds five small textures to the first units, as many as generated programs sample; made once.
 void bindTextures();
 
-/// Over the whole surface, with a colour and two texture coordinates that vary.
+/// Draws a quad over the whole surface, with a color and two varying texture coordinates.
 void drawQuad();
 
 } // namespace bench

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""How much faster recorded real programs are with Arbiter than on the bare host, measured in turns.
+"""Measures how much faster recorded real programs are with Arbiter than on the bare host, in turns.
 
 Each recording (tests/real_programs_vs_host/recordings says where they come from) is cut behind its last
 swap and replayed by glretrace, its last frame looped. `bare` and `layered` are milliseconds of that frame,
-`faster` is bare by layered, `cpu` the same of processor time. `cold` is the time to the end of the first
-frame with empty caches, the host's too, `warm` with what a start left that replayed all, and
-`b. cold` and `b. warm` the same of the bare host. `hosts` is the share of draws that are left to the host,
-with the reasons below.
-A recording without a swap is replayed as a whole.
+`faster` is bare by layered, `cpu` the ratio of processor times. `cold` is the time to the end of the first
+frame with empty caches, including the host's; `warm` is that time with the caches of a run that replayed
+everything. `b. cold` and `b. warm` are the bare host's. `hosts` is the share of draws that are left to the
+host, with the reasons below. A recording without a swap is replayed as a whole.
 
 examples:
   bench/real.py build-bench
@@ -57,7 +56,7 @@ def parse(argv):
 
 
 def measure(recording, args, scratch):
-    """A row: all figures of one recording."""
+    """Measures a row: all figures of one recording."""
     bare = Side("bare", args.display, scratch / "bare-cache")
     layered = Side("layered", args.display, scratch / "cache", args.layer, args.backend,
                    args.fixed_function)
@@ -77,7 +76,7 @@ def measure(recording, args, scratch):
     else:
         row["kind"] = "whole"
         runs = [[replays.replay(recording, recording.trace, side, run) for side in (bare, layered)]
-                for _ in range(args.turns + 1)][1:]  # the first fills the caches
+                for _ in range(args.turns + 1)][1:]  # the first run fills the caches
         for place, name in enumerate(("bare", "layered")):
             row[name] = 1000 * statistics.median(pair[place].seconds for pair in runs)
             row[f"{name}_cpu"] = 1000 * statistics.median(pair[place].processor for pair in runs)
@@ -89,7 +88,7 @@ def measure(recording, args, scratch):
 
 
 def draws_of(stats):
-    """By whom draws were made, of the layer's statistics."""
+    """Returns who made the draws, from the layer's statistics."""
     software = stats.get("software") or {}
     given = software.get("given_to_host", {})
     drawn = software.get("drawn", 0)
@@ -113,7 +112,7 @@ def mean(rows):
 
 
 def summary(rows):
-    """Geometric means and the slowest, with program texts and without."""
+    """Returns geometric means and the slowest, with program texts and without."""
     found = {}
     for name, some in (("with programs", [r for r in rows if r["programs"]]),
                        ("without programs", [r for r in rows if not r["programs"]])):

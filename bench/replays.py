@@ -1,6 +1,6 @@
-"""Replays of a trace with glretrace, timed: a trace cut behind its last swap, whose last frame is looped.
+"""Replays traces with glretrace and times them: a trace cut behind its last swap, whose last frame is looped.
 
-glretrace loops a trace only where its last call is a swap, and calls a frame what a swap ends.
+glretrace loops a trace only if its last call is a swap, and a frame ends at a swap.
 """
 
 import json
@@ -18,14 +18,14 @@ import paced
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'tests' / 'real_programs_vs_host'))
 from cases import PrepareError, shell  # noqa: E402
 
-SETTLE = 20  # times that the last frame is shown before it is timed: machine code, trials, shadows
-LEAST, MOST = 5, 2000  # times that it is timed
+SETTLE = 20  # repetitions of the last frame before it is timed: machine code, trials, shadows
+LEAST, MOST = 5, 2000  # timed repetitions
 
 
 @dataclass(frozen=True)
 class Side:
-    """One way to replay, on the X server `display`: `layer` in front with `backend` and, if it is said, whose
-    `fixed_function` is, or the bare host; its caches on disk."""
+    """A way to replay on the X server `display`: the layer in front with `backend` and `fixed_function`, or the bare
+    host. It has disk caches of its own."""
 
     name: str
     display: str
@@ -44,14 +44,14 @@ class Side:
             if recording.over_limits:
                 extra["ARBITER_LIMITS"] = "report"
         env = {**paced.environment(self.layer, extra), "DISPLAY": self.display}
-        del env["MESA_SHADER_CACHE_DISABLE"]  # the cold and the warm start are told apart
+        del env["MESA_SHADER_CACHE_DISABLE"]  # the cold and the warm start differ by their caches
         return env
 
 
 @dataclass
 class Timed:
-    """Of one replay: seconds of glretrace's own clock, which starts at the first call, and the frames that it
-    showed; processor seconds of the process; what the layer's statistics say."""
+    """The result of one replay: seconds of glretrace's clock, which starts at the first call, and the frames shown;
+    processor seconds of the process; the layer's statistics."""
 
     seconds: float
     frames: int
@@ -60,7 +60,7 @@ class Timed:
 
 
 def cut(trace, folder):
-    """(the trace up to its last swap, its first frame), as files in `folder`; None without a swap."""
+    """Writes (the trace up to its last swap, its first frame) to `folder`; None without a swap."""
     folder.mkdir(parents=True, exist_ok=True)
     calls = shell(["apitrace", "dump", "--color=never", "--grep=SwapBuffers", str(trace)])
     swaps = re.findall(r"^(\d+) \w*SwapBuffers", calls, re.MULTILINE)
@@ -74,7 +74,7 @@ def cut(trace, folder):
 
 
 def replay(recording, trace, side, folder, loops=0, timeout=600):
-    """One replay; PrepareError if glretrace fails, shows no frame, or ran without the layer that `side` has."""
+    """Replays once. Raises PrepareError if glretrace fails, shows no frame, or runs without `side`'s layer."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     side.cache.mkdir(parents=True, exist_ok=True)
@@ -101,7 +101,7 @@ def replay(recording, trace, side, folder, loops=0, timeout=600):
 
 @dataclass
 class Steady:
-    """Milliseconds a frame, medians over the turns; how often the last frame was timed; the statistics
+    """Milliseconds a frame, as medians over the turns; how often the last frame was timed; the statistics
     of the last replay."""
 
     wall: float
@@ -111,15 +111,15 @@ class Steady:
 
 
 def steady(recording, trace, sides, folder, seconds, turns):
-    """[Steady] of each side, which take turns. A turn's frame is the difference of a long replay and a
-    short one: what happens once is in both."""
+    """Returns [Steady] of each side, in turns. A turn's frame is the difference of a long replay and a
+    short one, as both contain the one-time work."""
     short = [[] for _ in sides]
     long = [[] for _ in sides]
     loops = []
-    for side in sides:  # a pace to choose the lengths by; fills the caches
+    for side in sides:  # this sets the lengths, and fills the caches
         first = replay(recording, trace, side, folder, SETTLE)
         again = replay(recording, trace, side, folder, 2 * SETTLE)
-        # Behind a long trace the difference is within the noise of what happens once.
+        # After a long trace the difference is within the noise of the one-time work.
         frame = max((again.seconds - first.seconds) / SETTLE, again.seconds / again.frames / 4)
         loops.append(min(MOST, max(LEAST, round(seconds / frame))))
     for turn in range(turns):
@@ -138,8 +138,8 @@ def steady(recording, trace, sides, folder, seconds, turns):
 
 
 def first_frames(recording, whole, first, sides, folder, turns):
-    """Milliseconds to the end of the first frame, medians: (with empty caches, with what a start left that
-    replayed the whole recording) of each side, which take turns. The host has caches too."""
+    """Returns the median milliseconds to the end of the first frame of each side, in turns: (with empty caches, with
+    the caches of a run that replayed the whole recording). The host has caches too."""
     times = [([], []) for _ in sides]
     for _ in range(turns):
         for side, (cold, warm) in zip(sides, times):

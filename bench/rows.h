@@ -5,8 +5,8 @@
 
 namespace bench {
 
-/// One thing to measure. A sample repeats it \p count times and gives nanoseconds: their average,
-/// or one time for each of \p count programs, the first of them number \p seed.
+/// A thing to measure. A sample repeats it \p count times and returns nanoseconds: their average,
+/// or one time for each of \p count programs, numbered from \p seed.
 struct Row {
   std::string name;
   std::function<std::vector<double>(int count, unsigned seed)> sample;
@@ -15,10 +15,11 @@ struct Row {
 [[nodiscard]] const std::vector<Row> &callRows();
 [[nodiscard]] const std::vector<Row> &drawRows();
 [[nodiscard]] const std::vector<Row> &loadRows();
-/// Of the modes of arithmetic: large quads.
+/// Returns rows of large quads, for the modes of arithmetic.
 [[nodiscard]] const std::vector<Row> &fillRows();
 
-/// A valid program within a Radeon 9700's limits: samples first, then arithmetic on all of them.
+/// Returns a valid program within a Radeon 9700's limits: samples first, then arithmetic on all of
+/// them.
 [[nodiscard]] std::string generateText(unsigned seed);
 
 } // namespace bench

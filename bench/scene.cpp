@@ -1,7 +1,8 @@
-// A scene as games of the time had them: 100,000 triangles in indexed buffers, a depth buffer, some
-// of it blended, every pixel lit by an ARB fragment program. One order a line on the input:
+// Draws a scene like those of the era's games: 100,000 triangles in indexed buffers, a depth
+// buffer, partly blended, every pixel lit by an ARB fragment program. It takes one command for each
+// line of input:
 //   COUNT          -> milliseconds a frame, over COUNT frames
-//   picture FILE   -> "ok"; the frame that was drawn last, RGBA8, bottom row first
+//   picture FILE   -> "ok"; writes the last frame, RGBA8, bottom row first
 // usage: bench-scene [--form fixed|program] [--size SIDE]
 #include "common/surface.h"
 
@@ -21,12 +22,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kRings = 50, kSegments = 50; ///< of a torus: 5,000 triangles
+constexpr int kRings = 50, kSegments = 50; ///< of a torus with 5,000 triangles
 constexpr int kColumns = 5, kRows = 4;
 constexpr int kTranslucent = 4; ///< the last of them
 constexpr float kTurn = 6.2831853f;
 
-/// The light is in the coordinates of the texture coordinate sets: the object's, or the eye's.
+/// The light is in the same coordinates as the texture coordinate sets: the object's, or the eye's.
 constexpr std::string_view kFragments = R"(!!ARBfp1.0
 PARAM light = program.local[0];     # w: shininess
 PARAM eye = program.local[1];
@@ -201,10 +202,10 @@ void Scene::drawTorus(int number, float angle) const {
   const float y = 1.15f * (float(number / kColumns) - 0.5f * (kRows - 1));
   const float z = number >= kColumns * kRows - kTranslucent ? -4.4f : -5.2f;
   const float turn = angle + float(number), c = std::cos(turn), s = std::sin(turn);
-  // Column by column: a turn about y, then the place.
+  // The matrix is column by column: a rotation about y, then the position.
   const float matrix[16] = {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, x, y, z, 1};
   glLoadMatrixf(matrix);
-  // The light and the eye in the eye's coordinates, or turned back into the object's.
+  // The light and the eye are in eye coordinates, or rotated back into the object's.
   const auto place = [&](GLuint index, float px, float py, float pz, float w) {
     if (m_vertexProgram)
       return local(index, px, py, pz, w);

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The scenes of tests/scenes_vs_reference: how many times faster than the bare host the layer draws them, and what
-register combiners cost beside ARB programs of the same meaning.
+"""Measures how much faster than the bare host the layer draws the scenes of tests/scenes_vs_reference, and the cost
+of register combiners against ARB programs of the same meaning.
 
-A scene is drawn in each way that is offered: by ARB's extensions, which the bare host has too, and by those of
-2002. "times faster" takes turns between a bare client, by the named way of ARB's, and a layered one by each of
+A scene is drawn in each available way: by ARB's extensions, which the bare host has too, and by those of
+2002. "times faster" takes turns between a bare client with the named ARB way, and a layered one with each of
 its ways; "combiners by ARB" between two ways of one layered client. A figure is the median over the turns, with the
-interval that holds the true median 95 times in 100. The profile is nv30. On a machine that does other work
---time processor counts the time of a frame's threads in place of the clock's.
+interval that holds the true median 95 times in 100. The profile is nv30. On a machine that does other work,
+--time processor measures the processor time of a frame's threads instead of the clock.
 
 examples:
   bench/scenes.py build-bench
@@ -20,13 +20,13 @@ from feedback import judge
 from machine import describe, heading
 from paced import TURN_MS, Client, environment, interval, layered_parser, parse_layered
 
-# Of each scene the way that the bare host draws, and those of the layer that are set beside it.
+# For each scene: the way that the bare host draws, and the layer's ways that are compared with it.
 SCENES = {"fur": [("arb", ("arb", "combiners", "as-then"))],
           "shadow": [("programs", ("programs", "combiners")), ("arb", ("arb", "as-then"))],
           "skinning": [("arb", ("arb", "as-then"))]}
-COMBINED = {"fur": "arb", "shadow": "programs", "glow": "arb", "bumps": "arb"}  # the way of ARB's
+COMBINED = {"fur": "arb", "shadow": "programs", "glow": "arb", "bumps": "arb"}  # the ARB way
 FASTER, COMBINERS = 2, 1.1
-WARM_MS = 3000  # machine code is made and tried meanwhile
+WARM_MS = 3000  # machine code is compiled and tried meanwhile
 
 
 def parse(argv):
@@ -44,7 +44,7 @@ def parse(argv):
 
 
 class Scene(Client):
-    """A client that draws one scene; `ways` are those that it is offered."""
+    """A client that draws one scene; `ways` are those that it offers."""
 
     def __init__(self, args, scene, layer=None):
         extra = {"ARBITER_PROFILE": "nv30", "ARBITER_BACKEND": args.backend} if layer else {}
@@ -53,7 +53,7 @@ class Scene(Client):
         self.ways, self.counts = self.hello, {}
 
     def sample(self, args, way):
-        """Milliseconds of a frame, of as many as take a turn."""
+        """Returns the milliseconds of a frame, averaged over as many as take a turn."""
         if way not in self.counts:
             spent, once = 0.0, 1.0
             while spent < args.warm_ms:
@@ -65,15 +65,15 @@ class Scene(Client):
 
 
 def row_of(args, name, sides, bound, bound_is):
-    """`sides`: [(client, way)] of the two; the figure is the first's time by the second's."""
+    """Measures two (client, way) of `sides`; the figure is the first's time divided by the second's."""
     rounds = []
     for client, way in sides:
-        client.sample(args, way)  # it reaches its pace
+        client.sample(args, way)  # reaches its pace
     for turn in range(args.turns):
         times = [0.0, 0.0]
         for side in ((0, 1), (1, 0))[turn % 2]:
             client, way = sides[side]
-            client.ask(f"{way} 1")  # the other way's state is gone
+            client.ask(f"{way} 1")  # replaces the other way's state
             times[side] = client.sample(args, way)
         rounds.append(times)
     low, figure, high = interval([first / second for first, second in rounds])

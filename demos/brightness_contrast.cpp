@@ -9,7 +9,7 @@
 namespace demos {
 namespace {
 
-/// Three POWs and a MAD: the knobs of a monitor, as a fragment program.
+/// Adjusts brightness and contrast by three POWs and a MAD in a fragment program.
 class BrightnessContrast final : public Demo {
 public:
   [[nodiscard]] std::string name() const override { return "brightness-contrast"; }
@@ -17,7 +17,7 @@ public:
     return "Adjusts a picture's brightness and contrast with three POW instructions.";
   }
   [[nodiscard]] std::vector<Slider *> sliders() override { return {&m_brightness, &m_contrast}; }
-  // EX2 and LG2 are approximations: less than one level, which may round to two.
+  // EX2 and LG2 are approximations. Their error is less than one level, which may round to two.
   [[nodiscard]] Tolerance tolerance() const override { return {2}; }
 
   [[nodiscard]] bool start(const Surface &surface, const Options &options) override {

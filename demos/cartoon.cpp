@@ -23,10 +23,10 @@ struct Vertex {
 
 struct Mesh {
   std::vector<Vertex> vertices;
-  std::vector<GLuint> indices; ///< triangles
+  std::vector<GLuint> indices; ///< three for each triangle
 };
 
-/// The (2,3) torus knot's core at \p t in [0, 2 pi).
+/// Returns a point of the (2,3) torus knot's core at \p t in [0, 2 pi).
 glm::vec3 knotCore(float t) {
   const float radius = 1.0f + 0.42f * std::cos(3.0f * t);
   return {radius * std::cos(2.0f * t), radius * std::sin(2.0f * t), 0.36f * std::sin(3.0f * t)};
@@ -40,7 +40,8 @@ Mesh makeKnot() {
     const float t = kTurn * float(i) / float(kAlong);
     const glm::vec3 core = knotCore(t);
     const glm::vec3 tangent = glm::normalize(knotCore(t + 0.001f) - knotCore(t - 0.001f));
-    // Away from the torus that the knot winds around, which is never along the knot.
+    // This direction points away from the torus that the knot winds around, which is never along
+    // the knot.
     const glm::vec3 away(std::cos(3.0f * t) * std::cos(2.0f * t),
                          std::cos(3.0f * t) * std::sin(2.0f * t), std::sin(3.0f * t));
     const glm::vec3 side = glm::normalize(glm::cross(tangent, away));
@@ -60,7 +61,7 @@ Mesh makeKnot() {
   return mesh;
 }
 
-/// Four paints by the angle to the light, each edge one texel wide.
+/// Makes four paints by the angle to the light; each edge is one texel wide.
 Image makePaints() {
   Image row(128, 1);
   for (int x = 0; x < row.width; ++x) {
@@ -77,7 +78,7 @@ Image makePaints() {
   return row;
 }
 
-/// Ink where the surface is seen edge on.
+/// Makes the ink for surfaces that are seen edge on.
 Image makeInk() {
   Image row(128, 1);
   for (int x = 0; x < row.width; ++x)
@@ -86,20 +87,20 @@ Image makeInk() {
   return row;
 }
 
-/// A 1D texture with GL_LINEAR and GL_CLAMP_TO_EDGE.
+/// Samples a 1D texture with GL_LINEAR and GL_CLAMP_TO_EDGE.
 glm::vec3 sample1d(const Image &row, float s) { return glm::vec3(row.sampleLinear({s, 0.5f})); }
 
 constexpr glm::vec3 kBottom(0.93f, 0.88f, 0.74f), kTop(0.55f, 0.75f, 0.83f);
 
-/// Where everything stands in one frame.
+/// The transformations of one frame.
 struct View {
   glm::mat4 projection;
   glm::mat4 modelView;
   glm::mat4 rotation;
 };
 
-/// Shading by 1D textures, on a knot with a depth buffer and fixed-function vertices: the normal
-/// and the eye-space position travel as texture coordinates, through the texture matrices.
+/// Shades a knot by 1D textures, with a depth buffer and fixed-function vertices. The normal and
+/// the eye-space position are passed as texture coordinates, through the texture matrices.
 class Cartoon final : public Demo {
 public:
   [[nodiscard]] std::string name() const override { return "cartoon"; }
@@ -108,7 +109,7 @@ public:
   }
   [[nodiscard]] std::string controls() const override { return "  Mouse drag  turns the light\n"; }
   [[nodiscard]] std::vector<Slider *> sliders() override { return {&m_lightX, &m_lightY, &m_turn}; }
-  // Which side of a silhouette or of a paint's edge a pixel falls on may differ for a few.
+  // A few pixels may fall on the other side of a silhouette or of a paint's edge.
   [[nodiscard]] Tolerance tolerance() const override { return {8, 0.002}; }
   [[nodiscard]] int verifyFrames() const override { return 2; }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The programs' resources: what the demonstrations promise, what `arbiter check` counts, and what an
-application hears from glGetProgramivARB are the same numbers.
+"""Tests that the programs' resource counts agree: the demonstrations' promises, `arbiter check`, and
+glGetProgramivARB.
 
 counts_test.py --check ARBITER PROGRAMS_DIR [--layer LIBRARY DEMO...]
 """
@@ -12,12 +12,12 @@ import pathlib
 import subprocess
 import sys
 
-# What the two forms of Life are shown for: exactly, or at most.
+# The two forms of Life demonstrate these counts: exactly, or at most.
 EXACT = {"life_naive.fp": {"instructions": 36, "tex_instructions": 9}}
 AT_MOST = {"life_packed.fp": {"alu_instructions": 9, "tex_instructions": 4, "temporaries": 5,
-                              # The first level is no dependent read.
+                              # The first level is not a dependent read.
                               "tex_indirections": 2}}
-# A Radeon 9700, whatever profile the compiler would have by default.
+# The limits of a Radeon 9700, which the profile r300 has.
 RADEON = {"alu_instructions": 64, "tex_instructions": 32, "tex_indirections": 4, "temporaries": 32,
           "parameters": 32, "attribs": 10}
 APPLICATION_KEYS = {"instructions": "instructions", "alu": "alu_instructions",
@@ -26,7 +26,7 @@ APPLICATION_KEYS = {"instructions": "instructions", "alu": "alu_instructions",
 
 
 def checked(arbiter, programs):
-    """{file name: counts} by `arbiter check`."""
+    """Returns {file name: counts} by `arbiter check`."""
     files = sorted(programs.glob("*.fp"))
     if not files:
         raise SystemExit(f"{programs}: no programs")
@@ -40,7 +40,7 @@ def checked(arbiter, programs):
 
 
 def heard(demo, form, layer):
-    """{program name: counts} by glGetProgramivARB, under the layer."""
+    """Returns {program name: counts} by glGetProgramivARB, under the layer."""
     environment = dict(os.environ, LD_PRELOAD=layer, ARBITER_PROFILE="r300")
     run = subprocess.run([demo, "--headless", "--size", "64x64", "--info", *form], text=True,
                          capture_output=True, env=environment)

@@ -8,16 +8,16 @@
 namespace demos {
 namespace {
 
-/// A board on a torus, by the rule in its own words: what both programs are compared with.
+/// A board on a torus, by the plain rule; both programs are compared with it.
 class Board {
 public:
   Board(int width, int height)
       : m_width(width), m_height(height), m_cells(area()), m_trail(area()) {
-    // Three r-pentominoes, far enough from one another to grow before they meet.
+    // The board starts with three r-pentominoes, far enough apart to grow before they meet.
     static constexpr int kShape[5][2] = {{0, 1}, {1, 1}, {-1, 0}, {0, 0}, {0, -1}};
     static constexpr float kPlaces[3][2] = {{0.32f, 0.36f}, {0.70f, 0.42f}, {0.47f, 0.70f}};
     for (int i = 0; i < 3; ++i) {
-      // Turned differently: as it is, mirrored, upside down.
+      // The shapes are as they are, mirrored, and upside down.
       const int flipX = i == 1 ? -1 : 1, flipY = i == 2 ? -1 : 1;
       for (const auto &cell : kShape)
         m_cells[index(int(kPlaces[i][0] * float(width)) + flipX * cell[0],
@@ -28,7 +28,7 @@ public:
   }
 
   [[nodiscard]] bool alive(int x, int y) const { return m_cells[index(x, y)]; }
-  /// Alive cells of the three by three around (x, y), itself included.
+  /// Returns the number of live cells in the three by three around (x, y), including itself.
   [[nodiscard]] int around(int x, int y) const {
     int count = 0;
     for (int dy = -1; dy <= 1; ++dy)
@@ -36,7 +36,7 @@ public:
         count += alive(x + dx, y + dy);
     return count;
   }
-  /// 255 where alive, and 8 less each generation after.
+  /// Returns 255 for a live cell, and 8 less for each generation since.
   [[nodiscard]] int trail(int x, int y) const { return m_trail[index(x, y)]; }
 
   void step() {
@@ -68,7 +68,7 @@ private:
 
 glm::vec4 white(bool on) { return glm::vec4(on ? 1.0f : 0.0f); }
 
-/// The rule as colours: red is the cell's next state, the rest is for the eye.
+/// Returns the rule as a color: red is the cell's next state, the rest is for display.
 glm::vec4 ruleColour(bool self, int around) {
   const int neighbours = around - int(self);
   if (neighbours == 3 && !self)
@@ -80,8 +80,8 @@ glm::vec4 ruleColour(bool self, int around) {
   return {0.0f, 0.0f, 0.0f, 1.0f};
 }
 
-/// Game of Life by texture feedback: what was drawn is copied into the texture that the next
-/// generation reads.
+/// Plays the Game of Life by texture feedback: the drawn picture is copied into the texture that
+/// the next generation reads.
 class Life final : public Demo {
 public:
   [[nodiscard]] std::string name() const override { return "life"; }
@@ -92,7 +92,8 @@ public:
   }
   [[nodiscard]] std::string controls() const override { return "  R  start again\n"; }
   [[nodiscard]] std::vector<std::string> forms() const override { return {"naive", "packed"}; }
-  // Every value is a multiple of 1/255 or far from the middle of two: no rounding to differ in.
+  // Every value is a multiple of 1/255 or far from the middle of two, so that rounding cannot
+  // differ.
   [[nodiscard]] Tolerance tolerance() const override { return {}; }
   [[nodiscard]] int verifyFrames() const override { return 64; }
   [[nodiscard]] int side() const override { return 512; }

@@ -14,8 +14,8 @@
 namespace demos {
 namespace {
 
-/// How far \p at is from the border of its stone, and which stone that is: the difference of the
-/// distances to the two nearest points of a jittered lattice.
+/// The distance of a point from the border of its stone, and the stone's shade. The distance is the
+/// difference of the distances to the two nearest points of a jittered lattice.
 struct Stone {
   float border;
   float shade;
@@ -48,7 +48,7 @@ float heightAt(glm::vec2 coordinate) {
   return 0.022f * dome + 0.010f * stone.shade * dome + 0.009f * fractalNoise(coordinate * 36.0f, 4);
 }
 
-/// Normals in [0,1], of the height field's slopes.
+/// Makes normals in [0,1] from the slopes of the height field.
 Image makeNormals(int width, int height) {
   std::vector<float> field(std::size_t(width) * height);
   Image image(width, height);
@@ -69,7 +69,7 @@ Image makeNormals(int width, int height) {
   return image;
 }
 
-/// Stone colours, with the gloss in alpha.
+/// Makes stone colors, with the gloss in alpha.
 Image makeSurface(int width, int height) {
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -89,20 +89,20 @@ Image makeSurface(int width, int height) {
   return image;
 }
 
-/// A colour of the given hue in [0,1], pale as lamps are.
+/// Returns a color of the given hue in [0,1], pale as lamps are.
 glm::vec3 lampColour(float hue) {
   const glm::vec3 phase = glm::vec3(hue) + glm::vec3(0.0f, 2.0f / 3.0f, 1.0f / 3.0f);
   return 0.65f + 0.35f * glm::cos(6.2831853f * phase);
 }
 
-/// What lighting.fp reads from its local parameters.
+/// The local parameters of lighting.fp.
 struct Lamp {
   glm::vec4 position;
   glm::vec4 colour;  ///< w: fall-off
   glm::vec4 ambient; ///< w: shininess
 };
 
-/// lighting.fp in C++.
+/// Computes lighting.fp in C++.
 glm::vec4 shade(const Lamp &lamp, glm::vec4 packedNormal, glm::vec4 surface, glm::vec2 place) {
   const glm::vec3 normal = glm::normalize(glm::vec3(packedNormal) * 2.0f - 1.0f);
   const glm::vec3 ray = glm::vec3(lamp.position) - glm::vec3(place, 0.0f);
@@ -117,7 +117,7 @@ glm::vec4 shade(const Lamp &lamp, glm::vec4 packedNormal, glm::vec4 surface, glm
   return glm::vec4(glm::vec3(lamp.colour) * specular * fade * surface.w + matt, 1.0f);
 }
 
-/// Per-pixel lighting from a normal map: diffuse and specular light of a lamp that moves.
+/// Lights each pixel from a normal map: diffuse and specular light of a moving lamp.
 class Lighting final : public Demo {
 public:
   [[nodiscard]] std::string name() const override { return "lighting"; }

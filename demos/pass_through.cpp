@@ -8,7 +8,7 @@
 namespace demos {
 namespace {
 
-/// One sample goes to the framebuffer, untouched: what the other demos start from.
+/// Writes one sample to the framebuffer unchanged; the other demos start from this.
 class PassThrough final : public Demo {
 public:
   [[nodiscard]] std::string name() const override { return "pass-through"; }
@@ -17,7 +17,7 @@ public:
   }
   [[nodiscard]] std::vector<std::string> forms() const override { return {"nearest", "linear"}; }
   // A nearest sample of an 8-bit texel, written to 8 bits, is that texel. A linear one at its
-  // centre is too, but for the roundings of the coordinate, of which hosts make a step.
+  // center is too, except for the rounding of the coordinate, which may cost a level on some hosts.
   [[nodiscard]] Tolerance tolerance() const override { return {m_linear ? 1 : 0}; }
 
   [[nodiscard]] bool start(const Surface &surface, const Options &options) override {

@@ -11,11 +11,11 @@
 namespace demos {
 namespace {
 
-/// The code of no displacement; 65535 is odd, so that a half has none.
+/// The value of no displacement: the maximum, 65535, is odd and cannot be halved exactly.
 constexpr int kZero = 32768;
 
-/// Where each texel looks, relative to itself: 16-bit red and green, kZero for nothing, 65535 for
-/// almost one half of the picture.
+/// Makes the displacement of each texel in 16-bit red and green: kZero for none, 65535 for almost
+/// half of the picture.
 std::vector<std::uint16_t> makeDisplacement(int width, int height) {
   constexpr float kRadius = 0.47f, kTurn = 4.5f;
   std::vector<std::uint16_t> texels(2ull * width * height);
@@ -36,7 +36,8 @@ std::vector<std::uint16_t> makeDisplacement(int width, int height) {
   return texels;
 }
 
-/// A dependent read: the displacement is a texture, made once; the program only adds it.
+/// Demonstrates a dependent read: the displacement is a texture, made once; the program only adds
+/// it.
 class Twirl final : public Demo {
 public:
   [[nodiscard]] std::string name() const override { return "twirl"; }
@@ -44,7 +45,8 @@ public:
     return "Twirls a picture by a displacement texture and a dependent texture read.";
   }
   [[nodiscard]] std::vector<Slider *> sliders() override { return {&m_amount}; }
-  // Filtering weights have 8 bits on common hardware: up to 1/256 of an edge, on each axis.
+  // Filtering weights have 8 bits on common hardware, so that the error is up to 1/256 of an edge
+  // on each axis.
   [[nodiscard]] Tolerance tolerance() const override { return {4}; }
 
   [[nodiscard]] bool start(const Surface &surface, const Options &options) override {

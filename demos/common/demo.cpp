@@ -85,10 +85,11 @@ double frameMilliseconds(Demo &demo, Surface &surface, int frame) {
   return time.count();
 }
 
-/// Frames that are drawn before any is measured: programs are translated, textures uploaded.
+/// These frames are drawn before any is measured: programs are translated, textures uploaded.
 constexpr int kWarmUp = 5;
 
-/// Prints {"demo", "renderer", "width", "height", "frames", "ms_per_frame"}: the median.
+/// Prints {"demo", "renderer", "width", "height", "frames", "ms_per_frame"}, the time being the
+/// median.
 int benchFrames(Demo &demo, Surface &surface, const Options &options) {
   const int frames = options.frames ? options.frames : 100;
   std::vector<double> times;
@@ -105,8 +106,9 @@ int benchFrames(Demo &demo, Surface &surface, const Options &options) {
   return reportGlErrors(frames) ? kExitFailed : kExitOk;
 }
 
-/// Prints {"renderer"} when it is ready, then milliseconds a frame for each line of input, over as
-/// many frames as the line says, or one. In a window each frame is shown, and that is measured too.
+/// Prints {"renderer"} when it is ready. For each line of input it prints milliseconds a frame,
+/// over as many frames as the line says, or one. In a window each frame is shown, which is measured
+/// too.
 int paceFrames(Demo &demo, Surface &surface) {
   int frame = 0;
   while (frame < kWarmUp)

@@ -68,7 +68,7 @@ bool writePng(const Image &image, const std::string &file) {
   std::vector<std::uint8_t> rows(3ull * image.width * image.height);
   for (std::size_t i = 0; i < rows.size() / 3; ++i)
     std::memcpy(&rows[3 * i], &image.bytes[4 * i], 3);
-  // A negative stride: PNG's first row is the top one.
+  // The stride is negative because PNG's first row is the top one.
   if (png_image_write_to_file(&header, file.c_str(), 0, rows.data(), -3 * image.width, nullptr))
     return true;
   std::fprintf(stderr, "%s: %s\n", file.c_str(), header.message);

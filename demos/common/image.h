@@ -7,7 +7,7 @@
 
 namespace demos {
 
-/// An 8-bit RGBA picture; row 0 is the bottom one, as in GL.
+/// An 8-bit RGBA picture. Row 0 is the bottom one, as in GL.
 struct Image {
   Image() = default;
   Image(int columns, int rows) : width(columns), height(rows), bytes(4ull * columns * rows) {}
@@ -16,19 +16,20 @@ struct Image {
   int height = 0;
   std::vector<std::uint8_t> bytes;
 
-  /// A pixel in [0,1].
+  /// Returns a pixel in [0,1].
   [[nodiscard]] glm::vec4 at(int x, int y) const;
-  /// Stores a colour as a framebuffer does: clamped to [0,1], rounded to the nearest of 256 levels.
+  /// Stores a color as a framebuffer does: clamped to [0,1], rounded to the nearest of 256 levels.
   void set(int x, int y, const glm::vec4 &colour);
-  /// The texel centre of (x, y) as a texture coordinate.
+  /// Returns the texel center of (x, y) as a texture coordinate.
   [[nodiscard]] glm::vec2 coordinate(int x, int y) const {
     return {(float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height)};
   }
-  /// GL_LINEAR with GL_CLAMP_TO_EDGE.
+  /// Samples with GL_LINEAR and GL_CLAMP_TO_EDGE.
   [[nodiscard]] glm::vec4 sampleLinear(glm::vec2 coordinate) const;
 };
 
-/// How far two pictures may be apart, in levels of 255, and in pixels that may be further apart.
+/// The allowed difference between two pictures, in levels of 255, and the fraction of pixels that
+/// may exceed it.
 struct Tolerance {
   int levels = 0;
   double outliers = 0; ///< fraction of the pixels, for silhouettes
@@ -41,10 +42,10 @@ struct Difference {
   bool ok = false;
 };
 
-/// Compares red, green and blue; a window need not have alpha.
+/// Compares red, green and blue, as a window need not have alpha.
 [[nodiscard]] Difference compare(const Image &picture, const Image &reference, Tolerance tolerance);
 
-/// Writes an RGB PNG; says on stderr what went wrong and returns false if it cannot.
+/// Writes an RGB PNG. On failure it prints the reason on stderr and returns false.
 [[nodiscard]] bool writePng(const Image &image, const std::string &file);
 
 } // namespace demos

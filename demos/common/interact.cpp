@@ -7,7 +7,7 @@
 namespace demos {
 namespace {
 
-/// What the GLFW callbacks reach through the window's user pointer.
+/// The data that GLFW callbacks reach through the window's user pointer.
 struct Session {
   Demo *demo;
   bool paused = false;
@@ -87,7 +87,7 @@ void runWindow(Demo &demo, Surface &surface, int frames) {
     if (s.titleDirty)
       showTitle(window, s);
     if (s.paused) {
-      // A slider may have moved; the frame's number stays.
+      // A slider may have moved, so that the frame is drawn again under its number.
       glfwWaitEventsTimeout(0.1);
       if (!demo.redrawsWhilePaused())
         continue;

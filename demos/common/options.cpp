@@ -31,7 +31,7 @@ std::string footer(Demo &demo) {
   return text;
 }
 
-/// WIDTHxHEIGHT, each from 1 to 8192.
+/// Parses WIDTHxHEIGHT, each from 1 to 8192.
 std::string parseSize(const std::string &text, Options &options) {
   int width = 0, height = 0, used = 0;
   if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||

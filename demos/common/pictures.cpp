@@ -27,7 +27,7 @@ float valueNoise(glm::vec2 at) {
                   glm::mix(latticeValue(x, y + 1), latticeValue(x + 1, y + 1), f.x), f.y);
 }
 
-/// Rows of five bits, the top one first.
+/// A letter as rows of five bits, the top one first.
 struct Glyph {
   char letter;
   std::array<std::uint8_t, 7> rows;
@@ -76,11 +76,11 @@ glm::vec3 ground(glm::vec2 p) {
   const glm::vec2 tile((p.x - 0.5f) * depth * 40.0f, depth * 9.0f);
   const bool dark = (int(std::floor(tile.x)) + int(std::floor(tile.y))) & 1;
   const glm::vec3 colour = dark ? glm::vec3(0.16f, 0.22f, 0.16f) : glm::vec3(0.80f, 0.74f, 0.60f);
-  // Far tiles are smaller than a pixel: they turn to haze.
+  // Far tiles are smaller than a pixel and fade into haze.
   return glm::mix(colour, glm::vec3(0.62f, 0.60f, 0.55f), glm::smoothstep(0.27f, 0.345f, p.y));
 }
 
-/// A white board with dark lettering; false outside it.
+/// Colors a white board with dark lettering; returns false outside of it.
 bool board(glm::vec2 p, glm::vec3 &colour) {
   const glm::vec2 corner(0.07f, 0.12f), size(0.42f, 0.19f);
   const glm::vec2 inside = (p - corner) / size;

@@ -6,7 +6,7 @@
 
 namespace demos {
 
-/// One file of demos/programs, built in.
+/// A file of demos/programs that is built in.
 struct ProgramText {
   std::string_view name;
   std::string_view text;
@@ -14,7 +14,7 @@ struct ProgramText {
 extern const ProgramText kProgramTexts[];
 extern const unsigned kProgramTextCount;
 
-/// A fragment program object of the current context, deleted with this.
+/// A fragment program object of the current context. The destructor deletes it.
 class Program {
 public:
   Program() = default;
@@ -26,12 +26,12 @@ public:
   /// prints GL's message and the line at GL_PROGRAM_ERROR_POSITION_ARB, and returns false.
   [[nodiscard]] bool load(std::string_view name, const std::string &overridePath = {});
 
-  /// Binds and enables it.
+  /// Binds and enables the program.
   void use() const;
   static void disable();
-  /// Sets a local parameter; the program need not be in use, but is bound afterwards.
+  /// Sets a local parameter. The program need not be in use, but is bound afterwards.
   void local(GLuint index, const glm::vec4 &value) const;
-  /// glGetProgramivARB's counts as a JSON object.
+  /// Returns glGetProgramivARB's counts as a JSON object.
   [[nodiscard]] std::string countsAsJson() const;
 
 private:

@@ -23,12 +23,12 @@ WindowVertex toWindow(const glm::vec4 &clip, int width, int height) {
           double(clip.z) * inverseW * 0.5 + 0.5, inverseW};
 }
 
-/// Twice the area of (a, b, p): positive when p is to the left of the edge.
+/// Returns twice the area of (a, b, p): positive if p is to the left of the edge.
 std::int64_t edge(const WindowVertex &a, const WindowVertex &b, std::int64_t x, std::int64_t y) {
   return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
 
-/// Whether a pixel centre exactly on the edge belongs to a counter-clockwise triangle, y up: on
+/// True if a pixel center exactly on the edge belongs to a counter-clockwise triangle (y up): on
 /// left edges (going down) and top ones (going left). Any fixed rule shades shared edges once.
 bool ownsBorder(const WindowVertex &a, const WindowVertex &b) {
   return b.y < a.y || (b.y == a.y && b.x < a.x);

@@ -12,9 +12,9 @@ struct RasterVertex {
   glm::vec3 varyings[2];
 };
 
-/// Rasterizes triangles as GL does (top-left rule, window coordinates of 8 subpixel bits, depth
-/// test LESS, perspective-correct varyings), to compare a GL picture with. No clipping: every
-/// vertex must lie inside the view volume.
+/// Rasterizes triangles as GL does (top-left rule, window coordinates with 8 subpixel bits, depth
+/// test LESS, perspective-correct varyings), for comparison with a GL picture. It does not clip:
+/// every vertex must lie inside the view volume.
 class Rasterizer {
 public:
   using Shader = std::function<void(int x, int y, const glm::vec3 (&varyings)[2])>;

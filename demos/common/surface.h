@@ -8,7 +8,7 @@ struct GLFWwindow;
 
 namespace demos {
 
-/// What a demo draws to, with its compatibility context current.
+/// The target of a demo's drawing, with its compatibility context current.
 class Surface {
 public:
   virtual ~Surface() = default;
@@ -18,14 +18,14 @@ public:
 
   [[nodiscard]] int width() const { return m_width; }
   [[nodiscard]] int height() const { return m_height; }
-  /// For glReadBuffer: the buffer that is drawn to.
+  /// Returns the buffer that is drawn to, for glReadBuffer.
   [[nodiscard]] virtual GLenum colourBuffer() const = 0;
-  /// Shows the frame, if there is anyone to see it.
+  /// Shows the frame if there is a window.
   virtual void present() = 0;
-  /// Null without a window.
+  /// Returns null without a window.
   [[nodiscard]] virtual GLFWwindow *window() const { return nullptr; }
 
-  /// Reads the picture; call before present().
+  /// Reads the picture; call it before present().
   [[nodiscard]] Image readPixels() const;
 
 protected:
@@ -33,12 +33,12 @@ protected:
   int m_height = 0;
 };
 
-/// EGL without a display server, drawing to a framebuffer object, or to a pbuffer's default
-/// framebuffer. Looks for a GPU's device first, then for Mesa's surfaceless platform, then for a
-/// software device. Null, after a message on stderr, if there is no such context.
+/// Creates an EGL surface without a display server. It draws to a framebuffer object, or to a
+/// pbuffer's default framebuffer. It tries a GPU's device first, then Mesa's surfaceless platform,
+/// then a software device. Returns null, after a message on stderr, if there is no such context.
 [[nodiscard]] std::unique_ptr<Surface> makeHeadless(int width, int height, bool pbuffer);
 
-/// A GLFW window. Null, after a message on stderr, if there is no display.
+/// Creates a GLFW window. Returns null, after a message on stderr, if there is no display.
 [[nodiscard]] std::unique_ptr<Surface> makeWindow(int width, int height, const std::string &title);
 
 } // namespace demos

@@ -21,7 +21,7 @@ bool contains(const char *extensions, const char *name) {
   return extensions && std::strstr(extensions, name);
 }
 
-/// The displays to try, best first.
+/// Returns the displays to try, best first.
 std::vector<EGLDisplay> candidates() {
   const char *client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   std::vector<EGLDisplay> gpus, software;
@@ -88,7 +88,8 @@ bool HeadlessSurface::openOn(EGLDisplay display, bool pbuffer) {
   if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, want, configs, 64, &count))
     return false;
   for (EGLint i = 0; i < count && m_context == EGL_NO_CONTEXT; ++i) {
-    // More bits match first; the comparisons want 8 of each.
+    // EGL lists configurations with more bits first, but the comparisons need exactly 8 for each
+    // color.
     EGLint red = 0;
     eglGetConfigAttrib(display, configs[i], EGL_RED_SIZE, &red);
     if (red != 8)
@@ -101,7 +102,7 @@ bool HeadlessSurface::openOn(EGLDisplay display, bool pbuffer) {
   m_display = display;
   if (m_context != EGL_NO_CONTEXT && eglMakeCurrent(display, m_surface, m_surface, m_context))
     return true;
-  // The display stays initialised: others of this process may have it.
+  // The display stays initialised, as others in this process may use it.
   if (m_context != EGL_NO_CONTEXT)
     eglDestroyContext(display, m_context);
   if (m_surface != EGL_NO_SURFACE)

@@ -1,7 +1,7 @@
 #include "common/surface.h"
 
 #include <cstdio>
-// After epoxy: GLFW then leaves the GL headers alone.
+// This include must follow epoxy's: GLFW then does not include GL headers.
 #include <GLFW/glfw3.h>
 
 namespace demos {
@@ -19,7 +19,7 @@ public:
     glfwSetErrorCallback([](int, const char *text) { std::fprintf(stderr, "GLFW: %s\n", text); });
     if (!glfwInit())
       return false;
-    // Pictures are compared and fed back pixel by pixel: the size stays.
+    // Pictures are compared and fed back pixel by pixel, so that the size must not change.
     glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     m_window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);

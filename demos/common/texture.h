@@ -9,7 +9,7 @@ namespace demos {
 enum class Filter { Nearest, Linear };
 enum class Wrap { Clamp, Repeat };
 
-/// A texture object of the current context, deleted with this.
+/// A texture object of the current context. The destructor deletes it.
 class Texture {
 public:
   Texture() = default;
@@ -18,12 +18,12 @@ public:
   Texture &operator=(const Texture &) = delete;
 
   void create2d(const Image &image, Filter filter, Wrap wrap);
-  /// Red and green of 16 bits a texel, 2 values each; blue is 0 and alpha 1.
+  /// Creates a texture of 16-bit red and green, 2 values for each texel; blue is 0 and alpha 1.
   void create2dPairs16(int width, int height, const std::vector<std::uint16_t> &redGreen);
   void create1d(const Image &row, Filter filter);
-  /// Binds it to texture image unit \p unit and leaves that unit active.
+  /// Binds the texture to unit \p unit and leaves that unit active.
   void bind(GLuint unit) const;
-  /// Texture feedback: copies the read buffer's lower left width x height pixels into level 0.
+  /// Copies the read buffer's lower left width x height pixels into level 0 (texture feedback).
   void copyFromFramebuffer(GLuint unit, int width, int height) const;
 
 private:

@@ -1,19 +1,20 @@
 /* Arbiter: a driver layer for OpenGL that implements the assembly-program extensions.
  *
  * Arbiter has no API of its own to link to: an application calls plain OpenGL and finds
- * GL_ARB_fragment_program in its extension string. This header states what a program that starts
- * others under Arbiter may rely on. It is C89 and needs no GL header.
+ * GL_ARB_fragment_program in its extension string. This header is for programs that start others
+ * under Arbiter, and states what they may rely on. It is C89 and needs no GL header.
  *
  * Starting a program under Arbiter (what `arbiter run` does):
- *   LD_PRELOAD       has the path of libGLX_arbiter.so.0 (pkg-config --variable=preload arbiter).
- *                    Its constructor selects the layer for GLX and EGL through libglvnd.
+ *   LD_PRELOAD       contains the path of libGLX_arbiter.so.0
+ *                    (pkg-config --variable=preload arbiter). Its constructor selects the layer
+ *                    for GLX and EGL through libglvnd.
  *   LD_LIBRARY_PATH  begins with the folder of the front libOSMesa.so.8
  *                    (pkg-config --variable=osmesadir arbiter), for programs that load OSMesa.
- * Both are inherited by child processes. In a set-user-id program neither has any effect.
+ * Child processes inherit both. In a set-user-id program neither has any effect.
  *
- * The variables below rule the layer; arbiter(7) gives their values. They are read once, when the
- * library is loaded or first used; a value that cannot be used is reported in the log and ignored.
- * Where one is not set, a default for the program may hold (arbiter-defaults(5)).
+ * The variables below control the layer; arbiter(7) lists their values. They are read once, when
+ * the library is loaded or first used. An invalid value is reported in the log and ignored. If one
+ * is not set, a default for the program may apply (arbiter-defaults(5)).
  */
 #ifndef GL_ARBITER_H
 #define GL_ARBITER_H
@@ -33,7 +34,7 @@
   ARBITER_TEXT(ARBITER_VERSION_MAJOR)                                                              \
   "." ARBITER_TEXT(ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH)
 
-/* The file name to preload, and its soname. */
+/* The file name of the library to preload, which is also its soname. */
 #define ARBITER_PRELOAD_LIBRARY "libGLX_arbiter.so.0"
 
 /* Names of the environment variables. */
@@ -66,7 +67,7 @@
 /* The "schema" number at the top of the JSON that ARBITER_STATS, `arbiter check --json`,
  * `arbiter capture` (index.json, process-*.json), `arbiter report --json`,
  * `arbiter defaults --json` and `arbiter doctor --json` write.
- * It changes when a member changes its meaning or goes; a new member does not change it. */
+ * It changes when a member changes its meaning or is removed; a new member does not change it. */
 #define ARBITER_STATS_SCHEMA 2
 #define ARBITER_CHECK_SCHEMA 1
 #define ARBITER_CAPTURE_SCHEMA 1
@@ -74,15 +75,15 @@
 #define ARBITER_DEFAULTS_SCHEMA 1
 #define ARBITER_DOCTOR_SCHEMA 1
 
-/* GL_ARBITER_feedback is in the extension string of contexts whose programs are Arbiter's. There is
- * nothing new to learn: glReadBuffer and glCopyTexSubImage2D are what they always were, and where
- * the rasterizer draws, a copy of a whole colour buffer shares its pixels instead of moving them.
- * Two values of glGetIntegerv, of the context, count the copies; they never go beyond 2^31 - 1. */
+/* GL_ARBITER_feedback is in the extension string of contexts whose programs Arbiter implements. It
+ * adds no command: applications use glReadBuffer and glCopyTexSubImage2D as always. If the
+ * rasterizer draws, a copy of a whole color buffer shares its pixels instead of moving them. Two
+ * values of glGetIntegerv count the context's copies; they never exceed 2^31 - 1. */
 #ifndef GL_ARBITER_feedback
 #define GL_ARBITER_feedback 1
-/* Copies to textures so far. */
+/* The number of copies to textures so far. */
 #define GL_FEEDBACK_COPIES_ARBITER 0x41524200
-/* Those of them that moved no pixel; of the share group. */
+/* The number of copies in the share group that moved no pixel. */
 #define GL_FEEDBACK_COPIES_AVOIDED_ARBITER 0x41524201
 #endif
 

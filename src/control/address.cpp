@@ -29,7 +29,7 @@ bool toAddress(const std::string &path, sockaddr_un &address) {
   return true;
 }
 
-/// \param flags of socket(), besides
+/// Creates a socket. \param flags additional flags of socket()
 Descriptor makeSocket(int flags = 0) {
   return Descriptor(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | flags, 0));
 }
@@ -42,12 +42,13 @@ int connectSocket(int fd, const sockaddr_un &address) {
   return result;
 }
 
-/// Nothing listens at the socket any more.
+/// True if nothing listens at the socket any more.
 bool isDead(const std::string &path) {
   sockaddr_un address;
   if (!toAddress(path, address))
     return false;
-  const Descriptor fd = makeSocket(SOCK_NONBLOCK); // one that is stopped may have a full queue
+  // non-blocking, as a stopped process may have a full queue
+  const Descriptor fd = makeSocket(SOCK_NONBLOCK);
   return fd && connectSocket(fd.get(), address) != 0 && errno == ECONNREFUSED;
 }
 
@@ -81,7 +82,8 @@ int Descriptor::release() { return std::exchange(m_fd, -1); }
 
 namespace {
 
-/// A login makes the folder; sudo, cron, ssh and containers may not say its name, or have none.
+/// Returns advice for a missing folder. A login creates it; sudo, cron, ssh and containers may not
+/// set its variable, or have no folder.
 std::string remedy() {
   const std::string usual = "/run/user/" + std::to_string(geteuid());
   const bool there = access(usual.c_str(), W_OK) == 0;
@@ -122,7 +124,7 @@ Result<Descriptor, SocketError> listenAt(const std::string &path) {
     return failed(path);
   if (isDead(path))
     unlink(path.c_str());
-  // Before the file is there: the kernel gives it the mode of the socket.
+  // The kernel gives the socket's mode to the file, so that it must be set before bind().
   (void)fchmod(fd.get(), 0600);
   if (bind(fd.get(), reinterpret_cast<const sockaddr *>(&address), sizeof address) != 0)
     return failed(path);

@@ -5,17 +5,18 @@
 
 #include "util/result.h"
 
-/// Where processes listen: $XDG_RUNTIME_DIR/arbiter/PID.sock, and PID.render.sock of renderers.
+/// Names the sockets that processes listen at: $XDG_RUNTIME_DIR/arbiter/PID.sock, and
+/// PID.render.sock for renderers.
 namespace arbiter::control {
 
 enum class Kind { Layer, Renderer };
 
-/// What stood in the way of a socket: a sentence.
+/// An error about a socket, as a sentence.
 struct SocketError {
   std::string message;
 };
 
-/// A descriptor that is closed with the object.
+/// Owns a file descriptor and closes it.
 class Descriptor {
 public:
   Descriptor() = default;
@@ -34,18 +35,18 @@ private:
   int m_fd = -1;
 };
 
-/// The folder, made where it is not there. Errors: XDG_RUNTIME_DIR is not set or too long; the
-/// folder is another user's, or others may enter it.
+/// Returns the folder, and creates it if needed. Fails if XDG_RUNTIME_DIR is not set or too long,
+/// or if the folder belongs to another user or others may enter it.
 [[nodiscard]] Result<std::string, SocketError> socketFolder();
 [[nodiscard]] std::string socketName(pid_t process, Kind kind);
 
-/// Listens at the path, where nothing may listen yet; what a dead process left there goes. Mode
-/// 0600 from the first moment on.
+/// Listens at the path. Fails if another process listens there; removes a dead process's socket.
+/// The socket has mode 0600 from the first moment.
 [[nodiscard]] Result<Descriptor, SocketError> listenAt(const std::string &path);
-/// Connects, and looks who the other end is.
+/// Connects, and checks the other end's user.
 [[nodiscard]] Result<Descriptor, SocketError> connectTo(const std::string &path);
-/// The other end of a connected socket belongs to this user (SO_PEERCRED). \param process its
-/// process
+/// True if the other end of a connected socket belongs to this user (SO_PEERCRED). \param process
+/// set to the other end's process id
 [[nodiscard]] bool isOwnPeer(int fd, pid_t &process);
 
 struct Listener {
@@ -53,7 +54,7 @@ struct Listener {
   Kind kind = Kind::Layer;
   std::string path;
 };
-/// Sockets of the folder by process; those that nothing listens at any more are removed.
+/// Returns the folder's sockets by process. Removes those that nothing listens at any more.
 [[nodiscard]] std::vector<Listener> findListeners(const std::string &folder);
 
 } // namespace arbiter::control

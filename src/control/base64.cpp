@@ -52,7 +52,7 @@ std::optional<std::vector<std::uint8_t>> fromBase64(std::string_view text) {
         return std::nullopt;
       group = group << 6 | std::uint32_t(value);
     }
-    // Bits that no byte takes are zero in what an encoder makes.
+    // An encoder sets the bits that no byte uses to zero.
     if ((padding == 1 && (group & 0xff) != 0) || (padding == 2 && (group & 0xffff) != 0))
       return std::nullopt;
     bytes.push_back(std::uint8_t(group >> 16));

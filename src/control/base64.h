@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-/// Bytes as text (RFC 4648, section 4, with padding).
+/// Encodes bytes as text (RFC 4648, section 4, with padding).
 namespace arbiter::control {
 
 [[nodiscard]] std::string toBase64(std::span<const std::uint8_t> bytes);
-/// Nothing where the text is not exactly what toBase64() makes.
+/// Decodes a text; returns nothing unless it is exactly what toBase64() writes.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> fromBase64(std::string_view text);
 
 } // namespace arbiter::control

@@ -7,7 +7,7 @@ namespace {
 
 std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 
-// RFC 4648, section 10.
+// The values are from RFC 4648, section 10.
 TEST(Base64, IsTheStandards) {
   EXPECT_EQ(toBase64(bytesOf("")), "");
   EXPECT_EQ(toBase64(bytesOf("f")), "Zg==");

@@ -14,7 +14,7 @@ namespace arbiter::control {
 namespace {
 
 constexpr std::size_t kPart = std::size_t(64) << 10;
-constexpr std::size_t kMaxDescriptors = 8; ///< that wait to be taken
+constexpr std::size_t kMaxDescriptors = 8; ///< received and not taken yet
 
 } // namespace
 
@@ -24,7 +24,7 @@ Channel::Channel(Descriptor fd) : m_fd(std::move(fd)) {
 }
 
 Channel::Read Channel::read(bool takeDescriptors) {
-  // What has been taken as lines makes room.
+  // Lines that were taken free their room.
   m_in.erase(0, m_begin);
   m_searched -= m_begin;
   m_begin = 0;

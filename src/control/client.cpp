@@ -8,7 +8,7 @@ namespace arbiter::control {
 
 namespace {
 
-/// Events that the caller does not take are forgotten, the oldest first.
+/// Beyond this number the oldest events that the caller did not take are dropped.
 constexpr std::size_t kMaxEvents = 1024;
 
 std::int64_t integerAt(const Json &object, const char *name) {
@@ -111,7 +111,7 @@ void Client::takeFrame(Json params) {
   const std::int64_t serial = integerAt(params, "serial"), slot = integerAt(params, "slot");
   if (!m_buffer.view || serial != m_buffer.serial || slot < 0 || slot >= kFrameSlots)
     return giveBack(serial, slot);
-  if (m_frame) // a newer one is there
+  if (m_frame) // a newer frame has arrived
     giveBack(m_frame->serial, m_frame->slot);
   const FrameLayout &layout = m_buffer.view->layout();
   m_frame = Frame{m_buffer.view->pixels(int(slot)),

@@ -13,7 +13,7 @@
 
 namespace arbiter::control {
 
-/// A message of the server's that answers no request.
+/// A message from the server that answers no request.
 struct Event {
   std::string method;
   Json params;
@@ -25,45 +25,49 @@ struct Frame {
   int width = 0, height = 0;            ///< pixels
   std::size_t stride = 0;               ///< bytes from row to row
   std::int64_t slot = 0, serial = 0;    ///< for release()
-  Json params;                          ///< of the event: number, revision ..
+  Json params;                          ///< of the event: number, revision, ...
 };
 
-/// The client's end of control. Nothing waits but call() and flush(); an event loop watches fd()
-/// and calls receive(). One thread.
+/// The client's end of the control protocol. Only call(), await() and flush() wait; an event loop
+/// watches fd() and calls receive(). Only one thread may use it.
 class Client {
 public:
   explicit Client(Descriptor connected);
 
   [[nodiscard]] int fd() const { return m_channel.fd(); }
-  /// False once the server is gone or has sent what cannot be understood; it stays so.
+  /// Returns false forever once the server is gone or has sent an invalid message.
   [[nodiscard]] bool connected() const { return !m_closed; }
 
   // --- Without waiting ---
 
-  /// Sends a request; its answer is taken by takeAnswer(). \returns its id
+  /// Sends a request; takeAnswer() returns its answer.
+  /// \returns the request's id
   std::uint64_t request(std::string_view method, Json params = Json::object());
-  /// A request that is not answered.
+  /// Sends a request that is not answered.
   void notify(std::string_view method, Json params = Json::object());
-  /// Takes what has come, and sends what waits. Call it when fd() is readable, or writable while
-  /// wantsToWrite().
+  /// Reads what has arrived, and sends what is queued. Call it when fd() is readable, or writable
+  /// while wantsToWrite().
   void receive();
   [[nodiscard]] bool wantsToWrite() const { return m_channel.wantsToWrite(); }
-  /// The answer to the request, once; nothing while it has not come.
+  /// Returns the answer to the request, once; nothing until it has arrived.
   [[nodiscard]] std::optional<Answer> takeAnswer(std::uint64_t id);
-  /// Answers that no call() waits for, in the order in which they came. Nothing: none.
+  /// Returns the next answer that no call() waits for, in order of arrival; nothing if there is
+  /// none.
   [[nodiscard]] std::optional<std::pair<std::uint64_t, Answer>> nextAnswer();
-  /// The next event but frames. Nothing: none.
+  /// Returns the next event other than a frame; nothing if there is none.
   [[nodiscard]] std::optional<Event> nextEvent();
-  /// The newest frame; those before it have been given back. Nothing: none since the last call.
-  /// A frame stays valid until it is released, also where the buffer has changed since.
+  /// Returns the newest frame, and nothing if none came since the last call. Earlier frames have
+  /// been given back. A frame stays valid until it is released, even if the buffer changes.
   [[nodiscard]] std::optional<Frame> nextFrame();
   void release(const Frame &frame);
 
   // --- Waiting ---
 
-  /// Until the answer is there. A Fault of code 0: none came in time, or the server is gone.
+  /// Sends a request and waits for its answer. A Fault with code 0 means that none came in time, or
+  /// that the server is gone.
   [[nodiscard]] Answer call(std::string_view method, Json params, std::chrono::milliseconds atMost);
-  /// Until something has come, or for so long. \returns false if nothing has
+  /// Waits until something arrives.
+  /// \returns false if nothing has arrived in time
   bool await(std::chrono::milliseconds atMost);
 
 private:

@@ -48,8 +48,8 @@ std::shared_ptr<FrameRing> FrameRing::make(int width, int height) {
       mmap(nullptr, layout->bytes(), PROT_READ | PROT_WRITE, MAP_SHARED, fd.get(), 0);
   if (memory == MAP_FAILED)
     return nullptr;
-  // The writer's own mapping stays writable. A kernel that knows no seal against writers to come
-  // takes the others; the reader could then spoil its own pictures, and no more.
+  // The writer's own mapping stays writable. An old kernel without F_SEAL_FUTURE_WRITE takes the
+  // other seals; a reader could then only spoil its own pictures.
   constexpr int kSize = F_SEAL_SHRINK | F_SEAL_GROW;
   if (fcntl(fd.get(), F_ADD_SEALS, kSize | F_SEAL_FUTURE_WRITE | F_SEAL_SEAL) != 0 &&
       fcntl(fd.get(), F_ADD_SEALS, kSize | F_SEAL_SEAL) != 0) {

@@ -8,48 +8,48 @@
 
 #include "control/address.h"
 
-/// Pictures in memory that two processes share: three slots of one size, each lent to the reader
-/// until it gives it back.
+/// Pictures in memory that two processes share. There are three slots of one size, each lent to the
+/// reader until it gives it back.
 namespace arbiter::control {
 
 inline constexpr int kFrameSlots = 3;
 inline constexpr int kMaxFrameSide = 16384;
 
-/// How pictures lie in the memory: RGBA bytes, bottom row first.
+/// The layout of pictures in memory: RGBA bytes, bottom row first.
 struct FrameLayout {
   int width = 0, height = 0; ///< pixels
   std::size_t stride = 0;    ///< bytes from row to row
-  std::size_t slotBytes = 0; ///< from slot to slot; a multiple of the page's size
+  std::size_t slotBytes = 0; ///< from slot to slot; a multiple of the page size
 
   [[nodiscard]] std::size_t bytes() const { return slotBytes * kFrameSlots; }
 };
-/// Nothing for a size that no frame has.
+/// Returns the layout of frames, or nothing for an invalid size.
 [[nodiscard]] std::optional<FrameLayout> layoutOf(int width, int height);
 
-/// The event that brings such memory.
+/// Returns the event that announces such memory.
 [[nodiscard]] std::string bufferLine(const FrameLayout &layout, std::int64_t serial);
 
-/// The writer's end. take() is the writer's thread's, giveBack() any thread's.
+/// The writer's end. Only the writer's thread may call take(); any thread may call giveBack().
 class FrameRing {
 public:
-  /// Null where there is no memory for it.
+  /// Returns null if there is no memory.
   [[nodiscard]] static std::shared_ptr<FrameRing> make(int width, int height);
   ~FrameRing();
   FrameRing(const FrameRing &) = delete;
   FrameRing &operator=(const FrameRing &) = delete;
 
   [[nodiscard]] const FrameLayout &layout() const { return m_layout; }
-  /// The memory's descriptor, which may not be resized, nor be written to by who gets it.
+  /// Returns the memory's descriptor. Whoever receives it can neither resize nor write the memory.
   [[nodiscard]] int fd() const { return m_fd.get(); }
-  /// The same, for the other process.
+  /// Returns a duplicate of the descriptor for the other process.
   [[nodiscard]] Descriptor share() const;
-  /// A slot that is not lent, which it is from now on; -1: all are.
+  /// Lends a free slot and returns its number; -1 if all are lent.
   [[nodiscard]] int take();
-  /// All slots are lent.
+  /// True if all slots are lent.
   [[nodiscard]] bool isFull() const;
-  /// False: it was not lent.
+  /// Takes back a slot. Returns false if it was not lent.
   bool giveBack(int slot);
-  /// Bytes of a slot.
+  /// Returns the bytes of a slot.
   [[nodiscard]] std::uint8_t *pixels(int slot) const;
 
 private:
@@ -63,15 +63,15 @@ private:
 /// The reader's end.
 class FrameView {
 public:
-  /// Null where the descriptor is not such memory: too small, or its size may change under the
-  /// reader.
+  /// Maps the memory. Returns null if the descriptor is unsuitable: it is too small, or its size
+  /// may change under the reader.
   [[nodiscard]] static std::unique_ptr<FrameView> map(Descriptor fd, const FrameLayout &layout);
   ~FrameView();
   FrameView(const FrameView &) = delete;
   FrameView &operator=(const FrameView &) = delete;
 
   [[nodiscard]] const FrameLayout &layout() const { return m_layout; }
-  /// Null for a number that is no slot.
+  /// Returns null if the number is not that of a slot.
   [[nodiscard]] const std::uint8_t *pixels(int slot) const;
 
 private:

@@ -37,14 +37,14 @@ TEST(Frames, ThreeAreLentAndNoMore) {
     EXPECT_FALSE(ring->giveBack(wrong));
 }
 
-/// The writer's process would die of a page that the reader has cut off.
+/// Accessing a page that the reader cut off would kill the writer's process.
 TEST(Frames, TheReaderCannotResizeThem) {
   const auto ring = FrameRing::make(64, 64);
   const Descriptor other = ring->share();
   EXPECT_NE(ftruncate(other.get(), 0), 0);
   EXPECT_NE(ftruncate(other.get(), off_t(ring->layout().bytes() * 2)), 0);
   EXPECT_NE(fcntl(other.get(), F_ADD_SEALS, F_SEAL_WRITE), 0) << "seals are sealed";
-  // Linux 5.1 and later.
+  // This needs Linux 5.1 or later.
   void *const writable = mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED, other.get(), 0);
   EXPECT_EQ(writable, MAP_FAILED);
 }

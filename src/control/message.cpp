@@ -8,7 +8,7 @@ namespace arbiter::control {
 
 namespace {
 
-/// What the parser would make of the text in memory, without making it: depth and values.
+/// The depth and number of values of a JSON text, found without parsing it into a tree.
 struct Extent {
   int depth = 0;
   std::size_t values = 1;
@@ -159,7 +159,7 @@ std::int64_t Params::integer(const char *name, std::int64_t least, std::int64_t 
   const Json *const found = need(name);
   if (!found)
     return least;
-  // An unsigned one that no int64_t holds is out of every range.
+  // An unsigned number that int64_t cannot hold is out of every range.
   const bool huge =
       found->is_number_unsigned() &&
       found->get<std::uint64_t>() > std::uint64_t(std::numeric_limits<std::int64_t>::max());

@@ -8,16 +8,16 @@
 
 #include "util/result.h"
 
-/// JSON-RPC 2.0 as control speaks it: a message a line (docs/write/control.md).
+/// The control protocol's JSON-RPC 2.0: one message a line (docs/write/control.md).
 namespace arbiter::control {
 
 using Json = nlohmann::json;
 
 inline constexpr int kProtocol = 1;
-/// Of a line, its end included.
+/// The limit of a line, including its end.
 inline constexpr std::size_t kMaxLineBytes = std::size_t(4) << 20;
 inline constexpr int kMaxDepth = 32;
-/// Values of one message: what a tree of them takes in memory is bounded by it.
+/// The limit of values in a message, which bounds the memory of their tree.
 inline constexpr std::size_t kMaxValues = 65536;
 
 enum ErrorCode : int {
@@ -39,10 +39,10 @@ struct Fault {
   Json data; ///< null: none
 };
 
-/// What a request is answered with.
+/// The answer to a request.
 using Answer = Result<Json, Fault>;
 
-/// The text of a line, its end not included, as JSON. Errors: no JSON, or over one of the limits.
+/// Parses the text of a line, without its end, as JSON. Fails if it is not JSON or exceeds a limit.
 [[nodiscard]] Result<Json, Fault> parseMessage(std::string_view line);
 
 struct Request {
@@ -51,15 +51,16 @@ struct Request {
   std::string method;
   Json params; ///< an object
 };
-/// Errors: no request. `id` is then what it has of one, for the answer.
+/// Converts a message to a request. Fails if it is none; `id` is then set to the message's id, if
+/// any, for the answer.
 [[nodiscard]] Result<Request, Fault> toRequest(Json message, Json &id);
 
-// Whole lines, ended by \n. Text that is not UTF-8 has U+FFFD in its place.
+// These functions return whole lines, ended by \n. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string requestLine(std::uint64_t id, std::string_view method, Json params);
 [[nodiscard]] std::string eventLine(std::string_view method, Json params);
 [[nodiscard]] std::string answerLine(const Json &id, const Answer &answer);
 
-/// Reads members of a request's parameters, and keeps the first thing that is wrong with one.
+/// Reads members of a request's parameters, and keeps the first error.
 class Params {
 public:
   explicit Params(const Json &object) : m_object(object) {}
@@ -72,12 +73,13 @@ public:
                                      std::int64_t fallback);
   [[nodiscard]] double number(const char *name, double fallback);
   [[nodiscard]] bool truth(const char *name);
-  /// `count` numbers that a float can hold; null stays what `values` has where `holes` is true.
+  /// Reads `count` numbers that a float can hold. If `holes` is true, null keeps the present
+  /// element of `values`.
   void floats(const char *name, float *values, std::size_t count, bool holes = false);
-  /// The member as it is; null where there is none.
+  /// Returns the member unchecked; null if there is none.
   [[nodiscard]] const Json *object(const char *name);
 
-  /// Says that a member is wrong, in words of the caller's.
+  /// Records an error about a member, in the caller's words.
   void refuse(const char *name, const std::string &what);
   [[nodiscard]] bool ok() const { return m_fault.code == 0; }
   /// Requires !ok().

@@ -83,7 +83,7 @@ TEST(Params, NamesWhatIsWrong) {
   EXPECT_EQ(faultOf([&](Params &p) { p.floats("holes", values, 2, true); }), "");
 }
 
-/// What is read is JSON, a request or a fault, whatever the bytes: nothing throws, nothing crashes.
+/// Any bytes are read as JSON, a request or a fault: nothing throws or crashes.
 TEST(Message, SurvivesAnyBytes) {
   std::mt19937 random(1);
   const std::string alphabet = "{}[]\",:0123456789.eE+-\\utfnaslr\x01\xff jsonrpc2.0methodid";

@@ -89,7 +89,7 @@ void Server::acceptOne(Service &service) {
     adopt(service, std::move(fd));
 }
 
-/// Lines of other threads to their clients.
+/// Passes lines that other threads queued to their clients.
 void Server::distribute() {
   std::vector<Sent> sent;
   {
@@ -117,12 +117,13 @@ void Server::refuse(Client &client, const Json &id, const Fault &fault) {
     client.lost = true;
 }
 
-/// False: the connection ends.
+/// Handles a line. Returns false to end the connection.
 bool Server::handle(Service &service, ClientId id, Client &client, const std::string &line) {
   Result<Json, Fault> message = parseMessage(line);
   if (!message) {
     refuse(client, nullptr, message.error());
-    return message.error().code == kNoJson; // over a limit: as a line that is too long
+    // a line over a limit ends the connection, as a line that is too long does
+    return message.error().code == kNoJson;
   }
   Json requestId;
   Result<Request, Fault> request = toRequest(std::move(message.value()), requestId);
@@ -150,7 +151,7 @@ void Server::readFrom(Service &service, ClientId id, Client &client) {
       break;
     }
   }
-  (void)client.channel.write(); // why it ends, as far as the socket takes it
+  (void)client.channel.write(); // tells the reason, as far as the socket accepts it
 }
 
 void Server::dropLost(Service &service) {

@@ -14,53 +14,54 @@
 
 namespace arbiter::control {
 
-/// Counts connections, from 1: none is used twice.
+/// Numbers connections from 1. No number is used twice.
 using ClientId = std::uint64_t;
 
-/// What a server is for. All functions are called by the thread that runs the server, except where
-/// it is said.
+/// Handles a server's requests. The thread that runs the server calls all functions unless stated
+/// otherwise.
 class Service {
 public:
   virtual ~Service() = default;
   virtual void connected(ClientId client, pid_t process) = 0;
   virtual void received(ClientId client, Request request) = 0;
   virtual void disconnected(ClientId client) = 0;
-  /// Called when patience() is over.
+  /// Called when patience() has passed.
   virtual void waited() {}
-  /// Milliseconds until waited() is to be called; -1: never.
+  /// Returns the milliseconds until waited() is called; -1: never.
   [[nodiscard]] virtual int patience() { return -1; }
 };
 
-/// Serves clients at a socket, on one thread: run()'s. What is hostile or broken ends its own
-/// connection and no other.
+/// Serves clients at a socket, on the thread of run(). A hostile or broken client ends only its own
+/// connection.
 class Server {
 public:
   static constexpr std::size_t kMaxClients = 8;
 
-  /// Null where the kernel has no more descriptors. \param path of the socket, to be removed when
-  /// it ends; empty: none
+  /// Serves clients that connect to the socket. Returns null if the kernel has no more descriptors.
+  /// \param path of the socket, to be removed at the end; empty: none
   [[nodiscard]] static std::unique_ptr<Server> listening(Descriptor fd, std::string path);
-  /// Serves one client, which is connected already, until it disconnects.
+  /// Serves one client that is already connected, until it disconnects.
   [[nodiscard]] static std::unique_ptr<Server> connected(Descriptor fd);
   ~Server();
   Server(const Server &) = delete;
   Server &operator=(const Server &) = delete;
 
-  /// Returns after stop(), or, of connected(), when the client is gone.
+  /// Returns after stop(), or after the client of connected() is gone.
   void run(Service &service);
-  /// Any thread.
+  /// Stops the server; any thread may call it.
   void stop();
 
-  /// Sends a line; one for a client that is gone is dropped. Any thread; never waits for a client.
+  /// Sends a line, or drops it if the client is gone. Any thread may call it; it never waits for a
+  /// client.
   void send(ClientId client, std::string line, Descriptor attached = {});
 
-  /// The same to every client.
+  /// Sends a line to every client.
   void broadcast(std::string line);
-  /// The thread that runs the server asks for patience() anew. Any thread.
+  /// Makes the server's thread call patience() again. Any thread may call it.
   void wake();
 
-  /// In the child of a fork: the connections are the parent's. Nothing but this may be called of
-  /// the object then, its destructor neither.
+  /// Called in the child of a fork, as the connections belong to the parent. Nothing else of the
+  /// object may be called then, not even its destructor.
   void closeAfterFork() noexcept;
 
 private:

@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Answers `echo` with its parameters, and sends an event to who asks for one.
+/// Answers `echo` with its parameters, and sends an event to a client that asks for one.
 class Echo : public Service {
 public:
   Server *server = nullptr;
@@ -75,7 +75,7 @@ protected:
     EXPECT_TRUE(fd);
     return Client(std::move(fd.value()));
   }
-  /// Until the server has seen that clients are gone.
+  /// Waits until the server has this many clients.
   void awaitClients(int count) {
     for (int i = 0; i < 6000 && m_echo.clients != count; ++i)
       std::this_thread::sleep_for(10ms);
@@ -116,7 +116,7 @@ TEST_F(Served, IsTheUsersAlone) {
 
 TEST_F(Served, IsFoundAndDeadOnesGo) {
   const std::string dead = m_folder + "/999999.sock";
-  { ASSERT_TRUE(listenAt(dead)); } // closed, and its file left
+  { ASSERT_TRUE(listenAt(dead)); } // closed, but its file stays
   ASSERT_TRUE(std::filesystem::exists(dead));
   const std::vector<Listener> found = findListeners(m_folder);
   ASSERT_EQ(found.size(), 1u);
@@ -164,7 +164,7 @@ TEST_F(Served, WhoSendsTooMuchIsCutOffAndNobodyElse) {
   EXPECT_TRUE(good.call("echo", Json::object(), 10s));
 }
 
-/// One that asks and never reads may not make the server keep all its answers.
+/// The server must not keep all answers for a client that sends requests and never reads.
 TEST_F(Served, WhoReadsNothingIsCutOff) {
   auto raw = connectTo(m_path);
   const std::string line = requestLine(1, "echo", {{"text", std::string(1 << 20, 'x')}});
@@ -182,7 +182,7 @@ TEST_F(Served, SurvivesHostileBytesAndDescriptors) {
     const auto folder = std::filesystem::directory_iterator("/proc/self/fd");
     return std::distance(begin(folder), end(folder));
   };
-  ASSERT_TRUE(good.call("echo", Json::object(), 10s)); // it is accepted
+  ASSERT_TRUE(good.call("echo", Json::object(), 10s)); // the server accepts a new client
   const auto before = descriptors();
   for (int round = 0; round < 100; ++round) {
     auto raw = connectTo(m_path);
@@ -225,7 +225,7 @@ TEST(Connected, EndsWithItsClient) {
   EXPECT_EQ(echo.clients, 0);
 }
 
-/// The client's end of a server that talks nonsense.
+/// The client must survive a server that sends nonsense.
 TEST(Client, SurvivesAHostileServer) {
   std::mt19937 random(3);
   for (int round = 0; round < 300; ++round) {

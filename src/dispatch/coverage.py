@@ -2,8 +2,8 @@
 """Writes docs/reference/entry_points.md: for each command of gl.xml, whether it is Arbiter's own, validated,
 guarded or passed on, and why.
 
-The ways come from entry_points.toml, the reasons from reasons.toml. A command without a reason, and
-a row of reasons that explains nothing, are errors: the page is complete or it is not written.
+The actions come from entry_points.toml, the reasons from reasons.toml. A command without a reason, or a row of
+reasons that no command uses, is an error: the page is complete or it is not written.
 """
 import fnmatch
 import hashlib
@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 GL_XML = pathlib.Path("/usr/share/khronos-api/gl.xml")
 TITLES = {"own": "Arbiter's own", "draw": "Draws", "pixels": "Pixels", "validate": "Validated",
           "observe": "Observed", "guard": "Guarded", "handled": "Pixels that may be pending"}
-# How the rasterizer sees a command that is otherwise passed on; rows of [software] in reasons.toml.
+# How the rasterizer treats a command that is otherwise passed on; rows of [software] in reasons.toml.
 SOFTWARE_TITLES = {"record": "Vertices and attributes", "reads": "Reads pixels", "waits": "Waits for pixels",
                    "draws": "Writes to the framebuffer", "dirty": "Changes state",
                    "unknown": "Unknown", "listed": "Compiled into lists", "harmless": "Harmless"}
@@ -27,12 +27,12 @@ class Unexplained(Exception):
 
 
 def digest():
-    """Names the version of gl.xml that the page was made from."""
+    """Returns a hash that identifies the version of gl.xml the page was made from."""
     return hashlib.sha256(GL_XML.read_bytes()).hexdigest()[:16]
 
 
 def explain(table, rows):
-    """{index of the row: [group leads]} of the commands that are passed on."""
+    """Returns {index of the row: [group leads]} of the commands that are passed on."""
     found = {index: [] for index in range(len(rows))}
     desktop = table.desktop
     missing = []
@@ -99,7 +99,7 @@ def page():
 
 
 def software_part(table, whys):
-    """Every command that is passed on, by what it means to the rasterizer."""
+    """Writes the passed-on commands, grouped by how the rasterizer treats them."""
     if set(whys) != set(SOFTWARE_TITLES):
         raise Unexplained("reasons.toml: [software] explains other ways than there are")
     out = ["\n## What is passed on, as the rasterizer sees it\n", "| way | commands | why |",

@@ -1,5 +1,6 @@
-/// What a passed-on call costs beside the host's function called straight, both by pointer, as
-/// libglvnd calls them. A table, not a test: the bound is 0.6 ns on a quiet machine.
+/// Measures what a passed-on call costs compared with a direct call of the host's function. Both
+/// are called by pointer, as libglvnd does. It prints a table and is no test; the bound is 0.6 ns
+/// on a quiet machine.
 #include <benchmark/benchmark.h>
 
 #include "dispatch/entry_points.h"
@@ -11,7 +12,7 @@ namespace {
 using arbiter::host::HostTable;
 using arbiter::state::ContextHot;
 
-// They do nothing that could hide the entry point's own work behind it.
+// These functions are empty, so that they hide nothing of the entry point's own work.
 [[gnu::noipa]] void hostDrawArrays(GLenum, GLint, GLsizei) {}
 [[gnu::noipa]] void hostUniform4fv(GLint, GLsizei, const GLfloat *) {}
 [[gnu::noipa]] void hostRasterPos2f(GLfloat, GLfloat) {}
@@ -20,7 +21,7 @@ using arbiter::state::ContextHot;
 
 std::uint64_t g_draws = 0;
 
-/// A context that has nothing to do for a call.
+/// Makes a context current that has no work for any call.
 void makeCurrent() {
   static HostTable s_table;
   static ContextHot s_hot;

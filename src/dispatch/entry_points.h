@@ -1,28 +1,30 @@
 #pragma once
 
-/// The layer's entry points by name. Generated from gl.xml and entry_points.toml.
+/// Finds the layer's entry points by name. Generated from gl.xml and entry_points.toml.
 namespace arbiter::dispatch {
 
 struct EntryPoint {
-  /// The layer's function, or null: the command is not intercepted.
+  /// The layer's function, or null if the command is not intercepted.
   void *function = nullptr;
-  /// The layer offers it even where the host lacks it.
+  /// True if the layer offers the command even if the host lacks it.
   bool provided = false;
-  /// There for the rasterizer alone: with the host as backend the host's own function serves.
+  /// True if the entry point serves the rasterizer only. With the host as backend, the host's own
+  /// function is used.
   bool forSoftware = false;
-  /// That serves all the same where generic vertex attributes may be the conventional ones.
+  /// True if the entry point is also needed with the host as backend when generic vertex attributes
+  /// may alias the conventional ones.
   bool forAliases = false;
 };
 
-/// `name` with its gl prefix, any name of an alias group.
+/// Finds an entry point. \param name includes the gl prefix; any name of an alias group
 [[nodiscard]] EntryPoint find(const char *name);
 
-/// The entry points that exist for the rasterizer alone, or for attributes that alias, and are in
-/// no row of entry_points.toml; none of all others.
+/// Finds the entry points that serve only the rasterizer or aliasing attributes and have no row in
+/// entry_points.toml. Returns an empty one for all others.
 [[nodiscard]] EntryPoint findForSoftware(const char *name);
 [[nodiscard]] bool isForSoftware(const void *function);
 
-/// True if `function` is one of the layer's entry points: the host's can never be.
+/// True if `function` is one of the layer's entry points. A function of the host never is.
 [[nodiscard]] bool isOurs(const void *function);
 
 } // namespace arbiter::dispatch

@@ -1,4 +1,5 @@
-/// The generated entry points: what they pass on, what they count, and the table of their names.
+/// The generated entry points: which calls they pass on, what they count, and the table of their
+/// names.
 #include <cstdint>
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ void hostUniform4fv(GLint location, GLsizei count, const GLfloat *value) {
 }
 void hostRasterPos2f(GLfloat x, GLfloat y) { g_calls += x == 1.5f && y == 2.5f ? 1 : 100; }
 
-/// A thread whose context has nothing to do for a call.
+/// Runs each test with a current context that has no work for any call.
 class EntryPoints : public testing::Test {
 protected:
   void SetUp() override {
@@ -98,7 +99,8 @@ TEST(EntryTable, TellsWhatIsThereForTheRasterizerAlone) {
             findForSoftware("glVertexAttrib4fNV").function);
   EXPECT_EQ(findForSoftware("glBlendFunciARB").function, findForSoftware("glBlendFunci").function);
   EXPECT_NE(findForSoftware("glClearColor").function, nullptr) << "it may be compiled into a list";
-  // The host's own: intercepted otherwise, no part of lists, of OpenGL ES alone.
+  // The host's functions serve these: they are intercepted otherwise, never compiled into lists, or
+  // belong to OpenGL ES only.
   for (const char *name : {"glDrawArrays", "glClear", "glGetShaderSource", "glIsTexture",
                            "glDrawTexfOES", "", "glzzz"})
     EXPECT_EQ(findForSoftware(name).function, nullptr) << name;

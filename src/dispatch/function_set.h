@@ -7,12 +7,13 @@
 
 namespace arbiter::dispatch {
 
-/// The functions of a table of entry points, to ask whether one is among them. An application that
-/// loads GL by name asks that of thousands. Static, in the library of the functions, which are kept
-/// as distances from it: what may be written must hold no pointers to functions.
+/// A set of the functions of a table of entry points. Applications that load GL by name ask for
+/// thousands of names, so lookups must be fast. The set must be static, in the library of the
+/// functions: it stores them as distances from itself, because writable memory must hold no
+/// function pointers.
 template <std::size_t kCount> class FunctionSet {
 public:
-  /// \param rows each with a member `function`
+  /// Builds the set. \param rows each with a member `function`
   template <typename Row> explicit FunctionSet(const Row (&rows)[kCount]) {
     std::transform(std::begin(rows), std::end(rows), m_sorted.begin(),
                    [&](const Row &row) { return std::int32_t(distanceOf(row.function)); });

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Generates the layer's entry points from Khronos' gl.xml, entry_points.toml and software.toml.
 
-Writes, as asked for: the host table, its loader, the declarations of the handlers, the exported
+Its options select the outputs: the host table, its loader, the declarations of the handlers, the exported
 entry points with the table of names, the linker's version script and the list of exports.
 Only the standard library of Python 3.11 is used. Every row of the TOML must match a command of
 gl.xml, and a command takes one action: anything else fails the build.

@@ -2,8 +2,8 @@
 from gl_commands import HEADING
 
 
-# A table has a part that is filled later (`lazy`), so that the compiler would leave a constant one
-# writable too; these have no lookup and are never written.
+# A host table has a part that is filled later (`lazy`), so the compiler would leave even a constant table writable. The
+# constant tables have no lookup and are never written, so that they can be in read-only memory.
 CONSTANT = '[[gnu::section(".data.rel.ro.arbiter")]] constinit'
 
 
@@ -90,7 +90,7 @@ const char *lazyNames(std::size_t index) { return kLazyNames + kLazyOffsets[inde
 
 
 def null_table(table):
-    """The table of the null context: each function looks for the next definition when called."""
+    """Returns the null context's table: each function looks up the next definition when called."""
     out = [HEADING, '#include "host/null_host.h"\n\n',
            "namespace arbiter::host {\n\nnamespace {\n\n"]
     for index, name in enumerate(table.members):
@@ -110,8 +110,8 @@ def null_table(table):
 
 
 def recording_table(table):
-    """The effective table while a primitive is deferred: each function of it has the host draw the
-    primitive first, then calls the host's."""
+    """Returns the effective table while a primitive is deferred. Each of its functions first has the host draw the
+    primitive, then calls the host's function."""
     out = [HEADING, '#include "state/raster_draw/immediate/replay.h"\n\n#include "host/host_table.h"\n'
            '#include "state/core/context_hot.h"\n\n'
            "namespace arbiter::state::software {\n\nnamespace {\n\n"]

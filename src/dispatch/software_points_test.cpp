@@ -1,5 +1,5 @@
-/// The entry points that exist for the rasterizer: what they note, what they record, and that a
-/// recorded primitive reaches the host whole when a command comes that it cannot take.
+/// The entry points that exist for the rasterizer: which dirty bits they set and which commands
+/// they record. If a command cannot be recorded, the host gets the whole primitive first.
 #include <cstring>
 #include <new>
 #include <string>
@@ -86,7 +86,7 @@ protected:
     state::makeCurrent(nullptr);
     state::destroyContext(m_context);
   }
-  /// As handlers::Begin does where the rasterizer takes the primitive.
+  /// Starts recording, as handlers::Begin does if the rasterizer takes the primitive.
   void record(GLenum mode) {
     m_context->software = std::make_unique<state::software::ContextState>(*m_context);
     m_context->softwarePossible = m_context->softwareListens = true;
@@ -126,8 +126,8 @@ TEST_F(SoftwarePoints, WhatMovesTheRasterPositionIsNoted) {
   EXPECT_EQ(m_context->dirty, dirty::kRasterPosition);
 }
 
-/// Who reads pixels may compare them, though they were drawn by the host. Whoever only waits does
-/// not.
+/// A command that reads pixels may compare them, even if the host drew them. A command that only
+/// waits does not.
 TEST_F(SoftwarePoints, WhatReadsPixelsIsNoted) {
   record(GL_POINTS);
   state::software::stopRecording(*m_context);
@@ -188,7 +188,7 @@ TEST_F(SoftwarePoints, ACommandThatAPrimitiveCannotTakeGivesItToTheHost) {
   EXPECT_EQ(g_calls, wanted);
   EXPECT_EQ(m_context->recorder, nullptr);
   EXPECT_TRUE(m_context->insideBeginEnd);
-  // What follows is the host's.
+  // The host gets the commands that follow.
   entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.75f, 0, 0);
   entry<void()>("glEnd")();
   EXPECT_EQ(g_calls.back(), "End");
@@ -196,7 +196,7 @@ TEST_F(SoftwarePoints, ACommandThatAPrimitiveCannotTakeGivesItToTheHost) {
   EXPECT_FALSE(m_context->insideBeginEnd);
 }
 
-/// Hosts compile vertex code for the components that they are given.
+/// Hosts compile vertex code for the number of components that they are given.
 TEST_F(SoftwarePoints, TheHostGetsAsManyComponentsAsThePrimitiveWasGiven) {
   record(GL_LINES);
   entry<void(GLenum, GLfloat, GLfloat)>("glMultiTexCoord2f")(GL_TEXTURE3, 7, 8);
@@ -205,7 +205,7 @@ TEST_F(SoftwarePoints, TheHostGetsAsManyComponentsAsThePrimitiveWasGiven) {
   entry<void(GLubyte, GLubyte, GLubyte, GLubyte)>("glColor4ub")(255, 0, 51, 255);
   entry<void(GLfloat, GLfloat, GLfloat, GLfloat)>("glVertex4f")(2, 0, 0, 1);
   entry<void(GLfloat)>("glEvalCoord1f")(6);
-  // The most of all vertices, as a vertex has one size.
+  // All vertices of a primitive have one size, which is the largest.
   const std::vector<std::string> wanted = {
       "Begin 1",  "TexCoord2 3 7", "Color4 0.25", "Vertex4 1 1",   "TexCoord2 3 7",
       "Color4 1", "Vertex4 2 1",   "Color4 1",    "TexCoord2 3 7", "EvalCoord 6"};
@@ -215,14 +215,14 @@ TEST_F(SoftwarePoints, TheHostGetsAsManyComponentsAsThePrimitiveWasGiven) {
 TEST_F(SoftwarePoints, ACommandOfTheLayersOwnDoesSoToo) {
   record(GL_POINTS);
   entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
-  entry<GLenum()>("glGetError")(); // an error here, which the host raises
+  entry<GLenum()>("glGetError")(); // the host raises an error here
   ASSERT_EQ(g_calls.size(), 2u);
   EXPECT_EQ(g_calls[0], "Begin 0");
   EXPECT_EQ(g_calls[1], "Vertex2 1 0");
   EXPECT_EQ(m_context->host, &m_table);
 }
 
-/// State set between Begin and End is an error (OpenGL 2.1, 2.6.3), and the primitive goes on.
+/// State set between Begin and End is an error (OpenGL 2.1, 2.6.3), and the primitive continues.
 TEST_F(SoftwarePoints, AnErrorBetweenBeginAndEndLeavesThePrimitiveRecorded) {
   record(GL_LINES);
   entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
@@ -275,7 +275,7 @@ TEST(Convert, FollowsTheTable) {
   EXPECT_EQ(normalized(GLuint(4294967295u)), 1.0f);
 }
 
-/// A list that is compiled has many such calls.
+/// A display list being compiled has many such calls.
 TEST(LazyCall, ATableThatStandsInWritesNothingOnceTheFunctionIsKnown) {
   using host::HostTable;
   static HostTable *table = nullptr;

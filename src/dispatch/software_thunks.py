@@ -1,4 +1,4 @@
-"""Writer of the entry points that exist for the rasterizer (software.toml)."""
+"""Writes the entry points that exist for the rasterizer (software.toml)."""
 import re
 import sys
 
@@ -12,9 +12,9 @@ ATTRIBUTE = re.compile(r"(Vertex|Color|SecondaryColor|Normal|TexCoord|MultiTexCo
                        r"VertexAttrib)([1234]?)(N?)(b|s|i|f|d|ub|us|ui)(v?)")
 
 
-# Legal between Begin and End (OpenGL 2.1, 2.6.3), without being an attribute of a vertex.
+# The command is legal between Begin and End (OpenGL 2.1, 2.6.3), but is no vertex attribute.
 SPLITS = re.compile(r"Material[fi]v?")
-# What a list that is compiled may keep of these: whether, and the values as an array.
+# Materials that a display list may record: the condition, and the values as an array.
 LISTED_MATERIALS = {"Materialf": ("pname == GL_SHININESS && ", "&param"), "Materialfv": ("", "params")}
 
 
@@ -23,8 +23,8 @@ def leads(table):
 
 
 def given(command):
-    """Returns what a command of [record] sets, the parameter that says which, its four components as C++, and how
-    many of them it has."""
+    """Returns which attribute a [record] command sets, the parameter that selects it, its four components as C++, and
+    how many of them it has."""
     match = ATTRIBUTE.fullmatch(command.name)
     if not match:
         sys.exit(f"software.toml: [record] does not know {command.name}")
@@ -35,15 +35,15 @@ def given(command):
     values = [f"{names[0]}[{i}]" for i in range(count)] if v else names
     if len(values) != count:
         sys.exit(f"software.toml: [record] {command.name} has other parameters than its name says")
-    # Table 2.9 of OpenGL 2.1; `4Nub` and its kin say so by their names.
+    # Table 2.9 of OpenGL 2.1. The names of `4Nub` and its kin say so.
     normalized = kind not in "fd" and (what in NORMALIZED or n)
     values = [f"{'normalized' if normalized else 'GLfloat'}({value})" for value in values]
     return what, lead, values + ["0.0f", "0.0f", "1.0f"][count - 1:], count
 
 
 def recorded(command):
-    """What a command of [record] does to the deferred primitive: C++ statements, under the
-    condition that it can record them (else the host gets the command, after the primitive)."""
+    """Returns C++ statements that add the command to the deferred primitive, and the condition under which they can.
+    Otherwise the host gets the command, after the primitive."""
     if command.name in ("EdgeFlag", "EdgeFlagv"):
         flag = ("*" if command.name[-1] == "v" else "") + command.params[0][1]
         return "true", f"hot->recorder->set(kEdgeFlag, {flag} ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f)"
@@ -55,13 +55,13 @@ def recorded(command):
         return (f"{lead} - GL_TEXTURE0 < 8u",
                 f"hot->recorder->set(kTexCoord0 + int({lead} - GL_TEXTURE0), {values})")
     if what == "VertexAttrib":
-        # Outside of Begin and End attribute 0 is a value like others, and makes no vertex.
+        # Outside of Begin and End, attribute 0 is an ordinary value and makes no vertex.
         return f"{lead} < 16u && ({lead} != 0 || !isHeld(*hot))", f"generic(*hot, {lead}, {values})"
     return "true", f"hot->recorder->set({SLOTS[what]}, {values})"
 
 
 def aliased(command):
-    """Returns the lines of a command of [aliased] that ask whether generic attributes are the conventional ones."""
+    """Returns the lines of an [aliased] command that ask whether generic attributes are the conventional ones."""
     if re.fullmatch(r"(Enable|Disable)VertexAttribArray", command.name):
         enabled = "true" if command.name.startswith("Enable") else "false"
         return ("  if (hot->attributesAlias) [[unlikely]]\n"
@@ -79,7 +79,7 @@ def aliased(command):
 
 
 def call(table, command, host="hot->host"):
-    """The function of `host` called, and the function of its own for the first call."""
+    """Returns the call of `host`'s function, and the separate function for its first call."""
     give = "" if command.result == "void" else "return "
     if command.name in table.members:
         return "", f"  {give}{host}->{command.name}({command.arguments()});\n"
@@ -99,14 +99,14 @@ def call(table, command, host="hot->host"):
 
 
 def thunk(table, command, way):
-    """(functions of its own, body) of the entry point."""
+    """Returns (separate functions, body) of the entry point."""
     first, body = call(table, command, *(["answeringHost(*hot)"] if way == "current" else []))
     held, look = draws_held(table, command, "gl" + command.name)
     lines = "  ContextHot *const hot = t_current;\n"
     if way == "record":
         condition, statement = recorded(command)
         if condition == "true":
-            held = look = ""  # while a primitive is held there is a recorder
+            held = look = ""  # a held primitive implies a recorder
         guard = "" if condition == "true" else f" && {condition}"
         lines += f"  if (hot->recorder{guard})\n    return {statement};\n"
     lines += look

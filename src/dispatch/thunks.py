@@ -1,11 +1,11 @@
-"""Writers of the entry points and of the table of their names."""
+"""Writes the entry points and the table of their names."""
 import fnmatch
 import sys
 
 from gl_commands import HEADING
 
 
-# What makes the layer's own names unknown, by the class of a parameter.
+# The function that hides the layer's own names, by the class of a parameter.
 GUARDS = {"program": "guardName", "shader": "guardName", "handle": "guardName", "program pipeline": "guardPipeline"}
 
 
@@ -29,9 +29,10 @@ def handlers_header(table):
 
 
 def guarded(command, statements):
-    """The statements, which may run out of memory: no exception of the layer's reaches the application,
-    and one of its own does, thrown in what the host calls back. Costs nothing while none is thrown, but
-    that a call in them is no jump."""
+    """Returns the statements, guarded against running out of memory.
+
+    No exception of the layer reaches the application. An application's own exception, thrown in a callback of the
+    host, passes. Costs nothing while none is thrown, except that a tail call becomes a call."""
     give = "return;" if command.result == "void" else "return {};"
     return (f"  try {{\n{statements}"
             f'  }} catch (const std::exception &error) {{\n    arbiter::passOn(error);\n'
@@ -40,14 +41,14 @@ def guarded(command, statements):
 
 
 def draws_itself(table, name):
-    """What a draw's slow way asks before anything is prepared for the host: a line, "" for nothing."""
+    """Returns the line with which a draw's slow path tries the rasterizer before the host is prepared; "" for none."""
     if name not in table.draw_commands:
         return ""
     return f"  if (software::mayDraw(here()) && software::{table.draw_commands[name]})\n    return;\n"
 
 
 def aliases_itself(table, name):
-    """Returns the line by which a draw of arrays that alias is no call of the host's, "" where there is none."""
+    """Returns the line that keeps a draw with aliasing arrays from the host, "" if there is none."""
     draw = table.draw_commands.get(name, "")
     if not draw.startswith(("tryDraw", "tryMultiDraw")):
         return ""
@@ -55,30 +56,30 @@ def aliases_itself(table, name):
             "    return;\n")
 
 
-# Commands that ARB_imaging or the rasterizer may have a part in (state/pixel_commands/pixel_commands.h).
+# ARB_imaging or the rasterizer may execute these commands (state/pixel_commands/pixel_commands.h).
 IMAGED = ("CopyPixels", "DrawPixels")
 
 
-# The command whose pixels hosts may keep for later (state/host_draw/kept_letters.h).
+# Hosts may keep this command's pixels for later (state/host_draw/kept_letters.h).
 LETTERS = "Bitmap"
 
 
 def imaged(command):
-    """What such a command asks before anything else: a line."""
+    """Returns the line with which such a command first tries imaging and the rasterizer."""
     return (f"  if ((here().imagesPixels || software::mayDraw(here())) && "
             f"arbiter::state::imaged{command.name}({command.arguments(['here()'])}))\n    return;\n")
 
 
 def hides_from_host(table, name):
-    """What it does before the host draws."""
+    """Returns the statement that runs before the host draws."""
     if name in table.draw_commands:
         return ""
     return f'  if (here().softwareListens)\n    software::hostWrites(here(), "gl{name}");\n'
 
 
 def straight(command, symbol, dirty, call, handled):
-    """A command of the layer's own that mostly is the host's alone: a jump there, by what
-    state/handlers/entry/straight.h says, and the handler in a function of its own."""
+    """Returns the entry point of a command of `straight`: a jump to the host if state/handlers/entry/straight.h says so,
+    and the handler in a separate function."""
     result = command.result
     give = "return " if result != "void" else ""
     lead = "  ContextHot *const t = t_current;\n"
@@ -92,8 +93,9 @@ def straight(command, symbol, dirty, call, handled):
 
 
 def thunks(table, command, action, symbol):
-    """The entry point's body, and a function of its own for the way that is seldom taken: without
-    it the compiler saves registers on the straight way too."""
+    """Returns the entry point's body, and a separate function for its rare path.
+
+    In one function, the compiler would save registers on the fast path too."""
     name, result = command.name, command.result
     give = "" if result == "void" else "return "
     call = f"{give}t->host->{name}({command.arguments()});"
@@ -164,17 +166,18 @@ def thunks(table, command, action, symbol):
     return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count_and_call}"
 
 
-# What opens a primitive, and what ends it: these know of one that is held.
+# These commands begin and end a primitive, and handle a held one themselves.
 PRIMITIVE = ("Begin", "End")
-# Those that look at ContextHot::attention anyway.
+# These actions test ContextHot::attention anyway.
 ATTENTIVE = ("draw", "pixels", "validate")
 
 
 def draws_held(table, command, symbol, action=""):
-    """A function that draws the primitive that is held (state/raster_draw/immediate/held.h) and then is
-    the command, and the line of the entry point that calls it: apart, so that the way without it saves
-    no registers. A command that is an error between Begin and End is refused there, while a primitive
-    is recorded."""
+    """Returns a function that first draws the held primitive (state/raster_draw/immediate/held.h) and then executes the
+    command, and the line of the entry point that calls it.
+
+    It is separate, so that the path without it saves no registers. A command that is an error between Begin and End is
+    refused there while a primitive is recorded."""
     if command.name in PRIMITIVE or action in ATTENTIVE:
         return "", ""
     result, arguments = command.result, command.arguments()
@@ -190,10 +193,10 @@ def draws_held(table, command, symbol, action=""):
 
 
 def without_suffix(table, rows):
-    """Rows of the layer's own functions by names without a vendor's suffix, where GL has none of that name.
+    """Returns rows for the layer's own functions under names without a vendor suffix that GL does not have.
 
     Programs of the era ask for glCombinerInput before glCombinerInputNV. libglvnd answers each name with a
-    function, and the one behind a name that nobody has does nothing.
+    function, and that function does nothing if no vendor has the name.
     """
     known = {"gl" + each for command in table.commands.values() for each in command.group}
     found = {}

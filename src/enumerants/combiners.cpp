@@ -14,7 +14,7 @@ using fp::combiners::Usage;
 
 namespace {
 
-/// In the order of Register, up to the first texture register.
+/// The names of the registers in the order of Register, up to the first texture register.
 constexpr GLenum kRegisters[] = {GL_ZERO,      GL_CONSTANT_COLOR0_NV, GL_CONSTANT_COLOR1_NV,
                                  GL_FOG,       GL_PRIMARY_COLOR_NV,   GL_SECONDARY_COLOR_NV,
                                  GL_SPARE0_NV, GL_SPARE1_NV};

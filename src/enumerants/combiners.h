@@ -5,15 +5,15 @@
 
 #include "fp_compiler/combiners/state.h"
 
-/// The enumerants of NV_register_combiners and what they stand for.
+/// Translates between the enumerants of NV_register_combiners and the compiler's types.
 namespace arbiter::enumerants {
 
-/// A register that an input may name, of texture registers the first `units`; nothing for another
-/// enumerant.
+/// Returns the register that an input names, or nothing for another enumerant. \param units how
+/// many texture registers may be named
 [[nodiscard]] std::optional<fp::combiners::Register> inputRegister(GLenum name, int units);
-/// The same of the final combiner's, which has two more.
+/// Returns the register that an input of the final combiner names. It has two more registers.
 [[nodiscard]] std::optional<fp::combiners::Register> finalInputRegister(GLenum name, int units);
-/// A register that can be written, or DISCARD_NV.
+/// Returns a register that can be written, or DISCARD_NV.
 [[nodiscard]] std::optional<fp::combiners::Register> outputRegister(GLenum name, int units);
 [[nodiscard]] std::optional<fp::combiners::Mapping> combinerMapping(GLenum name);
 [[nodiscard]] std::optional<fp::combiners::Usage> componentUsage(GLenum name);

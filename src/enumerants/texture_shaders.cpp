@@ -10,7 +10,7 @@ using fp::texture_shader::Operation;
 
 namespace {
 
-/// By Operation.
+/// The enumerants in the order of Operation.
 constexpr GLenum kOperations[] = {
     GL_NONE,
     GL_TEXTURE_1D,
@@ -55,7 +55,7 @@ static_assert(std::size(kOperations) == fp::texture_shader::kOperations);
 constexpr GLenum kMappings[] = {GL_UNSIGNED_IDENTITY_NV, GL_EXPAND_NORMAL_NV,
                                 GL_FORCE_BLUE_TO_ONE_NV};
 
-/// Which of the three extensions brings it.
+/// Returns which of the three extensions introduced the operation.
 int extensionOf(Operation operation) {
   return operation < Operation::Texture3D ? 1 : operation < Operation::OffsetProjective2D ? 2 : 3;
 }

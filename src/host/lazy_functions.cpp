@@ -9,8 +9,9 @@ namespace arbiter::host {
 
 namespace {
 
-/// A table that cannot be written at this moment finds the function again at the next call. A
-/// constant one has no lookup and does not come here.
+/// Stores a lazy function in its table. A sealed table that cannot be written now looks the
+/// function up again at the next call. The constant null table looks nothing up and is never passed
+/// here.
 void keep(const HostTable &host, std::size_t index, void *function) {
   if (!isSealed(&host))
     return __atomic_store_n(&host.lazy[index], function, __ATOMIC_RELAXED);
@@ -22,7 +23,8 @@ void *find(const HostTable &table, std::size_t index) {
   const HostTable &host = table.instead ? *table.instead() : table;
   if (!host.lookup)
     return nullptr;
-  // Found before, through another table that stands in for this one: a primitive is recorded.
+  // Another table may have found it already: while a primitive is recorded, one stands in for the
+  // host's.
   if (void *const function = lazyFunction(host, index))
     return function;
   void *function = nullptr;

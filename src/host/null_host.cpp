@@ -10,10 +10,10 @@ namespace arbiter::host {
 
 namespace {
 
-/// The calling thread is inside a call to the next definition.
+/// True while the calling thread is inside a call to the next definition.
 constinit thread_local bool t_insideNullCall __attribute__((tls_model("initial-exec"))) = false;
 
-/// The functions after this library's in the order of lookup, each once it is found.
+/// The functions that follow this library's in lookup order. Each is stored when it is found.
 constinit Sealed<std::array<void *, kFunctions + std::size(HostTable{}.lazy)>> g_next;
 
 bool inThisLibrary(const void *function) {
@@ -24,7 +24,7 @@ bool inThisLibrary(const void *function) {
 }
 
 void *resolve(const char *name) {
-  // dlerror belongs to the application: a miss of this search must not be what it reads next.
+  // dlerror belongs to the application: it must not report the misses of this search.
   void *function = dlsym(RTLD_NEXT, name);
   if (!function)
     function = dlsym(RTLD_DEFAULT, name);
@@ -41,7 +41,7 @@ NullCall::NullCall(const char *name, std::size_t index) {
   void *function = __atomic_load_n(&(*g_next)[index], __ATOMIC_ACQUIRE);
   if (!function) {
     function = resolve(name);
-    // Where it cannot be kept now it is found again at the next call.
+    // A function that cannot be stored now is looked up again at the next call.
     if (function)
       (void)g_next.amend(
           [&](auto &next) { __atomic_store_n(&next[index], function, __ATOMIC_RELEASE); });

@@ -3,18 +3,18 @@
 
 #include "host/host_table.h"
 
-/// What a GL call does while no context of the layer's is current: it goes to the next definition
-/// in the process (a libGL whose contexts do not pass through the layer, a library that an absolute
-/// path named), or nowhere. Resolved at the first call of each, because that library may be loaded
-/// late.
+/// Dispatch of GL calls while the layer has no current context. A call goes to the next definition
+/// in the process: a libGL whose contexts do not pass through the layer, or a library loaded by an
+/// absolute path. If there is none, the call does nothing. Each function is resolved at its first
+/// call, because that library may be loaded late.
 namespace arbiter::host {
 
-/// One call on its way to the next definition. function() is null where there is none, and in a
-/// call that came back to the layer: libGL's own stub may lead here.
+/// One call to the next definition. function() returns null if there is none, or if the call came
+/// back to the layer: libGL's own stub may lead here.
 class NullCall {
 public:
-  /// A null name: no call at all.
-  /// \param index of a member of HostTable, or kFunctions and the number of a lazy function
+  /// Takes a null name for no call at all.
+  /// \param index of a member of HostTable, or kFunctions plus the number of a lazy function
   NullCall(const char *name, std::size_t index);
   ~NullCall();
   NullCall(const NullCall &) = delete;
@@ -25,8 +25,8 @@ private:
   void *m_function = nullptr;
 };
 
-/// Constant-initialised: constructors of an application's own libraries run before the layer's and
-/// may call GL.
+/// The table is constant-initialised: constructors in an application's own libraries run before the
+/// layer's and may call GL.
 extern const HostTable kNullHost;
 
 } // namespace arbiter::host

@@ -1,5 +1,5 @@
 /// The EGL side of the vendor library: libglvnd's vendor interface around the host's own vendor.
-// Before Xlib's macros, which EGL's header includes.
+// This include must precede Xlib's macros, which EGL's header includes.
 #include "state/objects/drawable.h"
 
 #include <cstring>
@@ -94,7 +94,8 @@ state::software::Drawable drawableOf(EGLDisplay display, EGLSurface draw, EGLSur
   Drawable drawable;
   if (draw == EGL_NO_SURFACE || !g_host->querySurface.function)
     return drawable;
-  // Only a pbuffer has an answer to this; for others the value stays as it was (EGL 1.5, 3.5.6).
+  // Only a pbuffer has this attribute; for other surfaces the value stays unchanged (EGL 1.5,
+  // 3.5.6).
   const bool isPbuffer = queried(display, draw, EGL_LARGEST_PBUFFER, -1) != -1;
   drawable.kind = isPbuffer ? Drawable::Kind::Pbuffer : Drawable::Kind::Window;
   drawable.display = display;
@@ -104,7 +105,7 @@ state::software::Drawable drawableOf(EGLDisplay display, EGLSurface draw, EGLSur
   return drawable;
 }
 
-/// What the context that is current on the thread draws to.
+/// The drawable of the thread's current context.
 constinit thread_local EGLSurface t_surface __attribute__((tls_model("initial-exec"))) =
     EGL_NO_SURFACE;
 
@@ -153,8 +154,8 @@ EGLBoolean swapDamageExt(EGLDisplay display, EGLSurface surface, const EGLint *r
   return g_host->swapDamageExt(display, surface, rects, count);
 }
 
-/// A display that tracks references (EGL_KHR_display_reference) lives on after this, and so do its
-/// contexts: it then still answers queries.
+/// Terminates a display. A display that tracks references (EGL_KHR_display_reference) survives this
+/// together with its contexts, and still answers queries.
 EGLBoolean terminate(EGLDisplay display) {
   const EGLBoolean ok = g_host->terminate(display);
   auto *const query =
@@ -163,7 +164,7 @@ EGLBoolean terminate(EGLDisplay display) {
     return ok;
   if (!query || !query(display, EGL_VERSION)) {
     registry::displayClosed(Provider::Egl, display);
-    // The failed query left its error; the call that the application made succeeded.
+    // The failed query left its error, but the application's call succeeded.
     if (auto *const getError = reinterpret_cast<EGLint (*)()>(hostLookup("eglGetError")))
       getError();
   }
@@ -228,7 +229,8 @@ EGLImageKHR createImageKhr(EGLDisplay display, EGLContext context, EGLenum targe
 
 void *getProcAddress(const char *name);
 
-// Casts alone: a call would have the table filled at run time, in memory that may be written.
+// The initializers are only casts: with a call the table would be filled at run time, in writable
+// memory.
 const Hook kHooks[] = {
     {"eglCreateContext", reinterpret_cast<void *>(registry::Guarded<createContext>::call),
      &g_host->createContext.function},
@@ -281,7 +283,8 @@ void *getProcAddress(const char *name) {
   return *hook->host ? hook->function : nullptr;
 }
 
-/// False for a second vendor of this name in the process: there is one host to stand in front of.
+/// Loads the host. Returns false for a second vendor of this name in the process, as the layer
+/// fronts only one host.
 bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return false;
@@ -295,7 +298,7 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
       logInfo("layer", "EGL: in front of %s", library.c_str());
       keepLibraryOf(reinterpret_cast<void *>(exports->getCurrentVendor));
       g_host.fill([&](EglHost &host) {
-        host.imports = imports; // hostLookup asks it
+        host.imports = imports; // hostLookup uses it
         loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
         host.querySurface.function = hostLookup("eglQuerySurface");
       });
@@ -304,7 +307,7 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
   }
   logError("layer", "EGL: no host vendor loads");
   return false;
-} catch (const std::exception &) { // no memory
+} catch (const std::exception &) { // out of memory
   return false;
 }
 
@@ -322,8 +325,8 @@ __egl_Main(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInf
   if (!layerAllowed())
     return EGL_TRUE;
   imports->getProcAddress = registry::Guarded<getProcAddress>::call;
-  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and the
-  // layer.
+  // These would write the host's addresses into libglvnd's stubs, bypassing its dispatch table and
+  // the layer.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;
   imports->releasePatch = nullptr;

@@ -1,8 +1,8 @@
 #include "interposer/first.h"
 #include "interposer/plain_text.h"
 
-// Runs before libc's own constructor and before any other library's, a sanitizer's too: it calls
-// nothing.
+// This code runs before libc's own constructor and any other library's, even a sanitizer's. It must
+// not call anything.
 
 namespace arbiter::interposer {
 
@@ -11,7 +11,7 @@ namespace {
 char g_selection[] = "__GLX_VENDOR_LIBRARY_NAME=arbiter";
 const char *g_replaced = nullptr;
 
-/// The value of the variable in `entry` (NAME=VALUE), if it is the one of that name.
+/// Returns the value in `entry` (NAME=VALUE) if it has that name, else null.
 const char *valueOf(const char *entry, const char *name) {
   const char *const rest = after(entry, name);
   return rest && *rest == '=' ? rest + 1 : nullptr;
@@ -22,9 +22,10 @@ bool isOurs(const char *vendor) {
   return rest && !*rest;
 }
 
-/// The loader passes the environment as it will be libc's. It cannot grow here, so that only a
-/// selection that stands is replaced; the rest is the layer's constructor's (process.cpp). In a
-/// set-user-id program the loader has taken LD_PRELOAD out.
+/// Replaces the vendor selection in the environment, which the loader passes as libc will use it.
+/// The environment cannot grow here, so that only an existing selection is replaced; the layer's
+/// constructor does the rest (process.cpp). In a set-user-id program the loader has removed
+/// LD_PRELOAD.
 [[gnu::constructor]] void replaceSelection(int /*argc*/, char ** /*argv*/, char **environment) {
   bool preloaded = false;
   char **selection = nullptr;

@@ -2,10 +2,10 @@
 
 namespace arbiter::interposer {
 
-/// The allocator of NV_vertex_array_range, which needs no context: always the layer's, as hosts
-/// that have the functions may give nothing (Mesa's never do), and a pointer is freed where it came
-/// from.
-/// \return the function of that name; null: the name is none of the allocator's
+/// Returns a function of NV_vertex_array_range's allocator, which needs no context. The layer
+/// always uses its own: a host that has the functions may return no memory (Mesa never does), and a
+/// pointer must be freed by the allocator that made it.
+/// \return null if the name is not one of the allocator's
 [[nodiscard]] void *arrayMemoryFunction(const char *name);
 
 } // namespace arbiter::interposer

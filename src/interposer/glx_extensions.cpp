@@ -14,7 +14,7 @@ namespace arbiter::interposer {
 
 namespace {
 
-/// Keeps each text once; it is never freed.
+/// Stores each text once; it is never freed.
 const char *keep(std::string text) {
   static std::mutex s_mutex;
   static auto *const s_texts = new std::set<std::string>;

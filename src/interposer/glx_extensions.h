@@ -2,10 +2,10 @@
 
 namespace arbiter::interposer {
 
-/// GLX's extensions as the application sees them: the host's, less those that ARBITER_EXTENSIONS
-/// hides. One that it asks for and the host lacks is said in the log.
+/// Returns GLX's extensions for the application: the host's without those that ARBITER_EXTENSIONS
+/// hides. Logs an extension that the variable enables and the host lacks.
 /// \param host may be null
-/// \return the same text for ever, as applications keep it
+/// \return a text that is never freed, as applications keep it
 [[nodiscard]] const char *switchedExtensions(const char *host);
 
 } // namespace arbiter::interposer

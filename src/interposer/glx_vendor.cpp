@@ -1,7 +1,7 @@
 /// The GLX side of the vendor library: libglvnd's vendor interface around the host's own vendor.
-/// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
-/// host's.
-// Before Xlib's macros.
+/// Context calls update the registry, GetProcAddress returns the layer's entry points, and the host
+/// handles everything else.
+// This include must precede Xlib's macros.
 #include "state/objects/drawable.h"
 #include "state/residency/window_frames.h"
 
@@ -12,7 +12,7 @@
 
 #include <dlfcn.h>
 
-// The layer's names stand in tables, not in prototypes of the library's headers.
+// The layer finds its functions by name in tables and needs no prototypes from headers.
 #include <glvnd/libglxabi.h>
 
 #include <X11/Xlibint.h>
@@ -42,7 +42,7 @@ using state::Provider;
 struct GlxHost {
   __GLXapiImports imports;
   __PFNGLXMAINPROC main;                           ///< of its vendor library
-  decltype(__GLXapiExports::getDynDispatch) front; ///< of the libGLX that asked
+  decltype(__GLXapiExports::getDynDispatch) front; ///< of the libGLX that loaded the layer
   HostFunction<decltype(glXCreateContext)> createContext;
   HostFunction<decltype(glXCreateNewContext)> createNewContext;
   HostFunction<GLXContext(Display *, GLXFBConfig, GLXContext, Bool, const int *)>
@@ -138,7 +138,7 @@ void copyContext(Display *display, GLXContext from, GLXContext to, unsigned long
   registry::copied(key(display, from), key(display, to), mask);
 }
 
-/// The server's answer for windows of GLX, windows of X and pixmaps alike.
+/// Asks the server for the size of a GLX window, X window or pixmap.
 bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, bool) {
   auto *const display = const_cast<Display *>(static_cast<const Display *>(drawable.display));
   const auto name = GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw));
@@ -155,10 +155,10 @@ void swapHost(const state::software::Drawable &drawable) {
                       GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw)));
 }
 
-/// What the context that is current on the thread draws to.
+/// The drawable of the thread's current context.
 constinit thread_local GLXDrawable t_drawable __attribute__((tls_model("initial-exec"))) = 0;
 
-/// The X windows of GLX windows, which have names of their own.
+/// Maps GLX windows, which have names of their own, to their X windows.
 struct WindowNames {
   struct Name {
     GLXWindow glx;
@@ -172,7 +172,7 @@ WindowNames &windowNames() {
   return *s_names;
 }
 
-/// A drawable that is no GLX window may be a window of X.
+/// Returns the X window of a drawable. A drawable that is no GLX window may be an X window.
 XID windowOf(GLXDrawable drawable) {
   WindowNames &n = windowNames();
   const std::lock_guard lock(n.mutex);
@@ -215,7 +215,7 @@ Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
   if (drawable.kind == Drawable::Kind::Window && context)
     try {
       offerPresenting(display, std::uint32_t(windowOf(draw)), drawable);
-    } catch (const std::exception &) { // then the host shows what is drawn
+    } catch (const std::exception &) { // out of memory: the host shows the frames
     }
   t_drawable = context ? draw : 0;
   if (registry::madeCurrent(key(display, context), table(), &drawable))
@@ -243,9 +243,9 @@ Bool makeCurrentRead(Display *display, GLXDrawable draw, GLXDrawable read, GLXCo
                      context);
 }
 
-/// The drawable that is shown may be another one than the current context's: nothing pending is in
-/// its back buffer then, but the host must be up to date with its own.
-/// \return the frame is shown: the host has nothing to swap
+/// Called when a frame ends. The shown drawable may not be the current context's. Then no pixels
+/// are pending for its back buffer, but the host must be up to date with its own.
+/// \return true if the frame has been shown, so that the host has nothing to swap
 bool frameEnds(GLXDrawable drawable) {
   if (!registry::isCurrent(Provider::Glx))
     return false;
@@ -267,7 +267,7 @@ void swapBuffers(Display *display, GLXDrawable drawable) {
 
 std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t target,
                             std::int64_t divisor, std::int64_t remainder) {
-  // The host counts its frames, and answers by that count.
+  // The host counts its frames, and answers by that count, so that it must swap.
   if (registry::isCurrent(Provider::Glx))
     if (state::Context *const context = state::currentContext())
       state::frameEnd(context);
@@ -282,7 +282,8 @@ void copySubBuffer(Display *display, GLXDrawable drawable, int x, int y, int wid
   g_host->copySubBuffer(display, drawable, x, y, width, height);
 }
 
-/// Hosts compile the characters' lists by their own functions, which the layer does not see.
+/// Handles glXUseXFont. Hosts compile the characters' lists by internal calls, which the layer does
+/// not see.
 void useXFont(Font font, int first, int count, int listBase) {
   if (registry::isCurrent(Provider::Glx))
     state::hostDefinesLists(std::uint32_t(listBase), count);
@@ -310,7 +311,8 @@ const char *queryExtensionsString(Display *display, int screen) {
 
 void *getProcAddress(const GLubyte *name);
 
-// Casts alone: a call would have the table filled at run time, in memory that may be written.
+// The initializers are only casts: with a call the table would be filled at run time, in writable
+// memory.
 const Hook kHooks[] = {
     {"glXCreateContext", reinterpret_cast<void *>(registry::Guarded<createContext>::call),
      &g_host->createContext.function},
@@ -377,25 +379,26 @@ void *getProcAddress(const GLubyte *name) {
   return *hook->host ? hook->function : nullptr;
 }
 
-/// What libGLX gives out of functions of GLX that are not its own: such a function finds its vendor
-/// by its arguments. The layer's need none.
+/// Returns functions for GLX names that libGLX does not know. Such a function normally finds its
+/// vendor by its arguments; the layer's need none.
 void *getDispatchAddress(const GLubyte *name) {
   void *const own = name ? arrayMemoryFunction(reinterpret_cast<const char *>(name)) : nullptr;
   return own ? own : g_host->imports.getDispatchAddress(name);
 }
 
-/// libGLX forgets its vendors in its destructor, and asks for them anew where a thread still calls
-/// while another is in exit(): the host answers, as it does without the layer. A second libGLX of
-/// the process is refused: there is one host to stand in front of.
+/// Answers a libGLX that asks for its vendors again. Its destructor forgets them, but another
+/// thread may still call GLX while one is in exit(). The host answers, as it does without the
+/// layer. A second libGLX in the process is refused, as the layer fronts only one host.
 bool askHostAgain(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) {
   if (exports->getDynDispatch != g_host->front)
     return false;
-  __GLXapiImports imports = g_host->imports; // Mesa writes them the first time only
+  __GLXapiImports imports = g_host->imports; // Mesa fills them only the first time
   return g_host->main(version, exports, vendor, &imports) &&
          imports.getProcAddress == g_host->imports.getProcAddress;
 }
 
-/// \return there is a host, with its functions in g_host
+/// Loads a host and stores its functions in g_host.
+/// \return false if there is none
 bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return askHostAgain(version, exports, vendor);
@@ -409,7 +412,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
       logInfo("layer", "GLX: in front of %s", library.c_str());
       keepLibraryOf(reinterpret_cast<void *>(exports->getDynDispatch));
       g_host.fill([&](GlxHost &host) {
-        host.imports = imports; // hostLookup asks it
+        host.imports = imports; // hostLookup uses it
         host.main = main;
         host.front = exports->getDynDispatch;
         loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
@@ -421,7 +424,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
   }
   logError("layer", "GLX: no host vendor loads");
   return false;
-} catch (const std::exception &) { // no memory
+} catch (const std::exception &) { // out of memory
   return false;
 }
 
@@ -441,8 +444,8 @@ extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t 
     return True;
   imports->getProcAddress = registry::Guarded<getProcAddress>::call;
   imports->getDispatchAddress = registry::Guarded<getDispatchAddress>::call;
-  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and the
-  // layer.
+  // These would write the host's addresses into libglvnd's stubs, bypassing its dispatch table and
+  // the layer.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;
   imports->releasePatch = nullptr;

@@ -30,14 +30,16 @@ std::vector<std::string> split(const std::string &text, char separator) {
   return parts;
 }
 
-/// A vendor's name as libglvnd takes it, or the path of a library.
+/// Returns the library of a vendor. \param vendor a name as libglvnd takes it, or the path of a
+/// library
 std::string vendorLibrary(const char *interface, const std::string &vendor) {
   if (vendor.find('/') != std::string::npos)
     return vendor;
   return std::string("lib") + interface + "_" + vendor + ".so.0";
 }
 
-/// NVIDIA's vendors load, and then fail every display, on a machine without its device.
+/// True if NVIDIA's device is there. Without it NVIDIA's vendors load, but then fail for every
+/// display.
 bool nvidiaPresent() { return access("/dev/nvidiactl", R_OK | W_OK) == 0; }
 
 std::string readFile(const std::string &path) {

@@ -2,28 +2,27 @@
 #include <string>
 #include <vector>
 
-/// Which host the layer stands in front of: candidates in order of preference, the first that loads
-/// is taken. ARBITER_HOST_VENDOR first, then what was selected before the layer, then libglvnd's
-/// own way.
+/// Chooses the host that the layer fronts. The first candidate that loads is used:
+/// ARBITER_HOST_VENDOR, then the selection before the layer, then libglvnd's own choice.
 namespace arbiter::interposer {
 
-/// Libraries that may hold __glx_Main: names or paths for dlopen.
+/// Returns libraries that may have __glx_Main, as names or paths for dlopen.
 [[nodiscard]] std::vector<std::string> glxCandidates();
 
-/// Libraries that may hold __egl_Main.
+/// Returns libraries that may have __egl_Main.
 [[nodiscard]] std::vector<std::string> eglCandidates();
 
-/// The "library_path" of an EGL ICD file's text; empty if it has none.
+/// Returns the "library_path" in an EGL ICD file's text, or "" if it has none.
 [[nodiscard]] std::string icdLibraryPath(const std::string &json);
 
-/// Opens a host library by name or path, without making its symbols visible to others, and looks up
-/// `entry` in it. Null if it cannot be loaded, lacks the entry, or is this library itself.
+/// Opens a host library by name or path, without making its symbols visible to others, and returns
+/// its symbol `entry`. Returns null if it cannot be loaded, lacks the symbol, or is this library
+/// itself.
 [[nodiscard]] void *openHostLibrary(const std::string &name, const char *entry);
 
-/// Keeps the library that `function` is of, libglvnd's, until the process ends. An application that
-/// closes libGL and opens it again would else have a new libGLX, which asks for its vendors anew,
-/// and a host vendor that remembers the old one's functions, as neither the host's library nor this
-/// one goes. Kept, it knows both.
+/// Keeps libglvnd's library that contains `function` loaded until the process ends. An application
+/// may close libGL and open it again. A new libGLX would then ask for its vendors again, but the
+/// host vendor, which stays loaded, would remember the old one's functions.
 void keepLibraryOf(void *function);
 
 } // namespace arbiter::interposer

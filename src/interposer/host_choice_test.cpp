@@ -33,7 +33,8 @@ TEST(OpenHostLibrary, RefusesWhatHasNoVendorEntry) {
   EXPECT_EQ(openHostLibrary("libGLX_no_such_vendor.so.0", "__glx_Main"), nullptr);
 }
 
-/// openHostLibrary is linked into the test, so that an entry that the test exports is its own.
+/// The test is linked with openHostLibrary, so that the test's own exported symbol counts as this
+/// library's.
 TEST(OpenHostLibrary, RefusesItself) {
   ASSERT_NE(dlsym(dlopen(nullptr, RTLD_LAZY), "arbiterTestEntry"), nullptr);
   EXPECT_EQ(openHostLibrary("/proc/self/exe", "arbiterTestEntry"), nullptr);

@@ -1,6 +1,7 @@
-/// OSMesa's context calls. libOSMesa is no glvnd vendor, so its clients meet these by symbol
-/// lookup: linked ones through LD_PRELOAD, those that dlopen libOSMesa.so.8 through the front
-/// library, which has no symbols of its own and needs this library and the real one.
+/// OSMesa's context calls. libOSMesa is not a libglvnd vendor, so that clients reach these
+/// functions by symbol lookup. Linked clients do so through LD_PRELOAD. Clients that dlopen
+/// libOSMesa.so.8 use the front library, which has no symbols of its own and depends on this
+/// library and the real one.
 #include <cstring>
 #include <iterator>
 #include <string>
@@ -42,8 +43,8 @@ bool isThisLibrary(const void *function) {
          found.dli_fbase == own.dli_fbase;
 }
 
-/// The library that defines the next OSMesaMakeCurrent after this one: the one the client is linked
-/// to.
+/// Returns the library that defines the next OSMesaMakeCurrent after this one, which is the one
+/// that the client is linked with.
 void *libraryAfterUs() {
   void *const next = dlsym(RTLD_NEXT, "OSMesaMakeCurrent");
   Dl_info info;
@@ -71,8 +72,8 @@ constinit Sealed<host::HostTable> g_table;
 const RealOsMesa &real() {
   static const RealOsMesa &s_real = g_real.fill([](RealOsMesa &r) {
     r.library = libraryAfterUs();
-    // The file that the front library was made for, by absolute path: its name alone may be this
-    // library's.
+    // The front library was built for this file. It is an absolute path, as the bare name may be
+    // this library's.
     if (!r.library && !settings().hostOsmesa.empty())
       r.library = openLibrary(settings().hostOsmesa.c_str());
     if (!r.library)
@@ -109,7 +110,8 @@ const host::HostTable &table() {
 
 registry::Key key(OSMesaContext context) { return {Provider::OsMesa, nullptr, context}; }
 
-/// OSMesaPixelStore may be called at any time; here the context is current.
+/// Reads the memory layout while the context is current, as OSMesaPixelStore may be called at any
+/// time.
 void layoutOf(const state::software::Drawable &drawable, int &rowLength, bool &topRowFirst) {
   GLint length = 0, upwards = 1;
   real().getInteger(OSMESA_ROW_LENGTH, &length);
@@ -118,7 +120,7 @@ void layoutOf(const state::software::Drawable &drawable, int &rowLength, bool &t
   topRowFirst = upwards == 0;
 }
 
-/// The application's memory as it is when the context becomes current.
+/// Describes the application's memory at the time when the context becomes current.
 state::software::Drawable memoryOf(void *buffer, GLenum type, int width, int height) {
   state::software::Drawable drawable;
   if (!buffer || !real().getInteger)
@@ -135,8 +137,8 @@ state::software::Drawable memoryOf(void *buffer, GLenum type, int width, int hei
   return drawable;
 }
 
-/// The thread is inside a create call: the real library's simpler ones call the fuller ones by
-/// their exported names, which are this library's functions.
+/// True while the thread is inside a create call. The real library's simpler create functions call
+/// the fuller ones by their exported names, which are this library's functions.
 constinit thread_local bool t_creating __attribute__((tls_model("initial-exec"))) = false;
 
 template <typename Create> OSMesaContext remembered(OSMesaContext share, Create create) {
@@ -183,7 +185,7 @@ ARBITER_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int *attributes,
 ARBITER_EXPORT void OSMesaDestroyContext(OSMesaContext context) {
   if (!real().destroyContext)
     return;
-  // OSMesa un-binds a current context that it destroys.
+  // OSMesa unbinds a current context that it destroys.
   auto *const current =
       reinterpret_cast<OSMesaContext (*)()>(dlsym(real().library, "OSMesaGetCurrentContext"));
   const bool unbinds = context && current && current() == context;

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the front libOSMesa.so.8 for programs that dlopen it: a library without symbols of its own
-that needs the layer and the real library, the latter by absolute path because its name is taken.
+"""Makes the front libOSMesa.so.8 for programs that dlopen it.
+
+It is a library without symbols of its own that needs the layer and the real library, the latter by absolute path
+because its name is taken.
 
   osmesa_front.py --find COMPILER...                 prints the real library's path, or nothing
   osmesa_front.py --core LIB --real PATH -o FRONT -- COMPILER...
@@ -18,15 +20,15 @@ SONAME = "libOSMesa.so.8"
 def find(compiler):
     answer = subprocess.run([*compiler, "-print-file-name=" + SONAME], check=True,
                             capture_output=True, text=True).stdout.strip()
-    # A compiler that knows no such file repeats the name.
+    # A compiler that does not find the file prints its name.
     return os.path.normpath(answer) if os.path.isabs(answer) and os.path.exists(answer) else ""
 
 
 def make(compiler, core, real, front):
-    # Without code there is nothing for a debugger.
+    # The library has no code that a debugger could use.
     base = [*compiler, "-shared", "-Wl,-s", "-nostdlib", "-x", "c", os.devnull, "-x", "none"]
     with tempfile.TemporaryDirectory() as scratch:
-        # The linker records the SONAME of what it links with: one that is the absolute path.
+        # The linker records the SONAME of the libraries it links. This stand-in's SONAME is the absolute path.
         stand_in = os.path.join(scratch, "real.so")
         subprocess.run([*base, "-Wl,-soname," + real, "-o", stand_in], check=True)
         subprocess.run([*base, "-Wl,-soname," + SONAME, "-Wl,--no-as-needed", core, stand_in,

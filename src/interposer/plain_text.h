@@ -1,9 +1,10 @@
 #pragma once
 
-/// Texts before any library is initialised, also where there is no C library: nothing is called.
+/// Text functions for code that runs before any library is initialised, or without a C library.
+/// They call nothing.
 namespace arbiter::interposer {
 
-/// What follows `prefix` in `text`; null where it does not begin so.
+/// Returns the part of `text` after `prefix`; null if it does not begin with it.
 inline const char *after(const char *text, const char *prefix) {
   while (*prefix)
     if (*text++ != *prefix++)

@@ -24,10 +24,11 @@ namespace arbiter::interposer {
 namespace {
 
 constexpr const char *kEglSelection = "__EGL_VENDOR_LIBRARY_FILENAMES";
-/// Child processes find the selection already changed; these have what it was.
+/// Child processes find the selection already changed; these variables hold the previous one.
 constexpr const char *kSavedGlx = "ARBITER_SAVED_GLX_VENDOR";
 constexpr const char *kSavedEgl = "ARBITER_SAVED_EGL_VENDORS";
-/// The ICD files beside the library, in the build tree and installed: by path, and by name alone.
+/// The ICD files beside the library, in the build tree and installed: one names it by path, one by
+/// name.
 constexpr const char *kIcdByPath = "/arbiter/10_arbiter.json";
 constexpr const char *kIcdByName = "/arbiter/11_arbiter.json";
 
@@ -46,7 +47,7 @@ bool holds(const std::string &file, const std::string &text) {
   return std::string_view(buffer, bytes).find(text) != std::string_view::npos;
 }
 
-/// This library's path without symbolic links; empty if it cannot be told.
+/// Returns this library's path without symbolic links; "" if it cannot be found.
 std::string ownPath() {
   Dl_info self;
   if (!dladdr(reinterpret_cast<const void *>(&ownPath), &self) || !self.dli_fname)
@@ -57,8 +58,9 @@ std::string ownPath() {
   return library;
 }
 
-/// The ICD file that leads to this library; empty if it lies nowhere near. A path also serves child
-/// processes that lose LD_PRELOAD; in an installation that was moved only the name is right.
+/// Returns the ICD file that leads to this library; "" if there is none beside it. The file with a
+/// path also serves child processes that lose LD_PRELOAD. In an installation that was moved only
+/// the one with a name is right.
 std::string ownIcdFile() {
   const std::string library = ownPath();
   if (library.empty())
@@ -70,8 +72,9 @@ std::string ownIcdFile() {
   return access((folder + kIcdByName).c_str(), R_OK) == 0 ? folder + kIcdByName : std::string();
 }
 
-/// The defaults that came with this library: beside it in the build tree, else in the
-/// installation's share/, by the way from here, as an installation may be moved as a whole.
+/// Returns the folder of the defaults that came with this library. It is beside it in the build
+/// tree, else in the installation's share/. The path is relative to the library, as an installation
+/// may be moved as a whole.
 std::string shippedDefaults() {
   const std::string library = ownPath();
   if (library.empty())
@@ -96,10 +99,11 @@ void save(const char *variable, const char *value) {
     unsetenv(variable);
 }
 
-/// Done once, by the constructor or by a vendor's main that runs before it: libglvnd reads both
-/// variables at its first use, and where an application's own libraries call GL in constructors,
-/// that is before this one. `arbiter run` sets them from outside. libGLX reads its variable even in
-/// its constructor; what it named was replaced before that (first.cpp).
+/// Selects the layer as vendor, once: in the constructor, or in a vendor's main that runs before
+/// it. libglvnd reads both variables at its first use. If an application's own libraries call GL in
+/// constructors, that is before this library's constructor. `arbiter run` sets the variables from
+/// outside. libGLX reads its variable already in its constructor; its value was replaced before
+/// that (first.cpp).
 void selectArbiter() {
   static bool s_done = false;
   if (s_done || !layerAllowed())
@@ -112,8 +116,8 @@ void selectArbiter() {
   const bool eglOurs = egl && (endsWith(egl, kIcdByPath) || endsWith(egl, kIcdByName));
   g_savedGlx = copy(glxOurs ? getenv(kSavedGlx) : replaced ? replaced : glx);
   g_savedEgl = copy(eglOurs ? getenv(kSavedEgl) : egl);
-  // Loaded as a vendor alone, by what another library selected, and then perhaps so late that other
-  // threads read the environment: it stays as it is.
+  // Without preload, another library selected the layer as a vendor. Other threads may be reading
+  // the environment by now, so it stays as it is.
   const char *const preload = getenv("LD_PRELOAD");
   if (!preload || !std::strstr(preload, kLibrary))
     return;
@@ -135,7 +139,7 @@ void selectArbiter() {
   try {
     prepareUnwinder();
     selectArbiter();
-  } catch (const std::exception &) { // no memory even now: the process does without the layer
+  } catch (const std::exception &) { // out of memory even now: the process runs without the layer
   }
 }
 
@@ -172,7 +176,7 @@ void fatal(const char *format, ...) {
 
 namespace arbiter {
 
-// flags.h has both. The first question reads the files; settings() asks at the first use of GL.
+// flags.h declares both. The first query reads the files; settings() asks at the first use of GL.
 
 const char *fallbackValue(const char *name) {
   for (const defaults::Setting &setting : interposer::ownDefaults().settings)

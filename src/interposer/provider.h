@@ -4,19 +4,19 @@
 
 namespace arbiter::interposer {
 
-/// A host function by name from the host's own GetProcAddress. Ends the process if the answer is
-/// one of the layer's own entry points: each call would come back to itself.
+/// Looks up a host function by the host's own GetProcAddress. Ends the process if the result is one
+/// of the layer's own entry points, as each call would return to itself.
 using HostLookup = void *(*)(const char *name);
 
-/// What the layer answers when `name` is asked for: its own entry point if the command is
-/// intercepted and the host has it (or the layer provides it), else the host's pointer, untouched.
+/// Returns the layer's answer to a lookup of `name`: its own entry point if the command is
+/// intercepted and the host has it (or the layer provides it), else the host's pointer.
 [[nodiscard]] void *resolveGl(const char *name, HostLookup host);
 
 /// Ends the process if `function` is one of the layer's own.
 void *checked(const char *name, void *function);
 
 /// Fills the host's table through its GetProcAddress and seals it.
-/// \param provider for the log
+/// \param provider the name for the log
 const host::HostTable &loadTable(Sealed<host::HostTable> &table, HostLookup host,
                                  const char *provider);
 
@@ -28,8 +28,8 @@ template <typename Function> struct HostFunction {
   }
 };
 
-/// One hook of a window-system interface: the layer's function under a name, and the place of the
-/// host's.
+/// A hook of a window-system interface: its name, the layer's function, and where the host's is
+/// stored.
 struct Hook {
   const char *name;
   void *function;
@@ -40,7 +40,7 @@ struct Hook {
 /// are sealed.
 void loadHooks(const Hook *begin, const Hook *end, HostLookup host);
 
-/// The hook of that name; null if there is none.
+/// Returns the hook of that name; null if there is none.
 [[nodiscard]] const Hook *findHook(const Hook *begin, const Hook *end, const char *name);
 
 } // namespace arbiter::interposer

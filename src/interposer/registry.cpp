@@ -19,14 +19,15 @@ struct Entry {
 struct Registry {
   std::mutex mutex;
   std::vector<Entry> entries;
-  /// Holds the mark of the provider that is current on the thread; its destructor un-binds as a
+  /// Holds the mark of the thread's current provider. Its destructor unbinds the context when the
   /// thread ends.
   pthread_key_t current{};
 };
 
 void threadEnds(void *) { state::makeCurrent(nullptr, nullptr); }
 
-/// Never destroyed: threads of the application may outlive the library's own destructors.
+/// Returns the registry. It is never destroyed: threads of the application may outlive the
+/// library's destructors.
 Registry &registry() {
   static Registry *const s_registry = [] {
     auto *made = new Registry;
@@ -36,8 +37,9 @@ Registry &registry() {
   return *s_registry;
 }
 
-/// GLX handles are unique across displays, and one may be used over another connection to the same
-/// server: the display there decides only which contexts go with it when it is closed.
+/// True if the keys name the same context. GLX handles are unique across displays, and one may be
+/// used over another connection to the same server. The display only decides which contexts are
+/// destroyed when it is closed.
 bool same(const Key &a, const Key &b) {
   return a.provider == b.provider && a.handle == b.handle &&
          (a.provider == Provider::Glx || a.display == b.display);
@@ -50,7 +52,7 @@ Entry *find(Registry &r, const Key &key) {
   return nullptr;
 }
 
-/// A value of the thread's key for each provider; what matters is the address.
+/// The thread-specific value for each provider; only its address matters.
 constexpr Provider kMarks[] = {Provider::Glx, Provider::Egl, Provider::OsMesa};
 
 const void *mark(Provider provider) { return &kMarks[std::size_t(provider)]; }
@@ -67,7 +69,7 @@ bool created(const Key &key, const host::HostTable &table, const void *shareHand
   if (shareHandle)
     if (const Entry *entry = find(r, {key.provider, key.display, shareHandle}))
       share = entry->context;
-  r.entries.reserve(r.entries.size() + 1); // what is made must be found
+  r.entries.reserve(r.entries.size() + 1); // a context that was created must be found
   state::Context *const context = state::createContext(key.provider, &table, share, indirect);
   if (Entry *replaced = find(r, key)) {
     state::destroyContext(replaced->context);
@@ -116,7 +118,7 @@ bool madeCurrent(const Key &key, const host::HostTable &table,
   setCurrent(mark(key.provider));
   return true;
 } catch (const std::exception &) {
-  state::makeCurrent(nullptr, nullptr); // allocates nothing
+  state::makeCurrent(nullptr, nullptr); // this allocates nothing
   setCurrent(nullptr);
   return false;
 }

@@ -4,47 +4,49 @@
 #include "state/contexts/lifecycle.h"
 #include "util/own_exception.h"
 
-/// Which of the state tracker's contexts a host's handle stands for. Locked in create, destroy and
-/// make-current only; no GL command comes here.
+/// Maps host handles to the state tracker's contexts. Only create, destroy and make-current take
+/// the lock; no GL command comes here.
 namespace arbiter::interposer::registry {
 
 using state::Provider;
 
-/// A context as the application names it. `display` is null for OSMesa.
+/// Identifies a context as the application names it. `display` is null for OSMesa.
 struct Key {
   Provider provider;
   const void *display;
   const void *handle;
 };
 
-/// The host made a context. A key in use by a context that was never seen destroyed is taken over.
-/// \param indirect the X server draws what the context is told
-/// \return false if there is no memory: then it is not known here, and the host's must go
+/// Called when the host has made a context. If the key is in use, its context was destroyed unseen
+/// and is replaced.
+/// \param indirect true if the X server draws for the context
+/// \return false if there is no memory; the context is then unknown here, and the host's must be
+/// destroyed
 [[nodiscard]] bool created(const Key &key, const host::HostTable &table, const void *shareHandle,
                            bool indirect = false);
 
-/// The host destroyed a context: the key is free again, the context lives on while it is current.
-/// Call before the host does, or another thread may meet the handle in its next life.
+/// Called before the host destroys a context. It frees the key; the context lives on while it is
+/// current. After the host's call another thread could meet the handle in its next life.
 void destroyed(const Key &key);
 
-/// The host made the context current on this thread; one never seen before is adopted. A null
-/// handle un-binds, if what is current is the provider's own.
+/// Called when the host has made the context current on this thread; adopts one that was never seen
+/// before. A null handle unbinds the current context if it belongs to the provider.
 /// \param drawable null: unknown
-/// \return false if there is no memory: then no context of the layer's is current, and the host's
-/// must be
-///         un-bound too
+/// \return false if there is no memory; the layer then has no current context, and the host's must
+/// be unbound too
 [[nodiscard]] bool madeCurrent(const Key &key, const host::HostTable &table,
                                const state::software::Drawable *drawable = nullptr);
 
-/// The host copied attribute groups from one context to another of the same display.
+/// Called when the host has copied attribute groups from one context to another of the same
+/// display.
 void copied(const Key &from, const Key &to, unsigned long mask);
 
-/// A display is gone: all its contexts are destroyed.
+/// Called when a display is gone; destroys all its contexts.
 void displayClosed(Provider provider, const void *display);
 
-/// A function of the window system as the application calls it: where there is no memory for what
-/// the layer does it returns a zero of its result. Not noexcept: a thread that is cancelled while
-/// the host waits for the X server is unwound through this.
+/// Wraps a function of the window system that applications call: if the layer runs out of memory it
+/// returns a zero result. It is not noexcept, as a thread that is cancelled while the host waits
+/// for the X server is unwound through it.
 template <auto Function> struct Guarded;
 template <typename Result, typename... Arguments, Result (*Function)(Arguments...)>
 struct Guarded<Function> {

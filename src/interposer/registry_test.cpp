@@ -1,4 +1,4 @@
-/// The registry against a state tracker of the test's own, which notes its calls.
+/// Tests the registry against a fake state tracker that notes its calls.
 #include "interposer/registry.h"
 
 #include <memory>
@@ -72,7 +72,7 @@ protected:
     }
     g_made.clear();
   }
-  /// Any address serves as a handle: the registry compares them and no more.
+  /// Returns a handle; any address serves, as the registry only compares them.
   const void *handle(int i) { return &m_handles[i]; }
   Key glx(int i) { return {Provider::Glx, &g_display, handle(i)}; }
   Key egl(int i) { return {Provider::Egl, &g_display, handle(i)}; }

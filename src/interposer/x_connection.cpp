@@ -30,7 +30,7 @@ void load(Xcb &xcb) {
 bool Connection::sent(unsigned sequence) {
   const std::lock_guard lock(m_mutex);
   const bool follows = sequence == m_last + 1;
-  // Two threads may come here in another order than they sent.
+  // Two threads may arrive here in another order than they sent.
   if (int(sequence - m_last) > 0)
     m_last = sequence;
   if (!follows)
@@ -45,8 +45,8 @@ void Connection::listen(const std::function<void()> &takeOwn) {
     return;
   }
   const auto total = [c] { return arbiter::interposer::xcb().xcb_total_read(c); };
-  // Looking for answers reads what there is. Once it reads nothing more, all of the layer's answers
-  // are taken.
+  // Each look for answers reads from the socket. When it reads nothing more, all of the layer's
+  // answers are taken.
   std::uint64_t before = total(), after = 0;
   for (int i = 0; i < 3; ++i, before = after) {
     takeOwn();

@@ -9,12 +9,12 @@
 #include <xcb/xcb.h>
 #include <xcb/xcbext.h>
 
-/// An application's connection to its X server, spoken over by libxcb, since errors come back there
-/// as answers and not to the application's error handler. Nothing is linked: libGLX has loaded
+/// Speaks over an application's connection to its X server by libxcb, which returns errors as
+/// answers instead of calling the application's error handler. Nothing is linked: libGLX has loaded
 /// libxcb through libX11, and a process without X must be able to load the layer.
 namespace arbiter::interposer {
 
-/// The functions of libxcb that are used.
+/// The functions of libxcb that the layer uses.
 struct Xcb {
   void *handle;
 // NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
@@ -54,24 +54,24 @@ struct Xcb {
   ARBITER_XCB_FUNCTIONS(ARBITER_XCB_MEMBER)
 #undef ARBITER_XCB_MEMBER
   decltype(&::xcb_total_read) xcb_total_read; ///< null before libxcb 1.14
-  bool usable;                                ///< all others of libxcb were found
+  bool usable;                                ///< all other functions of libxcb were found
 };
 [[nodiscard]] const Xcb &xcb();
 
-/// libX11-xcb, loaded at the first use: a process without Xlib never needs it.
+/// libX11-xcb, loaded at first use: a process without Xlib never needs it.
 struct XlibBridge {
   void *handle;
-  /// Gives the connection of an Xlib Display. Null where the library is not there.
+  /// Returns the connection of an Xlib Display. Null if the library is missing.
   xcb_connection_t *(*connectionOf)(void *display);
 };
 [[nodiscard]] const XlibBridge &xlibBridge();
 
-/// An answer of libxcb's, which is to be freed.
+/// Owns an answer of libxcb and frees it.
 template <typename Reply> using Answer = std::unique_ptr<Reply, decltype(&std::free)>;
 template <typename Reply> Answer<Reply> answer(Reply *reply) { return {reply, &std::free}; }
 
-/// The connection, and whether anything but the layer's requests went over it: as long as nothing
-/// did, the application has neither asked the server to change anything nor heard of a change.
+/// A connection, and whether anything but the layer's requests went over it. If nothing did, the
+/// application has neither asked the server to change anything nor heard of a change.
 class Connection {
 public:
   Connection(const void *ofDisplay, xcb_connection_t *connection)
@@ -80,20 +80,19 @@ public:
   std::atomic<xcb_connection_t *> xcb; ///< null: closed
   std::atomic<bool> refused = false;   ///< the server cannot reach this process's memory
 
-  /// Moves on when the application, or another library, sent a request or got an event or an
-  /// answer.
+  /// Returns a number that increases when the application, or another library, has sent a request
+  /// or received an event or an answer.
   [[nodiscard]] std::uint64_t changes() const { return m_changes; }
-  /// A request of the layer's was sent. \return the number of changes moved on
+  /// Notes that a request of the layer was sent. \return true if changes() has increased
   bool sent(unsigned sequence);
-  /// An answer or error to a request of the layer's was taken.
+  /// Notes that an answer or error to a request of the layer was taken.
   void taken() { m_taken += kAnswerBytes; }
-  /// Looks for what came in. \param takeOwn takes all answers to the layer's requests that are
-  /// there
+  /// Reads what came in. \param takeOwn takes all answers to the layer's requests that have arrived
   void listen(const std::function<void()> &takeOwn);
 
 private:
-  static constexpr std::uint64_t kAnswerBytes = 32; ///< the two kinds of questions have short ones
-  std::mutex m_mutex;                               ///< of m_last and m_others
+  static constexpr std::uint64_t kAnswerBytes = 32; ///< both kinds of queries have short answers
+  std::mutex m_mutex;                               ///< guards m_last and m_others
   unsigned m_last = 0;                              ///< the layer's last request
   std::uint64_t m_others = 0;                       ///< bytes that answer other requests
   std::atomic<std::uint64_t> m_taken = 0, m_changes = 1;

@@ -9,7 +9,7 @@
 #include "interposer/x_present.h"
 #include "util/cache/sealed.h"
 
-// After all others: its macros are named min, max and None.
+// This include must be last: its macros are named min, max and None.
 #include <X11/Xlibint.h>
 
 namespace arbiter::interposer {
@@ -22,7 +22,7 @@ int displayCloses(Display *display, XExtCodes *) {
   return 0;
 }
 
-/// Of Xlib, which is the application's and not linked.
+/// Functions of the application's Xlib, which is not linked.
 struct Xlib {
   decltype(&XAddExtension) addExtension;
   decltype(&XESetCloseDisplay) setCloseDisplay;
@@ -50,7 +50,7 @@ void watchDisplay(void *ofApplication) {
   if (!display || !x.addExtension || !x.setCloseDisplay)
     return;
   const std::lock_guard lock(*s_mutex);
-  // Found again in the display's own list of extensions, which dies with it.
+  // The hook is recorded in the display's own list of extensions, which dies with it.
   for (const _XExtension *e = display->ext_procs; e; e = e->next)
     if (e->close_display == displayCloses)
       return;

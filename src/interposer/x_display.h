@@ -1,10 +1,10 @@
 #pragma once
 
-/// The end of an application's Display. Contexts that it leaves behind are gone then, and no
-/// request may follow.
+/// Handles the closing of an application's Display. Contexts that it leaves behind are then gone,
+/// and no request may follow.
 namespace arbiter::interposer {
 
-/// Asks Xlib to say when the display is closed; once asked, does nothing.
+/// Asks Xlib to report when the display is closed; a second call does nothing.
 /// \param display an Xlib Display; null does nothing
 void watchDisplay(void *display);
 

@@ -33,11 +33,11 @@ private:
   const Xcb &m_xcb = xcb();
   pid_t m_owner = getpid();
   xcb_connection_t *m_connection = nullptr; ///< null: there is no server, or it is gone
-  unsigned m_mapping = 0, m_state = 0;      ///< requests that are under way; 0: none
-  xcb_keycode_t m_first = 0;                ///< of m_keysyms
-  std::size_t m_perKey = 0;                 ///< keysyms of a key
+  unsigned m_mapping = 0, m_state = 0;      ///< sequence numbers of pending requests; 0: none
+  xcb_keycode_t m_first = 0;                ///< the key code of m_keysyms' first key
+  std::size_t m_perKey = 0;                 ///< keysyms for each key
   std::vector<xcb_keysym_t> m_keysyms;
-  std::uint8_t m_down[32] = {}; ///< one bit a key code
+  std::uint8_t m_down[32] = {}; ///< one bit for each key code
 };
 
 Keyboard::Keyboard() {
@@ -45,7 +45,7 @@ Keyboard::Keyboard() {
     return;
   m_connection = m_xcb.xcb_connect(nullptr, nullptr);
   if (m_xcb.xcb_connection_has_error(m_connection) != 0) {
-    m_connection = nullptr; // and is never freed: there is one
+    m_connection = nullptr; // the object is never freed, as there is only one
     logInfo("hud", "no key shows and hides the figures: there is no X server");
     return;
   }
@@ -62,7 +62,7 @@ void Keyboard::askForMapping() {
   m_xcb.xcb_flush(m_connection);
 }
 
-/// Asks for the keysyms again where another layout was chosen. The server tells every client.
+/// Requests the keysyms again if the layout has changed, which the server reports to every client.
 void Keyboard::takeEvents() {
   while (xcb_generic_event_t *const event = m_xcb.xcb_poll_for_event(m_connection)) {
     const bool mapping = (event->response_type & 0x7F) == XCB_MAPPING_NOTIFY;
@@ -75,7 +75,7 @@ void Keyboard::takeEvents() {
   }
 }
 
-/// Takes the answer to a request if it is there, and forgets the request if it has ended.
+/// Takes the answer to a request if it has arrived, and clears `sequence` if the request has ended.
 template <typename Reply>
 std::unique_ptr<Reply, decltype(&std::free)> Keyboard::poll(unsigned &sequence) {
   void *reply = nullptr;
@@ -116,7 +116,8 @@ bool Keyboard::isDown(const HudKey &key) {
     m_state = m_xcb.xcb_query_keymap(m_connection).sequence;
     m_xcb.xcb_flush(m_connection);
   }
-  constexpr std::uint32_t kShift = 0xFFE1, kControl = 0xFFE3, kAlt = 0xFFE9; // left, right next
+  // the right one's keysym follows the left one's
+  constexpr std::uint32_t kShift = 0xFFE1, kControl = 0xFFE3, kAlt = 0xFFE9;
   const auto held = [&](std::uint32_t left) {
     return isKeysymDown(left) || isKeysymDown(left + 1);
   };
@@ -124,10 +125,10 @@ bool Keyboard::isDown(const HudKey &key) {
          held(kAlt) == key.alt;
 }
 
-/// True if the key and its modifiers were down when the server answered last. Asks anew.
+/// True if the key and its modifiers were down at the server's last answer. Sends a new query.
 bool isKeyDown(const HudKey &key) {
-  // Never freed: a child of fork() leaves its parent's connection alone, and frames may end after
-  // static destructors began.
+  // The objects are never freed: a child of fork() must leave its parent's connection alone, and
+  // frames may end after static destructors began.
   static auto *const s_mutex = new std::mutex;
   static Keyboard *s_keyboard = nullptr;
   const std::lock_guard lock(*s_mutex);

@@ -2,9 +2,9 @@
 
 namespace arbiter::interposer {
 
-/// Lets a key of the X server of $DISPLAY show and hide the figures in frames, if there are any
-/// (state/hud). The server is asked over a connection of its own, and no answer is waited for: an
-/// application that holds the server is not held up.
+/// Lets a key of the X server of $DISPLAY show and hide the HUD, if it is on (state/hud). It
+/// queries the server over a connection of its own and never waits for an answer, so that an
+/// application that has grabbed the server is not held up.
 void offerHudKey();
 
 } // namespace arbiter::interposer

@@ -15,18 +15,19 @@ namespace {
 
 using state::software::Drawable;
 
-/// What pictures are put with, for the windows of a screen's depth.
+/// The X graphics context that pictures are put with, for windows of a screen's depth.
 struct GraphicsContext {
   std::shared_ptr<Connection> connection;
   std::uint32_t root = 0, name = 0;
   std::uint8_t depth = 0;
 };
 
-constexpr std::size_t kGuard = 64; ///< that may be read before and behind an image
+constexpr std::size_t kGuard = 64; ///< bytes that may be read before and behind an image
 constexpr std::size_t kIdleSegments = 2;
 
-/// Never destroyed: images may outlive the library's own destructors. No request is sent under the
-/// lock: that takes Xlib's, which another thread may hold while it waits for this one.
+/// The tables of this file. They are never destroyed, as images may outlive the library's
+/// destructors. No request is sent under their lock: sending takes Xlib's lock, which another
+/// thread may hold while it waits for this one.
 struct Tables {
   std::mutex mutex;
   std::vector<std::shared_ptr<Connection>> connections;
@@ -54,7 +55,7 @@ void release(void *user) {
         continue;
       try {
         leaving.push_back(std::move(t.segments[i]));
-      } catch (const std::bad_alloc &) { // it stays, for this time
+      } catch (const std::bad_alloc &) { // the segment stays for now
         break;
       }
       t.segments.erase(t.segments.begin() + std::ptrdiff_t(i));
@@ -69,7 +70,7 @@ bool isRead(void *user, bool wait) {
 
 constexpr swrast::Storage::Owner kOwner = {release, isRead};
 
-/// Of those that are idle the one whose picture was put longest ago.
+/// Returns the idle segment whose picture was put longest ago.
 Segment *takeIdle(const std::shared_ptr<Connection> &connection, std::size_t bytes) {
   Tables &t = tables();
   const std::lock_guard lock(t.mutex);
@@ -103,7 +104,8 @@ std::shared_ptr<swrast::Storage> sharedMemory(const Drawable &drawable, std::siz
   return swrast::Storage::wrap(segment->memory() + kGuard, bytes, kOwner, segment);
 }
 
-/// That the image's pixels lie in; null: in other memory. The image keeps it from leaving.
+/// Returns the segment that the image's pixels are in; null for other memory. The image keeps the
+/// segment alive.
 Segment *segmentOf(const swrast::Image &image) {
   Tables &t = tables();
   const std::lock_guard lock(t.mutex);
@@ -118,7 +120,7 @@ Segment *segmentOf(const swrast::Image &image) {
 bool show(const Drawable &drawable, const swrast::Image &image) {
   const NoCancel scope;
   auto &window = *static_cast<Window *>(drawable.presenter);
-  // The server reads rows from the top down.
+  // The server reads rows from top to bottom.
   if (window.failed || (image.rowStride > 0 && image.height > 1) || image.width > 0x7FFF ||
       image.height > 0x7FFF)
     return false;
@@ -140,7 +142,7 @@ bool show(const Drawable &drawable, const swrast::Image &image) {
   return shown;
 }
 
-/// All answers of the connection that are there.
+/// Takes all answers of the connection that have arrived.
 void takeAnswers(const Connection &connection) {
   Tables &t = tables();
   const std::lock_guard lock(t.mutex);
@@ -158,7 +160,7 @@ bool sizeOf(const Drawable &drawable, int &width, int &height, bool sure) {
   return window.size(width, height, sure, [&] { takeAnswers(*window.connection); });
 }
 
-/// The visual has a byte each of blue, green and red, in this order.
+/// True if the visual has a byte each of blue, green and red, in this order.
 bool isTrueColor(xcb_connection_t *connection, std::uint32_t root, std::uint32_t visual) {
   const xcb_setup_t *const setup = xcb().xcb_get_setup(connection);
   if (setup->image_byte_order != XCB_IMAGE_ORDER_LSB_FIRST)
@@ -178,7 +180,7 @@ bool isTrueColor(xcb_connection_t *connection, std::uint32_t root, std::uint32_t
   return false;
 }
 
-/// Refused where the server has no MIT-SHM.
+/// Returns the display's connection; marked as refused if the server has no MIT-SHM.
 std::shared_ptr<Connection> connectionOf(void *display) {
   Tables &t = tables();
   {
@@ -194,7 +196,8 @@ std::shared_ptr<Connection> connectionOf(void *display) {
   return made;
 }
 
-/// 0 if there is none. \param window  of the same screen and depth
+/// Returns a graphics context; 0 if there is none. \param window a window of the same screen and
+/// depth
 std::uint32_t graphicsContextOf(const std::shared_ptr<Connection> &connection, std::uint32_t root,
                                 std::uint8_t depth, std::uint32_t window) {
   Tables &t = tables();
@@ -231,7 +234,7 @@ void offerPresenting(void *display, std::uint32_t name, Drawable &drawable) {
   xcb_connection_t *const c = connection->xcb;
   if (!c || connection->refused)
     return;
-  // Both questions go out before the first answer is waited for.
+  // Both queries are sent before the first answer is waited for.
   const auto attributesCookie = xcb().xcb_get_window_attributes(c, name);
   const auto geometryCookie = xcb().xcb_get_geometry(c, name);
   xcb_generic_error_t *errors[2] = {};
@@ -274,7 +277,7 @@ void presentingDisplayCloses(const void *display) {
   });
   std::erase_if(t.contexts,
                 [](const GraphicsContext &context) { return !context.connection->xcb; });
-  // With the connection closed this sends nothing.
+  // As the connection is closed, this sends nothing.
   std::erase_if(t.segments, [](const std::unique_ptr<Segment> &segment) {
     return !segment->used && !segment->connection()->xcb;
   });

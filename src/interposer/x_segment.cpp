@@ -63,7 +63,7 @@ std::unique_ptr<Segment> Segment::make(std::shared_ptr<Connection> connection, s
     else if (!connection->refused.exchange(true))
       logInfo("layer", "X: the server cannot share memory with us; frames go by the host");
   }
-  // It lives on until both have let go.
+  // The memory lives until both sides have detached it.
   shmctl(id, IPC_RMID, nullptr);
   return attached ? std::move(made) : nullptr;
 }
@@ -74,7 +74,7 @@ Segment::~Segment() {
       xcb().xcb_discard_reply(c, m_behind.sequence);
       xcb().xcb_discard_reply(c, m_put.sequence);
     }
-    // The server comes to it after the pictures that were asked for before.
+    // The server detaches it after it has handled the earlier pictures.
     const auto cookie = send(c, g_shm, kDetach, DetachRequest{.segment = m_name}, true);
     xcb().xcb_discard_reply(c, cookie.sequence);
   }
@@ -118,7 +118,7 @@ bool Segment::isRead(bool wait) {
   return c && !takeAnswers(c, wait);
 }
 
-/// Takes the answers if they are there. \return no picture is under way
+/// Takes the answers that have arrived. \return true if no picture is under way
 bool Segment::takeAnswers(xcb_connection_t *connection, bool wait) {
   if (!m_underWay)
     return true;
@@ -131,7 +131,7 @@ bool Segment::takeAnswers(xcb_connection_t *connection, bool wait) {
   std::free(reply);
   std::free(error);
   m_connection->taken();
-  // Its answer lies behind: this waits for nothing.
+  // The answer behind it has arrived, so that this does not wait.
   if (answer(xcb().xcb_request_check(connection, m_put))) {
     m_connection->taken();
     *m_failed = true;

@@ -12,7 +12,7 @@ namespace arbiter::interposer {
 
 namespace {
 
-/// glXQueryServerString of the GLX protocol, and the name that GLX_EXT_libglvnd adds.
+/// The request glXQueryServerString of the GLX protocol, and the name that GLX_EXT_libglvnd adds.
 constexpr std::uint8_t kQueryServerString = 19;
 constexpr std::uint32_t kVendorNamesExt = 0x20F6;
 

@@ -3,9 +3,9 @@
 
 namespace arbiter::interposer {
 
-/// The vendors that the X server of $DISPLAY names (GLX_EXT_libglvnd), parted by spaces; empty if
-/// there is no server, no GLX, or it names none. Asked over a connection of its own, because
-/// libglvnd loads a vendor before it names a display to it.
+/// Returns the vendors that the X server of $DISPLAY names (GLX_EXT_libglvnd), separated by spaces;
+/// "" if there is no server, no GLX, or it names none. The query uses a connection of its own,
+/// because libglvnd loads a vendor before it passes a display to it.
 [[nodiscard]] std::string serverVendorNames();
 
 } // namespace arbiter::interposer

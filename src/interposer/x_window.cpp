@@ -3,7 +3,7 @@
 namespace arbiter::interposer {
 
 namespace {
-constexpr std::size_t kMostQuestions = 8; ///< under way
+constexpr std::size_t kMostQuestions = 8; ///< the limit of pending queries
 }
 
 bool Window::size(int &width, int &height, bool sure, const std::function<void()> &takeOwn) {
@@ -14,7 +14,7 @@ bool Window::size(int &width, int &height, bool sure, const std::function<void()
   const std::lock_guard lock(m_mutex);
   std::uint64_t changes = connection->changes();
   const unsigned question = xcb().xcb_get_geometry(c, window).sequence;
-  // What others sent before is answered for, too.
+  // The reply also covers what others sent before this query.
   if (connection->sent(question))
     ++changes;
   m_questions.push_back(question);
@@ -41,7 +41,7 @@ void Window::forget() {
   failed = false;
 }
 
-/// The oldest question's answer. \return it was there
+/// Takes the oldest query's answer. \return true if it was there
 bool Window::take(xcb_connection_t *c, bool wait) {
   void *reply = nullptr;
   xcb_generic_error_t *error = nullptr;

@@ -7,9 +7,9 @@
 
 namespace arbiter::interposer {
 
-/// A window as a place to show pictures in, and its size. The server comes to a question only after
-/// the pictures before it, so that waiting for the answer would wait for the last frame; while
-/// nothing but the layer's requests goes over the connection the last answer will do.
+/// A window that shows pictures, and its size. The server answers a query only after the pictures
+/// before it, so that waiting for the answer would wait for the last frame. While only the layer's
+/// requests use the connection, the last answer stays valid.
 class Window {
 public:
   Window(std::shared_ptr<Connection> to, std::uint32_t name, std::uint32_t graphicsContext,
@@ -18,27 +18,30 @@ public:
   const std::shared_ptr<Connection> connection;
   const std::uint32_t window, gc;
   const std::uint8_t depth;
-  std::atomic<bool> failed = false; ///< the server refused a picture: the host is to show them
-  std::atomic<bool> hostMissedFrames = false; ///< that were shown since it last looked at the size
+  /// set if the server refused a picture: the host must show them
+  std::atomic<bool> failed = false;
+  std::atomic<bool> hostMissedFrames = false; ///< since the host last looked at the size
 
-  /// Asks for the size. Waits for the answer if it may be another one than the last answer's, or if
-  /// `sure`; else the answer counts for a later call, since other clients may change the size too.
-  /// \param takeOwn takes all answers to the layer's requests that are there, this window's too
-  /// \return false: there is no such window
+  /// Returns the window's size. Waits for the answer if `sure` is set or the size may have changed
+  /// since the last answer. Otherwise the new answer serves a later call, as other clients may
+  /// change the size too.
+  /// \param takeOwn takes all answers to the layer's requests that have arrived, this window's too
+  /// \return false if there is no such window
   bool size(int &width, int &height, bool sure, const std::function<void()> &takeOwn);
-  /// Takes the answers that are there.
+  /// Takes the answers that have arrived.
   void takeAnswers();
-  /// The name may be another window's since.
+  /// Called when the name may belong to another window.
   void forget();
 
 private:
   bool take(xcb_connection_t *connection, bool wait);
 
   std::mutex m_mutex;
-  std::deque<unsigned> m_questions; ///< without an answer as yet, the oldest first
+  std::deque<unsigned> m_questions; ///< pending queries, the oldest first
   bool m_known = false;
   int m_width = 0, m_height = 0;
-  std::uint64_t m_changes = 0; ///< of the connection, when the size was last known to hold
+  /// the connection's changes() when the size was last known to be right
+  std::uint64_t m_changes = 0;
 };
 
 } // namespace arbiter::interposer

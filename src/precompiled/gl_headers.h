@@ -1,4 +1,4 @@
-// What nearly every source that speaks GL reads; standard_headers.h says how it is used.
+// Headers that nearly every source with GL includes; standard_headers.h says how they are used.
 
 #include "precompiled/standard_headers.h"
 

@@ -1,5 +1,5 @@
-// What nearly every source of a report or of the language server reads; standard_headers.h says how
-// it is used.
+// Headers that nearly every source of reports or of the language server includes;
+// standard_headers.h says how they are used.
 
 #include "precompiled/standard_headers.h"
 

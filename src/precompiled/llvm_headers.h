@@ -1,4 +1,5 @@
-// What nearly every source of the JIT back end reads; standard_headers.h says how it is used.
+// Headers that nearly every source of the JIT back end includes; standard_headers.h says how they
+// are used.
 
 #include "precompiled/standard_headers.h"
 

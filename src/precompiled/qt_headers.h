@@ -1,5 +1,5 @@
 
-// As standard_headers.h, for the window's model.
+// Headers for the window's model; standard_headers.h says how they are used.
 
 #include <QByteArray>
 #include <QColor>

@@ -1,5 +1,5 @@
 
-// As standard_headers.h, for the window's views.
+// Headers for the window's views; standard_headers.h says how they are used.
 
 #include "qt_headers.h"
 

@@ -1,8 +1,8 @@
-// In a tree that `./dev demo` or `./dev test` makes (-Db_pch=true), which is built once:
-// precompiled once a library and given to each of its sources, as reading these headers is a third
-// of a build from nothing. Other trees do without, as ccache serves them better; so sources include
-// what they use all the same. Headers of the project have no place here: a change of one would
-// compile the whole library.
+// Precompiled headers serve trees that are built once, by `./dev demo` or `./dev test`
+// (-Db_pch=true). They are precompiled once for each library, as reading them is a third of a full
+// build. Other trees do without, as ccache serves them better, so sources must still include what
+// they use. Headers of the project do not belong here: changing one would recompile the whole
+// library.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-// What every unit test reads; standard_headers.h says how it is used. Tests of one room are
-// compiled as one library, and each program takes its own objects of it, so that this is read once
-// a room.
+// Headers that every unit test includes; standard_headers.h says how they are used. The tests of a
+// room are compiled as one library, and each program links its own objects of it, so that these
+// headers are read once for each room.
 
 #include "precompiled/standard_headers.h"
 

@@ -9,11 +9,11 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr double kPeriod = 2 * std::numbers::pi; ///< of a sine
+constexpr double kPeriod = 2 * std::numbers::pi; ///< of a sine wave
 
 double fraction(double x) { return x - std::floor(x); }
 
-/// 0 to 1 and back for x from 0 to 1.
+/// Returns 0 to 1 and back to 0 for x from 0 to 1.
 double foldedUp(double x) { return 1 - std::abs(1 - 2 * fraction(x)); }
 
 double within(AnimationKind kind, double begin, double periods) {
@@ -31,7 +31,7 @@ double within(AnimationKind kind, double begin, double periods) {
   return begin;
 }
 
-/// x and z about the y axis.
+/// Rotates x and z about the y axis.
 void turn(const Parameter &parameter, double seconds, std::array<double, 4> &value) {
   const double angle = kPeriod * seconds / parameter.animation->period.value;
   const double x = value[0], z = value[2];

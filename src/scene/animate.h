@@ -9,11 +9,12 @@
 
 namespace arbiter::scene {
 
-/// A value of the range at a time: at 0 it is the one that the text has, from where the animation
-/// goes on. A value outside its range is taken to its nearer end.
+/// Returns a value of the range at a time. At time 0 it is the value in the text, from which the
+/// animation starts. A value outside its range is clamped to it.
 [[nodiscard]] double animated(double value, const Parameter &parameter, double seconds);
 
-/// The x, y, z and w of a parameter of numbers at a time; 0 where it has none.
+/// Returns the x, y, z and w of a numeric parameter at a time; components that it does not set are
+/// 0.
 [[nodiscard]] std::array<double, 4> valueAt(const Parameter &parameter, double seconds);
 
 /// One vec4 for GL.
@@ -24,14 +25,15 @@ struct ParameterRow {
   bool operator==(const ParameterRow &) const = default;
 };
 
-/// What values that follow from cameras are made of.
+/// The inputs of values that depend on cameras.
 struct Surroundings {
   View view; ///< of the pass
-  /// The view of a target's pass; nothing of a name that no pass has.
+  /// Returns the view of a target's pass; nothing if no pass has that name.
   std::function<std::optional<View>(const std::string &target)> viewOfTarget;
 };
 
-/// All parameters of a panel at a time, each index once; components that nothing sets are 0.
+/// Returns all parameters of a panel at a time, each index once. Components that nothing sets are
+/// 0.
 [[nodiscard]] std::vector<ParameterRow> rowsAt(const Panel &panel, double seconds,
                                                const Surroundings &surroundings);
 

@@ -1,4 +1,4 @@
-// From one text to a document with all of its files.
+// Assembles a document with all of its files from one text.
 #include <algorithm>
 
 #include "fp_compiler/hw/profile.h"
@@ -24,7 +24,7 @@ std::string folderOf(const std::string &path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
 }
 
-/// Lines stay where they are.
+/// Blanks a part of the text and keeps its line breaks.
 void makeBlank(fp::Span span, std::string &text) {
   const auto begin = text.begin();
   std::replace_if(
@@ -38,7 +38,7 @@ public:
   void run() {
     readProfile();
     addPass(0);
-    // A copy: files grow meanwhile.
+    // This is a copy, as adding files reallocates them.
     const std::vector<Name> further = m_document.panel().then;
     for (const Name &name : further) {
       if (m_document.passes.size() == kMaxPasses) {
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  /// Names were looked at with the line.
+  /// Reads the profile's name. Its line has been checked already.
   void readProfile() {
     ProgramFile &main = m_document.files[0];
     Name &name = main.panel.profile;
@@ -71,7 +71,7 @@ private:
     name = {};
   }
 
-  /// The number of a file that a line of another one names; -1 after a complaint.
+  /// Returns the number of the file that a line of another file names; -1 after a diagnostic.
   int add(int from, const Name &name) {
     const std::string path = m_document.folder + name.text;
     for (std::size_t i = 0; i < m_document.files.size(); ++i)
@@ -100,7 +100,7 @@ private:
     m_document.passes.push_back(pass);
   }
 
-  /// The vertex program of the same text; -1 if it has none.
+  /// Returns the vertex program in the same text; -1 if it has none.
   int addSibling(int of) {
     const ProgramFile &file = m_document.files[std::size_t(of)];
     const auto programs = fp::programsOf(file.text);
@@ -127,7 +127,7 @@ private:
   const ReadText &m_read;
 };
 
-/// What lines of one file say of targets, which other files have.
+/// Checks lines of one file that refer to targets in other files.
 class TargetCheck {
 public:
   explicit TargetCheck(Document &document) : m_document(document) {}

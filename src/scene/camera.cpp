@@ -13,7 +13,8 @@ View orbit(const CameraSpec &camera, float aspect) {
   const glm::vec3 middle(get("x"), get("y"), get("z"));
   const float distance = get("distance");
   View view;
-  // By turns and not by a direction to look along: straight from above is a view like any other.
+  // The view is made of rotations, not of a direction to look along, so that a view straight from
+  // above needs no special case.
   view.modelView = glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, -distance));
   view.modelView = glm::rotate(view.modelView, pitch, glm::vec3(1, 0, 0));
   view.modelView = glm::rotate(view.modelView, -yaw, glm::vec3(0, 1, 0));

@@ -8,71 +8,72 @@
 #include "scene/panel/panel.h"
 #include "util/result.h"
 
-/// A document: one program text with its panel, and the files beside it that the panel names. A
-/// file may have a vertex program beside its fragment program: both are of its pass.
+/// A document: a program text with its panel, and the files beside it that the panel names. A file
+/// may have a vertex program beside its fragment program; both belong to its pass.
 namespace arbiter::scene {
 
-/// The profile that a panel names, as hw::loadProfile() takes it; empty: none. A file of one is
-/// looked for in the document's folder.
+/// Returns the profile that a panel names, as hw::loadProfile() takes it; empty: none. A profile
+/// file is looked up in the document's folder.
 /// \param folder as Document::folder
 [[nodiscard]] std::string profileOf(const Panel &panel, const std::string &folder);
 
 struct ProgramFile {
-  std::string name; ///< as it is shown: the folder and the name, or "<stdin>"
-  std::string text; ///< all of it, with the other programs that may be in it
+  std::string name; ///< as displayed: the folder and the name, or "<stdin>"
+  std::string text; ///< the whole file, including other programs in it
   fp::ir::Language language = fp::ir::Language::ArbFragment;
-  /// Its `diagnostics` also have what is wrong with a line in the light of the other files.
+  /// The panel. Its `diagnostics` include errors that depend on the other files.
   Panel panel;
   fp::Span place; ///< of the program in the text
 
   [[nodiscard]] fp::FileProgram program() const { return {language, place}; }
-  /// Returns the text that GL is given.
+  /// Returns the text that is passed to GL.
   [[nodiscard]] std::string_view source() const { return program().in(text); }
 };
 
-/// One program of a file, with the lines of its panel.
-/// \param language of which it is; none: the first fragment program of the file, or its first one.
-///        Lines beside all programs are of that one.
+/// Returns one program of a file, with the lines of its panel.
+/// \param language of the program; none: the first fragment program of the file, or else the first
+///        program. Lines outside of all programs belong to it.
 [[nodiscard]] ProgramFile programFile(std::string name, std::string text,
                                       std::optional<fp::ir::Language> language = {});
 
-/// One pass draws one mesh. Numbers of Document::files, or -1 for GL's fixed function.
+/// A pass, which draws one mesh. Its programs are numbers of Document::files, or -1 for GL's fixed function.
 struct Pass {
   int fragment = -1;
   int vertex = -1;
-  int panel = 0; ///< the file whose panel holds for the pass
+  int panel = 0; ///< the file whose panel applies to the pass
 };
 
 class Document {
 public:
-  std::string folder;             ///< with a slash behind it; empty: the working folder
+  std::string folder;             ///< ends with a slash; empty: the working folder
   std::vector<ProgramFile> files; ///< the first one is the document's own
-  std::vector<Pass> passes;       ///< in the order in which they are drawn; at least one
+  std::vector<Pass> passes;       ///< in drawing order; at least one
 
   [[nodiscard]] const Panel &panel() const { return files.front().panel; }
   [[nodiscard]] const Panel &panelOf(const Pass &pass) const {
     return files[std::size_t(pass.panel)].panel;
   }
-  /// No file has an error in its panel.
+  /// True if no file has an error in its panel.
   [[nodiscard]] bool ok() const;
   [[nodiscard]] int width() const { return int(panel().width.value); }
   [[nodiscard]] int height() const { return int(panel().height.value); }
   [[nodiscard]] double secondsOf(int frame) const { return frame / panel().rate.value; }
 
-  /// What a further pass does not say of mesh and camera it has from the first one.
+  /// These return the first pass's mesh or camera if a later pass sets none.
   [[nodiscard]] const std::vector<ShapeSpec> &meshOf(const Pass &pass) const;
   [[nodiscard]] const std::optional<CameraSpec> &cameraOf(const Pass &pass) const;
-  /// Pixels that the pass draws to.
+  /// Returns the size in pixels of the picture that the pass draws to.
   [[nodiscard]] std::pair<int, int> sizeOf(const Pass &pass) const;
   [[nodiscard]] View viewOf(const Pass &pass) const;
-  /// Where its panel says nothing: less, but off for quads and grids without a camera.
+  /// Returns the pass's depth test. The default is less, but off for quads and grids without a
+  /// camera.
   [[nodiscard]] Depth depthOf(const Pass &pass) const;
-  /// A pass begins with an empty target, unless it is to keep what is there.
+  /// True if the pass clears its target first, unless the panel keeps its content.
   [[nodiscard]] bool clears(std::size_t pass) const;
-  /// The parameters of one of the pass's programs.
+  /// Returns the parameters of one of the pass's programs.
   [[nodiscard]] std::vector<ParameterRow> rows(const Pass &pass, int file, double seconds) const;
   [[nodiscard]] std::string profile() const { return profileOf(panel(), folder); }
-  /// A unit whose image is the last frame's picture, in any pass.
+  /// True if a unit of any pass samples the last frame's picture.
   [[nodiscard]] bool hasFeedback() const;
 };
 
@@ -80,24 +81,25 @@ struct DocumentError {
   std::string message; ///< "name: reason"
 };
 
-/// The text of a file beside the document. An editor gives texts that are not saved yet.
+/// Reads the text of a file beside the document. An editor supplies texts that are not saved yet.
 using ReadText = std::function<Result<std::string, DocumentError>(const std::string &path)>;
 
-/// Reads a document from its path: a program, or a folder, whose document is the file of the same
-/// name, else main.fp, else the only program with the ending .fp. A file that cannot be read is an
-/// error only where it is the document itself; any other is a diagnostic of the line that names it.
+/// Loads a document from a path to a program or a folder. A folder's document is the file of the
+/// same name, else main.fp, else the only program with the ending .fp. An unreadable file is an
+/// error only if it is the document itself; otherwise the line that names it gets a diagnostic.
 [[nodiscard]] Result<Document, DocumentError> loadDocument(const std::string &path);
 
-/// The same of a text in memory.
-/// \param path where the text would be; "<stdin>" or a name: files beside it are looked for there
+/// Loads a document from a text in memory.
+/// \param path where the text would be; "<stdin>" or a name. It determines where files are looked
+/// up.
 [[nodiscard]] Document assemble(const std::string &path, std::string text, const ReadText &read);
 
-/// What is wrong with a text's panel, in text order, also in the light of the files beside it. No
-/// file is read for a text without a panel, nor for a path that is empty.
+/// Returns the diagnostics of a text's panel, in text order, including those that depend on the
+/// files beside it. It reads no file if the text has no panel or the path is empty.
 [[nodiscard]] std::vector<fp::Diagnostic> checkPanel(const std::string &path,
                                                      const std::string &text);
 
-/// The bytes of a file, at most 64 MiB.
+/// Reads the bytes of a file of at most 64 MiB.
 [[nodiscard]] Result<std::string, DocumentError> readText(const std::string &path);
 
 } // namespace arbiter::scene

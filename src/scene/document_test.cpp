@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Files in memory.
+/// Returns a reader of files in memory.
 ReadText from(std::map<std::string, std::string> files) {
   return [files = std::move(files)](const std::string &path) -> Result<std::string, DocumentError> {
     const auto found = files.find(path);

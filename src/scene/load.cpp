@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxBytes = 64u << 20;
 
-/// The program that a folder is opened by; empty if there is none, or no telling which.
+/// Returns a folder's main program; empty if it has none, or several and no main one.
 std::string mainOf(const fs::path &folder) {
   std::error_code error;
   const fs::path whole = fs::absolute(folder, error).lexically_normal();
@@ -39,7 +39,7 @@ bool lacksTarget(const Panel &panel) {
                      [](const auto &each) { return std::string_view(each.id) == "panel-target"; });
 }
 
-/// Complains of images and meshes that are not there; what is in them is read when they are drawn.
+/// Reports images and meshes that do not exist. Their content is read when they are drawn.
 class FileSearch {
 public:
   FileSearch(const std::string &path, Panel &panel)
@@ -83,7 +83,7 @@ private:
 
 Result<std::string, DocumentError> readText(const std::string &path) {
   std::error_code error;
-  // A pipe could keep the reader waiting for ever.
+  // A pipe could block the reader forever.
   if (!fs::is_regular_file(path, error))
     return DocumentError{path + ": " + (error ? error.message() : "is no regular file")};
   if (fs::file_size(path, error) > kMaxBytes)
@@ -112,14 +112,14 @@ Result<Document, DocumentError> loadDocument(const std::string &path) {
 
 std::vector<fp::Diagnostic> checkPanel(const std::string &path, const std::string &text) {
   Panel panel = parsePanel(text);
-  std::vector<fp::Diagnostic> others; // of further programs of the text
+  std::vector<fp::Diagnostic> others; // of other programs in the text
   if (panel.written && !path.empty()) {
     const Document document = assemble(path, text, readText);
     panel = document.panel();
     for (std::size_t i = 1; i < document.files.size(); ++i)
       if (document.files[i].name == document.files[0].name)
         others = document.files[i].panel.diagnostics;
-    // A further pass names targets that only its document has.
+    // A later pass refers to targets that only its document has.
     if (lacksTarget(panel))
       if (auto inDocument = panelInItsDocument(path, text))
         panel = std::move(*inDocument);

@@ -1,4 +1,4 @@
-// Files that are a part of a document: what they say holds in its light.
+// Finds the document that a file belongs to, as its panel depends on the document.
 #include <algorithm>
 #include <filesystem>
 
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxCandidates = 256; ///< of a folder
+constexpr std::size_t kMaxCandidates = 256; ///< candidates in a folder
 constexpr std::uintmax_t kMaxBytes = 1u << 20;
 
 fs::path wholePath(const fs::path &path) {
@@ -19,7 +19,7 @@ fs::path wholePath(const fs::path &path) {
   return fs::absolute(path, error).lexically_normal();
 }
 
-/// Programs in a folder, sorted, so that the same one is found each time.
+/// Returns the programs in a folder, sorted, so that the same one is found each time.
 std::vector<fs::path> programsIn(const fs::path &folder) {
   std::vector<fs::path> programs;
   std::error_code error;
@@ -54,7 +54,8 @@ private:
     return wholePath(path) == m_path ? Result<std::string, DocumentError>(m_text) : readText(path);
   }
 
-  /// Whether the file is a good part of that document; of one that it is wrong in it is kept too.
+  /// True if the file is a valid part of that document. If it has errors there, the panel is kept
+  /// too.
   bool look(const fs::path &program) {
     if (wholePath(program) == m_path)
       return false;

@@ -6,10 +6,10 @@
 
 namespace arbiter::scene {
 
-/// The panel of a file that is a further pass or a vertex program of a document in its folder or in
-/// the one above, with the diagnostics that it has there; of several documents, of one in which
-/// nothing is wrong with it. None where no document names the file.
-/// \param text of the file, whatever is stored
+/// Returns the panel of a file that is a later pass or a vertex program of a document in its folder
+/// or the one above, with its diagnostics in that document. Among several documents it prefers one
+/// where the panel has no errors. Returns nothing if no document names the file.
+/// \param text of the file, instead of the stored one
 [[nodiscard]] std::optional<Panel> panelInItsDocument(const std::string &path,
                                                       const std::string &text);
 

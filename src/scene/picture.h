@@ -7,9 +7,9 @@
 
 namespace arbiter::scene {
 
-inline constexpr int kMaxSide = 8192; ///< of a picture, pixels
+inline constexpr int kMaxSide = 8192; ///< of a picture, in pixels
 
-/// An 8-bit RGBA picture; row 0 is the bottom one, as in GL.
+/// An 8-bit RGBA picture. Row 0 is the bottom one, as in GL.
 struct Picture {
   int width = 0;
   int height = 0;
@@ -20,10 +20,10 @@ struct PictureError {
   std::string message; ///< "name: reason"
 };
 
-/// Any PNG, converted to 8-bit RGBA; at most kMaxSide a side.
+/// Reads any PNG, converted to 8-bit RGBA, of at most kMaxSide a side.
 [[nodiscard]] Result<Picture, PictureError> readPng(const std::string &path);
 
-/// \returns an empty string, or "name: reason".
+/// Writes a PNG. \returns an empty string, or "name: reason".
 [[nodiscard]] std::string writePng(const std::string &path, const Picture &picture);
 
 } // namespace arbiter::scene

@@ -61,7 +61,7 @@ enum class Coordinate : std::uint8_t {
 #include "scene/words.def"
 };
 
-/// A cube map of six images, not one.
+/// True if the source is a cube map of six images.
 [[nodiscard]] constexpr bool isCube(Generator generator) {
   return generator == Generator::Normalise || generator == Generator::Sky ||
          generator == Generator::Cube;
@@ -75,7 +75,7 @@ struct ArgumentRow {
 inline constexpr std::size_t kMaxArguments = 9;
 
 struct WordRow {
-  std::string_view word; ///< empty: what stands in its place needs no word
+  std::string_view word; ///< empty: the value (a file's name, numbers) stands without a word
   std::string_view meaning;
   std::array<ArgumentRow, kMaxArguments> rows = {};
   std::string_view form = {}; ///< of a setting: what follows it
@@ -88,7 +88,7 @@ struct WordRow {
   }
 };
 
-/// The rows of one kind of word, in the order of its enumerators.
+/// Returns the rows of one kind of word, in the order of its enumerators.
 template <typename Enum> [[nodiscard]] std::span<const WordRow> wordsOf();
 template <> std::span<const WordRow> wordsOf<Setting>();
 template <> std::span<const WordRow> wordsOf<Generator>();
@@ -108,7 +108,7 @@ template <typename Enum> [[nodiscard]] const WordRow &rowOf(Enum value) {
   return wordsOf<Enum>()[std::size_t(value)];
 }
 
-/// The word's place in a table, if it is there.
+/// Returns the word's place in a table, if it is there.
 [[nodiscard]] std::optional<std::size_t> findWord(std::span<const WordRow> rows,
                                                   std::string_view word);
 template <typename Enum> [[nodiscard]] std::optional<Enum> findWord(std::string_view word) {

@@ -8,11 +8,11 @@ namespace arbiter {
 
 namespace {
 struct BuildId {
-  std::uintptr_t inside; ///< an address in the object whose build is asked for
+  std::uintptr_t inside; ///< an address in the object that is asked about
   std::string bytes;
 };
 
-/// The note of type NT_GNU_BUILD_ID named "GNU", if the segment holds it.
+/// Returns the note of type NT_GNU_BUILD_ID named "GNU" if the segment holds it.
 std::string findNote(const char *at, std::size_t size) {
   while (size >= sizeof(ElfW(Nhdr))) {
     ElfW(Nhdr) note;

@@ -3,11 +3,11 @@
 
 namespace arbiter {
 
-/// What the linker wrote about the content of the library or program that this is linked into: it
-/// changes with any change of its code. Empty if it was linked without.
+/// Returns the linker's build ID of the library or program that this code is linked into. It
+/// changes with every change of the code, and is empty if the linker wrote none.
 [[nodiscard]] std::string buildId();
 
-/// The same of the library or program that is mapped at an address.
+/// Returns the build ID of the library or program that is mapped at an address.
 [[nodiscard]] std::string buildIdAt(const void *address);
 
 } // namespace arbiter

@@ -10,8 +10,8 @@
 namespace arbiter {
 
 int openPrivate(const char *path, OpenMode mode) noexcept {
-  // O_NONBLOCK: opening a pipe without a reader must fail, not hang the application. Truncation
-  // waits until the file has proved to be a regular one.
+  // O_NONBLOCK makes opening a pipe without a reader fail instead of hanging the application.
+  // Truncation waits until the file has proved to be a regular one.
   const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NOCTTY | O_NONBLOCK |
                     (mode == OpenMode::Append ? O_APPEND : 0);
   const int descriptor = ::open(path, flags, 0600);
@@ -35,7 +35,8 @@ int openPrivate(const char *path, OpenMode mode) noexcept {
 
 namespace {
 
-/// A write beyond RLIMIT_FSIZE would end the process (SIGXFSZ), which did nothing of its own.
+/// True if a write would exceed RLIMIT_FSIZE, whose signal (SIGXFSZ) would end the application's
+/// process.
 bool exceedsLimit(int descriptor, std::size_t bytes) {
   rlimit limit = {};
   if (::getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
@@ -78,7 +79,7 @@ bool writePrivateFile(const char *path, std::string_view bytes) noexcept {
 
 namespace {
 
-/// Writes the bytes beside `path`; the name of that file, or nothing with errno set.
+/// Writes the bytes to a file beside `path`. Returns its name, or nothing with errno set.
 std::string writeBeside(const std::string &path, std::string_view bytes) {
   std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
   if (writePrivateFile(temporary.c_str(), bytes))
@@ -89,7 +90,7 @@ std::string writeBeside(const std::string &path, std::string_view bytes) {
   return {};
 }
 
-/// Keeps errno: what went wrong before is what counts.
+/// Removes a file and keeps errno, which describes the earlier failure.
 void removeQuietly(const std::string &path) {
   const int failure = errno;
   ::unlink(path.c_str());
@@ -120,7 +121,7 @@ bool createPrivateFile(const std::string &path, std::string_view bytes) {
   const std::string temporary = writeBeside(path, bytes);
   if (temporary.empty())
     return false;
-  // A link fails where a rename would take the place of what another process put there.
+  // Unlike a rename, a link fails if another process has created the file meanwhile.
   bool created = ::link(temporary.c_str(), path.c_str()) == 0 || errno == EEXIST;
   if (!created && (errno == EPERM || errno == ENOTSUP || errno == ENOSYS)) // no hard links here
     return std::rename(temporary.c_str(), path.c_str()) == 0;

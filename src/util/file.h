@@ -5,31 +5,31 @@
 
 namespace arbiter {
 
-/// How openPrivate() treats what the file already holds.
+/// Selects what openPrivate() does with the file's present content.
 enum class OpenMode { Append, Truncate };
 
-/// Opens a regular file for writing on behalf of whatever process we live in: a symbolic link is
-/// refused (O_NOFOLLOW), a pipe or device is refused, the descriptor does not leak into child
-/// processes (O_CLOEXEC), and a new file is readable by its owner only (0600).
+/// Opens a regular file for writing in an application's process. It refuses symbolic links
+/// (O_NOFOLLOW), pipes and devices. Child processes do not inherit the descriptor (O_CLOEXEC), and
+/// only the owner may read a new file (0600).
 /// \returns a descriptor, or -1 with errno set.
 [[nodiscard]] int openPrivate(const char *path, OpenMode mode) noexcept;
 
-/// Writes all bytes, going on after an interrupted or partial write. errno is set on failure.
+/// Writes all bytes and continues after an interrupted or partial write. It sets errno on failure.
 bool writeAll(int descriptor, std::string_view bytes) noexcept;
 
 /// Replaces the content of a file opened by openPrivate().
-/// \returns false with errno set, and the file perhaps short, if it cannot be written.
+/// \returns false with errno set if it cannot be written; the file may then be truncated.
 bool writePrivateFile(const char *path, std::string_view bytes) noexcept;
 
-/// Gives the file `path` new content in one step, mode 0600: a reader, or a process that is killed
-/// meanwhile, leaves the old content or the new. What is there and is no regular file stays.
+/// Replaces the file `path` atomically, with mode 0600. A reader, or the file after a kill, has the
+/// old content or the new. It does not replace anything but a regular file.
 /// \returns false with errno set.
 bool replacePrivateFile(const std::string &path, std::string_view bytes);
 
-/// The same where `path` does not exist; a file that is there stays as it is, which is a success.
+/// Creates the file `path` atomically. An existing file stays as it is, which counts as success.
 bool createPrivateFile(const std::string &path, std::string_view bytes);
 
-/// What a file is, so that a change of it shows without reading it.
+/// The state of a file, which shows a change without reading the file.
 struct FileState {
   std::int64_t modified = 0; ///< ns
   std::int64_t changed = 0;  ///< ns
@@ -40,13 +40,13 @@ struct FileState {
 };
 [[nodiscard]] FileState stateOf(const char *path) noexcept;
 
-/// The bytes of a regular file of at most `limit` bytes. A pipe or device is refused, the
-/// descriptor does not leak into child processes.
+/// Reads a regular file of at most `limit` bytes. It refuses pipes and devices. Child processes do
+/// not inherit the descriptor.
 /// \returns false with errno set (EFBIG: longer).
 bool readFile(const char *path, std::size_t limit, std::string &bytes);
 
-/// The path with each "%p" replaced by the process id, so that child processes that inherit a
-/// setting do not write over each other. "%%" is a percent sign.
+/// Returns the path with each "%p" replaced by the process id, so that child processes with the
+/// same setting write different files. "%%" is a percent sign.
 [[nodiscard]] std::string expandPid(std::string_view path);
 
 } // namespace arbiter

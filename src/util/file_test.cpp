@@ -9,7 +9,7 @@
 namespace arbiter {
 namespace {
 
-/// A folder that goes with the test.
+/// Provides a temporary folder and removes it after the test.
 class Files : public ::testing::Test {
 protected:
   void SetUp() override { ASSERT_NE(mkdtemp(m_folder), nullptr); }
@@ -70,7 +70,7 @@ TEST_F(Files, AStateTellsAnEditFromNone) {
   const FileState first = stateOf(path("a").c_str());
   EXPECT_TRUE(first.exists);
   EXPECT_EQ(first, stateOf(path("a").c_str()));
-  ASSERT_TRUE(replacePrivateFile(path("b"), "two")); // another inode, as an editor's rename gives
+  ASSERT_TRUE(replacePrivateFile(path("b"), "two")); // a new inode, as an editor's rename gives
   ASSERT_EQ(rename(path("b").c_str(), path("a").c_str()), 0);
   EXPECT_NE(first, stateOf(path("a").c_str()));
 }

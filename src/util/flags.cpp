@@ -40,7 +40,7 @@ const LevelName *findLevel(std::string_view text) {
   return nullptr;
 }
 
-/// Quotes a value for a message: its first bytes, made printable.
+/// Quotes the first bytes of a value for a message, made printable.
 std::string quoted(std::string_view value) {
   std::string text = "\"";
   for (const char c : value.substr(0, 40))
@@ -62,7 +62,7 @@ struct Reader {
     warnings.push_back(std::string(info(variable).name) + ": " + text + "; ignored");
   }
 
-  /// Empty: not set, set to nothing, or hostile.
+  /// Returns "" if the variable is not set, is empty, or is unusable.
   std::string_view read(Env variable) {
     const char *raw = lookup(info(variable).name);
     if (raw == nullptr)
@@ -126,7 +126,7 @@ void readDebug(Reader &reader, Settings &result) {
       reader.warn(Env::Debug, "no flag " + quoted(name) +
                                   (near.empty() ? std::string(" (help lists them)")
                                                 : " (did you mean " + std::string(near) + "?)"));
-      return; // one warning for one bad value
+      return; // one warning for each bad value
     }
   }
 }
@@ -191,7 +191,8 @@ void readNumerics(Reader &reader, Settings &result) {
     reader.warn(Env::Numerics, "expected host, legacy, fp24 or fx9, not " + quoted(value));
 }
 
-/// A whole decimal number in a range; `fallback` where there is none, with a warning if it is bad.
+/// Reads a whole decimal number in a range. Returns `fallback` if there is none, with a warning if
+/// the value is bad.
 std::uint32_t readNumber(Reader &reader, Env variable, std::uint32_t least, std::uint32_t most,
                          std::uint32_t fallback) {
   const std::string_view value = reader.read(variable);
@@ -207,7 +208,7 @@ std::uint32_t readNumber(Reader &reader, Env variable, std::uint32_t least, std:
   return fallback;
 }
 
-/// "NAME=on,NAME=off": of a name that stands there twice the last one counts.
+/// Reads "NAME=on,NAME=off". The last mention of a name counts.
 void readExtensions(Reader &reader, Settings &result) {
   constexpr std::string_view kOn = "=on", kOff = "=off";
   std::string_view list = reader.read(Env::Extensions);
@@ -229,7 +230,7 @@ void readExtensions(Reader &reader, Settings &result) {
                                    "not " +
                                        quoted(item));
       result.extensions.clear();
-      return; // one warning for one bad value
+      return; // one warning for each bad value
     }
     std::erase_if(result.extensions, [&](const ExtensionSwitch &row) { return row.name == name; });
     result.extensions.push_back({std::string(name), on});
@@ -246,7 +247,7 @@ void readCache(Reader &reader, Settings &result) {
       readNumber(reader, Env::CacheMaxMb, 1, 65536, result.cacheMaxMegabytes);
 }
 
-/// 1 or 0; false where there is none.
+/// Reads 1 or 0; false if not set.
 bool readSwitch(Reader &reader, Env variable) {
   const std::string_view value = reader.read(variable);
   if (!value.empty() && value != "0" && value != "1")
@@ -262,7 +263,8 @@ void readHud(Reader &reader, Settings &result) {
     reader.warn(Env::Hud, wrong);
 }
 
-/// The name becomes part of a library's file name (libGLX_NAME.so.0), so it may not leave it.
+/// Reads a name that becomes part of a library's file name (libGLX_NAME.so.0), so it must not
+/// contain a path.
 void readHostVendor(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::HostVendor);
   const auto nameByte = [](char c) {
@@ -320,7 +322,8 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   Settings result;
   Reader reader{lookup, warnings};
   readLog(reader, result);
-  static_cast<void>(reader.read(Env::Defaults)); // for the warning; util/defaults follows it
+  // only for the warning; util/defaults uses the value
+  static_cast<void>(reader.read(Env::Defaults));
   readDebug(reader, result);
   readLimits(reader, result);
   readHostVendor(reader, result);
@@ -348,8 +351,8 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
 }
 
 const Settings &settings() noexcept {
-  // Never destroyed: calls may come from destructors of the application, after the layer's would
-  // have run.
+  // The settings are never destroyed: the application's destructors may call GL after the layer's
+  // would have run.
   static const Settings *const instance = []() -> const Settings * {
     try {
       return readProcess();

@@ -9,7 +9,7 @@
 #include "util/hud/hud_options.h"
 #include "util/log.h"
 
-/// What the environment asks for. One table, flags.def, holds every variable and flag.
+/// The settings of the environment. One table, flags.def, holds every variable and flag.
 namespace arbiter {
 
 enum class Env : std::uint8_t {
@@ -35,15 +35,15 @@ struct DebugFlagInfo {
 
 [[nodiscard]] std::span<const EnvInfo> environmentTable();
 [[nodiscard]] std::span<const DebugFlagInfo> debugFlagTable();
-/// The row of a variable.
+/// Returns the row of a variable.
 [[nodiscard]] const EnvInfo &info(Env variable);
 
-/// ARBITER_BACKEND.
+/// The values of ARBITER_BACKEND.
 enum class Backend : std::uint8_t { Auto, Host, Swrast };
-/// ARBITER_ATTRIBUTES.
+/// The values of ARBITER_ATTRIBUTES.
 enum class Attributes : std::uint8_t { OfProfile, Alias, Apart };
 
-/// An extension that is announced, or is not, whatever else rules the list.
+/// Announces or hides an extension, whatever other settings decide about the list.
 struct ExtensionSwitch {
   std::string name; ///< "GL_NV_fence"
   bool on = false;
@@ -54,7 +54,7 @@ struct ExtensionSwitch {
 /// True if the name is to be announced.
 [[nodiscard]] bool isSwitchedOn(std::span<const ExtensionSwitch> switches, std::string_view name);
 
-/// The environment, parsed. Defaults are those of a process with no ARBITER_ variable.
+/// The parsed environment. The initial values are those of a process without any ARBITER_ variable.
 struct Settings {
   std::string profile = "r300"; ///< name or path, unresolved: see fp_compiler/hw/profile.h
   bool enforceLimits = true;    ///< false: ARBITER_LIMITS=report
@@ -64,14 +64,14 @@ struct Settings {
   Backend backend = Backend::Auto;
   bool alwaysFixedFunction = true; ///< false: ARBITER_FIXED_FUNCTION=programs
   Attributes attributes = Attributes::OfProfile;
-  std::uint32_t threads = 0; ///< of the rasterizer; 0: one a processor
-  std::string cpu;           ///< "avx512", "avx2", "sse4.1"; empty: this one
+  std::uint32_t threads = 0; ///< of the rasterizer; 0: one for each processor
+  std::string cpu;           ///< "avx512", "avx2", "sse4.1"; empty: this processor's
   bool cache = true;         ///< of programs, on disk
   std::uint32_t cacheMaxMegabytes = 64;
-  std::uint32_t extensionsMaxYear = 0;     ///< 0: of any year
-  std::uint32_t extensionsMaxLength = 0;   ///< bytes of the joined names; 0: of any length
+  std::uint32_t extensionsMaxYear = 0;     ///< 0: no limit
+  std::uint32_t extensionsMaxLength = 0;   ///< bytes of the joined names; 0: no limit
   std::vector<ExtensionSwitch> extensions; ///< each name once
-  std::string statsPath;                   ///< empty: none; expandPid() is still to be applied
+  std::string statsPath;                   ///< empty: none; expandPid() has not been applied yet
   std::string capturePath;                 ///< a folder; empty: no capture
   std::string replacePath;                 ///< a folder; empty: no replacement
   LogLevel logLevel = LogLevel::Warn;
@@ -79,46 +79,46 @@ struct Settings {
   std::string hostVendor;  ///< empty: libglvnd's own choice
   std::string jitLibrary;  ///< empty: the one beside the layer's own library
   std::string hostOsmesa;  ///< empty: the one the front was built for
-  std::uint32_t debug = 0; ///< one bit a DebugFlag
+  std::uint32_t debug = 0; ///< one bit for each DebugFlag
   bool control = false;    ///< clients may connect (state/control)
-  HudOptions hud;          ///< figures in each frame (state/hud)
+  HudOptions hud;          ///< values shown in each frame (state/hud)
 
   [[nodiscard]] bool has(DebugFlag flag) const { return (debug >> unsigned(flag) & 1u) != 0; }
 };
 
-/// Longer values are refused: no path or list that is meant can be longer.
+/// Longer values are refused: no real path or list is longer.
 inline constexpr std::size_t kMaxEnvBytes = 4096;
 
-/// Not longer than that, and without control characters.
+/// True if the value is not longer than that and has no control characters.
 [[nodiscard]] bool isUsable(std::string_view value);
 
-/// Parses values as `lookup` gives them (nullptr: not set). A value that cannot be used leaves the
-/// default and adds one line to `warnings`.
+/// Parses the values that `lookup` returns (nullptr: not set). A bad value leaves the default and
+/// adds one line to `warnings`.
 [[nodiscard]] Settings parseSettings(const std::function<const char *(const char *)> &lookup,
                                      std::vector<std::string> &warnings);
 
-/// The value of a variable that the environment does not have; null: none. The layer's library
-/// defines it (interposer/process.cpp): there defaults of single programs hold. Other programs
-/// have none. Visible, as the address of a hidden one that is missing is not null on 32-bit x86:
-/// linkers resolve it against the address that the file is loaded at.
+/// Returns the value of a variable that the environment does not set; null: none. Only the layer's
+/// library defines this function (interposer/process.cpp), for the defaults of single programs. It
+/// has default visibility because on 32-bit x86 the address of a missing hidden function is not
+/// null: linkers resolve it against the file's load address.
 [[gnu::weak, gnu::visibility("default")]] const char *fallbackValue(const char *name);
-/// Logs what fallbackValue() found wrong, and what it gives; called when the log is open.
+/// Logs the errors that fallbackValue() found, and the values it returns. Called when the log is
+/// open.
 [[gnu::weak, gnu::visibility("default")]] void reportFallbacks();
 
-/// This process's settings: read by secure_getenv once, at the first call (none in a set-user-id
-/// program), and where that has no variable by fallbackValue(). The first call also opens the log,
-/// writes the warnings to it, and prints the help if asked. Never throws; later changes of the
-/// environment are not seen.
+/// Returns this process's settings. The first call reads them by secure_getenv (none in a
+/// set-user-id program), then by fallbackValue(). It also opens the log, writes the warnings to it,
+/// and prints the help if asked. Never throws, and ignores later changes of the environment.
 [[nodiscard]] const Settings &settings() noexcept;
 
-/// Shorthand for settings().has(flag); keep the answer where calls are hot.
+/// Returns settings().has(flag); keep the result in hot code.
 [[nodiscard]] inline bool debugFlag(DebugFlag flag) noexcept { return settings().has(flag); }
 
-/// One line for the log if the flag is set, whatever the level, unless the log is off.
+/// Logs one line if the flag is set, whatever the level, unless the log is off.
 [[gnu::format(printf, 3, 4)]] void logFlag(DebugFlag flag, const char *room, const char *format,
                                            ...) noexcept;
 
-/// The text of ARBITER_DEBUG=help.
+/// Returns the text of ARBITER_DEBUG=help.
 [[nodiscard]] std::string flagsHelp();
 
 } // namespace arbiter

@@ -6,8 +6,8 @@
 
 namespace arbiter {
 
-/// 128-bit content hash of a program string (XXH3), the key by which a program is named in
-/// statistics, captures and caches. Not a defence against a deliberate collision.
+/// A 128-bit content hash of a program string (XXH3). It identifies the program in statistics,
+/// captures and caches. It is no protection against deliberate collisions.
 struct Hash128 {
   std::uint64_t high = 0;
   std::uint64_t low = 0;
@@ -16,11 +16,10 @@ struct Hash128 {
 
 [[nodiscard]] Hash128 hashBytes(std::string_view bytes);
 
-/// The same of a regular file's bytes, read piece by piece. Nothing if it cannot be read; errno is
-/// set.
+/// Hashes a regular file's bytes in blocks. Returns nothing, with errno set, if it cannot be read.
 [[nodiscard]] std::optional<Hash128> hashFile(const char *path);
 
-/// 32 lower-case hexadecimal digits.
+/// Returns 32 lower-case hexadecimal digits.
 [[nodiscard]] std::string toHex(const Hash128 &hash);
 
 } // namespace arbiter

@@ -13,7 +13,7 @@ bool continues(std::string_view text, std::size_t at, unsigned char low, unsigne
          static_cast<unsigned char>(text[at]) <= high;
 }
 
-/// Length of the well-formed UTF-8 sequence at the front (Unicode table 3-7), or 0.
+/// Returns the length of the well-formed UTF-8 sequence at the front (Unicode table 3-7), or 0.
 std::size_t utf8Length(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80)

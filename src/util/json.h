@@ -6,12 +6,13 @@
 
 namespace arbiter {
 
-/// The bytes are well-formed UTF-8 (Unicode table 3-7).
+/// True if the bytes are well-formed UTF-8 (Unicode table 3-7).
 [[nodiscard]] bool isUtf8(std::string_view text);
 
-/// Writes JSON (RFC 8259), a call a token, indented by two spaces. A streaming writer because it
-/// also runs in the library that enters applications: no exception for bytes that are not UTF-8
-/// (each becomes U+FFFD), no tree, no heavy header. Keys come out in the order given.
+/// Writes JSON (RFC 8259), one call for each token, indented by two spaces. It streams because it
+/// also runs in the library that enters applications: it needs no tree, no heavy header, and throws
+/// no exception for bytes that are not UTF-8 (each becomes U+FFFD). Keys keep the order of the
+/// calls.
 ///
 ///   JsonWriter json;
 ///   json.beginObject().key("schema").value(1).key("programs").beginArray();
@@ -36,10 +37,10 @@ public:
   JsonWriter &value(std::int64_t number);
   JsonWriter &value(std::uint64_t number);
   JsonWriter &null();
-  /// A value that is JSON already, or becomes it later (record_text.h).
+  /// Writes a value that is JSON already, or becomes JSON later (record_text.h).
   JsonWriter &raw(std::string_view json);
 
-  /// The whole text, ended by a newline. Requires every object and array closed.
+  /// Returns the whole text, ended by a newline. Requires every object and array closed.
   [[nodiscard]] std::string take();
 
 private:
@@ -49,7 +50,7 @@ private:
   void appendString(std::string_view text);
 
   std::string m_text;
-  std::vector<bool> m_hasItems; ///< one an open object or array
+  std::vector<bool> m_hasItems; ///< one for each open object or array
   bool m_afterKey = false;
 };
 

@@ -10,7 +10,7 @@
 namespace arbiter {
 namespace {
 
-// nlohmann's parser is the independent judge of what the writer writes.
+// nlohmann's parser judges the output independently.
 TEST(JsonWriter, IsReadBackByAParser) {
   JsonWriter json;
   json.beginObject().key("schema").value(1).key("big").value(std::uint64_t(1) << 63);
@@ -67,7 +67,7 @@ TEST(Closest, FindsTheNameMeant) {
   EXPECT_EQ(closest(std::string(100, 'r'), names), "");
 }
 
-// The published XXH3-128 value of the empty input; a changed hash would rename every program.
+// The published XXH3-128 value of the empty input. A changed hash would rename every program.
 TEST(Hash, IsXxh3) {
   EXPECT_EQ(toHex(hashBytes("")), "99aa06d3014798d86001c324468d497f");
   EXPECT_NE(hashBytes("a"), hashBytes("b"));

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""The library that is preloaded into every process brings no iostreams and no locales: they cost
-700 KiB and a run of initialisers before main. One #include in any room is enough to bring them.
+"""Fails if the preloaded library brings iostreams or locales into every process.
+
+They cost 700 KiB and a run of initialisers before main. One #include in any room is enough to bring them.
 
 usage: light_library_test.py LIBRARY
 """

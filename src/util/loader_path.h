@@ -4,9 +4,10 @@
 
 namespace arbiter {
 
-/// `path` as processes of every width may be told it: its last folder that is `lib`, what the
-/// loader puts for $LIB in processes of this width ("lib/x86_64-linux-gnu"), is $LIB. The path
-/// itself where `lib` is empty or no part of it.
+/// Returns `path` in a form that is valid for processes of every word size: it replaces the last
+/// folder that equals `lib` with $LIB. `lib` is what the loader puts for $LIB in processes of this
+/// word size ("lib/x86_64-linux-gnu"). Returns the path unchanged if `lib` is empty or not part of
+/// it.
 [[nodiscard]] inline std::string forEveryWidth(const std::string &path, std::string_view lib) {
   const std::string folder = '/' + std::string(lib) + '/';
   const std::size_t at = lib.empty() ? std::string::npos : path.rfind(folder);

@@ -21,7 +21,7 @@ constinit std::atomic<int> g_logLevel = -1;
 int readLogLevel() noexcept {
   (void)settings(); // sets the level through configureLog
   const int level = g_logLevel.load(std::memory_order_relaxed);
-  // Still negative: settings() is being built further up this very thread's stack.
+  // A negative level here means that settings() is still running further up this thread's stack.
   return level < 0 ? int(LogLevel::Warn) : level;
 }
 
@@ -29,9 +29,8 @@ int readLogLevel() noexcept {
 
 namespace {
 
-/// A descriptor and the file that it is of. An application may close what it does not know (those
-/// that become daemons do) and open something else, which then has the number: a line of the log
-/// must not get there.
+/// A descriptor and the identity of its file. An application may close descriptors it does not know
+/// (daemons do) and open another file under the same number. No line of the log may go there.
 struct Sink {
   int descriptor = -1;
   dev_t device = 0;
@@ -43,10 +42,9 @@ struct Sink {
       return {};
     return {descriptor, status.st_dev, status.st_ino};
   }
-  /// It is still what it was, and there is room: a cap by the file's size, not by the log's own
-  /// count, as several processes may append to one file. Standard error that was open at first may
-  /// have been redirected since, but not to a connection: that is another's, opened when 2 was
-  /// free.
+  /// True if the descriptor still refers to its file and there is room. The cap uses the file's
+  /// size, as several processes may append to one file. Standard error may have been redirected
+  /// since, but not to a socket: an application opened that after it had closed 2.
   [[nodiscard]] bool takes() const {
     struct stat status = {};
     if (descriptor < 0 || ::fstat(descriptor, &status) != 0)
@@ -58,8 +56,8 @@ struct Sink {
   }
 };
 
-/// Standard error as it was when the library was loaded, the log's file where there is one. What
-/// is there stays: another thread may be reading it.
+/// Standard error as it was when the library was loaded, and the log's file. A sink is never freed
+/// or replaced, as another thread may be reading it.
 constinit Sink g_standardError, g_file;
 constinit std::atomic<const Sink *> g_sink = &g_standardError;
 
@@ -96,9 +94,9 @@ void write(LogLevel level, const char *room, std::string_view text) noexcept {
       if (line.back() != '\n')
         line += '\n';
       writeAll(sink->descriptor,
-               line); // one write: lines of several threads and processes stay whole
+               line); // one write keeps lines of several threads and processes whole
     } catch (...) {
-      // Out of memory while logging: the application matters more than the line.
+      // Out of memory: dropping the line is better than failing the application.
     }
   }
   errno = savedErrno;
@@ -159,7 +157,7 @@ void logText(LogLevel level, const char *room, std::string_view title,
     all += text;
     write(level, room, all);
   } catch (...) {
-    // As in write().
+    // As in write(), the line is dropped.
   }
 }
 
@@ -176,7 +174,7 @@ bool configureLog(LogLevel level, const char *path) noexcept {
   const bool toFile = path != nullptr && *path != '\0';
   const int descriptor = toFile ? openPrivate(path, OpenMode::Append) : -1;
   const bool opened = !toFile || descriptor >= 0;
-  // An earlier file stays open: another thread may be writing to it, and there is at most one.
+  // A previous file stays open, as another thread may be writing to it. There is at most one.
   const Sink *sink = &g_standardError;
   if (descriptor >= 0) {
     g_file = Sink::of(descriptor);

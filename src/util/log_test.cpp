@@ -52,7 +52,7 @@ TEST_F(LogTest, AFileThatGotTheDescriptorsNumberIsLeftAlone) {
   ASSERT_TRUE(configureLog(LogLevel::Info, m_path.c_str()));
   logInfo("state", "before");
   const std::string before = content();
-  for (int i = 3; i < 64; ++i) // as programs do that become daemons
+  for (int i = 3; i < 64; ++i) // as daemons do
     ::close(i);
   const std::string own = m_folder + "/own";
   int descriptors[8];

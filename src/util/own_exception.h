@@ -3,11 +3,11 @@
 
 namespace arbiter {
 
-/// Inside a handler for std::exception around calls of the host: throws `error` on if it is not of
-/// this library. What an application throws out of a callback that the host calls, or its X error
-/// handler, is the application's to catch, as it is without the layer. The C++ library is linked
-/// into the layer, so its own exceptions have type information of its own; where it is not, an
-/// exception of the C++ library's may be the application's, and is taken for the layer's.
+/// Rethrows `error` if it did not come from this library; called in a handler for std::exception
+/// around calls of the host. An exception from a callback or an X error handler belongs to the
+/// application, as without the layer. The C++ library is linked statically into the layer, so its
+/// exceptions have type information of their own. If it is linked dynamically, an application's
+/// standard exception is taken for the layer's.
 void passOn(const std::exception &error);
 
 } // namespace arbiter

@@ -5,23 +5,22 @@
 
 namespace arbiter {
 
-/// A T that each thread has of its own, made when first wanted and left to the next thread that
-/// wants one when the thread ends. Nothing is freed then: exit() ends the thread that calls it in
-/// the same way, and may be called by a signal's handler that interrupted malloc. Who asks after
-/// that has one again: an application's own destructors may draw after those of the thread that
-/// exit() was called on. `Tag` keeps two of one type distinct.
+/// A T for each thread, created at first use. When the thread ends, its T is kept for the next
+/// thread that needs one. Nothing is freed then, as exit() may be called by a signal handler that
+/// interrupted malloc. A later get() in the same thread returns a T again: the application's own
+/// destructors may still draw after exit(). `Tag` separates two uses of one type.
 template <typename T, typename Tag> class PerThread {
 public:
-  /// Null where there is no memory.
+  /// Returns null if there is no memory.
   static T *get() noexcept {
     if (!t_value) [[unlikely]]
       make();
     return t_value ? &t_value->value : nullptr;
   }
-  /// What the thread has stays allocated when it ends between this and takeBack(): other threads
-  /// still read it. That happens where a signal's handler calls exit() in the midst of a draw. Who
-  /// lends what is lent gets another one: a handler draws in the midst of a draw, or has left one
-  /// by siglongjmp(), and what it was at is half done.
+  /// Marks the thread's value as used until takeBack(). If the thread ends meanwhile, the value is
+  /// never reused, as other threads still read it; that happens if a signal handler calls exit()
+  /// during a draw. Lending it twice gives the thread a new value: a handler draws during a draw,
+  /// or left one by siglongjmp(), and the first value is half done.
   static void lend() noexcept {
     if (std::exchange(t_lent, true)) [[unlikely]]
       t_value = nullptr;
@@ -29,7 +28,7 @@ public:
   static void takeBack() noexcept { t_lent = false; }
 
 private:
-  /// Of a thread that ended.
+  /// The value of a thread that ended.
   struct Left {
     T value;
     Left *next = nullptr;
@@ -46,7 +45,7 @@ private:
                                          std::memory_order_relaxed))
       ;
   }
-  /// One of those that are left; the others are freed: as many threads as there were may never be
+  /// Takes one of the values that are left and frees the others: there may never be as many threads
   /// again.
   static Left *take() noexcept {
     Left *const first = g_left.exchange(nullptr, std::memory_order_acquire);
@@ -63,7 +62,8 @@ private:
     thread_local Keeper keeper __attribute__((tls_model("initial-exec")));
     (void)keeper;
   }
-  // Apart from the keeper: a compiler may leave out what a destructor writes to its own object.
+  // This is not a member of the keeper, because a compiler may drop what a destructor writes to its
+  // own object.
   static inline constinit thread_local Left *t_value __attribute__((tls_model("initial-exec"))) =
       nullptr;
   static inline constinit thread_local bool t_lent __attribute__((tls_model("initial-exec"))) =

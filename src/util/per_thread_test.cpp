@@ -34,7 +34,7 @@ protected:
   PerThreadTest() { g_made = g_freed = 0; }
 };
 
-// exit() ends its thread too, and a signal's handler may call it where malloc was interrupted.
+// exit() ends its thread too, and a signal handler may call it after it interrupted malloc.
 TEST_F(PerThreadTest, AThreadThatEndsFreesNothing) {
   valueOfNewThread<0>();
   EXPECT_EQ(g_made, 1);
@@ -53,7 +53,7 @@ TEST_F(PerThreadTest, WhatIsLentIsNobodyElses) {
   EXPECT_EQ(g_freed, 0);
 }
 
-// A handler's draw in the midst of a draw, and the first draw after a jump out of one.
+// A handler draws during a draw, or the first draw comes after a jump out of one.
 TEST_F(PerThreadTest, WhoLendsWhatIsLentGetsAnotherOne) {
   using Own = PerThread<Value, Tag<4>>;
   std::thread([] {

@@ -1,4 +1,4 @@
-// What reading the environment does to a process: each test forks, since it is read once.
+// The effects of the environment on a process. Each test forks, as the environment is read once.
 #include <cstdlib>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace arbiter {
 namespace {
 
-/// Runs the body in a forked child with the variables set; gives back what it wrote to stderr.
+/// Runs the body in a forked child with the variables set. Returns what it wrote to stderr.
 template <typename Body>
 std::string inChild(std::initializer_list<std::pair<const char *, const char *>> environment,
                     Body body) {

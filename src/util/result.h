@@ -5,8 +5,8 @@
 
 namespace arbiter {
 
-/// A value, or the error that stood in its way. Errors inside the project are values; no exception
-/// crosses a room's door.
+/// A value, or the error that occurred instead. Errors inside the project are values; no exception
+/// leaves a room.
 template <typename T, typename E> class [[nodiscard]] Result {
 public:
   Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}

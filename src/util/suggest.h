@@ -4,9 +4,9 @@
 
 namespace arbiter {
 
-/// The known name nearest to a mistyped one by edit distance (insertion, deletion, replacement,
-/// exchange of neighbours), for "did you mean". Empty if none is near: more than a third of the
-/// longer name would have to change. Names over 64 bytes are never near.
+/// Returns the known name nearest to a mistyped one by edit distance (insertion, deletion,
+/// replacement, exchange of neighbours), for "did you mean". Returns "" if more than a third of the
+/// longer name would have to change. Names over 64 bytes never match.
 [[nodiscard]] std::string_view closest(std::string_view typed,
                                        std::span<const std::string_view> known);
 

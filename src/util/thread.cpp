@@ -19,7 +19,8 @@ struct Start {
 void *begin(void *argument) {
   const Start start = *static_cast<Start *>(argument);
   delete static_cast<Start *>(argument);
-  // Inherited from the thread that draws: the process would die of traps of this one.
+  // The new thread inherits the drawing thread's floating-point environment, whose traps would end
+  // the process.
   (void)std::fesetenv(FE_DFL_ENV);
   (void)pthread_setname_np(pthread_self(), start.name);
   start.run(start.argument);

@@ -3,17 +3,18 @@
 
 namespace arbiter {
 
-/// Starts a thread of the layer's in an application's process: it takes no signal (the
-/// application's handlers run on the application's threads), its stack has `stackBytes` whatever
-/// limits the process was given, its floating-point environment is the default one (to nearest, no
-/// traps), and it is never joined: it ends with the process. \param name at most 15 characters
+/// Starts a thread of the layer in an application's process. It takes no signals (the application's
+/// handlers run on the application's threads). Its stack has `stackBytes`, whatever limits the
+/// process has. Its floating-point environment is the default (to nearest, no traps). It is never
+/// joined and ends with the process.
+/// \param name at most 15 characters
 /// \returns false if there are no more threads or no memory.
 [[nodiscard]] bool startThread(const char *name, std::size_t stackBytes, void (*run)(void *),
                                void *argument) noexcept;
 
-/// While it lives, the calling thread is not cancelled (pthread_cancel): what the layer does within
-/// a GL command may wait or open files, which are points of cancellation, and must not be left half
-/// done. The request is met at the application's next one.
+/// Prevents cancellation of the calling thread (pthread_cancel) while it lives. Within a GL command
+/// the layer may wait or open files, which are cancellation points, and must not stop halfway. The
+/// application's next cancellation point acts on the request.
 class NoCancel {
 public:
   NoCancel() noexcept;

@@ -1,9 +1,9 @@
 #pragma once
 
-/// toml++ as the layer's libraries may use it; for readers of files alone, whose interfaces do not
-/// show it.
+/// Configures toml++ for the layer's libraries. Only sources that read files include it; their
+/// interfaces do not expose it.
 namespace arbiter {
-/// Thrown where the TOML parser finds itself in a state that it holds to be impossible.
+/// Thrown if the TOML parser reaches a state that it asserts to be impossible.
 struct TomlParserBroken {};
 constexpr void requireOfToml(bool possible) {
   if (!possible)
@@ -11,8 +11,8 @@ constexpr void requireOfToml(bool possible) {
 }
 } // namespace arbiter
 
-// toml++ 3.3 asserts, or in a release build assumes, what bad text can break ("[[["). In a library
-// that lives in an application that must be an error, whatever the build type.
+// toml++ 3.3 asserts, or in a release build assumes, conditions that bad text can break ("[[["). In
+// a library inside an application that must be an error, in every build type.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expr) ::arbiter::requireOfToml(bool(expr))
@@ -20,6 +20,6 @@ constexpr void requireOfToml(bool possible) {
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
 #define TOML_INT_CHARCONV 1
-#define TOML_FLOAT_CHARCONV 1 // else it brings iostreams and locales into every application
+#define TOML_FLOAT_CHARCONV 1 // otherwise it brings iostreams and locales into every application
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")

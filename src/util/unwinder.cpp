@@ -6,7 +6,7 @@ void prepareUnwinder() {
   struct Nothing {};
   try {
     throw Nothing();
-  } catch (const Nothing &) { // the table is made now
+  } catch (const Nothing &) { // the throw has filled the table
   }
 }
 

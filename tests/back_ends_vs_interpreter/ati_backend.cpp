@@ -14,7 +14,7 @@ using namespace fp::ati;
 
 namespace {
 
-/// The textures, the fog and the colour sum that the subject is to be drawn under.
+/// Sets the textures, the fog and the color sum for the subject.
 void applyFixedFunction(const fp::ir::Options &options) {
   for (std::size_t unit = 0; unit < fp::testing::kUnitTargets.size(); ++unit) {
     const fp::ir::TexTarget target = fp::testing::kUnitTargets[unit];
@@ -43,7 +43,8 @@ Vec4 valueOf(const Constant &constant) {
   return constant.kind == ConstantKind::Value ? constant.value : parameterValue(row);
 }
 
-/// ARB programs, with which the suite measures attributes, and one form of ATI's shaders.
+/// Draws with ARB programs, by which the suite measures attributes, and with one form of ATI's
+/// shaders.
 class AtiBackend : public Backend {
 public:
   std::string use(const Stage &fragment, const Stage *vertex) final {
@@ -71,7 +72,7 @@ public:
   TextBackend() : AtiBackend(kTarget) {}
 
 private:
-  static constexpr GLenum kTarget = 0x8200; // TEXT_FRAGMENT_SHADER_ATI: no header has it
+  static constexpr GLenum kTarget = 0x8200; // TEXT_FRAGMENT_SHADER_ATI, which no header has
 
   std::string load(const std::string &text) override {
     if (m_name)
@@ -115,14 +116,15 @@ private:
     for (std::size_t i = 0; i < shader->passCount; ++i)
       issue(shader->passes[i]);
     glEndFragmentShaderATI();
-    // Global, and read at the draw.
+    // These constants are global, and read at the draw.
     for (std::size_t i = 0; i < kConstants; ++i)
       if (shader->constants[i].kind == ConstantKind::Env)
         setConstant(i, shader->constants[i]);
     return takeErrors();
   }
 
-  /// Clamped: the specification leaves values outside [0,1] undefined, and hosts differ.
+  /// Sets a clamped constant: the specification leaves values outside [0,1] undefined, and hosts
+  /// differ.
   static void setConstant(std::size_t number, const Constant &constant) {
     Vec4 value = valueOf(constant);
     for (float &component : value)

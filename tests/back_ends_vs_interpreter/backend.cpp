@@ -11,7 +11,7 @@ namespace arbiter::differential {
 namespace {
 class ArbBackend : public Backend {
 public:
-  /// \param printed give the printed text instead of the application's
+  /// \param printed loads the printed text instead of the application's
   explicit ArbBackend(bool printed) : m_printed(printed) {}
   std::string use(const Stage &fragment, const Stage *vertex) override {
     std::string problem = load(GL_FRAGMENT_PROGRAM_ARB, m_fragment, fragment);
@@ -93,7 +93,7 @@ public:
   bool hasProgramMatrices() const override { return false; }
 
 private:
-  /// The host's complaints, if there are any.
+  /// Attaches a shader. Returns the host's error messages, or "".
   std::string attach(GLenum type, const fp::GlslShader &emitted) const {
     const GLuint shader = glCreateShader(type);
     const char *text = emitted.text.c_str();

@@ -6,7 +6,7 @@
 
 namespace arbiter::differential {
 
-/// A program as text and as what the front end made of it.
+/// A program as text, and the front end's result for it.
 struct Stage {
   const std::string &text;
   const fp::ir::Program &program;
@@ -16,22 +16,23 @@ struct Stage {
 class Backend {
 public:
   virtual ~Backend() = default;
-  /// Makes a fragment program, and a vertex program before it or fixed function, current for the
-  /// draws that follow; a reason if it cannot.
+  /// Makes a fragment program, with a vertex program or fixed function before it, current for later
+  /// draws; returns a reason if it cannot.
   [[nodiscard]] virtual std::string use(const Stage &fragment, const Stage *vertex = nullptr) = 0;
   /// True if program matrices are GL state of this way.
   [[nodiscard]] virtual bool hasProgramMatrices() const = 0;
 };
 
-/// The API of ARB_fragment_program and ARB_vertex_program, of the host or of the layer in front of
-/// it.
+/// Uses the API of ARB_fragment_program and ARB_vertex_program, of the host or of the layer in
+/// front of it.
 [[nodiscard]] std::unique_ptr<Backend> arbBackend();
-/// ATI_text_fragment_shader, and ATI_fragment_shader for the same texts, of the host or the layer.
+/// These use ATI_text_fragment_shader, and ATI_fragment_shader for the same texts, of the host or
+/// the layer.
 [[nodiscard]] std::unique_ptr<Backend> atiTextBackend();
 [[nodiscard]] std::unique_ptr<Backend> atiApiBackend();
-/// The same with emitAssembly()'s text in the place of the application's.
+/// Uses the ARB API with emitAssembly()'s text instead of the application's.
 [[nodiscard]] std::unique_ptr<Backend> assemblyBackend();
-/// emitGlsl()'s text, compiled by the host. The object's end leaves no program in use.
+/// Uses emitGlsl()'s text, compiled by the host. The destructor leaves no program in use.
 [[nodiscard]] std::unique_ptr<Backend> glslBackend(fp::Numerics numerics = fp::Numerics::Host);
 
 } // namespace arbiter::differential

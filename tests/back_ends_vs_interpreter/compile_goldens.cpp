@@ -14,7 +14,7 @@
 namespace {
 namespace fs = std::filesystem;
 
-/// Empty if it links; the host's log otherwise.
+/// Links a text. Returns "" on success, else the host's log.
 std::string link(const std::string &text) {
   const bool vertex = text.find("gl_Position") != std::string::npos;
   const GLuint shader = glCreateShader(vertex ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);

@@ -1,4 +1,4 @@
-// differential: generated programs, interpreter against pixels. See --help.
+// differential: compares generated programs' pixels with the interpreter. See --help.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -49,12 +49,13 @@ constexpr const char *kHelp =
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
 
-/// The calls of an extension, whose implementation has the mode from ARBITER_NUMERICS.
+/// Makes a backend of an extension's API, whose implementation takes the mode from
+/// ARBITER_NUMERICS.
 template <std::unique_ptr<Backend> (*kCreate)()> std::unique_ptr<Backend> calls(fp::Numerics) {
   return kCreate();
 }
 
-/// One way to draw the programs of a language, and what may be drawn so.
+/// One way to draw the programs of a language, and the programs that it supports.
 struct WayRow {
   const char *language;
   const char *mode;
@@ -105,7 +106,7 @@ struct Arguments {
   SuiteOptions suite;
 };
 
-/// Empty, or why the mode cannot be compared so.
+/// Returns why the mode cannot be compared in this way; empty: it can.
 std::string numericsFault(const Arguments &arguments) {
   const fp::Numerics numerics = arguments.suite.numerics;
   if (arguments.language == "vertex" && numerics == fp::Numerics::Fp24)
@@ -122,7 +123,8 @@ bool isSuite(const char *name) {
          !std::strcmp(name, "mutants");
 }
 
-/// The header decides the language of all. False, with a complaint, for a file that cannot be read.
+/// Reads a program; its header decides the language of all. Returns false, with a message, if the
+/// file cannot be read.
 bool readProgram(const char *path, Arguments &arguments) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
@@ -137,7 +139,7 @@ bool readProgram(const char *path, Arguments &arguments) {
   return true;
 }
 
-/// What is drawn for each seed. False where the way has no such programs.
+/// Chooses the programs for the seeds. Returns false if the way has no such programs.
 bool chooseSubjects(Arguments &arguments) {
   SuiteOptions &suite = arguments.suite;
   const WayRow &way = *arguments.way;

@@ -19,7 +19,7 @@ constexpr std::array<float, kSide> kSpecial = {0.0f,  -0.0f,  1.0f,   -1.0f,    
                                                -2.5f, kInf,   -kInf,  kNan,     1e-40f, -1e-40f,
                                                1e30f, -1e30f, 130.0f, 0x1p-100f};
 
-/// Texel (x, y): a pair and, in z and w, two more that differ from pixel to pixel.
+/// Returns texel (x, y): a pair and, in z and w, two more values that differ from pixel to pixel.
 Vec4 texelAt(int x, int y) {
   const auto at = [](int i) { return comparable(kSpecial[std::size_t(i % kSide)]); };
   return {at(x), at(y), at(x + 3 * y), at(5 * x + y)};
@@ -58,9 +58,8 @@ std::string programText(Opcode op, bool saturate) {
   return text;
 }
 
-/// False where semantics.h leaves the result to the host, where it depends on whether a host rounds
-/// between product and sum (1e30 * 1e30 - infinity), and where a function's tolerance means
-/// nothing.
+/// Returns false if semantics.h leaves the result to the host, if it depends on rounding between
+/// product and sum (1e30 * 1e30 - infinity), or if a function's tolerance is meaningless.
 bool isDefined(Opcode op, bool saturate, const Vec4 &texel, fp::Numerics numerics) {
   const auto any = [&](bool (*test)(float)) {
     return test(texel[0]) || test(texel[1]) || test(texel[2]) || test(texel[3]);

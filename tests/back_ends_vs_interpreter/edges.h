@@ -3,10 +3,10 @@
 
 namespace arbiter::differential {
 
-/// Every arithmetic opcode, with and without _SAT, and KIL, on all pairs of special values (zeros,
-/// infinities, NaN, denormals, huge numbers), read from a texture so that no compiler knows them.
-/// Compared with ir/semantics.h by kind of value: NaN, infinity and its sign, number within
-/// tolerance. One "program" of the report is one opcode in one form.
+/// Tests every arithmetic opcode, with and without _SAT, and KIL, on all pairs of special values
+/// (zeros, infinities, NaN, denormals, huge numbers). The values are read from a texture, so that
+/// no compiler knows them. Results are compared with ir/semantics.h by kind of value: NaN, infinity
+/// and its sign, number within tolerance. One "program" of the report is one opcode in one form.
 [[nodiscard]] Report runEdges(Backend &backend, const SuiteOptions &options);
 
 } // namespace arbiter::differential

@@ -25,8 +25,8 @@ Inputs inputsOf(const PixelInputs &pixel) {
   return inputs;
 }
 
-/// State that the host computes of what it was given: a last bit off, it truncates to another
-/// 24-bit float.
+/// True if the host computes the state from what it was given: an error in the last bit may
+/// truncate it to another 24-bit float.
 bool isComputed(const Parameter &parameter) {
   if (parameter.kind != ParameterKind::State)
     return false;
@@ -40,7 +40,7 @@ bool unpacks(Opcode op) {
   return op == Opcode::Up2h || op == Opcode::Up2us || op == Opcode::Up4b || op == Opcode::Up4ub;
 }
 
-/// Moves values by their tolerance, up or down.
+/// Moves values up or down by their tolerance.
 class Shaker {
 public:
   explicit Shaker(std::uint64_t seed) : m_random(seed) {}
@@ -49,9 +49,10 @@ public:
     value += m_random.real(-1.0f, 1.0f) * (relative * std::fabs(value) + absolute);
   }
 
-  /// \param nv a program under NVIDIA's options: registers may hold the bits that PK* has made, and
-  /// its flow is sums and products of flags, which any host computes exactly. A flag that is nearly
-  /// off would be on.
+  /// Returns moved inputs.
+  /// \param nv a program with NVIDIA's options. Its registers may hold bits from PK*, and its flow
+  /// is sums and products of flags, which any host computes exactly. A flag that is nearly off
+  /// would be on.
   Inputs inputs(const PixelInputs &pixel, bool nv) {
     Inputs result = inputsOf(pixel);
     m_nv = nv;
@@ -75,13 +76,13 @@ public:
       if (nv && carriesBits(instruction.op) && !unpacks(instruction.op))
         return;
       const Tolerance allowed = tolerance(instruction.op, numerics);
-      // GLSL owes nobody a NaN: hosts take x - x for 0 whatever x is.
+      // GLSL need not preserve NaNs: hosts compute x - x as 0 for any x.
       for (float &component : value)
         if (std::isnan(component) && m_random.chance(50))
           component = 0;
       if (allowed.relative != 0 || allowed.absolute != 0)
         for (float &component : value)
-          // A zero by rule, not by rounding.
+          // Such a zero follows from a rule, not from rounding.
           if (component != 0 && !isExact(instruction.op, component)) {
             shake(component, allowed.relative, allowed.absolute);
             component = held(component, numerics);
@@ -117,8 +118,8 @@ void widen(Expected &expected, float seen) {
     expected.slack = std::max(expected.slack, std::fabs(seen - expected.value));
 }
 
-/// Of the last step to a pixel. What the R300 computes is stored as it is, except behind a fog of
-/// the host's own exp2().
+/// Returns the tolerance of the last step to a pixel. R300 results are stored unchanged, except
+/// after a fog with the host's own exp2().
 float pixelTolerance(const Program &program, fp::Numerics numerics) {
   if (numericsOf(program.language, numerics) != fp::Numerics::Fp24)
     return kPixelTolerance;
@@ -131,7 +132,7 @@ void finishTolerance(Expected &expected, float last) {
   const float scale = 1.0f + std::fabs(expected.value);
   if (expected.slack > kIllConditioned * scale)
     expected.comparable = false;
-  // The directions that would show the worst were hardly among the trials.
+  // The trials are unlikely to include the worst directions.
   expected.slack = 4.0f * expected.slack + last * scale;
 }
 

@@ -15,7 +15,7 @@ std::uint8_t byteOf(float value) {
   return std::isnan(value) ? 255 : std::uint8_t(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-/// Drawn on the left, expected on the right, magnified.
+/// Writes the drawn pixels on the left and the expected ones on the right, magnified.
 void writePicture(const std::string &path, const std::vector<float> &seen,
                   const std::vector<float> &expected) {
   constexpr int kWidth = 2 * kSide * kZoom, kHeight = kSide * kZoom;

@@ -8,8 +8,8 @@
 namespace arbiter::differential {
 
 namespace {
-/// An initialised display without a window system: Mesa's surfaceless platform, the default
-/// display, or a device of its own.
+/// Returns an initialised display without a window system: on Mesa's surfaceless platform, the
+/// default display, or a device.
 EGLDisplay openDisplay() {
   const char *found = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const std::string extensions = found ? found : "";

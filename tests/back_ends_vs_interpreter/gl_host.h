@@ -7,15 +7,15 @@
 
 namespace arbiter::differential {
 
-/// Side of the square window in pixels; one fragment each.
+/// The width and height of the window in pixels; each is one fragment.
 inline constexpr int kSide = 16;
 inline constexpr int kColorBuffers = 2;
 
-/// A compatibility context without a window, current on this thread while the object lives.
+/// A compatibility context without a window, current on this thread while the object lives. It uses
 /// EGL on Mesa's surfaceless platform, or on the default display if there is none.
 class GlHost {
 public:
-  /// Empty, with the reason in \p why, if no context can be made.
+  /// Creates a context. Returns nothing, with the reason in \p why, if it cannot.
   static std::optional<GlHost> create(std::string &why);
   GlHost(GlHost &&other) noexcept;
   GlHost &operator=(GlHost &&) = delete;
@@ -32,10 +32,11 @@ struct Pixels {
   std::vector<float> depth; ///< kSide * kSide
 };
 
-/// Float colour buffers and a float depth buffer, so that nothing is clamped or rounded.
+/// A target with float color buffers and a float depth buffer, so that nothing is clamped or
+/// rounded.
 class FloatTarget {
 public:
-  /// False if the host lacks float buffers.
+  /// Returns false if the host lacks float buffers.
   [[nodiscard]] bool create();
   void clear() const;
   [[nodiscard]] Pixels read(int buffer) const;
@@ -44,20 +45,20 @@ private:
   GLuint m_framebuffer = 0;
 };
 
-/// What clear() leaves in a colour buffer: a value that no program makes.
+/// The value that clear() writes to a color buffer; no program computes it.
 inline constexpr float kUntouched = 777.0f;
 
-/// Whether the host's shaders compute with denormals, as they may, where the interpreter takes them
-/// for zeros: Debian's Mesa of 32 bits is compiled for processors that cannot be told to. Draws
-/// once, and leaves the state as it was.
+/// True if the host's shaders compute with denormals, which GL allows and the interpreter treats as
+/// zeros: Debian's 32-bit Mesa is compiled for processors that cannot flush them. Draws once, and
+/// restores the state.
 [[nodiscard]] bool keepsDenormals();
-/// `value`, or the zero of its sign where it is a denormal and the host keeps those.
+/// Returns `value`, or the zero of its sign if it is a denormal and the host keeps those.
 [[nodiscard]] float comparable(float value);
 
-/// Whether the layer is preloaded: the host's vendor library alone is opened in a scope of its own.
+/// True if the layer is preloaded: the host's vendor library would be opened in a scope of its own.
 [[nodiscard]] bool layerInFront();
 
-/// GL errors since the last call, as text; empty if there were none.
+/// Returns GL errors since the last call, as text; empty if there were none.
 [[nodiscard]] std::string takeErrors();
 
 } // namespace arbiter::differential

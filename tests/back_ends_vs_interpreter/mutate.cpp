@@ -9,7 +9,7 @@ namespace arbiter::differential {
 using namespace fp::ir;
 
 namespace {
-/// Another opcode of the same shape, or the same where none is near.
+/// Returns another opcode of the same shape, or the same if there is none.
 Opcode neighbour(Opcode op) {
   switch (op) {
   case Opcode::Add:

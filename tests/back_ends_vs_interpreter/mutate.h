@@ -5,10 +5,9 @@
 
 namespace arbiter::differential {
 
-/// The program with one of its instructions computing something else: an interpreter that runs it
-/// is wrong about the original, which the suite must notice. Optimised first, so that the
-/// instruction matters; still, some mutants compute the same (a sign under ABS, a branch never
-/// taken).
+/// Returns the program with one instruction changed. The suite must notice that it computes
+/// something else. The program is optimised first, so that the instruction matters. Still, some
+/// mutants compute the same (a sign under ABS, a branch never taken).
 [[nodiscard]] fp::ir::Program mutant(const fp::ir::Program &program, std::uint64_t seed,
                                      fp::Numerics numerics);
 

@@ -1,8 +1,9 @@
-// rounding: the functions that Fp24's GLSL rounds by, on this host, against fp_compiler/numerics.h:
-// every single with a mantissa of 16 bits, its ties and what is beside them.
+// rounding: compares the rounding functions of Fp24's GLSL, on this host, with
+// fp_compiler/numerics.h, for every single with a mantissa of 16 bits, its ties and their
+// neighbors.
 //
-// usage: rounding [LOW...]   with which 7 bits below those 16; all that matter if none are named
-// Exit status: 0 all agree, 1 some differ, 77 no GL context, or none with what they need.
+// usage: rounding [LOW...]   selects the 7 bits below those 16; without one, all that matter
+// Exit status: 0 all agree, 1 some differ, 77 no GL context, or none with the needed features.
 #include <bit>
 #include <cinttypes>
 #include <cmath>
@@ -19,7 +20,7 @@ using namespace arbiter::differential;
 
 constexpr int kWidth = 2048, kHeight = 2048;
 constexpr std::size_t kValues = std::size_t(kWidth) * kHeight * 4;
-/// What stands below the 16 bits: nothing, half a unit, and its neighbours.
+/// The 7 bits below the 16: zero, half a unit, and its neighbors.
 constexpr std::uint32_t kLow[] = {0, 1, 63, 64, 65, 127};
 
 struct Function {
@@ -45,7 +46,8 @@ GLuint floatTexture() {
   return name;
 }
 
-/// A program that applies the function to each texel; 0, with the host's words, if there is none.
+/// Makes a program that applies the function to each texel; 0, with the host's message, if it
+/// cannot.
 GLuint programOf(const char *function) {
   const std::string call = std::string(function) + "(";
   const std::string text =
@@ -92,7 +94,7 @@ public:
   [[nodiscard]] std::uint64_t differences() const { return m_different; }
   [[nodiscard]] std::uint64_t compared() const { return m_compared; }
 
-  /// Every sign, exponent and 16 bits of mantissa, with the same bits below them.
+  /// Tests every sign, exponent and 16 bits of mantissa, with the same bits below them.
   void all(std::uint32_t low) {
     for (std::uint64_t first = 0; first < 1u << 25; first += kValues) {
       for (std::size_t i = 0; i < kValues; ++i)

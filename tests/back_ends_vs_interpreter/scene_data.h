@@ -2,12 +2,12 @@
 #include "fp_compiler/testing/random.h"
 #include "scene.h"
 
-/// The numbers of the scene: all different, so that a mix-up shows, and exact in binary.
+/// The numbers of the scene. All differ, so that a mix-up is noticed, and are exact in binary.
 namespace arbiter::differential {
 
 using Matrix = std::array<Vec4, 4>; ///< rows
 
-/// Projection undoes modelview, so that object coordinates are clip coordinates.
+/// The projection inverts the modelview matrix, so that object coordinates are clip coordinates.
 inline constexpr Matrix kModelview = {
     {{0, -2, 0, 0}, {0.5f, 0, 0, 0}, {0, 0, 1, 0.25f}, {0, 0, 0, 1}}};
 inline constexpr Matrix kProjection = {
@@ -65,7 +65,7 @@ constexpr Vec4 texEnvColor(int unit) {
 }
 
 [[nodiscard]] Vec4 transformed(const Matrix &m, const Vec4 &v);
-/// As GL loads a matrix: column after column.
+/// Returns the matrix column by column, as GL loads it.
 [[nodiscard]] Matrix columns(const Matrix &m);
 
 } // namespace arbiter::differential

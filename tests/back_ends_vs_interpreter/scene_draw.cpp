@@ -35,8 +35,8 @@ void applyMaterial(GLenum face, const Material &m) {
   glMaterialf(face, GL_SHININESS, m.shininess);
 }
 
-/// Value at the window's lower left corner, and change across the window in x and in y. Small
-/// enough to stay inside fp::testing::InputRanges.
+/// The value at the window's lower left corner, and the change across the window in x and in y,
+/// small enough to stay inside fp::testing::InputRanges.
 struct Plane {
   Vec4 origin, dx, dy;
 };
@@ -77,7 +77,7 @@ Vec4 at(const Plane &plane, float u, float v) {
 } // namespace
 
 void applyState(bool programMatrices) {
-  // Positions of lights are transformed by the modelview matrix of the call.
+  // The current modelview matrix transforms positions of lights.
   glMatrixMode(GL_MODELVIEW);
   glLoadIdentity();
   for (int i = 0; i < 2; ++i) {

@@ -16,7 +16,7 @@ Matrix transposed(const Matrix &m) {
   return result;
 }
 
-/// Gauss and Jordan in double precision.
+/// Inverts a matrix by Gauss-Jordan elimination in double precision.
 Matrix inverted(const Matrix &m) {
   double a[4][8] = {};
   for (std::size_t r = 0; r < 4; ++r) {

@@ -53,7 +53,7 @@ Size sizeOf(TexTarget target) {
   return {};
 }
 
-/// Depth textures use the first component.
+/// Returns a texel. Depth textures use the first component.
 Vec4 texel(int unit, const Size &size, int x, int y, int z) {
   const int number = unit * 4096 + (z * size.height + y) * size.width + x;
   fp::testing::Random random(std::uint64_t(number) * 104729 + 1);
@@ -76,8 +76,8 @@ struct Texel {
   int x = 0, y = 0, z = 0;
 };
 
-/// Table 3.21 of the GL specification: the face, and its coordinates in [0,1]. Where components are
-/// of one size the table leaves the axis open, and hosts take z before y before x.
+/// Returns the face and its coordinates in [0,1] (table 3.21 of the GL specification). If
+/// components are equal, the table leaves the axis open, and hosts take z before y before x.
 Texel cubeTexel(const Vec4 &r, int size) {
   const float ax = std::fabs(r[0]), ay = std::fabs(r[1]), az = std::fabs(r[2]);
   float s = 0, t = 0, major = 0;
@@ -126,12 +126,12 @@ Texel locate(const Sample &sample, const Size &size) {
 
 bool s_alphaDepths = true;
 
-/// Mesa takes ALPHA for RED where it believes that GLSL 1.30 or later reads the texture. Of an
-/// assembly program it reads that version from the memory of the program's instructions, where
-/// those of 32 bits have now this, now that.
+/// True if Mesa reads ALPHA depth textures as ALPHA. It takes ALPHA for RED if it believes that
+/// GLSL 1.30 or later reads the texture. For an assembly program it reads that version from the
+/// memory of the program's instructions, which is unpredictable in 32-bit processes.
 bool readsAlphaDepths(bool assembly) { return !assembly || sizeof(void *) > 4 || layerInFront(); }
 
-/// DEPTH_TEXTURE_MODE of each shadow target: all three are in use.
+/// Returns the DEPTH_TEXTURE_MODE of each shadow target, so that all three are in use.
 GLenum depthMode(TexTarget target) {
   if (target == TexTarget::Shadow1D)
     return GL_INTENSITY;

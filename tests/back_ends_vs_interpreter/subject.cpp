@@ -22,14 +22,15 @@ Subject checked(fp::ir::Language language, std::string text, const fp::Limits &l
   return {std::move(text), std::move(result.program), std::move(error)};
 }
 
-/// No numeral says infinity, and of a denormal constant some hosts keep the value.
+/// Returns a number that can be written: no numeral is infinite, and some hosts keep denormal
+/// constants.
 float spellable(float value) {
   if (std::isinf(value))
     return std::copysign(std::numeric_limits<float>::max(), value);
   return flushed(value);
 }
 
-/// Gives many products of a program an infinity, and zeros here and there in the other factor.
+/// Puts an infinity into many products of a program, and sometimes a zero into the other factor.
 class Wild {
 public:
   Wild(Program &program, std::uint64_t seed) : m_program(program), m_random(seed) {}
@@ -102,7 +103,7 @@ private:
 
 Subject atiUnder(const fp::Limits &limits, std::uint64_t seed, bool peer) {
   // Beyond unit 4 the scene has shadow textures, which these shaders do not compare. One shader of
-  // four reads what it did not write.
+  // four reads a register that it did not write.
   const fp::ati::Shader shader = fp::testing::randomAtiShader(
       seed,
       {.sampledUnits = 0x1F, .tameDivisors = true, .defined = peer || seed % 4 != 0, .peer = peer});
@@ -113,7 +114,7 @@ Subject atiUnder(const fp::Limits &limits, std::uint64_t seed, bool peer) {
   fp::testing::Random random(seed);
   fp::FixedFunction state;
   state.targets = fp::testing::kUnitTargets;
-  // Without GLSL, what is clamped before these is the host's own affair with float buffers.
+  // Without GLSL, clamping before these stages is host-dependent with float buffers.
   state.colorSum = !peer && random.chance(30);
   if (!peer && random.chance(30))
     state.fog = fp::ir::FogMode(1 + random.below(3));

@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  /// What stages after the program read, as this host interpolates it.
+  /// The inputs of stages after the program, as this host interpolates them.
   struct Pipeline {
     const std::vector<float> &fogCoordinate;
     const std::vector<float> &secondary;
@@ -55,7 +55,7 @@ private:
     m_report.failures.push_back({seed, reason});
   }
 
-  /// Draws with the program that the backend has made current.
+  /// Draws with the backend's current program.
   std::string draw() {
     m_target.clear();
     drawQuad();
@@ -63,8 +63,8 @@ private:
     return takeErrors();
   }
 
-  /// The attribute as this host interpolates it: what the program under test will read. Checked
-  /// against what was sent, so that a mix-up of attributes does not hide itself.
+  /// Measures the attribute as this host interpolates it, which the program under test will read.
+  /// The result is checked against what was sent, so that a mix-up of attributes is noticed.
   const std::vector<float> &measured(const Attribute &attribute, const Options &options) {
     const bool position = attribute.kind == AttributeKind::Position;
     const Optioned key{attribute, position && options.originUpperLeft,
@@ -81,7 +81,7 @@ private:
       text += "OPTION ARB_fragment_coord_pixel_center_integer;\n";
     text += "MOV result.color, " + bindingText(attribute) + ";\nEND\n";
     const fp::CheckResult checked = check(text);
-    // As the interpreter is to read it: what a mode makes of it is under test.
+    // The measuring program must not apply the numerics mode, as that is under test.
     const auto raw = m_options.numerics == fp::Numerics::Host ? nullptr : glslBackend();
     std::string problem = (raw ? *raw : m_backend).use({text, *checked.program});
     if (problem.empty())
@@ -104,7 +104,7 @@ private:
           sent[0] -= 0.5f;
           sent[1] -= 0.5f;
         }
-        // The fourth component of a secondary colour is the host's: 0 or 1. So are all but the
+        // The fourth component of a secondary color is host-dependent: 0 or 1. So are all but the
         // first of the facing.
         const std::size_t count = key.attribute.kind == AttributeKind::ColorSecondary ? 3
                                   : key.attribute.kind == AttributeKind::Facing       ? 1

@@ -12,11 +12,11 @@ namespace arbiter::differential {
 
 struct SuiteOptions {
   std::function<Subject(std::uint64_t seed)> subject = arbSubject;
-  fp::Numerics numerics = fp::Numerics::Host; ///< that the interpreter follows, and the backend
+  fp::Numerics numerics = fp::Numerics::Host; ///< of the interpreter and the backend
   int count = 500;
   std::uint64_t firstSeed = 1;
-  bool mutate = false;  ///< expect what a mutant of the program computes: most must fail
-  std::string failures; ///< folder for texts and pictures of failing programs; empty: none
+  bool mutate = false;  ///< expects the results of a mutant: most programs must fail
+  std::string failures; ///< a folder for texts and pictures of failing programs; empty: none
 };
 
 struct Failure {
@@ -28,15 +28,16 @@ struct Report {
   std::string renderer;
   int programs = 0;
   std::uint64_t compared = 0; ///< values
-  std::uint64_t skipped = 0;  ///< values whose tolerances say nothing
-  float worst = 0;            ///< error in units of what is allowed, over the passing programs
+  std::uint64_t skipped = 0;  ///< values whose tolerances are too large
+  /// largest error of the passing programs, relative to the allowed one
+  float worst = 0;
   std::vector<Failure> failures;
 };
 
 /// Draws each program, and compares each pixel with the interpreter.
 [[nodiscard]] Report runSuite(Backend &backend, const SuiteOptions &options);
 
-/// Writes the picture that was drawn beside the one that was expected.
+/// Writes the drawn picture beside the expected one.
 void writeFailure(const std::string &folder, std::uint64_t seed, const std::string &text,
                   const std::string &reason, const std::vector<float> &seen,
                   const std::vector<float> &expected);

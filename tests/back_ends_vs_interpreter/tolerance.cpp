@@ -9,21 +9,21 @@ using fp::ir::Opcode;
 namespace {
 constexpr float kHalfUlp = 0x1p-23f;
 constexpr Tolerance kExact = {};
-/// Hosts may fuse a product and a sum, and sum in another order.
+/// Hosts may fuse a product and a sum, and change the order of sums.
 constexpr Tolerance kArithmetic = {kHalfUlp, kHalfUlp, 0};
 constexpr Tolerance kReciprocal = {0, 0x1p-21f, 0};
-/// Polynomials for 2^x and log2 x: a software host's are good to about 2^-19.
+/// These allow for polynomials of 2^x and log2 x: a software host's are good to about 2^-19.
 constexpr Tolerance kExponential = {kHalfUlp, 0x1p-18f, 0};
 constexpr Tolerance kLogarithm = {kHalfUlp, 0x1p-18f, 0x1p-18f};
 constexpr Tolerance kPower = {kHalfUlp, 0x1p-15f, 0x1p-20f};
 constexpr Tolerance kTrigonometric = {0x1p-22f, 0, 0x1p-18f};
-/// Texel coordinates go through the host's fixed point.
+/// Hosts convert texel coordinates to fixed point.
 constexpr Tolerance kTexture = {0x1p-16f, 0, 0};
 
-/// A function whose single is off by ever so little rounds to the neighbour where the exact one is
-/// near the middle of two: one unit of 24 bits, which a relative 2^-16 reaches from any mantissa.
+/// If the exact result is near the middle of two 24-bit numbers, the least error of a single rounds
+/// it to the other. That is one unit of 24 bits, which a relative 2^-16 covers for any mantissa.
 constexpr float kUnit24 = 0x1p-16f;
-/// POW is three steps in 24 bits: what the logarithm's last bit makes of a power of 2^16.
+/// POW is three steps in 24 bits: the last bit of the logarithm has this effect on a power of 2^16.
 constexpr Tolerance kPower24 = {0, 0x1p-12f, 0};
 
 Tolerance tolerance24(Opcode op) {

@@ -8,8 +8,8 @@
 namespace arbiter::differential {
 
 namespace {
-/// Matrices under which eye space and clip space differ, so that a plane taken for one of the wrong
-/// space clips other pixels.
+/// Sets a clip plane under matrices for which eye space and clip space differ, so that a plane in
+/// the wrong space clips other pixels.
 void applyPlane() {
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();

@@ -15,7 +15,7 @@ using namespace fp::ir;
 
 namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
-/// No NaN: a vertex that carries one may be dropped.
+/// The values include no NaN, as a vertex with one may be dropped.
 constexpr std::array<float, 20> kSpecial = {
     0.0f,    -0.0f, 1.0f,   -1.0f,  0.5f,      2.0f,   -2.5f, kInf,       -kInf,    1e-40f,
     -1e-40f, 1e30f, -1e30f, 130.0f, 0x1p-100f, -0.75f, 8.0f,  7.9999995f, 0x1p127f, 0x1p-126f};
@@ -27,7 +27,7 @@ Vec4 specialAt(int x, int y) {
 
 struct Case {
   std::string name, text;
-  Opcode op = Opcode::Mov; ///< whose tolerance holds
+  Opcode op = Opcode::Mov; ///< its tolerance applies
 };
 
 Case opcodeCase(Opcode op) {
@@ -45,7 +45,8 @@ Case opcodeCase(Opcode op) {
           op};
 }
 
-/// Rows of an array by every special address; those that are not there are zero.
+/// Returns a case that reads an array's rows at every special address; rows that do not exist are
+/// zero.
 Case addressCase(const std::string &rows, const char *offset) {
   return {"ARL " + rows + offset,
           "!!ARBvp1.0\nADDRESS a;\nPARAM rows[] = { " + rows +
@@ -67,7 +68,7 @@ std::vector<Case> cases() {
   return result;
 }
 
-/// False where a host may fuse, or sum in another order, on the way to an infinity or out of it.
+/// Returns false if a host may fuse operations, or reorder sums, on the way to or from an infinity.
 bool isDefined(Opcode op, const Vec4 &value) {
   const OpInfo &row = info(op);
   const bool sums = row.has(Replicates) && row.operandCount() == 2 && op != Opcode::Pow;
@@ -80,7 +81,7 @@ bool isDefined(Opcode op, const Vec4 &value) {
 }
 
 bool agree(Opcode op, float seen, float expected) {
-  const Tolerance allowed = tolerance(op, fp::Numerics::Legacy); // as Host's
+  const Tolerance allowed = tolerance(op, fp::Numerics::Legacy); // equal to Host's
   return std::fabs(seen - expected) <=
          (allowed.relative + 8 * allowed.operand) * std::fabs(expected) + allowed.absolute + 1e-37f;
 }
@@ -158,7 +159,7 @@ private:
     for (std::size_t o = 0; o < program.outputs.size(); ++o) {
       const Vec4 &expected = evaluation.outputs[o];
       for (std::size_t i = 0; program.outputs[o].kind == OutputKind::TexCoord && i < 4; ++i) {
-        // An infinite coordinate is not what a rasterizer hands on, whatever the program made.
+        // A rasterizer need not pass on an infinite coordinate.
         if (!std::isfinite(expected[i])) {
           ++m_report.skipped;
           continue;
@@ -190,7 +191,7 @@ private:
 } // namespace
 
 Report runVertexEdges(Backend &backend, const SuiteOptions &options) {
-  (void)keepsDenormals(); // draws, which it cannot between Begin and End
+  (void)keepsDenormals(); // it draws, which is not allowed between Begin and End
   return VertexEdges(backend, options.numerics).run();
 }
 

@@ -10,7 +10,7 @@ namespace arbiter::differential {
 using namespace fp::ir;
 
 namespace {
-/// The fragment attribute that a result becomes.
+/// Returns the fragment attribute that a result becomes.
 Attribute attributeOf(const Output &result) {
   switch (result.kind) {
   case OutputKind::FrontPrimary:

@@ -9,7 +9,7 @@
 
 namespace arbiter::differential {
 
-/// Everything that a draw left.
+/// All buffers after a draw.
 class Drawn {
 public:
   explicit Drawn(const FloatTarget &target);
@@ -20,19 +20,19 @@ private:
   std::array<Pixels, kColorBuffers> m_pixels;
 };
 
-/// Shows up to two results of a vertex program as colours, by a fragment program that copies the
-/// interpolated attributes that they become. A point has one vertex, so nothing is interpolated.
+/// Shows up to two results of a vertex program as colors, by a fragment program that copies the
+/// interpolated attributes. A point has one vertex, so that nothing is interpolated.
 class Reader {
 public:
   explicit Reader(const fp::ir::Program &vertexProgram);
 
-  /// Draws the points; a reason if something went wrong.
+  /// Draws the points; returns a reason if something failed.
   [[nodiscard]] std::string draw(Backend &backend, const std::string &text,
                                  const fp::ir::Program &program, const FloatTarget &target,
                                  void (*points)(const fp::ir::Program &) = drawPoints) const;
-  /// The program with its results as colours, for the interpreter.
+  /// Returns the program with its results as colors, for the interpreter.
   [[nodiscard]] fp::ir::Program shown(fp::ir::Program program) const;
-  /// The colours of one vertex; where a result has no such component, what is expected.
+  /// Returns the colors of one vertex; components that a result lacks are the expected ones.
   [[nodiscard]] std::array<Vec4, kColorBuffers> seen(const Drawn &drawn, int x, int y,
                                                      const ExpectedPixel &expected) const;
 

@@ -55,7 +55,7 @@ private:
     m_report.worst = std::max(m_report.worst, worst.error);
   }
 
-  /// Every component of the position is written. Without a w nothing is drawn.
+  /// True if every component of the position is written. Without a w nothing is drawn.
   static bool hasPosition(const Program &program) {
     unsigned written = program.options.positionInvariant ? 0xF : 0;
     for (const Instruction &instruction : program.code)

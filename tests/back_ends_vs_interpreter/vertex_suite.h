@@ -4,11 +4,11 @@
 
 namespace arbiter::differential {
 
-/// Generated vertex programs, one vertex a pixel: a fragment program shows one or two of a
-/// program's results as colours, and where the point lands and its depth show the position.
+/// Tests generated vertex programs, with one vertex for each pixel. A fragment program shows one or
+/// two results as colors; the place and depth of the point show the position.
 [[nodiscard]] Report runVertexSuite(Backend &backend, const SuiteOptions &options);
 
-/// Each opcode of vertex programs on special values, rows by addresses far outside their array, and
+/// Tests each opcode of vertex programs on special values, array rows at addresses far outside, and
 /// a user clip plane.
 [[nodiscard]] Report runVertexEdges(Backend &backend, const SuiteOptions &options);
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""`arbiter capture` and `arbiter run --replace` on real clients: what the folder holds, that its tests
-run under piglit, and that an edited text is drawn, while the application runs too.
+"""Tests `arbiter capture` and `arbiter run --replace` on real clients: the folder's content, its tests under piglit,
+and edited texts that are drawn while the application runs.
 
 usage: capture_test.py ARBITER LIGHTING LIFE TICKER STATE_TICKER [unittest arguments]
-TICKER draws again and again and prints the colour that it finds; see ticker.cpp. STATE_TICKER does so
-by register combiners, texture shaders, and a shader that ATI_fragment_shader's commands made; see state_ticker.cpp.
+TICKER draws repeatedly and prints the color; see ticker.cpp. STATE_TICKER does so by register combiners, texture
+shaders, and a shader made by ATI_fragment_shader's commands; see state_ticker.cpp.
 """
 import contextlib
 import html.parser
@@ -26,7 +26,7 @@ from setting import width  # noqa: E402
 
 ARBITER, LIGHTING, LIFE, TICKER, STATE_TICKER = (os.path.abspath(path) for path in sys.argv[1:6])
 SHADER_RUNNERS = list(pathlib.Path('/usr/lib').glob('*/piglit/bin/shader_runner'))
-# Red, and wrong, in the other languages.
+# A red and an invalid program in the other languages.
 KINDS = {
     'vertex': ('.vp', b'!!ARBvp1.0\nMOV result.position, vertex.position;\n'
                b'MOV result.color, {1, 0, 0, 1};\nEND\n',
@@ -62,7 +62,7 @@ class Folder(unittest.TestCase):
 
 
 class Page(html.parser.HTMLParser):
-    """Fails on what is fetched from elsewhere; keeps the text."""
+    """Fails on resources from elsewhere; keeps the text."""
 
     def __init__(self):
         super().__init__()
@@ -109,7 +109,7 @@ class Capture(Folder):
             program, = json.loads((folder / 'index.json').read_text())['programs']
             self.assertEqual((program['path'], program['draws_by']), (path, {path: 3}))
             self.assertIn(f'drawn by {path}.', (folder / 'index.html').read_text())
-        # Both halves of a run, as two processes that one index is of.
+        # The two halves of a run stand for two processes in one index.
         record, = (self.folder.parent / 'swrast').glob('process-*.json')
         shutil.copy(record, self.folder.parent / 'host' / ('process-2' + record.name[7:]))
         run(ARBITER, 'capture', '--index-only', '-o', self.folder.parent / 'host')
@@ -192,7 +192,7 @@ class Capture(Folder):
             test = self.folder / (program['file'] + '.shader_test')
             fronts = [(), (ARBITER, 'run', '--')]
             if width(SHADER_RUNNERS[0]) != width(ARBITER):
-                fronts.pop()  # this machine's piglit, a tree of 32 bits
+                fronts.pop()  # a 32-bit tree, unlike this machine's piglit
             for front in fronts:
                 result = run(*front, SHADER_RUNNERS[0], test, '-auto', '-fbo',
                              PIGLIT_PLATFORM='surfaceless_egl')
@@ -201,7 +201,7 @@ class Capture(Folder):
 
 @contextlib.contextmanager
 def ticking(folder, kind='fragment', client=TICKER, *options):
-    """A TICKER under replacement; gives a function that waits until it has drawn a colour."""
+    """Starts a TICKER under replacement; yields a function that waits until it has drawn a color."""
     with subprocess.Popen([ARBITER, 'run', *options, '--replace', folder, '--', client, kind],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           env=plain()) as process:

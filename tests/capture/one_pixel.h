@@ -2,7 +2,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-/// What the clients of these tests draw to: a context without a surface, and one pixel.
+/// Makes the target of these tests' clients: a context without a surface, and one pixel.
 inline bool makeContext() {
   const auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       eglGetProcAddress("eglGetPlatformDisplayEXT"));

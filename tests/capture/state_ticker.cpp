@@ -1,6 +1,6 @@
-// As ticker.cpp, of register combiners and texture shaders, and of a shader that the commands of
-// ATI_fragment_shader made: draws one green pixel again and again by their state and prints its
-// colour as "R G B" whenever it changed, and says so where a query does not answer what was set.
+// Draws one green pixel repeatedly, like ticker.cpp, by register combiners, texture shaders, or a
+// shader made by ATI_fragment_shader's commands. It prints the color as "R G B" whenever it
+// changes, and reports queries that do not return what was set.
 //
 //   state_ticker [KIND [FRAMES]]     KIND: combiners, texture-shaders or ati-fragment-api
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// The register as colour, through a stage whose product is spare0.
+/// Shows a register as color, through a stage whose product is spare0.
 void setCombiners(GLenum from) {
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 1);
   glCombinerInputNV(GL_COMBINER0_NV, GL_RGB, GL_VARIABLE_A_NV, from, GL_SIGNED_IDENTITY_NV, GL_RGB);
@@ -36,7 +36,7 @@ bool isAsSet(GLenum from) {
   return GLenum(input) == from && stages == 1 && glGetError() == GL_NO_ERROR;
 }
 
-/// The state of what draws: its constant is that of draws, or of none.
+/// The state that draws. Its constant has one value during draws and another between them.
 struct Kind {
   const char *name;
   void (*set)();
@@ -48,7 +48,7 @@ void setCombinerConstant(const GLfloat *color) {
   glCombinerParameterfvNV(GL_CONSTANT_COLOR0_NV, color);
 }
 
-/// The context's first constant as colour.
+/// Shows the context's first constant as color.
 void setShader() {
   glBindFragmentShaderATI(glGenFragmentShadersATI(1));
   glBeginFragmentShaderATI();
@@ -96,7 +96,7 @@ void tick(const Kind &kind, long frames) {
     kind.setConstant(green);
     glMultiTexCoord4fv(GL_TEXTURE0, green);
     glRectf(-1, -1, 1, 1);
-    kind.setConstant(other); // of no draw
+    kind.setConstant(other); // no draw uses it
     std::array<unsigned char, 4> colour{};
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, colour.data());
     if (colour != last)

@@ -1,6 +1,6 @@
-// A client without a window that draws one pixel again and again and prints its colour as "R G B"
-// whenever it changed. It never swaps buffers, sets a local parameter around each draw, asks for
-// its program string and counts, loads its program anew now and then, and one that is refused.
+// Draws one pixel repeatedly without a window, and prints its color as "R G B" whenever it changes.
+// It never swaps buffers, sets a local parameter around each draw, queries its program string and
+// counts, and reloads its program now and then, and one that is refused.
 //
 //   ticker [KIND [FRAMES]]     KIND: fragment, vertex or ati
 #include <array>

@@ -1,6 +1,6 @@
-/// NV_vertex_array_range's memory: glXAllocateMemoryNV and glXFreeMemoryNV by GetProcAddress, from
-/// a display that is open and without a context, written to, and freed by another thread. Prints
-/// "absent" where there is none.
+/// Tests NV_vertex_array_range's memory: glXAllocateMemoryNV and glXFreeMemoryNV by GetProcAddress,
+/// with an open display and no context. The memory is written to, and another thread frees it.
+/// Prints "absent" if there is none.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -46,10 +46,10 @@ int main() {
     die("no memory, or not aligned");
   std::memset(first, 1, kBytes);
   int local = 0;
-  release(&local); // was not allocated so: ignored
+  release(&local); // this was not allocated here, so that it is ignored
   release(nullptr);
   std::thread([&] { release(second); }).join();
-  release(second); // a second time: ignored
+  release(second); // a second time, so that it is ignored
   if (allocate(0, 0, 0, 0) || allocate(-5, 0, 0, 0))
     die("memory of no bytes");
   std::memset(first, 2, kBytes);

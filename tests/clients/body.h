@@ -2,13 +2,14 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-/// What every client draws, and how it proves who drew it: one fragment program that multiplies the
-/// colour by a local parameter, one pixel read back, and a limit that the layer answers differently
-/// from any host (MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB is 4 on the r300 profile).
+/// The drawing of every client, which proves who drew it: a fragment program multiplies the color
+/// by a local parameter, and one pixel is read back. It also queries a limit for which the layer
+/// returns another value than any host (MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB is 4 on the r300
+/// profile).
 namespace clients {
 
-/// The GL as the client got hold of it. Signatures are spelled out, because some loaders make
-/// macros of the names.
+/// The GL functions that the client found. Signatures are spelled out, because some loaders define
+/// the names as macros.
 struct Gl {
 #define CLIENT_GL_FUNCTIONS(X)                                                                     \
   X(Begin, void, (GLenum))                                                                         \
@@ -39,16 +40,16 @@ struct Gl {
 #undef X
 };
 
-/// All functions by one way of asking; a null answer ends the client.
+/// Looks up all functions by `get`; exits the client if one is null.
 Gl load(void *(*get)(const char *name));
-/// The ARB functions only.
+/// Looks up the ARB functions only.
 void loadArb(Gl &gl, void *(*get)(const char *name));
 
-/// Draws into the current context's buffer (at least 32x32). `scale` distinguishes contexts.
-/// Prints one line of JSON unless quiet. True if the pixel is right.
+/// Draws into the current context's buffer (at least 32x32). `scale` distinguishes contexts. Prints
+/// one line of JSON unless quiet. Returns true if the pixel is right.
 bool drawAndReport(const Gl &gl, const char *client, float scale = 1.0f, bool quiet = false);
 
-/// Ends the client with a message.
+/// Exits the client with a message.
 [[noreturn]] void die(const char *message, const char *detail = "");
 
 } // namespace clients

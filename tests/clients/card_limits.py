@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Under ARBITER_IDENTITY=profile every row of a profile that has a GL name is what GL answers.
+"""Tests that under ARBITER_IDENTITY=profile GL returns every row of a profile that has a GL name.
 
-Runs itself as the client, with EGL (surfaceless) and with OSMesa, under each built-in profile, and
-asks each row by every function that answers it. A row above what the host can do is the host's; so
-is a row of the profile `host`. What a program may use is held to the same answers: the last draw
-buffer and the last clip plane load, the next does not. Without the identity only the limits of
-programs and texture units are the card's.
+Runs itself as the client, with EGL (surfaceless) and with OSMesa, under each built-in profile, and queries each row by
+every function that returns it. If a row exceeds the host's limit, the host's counts; the same holds for rows of the
+profile `host`. Programs must agree with the answers: the last draw buffer and the last clip plane load, the next does
+not. Without the identity only the limits of programs and texture units are the card's.
 """
 import ctypes
 import json
@@ -25,14 +24,14 @@ FRAGMENT, VERTEX, ASCII = 0x8804, 0x8620, 0x8875
 INVALID_ENUM = 0x500
 PROGRAM_TABLES = {'api': FRAGMENT, 'native': FRAGMENT, 'vertex_api': VERTEX, 'vertex_native': VERTEX}
 PARAMETERS = ('local_parameters', 'env_parameters')
-# How GL is asked, and how a number is answered in that type.
+# GL's query functions, and how each returns a number.
 GETTERS = {'glGetIntegerv': (ctypes.c_int, int), 'glGetFloatv': (ctypes.c_float, float),
            'glGetDoublev': (ctypes.c_double, float), 'glGetInteger64v': (ctypes.c_int64, int),
            'glGetBooleanv': (ctypes.c_ubyte, lambda value: int(value != 0))}
 
 
 def queries():
-    """{row: (enum, program target or None)} of the rows that have a GL name."""
+    """Returns {row: (enum, program target or None)} of the rows that have a GL name."""
     numbers = {node.get('name'): int(node.get('value'), 0)
                for node in ET.parse(GL_XML).getroot().iter('enum') if node.get('value')}
     rows, _ = generate_profiles.read_all()
@@ -82,7 +81,7 @@ def client(kind):
                         for name, (call, kind_of) in getters.items()}
 
     def loads(target, text):
-        # In a program of its own: Mesa 25 frees twice when one vertex program is loaded three times.
+        # It uses a program of its own, as Mesa 25 frees memory twice if one vertex program is loaded three times.
         name = uint(1)
         bind(target, name)
         program_string(target, ASCII, len(text), text.encode())
@@ -91,7 +90,7 @@ def client(kind):
         return error == 0
 
     def count(holds):
-        """How many of 0, 1, 2 ... hold."""
+        """Returns how many of 0, 1, 2 ... hold."""
         return next((i for i in range(64) if not holds(i)), 64)
 
     programs = {
@@ -117,7 +116,7 @@ def client(kind):
 # --- The harness ---
 
 def ask(options, kind, arguments):
-    """Its answers; without arguments (None) the bare host's."""
+    """Returns the client's answers; without arguments (None) the bare host's."""
     return self_client.ask(__file__, options, kind, arguments)
 
 
@@ -125,17 +124,17 @@ def answered(value):
     return {name: {'value': shown(value)} for name, (_, shown) in GETTERS.items()}
 
 
-# Rows of what the layer itself has on every host, where they are not 0.
+# Rows that the layer offers on every host, if they are not 0.
 OFFERED = ('model.general_combiners',)
 
 
 def host_value(bare, row):
-    """What the host answers to Get; None where it does not know the name."""
+    """Returns the host's answer to Get; None if it does not know the name."""
     return bare['answers'][row].get('glGetIntegerv', {}).get('value')
 
 
 def wanted(row, value, bare, from_host, is_program):
-    """The answers that a row is to have, by function."""
+    """Returns the required answers of a row, by function."""
     if row in OFFERED:
         return answered(value) if value else bare['answers'][row]
     if is_program:
@@ -147,7 +146,7 @@ def wanted(row, value, bare, from_host, is_program):
 
 
 def check_card(options, kind, bare, profile):
-    """\\return how many answers were compared, and the rows in which the host can do less"""
+    """Checks a card. \\return how many answers were compared, and the rows that exceed the host"""
     asked = ask(options, kind, ['--identity', 'profile', '--profile', profile['name']])
     compared, lower = 0, []
     for row, (_, target) in queries().items():
@@ -167,7 +166,7 @@ def check_card(options, kind, bare, profile):
 
 
 def check_plain(options, kind, bare, r300):
-    """Without the identity programs' limits and units are the card's, all else the host's."""
+    """Checks that without the identity the limits of programs and units are the card's, all others the host's."""
     asked = ask(options, kind, [])
     for row, (_, target) in queries().items():
         value = r300['rows'][r300['names'][row]][0]

@@ -1,4 +1,4 @@
-"""The cases of the client tests by their names: which client each starts, or what else proves it."""
+"""The cases of the client tests by name: the client that each starts, or another proof."""
 import subprocess
 
 from extra_cases import (run_apitrace, run_arbiter, run_array_memory, run_chosen, run_close, run_count, run_cycles,
@@ -9,14 +9,14 @@ from setting import Client, Piglit
 
 
 def system_gl():
-    """Where processes of this one's width find libGL."""
+    """Returns the folder of libGL for processes of this word size."""
     script = ("import ctypes; ctypes.CDLL('libGL.so.1');"
               "print(*[line.split()[5] for line in open('/proc/self/maps') if '/libGL.so.1' in line][:1])")
     return subprocess.run([PYTHON, "-c", script], capture_output=True, text=True, check=True).stdout.strip()
 
 
 def all_cases():
-    """name -> callable; the first 24 are the kinds of client, the others the extra cases."""
+    """Returns {name: callable}; the first 24 are the kinds of client, the others the extra cases."""
     c = "{clients}/"
     kinds = {
         "libGL linked": Client([c + "client_libgl"]),
@@ -58,7 +58,7 @@ def all_cases():
         "display closed": run_close,
         "1,000 contexts": run_cycles,
         "memory of a vertex array range": run_array_memory,
-        # The bare host mixes up what threads draw with a vertex program that they share.
+        # The bare host mixes up the drawings of threads that share a vertex program.
         "4 threads share": Client([c + "client_threads", "4", "100"], bare=False, draws=401),
         "GL in a constructor": run_early,
         "vendor chosen by variable": run_chosen,
@@ -78,7 +78,7 @@ def all_cases():
 
 
 def sanitized_cases():
-    """Those whose program is built with the sanitizer too."""
+    """Returns the cases whose program is built with the sanitizer too."""
     kinds, extras = all_cases()
     names = ("EGL linked", "OSMesa linked", "libGL linked", "handle reuse, GLX", "handle reuse, EGL",
              "handle reuse, OSMesa", "GLX, OSMesa, EGL, GLX", "4 threads share")
@@ -91,7 +91,7 @@ def sanitized_cases():
 
 
 def headless_cases():
-    """Those that need EGL on a device and nothing else: no X, no Mesa, no piglit."""
+    """Returns the cases that only need EGL on a device: no X, no Mesa, no piglit."""
     kinds, extras = all_cases()
     names = ("EGL linked", "EGL by dlsym", "EGL device", "handle reuse, EGL",
              "4 threads share", "GL in a constructor", "fork and exec", "glClear once per call")

@@ -1,5 +1,5 @@
-/// Leaves contexts to the display: it is closed or terminated with one current and one not. Twice,
-/// so that handles and display pointers come round again. argv[1]: glx or egl.
+/// Closes or terminates a display with two contexts left, one of them current. It does so twice, so
+/// that handles and display pointers are reused. argv[1]: glx or egl.
 #include <cstring>
 
 #include <dlfcn.h>

@@ -1,6 +1,6 @@
-/// An EGL vendor between the layer and the host that counts glClear and glDrawArrays: each call of
-/// the application must arrive once, none past it (a host that patches libglvnd's stubs) and none
-/// twice. COUNTING_HOST names the host's vendor library, COUNTING_FILE where to write the counts.
+/// An EGL vendor between the layer and the host that counts glClear and glDrawArrays. Each call of
+/// the application must arrive exactly once, even if the host patches libglvnd's stubs.
+/// COUNTING_HOST names the host's vendor library, COUNTING_FILE the file for the counts.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -64,7 +64,7 @@ __egl_Main(uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *ve
       library ? reinterpret_cast<__PFNEGLMAINPROC>(dlsym(library, __EGL_MAIN_PROTO_NAME)) : nullptr;
   if (!main || !main(version, exports, vendor, &g_host))
     return EGL_FALSE;
-  // All else as the host gave it, its patch callbacks too: the layer has to keep those away.
+  // All other imports are the host's, including its patch callbacks, which the layer must suppress.
   *imports = g_host;
   imports->getProcAddress = getProcAddress;
   return EGL_TRUE;

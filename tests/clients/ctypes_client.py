@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Python's ctypes on libEGL and libGL, as PyOpenGL does it: every call through a loaded library."""
+"""Uses libEGL and libGL through Python's ctypes, as PyOpenGL does: every call goes through a loaded library."""
 import ctypes
 import json
 import sys

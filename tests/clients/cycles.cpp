@@ -1,6 +1,6 @@
-/// Contexts made, drawn in and destroyed, over and over: memory must not grow. Each cycle loads a
-/// vertex and a fragment program and a list of both; every other context is in the share group of
-/// one that stays, and every fourth is destroyed while it is current.
+/// Creates contexts, draws in them and destroys them, repeatedly: memory must not grow. Each cycle
+/// loads a vertex and a fragment program and a list of both. Every other context shares objects
+/// with one that stays, and every fourth is destroyed while it is current.
 /// argv[1]: cycles. Prints {"cycles": n, "kilobytes": growth of the resident set after the
 /// warm-up}.
 #include <algorithm>
@@ -45,7 +45,7 @@ GLuint load(GLenum target, const char *text) {
   return name;
 }
 
-/// A quad in the colour that the programs make; true if it is right.
+/// Draws a quad in the programs' color; returns true if it is right.
 bool draw(bool deletes) {
   glViewport(0, 0, 16, 16);
   const GLuint vertex = load(GL_VERTEX_PROGRAM_ARB, kVertices);
@@ -60,7 +60,7 @@ bool draw(bool deletes) {
   glCallList(list);
   unsigned char pixel[4] = {};
   glReadPixels(8, 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
-  if (deletes) { // what else stays in the share group is the application's to delete
+  if (deletes) { // the application must delete what else stays in the share group
     glDeleteProgramsARB(1, &vertex);
     glDeleteProgramsARB(1, &fragment);
     glDeleteLists(list, 1);
@@ -91,7 +91,7 @@ int main(int argc, char **argv) {
     wrong += !draw(shared);
     if (i % 4 == 3)
       eglDestroyContext(base.display, context);
-    // The group's other context gets to delete what a dead one left on the host.
+    // The group's other context can now delete the host objects of a dead one.
     eglMakeCurrent(base.display, base.surface, base.surface, base.context);
     if (i % 4 != 3)
       eglDestroyContext(base.display, context);

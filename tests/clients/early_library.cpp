@@ -15,7 +15,7 @@ bool g_right = false;
 void *getProc(const char *name) { return reinterpret_cast<void *>(eglGetProcAddress(name)); }
 
 [[gnu::constructor]] void drawEarly() {
-  // With no context, a call must have no effect and not end the process.
+  // Without a context a call must have no effect and not end the process.
   glEnable(GL_BLEND);
   glGetError();
   Egl egl;

@@ -1,4 +1,4 @@
-/// Linked with libEGL and libOpenGL. An argument "device" or "surfaceless" picks the platform.
+/// Is linked with libEGL and libOpenGL. An argument "device" or "surfaceless" selects the platform.
 #include <cstring>
 
 #define GL_GLEXT_PROTOTYPES

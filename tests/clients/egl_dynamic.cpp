@@ -1,4 +1,4 @@
-/// EGL by dlopen and dlsym, the GL by eglGetProcAddress.
+/// Finds EGL by dlopen and dlsym, and GL by eglGetProcAddress.
 #include <dlfcn.h>
 
 #include "body.h"

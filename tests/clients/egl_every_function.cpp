@@ -1,7 +1,7 @@
-/// EGL as newer Wine has it: of the library one function, eglGetProcAddress, and by it all others,
-/// EGL's and GL's of every version (EGL_KHR_client_get_all_proc_addresses); a display by its
-/// platform; contexts of one share group, the first current to a pbuffer, the second to a window
-/// where there are windows. argv[1]: x11 or surfaceless.
+/// Uses EGL as newer Wine does: it takes only eglGetProcAddress from the library. By it, it finds
+/// all functions of EGL and of GL of every version (EGL_KHR_client_get_all_proc_addresses), and it
+/// selects a display by platform. It makes two contexts of one share group: the first is current to
+/// a pbuffer, the second to a window if there are windows. argv[1]: x11 or surfaceless.
 #include <cstring>
 #include <initializer_list>
 
@@ -38,7 +38,7 @@ bool has(const char *extensions, const char *name) {
   return false;
 }
 
-/// A window of the config's visual; EGL's surface is made for it.
+/// Opens a window with the config's visual, for an EGL surface.
 Window openWindow(Display *display, VisualID visual) {
   XVisualInfo wanted = {};
   wanted.visualid = visual;
@@ -123,7 +123,7 @@ int main(int argc, char **argv) {
       second == EGL_NO_CONTEXT)
     die("no EGL surface or context");
 
-  // Functions are asked for before any context is current, and serve both.
+  // Functions are looked up before any context is current, and serve both.
   const Gl gl = load(get);
   if (!EGL(MakeCurrent)(display, pbuffer, pbuffer, first))
     die("the first context");

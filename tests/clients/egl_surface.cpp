@@ -20,7 +20,7 @@ Egl loadEgl(void *(*get)(const char *name)) {
 
 namespace {
 
-/// CLIENT_EGL_PLATFORM, for machines without a display: "device" or "surfaceless".
+/// Reads CLIENT_EGL_PLATFORM, for machines without a display: "device" or "surfaceless".
 EGLenum platformOfEnvironment() {
   const char *const name = std::getenv("CLIENT_EGL_PLATFORM");
   if (name && !std::strcmp(name, "device"))

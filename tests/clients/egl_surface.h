@@ -2,7 +2,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-/// A pbuffer with a desktop GL context, through whatever EGL functions the client got hold of.
+/// Makes a pbuffer with a desktop GL context, through the EGL functions that the client found.
 namespace clients {
 
 struct Egl {
@@ -30,7 +30,7 @@ struct EglSurface {
   EGLContext context = EGL_NO_CONTEXT;
 };
 
-/// platform: 0 for eglGetDisplay's default, else EGL_PLATFORM_SURFACELESS_MESA or
+/// Opens a surface. platform: 0 for eglGetDisplay's default, else EGL_PLATFORM_SURFACELESS_MESA or
 /// EGL_PLATFORM_DEVICE_EXT (the first device).
 EglSurface openSurface(const Egl &egl, EGLenum platform = 0);
 void closeSurface(const Egl &egl, EglSurface &surface);

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""docs/driver/extensions.md against the extension strings of contexts, on the bare host and under the layer with
-each profile that a row names.
+"""Compares docs/driver/extensions.md with the extension strings of contexts, on the bare host and under the layer
+with each profile that a row names.
 
-A row of the layer's is there under the profiles that it names, and under no other unless the host has it;
-a row of the host's, or of what is not done or refused, is there where the host has it.
+The layer must offer a row's extension under the profiles that the row names, and under others only if the host has it.
+A row of the host's, or of what is not implemented or refused, is offered if the host has it.
 """
 import pathlib
 import re
@@ -20,13 +20,13 @@ OTHERS = ("the host's", 'not yet', 'refused')
 
 
 def table(text):
-    """{extension: (whose, [profile])} of the rows."""
+    """Returns {extension: (whose, [profile])} of the rows."""
     return {name: (whose, re.findall(r'`([\w-]+)`', profiles))
             for name, whose, profiles in ROW.findall(text)}
 
 
 def wrong(rows, bare, names, profile):
-    """What the table and the list of a profile disagree about."""
+    """Yields the disagreements between the table and the list of a profile."""
     for name, (whose, profiles) in sorted(rows.items()):
         expected = name in bare or (whose in OURS and profile in profiles)
         if (name in names) != expected:

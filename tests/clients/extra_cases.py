@@ -1,4 +1,4 @@
-"""The cases that are no kind of client of their own: a function each, of the Setting."""
+"""The cases that are not kinds of clients; each is a function of the Setting."""
 import json
 import os
 import re
@@ -11,8 +11,8 @@ from setting import R300_INDIRECTIONS, Skip, execute, need, need_statistics, nee
 
 
 def run_early(setting):
-    """A library's constructor draws before the layer's: through the layer if it was selected from outside
-    (as arbiter run does), by the host if only preloaded; right pixels in both."""
+    """Tests a library's constructor that draws before the layer's. It draws through the layer if that was selected from
+    outside (as by arbiter run), and by the host if it is only preloaded; the pixels are right in both cases."""
     client = setting.clients / "client_early"
     outcome = execute([client], setting.environment(True))
     need_success(outcome, "preloaded only")
@@ -25,8 +25,8 @@ def run_early(setting):
 
 
 def run_chosen(setting):
-    """A vendor that __GLX_VENDOR_LIBRARY_NAME names is the host under the preloaded layer; libGLX would
-    start it in its own constructor. A vendor that is not there is passed by."""
+    """Tests that a vendor in __GLX_VENDOR_LIBRARY_NAME becomes the preloaded layer's host, although libGLX would
+    start it in its own constructor. A missing vendor is skipped."""
     for vendor in ("mesa", "no_such_vendor"):
         setting.stats.unlink(missing_ok=True)
         chosen = {"__GLX_VENDOR_LIBRARY_NAME": vendor}
@@ -40,7 +40,7 @@ def run_chosen(setting):
 
 
 def run_close(setting):
-    """A display that is closed takes its contexts along."""
+    """Tests that closing a display destroys its contexts."""
     for way in ("glx", "egl"):
         setting.stats.unlink(missing_ok=True)
         command = [setting.clients / "client_close", way]
@@ -53,15 +53,16 @@ def run_close(setting):
 
 
 def run_array_memory(setting):
-    """glXAllocateMemoryNV gives memory under the layer; a bare host may have the function and give none."""
+    """Tests that glXAllocateMemoryNV returns memory under the layer; a bare host may have the function and return
+    none."""
     outcome = execute([setting.clients / "client_array_memory"], setting.environment(True))
     need(outcome.out.strip() == "allocated", f"layer: {outcome.out}")
 
 
 def run_cycles(setting):
-    """1,000 contexts with programs of both targets: the layer's memory grows by no more than the
-    host's own, give or take a page a cycle over the whole, with a back end that is named: auto may change
-    its mind late and bring in the other one's compiler."""
+    """Tests 1,000 contexts with programs of both targets. The layer's memory may grow only by the host's own growth,
+    plus
+    about a page for each cycle. The back end is fixed, as auto may change late and load the other one's compiler."""
     cycles, slack = 1000, 2048  # kilobytes
     grown = {}
     for where in ("bare host", "host", "swrast"):
@@ -76,7 +77,7 @@ def run_cycles(setting):
 
 
 def run_spawn(setting):
-    """Each of the two processes writes statistics of its own."""
+    """Tests that each of the two processes writes statistics of its own."""
     outcome = execute([setting.clients / "client_spawn"],
                       setting.environment(True, {"ARBITER_STATS": str(setting.scratch / "s.%p.json")}))
     need_success(outcome, "layer")
@@ -88,7 +89,7 @@ def run_spawn(setting):
 
 
 def run_vendor_only(setting):
-    """Selected as a vendor without LD_PRELOAD: libglvnd finds it by itself."""
+    """Tests the layer as a vendor without LD_PRELOAD: libglvnd finds it by itself."""
     glx = setting.environment(False, {"__GLX_VENDOR_LIBRARY_NAME": "arbiter",
                                       "LD_LIBRARY_PATH": str(setting.layer.parent),
                                       "ARBITER_STATS": str(setting.stats)})
@@ -103,7 +104,7 @@ def run_vendor_only(setting):
 
 
 def run_arbiter(setting):
-    """`arbiter run` sets all of it."""
+    """Tests that `arbiter run` sets everything."""
     tool = setting.build / "src/tools/arbiter"
     if not tool.exists():
         raise Skip("arbiter is not built")
@@ -118,7 +119,7 @@ def run_arbiter(setting):
 
 
 def run_selected_host(setting):
-    """What the environment selected before is the host, for a preload and for arbiter run."""
+    """Tests that the environment's previous selection becomes the host, for a preload and for arbiter run."""
     icd = write_icd(setting.scratch / "counting.json",
                     setting.clients / "libclient_counting_vendor.so")
     counts = setting.scratch / "counts.json"
@@ -136,7 +137,7 @@ def run_selected_host(setting):
 
 
 def run_secure(setting):
-    """In a set-user-id program the layer stays out, however it is asked for."""
+    """Tests that the layer is inactive in a set-user-id program, however it is requested."""
     if "LIBGL_DRIVERS_PATH" in os.environ:
         raise Skip("a set-user-ID program takes drivers of the system alone")
     if os.geteuid() != 0:
@@ -157,7 +158,7 @@ def run_secure(setting):
 
 
 def run_overlay(setting):
-    """Another preloaded library that wraps GLX, before and behind the layer."""
+    """Tests another preloaded library that wraps GLX, before and after the layer."""
     overlay = setting.clients / "libclient_overlay.so"
     for order in ((setting.layer, overlay), (overlay, setting.layer)):
         setting.stats.unlink(missing_ok=True)
@@ -170,7 +171,7 @@ def run_overlay(setting):
 
 
 def run_apitrace(setting):
-    """apitrace records the application's calls, and its trace replays with the same picture."""
+    """Tests that apitrace records the application's calls, and that its trace replays with the same picture."""
     tool = shutil.which("apitrace")
     if not tool or width(tool) != width(setting.layer):
         raise Skip("apitrace is of another width" if tool else "apitrace is not installed")
@@ -189,14 +190,14 @@ def run_apitrace(setting):
 
 
 def run_count(setting):
-    """Each glClear and glDrawArrays of the application reaches the host once: a host that patches
-    libglvnd's stubs must not get past the layer."""
+    """Tests that each glClear and glDrawArrays of the application reaches the host once: a host that patches
+    libglvnd's stubs must not bypass the layer."""
     calls = 1000
     counts = setting.scratch / "counts.json"
     icd = write_icd(setting.scratch / "counting.json",
                     setting.clients / "libclient_counting_vendor.so")
     platform = "surfaceless" if setting.display else "device"
-    # The counting vendor was selected before the layer, which makes it the layer's host.
+    # The counting vendor is selected before the layer, which makes it the layer's host.
     extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd),
              "COUNTING_HOST": setting.egl_vendor or "libEGL_mesa.so.0",
              "COUNTING_FILE": str(counts)}
@@ -210,7 +211,7 @@ def run_count(setting):
 
 
 def run_vendor_gpa(setting):
-    """GetProcAddress answers compared with the host's own, function by function."""
+    """Compares GetProcAddress answers with the host's own, function by function."""
     for backend in ("auto", "host"):
         environment = dict(setting.environment(False), ARBITER_BACKEND=backend)
         outcome = execute([setting.clients / "client_vendor_gpa", setting.layer,
@@ -219,8 +220,8 @@ def run_vendor_gpa(setting):
 
 
 def run_exports(setting):
-    """The library exports what was generated from the allow-list, and nothing else; of other
-    libraries it brings libc alone, and the one of its own that runs first, which exports one name."""
+    """Tests that the library exports exactly what was generated from the allow-list. It depends only on libc and on
+    the layer's library that runs first, which exports one name."""
     def exports(library):
         listing = subprocess.run(["nm", "-D", "--defined-only", str(library)], text=True,
                                  capture_output=True, check=True).stdout
@@ -247,8 +248,9 @@ def run_exports(setting):
 
 
 def run_disassembly(setting):
-    """A passed-on call: no thread-local by function call, no lock, no call on its straight way. 32-bit x86
-    asks where it is by a call, and its arguments are moved on the stack."""
+    """Tests the machine code of a passed-on call: its fast path has no thread-local access by function call, no lock
+    and no
+    call. 32-bit x86 finds its own address by a call, and its arguments are moved on the stack."""
     is_32 = width(setting.layer) == 32
     thread, most = ("%gs:", 30) if is_32 else ("%fs:", 10)
     code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", str(setting.layer)], text=True,
@@ -259,7 +261,7 @@ def run_disassembly(setting):
             function = line.split("<")[1][:-2]
         elif "call" in line and "__tls_get_addr" in line:
             callers.add(function)
-    # The C++ runtime's own, for exceptions, is linked in; no GL call comes by it.
+    # The C++ runtime's own access, for exceptions, is linked in; no GL call reaches it.
     unexpected = callers - {"__cxa_get_globals", "__cxa_get_globals_fast"}
     need(not unexpected, f"__tls_get_addr is called by {sorted(unexpected)}")
     for name in ("glDrawArrays", "glDrawElements", "glUniform4fv", "glBegin", "glEnable"):

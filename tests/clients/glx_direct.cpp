@@ -1,4 +1,5 @@
-/// Linked with the GL: libGL, or libOpenGL and libGLX; with -rpath; as a plugin's whole content.
+/// Is linked with GL: libGL, or libOpenGL and libGLX; with -rpath; or as the only content of a
+/// plugin.
 #include "linked.h"
 
 #ifdef CLIENT_IS_PLUGIN

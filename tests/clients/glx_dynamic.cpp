@@ -1,4 +1,4 @@
-/// Gets hold of the GL at run time. argv[1] says how:
+/// Finds GL at run time. argv[1] says how:
 ///   libGL, libOpenGL  dlopen of the name, dlsym
 ///   absolute PATH     dlopen of a path
 ///   default           libGL loaded RTLD_GLOBAL, dlsym(RTLD_DEFAULT)
@@ -18,7 +18,7 @@ using namespace clients;
 
 namespace {
 
-/// That the C library's oldest functions have on this processor.
+/// The symbol version of the C library's oldest functions on this processor.
 #if defined(__i386__)
 constexpr const char *kFirstVersion = "GLIBC_2.0";
 #else
@@ -47,7 +47,8 @@ void *getGl(const char *name) {
 
 void *systemDlsym(void *handle, const char *name) { return dlsym(handle, name); }
 
-/// libc and libGLX do carry versions; libGL's symbols have none, and dlvsym must miss cleanly.
+/// Looks up a function with a version. libc and libGLX have versions; libGL's symbols have none,
+/// and dlvsym must fail cleanly.
 void *versionedDlsym(void *handle, const char *name) {
   void *const found = dlvsym(handle, name, kFirstVersion);
   return found ? found : dlsym(handle, name);

@@ -3,7 +3,7 @@
 #include <GL/glx.h>
 #endif
 
-/// A window with a GLX context, through whatever GLX functions the client got hold of.
+/// Opens a window with a GLX context, through the GLX functions that the client found.
 namespace clients {
 
 struct Glx {
@@ -24,9 +24,9 @@ struct GlxWindow {
   GLXContext context = nullptr;
 };
 
-/// Opens the display and a window of 64x64. Ends the client if it cannot.
+/// Opens the display and a window of 64x64. Exits the client if it cannot.
 GlxWindow openWindow(const Glx &glx, bool makeContext = true);
-/// Un-binds, destroys, closes.
+/// Releases and destroys the context, and closes the window and display.
 void closeWindow(const Glx &glx, GlxWindow &window);
 
 } // namespace clients

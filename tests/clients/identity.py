@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whom a context under the layer says it is, as an application on the host asks.
+"""Tests the identity that a context under the layer reports to an application on the host.
 
 Runs itself as the client, with EGL (surfaceless) and with OSMesa, under `arbiter run` with the
 identity options: strings, glGetStringi, GL_NUM_EXTENSIONS and GetProcAddress must agree.
@@ -24,7 +24,7 @@ GL_NUM_EXTENSIONS, GL_MAJOR_VERSION, GL_MINOR_VERSION = 0x821D, 0x821B, 0x821C
 # --- The client ---
 
 def glx_client():
-    """What GLX announces; no context is made."""
+    """Prints GLX's strings without making a context."""
     x11, gl = ctypes.CDLL('libX11.so.6'), ctypes.CDLL('libGL.so.1')
     x11.XOpenDisplay.restype = ctypes.c_void_p
     gl.glXQueryExtensionsString.restype = ctypes.c_char_p
@@ -68,7 +68,7 @@ def client(kind):
 
 
 def missing_functions(names, find):
-    """Commands of announced extensions that GetProcAddress does not know."""
+    """Returns commands of announced extensions that GetProcAddress does not know."""
     if not os.path.exists(GL_XML):
         return []
     missing = []
@@ -87,20 +87,20 @@ def missing_functions(names, find):
 # --- The harness ---
 
 def ask(options, kind, arguments, **variables):
-    """Its answers; without arguments (None) the bare host's."""
+    """Returns the client's answers; without arguments (None) the bare host's."""
     return self_client.ask(__file__, options, kind, arguments, **variables)
 
 
 def offered_by(profile):
-    """What docs/driver/extensions.md has the layer offer under a profile."""
+    """Returns the extensions that the layer offers under a profile, by docs/driver/extensions.md."""
     rows = extensions_table.table(extensions_table.TABLE.read_text())
     return {name for name, (whose, profiles) in rows.items()
             if whose in extensions_table.OURS and profile in profiles}
 
 
 def check_agreement(answers, bare):
-    """What was answered holds together; functions that the bare host lacks of its own extensions, as those
-    that come with a second extension, are the host's affair."""
+    """Checks that the answers agree with each other. Functions that the bare host lacks of its own extensions, such as
+    those that need a second extension, are ignored."""
     joined = (answers['extensions'] or '').split()
     expect(answers['count'] == len(answers['names']), 'GL_NUM_EXTENSIONS is not the count')
     left_out = set(answers['names']) - set(joined)
@@ -144,14 +144,14 @@ def check_kind(options, kind):
     for profile, vendor in (('nv30', 'NVIDIA Corporation'), ('i915', 'Tungsten Graphics, Inc')):
         other = ask(options, kind, ['--identity', 'profile', '--profile', profile])
         check_agreement(other, bare)
-        # What the layer has under this card's profile, and not under the host's.
+        # The layer offers these under this card's profile, but not under the host's.
         own = {'GL_NV_fragment_program', 'GL_NV_fragment_program_option', 'GL_NV_vertex_program',
                'GL_NV_vertex_program1_1', 'GL_NV_vertex_program2',
                'GL_NV_vertex_program2_option'} if profile == 'nv30' else set()
         own |= offered_by(profile)
         expect(other['vendor'] == vendor and own <= set(other['names']) <= works | own, f'{profile}: {other}')
 
-    # A profile that has no card: the host's answers, and a warning in the log.
+    # A profile without a card gives the host's answers, and a warning in the log.
     host = ask(options, kind, ['--identity', 'profile', '--profile', 'host'])
     expect(host['vendor'] == bare['vendor'] and
            set(host['names']) == (works - offered_by('r300')) | offered_by('host'),
@@ -172,7 +172,7 @@ def check_kind(options, kind):
 
 
 def check_switches(options, kind):
-    """Single names that come and go, with a profile's identity and without."""
+    """Checks single names that are switched on and off, with a profile's identity and without."""
     switched = ask(options, kind, ['--extension', 'GL_EXT_abgr=off', '--extension', 'GL_ARB_vertex_program=off'])
     for name in ('GL_EXT_abgr', 'GL_ARB_vertex_program'):
         expect(name not in switched['names'] and f'{name} ' not in switched['extensions'], f'{name} is still there')
@@ -187,7 +187,7 @@ def check_switches(options, kind):
 
 
 def check_glx(options):
-    """Names of GLX are hidden alone: what the host lacks of it nobody has."""
+    """Checks that names of GLX can only be hidden: no one can add what the host lacks."""
     if not shutil.which('Xvfb'):
         return False
     with XServer() as display:
@@ -200,7 +200,7 @@ def check_glx(options):
 
 
 def check_core(options):
-    """Core contexts are as the host has them, whatever the settings."""
+    """Checks that core contexts are the host's, whatever the settings."""
     bare = ask(options, 'core', None)
     if bare is None:
         return False

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The ways in which launchers start a program (docs/use/launchers.md), with the layer in each.
+"""Tests the ways in which launchers start a program (docs/use/launchers.md), with the layer in each.
 
-The launchers themselves are not here. What they do is here: a command line with the game's path in it, read by a shell;
-a prefix of words; one wrapper file; an environment; an overlay that is preloaded beside the layer. The program is this
-script with a context of its own, in a folder with a space, and with options that `arbiter run` knows too.
+The launchers themselves are not needed, only their methods: a command line with the game's path in it, read by a
+shell; a prefix of words; one wrapper file; an environment; an overlay that is preloaded beside the layer. The program
+is this script with a context of its own, in a folder with a space, and with options that `arbiter run` knows too.
 """
 import ctypes
 import json
@@ -34,7 +34,7 @@ def client(_):
 
 
 def launched(command, **variables):
-    """What the program prints where a launcher starts it so; None where it cannot run here."""
+    """Returns what the program prints if a launcher starts it so; None if it cannot run here."""
     result = subprocess.run(command, env=plain(EGL_PLATFORM='surfaceless', **variables), capture_output=True, text=True,
                             timeout=120, check=False)
     if result.returncode == self_client.SKIPPED:
@@ -44,7 +44,7 @@ def launched(command, **variables):
 
 
 def forms(run, game, folder):
-    """(name, command, variables) of each way."""
+    """Yields (name, command, variables) of each way."""
     wrapper = folder / 'wrapper'
     wrapper.write_text('#!/bin/sh\nexec ' + shlex.join(run) + ' "$@"\n')
     wrapper.chmod(0o755)
@@ -56,7 +56,7 @@ def forms(run, game, folder):
     # Lutris' command prefix is split into words; Heroic's wrapper is one file and its arguments.
     yield 'prefix', [*shlex.split(shlex.join(run)), *game], {}
     yield 'wrapper file', [str(wrapper), *game], {}
-    # A script of the game's own that starts the program as its child.
+    # A script of the game starts the program as its child.
     yield 'script', [*run, 'sh', '-c', shlex.join(game) + '; exit $?'], {}
     printed = subprocess.run([run[0], 'run', '--print-environment', *run[2:-1]], capture_output=True, text=True,
                              check=True)
@@ -77,7 +77,7 @@ def check(options):
         bare = launched(game)
         if bare is None:
             return False
-        # A GeForce 4 has four units, and no host of today so few.
+        # A GeForce 4 has four units, fewer than any of today's hosts.
         run = [options.arbiter, 'run', '--profile', 'nv25', '--library', options.library, '--']
         for name, command, variables in forms(run, game, folder):
             told = launched(command, **variables)

@@ -1,5 +1,5 @@
 #pragma once
-/// The GL and GLX as the linker bound them. Included by clients that link with them.
+/// The GL and GLX functions as the linker bound them, for clients that link with them.
 #define GL_GLEXT_PROTOTYPES
 #include "body.h"
 #include "glx_window.h"
@@ -10,7 +10,7 @@ inline void *linkedProc(const char *name) {
   return reinterpret_cast<void *>(glXGetProcAddressARB(reinterpret_cast<const GLubyte *>(name)));
 }
 
-/// libOpenGL exports the core only: the ARB functions are asked for.
+/// libOpenGL exports only the core, so that the ARB functions are looked up.
 inline Gl linkedGl() {
   Gl gl;
 #define X(name, result, parameters) gl.name = ::gl##name;

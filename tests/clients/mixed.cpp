@@ -1,4 +1,4 @@
-/// Three providers in one process, one after the other and back: GLX, OSMesa, EGL, GLX again.
+/// Uses three providers in one process, one after the other and back: GLX, OSMesa, EGL, GLX again.
 #include <vector>
 
 #include <dlfcn.h>

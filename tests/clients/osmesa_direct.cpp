@@ -1,4 +1,4 @@
-/// Linked with libOSMesa alone.
+/// Is linked only with libOSMesa.
 #include <vector>
 
 #define GL_GLEXT_PROTOTYPES

@@ -1,4 +1,4 @@
-/// OSMesa by dlopen; argv[1]: "dlsym" takes the GL by dlsym, "gpa" by OSMesaGetProcAddress.
+/// Loads OSMesa by dlopen. argv[1]: "dlsym" finds GL by dlsym, "gpa" by OSMesaGetProcAddress.
 #include <cstring>
 #include <vector>
 

@@ -1,5 +1,5 @@
-/// A preloaded overlay as MangoHud and VirtualGL are built: exports the GLX calls that it wants to
-/// see, and finds the next ones by dlsym. Says at exit what it saw.
+/// A preloaded overlay like MangoHud and VirtualGL: it exports the GLX calls that it intercepts,
+/// and finds the next ones by dlsym. Prints at exit what it intercepted.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -30,7 +30,7 @@ void *next(const char *name) {
 
 OVERLAY void glXSwapBuffers(Display *display, GLXDrawable drawable) {
   ++g_swaps;
-  // An overlay draws through GL of its own finding.
+  // An overlay draws with GL functions that it finds itself.
   const auto getString = reinterpret_cast<decltype(&::glGetString)>(next("glGetString"));
   if (!getString(GL_VERSION))
     std::fprintf(stderr, "overlay: no GL version\n");

@@ -1,5 +1,5 @@
-/// Contexts made and destroyed until handles come round again: a new context must know nothing of
-/// the one that had its handle before, and one destroyed while current must go on.
+/// Creates and destroys contexts until handles are reused. A new context must know nothing of the
+/// previous one with its handle, and one destroyed while current must continue.
 /// argv[1]: glx, egl or osmesa; argv[2]: cycles.
 #include <cstdio>
 #include <cstdlib>
@@ -103,7 +103,7 @@ Way prepareOsmesa(Gl &gl) {
           }};
 }
 
-/// A fresh context has nothing bound, nothing enabled and no parameter of the last one.
+/// True if a new context has nothing bound, nothing enabled and no parameter of the previous one.
 bool isFresh(const Gl &gl) {
   GLint bound = -1;
   gl.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
@@ -135,12 +135,12 @@ int main(int argc, char **argv) {
     handles.insert(context);
     leftovers += !isFresh(gl);
     leaveTraces(gl);
-    // Every other one is destroyed while current, which OSMesa answers by un-binding it.
+    // Every other context is destroyed while current; OSMesa unbinds it.
     if (i % 2 == 0)
       way.makeCurrent(nullptr);
     way.destroy(context);
     if (i % 2 == 1 && !osmesa && !gl.IsEnabled(GL_FRAGMENT_PROGRAM_ARB))
-      ++leftovers; // destroyed, but current: still in use
+      ++leftovers; // destroyed, but current, and so still in use
     if (i % 2 == 1)
       way.makeCurrent(nullptr);
   }

@@ -6,7 +6,7 @@
   tests/clients/run.py --list
   tests/clients/run.py --build build --headless libEGL_nvidia.so.0
                                                     EGL's device platform, no X, that host vendor
-  tests/clients/run.py --build build --pack FOLDER  what --headless needs, to take to a machine that
+  tests/clients/run.py --build build --pack FOLDER  packs what --headless needs, for a machine that
                                                     has no build: python3 FOLDER/run.py --headless …
 
 Prints a table, and with --json writes it. Exit status 1 if a case fails.
@@ -28,7 +28,7 @@ from x_server import XServer
 
 
 def pack(build, folder):
-    """A build tree of only the layer and the clients that need no X, with these scripts beside."""
+    """Makes a build tree of only the layer and the clients that need no X, with these scripts."""
     programs = ["egl_direct", "egl_dynamic", "count", "spawn", "early", "reuse", "threads"]
     libraries = ["libclient_early_library.so", "libclient_counting_vendor.so"]
     files = ["src/interposer/libGLX_arbiter.so.0", "src/interposer/libarbiter_first.so",
@@ -55,14 +55,14 @@ def run_case(name, case, build, display, vendor):
             result, note = "skip", str(skip)
         except Failure as failure:
             result, note = "FAIL", str(failure)
-        except Exception as error:  # a report that does not parse is a failure of the case
+        except Exception as error:  # an invalid report is a failure of the case
             result, note = "FAIL", f"{type(error).__name__}: {error}"
     return {"name": name, "result": result, "note": note,
             "seconds": round(time.monotonic() - begin, 2)}
 
 
 def default_build():
-    """The folder of these scripts if they were packed with a build, else ./build."""
+    """Returns the folder of these scripts if they were packed with a build, else ./build."""
     here = Path(__file__).resolve().parent
     return here if (here / "src/interposer").is_dir() else Path("build")
 

@@ -1,5 +1,5 @@
-"""For tests that are their own client: a context without a window, asked on the bare host and under
-`arbiter run`, each in a process of its own that prints its answers as JSON.
+"""Runs tests that are their own client: a context without a window, on the bare host and under `arbiter run`. Each is
+a process that prints its answers as JSON.
 """
 import argparse
 import ctypes
@@ -15,7 +15,7 @@ SKIPPED = 77
 
 
 class Failure(Exception):
-    """What was seen, and what should have been."""
+    """A check failed; says what was seen and what was expected."""
 
 
 def expect(holds, text):
@@ -24,7 +24,7 @@ def expect(holds, text):
 
 
 def egl_context(core):
-    """A current context without a surface; how its functions are found."""
+    """Makes a context without a surface current; returns how its functions are found."""
     egl = ctypes.CDLL('libEGL.so.1')
     for name in ('eglGetPlatformDisplay', 'eglCreateContext', 'eglGetProcAddress'):
         getattr(egl, name).restype = ctypes.c_void_p
@@ -53,8 +53,8 @@ def osmesa_context(_):
 
 
 def ask(script, options, kind, arguments, **variables):
-    """What `script --client kind` prints under `arbiter run` with the arguments; on the bare host if they
-    are None. None where the client cannot run here."""
+    """Returns the output of `script --client kind` under `arbiter run` with the arguments; on the bare host if they
+    are None. Returns None if the client cannot run here."""
     command = [PYTHON, str(pathlib.Path(script).resolve()), '--client', kind]
     if arguments is not None:
         command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
@@ -68,7 +68,7 @@ def ask(script, options, kind, arguments, **variables):
 
 
 def main(name, client, check):
-    """The script as its command line asks: the client of a kind, or check(options), which is False where
+    """Runs the script by its command line: the client of a kind, or check(options), which returns False if
     nothing could run.
 
     Returns the exit status.

@@ -1,4 +1,4 @@
-"""Where a case of the client tests runs, how a program is started there, and what must come of it."""
+"""The environment of a case of the client tests: its folders, how a program is started, and the required results."""
 import json
 import os
 import shutil
@@ -9,23 +9,23 @@ from pathlib import Path
 
 from plain_environment import sanitized
 
-# MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB of the r300 profile; no host answers it.
+# MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB of the r300 profile; no host returns it.
 R300_INDIRECTIONS = 4
-TIMEOUT = 300  # of a process: 1,000 contexts take two minutes where the machine does much else
+TIMEOUT = 300  # of a process: 1,000 contexts take two minutes on a busy machine
 PIGLIT_FOLDERS = ("/usr/lib/x86_64-linux-gnu/piglit/bin", "/usr/lib/piglit/bin")
 
 
 class Skip(Exception):
-    """The case needs what this machine lacks."""
+    """The case needs something that this machine lacks."""
 
 
 class Failure(Exception):
-    """The case ran and is wrong."""
+    """The case ran and failed."""
 
 
 @dataclass
 class Setting:
-    """The places that cases need, and a scratch folder of the case's own."""
+    """The folders that cases need, and a scratch folder for each case."""
     build: Path
     source: Path
     scratch: Path
@@ -48,7 +48,7 @@ class Setting:
 
     @property
     def icd(self):
-        """Made here, so that a build tree that was moved serves as well."""
+        """Writes the ICD file; it is made here, so that a build tree may be moved."""
         folder = self.scratch / "arbiter"
         folder.mkdir(exist_ok=True)
         return write_icd(folder / "10_arbiter.json", self.layer)
@@ -58,11 +58,11 @@ class Setting:
         return self.scratch / "stats.json"
 
     def environment(self, layer, extra=None):
-        """The bare host's environment, or the layer's by LD_PRELOAD alone."""
+        """Returns the bare host's environment, or the layer's by LD_PRELOAD alone."""
         env = sanitized(bool(layer), XDG_RUNTIME_DIR=str(self.scratch))
         if self.display is None:
             env.pop("DISPLAY", None)
-            del env["LIBGL_ALWAYS_SOFTWARE"]  # a device of EGL's is asked for
+            del env["LIBGL_ALWAYS_SOFTWARE"]  # an EGL device is used
             env["CLIENT_EGL_PLATFORM"] = "device"
         else:
             env["DISPLAY"] = self.display
@@ -77,14 +77,14 @@ class Setting:
 
 
 def write_icd(path, library):
-    """An ICD file for libglvnd that names an EGL vendor library."""
+    """Writes an ICD file for libglvnd that names an EGL vendor library."""
     path.write_text(json.dumps({"file_format_version": "1.0.0",
                                 "ICD": {"library_path": str(library)}}))
     return path
 
 
 def width(path):
-    """Of an ELF file, in bits."""
+    """Returns the word size of an ELF file, in bits."""
     with open(path, "rb") as file:
         return {1: 32, 2: 64}[file.read(5)[4]]
 
@@ -96,7 +96,7 @@ class Outcome:
     err: str
 
     def reports(self):
-        """The JSON lines that clients print."""
+        """Returns the JSON lines that clients print."""
         return [json.loads(line) for line in self.out.splitlines() if line.startswith("{")]
 
 
@@ -124,7 +124,7 @@ def need_success(outcome, where):
 
 
 def need_statistics(path, draws=1):
-    """The layer compiled a program without error, and drew with it."""
+    """Requires that the layer compiled a program without error, and drew with it."""
     need(path.exists(), "the layer wrote no statistics")
     stats = json.loads(path.read_text())
     need(any(not p["error"] for p in stats["programs"]), "the layer saw no valid program")

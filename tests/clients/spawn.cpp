@@ -1,4 +1,4 @@
-/// Draws, then forks and executes itself, which draws too: the environment must carry the layer on.
+/// Draws, then forks and executes itself, which draws too: the environment must pass the layer on.
 #include <cstring>
 
 #include <sys/wait.h>

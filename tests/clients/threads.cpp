@@ -1,6 +1,7 @@
-/// Threads that draw at once, each in its own context of one share group, with program objects of
-/// their own and one that all load parameters into, with a vertex program and a list that all
-/// share, and lists of their own that come and go. argv[1]: threads, argv[2]: draws of each.
+/// Draws in several threads at once, each in its own context of one share group. Each thread has
+/// program objects of its own, and all load parameters into a common one. All share a vertex
+/// program and a list, and have lists of their own that come and go. argv[1]: threads, argv[2]:
+/// draws of each.
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -31,7 +32,7 @@ void *fromEgl(const char *name) {
 }
 void *byEgl(const char *name) { return reinterpret_cast<void *>(g_egl.GetProcAddress(name)); }
 
-/// What threads need beyond the client's body.
+/// The functions that threads need beyond the client's body.
 struct Lists {
   GLuint (*Gen)(GLsizei) = nullptr;
   void (*New)(GLuint, GLenum) = nullptr;
@@ -69,8 +70,8 @@ void quad(const Gl &gl) {
   gl.End();
 }
 
-/// A list of the thread's own calls the one that all share, which binds the programs of all; the
-/// thread's fragments say who drew. True if they did.
+/// Draws by a list of the thread's own that calls the shared list, which binds the shared programs.
+/// The thread's fragments identify it. Returns true if they are right.
 bool drawByLists(const Gl &gl, const Lists &lists, GLuint program, int thread) {
   const float own = float(thread % 4 + 1) / 5;
   const GLuint list = lists.Gen(1);

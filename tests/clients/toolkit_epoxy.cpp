@@ -1,5 +1,5 @@
-/// libepoxy resolves every function itself, by dlsym or by GetProcAddress as it sees fit. It gives
-/// pointers that are variables, so that the client calls through those.
+/// Uses libepoxy, which resolves every function itself, by dlsym or by GetProcAddress. Its
+/// functions are pointer variables, through which the client calls.
 #include <epoxy/gl.h>
 #include <epoxy/glx.h>
 

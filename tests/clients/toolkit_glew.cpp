@@ -1,4 +1,4 @@
-/// GLEW: the core linked, the ARB functions through GLEW's own pointers.
+/// Uses GLEW: the core is linked, the ARB functions are GLEW's pointers.
 #include <GL/glew.h>
 #include <GL/glxew.h>
 

@@ -1,4 +1,4 @@
-/// GLFW; argv[1] "egl" makes the context through EGL, else through GLX.
+/// Uses GLFW; argv[1] "egl" makes the context through EGL, else through GLX.
 #include <cstring>
 
 #define GLFW_INCLUDE_NONE

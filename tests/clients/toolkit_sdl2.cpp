@@ -1,4 +1,4 @@
-/// SDL2: a window and the GL by SDL_GL_GetProcAddress.
+/// Uses SDL2 for a window, and finds GL by SDL_GL_GetProcAddress.
 #include <SDL.h>
 
 #include "body.h"

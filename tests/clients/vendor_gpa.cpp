@@ -1,4 +1,4 @@
-/// Plays libglvnd: loads the layer's and the host's vendor mains and compares their answers.
+/// Acts as libglvnd: loads the layer's and the host's vendor mains and compares their answers.
 /// argv[1] the layer, argv[2] the host's EGL vendor.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
@@ -44,7 +44,7 @@ constexpr const char *kIntercepted[] = {"glProgramStringARB", "glBindProgramARB"
                                         "glUseProgram",       "glCopyTexSubImage2D",
                                         "glUniform4fv",       "glUniform4fvARB",
                                         "glTexImage2D",       "glTexEnvi"};
-/// There for the rasterizer: the host's own where the host is the backend.
+/// These exist for the rasterizer: if the host is the backend, the host's own are returned.
 constexpr const char *kForRasterizer[] = {"glClear", "glViewport",  "glVertex3f",
                                           "glFlush", "glBlendFunc", "glClearColor"};
 constexpr const char *kPassed[] = {"glIsBuffer", "glIsTexture", "glGenTextures",
@@ -55,7 +55,8 @@ bool backendIsHost() {
   return backend && std::strcmp(backend, "host") == 0;
 }
 
-/// `host` is the host's own GetProcAddress, or null where it cannot be asked beside the layer.
+/// Compares answers. `host` is the host's own GetProcAddress, or null if it cannot be called beside
+/// the layer.
 template <typename Layer>
 void compare(Layer layer, void *(*host)(const char *), const void *main, const char *const *hooks,
              int hookCount) {
@@ -85,7 +86,7 @@ void compareEgl(const char *layerPath, const char *hostPath) {
   const __EGLapiExports exports = {};
   const auto layer = reinterpret_cast<__PFNEGLMAINPROC>(entry(layerPath, "__egl_Main"));
   const auto host = reinterpret_cast<__PFNEGLMAINPROC>(entry(hostPath, "__egl_Main"));
-  // The host comes first: what it keeps from the second handshake is then what the layer gave it.
+  // The host starts first: it then keeps what the layer passes in the second handshake.
   if (!layer || !host || !host(EGL_VENDOR_ABI_VERSION, &exports, nullptr, &g_eglHost) ||
       !layer(EGL_VENDOR_ABI_VERSION, &exports, nullptr, &g_eglLayer)) {
     check(false, "does not start", "EGL");
@@ -105,7 +106,8 @@ void compareEgl(const char *layerPath, const char *hostPath) {
         "patch callbacks are left in place", "EGL");
 }
 
-/// Mesa's GLX vendor fills its imports for the first caller only, which is the layer here.
+/// Compares GLX answers. Mesa's GLX vendor fills its imports for the first caller only, which is
+/// the layer here.
 void compareGlx(const char *layerPath) {
   const __GLXapiExports exports = {};
   const auto layer = reinterpret_cast<__PFNGLXMAINPROC>(entry(layerPath, "__glx_Main"));

@@ -1,12 +1,12 @@
-"""An X server of a test's own."""
+"""Runs an X server for a test."""
 import os
 import subprocess
 import sys
 
 
 class XServer:
-    """An Xvfb on a display number that it chooses; -noreset, or the gap between two clients is one
-    in which nobody can connect."""
+    """An Xvfb on a display number that it chooses. Without -noreset nobody could connect in the gap between two
+    clients."""
 
     def __init__(self, screen="640x480x24", options=()):
         self.screen, self.options = screen, options

@@ -1,8 +1,8 @@
 #pragma once
 #include <epoxy/gl.h>
 
-/// Between Begin and End of QUADS: the vertices of a cell of a grid that fills the viewport, row by
-/// row from the lower left, `side` cells a row.
+/// Emits the vertices of a grid cell, between Begin and End of QUADS. The grid fills the viewport,
+/// row by row from the lower left, with `side` cells in a row.
 inline void drawCellSquare(int cell, int side) {
   const float width = 2.0f / float(side);
   const float x = float(cell % side) * width - 1.0f, y = float(cell / side) * width - 1.0f;

@@ -138,7 +138,7 @@ GLenum apply(Model &model, const Command &c, int textureUnits) {
 
 namespace {
 
-/// Names that stand anywhere.
+/// Names that may occur anywhere.
 constexpr GLenum kOthers[] = {GL_ZERO,
                               GL_NONE,
                               GL_FOG,
@@ -160,7 +160,7 @@ class Names {
 public:
   Names(Random &random, int units) : m_random(random), m_units(units) {}
 
-  /// Mostly one of `first` to `first + count - 1`.
+  /// Returns mostly one of `first` to `first + count - 1`.
   GLenum of(GLenum first, int count) {
     if (m_random.chance(4))
       return kOthers[m_random.below(int(std::size(kOthers)))];

@@ -5,8 +5,8 @@
 
 #include "fp_compiler/testing/random.h"
 
-/// Commands of NV_register_combiners and 2, and a model of their state and errors that the
-/// specifications' sections Errors and New State were made into.
+/// Commands of NV_register_combiners and 2, and a model of their state and errors, from the
+/// specifications' sections Errors and New State.
 namespace commanded {
 
 using Color = std::array<GLfloat, 4>;
@@ -25,7 +25,7 @@ struct Half {
   bool operator==(const Half &) const = default;
 };
 
-/// All that is queried, by the names that GL has.
+/// All state that can be queried, under GL's names.
 struct Model {
   std::array<std::array<Half, 2>, kStages> stages;
   std::array<Assigned, 7> finals{};
@@ -51,7 +51,7 @@ struct Model {
   }
 };
 
-/// A command, as it is issued and as the model takes it.
+/// A command, for issuing and for the model.
 struct Command {
   int kind = 0;
   std::array<GLenum, 7> names{};
@@ -60,11 +60,11 @@ struct Command {
   GLint number = 0;
 };
 
-/// The command's effect; \returns its error, with which there is none.
+/// Applies a command; an erroneous one has no effect. \returns its error
 /// \param units texture units that have a register
 [[nodiscard]] GLenum apply(Model &model, const Command &command, int units);
 
-/// Arguments that are names of the extensions', and now and then others.
+/// Returns a command whose arguments are mostly the extensions' names, sometimes others.
 [[nodiscard]] Command randomCommand(arbiter::fp::testing::Random &random, int units);
 
 } // namespace commanded

@@ -1,5 +1,5 @@
-"""A client that draws random states and judges them itself, under the layer: on the host and by its rasterizer.
-Shared by the tests of state that the layer makes programs of."""
+"""Runs a client that draws random states and judges them itself, under the layer: on the host and by its rasterizer.
+Shared by the tests of state that the layer turns into programs."""
 
 import argparse
 import json
@@ -15,7 +15,7 @@ SKIPPED = 77
 
 
 def draw(args, client, backend, scratch):
-    """(the client's result, its last line as JSON, the rasterizer's statistics)"""
+    """Returns (the client's result, its last line as JSON, the rasterizer's statistics)."""
     build = args.build.resolve()
     stats = pathlib.Path(scratch) / f"stats-{backend}.json"
     env = sides.environment(sides.layer_of(build), backend, {
@@ -34,7 +34,7 @@ def draw(args, client, backend, scratch):
 
 
 def judge(backend, result, report, part, most_unjudged, least_drawn):
-    """What is wrong, a line each."""
+    """Returns what is wrong, a line each."""
     wrong = []
     if result.returncode not in (0, 1) or not report:
         return [f"status {result.returncode}: {result.stderr[-600:]}"]
@@ -50,11 +50,12 @@ def judge(backend, result, report, part, most_unjudged, least_drawn):
 
 
 def main(description, client, most_unjudged, least_drawn, has_fx9=False):
-    """
-    has_fx9: the client can be asked for the integers of the numerics fx9
+    """Runs the client on the chosen back ends.
+
+    has_fx9: the client supports the integers of the numerics fx9
     client: its path in the build folder
-    most_unjudged: of the cells, the part that may stay undecided
-    least_drawn: of the draws, the part that the rasterizer draws where it is asked for
+    most_unjudged: the fraction of cells that may stay undecided
+    least_drawn: the fraction of draws that the rasterizer must draw when it is selected
     """
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))

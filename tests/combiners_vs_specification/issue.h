@@ -6,10 +6,9 @@
 
 namespace combined {
 
-/// Sets the register combiners of the current context to the state; of general stages the active
-/// ones.
+/// Sets the register combiners of the current context to the state, for the active general stages.
 void issue(const arbiter::fp::combiners::State &state);
-/// The constant colours, of as many stages.
+/// Sets the constant colors of that many stages.
 void issueConstants(const arbiter::fp::combiners::Inputs &inputs, int stages);
 
 } // namespace combined

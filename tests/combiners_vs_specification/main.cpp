@@ -1,7 +1,8 @@
 // combiners [--first SEED] [--count N] [--unsigned] [--fx9] [--verbose]: draws with random states
 // of NV_register_combiners and 2, and compares each pixel with the equations of section 3.8.12,
-// worked out in double precision; with --fx9, which ARBITER_NUMERICS is to be, exactly, with
-// integers. Ends with one line of JSON: what was drawn, what differs, what was not judged.
+// computed in double precision. With --fx9, which ARBITER_NUMERICS must match, the comparison is
+// exact, with integers. Ends with one line of JSON: what was drawn, what differs, what was not
+// judged.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,15 +19,15 @@ namespace {
 using namespace arbiter::fp;
 using combiners::Evaluated;
 
-constexpr double kTolerance = 1.0;     ///< of 255, between a byte that was drawn and the equations
-constexpr double kExactly = 0.01;      ///< the same of whole numbers of 255ths
-constexpr double kUndetermined = 1e-3; ///< distances of a mux from its other choice
+constexpr double kTolerance = 1.0;     ///< in 255ths, between a drawn byte and the equations
+constexpr double kExactly = 0.01;      ///< the tolerance for whole numbers of 255ths
+constexpr double kUndetermined = 1e-3; ///< a mux nearer to its other choice is undecided
 
 struct Options {
   Seeds seeds;
   bool verbose = false;
   bool isUnsigned = false; ///< no texels below zero
-  bool fx9 = false;        ///< by the integers of Numerics::Fx9
+  bool fx9 = false;        ///< compares with the integers of Numerics::Fx9
 };
 
 struct Tally {
@@ -49,7 +50,7 @@ void makeTarget() {
 
 using Pixels = std::vector<std::uint8_t>;
 
-/// How far a cell's pixels are from what is expected, in steps of a byte.
+/// Returns the largest difference of a cell's pixels from the expected color, in steps of a byte.
 double distanceOf(const Pixels &pixels, int cell, const combiners::Color &color) {
   double worst = 0.0;
   const int x0 = cell % combined::kCells * combined::kCellSize,

@@ -5,8 +5,8 @@
 #include "fp_compiler/testing/evaluate_combiners.h"
 #include "fp_compiler/testing/random.h"
 
-/// A colour in [0,1].
-/// \param fx9 of Numerics::Fx9: no component is where it is rounded to one number or another
+/// Returns a color in [0,1].
+/// \param fx9 avoids components that Numerics::Fx9 could round either way
 inline arbiter::fp::combiners::Color randomColor(arbiter::fp::testing::Random &random, bool fx9) {
   arbiter::fp::combiners::Color value;
   for (double &c : value) {

@@ -24,7 +24,7 @@ Scene::Scene(int units, bool negativeTexels, bool fx9)
     : m_units(units), m_fx9(fx9), m_textures(makeTextures(negativeTexels)),
       m_cells(kCells * kCells) {}
 
-/// Of each unit every target has a texture, and one or none is enabled.
+/// Binds a texture to every target of each unit, and enables one or none of them.
 std::uint8_t Scene::bind(Random &random) {
   std::uint8_t enabled = 0;
   m_bound.fill(nullptr);
@@ -48,7 +48,7 @@ void Scene::arrangeFog(Random &random) {
   constexpr GLenum kModes[] = {GL_NONE, GL_LINEAR, GL_EXP, GL_EXP2};
   m_fogMode = kModes[random.below(4)];
   m_inputs.fog = randomColor(random, m_fx9);
-  m_inputs.fog[3] = 0.25; // is in no register
+  m_inputs.fog[3] = 0.25; // no register has it
   m_density = double(random.real(0.25f, 2.0f));
   m_start = double(random.real(0.0f, 0.5f));
   m_end = double(random.real(0.75f, 2.0f));
@@ -81,7 +81,7 @@ void Scene::arrangeCells(Random &random) {
   for (Cell &cell : m_cells) {
     cell.primary = randomColor(random, m_fx9);
     cell.secondary = randomColor(random, m_fx9);
-    cell.secondary[3] = 1.0; // what SecondaryColor3 gives it
+    cell.secondary[3] = 1.0; // as SecondaryColor3 sets it
     cell.fog = random.real(0.0f, 2.0f);
     for (std::size_t unit = 0; unit < cell.r.size(); ++unit) {
       cell.r[unit] = random.real(0.0f, 1.0f);

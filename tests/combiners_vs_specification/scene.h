@@ -7,21 +7,21 @@
 #include "fp_compiler/testing/random_combiners.h"
 #include "textures.h"
 
-/// What random states of register combiners are drawn with: textures of one texel, and an 8x8 grid
-/// of rectangles, each of one colour, fog coordinate and coordinate a unit, so that no
-/// interpolation stands between a draw and the equations.
+/// The scene for random states of register combiners: textures of one texel, and an 8x8 grid of
+/// rectangles. Each has one color, one fog coordinate, and one texture coordinate for each unit, so
+/// that interpolation does not affect the comparison with the equations.
 namespace combined {
 
-inline constexpr int kCells = 8;    ///< a side
+inline constexpr int kCells = 8;    ///< on a side
 inline constexpr int kCellSize = 4; ///< in pixels
 inline constexpr int kSize = kCells * kCellSize;
 
 class Scene {
 public:
-  /// \param negativeTexels some texels are below zero
-  /// \param fx9 of Numerics::Fx9: no color is where it is rounded to one number or another
+  /// Makes the scene. \param negativeTexels some texels are below zero
+  /// \param fx9 avoids colors that Numerics::Fx9 could round either way
   Scene(int units, bool negativeTexels, bool fx9);
-  /// A new state and new values for everything around it; GL is set to it.
+  /// Chooses a new state and new values for everything around it, and sets GL to it.
   void arrange(arbiter::fp::testing::Random &random,
                arbiter::fp::testing::RandomCombinersOptions options);
   void draw() const;
@@ -32,11 +32,11 @@ public:
 private:
   struct Cell {
     arbiter::fp::combiners::Color primary{}, secondary{};
-    std::array<float, arbiter::fp::combiners::kTextures> r{}; ///< that depths are compared with
+    std::array<float, arbiter::fp::combiners::kTextures> r{}; ///< depths are compared with these
     float fog = 0.0f;
   };
 
-  /// \returns the units that have a texture, one bit each
+  /// Binds the textures. \returns the units that have a texture, one bit each
   std::uint8_t bind(arbiter::fp::testing::Random &random);
   void arrangeFog(arbiter::fp::testing::Random &random);
   void arrangeCells(arbiter::fp::testing::Random &random);
@@ -47,7 +47,7 @@ private:
   std::vector<Texture> m_textures;
   std::array<const Texture *, arbiter::fp::combiners::kTextures> m_bound{};
   arbiter::fp::combiners::State m_state;
-  arbiter::fp::combiners::Inputs m_inputs; ///< the constants and the fog colour
+  arbiter::fp::combiners::Inputs m_inputs; ///< the constants and the fog color
   GLenum m_fogMode = GL_NONE;
   double m_density = 1.0, m_start = 0.0, m_end = 1.0;
   std::vector<Cell> m_cells;

@@ -1,8 +1,7 @@
-// sequences [--first SEED] [--count N]: sequences of commands of NV_register_combiners and 2 whose
-// arguments are names of the extensions' and of others, right and wrong, some of them in display
-// lists, some between PushAttrib and PopAttrib. Each command's error and the whole state behind
-// each sequence are those of a model that the specifications' sections Errors and New State were
-// made into. Ends with a line of JSON.
+// sequences [--first SEED] [--count N]: issues sequences of commands of NV_register_combiners and
+// 2. Their arguments are valid and invalid names, some commands are in display lists, some between
+// PushAttrib and PopAttrib. A model from the specifications' sections Errors and New State predicts
+// each command's error and the whole state after each sequence. Ends with a line of JSON.
 #include <cstdio>
 
 #include <epoxy/gl.h>
@@ -16,7 +15,7 @@ namespace {
 using namespace commanded;
 using arbiter::fp::testing::Random;
 
-constexpr int kCommands = 100; ///< of a sequence
+constexpr int kCommands = 100; ///< in a sequence
 
 void issue(const Command &c) {
   const auto &n = c.names;
@@ -119,7 +118,7 @@ bool isExpected(std::uint64_t seed, int at, const Command &command, GLenum expec
   return false;
 }
 
-/// One sequence; the state goes on from the one before.
+/// Runs one sequence; the state continues from the previous one.
 bool run(std::uint64_t seed, int units, Model &model, Tally &tally) {
   Random random(seed);
   const Model before = model;

@@ -65,8 +65,9 @@ void makeBumpTextures() {
   glEnable(GL_TEXTURE_2D);
 }
 
-/// Stage 0: both dot products. Stage 1: the specular one squared, less one half, doubled. The final
-/// combiner: that squared again, and diffuse by the light's colour, both by the attenuation.
+/// Sets stage 0 to both dot products. Stage 1 squares the specular one, subtracts one half, and
+/// doubles it. The final combiner squares that again, multiplies diffuse by the light's color, and
+/// both by the attenuation.
 void bumpsByCombiners() {
   glEnable(GL_REGISTER_COMBINERS_NV);
   const GLfloat light[] = {1.0f, 0.8f, 0.5f, 1.0f};

@@ -1,8 +1,8 @@
-// techniques [--png FOLDER]: what games of 2002 drew with register combiners, and their ARB paths'
-// programs for the same, drawn beside each other: a glow that is blurred by four taps of a
-// rectangle texture, and bump mapping with a normalisation cube map, a specular term that is
-// sharpened by a square and a bias, and an attenuation. Ends with a line of JSON; status 1 if a
-// pixel of the two is further apart than 2 of 255.
+// techniques [--png FOLDER]: draws techniques of games of 2002 with register combiners and with the
+// programs of their ARB paths, and compares the pictures. One is a glow that four taps of a
+// rectangle texture blur. The other is bump mapping with a normalisation cube map, a specular term
+// that a square and a bias sharpen, and an attenuation. Ends with a line of JSON. The status is 1
+// if a pixel differs by more than 2 of 255.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace techniques;
 
-constexpr int kTolerance = 2; ///< steps of 255
+constexpr int kTolerance = 2; ///< in 255ths
 
 void makeTarget() {
   GLuint framebuffer = 0, buffer = 0;
@@ -36,7 +36,7 @@ Picture read() {
   return picture;
 }
 
-/// A way to shade, and to be rid of it.
+/// A way to shade.
 enum class Way { Combiners, Program };
 void endWay() {
   glDisable(GL_REGISTER_COMBINERS_NV);
@@ -57,7 +57,7 @@ void write(const std::string &path, const Picture &picture) {
   image.version = PNG_IMAGE_VERSION;
   image.width = image.height = kSize;
   image.format = PNG_FORMAT_RGBA;
-  // GL's first row is the lowest.
+  // GL's first row is the bottom one.
   if (!png_image_write_to_file(&image, path.c_str(), 0, picture.data(), -kSize * 4, nullptr))
     std::fprintf(stderr, "%s: %s\n", path.c_str(), image.message);
 }

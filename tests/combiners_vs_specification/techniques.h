@@ -6,14 +6,15 @@
 
 #include <epoxy/gl.h>
 
-/// What games of 2002 drew with register combiners, and their ARB paths' programs for the same.
+/// Techniques of games of 2002 with register combiners, and the equivalent programs of their ARB
+/// paths.
 namespace techniques {
 
-inline constexpr int kSize = 256; ///< of the picture, a side
+inline constexpr int kSize = 256; ///< pixels on a side
 
 using Picture = std::vector<std::uint8_t>;
 
-/// One technique: its textures, which stay bound, and both ways to shade what it draws.
+/// A technique: its textures, which stay bound, and both ways to shade what it draws.
 struct Technique {
   const char *name;
   void (*makeTextures)();
@@ -21,10 +22,10 @@ struct Technique {
   void (*byProgram)();
   void (*draw)();
 };
-/// A glow: four taps of a rectangle texture, each by the same weight, added up.
+/// A glow: the sum of four equally weighted taps of a rectangle texture.
 extern const Technique kGlow;
-/// Bump mapping: normalisation cube maps, a specular term that is sharpened by a square and a bias,
-/// an attenuation.
+/// Bump mapping: normalisation cube maps, a specular term that a square and a bias sharpen, an
+/// attenuation.
 extern const Technique kBumps;
 
 // --- Shorthands of both ---

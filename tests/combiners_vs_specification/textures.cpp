@@ -40,7 +40,7 @@ void define(GLenum target, GLenum internal, GLenum format, const GLfloat *texel)
   }
 }
 
-/// Components that a byte holds as they are.
+/// Returns a color whose components are multiples of 1/255.
 Color bytes(Random &random) {
   Color color;
   for (double &c : color)
@@ -48,7 +48,7 @@ Color bytes(Random &random) {
   return color;
 }
 
-/// Table RC.2.
+/// Computes a texture register's contents (table RC.2).
 Color contentsOf(GLenum internal, const Color &c) {
   switch (internal) {
   case GL_ALPHA8:
@@ -75,7 +75,7 @@ Texture flat(Random &random, GLenum target, GLenum internal) {
   return texture;
 }
 
-/// Halves, some below zero.
+/// Makes a texture of multiples of one half, some below zero.
 Texture negativeTexture(Random &random) {
   Texture texture{bindNew(GL_TEXTURE_2D), GL_TEXTURE_2D, {}, false};
   GLfloat texel[4];
@@ -85,7 +85,7 @@ Texture negativeTexture(Random &random) {
   return texture;
 }
 
-/// The mode must not matter (RC: "is irrelevant").
+/// Makes a depth texture. The mode must not matter (RC: "is irrelevant").
 Texture depth(Random &random, GLenum target, GLenum mode, bool compares) {
   const GLfloat value = GLfloat(random.below(65536)) / 65535.0f;
   Texture texture{bindNew(target), target, {0, 0, 0, double(value)}, compares};

@@ -8,16 +8,16 @@
 
 namespace combined {
 
-/// A texture of one texel, so that no coordinate matters but the one a depth is compared with.
+/// A texture of one texel, so that only the coordinate that a depth is compared with matters.
 struct Texture {
   GLuint name = 0;
   GLenum target = GL_TEXTURE_2D;
   arbiter::fp::combiners::Color contents{}; ///< of its texture register (table RC.2)
-  bool compares = false; ///< `contents` is then the depth, which r is compared with: r <= depth
+  bool compares = false; ///< `contents` is then the depth that r is compared with: r <= depth
 };
 
-/// Of each target and base internal format some, with texels of a fixed seed, in the current
-/// context.
+/// Makes some textures of each target and base internal format in the current context, with texels
+/// from a fixed seed.
 [[nodiscard]] std::vector<Texture>
 makeTextures(bool negative); ///< negative: one has texels below zero
 

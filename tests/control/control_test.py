@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Programs of unmodified clients looked at and changed while they run, through `arbiter ctl` and through
-the socket itself.
+"""Tests that programs of unmodified clients can be inspected and changed while they run, through `arbiter ctl` and
+through the socket itself.
 
 usage: control_test.py ARBITER TICKER PAINTER [unittest arguments]
 """
@@ -16,8 +16,9 @@ from controlled import ARBITER, PATIENCE, RED, TICKER, WRONG, Controlled, Painti
 
 
 class Edits(Controlled):
-    """TICKER draws green with local parameters that it sets around each draw, and complains where its
-    queries answer anything but its own program."""
+    """TICKER draws green with local parameters that it sets around each draw, and complains if its queries return
+    anything
+    but its own program."""
 
     def test_a_text_is_drawn_with_until_it_is_let_go(self):
         text = self.folder / 'mine.fp'
@@ -105,7 +106,7 @@ class Edits(Controlled):
         result = subprocess.run([ARBITER, 'run', '--replace', patches, '--', TICKER, 'fragment', '1'],
                                 env=self.environment, capture_output=True, timeout=PATIENCE)
         self.assertEqual(result.stdout, b'255 0 0\n')
-        with self.running(TICKER) as output:  # bytes that are no UTF-8 come whole
+        with self.running(TICKER) as output:  # bytes that are not UTF-8 arrive unchanged
             self.assertTrue(output.waits_for('0 255 0'))
             self.ctl('export', self.folder / 'own')
         self.assertIn(b'caf\xe9', (self.folder / 'own' / program).read_bytes())
@@ -113,7 +114,7 @@ class Edits(Controlled):
 
 class Windows(Painting):
     """PAINTER draws yellow: white texels times (1, 1, 0)."""
-    # Of the layer, and of PAINTER.
+    # Options of the layer, and of PAINTER.
     CASES = (((), ()), (('--backend', 'host'), ('-1', 'fbo')))
 
     def test_frames_and_textures(self):
@@ -160,7 +161,7 @@ class Windows(Painting):
                     self.painting(*words, options=('--control', *more)) as output:
                 self.assertTrue(output.waits_for('middle 255 255 0'))
                 rows = json.loads(self.ctl('--json', 'textures').stdout)['textures']
-                # Without a name, and on every unit that has no other.
+                # It is listed without a name, on every unit that has no other texture.
                 self.assertEqual([(row['unit'], row['target'], row['width'], row['format'])
                                   for row in rows if row['name'] == 0], [(1, '2D', 2, 'LUMINANCE')])
                 for name, colour in seen.items():
@@ -202,7 +203,7 @@ class Windows(Painting):
             self.assertTrue(output.waits_for('shown 0'), 'without --hud there are none')
 
     def counts_reach(self, output, words, is_enough):
-        """Until the client counts so many pixels behind these words."""
+        """Waits until the client counts that many pixels behind these words."""
         end, last = time.monotonic() + PATIENCE, None
         while time.monotonic() < end:
             output.waits_for('', 0.1)
@@ -258,7 +259,7 @@ class Windows(Painting):
 
 
 def green_picture(path, side=16):
-    """A square PNG whose every pixel is green."""
+    """Writes a square PNG whose every pixel is green."""
     def chunk(kind, data):
         return (len(data).to_bytes(4, 'big') + kind + data +
                 zlib.crc32(kind + data).to_bytes(4, 'big'))

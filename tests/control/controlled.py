@@ -1,7 +1,7 @@
-"""What tests of control share: clients that run, `arbiter ctl`, the socket itself, pictures.
+"""Shared parts of the control tests: running clients, `arbiter ctl`, the socket itself, pictures.
 
 A test's arguments are ARBITER TICKER PAINTER [unittest arguments]. TICKER (tests/capture) ends no frames;
-PAINTER has a window, and complains of state that changed.
+PAINTER has a window, and complains about changed state.
 """
 import contextlib
 import json
@@ -24,18 +24,18 @@ from x_server import XServer  # noqa: E402,F401
 ARBITER, TICKER, PAINTER = (os.path.abspath(path) for path in sys.argv[1:4])
 RED = '!!ARBfp1.0\nMOV result.color, {1, 0, 0, 1};\nEND\n'
 WRONG = '!!ARBfp1.0\nMOV result.color, nothing;\nEND\n'
-PATIENCE = 60  # seconds, on a machine that has other things to do
+PATIENCE = 60  # seconds, as the machine may be busy
 
 
 class Output:
-    """The lines of a client, as they come."""
+    """Collects the lines of a client as they come."""
 
     def __init__(self, process):
         self.process, self.rest, self.lines = process, b'', []
-        self.seen = []  # all of them
+        self.seen = []  # all lines
 
     def waits_for(self, text, seconds=PATIENCE):
-        """Until the client says so, from now on."""
+        """Waits until the client prints the text, from now on."""
         end = time.monotonic() + seconds
         while True:
             while self.lines:
@@ -52,7 +52,7 @@ class Output:
             self.seen += [line.decode() for line in lines]
 
     def drain(self):
-        """Takes what there is, so that the client never waits for its reader."""
+        """Reads what is there, so that the client never waits for its reader."""
         while select.select([self.process.stdout], [], [], 0)[0]:
             part = os.read(self.process.stdout.fileno(), 1 << 16)
             if not part:
@@ -62,7 +62,7 @@ class Output:
 
 
 def pixels(path):
-    """Size and rows of an RGBA PNG without interlacing, top row first."""
+    """Returns size and rows of an RGBA PNG without interlacing, top row first."""
     data = path.read_bytes()
     assert data[:8] == b'\x89PNG\r\n\x1a\n'
     at, body, size = 8, b'', None
@@ -94,7 +94,7 @@ def unfilter(kind, line, before):
 
 
 class Raw:
-    """The socket as it is."""
+    """Speaks the protocol directly on the socket."""
 
     def __init__(self, path):
         self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -112,7 +112,7 @@ class Raw:
         self.socket.sendall(data)
 
     def line(self):
-        """The next line; None where the connection ends."""
+        """Returns the next line; None if the connection ends."""
         while b'\n' not in self.rest:
             part = self.socket.recv(1 << 16)
             if not part:
@@ -122,7 +122,7 @@ class Raw:
         return json.loads(line)
 
     def call(self, method, **params):
-        """The result, or the error, of a request; events on the way are passed over."""
+        """Returns the result, or the error, of a request; skips events on the way."""
         self.last += 1
         self.send(json.dumps({'jsonrpc': '2.0', 'id': self.last, 'method': method,
                               'params': params}).encode() + b'\n')
@@ -148,7 +148,7 @@ class Controlled(unittest.TestCase):
 
     @contextlib.contextmanager
     def holding(self, *words):
-        """`arbiter ctl` that stays, until it is interrupted."""
+        """Runs `arbiter ctl` until it is interrupted."""
         process = subprocess.Popen([ARBITER, 'ctl', '--timeout', str(PATIENCE), *map(str, words)],
                                    env=self.environment, stderr=subprocess.PIPE)
         try:
@@ -185,7 +185,7 @@ class Controlled(unittest.TestCase):
 
 
 class Painting(Controlled):
-    """With a display, for PAINTER."""
+    """A test with a display, for PAINTER."""
     @classmethod
     def setUpClass(cls):
         server = XServer()
@@ -196,7 +196,7 @@ class Painting(Controlled):
         return self.running(PAINTER, *words, options=options, DISPLAY=self.display)
 
     def unchanged(self, output):
-        """Nothing of GL's that the client would have complained of."""
+        """Checks that the client has not reported any changed GL state."""
         output.waits_for('', 0.3)
         self.assertEqual([line for line in output.seen if line.startswith(('state', 'error'))], [])
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Clients of control that are hostile or mistaken: who may listen, what is said of errors, messages without sense.
+"""Tests hostile or mistaken clients of control: who may listen, the errors, and senseless messages.
 
 usage: hostile_test.py ARBITER TICKER PAINTER [unittest arguments]
-The environment's HOSTILE_MESSAGES is how many messages are sent, 400 where it is not set.
+The environment's HOSTILE_MESSAGES is the number of messages, 400 if it is not set.
 """
 import contextlib
 import json
@@ -62,7 +62,7 @@ class Hostile(Controlled):
                                 timeout=PATIENCE)
         remedy = result.stderr.partition('for the program and for this alike: ')[2]
         self.assertTrue(remedy.startswith('export XDG_RUNTIME_DIR=/'), result.stderr)
-        # Done as it says, the command has its folder.
+        # After following the advice, the command has its folder.
         folder = remedy.split(';')[0].split('=')[1].strip()
         there = os.path.isdir(folder)
         done = subprocess.run(['sh', '-ec', f'{remedy}\n"$0" ctl programs', ARBITER], env=environment,
@@ -83,7 +83,7 @@ class Hostile(Controlled):
     BATCH = 40  # below the number that may wait
 
     def hostile(self, rng, number):
-        """A line that is answered, whatever it is: a request of any shape, or bytes that are none."""
+        """Returns a line that is answered, whatever it is: a request of any shape, or invalid bytes."""
         if rng.random() < 0.05:
             return bytes(rng.choice(b'{}[]":,0\\ \x00\xff') for _ in range(rng.randrange(1, 40))) + b'!\n'
         params = {name: rng.choice(self.VALUES) for name in self.NAMES if rng.random() < 0.4}
@@ -140,7 +140,7 @@ class Hostile(Controlled):
                 self.assertEqual([row['enabled'] for row in self.programs()
                                   if row['id'] == program], [False])
             self.assertTrue(output.waits_for('0 255 0'))
-            with Raw(path) as raw:  # TICKER loads its text again and again
+            with Raw(path) as raw:  # TICKER loads its text repeatedly
                 self.assertGreaterEqual(raw.call('ping')['result']['idle'], 0)
                 line = raw.line()
                 while line.get('method') != 'program.loaded':

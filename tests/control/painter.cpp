@@ -1,17 +1,17 @@
-// A client with a window of 200x120 that draws a textured quad with a fragment program at some
-// hundred frames a second, and knows nothing of Arbiter. It prints, whenever one changed:
+// Draws a textured quad with a fragment program in a window of 200x120, at some hundred frames a
+// second, without knowing Arbiter. It prints each of these when it changes:
 //
 //   middle R G B     the middle of what it drew, read before the frame is shown
 //   shown N          how many pixels of the shown window's lower left quarter are not the quad's
 //   upper right N    how many of its upper right quarter
-//   state NAME       a value of GL's that it did not set to what it is after a frame
-//   error N          of GL
+//   state NAME       a GL value that is not what it set it to, after a frame
+//   error N          a GL error
 //
 //   painter [FRAMES [fbo|depth]]
 //
-// fbo: a framebuffer object stays bound, also where frames end. depth: three quads by arrays, of
-// which depth decides: the left half, far; the whole window, near; the whole window, between the
-// two.
+// fbo: a framebuffer object stays bound, also at the end of frames. depth: draws three quads by
+// arrays with the depth test: the left half, far; the whole window, near; the whole window, between
+// the two.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -58,7 +58,7 @@ bool openWindow() {
   return context && glXMakeCurrent(g_display, g_window, context);
 }
 
-/// State that a frame must not change, each value unlike GL's initial one where it can be.
+/// State that a frame must not change; the values differ from GL's initial ones if possible.
 struct State {
   GLenum name;
   const char *word;
@@ -102,7 +102,7 @@ GLuint makeBuffer(GLenum target) {
   return name;
 }
 
-/// A texture of each base format, 11 and up on unit 3 and up, and one that has no name.
+/// Makes a texture of each base format, named 11 and up on unit 3 and up, and one without a name.
 void makeLooks() {
   constexpr GLenum kFormats[] = {GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_ALPHA, GL_RGB};
   std::array<unsigned char, 16> texels{};
@@ -124,7 +124,7 @@ void makeLooks() {
 
 void makeObjects(bool framebuffer) {
   makeLooks();
-  // A name that Gen did not give.
+  // GenTextures did not return this name.
   glBindTexture(GL_TEXTURE_2D, 5);
   std::vector<unsigned char> white(16 * 16 * 4, 255);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
@@ -145,7 +145,7 @@ void makeObjects(bool framebuffer) {
   }
 }
 
-/// As an application might leave it where a frame ends.
+/// Sets the state as an application might leave it at the end of a frame.
 void setOddState(bool framebuffer, GLuint name, const std::array<GLuint, 2> &buffers) {
   glActiveTexture(GL_TEXTURE2);
   glPixelStorei(GL_PACK_ALIGNMENT, 8);
@@ -222,7 +222,7 @@ void drawDepths() {
   glDisable(GL_DEPTH_TEST);
 }
 
-/// Prints a line where it is another than that of its kind before.
+/// Prints a line if it differs from the last one of its kind.
 void say(std::string &last, const std::string &line) {
   if (line == last)
     return;
@@ -238,7 +238,7 @@ std::string middle() {
          std::to_string(pixel[2]);
 }
 
-/// Counts pixels of a quarter of the window that are not what its pixel next to the middle is.
+/// Counts the pixels in a quarter of the window that differ from the pixel next to the middle.
 std::string othersOf(const char *word, int left, int top) {
   XSync(g_display, False);
   XImage *const image =

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Pixels of a running client's frame looked into: which draw gives them their colour, and what its program
-computes there; what each program costs. Requests that wait while GL is at work.
+"""Tests the inspection of pixels of a running client's frame: which draw gives them their color, what its program
+computes there, and what each program costs. Also tests requests that wait while GL is busy.
 
 usage: pixel_test.py ARBITER TICKER PAINTER [unittest arguments]
 """
@@ -107,10 +107,10 @@ class Pixels(Painting):
                                   text='!!ARBfp1.0\nMOV result.color, fragment.position;\nEND\n')['result']
                 self.assertEqual(len(values['values']), 88)  # base64 of 64 bytes
                 self.assertEqual(raw.call('ping')['result']['frames'], frames, 'the draw is not held')
-            self.goes_on(path)  # the client has hung up
+            self.goes_on(path)  # the client has disconnected
             with Raw(path) as raw:
                 raw.call('pixel.hold', x=3, y=4, draw=1)
-                self.goes_on(path)  # it asks for nothing
+                self.goes_on(path)  # it requests nothing
                 self.assertIn('no draw is held', raw.call('pixel.draw')['error']['message'])
             self.unchanged(output)
 
@@ -143,9 +143,9 @@ class Pixels(Painting):
 class Busy(Painting):
     @staticmethod
     def slow_text(turns):
-        """A program that the host's compiler is at work on, the longer the more turns it has.
+        """Returns a program that takes the host's compiler longer the more turns it has.
 
-        No other run has its text: the host keeps on disk what it compiled, and would be done at once.
+        No other run has its text: the host stores compiled programs on disk, and would be done at once.
         """
         own = ', '.join(f'{0.5 + random.random():.6f}' for _ in range(4))
         lines = ''.join(f'POW a.{c}, a.{d}, a.{e};\nMAD a, a, a.{d}{e}{c}w, b.{c};\n'
@@ -154,7 +154,7 @@ class Busy(Painting):
         return f'{head}{lines}MOV result.color, a;\nEND\n'
 
     def lines_until_listed(self, raw):
-        """What comes until a list is answered that is asked for now, with a ping behind it; milliseconds."""
+        """Returns what comes until the answer to a list requested now, with a ping behind it; milliseconds."""
         started = time.monotonic()
         raw.send(b'{"jsonrpc":"2.0","id":"list","method":"program.list"}\n')
         raw.send(b'{"jsonrpc":"2.0","id":"ping","method":"ping"}\n')
@@ -164,14 +164,14 @@ class Busy(Painting):
         return seen, (time.monotonic() - started) * 1000
 
     def test_requests_that_wait_are_told_of(self):
-        """GL compiles for long, and a client that waits for an answer hears that it is so; ping is answered."""
+        """While GL compiles for long, a client that waits for an answer is told so, and ping is answered."""
         options = ('--control', '--backend', 'host', '--profile', 'host')
         with self.painting(options=options) as output:
             self.assertTrue(output.waits_for('middle 255 255 0'))
             with Raw(self.socket_of(output)) as raw:
                 program = next(row['id'] for row in raw.call('program.list')['result']['programs']
                                if row['effective'])
-                for turns in (int(60 * 1.4 ** step) for step in range(12)):  # until it is long enough here
+                for turns in (int(60 * 1.4 ** step) for step in range(12)):  # until it takes long enough here
                     answer = raw.call('program.set', id=program, text=self.slow_text(turns), revision=turns)
                     self.assertTrue(answer['result']['ok'], answer)
                     seen, waited = self.lines_until_listed(raw)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`arbiter render`: documents sent through a socket, frames back through memory that is shared.
+"""Tests `arbiter render`: documents sent through a socket, frames returned through shared memory.
 
 usage: render_test.py ARBITER [unittest arguments]
 """
@@ -45,7 +45,7 @@ WRONG = TINT.replace('program.local[0]', 'nothing')
 
 
 class Renderer:
-    """A renderer's process, and the protocol as a client in C++ has it."""
+    """A renderer's process, with the protocol of the C++ client."""
 
     def __init__(self, folder, *options):
         ours, theirs = socket.socketpair()
@@ -62,7 +62,7 @@ class Renderer:
         return self.process.wait(PATIENCE)
 
     def receive(self):
-        """One message, of either kind."""
+        """Returns one message, of either kind."""
         while b'\n' not in self.rest:
             data, extra, _, _ = self.socket.recvmsg(1 << 16, socket.CMSG_SPACE(64))
             if not data:
@@ -100,7 +100,7 @@ class Renderer:
         return self.wait(self.send(method, **params))
 
     def frame(self):
-        """Parameters of the next frame, and its first and last pixel."""
+        """Returns the parameters of the next frame, and its first and last pixel."""
         while True:
             for at, event in enumerate(self.events):
                 if event['method'] == 'frame':
@@ -116,7 +116,7 @@ class Renderer:
         return picture[:4], picture[-4:]
 
     def shows(self, revision, colour):
-        """Until a frame of the revision has the colour everywhere; False where one is another."""
+        """Waits until a frame of the revision has the color everywhere; returns False if one has another."""
         while True:
             params, pixels = self.frame()
             if params['revision'] == revision and pixels == (bytes(colour),) * 2:
@@ -294,7 +294,7 @@ class Render(unittest.TestCase):
 
 
 class Bare(Render):
-    """The host's own implementation, as the B of A and B."""
+    """Uses the host's own implementation, as picture B of a comparison does."""
     OPTIONS = ('--bare',)
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Register combiners, texture shaders, and shaders that the commands of ATI_fragment_shader made, of running clients:
-listed, shown, replaced and switched off as programs are, through `arbiter ctl`.
+"""Tests state that the layer turns into programs, in running clients: register combiners, texture shaders, and shaders
+made by ATI_fragment_shader's commands are listed, shown, replaced and disabled through `arbiter ctl`.
 
 usage: states_test.py ARBITER STATE_TICKER PAINTER [unittest arguments]
-STATE_TICKER draws green by its state, and complains where its queries answer anything but that
+STATE_TICKER draws green by its state, and complains if its queries return anything else
 (tests/capture/state_ticker.cpp).
 """
 import subprocess
@@ -11,8 +11,8 @@ import subprocess
 import controlled
 from controlled import ARBITER, PATIENCE, TICKER, Controlled
 
-# Of each kind: its card, how many objects hold it, how its text's file is named, how its text begins, red in its
-# place, and the colour without it: fixed function's white, or combiners behind a unit that has no texture.
+# For each kind: its card, how many objects hold it, the ending of its text's file, the beginning of its text, a red
+# replacement, and the color without it: fixed function's white, or that of combiners behind a unit without a texture.
 KINDS = {
     'combiners': ('nv25', 0, '.nvrc', '!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n',
                   '!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n', '255 255 255'),

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Frames that are looked at, of a client that does one thing at a time: what the draws are of which it is made; the
-client's contexts that go, threads that go on, and signals that come meanwhile.
+"""Tests the inspection of frames, with a client that does one thing at a time: which draws a frame consists of,
+contexts
+that are destroyed, threads that continue, and signals that come meanwhile.
 
 usage: step_test.py ARBITER TICKER STEPPER [unittest arguments]
 """
@@ -20,7 +21,7 @@ SHOWN = '!!ARBfp1.0\nMOV result.color, fragment.position;\nEND\n'
 
 
 class Steps:
-    """STEPPER, and what it is told."""
+    """Runs STEPPER and gives it commands."""
 
     def __init__(self, test, process, path):
         self.test, self.output, self.process, self.path = test, Output(process), process, path
@@ -41,7 +42,7 @@ class Steps:
             self.do('frame', scene, worker=worker)
 
     def until(self, process, scene):
-        """Frames until a process has ended; what it said."""
+        """Requests frames until a process has ended; returns its output."""
         end = time.monotonic() + 2 * PATIENCE
         while process.poll() is None and time.monotonic() < end:
             self.do('frame', scene)
@@ -53,14 +54,14 @@ class Steps:
 
 
 class Asking(Raw):
-    """Requests whose answers come later."""
+    """Sends requests whose answers come later."""
 
     def post(self, method, **params):
-        """It waits in the application then; its number."""
+        """Sends a request that waits in the application; returns its number."""
         self.last += 1
         number = self.last
         self.send(json.dumps({'jsonrpc': '2.0', 'id': number, 'method': method, 'params': params}).encode() + b'\n')
-        assert 'result' in self.call('ping')  # which is answered in turn
+        assert 'result' in self.call('ping')  # answered in order
         return number
 
     def answer(self, number):
@@ -70,7 +71,7 @@ class Asking(Raw):
                 return line
 
     def values(self, **params):
-        """Of pixel.draw: rows of four."""
+        """Returns the rows of four of pixel.draw."""
         answer = self.call('pixel.draw', **params)
         data = base64.b64decode(answer['result']['values'])
         floats = struct.unpack(f'{len(data) // 4}f', data)
@@ -109,7 +110,7 @@ class Stepping(Controlled):
         return answer['result']
 
     def held(self, steps, raw, x=100, y=60, draw=1, scene='quad', **more):
-        """The answer; the application stays before that draw."""
+        """Returns the answer; the application waits before that draw."""
         number = raw.post('pixel.hold', x=x, y=y, draw=draw, **more)
         steps.do('frame', scene)
         steps.send('frame', scene)
@@ -123,7 +124,7 @@ class Stepping(Controlled):
 
 
 class Traced(Stepping):
-    """What is a draw."""
+    """Tests what counts as a draw."""
     CASES = ((), ('--backend', 'host'), ('--backend', 'swrast'))
 
     def each(self, scene, look, cases=CASES):
@@ -155,7 +156,7 @@ class Traced(Stepping):
             code, _, said = steps.until(self.client('trace', '5,5'), scene)
             self.assertEqual(code, 1)
             self.assertRegex(said, r'what [1-9]\d* calls of display lists draw is not known')
-        for scene in ('list', 'early', 'executed'):  # without the rasterizer nothing of them is kept
+        for scene in ('list', 'early', 'executed'):  # without the rasterizer none of them is recorded
             self.each(scene, look, (('--backend', 'host'),))
 
     def test_lists_of_state_are_no_draws(self):
@@ -165,7 +166,7 @@ class Traced(Stepping):
         self.each('state', look, ((), ('--backend', 'swrast')))
 
     def client(self, *words):
-        """`arbiter ctl` beside frames that the test asks for."""
+        """Runs `arbiter ctl` while the test requests frames."""
         return subprocess.Popen([ARBITER, 'ctl', '--timeout', str(PATIENCE), *words], env=self.environment,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
@@ -191,7 +192,8 @@ class Traced(Stepping):
         self.each('object', look)
 
     def test_equal_depths_are_met(self):
-        """A window's rows lie the other way up than an object's, and depths have other last bits."""
+        """The rows of a window and of a framebuffer object are in opposite order, and their depths differ in the
+        last bits."""
         places = [(x, y) for x in range(9, 120, 27) for y in (31, 77)]
 
         def look(steps, raw):
@@ -208,7 +210,7 @@ class Traced(Stepping):
 
 
 class Moved(Stepping):
-    """What comes between a request and its frame."""
+    """Tests events between a request and its frame."""
 
     def test_an_observed_context_is_destroyed(self):
         with self.stepping() as steps, Asking(steps.path) as raw:
@@ -249,7 +251,7 @@ class Moved(Stepping):
             number = raw.post('pixel.pick', x=100, y=60)
             steps.frames(count=1)
             steps.do('context', '1')
-            steps.frames(count=2)  # at once: the first may come back
+            steps.frames(count=2)  # at once, as the first may come back
             steps.do('context', '0')
             steps.frames(count=1)
             self.assertEqual(len(raw.answer(number)['result']['draws']), 1)
@@ -259,7 +261,7 @@ class Moved(Stepping):
             time.sleep(0.6)
             steps.frames(count=2)
             self.assertEqual(len(raw.answer(number)['result']['draws']), 1, 'it moves with the application')
-            steps.do('context', '0')  # whose draws went to the observer that was given up
+            steps.do('context', '0')  # its draws went to the observer that was given up
             steps.frames('list', 3)
             for scene in ('quad', 'list'):
                 self.assertEqual(len(self.picked(steps, raw, scene)['draws']), 1)
@@ -306,7 +308,7 @@ class Moved(Stepping):
             self.released(steps, raw)
             self.held(steps, raw)
             since = time.monotonic()
-            steps.send('pester')  # a wait that a signal ends is no patience that begins again, or is over
+            steps.send('pester')  # a wait interrupted by a signal must neither restart its patience nor end
             steps.waits_for('done')
             self.assertGreater(time.monotonic() - since, 1.5)
 

@@ -1,23 +1,25 @@
-// A client that does what its standard input says, line by line, on threads of its own with a
-// window of 200x120 each, and knows nothing of Arbiter:
+// Does what its standard input says, line by line, on threads with a window of 200x120 each,
+// without knowing Arbiter:
 //
-//   K frame SCENE    thread K (0 or 1) draws a scene, tells the middle's colour, and shows it
+//   K frame SCENE    thread K (0 or 1) draws a scene, prints the middle's color, and shows it
 //   K context N      makes its Nth context (0 to 2) current
-//   K destroy        draws, and destroys its current context without showing what was drawn; the
-//                    next one has the same number
-//   K signal         a signal is handled by thread K, which says so
-//   K pester         500 of them, a millisecond apart, of which the number that were handled is
-//   told K exit           thread K calls exit(7) in a signal's handler
+//   K destroy        draws, and destroys its current context without showing the drawing; the next
+//                    one has the same number
+//   K signal         thread K handles a signal, and prints so
+//   K pester         500 signals, a millisecond apart; prints how many were handled
+//   K exit           thread K calls exit(7) in a signal handler
 //
-// It answers "K done" behind all but the last three, and before that "K middle R G B", "K
-// framebuffer N" (of the scene `object`) or "K error N" of GL's.
+// It answers "K done" to all but the last three, and before that "K middle R G B", "K framebuffer
+// N" (for the scene `object`) or "K error N" for GL errors.
 //
-//   quad      a quad between Begin and End     list      the same, of a list
-//   early     of a list of before any program  executed  of a list that was executed as it was
-//   compiled state     of a list that sets state alone, then a quad object    two quads to a
-//   framebuffer object of 48x32, of which depth hides the second; then one
+//   quad      a quad between Begin and End
+//   list      the quad in a list
+//   early     the quad in a list that was compiled before any program
+//   executed  the quad in a list that was executed while it was compiled
+//   state     a list that only sets state, then a quad
+//   object    two quads to a framebuffer object of 48x32, of which depth hides the second; then one
 //             to the window
-//   equal     slanting triangles, then the same again where depths are equal
+//   equal     slanting triangles, then the same again with equal depths
 #include <array>
 #include <atomic>
 #include <condition_variable>
@@ -83,7 +85,7 @@ void scale(float red, float green, float blue) {
   glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, red, green, blue, 1);
 }
 
-/// Triangles that lean away, one behind another.
+/// Draws triangles that lean away, one behind another.
 void slanting() {
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
@@ -105,7 +107,7 @@ void slanting() {
   glLoadIdentity();
 }
 
-/// A context's own objects.
+/// The objects of a context.
 struct Objects {
   GLuint lists = 0, framebuffer = 0, texture = 0, depths = 0;
 };
@@ -119,7 +121,8 @@ void compile(GLuint list, GLenum mode) {
 Objects makeObjects() {
   Objects objects;
   objects.lists = glGenLists(4);
-  // Twice: at a function's first call libepoxy asks GL for its version, within the list.
+  // The list is compiled twice, as libepoxy asks GL for its version at a function's first call,
+  // within the list.
   compile(objects.lists, GL_COMPILE);
   compile(objects.lists, GL_COMPILE);
   glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, 7);
@@ -304,7 +307,7 @@ private:
   std::mutex m_mutex;
   std::condition_variable m_arrived;
   std::deque<std::string> m_waiting;
-  std::thread m_thread; ///< the last: it begins at once
+  std::thread m_thread; ///< must be last, as the thread begins at once
 };
 
 void pester(Worker &worker, int number) {
@@ -322,11 +325,11 @@ void pester(Worker &worker, int number) {
 } // namespace
 
 int main() {
-  // Reading apart from stdin: exit() waits for its lock in glibc 2.41, which a read would hold.
+  // Reading must not use stdin's lock: in glibc 2.41 exit() waits for it while a read holds it.
   std::ios_base::sync_with_stdio(false);
   XInitThreads();
   struct sigaction action = {};
-  action.sa_handler = handle; // without SA_RESTART: waits are interrupted
+  action.sa_handler = handle; // without SA_RESTART, so that waits are interrupted
   sigaction(SIGUSR1, &action, nullptr);
   sigaction(SIGUSR2, &action, nullptr);
   static std::array<Worker *, kThreads> workers{};

@@ -10,8 +10,8 @@ namespace {
 
 using swrast::Topology;
 
-/// The host's pixels and the rasterizer's, by rows and by blocks of every size, of a window and of
-/// an object.
+/// Expects equal pixels of the host and the rasterizer, by rows and by blocks of every size, in a
+/// window and in a framebuffer object.
 void expectSame(Scene scene, const std::string &what,
                 std::initializer_list<Target> targets = {Target::Window,
                                                          Target::FramebufferObject}) {
@@ -29,21 +29,20 @@ void expectSame(Scene scene, const std::string &what,
   }
 }
 
-/// Debian's Mesa of 32-bit x86 divides stippled lines in C, with x87's precision; that of 64 bits
-/// has single precision there.
+/// Debian's 32-bit x86 Mesa divides stippled lines in C, with x87's precision; 64-bit Mesa uses
+/// single precision there.
 #ifdef __i386__
 constexpr bool kHostDividesByX87 = true;
 #else
 constexpr bool kHostDividesByX87 = false;
 #endif
 
-/// The same number for the same pixels of the rasterizer's, of both targets and of all sizes of
-/// blocks.
+/// Updates a digest with the rasterizer's pixels in both targets and with all block sizes.
 std::uint64_t mixDrawn(std::uint64_t digest, const Scene &scene) {
   for (const Target target : {Target::Window, Target::FramebufferObject})
     for (const int lanes : {0, 4, 8, 16})
       for (const auto count : drawByUs(scene, target, lanes))
-        digest = (digest ^ std::uint64_t(count)) * 0x100000001b3u; // FNV-1a's
+        digest = (digest ^ std::uint64_t(count)) * 0x100000001b3u; // FNV-1a's prime
   return digest;
 }
 
@@ -53,7 +52,7 @@ protected:
     return std::uniform_real_distribution<double>(low, high)(m_random);
   }
   int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(m_random); }
-  /// On pixel centres and corners as often as anywhere.
+  /// Returns a place, often on pixel centers and corners.
   double place(double low, double high) {
     const double at = uniform(low, high);
     switch (integer(0, 3)) {
@@ -198,7 +197,8 @@ TEST_F(Coverage, ClippedLines) {
   }
 }
 
-// Whether the host agrees or not, all widths draw what the one draws that agrees with its host.
+// All vector widths draw the same, whether the host agrees or not, as one of them agrees with its
+// host.
 TEST_F(Coverage, StippledLines) {
   std::uint64_t drawn = 0xcbf29ce484222325u;
   for (int round = 0; round < 200; ++round) {
@@ -211,7 +211,8 @@ TEST_F(Coverage, StippledLines) {
       expectSame(s, "round " + std::to_string(round));
     drawn = mixDrawn(drawn, s);
   }
-#if defined(__i386__) || defined(__x86_64__) // elsewhere compilers fuse what makes up the scenes
+// elsewhere compilers fuse the arithmetic that makes the scenes
+#if defined(__i386__) || defined(__x86_64__)
   EXPECT_EQ(drawn, 16707656051603223225u);
 #endif
 }
@@ -281,7 +282,7 @@ TEST_F(Coverage, PolygonStipple) {
     s.state.polygonStipple = pattern.data();
     for (int i = 0; i < 12; ++i)
       s.add(place(0, s.width), place(0, s.height));
-    // Of framebuffer objects the host turns the pattern upside down, against 3.5.2.
+    // In framebuffer objects the host turns the pattern upside down, against section 3.5.2.
     expectSame(s, "round " + std::to_string(round), {Target::Window});
   }
 }

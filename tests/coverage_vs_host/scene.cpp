@@ -55,9 +55,9 @@ template <typename Function> Function lookUp(const char *name) {
   return reinterpret_cast<Function>(OSMesaGetProcAddress(name));
 }
 
-/// A framebuffer object with renderbuffers of that size, bound. One of depths is among them:
-/// without, llvmpipe clips nothing at the sides of the view volume where it knows the colours'
-/// format (Mesa 22.3.6 BGRA, 25.0.7 RGBA too), and what is cut lies elsewhere by a part of a
+/// Binds a framebuffer object with renderbuffers of that size, including depth. Without depth,
+/// llvmpipe does not clip at the sides of the view volume if it knows the color format (Mesa 22.3.6
+/// BGRA, 25.0.7 RGBA too). The positions of what is clipped then differ by a fraction of a
 /// sub-pixel.
 void bindObject(int width, int height) {
   static GLuint object, buffers[2];

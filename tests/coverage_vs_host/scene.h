@@ -6,7 +6,7 @@
 
 #include "swrast/rasterize.h"
 
-/// The same primitives drawn by OSMesa and by the rasterizer; each pixel counts how often it was
+/// Draws the same primitives by OSMesa and by the rasterizer; each pixel counts how often it was
 /// drawn to.
 namespace arbiter::raster_test {
 
@@ -15,24 +15,24 @@ struct Scene {
   swrast::Topology topology = swrast::Topology::Triangles;
   std::vector<std::array<float, 4>> vertices;    ///< in clip space
   std::vector<std::uint8_t> edgeFlags;           ///< empty: all set
-  std::vector<std::array<double, 4>> clipPlanes; ///< of the user, in clip space
-  swrast::RasterState state; ///< viewport, clip and depth range 0 to 1 are the canvas's
+  std::vector<std::array<double, 4>> clipPlanes; ///< user clip planes, in clip space
+  swrast::RasterState state; ///< viewport, clip and depth range 0 to 1 are set from the canvas
 
-  /// In window coordinates, at the given w.
+  /// Adds a vertex in window coordinates, at the given w.
   void add(double x, double y, double w = 1, double z = 0);
 };
 
 using Counts = std::vector<std::uint32_t>;
-/// Hosts keep windows upside down, and framebuffer objects not.
+/// The kind of target; hosts store windows upside down, but not framebuffer objects.
 enum class Target { Window, FramebufferObject };
-/// RasterState::lineEndsAsEdges of the host: llvmpipe's lines are others from Mesa 23.2 on.
+/// Returns RasterState::lineEndsAsEdges of the host: llvmpipe's lines changed in Mesa 23.2.
 [[nodiscard]] bool hostCutsLinesAsEdges();
-/// Empty where there is no OSMesa context.
+/// Draws by the host; empty if there is no OSMesa context.
 [[nodiscard]] Counts drawByHost(const Scene &scene, Target target);
-/// `lanes`: of quad blocks; 0: rows.
+/// Draws by the rasterizer. `lanes`: of quad blocks; 0: rows.
 [[nodiscard]] Counts drawByUs(const Scene &scene, Target target, int lanes = 0);
 
-/// Pixels that differ, and a picture of the first ones as text.
+/// The number of differing pixels, and a picture of the first ones as text.
 struct Difference {
   int pixels = 0;
   int covered = 0; ///< by the host

@@ -1,13 +1,13 @@
-// A program that copies the extension string into a buffer of fixed size, as many of its time did.
-// Behind the buffer lies a page without rights, so that a longer string ends the process by SIGSEGV
-// each time, and not only where something that matters lies there.
+// Copies the extension string into a buffer of fixed size, as many programs of the era did. A page
+// without permissions follows the buffer, so that a longer string always ends the process by
+// SIGSEGV, not only if something important follows.
 //
 //   FIXED_BUFFER_BYTES=N client [WORDS...]
 //
-// Prints "GL_EXTENSIONS: " and the string with a newline into N bytes, as the engines do that print
-// it to their consoles; without the variable it ends before it knows of any GL. Its words are for
-// those who look at its command line. With PROGRAM_INSTRUCTIONS=M it loads a fragment program of M
-// instructions too, and ends with status 3 where that is refused.
+// Prints "GL_EXTENSIONS: " and the string with a newline into N bytes, as engines do that print it
+// to their consoles. Without the variable it ends before it uses GL. Its words only serve matching
+// by command line. With PROGRAM_INSTRUCTIONS=M it loads a fragment program of M instructions too,
+// and ends with status 3 if that is refused.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
@@ -26,7 +26,7 @@ template <typename T> T function(void *library, const char *name) {
   return reinterpret_cast<T>(dlsym(library, name));
 }
 
-/// The last `bytes` before a page that may not be touched.
+/// Returns the last `bytes` before an inaccessible page.
 char *buffer(std::size_t bytes) {
   const std::size_t page = std::size_t(sysconf(_SC_PAGESIZE));
   const std::size_t whole = (bytes + page - 1) / page * page;
@@ -80,7 +80,7 @@ int main() {
   char *const text = buffer(std::size_t(std::atol(size)));
   if (!extensions || !text)
     return 1;
-  // Not sprintf(), which a hardened C library may cut.
+  // This avoids sprintf(), which a hardened C library may truncate.
   char *to = text;
   for (const char *part : {"GL_EXTENSIONS: ", extensions, "\n"})
     while (*part)

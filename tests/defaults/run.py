@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Defaults of single programs, in processes: each shipped entry's effect, and what wins over it.
+"""Tests the defaults of single programs in processes: each shipped entry's effect, and what overrides it.
 
 A client that prints the extension string into a buffer of fixed size runs under the name of each
-title, with a buffer as large as the title's. Without the defaults it overflows, which ends it; with
-them it does not. Under the names of others it loads a program as long as theirs.
+title, with a buffer as large as the title's. Without the defaults it overflows and ends; with them it
+does not. Under the names of other titles it loads a program as long as theirs.
 """
 import argparse
 import json
@@ -18,8 +18,8 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'clients'))
 from plain_environment import plain  # noqa: E402
 
-# How each title is called, and the bytes of its smallest buffer. Where the source is not public
-# the buffer is that of the engine it was made with, which all print into 4096 bytes.
+# The name of each title's executable, and the bytes of its smallest buffer. If the source is not public, the buffer is
+# that of the title's engine; all of them print into 4096 bytes.
 TITLES = {
     'GLQuake (Linux)': ('glquake.glx', 1024),
     'GLQuake (Windows)': ('GLQUAKE.EXE', 4096),
@@ -45,17 +45,16 @@ TITLES = {
     'OpenArena (Linux)': ('openarena.x86_64', 8192),
     'OpenArena (Windows)': ('openarena.exe', 8192),
 }
-# How titles whose programs are too long for the default profile's card are called, and how many
-# instructions those have.
+# The executables of titles whose programs exceed the default profile's card, and their instruction counts.
 LONG_PROGRAMS = {'Compiz': ('compiz', 97)}
 REFUSED = 3
 OVERFLOWN = -signal.SIGSEGV
-# What Wine 8 puts behind the string.
+# Wine 8 appends this to the string.
 WINES_OWN = len(' WGL_EXT_extensions_string WGL_EXT_swap_control')
 
 
 class Failure(Exception):
-    """What was seen, and what should have been."""
+    """A check failed; says what was seen and what was expected."""
 
 
 def expect(holds, text):
@@ -64,7 +63,7 @@ def expect(holds, text):
 
 
 class Place:
-    """A folder of the test's, and what it runs."""
+    """A folder for the test, and the programs that it runs."""
 
     def __init__(self, options, folder):
         self.options = options
@@ -72,8 +71,8 @@ class Place:
         self.stats = self.folder / 'stats.json'
 
     def run(self, name, size, **environment):
-        """The client under the name of a program for Linux, or as what Wine runs. Preloaded by hand:
-        the layer itself follows the defaults, not the command that starts it."""
+        """Runs the client under the name of a Linux program, or as a program that Wine runs. It sets LD_PRELOAD
+        itself: the layer follows the defaults, not the command that starts it."""
         windows = name.lower().endswith('.exe')
         program = self.folder / ('wine64-preloader' if windows else name)
         if not program.exists():
@@ -110,7 +109,7 @@ def shipped(place):
 
 
 def check_titles(place):
-    """Each shipped entry: what happens without it, and with it."""
+    """Checks each shipped entry: what happens without it, and with it."""
     listed = shipped(place)
     expect(not listed['errors'], listed['errors'])
     titles = {each['title']: each for each in listed['entries']}
@@ -122,7 +121,7 @@ def check_titles(place):
         bare = place.run(name, size, ARBITER_DEFAULTS='0')
         if bare.returncode == 77:
             return False
-        # The strings of some hosts of today fit into the larger fields, and those of others do not.
+        # The strings of some of today's hosts fit into the larger buffers.
         fits = bare.returncode == 0 and size > 8000
         expect(fits or bare.returncode == OVERFLOWN, f'{title} without defaults: {bare}')
         held = place.run(name, size)
@@ -135,7 +134,7 @@ def check_titles(place):
 
 
 def check_long_programs(place):
-    """Each such entry: the program is refused without it, and loads with it."""
+    """Checks each such entry: the program is refused without it, and loads with it."""
     for title, (name, instructions) in LONG_PROGRAMS.items():
         asked = {'PROGRAM_INSTRUCTIONS': str(instructions)}
         bare = place.run(name, 100000, ARBITER_DEFAULTS='0', **asked)
@@ -147,7 +146,7 @@ def check_long_programs(place):
 
 
 def check_precedence(place):
-    """The user's file wins over the shipped one, and the environment over both."""
+    """Checks that the user's file overrides the shipped one, and the environment overrides both."""
     name, size = TITLES['Quake II (Linux)']
     mine = place.put('config/arbiter/defaults.d/50.toml', entry(name, 'extensions_max_length = 100'))
     seen = place.run(name, size)
@@ -164,7 +163,7 @@ def check_precedence(place):
 
 
 def check_every_setting(place):
-    """Each key arrives where its variable would."""
+    """Checks that each key has the effect of its variable."""
     place.put('config/arbiter/defaults.d/all.toml',
               entry('client', "profile = 'nv30'\nidentity = 'profile'\nnumerics = 'legacy'\n"
                               "backend = 'host'\nlimits = 'report'\nfixed_function = 'always'\n"
@@ -182,7 +181,8 @@ def check_every_setting(place):
 
 
 def check_bad_files(place):
-    """A bad file is said with its line, and the others hold; a bad value, and the rest of its entry."""
+    """Checks that a bad file is reported with its line while the others apply, and a bad value while the rest of its
+    entry applies."""
     folder = place.put('bad/10.toml', '[[program]\n').parent
     place.put('bad/20.toml', entry('client', "numerics = 'fp25'\nextensions_max_length = 100"))
     os.mkfifo(folder / '30.toml')
@@ -193,7 +193,7 @@ def check_bad_files(place):
                  f'{folder}/30.toml: not a regular file', f'{folder}/40.toml:5: no profile'):
         expect(text in seen.stderr, f'{text!r} is not in the log: {seen.stderr}')
     expect(len(place.defaults()['errors']) == 3, place.defaults())
-    # A process that has nothing to do with GL reads none of it. The client, as it has the layer's width.
+    # A process that does not use GL reads no defaults. It is the client, which has the layer's word size.
     idle = subprocess.run([place.options.client], capture_output=True, text=True, check=False,
                           env=plain(LD_PRELOAD=place.options.library, ARBITER_DEFAULTS=str(folder),
                                     ARBITER_LOG='debug'))

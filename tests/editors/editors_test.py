@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of editors/: the syntax files and plugins in a real vim, Neovim and Emacs,
-the extension in node and as a package, the JSON files.
+"""Tests of editors/: the syntax files and plugins in a real vim, Neovim and Emacs, the extension in node and as
+a package, the JSON files.
 
 usage: editors_test.py ARBITER SOURCE_ROOT [unittest arguments]
 """
@@ -53,7 +53,7 @@ class Vim(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_vim(self, file, script):
-        """The lines that the script puts into g:out, in a vim that has the file open."""
+        """Returns the lines that the script appends to g:out, in a vim that has the file open."""
         out, source = self.folder / 'out', self.folder / 'script.vim'
         source.write_text(f"let g:out = []\n{script}\ncall writefile(g:out, '{out}')\nqall!\n")
         done = subprocess.run(
@@ -67,7 +67,7 @@ class Vim(unittest.TestCase):
         return out.read_text().splitlines()
 
     def groups(self, text, marks, name='a.arbfp'):
-        """The syntax group at each mark: a piece that is in the text once, and an offset in it."""
+        """Returns the syntax group at each mark: a piece of text that occurs once, and an offset in it."""
         file = self.folder / name
         file.write_text(text)
         script = ''
@@ -121,13 +121,13 @@ class Vim(unittest.TestCase):
         self.assertEqual(lines.count('\n'), 2, lines)
         show = "for e in getqflist()\n call add(g:out, join([bufname(e.bufnr) =~# 'bad', " \
                "e.lnum, e.col, e.type, e.text], '|'))\nendfor"
-        # :cgetexpr goes by the global value, :make by the buffer's.
+        # :cgetexpr uses the global value, :make the buffer's.
         found = self.run_vim(file, 'let &g:errorformat = &l:errorformat\n'
                                    f'cgetexpr {json.dumps(lines)}\n{show}')
         self.assertEqual([entry.split('|')[:4] for entry in found],
                          [['1', '2', '19', 'e'], ['1', '4', '1', 'w']])
         self.assertIn('[undeclared-name]', found[0])
-        # :make itself, with a name that a shell would take apart.
+        # This runs :make itself, with a name that a shell would split.
         awkward = self.folder / "a 'b.arbfp"
         shutil.copy(file, awkward)
         found = self.run_vim(str(awkward).replace(' ', '\\ ').replace("'", "\\'"),
@@ -176,7 +176,7 @@ class VsCode(unittest.TestCase):
             self.assertIn(node.split('"')[0].lstrip('#'), grammar['repository'])
 
     def scope(self, part, text, mark, after=0):
-        """The first rule that takes the place, as TextMate tries them."""
+        """Returns the first rule that matches at the place, in TextMate's order."""
         grammar = self.read('syntaxes/arbprogram.tmLanguage.json')
         at = text.index(mark) + after
         for rule in grammar['repository'][part]['patterns']:
@@ -202,7 +202,7 @@ class VsCode(unittest.TestCase):
         self.assertEqual(self.scope('ati', 'DOT2ADD r0.2x, r1', '2x'), 'variable.other.property')
 
     def test_package(self):
-        """The manifest names what is in the archive, and two packings are one."""
+        """The manifest names the files of the archive, and packing twice gives the same archive."""
         with tempfile.TemporaryDirectory() as name:
             first, second = pathlib.Path(name, 'a.vsix'), pathlib.Path(name, 'b.vsix')
             for output in (first, second):
@@ -239,7 +239,7 @@ class VsCode(unittest.TestCase):
 
 class Emacs(unittest.TestCase):
     def test_mode(self):
-        """The faces of words, the mode of files, and the language server's command."""
+        """The test checks the faces of words, the mode of files, and the language server's command."""
         if not shutil.which('emacs'):
             self.skipTest('no Emacs on this machine')
         with tempfile.TemporaryDirectory() as name:

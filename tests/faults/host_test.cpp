@@ -1,5 +1,5 @@
-// Hosts that do not compile, do not link, lack what is needed or lack everything: a clean error, a
-// count with its reason, and no crash.
+// Hosts that do not compile, do not link, or lack functions: the layer reports a clean error,
+// counts it with its reason, and does not crash.
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ void expectRefused(FakeHost &host, Context &context) {
   EXPECT_EQ(host.currentProgram, 0u);
   handlers::Disable(context, kFragment);
   EXPECT_TRUE(draw(context)) << "fixed function goes on";
-  // A shader that compiled is kept for other pairs, as long as its program.
+  // A compiled shader is kept for other pairs, as long as its program exists.
   handlers::DeleteProgramsARB(context, 1, &name);
   EXPECT_TRUE(host.shaders.empty()) << "objects were left behind";
 }
@@ -141,8 +141,8 @@ TEST(HostFaults, FewUnitsInTheHostLimitTheProfile) {
   EXPECT_EQ(units, 4) << "more was promised than the host can sample";
 }
 
-/// After a reset (ARB_robustness) nothing has an effect any more and GetError may say CONTEXT_LOST
-/// for ever: the layer must neither wait for an end of the errors nor trust an answer.
+/// After a reset (ARB_robustness) commands have no effect and GetError may return CONTEXT_LOST
+/// forever: the layer must neither wait for the errors to end nor trust an answer.
 TEST(HostFaults, AContextThatIsLost) {
   FakeHost host;
   const CurrentContext context(host);
@@ -156,7 +156,8 @@ TEST(HostFaults, AContextThatIsLost) {
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_CONTEXT_LOST)) << "passed on";
   use(*context, kText);
   (void)draw(*context);
-  load(*context, "!!ARBfp1.0\nMOV result.color, 1;\nEND"); // another text: compiled anew
+  // another text, so that it is compiled again
+  load(*context, "!!ARBfp1.0\nMOV result.color, 1;\nEND");
   (void)draw(*context);
   handlers::CallList(*context, 1);
   handlers::NewList(*context, 2, GL_COMPILE_AND_EXECUTE);

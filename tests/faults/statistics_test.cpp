@@ -1,4 +1,5 @@
-// The statistics file: whole or not at all, private, and not over another process's figures.
+// The statistics file is written completely or not at all, is private, and does not replace another
+// process's figures.
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -88,9 +89,9 @@ int main(int argc, char **argv) {
   if (!mkdtemp(directory))
     return 1;
   arbiter::state::g_path = std::string(directory) + "/stats.json";
-  setenv("ARBITER_STATS", arbiter::state::g_path.c_str(), 1); // read once, at the first context
+  setenv("ARBITER_STATS", arbiter::state::g_path.c_str(), 1); // read once, by the first context
   const int result = RUN_ALL_TESTS();
-  // With the directory gone, what is written at exit fails, which must not hurt either.
+  // Without the directory, writing at exit fails, which must do no harm.
   unlink(arbiter::state::g_path.c_str());
   rmdir(directory);
   return result;

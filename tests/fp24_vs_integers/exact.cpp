@@ -68,7 +68,7 @@ double Exact::rounded(int bits) const {
   const int top = topBit();
   if (top < 0)
     return 0.0;
-  const int last = top - bits + 1; // of the bits that stay
+  const int last = top - bits + 1; // the lowest bit that stays
   std::uint64_t kept = 0;
   for (int i = top; i >= last; --i)
     kept = kept << 1 | (bit(i) ? 1u : 0u);
@@ -116,7 +116,7 @@ Exact exactReciprocal(float value) {
 }
 
 namespace {
-/// Numbers of 128 bits, which not every processor's compiler has.
+/// A 128-bit number, a type that not every compiler has.
 struct Wide {
   std::uint64_t high, low;
   auto operator<=>(const Wide &) const = default;
@@ -129,7 +129,8 @@ Wide squareOf(std::uint64_t value) {
   return {high * high + (middle >> 32) + (more >> 32), more << 32 | (low * low & 0xFFFFFFFF)};
 }
 
-/// 2^120 / divisor, which is below 2^32, rounded down. \param whole whether it is exact
+/// Computes 2^120 / divisor, rounded down, for a divisor below 2^32. \param whole set to whether
+/// the quotient is exact
 Wide quotientOf120(std::uint64_t divisor, bool &whole) {
   std::uint64_t digits[4] = {std::uint64_t(1) << 24, 0, 0, 0}, rest = 0;
   for (std::uint64_t &digit : digits) {
@@ -147,7 +148,7 @@ Exact exactReciprocalRoot(float value) {
   const int exponent = p.exponent + 36;
   const int odd = exponent & 1;
   const auto mantissa = (p.mantissa >> 36) << odd; // value = mantissa * 2^(exponent - odd)
-  // The largest root with root^2 * mantissa <= 2^120, digit by digit.
+  // The loop finds the largest root with root^2 * mantissa <= 2^120, digit by digit.
   bool whole = false;
   const Wide limit = quotientOf120(mantissa, whole);
   std::uint64_t root = 0;

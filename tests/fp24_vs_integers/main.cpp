@@ -1,4 +1,4 @@
-// fp24-proof: the interpreter's 24-bit arithmetic against exact integers. See --help.
+// fp24-proof: compares the interpreter's 24-bit arithmetic with exact integers. See --help.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

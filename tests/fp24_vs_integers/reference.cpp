@@ -18,7 +18,7 @@ const double kLeast = std::ldexp(1.0, -62);
 
 double signedAs(double size, bool negative) { return negative ? -size : size; }
 
-/// A number of 17 significant bits, put into the range of the format.
+/// Brings a number with 17 significant bits into the range of the format.
 float ranged(double value, double beyond) {
   const bool negative = std::signbit(value);
   if (std::fabs(value) > kGreatest)
@@ -26,7 +26,7 @@ float ranged(double value, double beyond) {
   return std::fabs(value) < kLeast ? float(signedAs(0.0, negative)) : float(value);
 }
 
-/// An exact result that is no zero, as one step leaves it.
+/// Rounds an exact result other than zero as one step does.
 float step(const Exact &exact) {
   const double single = exact.rounded(24);
   return std::fabs(single) >= 0x1p128 ? float(signedAs(kInfinity, exact.negative()))
@@ -46,7 +46,7 @@ long double evaluated(Opcode op, long double x) {
   }
 }
 
-/// To a single, which the conversion rounds, and to 24 bits.
+/// Rounds to a single, by conversion, and then to 24 bits.
 float stepped(long double value) {
   const float single = float(value);
   return std::isfinite(single) ? nearest(double(single)) : single;
@@ -90,7 +90,7 @@ float colour(float value) {
     return 0;
   if (value >= 1)
     return 1;
-  // Three steps on singles, then 24 bits: times 4095, to an integer, times 1/4095.
+  // This takes three steps on singles, then 24 bits: times 4095, to an integer, times 1/4095.
   const double scaled = exactProduct(value, 4095.0f).rounded(24);
   const double below = std::floor(scaled), rest = scaled - below;
   const auto whole = std::uint32_t(below);

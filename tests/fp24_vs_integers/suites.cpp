@@ -28,7 +28,7 @@ std::string text(const Vec4 &value) {
          text(value[3]) + ")";
 }
 
-/// Counts one comparison; \p describe gives the words of a difference.
+/// Counts one comparison; \p describe returns the description of a difference.
 template <typename Value, typename Describe>
 void judge(Row &row, const Value &got, const Value &wanted, bool open, Describe describe) {
   ++row.cases;
@@ -43,7 +43,7 @@ void judge(Row &row, float argument, float got, float wanted) {
   judge(row, got, wanted, false, [&] { return text(argument); });
 }
 
-/// Calls \p visit for every stride-th number below \p count and shows how far it is.
+/// Calls \p visit for every stride-th number below \p count and shows the progress.
 template <typename Visit>
 void each(const Settings &settings, const std::string &name, std::uint64_t count,
           std::uint64_t stride, Visit visit) {
@@ -57,7 +57,8 @@ void each(const Settings &settings, const std::string &name, std::uint64_t count
 
 float single(std::uint64_t bits) { return std::bit_cast<float>(std::uint32_t(bits)); }
 
-/// Every exponent with mantissas at its ends and in the middle, and all of what is rounded off.
+/// Visits every exponent with mantissas at its ends and in the middle, and all values of the bits
+/// that are rounded off.
 template <typename Visit> void turningPoints(Visit visit) {
   for (std::uint32_t head = 0; head < 512; ++head)
     for (const std::uint32_t mantissa : {0u, 1u, 2u, 0x7FFFu, 0x8000u, 0xFFFEu, 0xFFFFu})
@@ -69,8 +70,8 @@ constexpr Opcode kUnary[] = {Opcode::Abs, Opcode::Cos, Opcode::Ex2, Opcode::Flr,
                              Opcode::Frc, Opcode::Lg2, Opcode::Mov, Opcode::Rcp,
                              Opcode::Rsq, Opcode::Scs, Opcode::Sin};
 
-/// A 24-bit float: any pattern, one of moderate size (so that sums have something to lose), or one
-/// at which a rule turns.
+/// Returns a 24-bit float: any pattern, one of moderate size (so that sums lose bits), or one at
+/// which a rule changes.
 float anyNumber(Random &random) {
   const int kind = random.below(100);
   if (kind < 35)
@@ -157,7 +158,7 @@ Rows sampled(const Settings &settings) {
 }
 
 namespace {
-/// One instruction on registers of every kind, the numbers in them, and what it must give.
+/// One instruction on registers of every kind, the numbers in them, and the expected result.
 class OneInstruction {
 public:
   explicit OneInstruction(std::uint64_t seed) : m_random(seed) {}

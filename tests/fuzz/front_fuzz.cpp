@@ -1,5 +1,5 @@
-// Any bytes as a program string, in the language that the header names. Besides what the sanitizers
-// find, a finding is an answer that breaks the front end's promises.
+// Parses any bytes as a program string, in the language of its header. Besides the sanitizers'
+// findings, a result that violates the front end's contract is a finding.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -35,7 +35,7 @@ void require(bool condition) {
     std::abort();
 }
 
-/// What is written of a state is read as that state.
+/// Requires that the text written from a state is read as that state.
 void checkWritten(ir::Language language, std::string_view text, const CompileOptions &options) {
   const nvparse::ParseResult parsed = nvparse::parse(language, text, options);
   require(parsed.text.has_value());
@@ -71,7 +71,7 @@ void checkAnswer(std::string_view text, const CheckResult &result) {
   require(result.counts.temporaries == program.temporaries.size());
   require(result.counts.attribs == program.attributes.size());
   require(result.counts.addressRegisters == program.addresses.size());
-  // Arrays under relative addressing count equal constants apart.
+  // Arrays with relative addressing count equal constants separately.
   if (program.arrays.empty())
     require(result.counts.parameters <= program.parameters.size());
 }
@@ -87,7 +87,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   checkAnswer(text, result);
   if (result.ok() && isNvparse(language))
     checkWritten(language, text, kOptions[size % 2]);
-  // What loads under the limits loads where they are only reported, and is the same program.
+  // A text that loads under the limits also loads if they are only reported, and gives the same
+  // program.
   if (result.ok() && size % 2 == 0) {
     const CheckResult reported = checkProgram(language, text, kOptions[1]);
     require(reported.ok() && reported.counts == result.counts);

@@ -1,5 +1,5 @@
-"""Writes a libFuzzer dictionary of the program languages: opcodes from the opcode table, and the
-words and pieces that a program is made of."""
+"""Writes a libFuzzer dictionary of the program languages: opcodes from the opcode table, and other words of
+programs."""
 
 import re
 import sys

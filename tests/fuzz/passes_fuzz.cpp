@@ -1,6 +1,6 @@
-// Programs in NVIDIA's languages, through what lowers their blocks and the passes. A finding,
-// besides what the sanitizers find: a pass that changes what a program computes or leaves an
-// invalid one, and an IF that means something else as selects than as masks.
+// Runs programs in NVIDIA's languages through the lowering of blocks and the passes. Besides the
+// sanitizers' findings, these are findings: a pass that changes what a program computes or leaves
+// it invalid, and an IF whose meaning differs between selects and masks.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -13,14 +13,14 @@
 #include "statements.h"
 #include "util/hash.h"
 
-// libFuzzer's.
+// Defined by libFuzzer.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t *data, std::size_t size, std::size_t maxSize);
 
 namespace {
 
 using namespace arbiter::fp;
 
-/// A run that takes longer than this is not compared: an input must take milliseconds.
+/// A run with more steps is not compared, as an input must take milliseconds.
 constexpr int kMostSteps = 20000;
 struct TooLong {};
 
@@ -51,7 +51,7 @@ bool isNvidias(const CheckResult &result) {
 }
 
 std::array<testing::Outcome, 4> run(const ir::Program &program, const testing::Made &made) {
-  // Loops without other instructions are not seen step by step.
+  // The observer does not see loops without other instructions.
   int steps = int(program.code.size());
   testing::Made counted = made;
   counted.observer = [&steps](const ir::Step &) {
@@ -66,7 +66,7 @@ std::array<testing::Outcome, 4> run(const ir::Program &program, const testing::M
   return outcomes;
 }
 
-/// How an input is looked at: one way of several, so that each takes a fraction of a millisecond.
+/// How an input is tested: one of several ways, so that each takes a fraction of a millisecond.
 struct Look {
   int way = 0; ///< 0 to 3
   Numerics numerics = Numerics::Host;
@@ -78,7 +78,7 @@ Look lookOf(std::string_view text) {
   return {int(hash & 3), Numerics((hash >> 2) % kNumericsNames.size()), (hash >> 32 & 1) != 0};
 }
 
-/// Both mean the same for a few fragments or vertices.
+/// Requires equal results for a few fragments or vertices.
 void requireSame(const ir::Program &one, const ir::Program &other, const Look &look) {
   try {
     const testing::Made made = {8, look.numerics, look.special};
@@ -89,7 +89,7 @@ void requireSame(const ir::Program &one, const ir::Program &other, const Look &l
   }
 }
 
-/// A loop that does nothing in each IF, which is no choice between values then.
+/// Adds an empty loop to each IF, so that it cannot become a choice between values.
 std::string withMasks(std::string_view text) {
   constexpr std::string_view kNothing = " REP 0; ENDREP;";
   std::string made;
@@ -110,7 +110,8 @@ std::string withMasks(std::string_view text) {
   return made;
 }
 
-/// Derivatives and samples by them in an IF are of the fragments that are in it, or of all.
+/// True if derivatives, or samples that use them, occur in an IF: their neighbors may be the
+/// fragments inside it, or all.
 bool asksNeighbours(const ir::Program &program) {
   for (const ir::Instruction &instruction : program.code)
     if (instruction.op == ir::Opcode::Ddx || instruction.op == ir::Opcode::Ddy)

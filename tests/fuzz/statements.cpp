@@ -47,7 +47,7 @@ constexpr std::array<std::string_view, 8> kSwizzles = {"x",  "y",  "z",   "w",
 constexpr std::array<std::string_view, 10> kSuffixes = {"C",     "R",     "H",  "X",       "_SAT",
                                                         "_SSAT", "C_SAT", "HC", "RC_SSAT", ""};
 
-/// Up to each semicolon; what follows the last one is the last of them.
+/// Splits at each semicolon; the rest is the last statement.
 Statements cut(std::string_view text) {
   Statements statements;
   std::size_t begin = 0;
@@ -69,7 +69,7 @@ std::string joined(const Statements &statements) {
 
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Replaces one word by another one of its kind, if it has a kind.
+/// Replaces one word by another of its kind, if it has a kind.
 void editWord(std::string &statement, Random &random) {
   const std::size_t from = below(random, statement.size() + 1);
   std::size_t begin = from;

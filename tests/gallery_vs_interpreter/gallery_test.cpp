@@ -1,7 +1,7 @@
 // usage: gallery_test ARBITER FOLDER WAYS [DOCUMENT]
-// Draws every document of the gallery by `arbiter draw`, and compares each pixel with what the
-// compiler's interpreter makes of the same document. WAYS are some of bare,host,swrast: the bare
-// host, and the back ends of the layer. GALLERY_KEEP names a folder for pictures that differ.
+// Draws every document of the gallery by `arbiter draw`, and compares each pixel with the
+// compiler's interpreter. WAYS are some of bare,host,swrast: the bare host, and the back ends of
+// the layer. GALLERY_KEEP names a folder for pictures that differ.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -23,18 +23,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How far the two pictures may be apart.
+/// The allowed difference of the two pictures.
 struct Case {
   const char *file;
   int frame;
   const char *size; ///< nullptr: the document's own
   int levels;       ///< of 255, in red, green, blue and alpha
-  double outliers;  ///< fraction of the pixels that may be farther apart
-  bool bare = true; ///< whether the bare host can: common ones have no ATI_text_fragment_shader
+  double outliers;  ///< the fraction of pixels that may differ more
+  /// whether the bare host can draw it: common ones lack ATI_text_fragment_shader
+  bool bare = true;
 };
 
-// Filtering weights have 8 bits on common hosts: up to 1/256 of an edge, on each axis. Outliers are
-// pixels on silhouettes and on edges of shadows, whose sample falls to the other side.
+// Filtering weights have 8 bits on common hosts, so that the error is up to 1/256 of an edge on
+// each axis. Outliers are pixels on silhouettes and on edges of shadows, whose sample falls to the
+// other side.
 constexpr Case kCases[] = {
     {"ati_bumps.fp", 20, "96x96", 4, 0.002, false},
     {"blur.fp", 0, "96x96", 2, 0},
@@ -76,13 +78,13 @@ Difference compare(const scene::Picture &drawn, const scene::Picture &reference,
   return difference;
 }
 
-/// \returns the exit code.
+/// Runs a command. \returns the exit code.
 int run(const std::vector<std::string> &words) {
   std::vector<char *> argv;
   for (const std::string &word : words)
     argv.push_back(const_cast<char *>(word.c_str()));
   argv.push_back(nullptr);
-  // What it says of a picture that it drew is of no interest here.
+  // The command's output is discarded.
   ::posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
@@ -94,7 +96,7 @@ int run(const std::vector<std::string> &words) {
   return ended && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// "bare,host" as its words.
+/// Splits "bare,host" into words.
 std::vector<std::string> waysOf(const std::string &list) {
   std::vector<std::string> ways;
   for (std::size_t at = 0; at <= list.size();) {
@@ -124,7 +126,7 @@ public:
     return good;
   }
 
-  /// The test can fail: another frame of an animation is another picture.
+  /// Checks that the test can fail: another frame of an animation is another picture.
   bool seesADifference() {
     const Case &twirl = kCases[std::size(kCases) - 1];
     const auto drawn = draw(twirl, m_ways.front());
@@ -187,7 +189,7 @@ private:
     return reference.picture();
   }
 
-  /// More than one colour: an empty picture would prove nothing.
+  /// True if the picture has several colors: an empty one would prove nothing.
   static bool isAPicture(const scene::Picture &picture) {
     std::set<std::uint32_t> colours;
     for (std::size_t i = 0; i < picture.bytes.size(); i += 4) {
@@ -214,7 +216,7 @@ private:
   std::string m_output;
 };
 
-/// Every document has a case. Files of further passes are no documents of their own.
+/// True if every document has a case. Files of further passes are not documents.
 bool allHaveCases(const fs::path &folder) {
   std::set<std::string> known;
   for (const Case &each : kCases) {

@@ -5,18 +5,18 @@
 #include "scene/document.h"
 #include "scene/mesh/mesh.h"
 
-/// One program of a pass, run by the compiler's interpreter.
+/// Runs one program of a pass by the compiler's interpreter.
 namespace gallery {
 
 namespace scene = arbiter::scene;
 
 class Program {
 public:
-  /// Ends the process with a message if the compiler refuses the text.
+  /// Loads a program. Ends the process with a message if the compiler refuses the text.
   Program(const scene::Document &document, const scene::Pass &pass, int file, double seconds);
 
   [[nodiscard]] const ir::Program &code() const { return m_program; }
-  /// Values of environment, local and state rows.
+  /// Returns the value of an environment, local or state row.
   [[nodiscard]] ir::Vec4 parameter(const ir::Parameter &parameter) const;
 
 private:
@@ -27,7 +27,7 @@ private:
   scene::View m_view;
 };
 
-/// What the vertex stage makes of a vertex: a program's results, or fixed function's without one.
+/// Computes a vertex by a program, or by fixed function without one.
 class VertexStage {
 public:
   VertexStage(const scene::Document &document, const scene::Pass &pass, double seconds);
@@ -47,11 +47,11 @@ class FragmentStage {
 public:
   FragmentStage(const scene::Document &document, const scene::Pass &pass, double seconds);
 
-  /// The unit's texture; the stage reads zeros where there is none.
+  /// Sets the unit's texture; a unit without one reads zeros.
   void setTexture(unsigned unit, Texture texture);
   [[nodiscard]] std::array<bool, kVaryings> used() const;
   [[nodiscard]] bool kills() const;
-  /// The colour before the framebuffer clamps it; nothing of a fragment that was killed.
+  /// Returns the color before the framebuffer clamps it; nothing for a killed fragment.
   [[nodiscard]] std::optional<glm::vec4> run(const Fragment &fragment) const;
 
 private:

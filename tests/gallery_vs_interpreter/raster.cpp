@@ -11,7 +11,7 @@ namespace {
 constexpr double kSubpixels = 256;
 
 using Polygon = std::vector<Vertex>;
-/// Not negative on the side that stays.
+/// A clip plane; its value is not negative on the side that stays.
 using Plane = double (*)(const glm::dvec4 &);
 
 double aboveZeroW(const glm::dvec4 &at) { return at.w - 1e-6; }
@@ -53,12 +53,13 @@ Corner cornerOf(const Vertex &vertex, int width, int height) {
           vertex.clip.z * inverseW * 0.5 + 0.5, inverseW, &vertex};
 }
 
-/// Twice the area of (a, b, p): positive when p is to the left of the edge.
+/// Returns twice the area of (a, b, p): positive if p is to the left of the edge.
 double edge(const Corner &a, const Corner &b, std::int64_t x, std::int64_t y) {
   return double(b.x - a.x) * double(y - a.y) - double(b.y - a.y) * double(x - a.x);
 }
 
-/// Whether a pixel's centre on the edge is inside: on one of the two triangles that share it.
+/// True if a pixel center on the edge is inside: this holds for one of the two triangles that share
+/// it.
 bool ownsBorder(const Corner &a, const Corner &b) { return b.y < a.y || (b.y == a.y && b.x < a.x); }
 
 class Triangle {

@@ -4,11 +4,11 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-/// Triangles to fragments in plain C++, as GL says it (window coordinates of 8 subpixel bits, each
-/// shared edge drawn once, perspective-correct values), to compare GL's pictures with.
+/// Rasterizes triangles in plain C++ as GL specifies (window coordinates with 8 subpixel bits, each
+/// shared edge drawn once, perspective-correct values), for comparison with GL's pictures.
 namespace gallery {
 
-inline constexpr std::size_t kVaryings = 9; ///< texture coordinates 0 to 7, primary colour
+inline constexpr std::size_t kVaryings = 9; ///< texture coordinates 0 to 7 and the primary color
 inline constexpr std::size_t kColour = 8;
 
 struct Vertex {
@@ -20,14 +20,14 @@ struct Fragment {
   int x = 0, y = 0;
   double depth = 0; ///< window z, [0,1]
   double inverseW = 1;
-  bool front = true; ///< of a counter-clockwise triangle
+  bool front = true; ///< true for a counter-clockwise triangle
   std::array<glm::vec4, kVaryings> varyings = {};
 };
 
 using Shade = std::function<void(const Fragment &)>;
 
-/// Clips to the near and the far plane and to w > 0; the sides are the picture's.
-/// \param used varyings that are worth interpolating
+/// Clips to the near and far plane and to w > 0, and to the picture's sides.
+/// \param used the varyings to interpolate
 void rasterize(const Vertex &a, const Vertex &b, const Vertex &c, int width, int height,
                const std::array<bool, kVaryings> &used, const Shade &shade);
 

@@ -36,7 +36,7 @@ scene::Image imageOf(const Surface &surface) {
   return scene::Image(scene::Picture{surface.width, surface.height, surface.colour});
 }
 
-/// The fixed functions behind the fragment program, of one pass.
+/// The fixed functions of one pass after the fragment program.
 class Raster {
 public:
   Raster(Surface &surface, const scene::State &state, scene::Depth depth)
@@ -48,7 +48,7 @@ public:
     return cull == (front ? scene::Cull::Front : scene::Cull::Back);
   }
 
-  /// Stencil and depth tests; stencil counts where the depth test passes.
+  /// Makes the stencil and depth tests; the stencil counts if the depth test passes.
   bool passes(const Fragment &fragment) {
     const std::size_t at = index(fragment);
     std::uint8_t &count = m_surface.stencil[at];

@@ -8,7 +8,7 @@
 /// Draws documents without GL: programs by the interpreter, everything else in plain C++.
 namespace gallery {
 
-/// What is drawn to.
+/// The buffers that are drawn to.
 struct Surface {
   Surface() = default;
   Surface(int columns, int rows);
@@ -23,7 +23,7 @@ class Reference {
 public:
   explicit Reference(const scene::Document &document);
 
-  /// Frames come in order where one hangs on the one before.
+  /// Draws a frame. Frames must come in order if each depends on the previous one.
   void draw(int frame);
   [[nodiscard]] scene::Picture picture() const;
 
@@ -33,7 +33,7 @@ private:
   Surface &targetOf(const scene::Pass &pass);
 
   const scene::Document &m_document;
-  std::map<std::string, Surface> m_targets; ///< the picture has no name
+  std::map<std::string, Surface> m_targets; ///< the picture's own surface has no name
   std::map<const scene::TextureSpec *, Texture> m_textures;
   bool m_fed = false;
 };

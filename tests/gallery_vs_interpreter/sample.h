@@ -5,15 +5,15 @@
 #include "scene/panel/panel.h"
 #include "scene/texture/image.h"
 
-/// Texture sampling in plain C++ (GL 2.1, 3.8): no mipmaps.
+/// Samples textures in plain C++ (GL 2.1, 3.8), without mipmaps.
 namespace gallery {
 
 namespace ir = arbiter::fp::ir;
 
 struct Texture {
-  /// One, or six faces; of a depth texture the depth is the colour.
+  /// One image, or six faces. A depth texture's color is the depth.
   std::vector<arbiter::scene::Image> images;
-  std::vector<float> depths; ///< in place of the image's texels
+  std::vector<float> depths; ///< replace the image's texels
   bool nearest = false;
   arbiter::scene::Wrap wrap = arbiter::scene::Wrap::Repeat;
 

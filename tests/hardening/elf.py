@@ -1,4 +1,4 @@
-"""What the hardening test reads of an ELF file: 64 bits, little-endian, by the System V ABI."""
+"""Reads ELF files for the hardening test: 64-bit, little-endian, by the System V ABI."""
 import bisect
 import os
 import struct
@@ -15,7 +15,7 @@ DF_1_NOW, DF_1_PIE = 1, 0x08000000
 ET_DYN = 3
 STT_OBJECT, STT_FUNC, STT_IFUNC = 1, 2, 10
 EM_X86_64, EM_AARCH64 = 62, 183
-# By machine: relocations that add the load address to a number, and those that name a symbol.
+# Relocations by machine: those that add the load address to a number, and those that name a symbol.
 RELATIVE = {EM_X86_64: {8, 37}, EM_AARCH64: {1027, 1032}}
 BY_SYMBOL = {EM_X86_64: {1, 6, 7}, EM_AARCH64: {257, 1025, 1026}}
 X86_FEATURES = 0xc0000002  # GNU_PROPERTY_X86_FEATURE_1_AND
@@ -57,14 +57,14 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Pointer:
-    """A place that the loader fills with an address: of this file's, or of a function by name."""
+    """A place that the loader fills with an address: in this file, or of a function by name."""
     place: int
     target: int | None
     symbol: str
 
 
 class NotElf(Exception):
-    """Some other file."""
+    """The file is not such an ELF file."""
 
 
 class Elf:
@@ -107,7 +107,7 @@ class Elf:
         return [segment for segment in self.segments if segment.type == kind]
 
     def bytes_at(self, address, count):
-        """Of the file, where it is loaded; empty where nothing of it is."""
+        """Returns the file's bytes at a load address; empty if the file has none there."""
         for segment in self.of_type(PT_LOAD):
             if segment.address <= address < segment.address + segment.file_size:
                 at = segment.offset + address - segment.address
@@ -126,7 +126,7 @@ class Elf:
         return found
 
     def object_at(self, address):
-        """The name of the datum there, by the full table of symbols, else by the section."""
+        """Returns the name of the datum there, by the full symbol table, else by the section."""
         if not hasattr(self, '_objects'):
             data = sorted((s.value, s.size, s.name) for s in self.symbols(SHT_SYMTAB)
                           if s.type == STT_OBJECT and s.section)
@@ -144,7 +144,7 @@ class Elf:
         return any(s.flags & PF_X and s.holds(address) for s in self.of_type(PT_LOAD))
 
     def stays_writable(self, address):
-        """Whether the loader leaves the place writable when it is done."""
+        """True if the place is still writable after loading."""
         return (any(s.flags & PF_W and s.holds(address) for s in self.of_type(PT_LOAD)) and
                 not any(s.holds(address) for s in self.of_type(PT_GNU_RELRO)))
 
@@ -171,7 +171,7 @@ class Elf:
                 if (p.target is not None and self.is_code(p.target)) or p.symbol]
 
     def x86_features(self):
-        """The features that all of the file's parts are marked with (IBT, SHSTK)."""
+        """Returns the features that all of the file's parts are marked with (IBT, SHSTK)."""
         features = 0
         for segment in self.of_type(PT_GNU_PROPERTY):
             at, end = segment.offset, segment.offset + segment.file_size

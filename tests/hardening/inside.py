@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What a process looks like that draws with the rasterizer: no memory is writable and executable at
-once, at no moment, and no table of functions of the layer's is writable once it is filled.
+"""Checks a process that draws with the rasterizer: no memory is ever writable and executable at once, and no table of
+the layer's functions is writable once it is filled.
 
-Runs itself as the client, with OSMesa, with EGL (surfaceless) and, where there is a display, with
-GLX. `inside.py --plant` has a client that makes such memory: it must be found.
+Runs itself as the client, with OSMesa, with EGL (surfaceless) and, if there is a display, with GLX.
+`inside.py --plant` runs a client with such memory, which must be found.
 """
 import argparse
 import collections
@@ -27,8 +27,8 @@ from properties import is_writable_table  # noqa: E402
 PROGRAMS = 12
 SIZE = 64
 FRAGMENT, VERTEX, ASCII = 0x8804, 0x8620, 0x8875
-TABLE = 16  # functions in a row are a table
-# What Mesa maps with all rights, by size: how many of them, and for what.
+TABLE = 16  # this many functions in a row are a table
+# Memory that Mesa maps with all permissions, by size: how many mappings, and their purpose.
 HOSTS = {4096: (1, 'stubs of libglapi for functions that it learns of'),
          10485760: (1, 'vertex code of rtasm')}
 
@@ -59,7 +59,7 @@ CONTEXTS = {'osmesa': identity.osmesa_context, 'egl': identity.egl_context, 'glx
 
 
 class Watch:
-    """Looks at the rights of all memory while the other thread draws."""
+    """Inspects the permissions of all memory while the other thread draws."""
 
     def __init__(self):
         self.both, self.looks, self.done = {}, 0, threading.Event()
@@ -77,13 +77,13 @@ class Watch:
 
 
 def count_code():
-    """Mappings of code that is in no file: what was made at run time."""
+    """Returns the number of code mappings without a file, which were made at run time."""
     return sum(m.is_code and not m.path for m in process.mappings())
 
 
 def draw(find, turn):
-    """A program that was not seen before, with a vertex program beside it at times. Each has a name of its
-    own: the bare Mesa 25.0.7 frees memory twice where a vertex program is given another text."""
+    """Draws with a new program, sometimes with a vertex program. Each has a name of its own: the bare Mesa 25.0.7 frees
+    memory twice if a vertex program is given another text."""
     uint, single = ctypes.c_uint, ctypes.c_float
 
     def call(name, *arguments):
@@ -107,7 +107,7 @@ def draw(find, turn):
 
 
 def surface(find):
-    """Somewhere to draw where there is no window: a texture."""
+    """Makes a target for drawing without a window: a texture."""
     def call(name, *arguments):
         ctypes.CFUNCTYPE(None, *(type(a) for a in arguments))(find(name.encode()))(*arguments)
 
@@ -130,7 +130,7 @@ def is_layer(path):
 
 
 def real_osmesa():
-    """The addresses of the host's gl functions, where OSMesa is the host."""
+    """Returns the addresses of the host's gl functions, if OSMesa is the host."""
     library = os.environ.get('HARDENING_OSMESA')
     loaded = {os.path.realpath(m.path): m for m in reversed(process.mappings())
               if m.path.startswith('/')}
@@ -143,7 +143,7 @@ def real_osmesa():
 
 
 def plant():
-    """Memory with all rights, and a table of functions that may be written."""
+    """Makes memory with all permissions, and a writable table of functions."""
     plant.memory = mmap.mmap(-1, 12345 * 4096, prot=mmap.PROT_READ | mmap.PROT_WRITE | mmap.PROT_EXEC)
     functions = real_osmesa()[:2 * TABLE]
     plant.table = (ctypes.c_uint64 * len(functions))(*functions)
@@ -185,7 +185,7 @@ def client(kind, planted):
 # --- The harness ---
 
 def ask(options, kind, layered=True, planted=False):
-    """The client's answers, and what the layer's statistics say."""
+    """Returns the client's answers, and the layer's statistics."""
     with tempfile.TemporaryDirectory(prefix='arbiter-inside-') as folder:
         stats = pathlib.Path(folder) / 'stats.json'
         command = [PYTHON, str(HERE / 'inside.py'), '--client', kind]
@@ -207,7 +207,7 @@ def ask(options, kind, layered=True, planted=False):
 
 
 def complaints(answers, drawn, bare):
-    """Texts; empty where all is well."""
+    """Returns complaints as texts; empty if all is well."""
     hosts = {size: count for size, (count, _) in HOSTS.items()}
     for size, count in bare['both']:
         hosts[size] = max(count, hosts.get(size, 0))
@@ -217,10 +217,10 @@ def complaints(answers, drawn, bare):
               for library, name, count in answers['written'] if is_writable_table(library, name, count)]
     found += [f'{count} functions of the host in a row may be written at {place:#x} ({where})'
               for place, count, where in answers['tables']]
-    # What would make the answers worth nothing.
+    # These faults would make the answers worthless.
     if drawn < PROGRAMS:
         found.append(f'the rasterizer drew {drawn} of {PROGRAMS}')
-    if answers['code'] <= 0:  # of draws, which were the layer's
+    if answers['code'] <= 0:  # code of the layer's draws
         found.append('no machine code of the layer is there')
     if answers['looks'] < PROGRAMS or not {'libarbiter_jit.so'} <= set(answers['looked']):
         found.append(f'looked {answers["looks"]} times, at {answers["looked"]}')
@@ -245,7 +245,7 @@ def check_kind(options, kind):
 
 
 def check_plant(options):
-    """The client's own bad memory is found."""
+    """Checks that the client's own bad memory is found."""
     bare, _ = ask(options, 'osmesa', layered=False)
     if bare is None:
         return True

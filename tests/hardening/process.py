@@ -1,4 +1,4 @@
-"""The memory of this process, as /proc tells it: who may write where functions are named."""
+"""Reads this process's memory from /proc, to find writable places that contain function addresses."""
 import array
 import re
 import struct
@@ -40,7 +40,7 @@ def mappings():
 
 
 def words(mapping, begin=None, end=None):
-    """(address, the words from there on), aligned; nothing where it cannot be read."""
+    """Returns (address, the words from there on), aligned; nothing if the memory is unreadable."""
     begin = max(mapping.begin, begin or 0) + 7 & ~7
     end = min(mapping.end, end or mapping.end) & ~7
     if end <= begin:
@@ -54,7 +54,7 @@ def words(mapping, begin=None, end=None):
 
 
 class Code:
-    """Where code lies, for quick answers."""
+    """Knows where code is mapped, for quick answers."""
 
     def __init__(self, maps):
         self.ranges = [(m.begin, m.end) for m in maps if m.is_code and 'vsyscall' not in m.path]
@@ -68,7 +68,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Written:
-    """A pointer to code in memory that may be written."""
+    """A pointer to code in writable memory."""
     library: str
     name: str
     place: int
@@ -76,9 +76,9 @@ class Written:
 
 
 def writable_functions(is_layers):
-    """Pointers to code in what libraries have of writable memory, their data filled at run time too.
+    """Finds pointers to code in the writable memory of libraries, including data filled at run time.
 
-    is_layers(path) chooses the libraries. Returns the pointers, and the libraries' paths.
+    is_layers(path) selects the libraries. Returns the pointers, and the libraries' paths.
     """
     maps = mappings()
     code = Code(maps)
@@ -103,10 +103,10 @@ def writable_functions(is_layers):
 
 
 def tables_of(functions, least):
-    """Places in writable memory where `least` of these addresses follow each other: copies of what
-    GetProcAddress answered."""
+    """Returns places in writable memory where `least` of these addresses follow each other, such as copies of
+    GetProcAddress's answers."""
     known = set(functions)
-    # All but the low three bytes of an address are few: what has none of them is passed over quickly.
+    # All bytes of an address but the low three have few values, so that memory without them is skipped quickly.
     upper = {struct.pack('<Q', address)[3:] for address in known}
     pattern = re.compile(b'|'.join(map(re.escape, sorted(upper))))
     tables = []

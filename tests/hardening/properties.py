@@ -1,4 +1,4 @@
-"""What every installed ELF file must have, each as a function that gives its complaints."""
+"""The required properties of every installed ELF file; each is a function that returns its complaints."""
 import collections
 
 from elf import (DF_1_NOW, DF_1_PIE, DF_BIND_NOW, DF_TEXTREL, DT_FINI, DT_FLAGS, DT_FLAGS_1, DT_INIT,
@@ -6,14 +6,14 @@ from elf import (DF_1_NOW, DF_1_PIE, DF_BIND_NOW, DF_TEXTREL, DT_FINI, DT_FLAGS,
                  SHF_ALLOC, SHF_EXEC, SHSTK, SHT_DYNSYM, STT_FUNC, STT_IFUNC)
 
 LANDING_PAD = bytes.fromhex('f30f1efa')  # endbr64
-# Functions of libc that have a checked twin and are given a buffer whose size may be known.
+# Functions of libc that have a checked twin and a buffer whose size may be known.
 FORTIFIABLE = {'memcpy', 'memmove', 'memset', 'strcpy', 'strcat', 'strncpy', 'strncat', 'sprintf',
                'snprintf', 'vsprintf', 'vsnprintf', 'printf', 'fprintf', 'vprintf', 'vfprintf',
                'read', 'pread', 'recv', 'fgets', 'fread', 'realpath', 'readlink', 'getcwd'}
-# What the start-up files import of themselves.
+# Imports of the start-up files.
 OF_START_UP = {'__cxa_finalize', '__gmon_start__', '_ITM_deregisterTMCloneTable',
                '_ITM_registerTMCloneTable', '__libc_start_main'}
-# Single pointers that may be written, and who has them so; and what is none, but a number like an address.
+# Single pointers that may be writable, and their owners; and numbers that only look like addresses.
 WRITABLE_POINTERS = {
     '_ZN10__cxxabiv119__terminate_handlerE': 'std::set_terminate of the C++ library writes it',
     '_ZN10__cxxabiv120__unexpected_handlerE': 'std::set_unexpected of the C++ library writes it',
@@ -21,20 +21,20 @@ WRITABLE_POINTERS = {
     '_ZN7arbiter12_GLOBAL__N_16g_fileE': 'likewise, of the log',
     'DW.ref.__gxx_personality_v0': "the compiler's own, for the unwinder; it is not relro in GCC 12",
 }
-# Files with much of others' in them: of their code only what they export is held to landing pads, of
-# their data only what is Arbiter's may not have functions in it that can be written.
+# Files that consist mostly of foreign code. Only their exports need landing pads, and only Arbiter's part of their data
+# must have no writable functions.
 OTHERS = {'libarbiter_jit.so': 'LLVM, which Debian builds without landing pads, and which registers '
                                'its targets and options in data of its own'}
-# Qt writes the numbers of its types into what describes them, functions included: one for each class with
-# signals, in programs alone. Nothing of the layer's has Qt in it.
+# Qt writes its type numbers into the type descriptions, functions included: one for each class with signals, only in
+# programs. The layer has no Qt.
 OF_QT = '_ZN9QtPrivate25QMetaTypeInterfaceWrapper'
-# Data of libraries that are linked in may have functions in them: only as many as these are a table.
+# Data of static libraries may contain functions; this many are a table.
 OTHERS_TABLE = 8
 
 
 def is_writable_table(library, name, count):
-    """Whether it is wrong that a datum has so many pointers to functions that may be written. The
-    name of a place that is no datum's is that of its section, with a plus."""
+    """True if it is a fault that a datum has so many writable pointers to functions. A place that belongs to no datum
+    has its section's name, with a plus."""
     if name in WRITABLE_POINTERS or (name.startswith(OF_QT) and library == 'arbiter-builder'):
         return False
     return ('arbiter' in name or '+' in name or
@@ -78,7 +78,7 @@ def nothing_is_writable_and_code(elf):
 
 
 def code_lies_apart(elf):
-    """No data between instructions: what is read-only is not executable too."""
+    """Requires no data between instructions, so that read-only data is not executable."""
     return [f'{section.name} lies in an executable segment (-z separate-code)'
             for section in elf.sections if section.flags & SHF_ALLOC and section.size and
             not section.flags & SHF_EXEC and elf.is_code(section.address)]
@@ -108,7 +108,7 @@ def checks_buffers(elf):
 
 
 def functions_are_not_written(elf):
-    """Of what is filled when the library is loaded; inside.py looks at a process that has run."""
+    """Checks data that is filled at load time; inside.py checks a process that has run."""
     counts = collections.Counter(elf.object_at(pointer.place) for pointer in elf.code_pointers()
                                  if elf.stays_writable(pointer.place))
     return [f'{name} has {count} pointers to functions and may be written'
@@ -126,7 +126,7 @@ def control_flow_is_marked(elf):
 
 
 def control_flow_lands_on_pads(elf):
-    """What is called by address begins with a landing pad, whatever the mark says."""
+    """Requires a landing pad at the start of functions that are called by address, whatever the mark says."""
     if elf.machine != EM_X86_64:
         return []
     whole = elf.name not in OTHERS
@@ -147,11 +147,11 @@ def control_flow_lands_on_pads(elf):
 PROPERTIES = [full_relro, binds_now, stack_holds_no_code, nothing_is_writable_and_code,
               code_lies_apart, text_is_not_relocated, lies_anywhere, guards_stacks, checks_buffers,
               functions_are_not_written, control_flow_is_marked, control_flow_lands_on_pads]
-# What the compiler's options give, which a tree has with -Dhardening=true.
+# These depend on the compiler's options, which a tree has with -Dhardening=true.
 COMPILED = {check.__name__ for check in (guards_stacks, checks_buffers, control_flow_is_marked,
                                          control_flow_lands_on_pads)}
 
 
 def complaints(elf):
-    """[(name of the property, text)]"""
+    """Returns [(name of the property, text)]."""
     return [(check.__name__, text) for check in PROPERTIES for text in check(elf)]

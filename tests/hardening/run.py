@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Reads every library and program that is installed: what an attacker of the process could use.
+"""Checks every installed library and program for what an attacker of the process could use.
 
   run.py --build TREE [--json FILE]     all ELF files of `meson introspect --installed`, and in a
                                         tree with -Dhardening=true the options that each of their
                                         objects is compiled with
   run.py --self-test --compiler CXX...  libraries that lack one property each must be found
 
-properties.py has the properties. Exit 1: a complaint. 77: no tree that is hardened.
+properties.py has the properties. Exit 1: a complaint. 77: the tree is not hardened.
 """
 import argparse
 import json
@@ -18,9 +18,9 @@ import self_test
 from elf import Elf, NotElf
 from properties import COMPILED, PROPERTIES, complaints
 
-# The function of the machine code that is called; kEntrySymbol of back/llvm.
+# The entry function of the machine code; kEntrySymbol of back/llvm.
 ENTRY = 'arbiter_entry'
-# Of an object: options that it must be compiled with, and who does without one, and why.
+# Options that an object must be compiled with, and the exceptions with their reasons.
 OPTIONS = ['-fstack-protector-strong', '-fstack-clash-protection']
 X86_OPTIONS = ['-fcf-protection=full']
 OPTIMISED_OPTIONS = ['-D_FORTIFY_SOURCE=3']
@@ -37,7 +37,7 @@ def introspect(build, what):
 
 
 def installed(build):
-    """The ELF files of an installation, where the build tree has them."""
+    """Returns the ELF files of an installation, at their places in the build tree."""
     found = []
     for path in sorted(introspect(build, '--installed')):
         try:
@@ -48,7 +48,7 @@ def installed(build):
 
 
 def objects_of(build, library):
-    """The object files that a library is linked from, its static libraries' too."""
+    """Returns the object files that a library is linked from, including those of its static libraries."""
     inside = pathlib.Path(library).relative_to(build)
     inputs = subprocess.run(['ninja', '-C', str(build), '-t', 'inputs', str(inside)], check=True,
                             capture_output=True, text=True).stdout.split()
@@ -67,7 +67,7 @@ def option_complaints(source, words, wanted):
 
 
 def check_options(build, files, machine_is_x86, optimised):
-    """[(file, complaint)] for the objects of all files."""
+    """Returns [(file, complaint)] for the objects of all files."""
     wanted = (OPTIONS + (X86_OPTIONS if machine_is_x86 else []) +
               (OPTIMISED_OPTIONS if optimised else []))
     commands = {}
@@ -83,7 +83,7 @@ def check_options(build, files, machine_is_x86, optimised):
 
 
 def machine_code_complaints(arbiter):
-    """What the rasterizer's compiler makes is called by address too."""
+    """Checks code made by the rasterizer's compiler, which is called by address too."""
     program = pathlib.Path(__file__).parents[2] / 'demos' / 'programs' / 'lighting.fp'
     listing = subprocess.run([str(arbiter), 'compile', '--emit', 'machine', str(program)],
                              capture_output=True, text=True, check=False)

@@ -1,4 +1,4 @@
-"""Libraries that lack one property each: every one must be found, by that property."""
+"""Builds libraries that lack one property each; the check of that property must find each."""
 import pathlib
 import platform
 import struct
@@ -42,7 +42,7 @@ def drop(options, *gone):
 
 
 def cases(x86):
-    """(what is wrong, property that must say so or None, compile options, link options, defines)"""
+    """Returns (fault, property that must report it or None, compile options, link options, defines)."""
     compiled = GOOD + FORTIFY + (CET if x86 else [])
     linked = GOOD_LINK + (CET_LINK if x86 else [])
     plain = ['-DTABLE=static const', '-DPROGRAM=']
@@ -79,7 +79,7 @@ def cases(x86):
 
 
 def give_all_rights(path):
-    """Makes the segment of code writable: linkers refuse to."""
+    """Makes the code segment writable, which linkers refuse to do."""
     data = bytearray(path.read_bytes())
     programs, = struct.unpack_from('<Q', data, 32)
     size, count = struct.unpack_from('<HH', data, 54)

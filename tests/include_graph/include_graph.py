@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""Fails on an #include that goes against the house's one way down.
+"""Fails on an #include against the order of the rooms.
 
     interposer -> dispatch -> state -> {control, enumerants -> fp_compiler, swrast, host} -> util
 
-tools and builder sit on control, scene, fp_compiler, swrast and the public interface, scene on
-fp_compiler; demonstrations are clients and see none of it. swrast sees of the compiler only a plain
-ABI header. What a room may take from outside is checked too: control, the compiler and util know no
-GL and no X11, scene no Qt either, and nothing that enters an application uses libepoxy, which is
-the clients' loader.
+tools and builder include control, scene, fp_compiler, swrast and the public interface; scene includes
+fp_compiler; demonstrations are clients and include none of it. swrast includes only a plain ABI header of
+the compiler. External headers are checked too: control, the compiler and util use no GL and no X11,
+scene no Qt either, and nothing that enters an application uses libepoxy, which is the clients' loader.
 
 usage: include_graph.py ROOT | include_graph.py --self-test
 """
@@ -18,7 +17,7 @@ import sys
 
 import tree
 
-# The rooms that a room includes directly or from further down.
+# The rooms that a room may include directly or indirectly.
 ALLOWED = {
     "util": set(),
     "control": {"util"},
@@ -35,10 +34,10 @@ ALLOWED = {
     "builder": {"control", "fp_compiler", "scene", "util", "public"},
     "demos": {"public"},
     "public": set(),
-    "precompiled": {"precompiled"},  # given to libraries by the build, included by no source
+    "precompiled": {"precompiled"},  # the build adds these headers to libraries; no source includes them
 }
 
-# Single headers that may be seen across an edge that is otherwise closed.
+# Single headers that may be included across an edge that is otherwise forbidden.
 EXCEPTIONS = {("swrast", "fp_compiler/abi.h")}
 
 WINDOWS = r"GL/|GLES\d?/|EGL/|KHR/|X11/|glvnd/"
@@ -72,7 +71,7 @@ def is_test(path):
 
 
 def target_room(name, quoted, source, root):
-    """(room, name from src/) that an include leads to; (None, name) if it is from outside."""
+    """Returns (room, name from src/) of an include; (None, name) if it is external."""
     if quoted:
         # The folder of the including file is searched first, as the compiler does.
         beside = (source.parent / name).resolve()
@@ -85,12 +84,12 @@ def target_room(name, quoted, source, root):
         return "public", name
     first = name.split("/")[0]
     if "/" in name and (first in ALLOWED or (root / "src" / first).is_dir()):
-        return first, name  # also what the build generates into a room
+        return first, name  # generated into a room by the build
     return None, name
 
 
 def check(root):
-    """The list of complaints about the tree at root, and the number of includes read."""
+    """Returns the complaints about the tree at root, and the number of includes read."""
     complaints, edges = [], 0
     sources = [each for folder in ("src", "demos", "include")
                for each in tree.includes(root / folder)]
@@ -116,7 +115,7 @@ def check(root):
     return complaints, edges
 
 
-# What lies in each planted tree beside its own files.
+# Files that each planted tree has besides its own.
 PRESENT = {name: "" for name in ("src/state/core/context.h", "src/host/table.h", "src/util/hash.h",
                                  "demos/common/window.h")}
 PLANTED = [

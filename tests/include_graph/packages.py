@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Fails if what is installed and docs/design/dependencies.md do not name the same packages.
+"""Fails if the installed packages and docs/design/dependencies.md differ.
 
-Installed is what scripts/packages.sh lists and what the real programs ask for."""
+Installed are the packages of scripts/packages.sh and those that the real programs need."""
 
 import pathlib
 import re

@@ -65,7 +65,7 @@ def is_production(name):
 
 
 def read(source):
-    """{file: [files of src/ that it includes]} of what is no test."""
+    """Returns {file: [files of src/ that it includes]}, without tests."""
     graph = {}
     for path, includes in tree.includes(source):
         name = path.relative_to(source).as_posix()
@@ -103,7 +103,7 @@ def without_place(graph):
 
 
 def circles(graph):
-    """The strongly connected sets of units, by Tarjan's method without recursion."""
+    """Returns the strongly connected sets of units, by Tarjan's method without recursion."""
     units = {}
     for name, includes in graph.items():
         unit = units.setdefault(name.rsplit(".", 1)[0], set())
@@ -150,7 +150,7 @@ def crowded(source):
 
 
 def misplaced(source):
-    """Sources that implement entry points (namespace handlers) elsewhere than in state/handlers."""
+    """Yields sources that implement entry points (namespace handlers) outside of state/handlers."""
     for path in sorted(source.glob("state/**/*.cpp")):
         name = path.relative_to(source).as_posix()
         if is_production(name) and not name.startswith(HANDLERS + "/") and HANDLER.search(path.read_text()):
@@ -158,7 +158,7 @@ def misplaced(source):
 
 
 def check(root):
-    """Complaints about the tree, and the number of files read."""
+    """Returns the complaints about the tree, and the number of files read."""
     source = root / "src"
     graph = read(source)
     complaints = [*wrong_edges(graph), *without_place(graph), *crowded(source), *misplaced(source)]

@@ -1,7 +1,7 @@
-"""What the checks of a tree share: its includes, small trees with something planted, and main().
+"""Shared parts of the checks of a tree: its includes, small trees with planted faults, and main().
 
-A check is a function of a tree's root that gives (complaints, how much it has read). What is planted
-is a list of ({file: text}, complaints expected).
+A check is a function of a tree's root that returns (complaints, how much it has read). Planted trees
+are a list of ({file: text}, complaints expected).
 """
 
 import pathlib
@@ -14,15 +14,15 @@ SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".c", ".def", ".inc", ".in"}
 
 
 def includes(folder):
-    """[(path, [(whether it is quoted, name) of each include])] of the sources under a folder, in
-    order of their paths; empty where there is no such folder."""
+    """Returns [(path, [(whether it is quoted, name) of each include])] of the sources under a folder, sorted by
+    path; empty if the folder does not exist."""
     return [(path, [(bracket == '"', name)
                     for bracket, name in INCLUDE.findall(path.read_text(errors="replace"))])
             for path in sorted(folder.rglob("*")) if path.suffix in SUFFIXES and path.is_file()]
 
 
 def self_test(check, planted):
-    """Each planted tree must give as many complaints as are expected: 0 where it is a good one."""
+    """Checks that each planted tree gives the expected number of complaints, 0 for a good one."""
     for files, expected in planted:
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
@@ -35,7 +35,7 @@ def self_test(check, planted):
 
 
 def main(usage, check, planted, summary):
-    """The exit status of a check's command line: the root of a tree, or --self-test. The summary has
+    """Returns the exit status of a check's command line: the root of a tree, or --self-test. The summary has
     places for `read` and `wrong`. A tree of which nothing is read fails."""
     if sys.argv[1:] == ["--self-test"]:
         self_test(check, planted)

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Fails on two functions that sources of one unit keep to themselves under one name with as many
-arguments. A tree that is built once compiles a dozen sources as one unit (units in meson.build), in
-which each sees the others' unnamed namespaces. Two equal functions are an error there, but of two
-that differ in the types of their arguments a call may take the other source's, without a word.
+"""Fails on two functions of one unit that are local to their sources and agree in name and number of
+arguments.
+
+A tree that is built once compiles a dozen sources as one unit (units in meson.build), in which each
+sees the others' unnamed namespaces. Two equal functions are an error there. If they differ in the
+types of their arguments, a call may silently take the other source's.
 
 usage: units.py BUILD | units.py --self-test
 """
@@ -13,13 +15,13 @@ import re
 import sys
 
 UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}", re.M | re.S)
-# At the beginning of a line: methods of classes are their classes' own.
+# The pattern matches at the beginning of a line, as methods belong to their classes.
 FUNCTION = re.compile(r"^(?! )[^\n;{}()#]*?\b(\w+)\(([^;{}]*?)\)[ \w]*\{", re.M | re.S)
 IN_ANGLES = re.compile(r"<[^<>]*>")
 
 
 def functions(text):
-    """(namespace, name, fewest arguments, most) of each function in an unnamed namespace."""
+    """Yields (namespace, name, fewest arguments, most) of each function in an unnamed namespace."""
     text = re.sub(r"//[^\n]*", "", text)
     space = re.search(r"^namespace ([\w:]+) \{", text, re.M)
     for block in UNNAMED.finditer(text):
@@ -32,7 +34,7 @@ def functions(text):
 
 
 def clashes(sources):
-    """Complaints about one unit. sources: names and texts"""
+    """Returns the complaints about one unit. sources: names and texts"""
     known = collections.defaultdict(list)
     for name, text in sources:
         for space, function, fewest, most in functions(text):

@@ -30,7 +30,8 @@ void expectPlain(Recorder &r, const std::string &what) {
   r.check(integer(GL_SAMPLER_BINDING) == 0, what + ": a sampler shows");
 }
 
-/// Each setter in a context of its own: one that goes unnoticed must not hide behind another.
+/// Tests each setter in a context of its own, so that one that goes unnoticed is not hidden by
+/// another.
 void everySetter(Recorder &r) {
   const GLint mode = GL_COMPARE_R_TO_TEXTURE;
   const auto unsignedMode = GLuint(mode);
@@ -88,7 +89,7 @@ void everySetter(Recorder &r) {
   }
 }
 
-/// The same of sampler objects.
+/// Tests the setters of sampler objects.
 void samplers(Recorder &r) {
   const GLint mode = GL_COMPARE_R_TO_TEXTURE;
   const auto unsignedMode = GLuint(mode);
@@ -123,7 +124,7 @@ void samplers(Recorder &r) {
   }
 }
 
-/// PopAttrib and lists set it as well.
+/// Tests PopAttrib and lists, which set it as well.
 void restored(Recorder &r) {
   depthTexture();
   makeProgram(kPlain);
@@ -146,7 +147,7 @@ void restored(Recorder &r) {
   glEndList();
   glCallList(list);
   expectPlain(r, "by a list");
-  // The layer's sampler is bound while the stack is pushed: it must not come back with it.
+  // The layer's sampler is bound while the stack is pushed; the pop must not restore it.
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   glDisable(kFragment);
   glPopAttrib();

@@ -41,7 +41,7 @@ void severalInTurn(Recorder &r) {
   r.picture("after the others");
 }
 
-/// Objects of a group outlive the context that made them.
+/// Tests that objects of a group outlive the context that made them.
 void authorDestroyed(Recorder &r) {
   const GLXContext author = createContext(mainContext());
   makeCurrent(author);
@@ -83,7 +83,7 @@ void destroyedWhileCurrent(Recorder &r) {
   makeCurrent(mainContext());
 }
 
-/// Edits by one context are seen by another that binds the object again (AFP 3953-3974).
+/// Tests that another context sees edits when it binds the object again (AFP 3953-3974).
 void editedElsewhere(Recorder &r) {
   const Programs programs = usePrograms();
   gradient(-1, -1, 0, 0);
@@ -116,7 +116,7 @@ void editedElsewhere(Recorder &r) {
   destroyContext(other);
 }
 
-/// One context, current on one thread after the other.
+/// Tests one context that is current on one thread after the other.
 void threadsInTurn(Recorder &r) {
   usePrograms();
   makeCurrent(nullptr);
@@ -134,7 +134,8 @@ void threadsInTurn(Recorder &r) {
   r.picture("four threads");
 }
 
-/// glXCopyContext copies the enables in GL_ENABLE_BIT, and neither bindings nor parameters.
+/// Tests that glXCopyContext copies the enables in GL_ENABLE_BIT, but neither bindings nor
+/// parameters.
 void copied(Recorder &r) {
   usePrograms();
   XSetErrorHandler([](Display *, XErrorEvent *) { return 0; });

@@ -1,4 +1,4 @@
-// Every way to draw, with a vertex and an effective fragment program.
+// Tests every way to draw, with a vertex and an effective fragment program.
 #include <array>
 
 #include "harness.h"
@@ -11,7 +11,7 @@ struct Vertex {
   GLfloat position[2];
   GLfloat color[4];
 };
-/// Two rows of five points.
+/// Returns two rows of five points.
 std::array<Vertex, 10> strip() {
   std::array<Vertex, 10> vertices{};
   for (int i = 0; i < 10; ++i)
@@ -21,7 +21,7 @@ std::array<Vertex, 10> strip() {
 }
 const std::array<Vertex, 10> kStrip = strip();
 
-/// The strip's arrays: from client memory, or at an offset of the bound buffer.
+/// Sets the strip's arrays, in client memory or at an offset of the bound buffer.
 void pointAt(const Vertex *base) {
   const auto *const bytes = reinterpret_cast<const char *>(base);
   glVertexPointer(2, GL_FLOAT, sizeof(Vertex), bytes);
@@ -110,7 +110,8 @@ void multiDraws(Recorder &r) {
   r.picture("several at once");
 }
 
-/// An instanced draw gives all instances the same place: an ARB program has no instance number.
+/// Tests that an instanced draw puts all instances at the same place: an ARB program has no
+/// instance number.
 void instanced(Recorder &r) {
   usePrograms();
   useBuffer();
@@ -128,7 +129,7 @@ void instanced(Recorder &r) {
   glDrawElementsInstanced(GL_TRIANGLE_STRIP, 4, GL_UNSIGNED_BYTE, nullptr, 2);
   glDrawElementsInstancedBaseVertex(GL_TRIANGLE_STRIP, 4, GL_UNSIGNED_BYTE, nullptr, 4, 6);
   r.picture("in place");
-  // A divisor moves an attribute by instance.
+  // A divisor advances an attribute once for each instance.
   const GLfloat offsets[] = {-0.6f, -0.2f, 0, 0, 0, 0.1f, 0, 0, 0.6f, 0.4f, 0, 0};
   GLuint perInstance = 0;
   glGenBuffers(1, &perInstance);
@@ -199,7 +200,7 @@ void provokingVertex(Recorder &r) {
   r.picture("flat");
 }
 
-/// The effective program changes between draws of the same arrays.
+/// Tests changes of the effective program between draws of the same arrays.
 void programsBetween(Recorder &r) {
   const Programs programs = usePrograms();
   useBuffer();
@@ -294,14 +295,15 @@ void clipPlanes(Recorder &r) {
   r.picture("clipped");
 }
 
-/// Planes that come and go while a vertex program is effective: by calls, stacks and lists.
+/// Tests planes that are enabled and disabled while a vertex program is effective: by calls, stacks
+/// and lists.
 void changingClipPlanes(Recorder &r) {
   usePrograms();
   load("!!ARBvp1.0\nOPTION ARB_position_invariant;\nMOV result.color, vertex.color.bgra;\nEND",
        kVertex);
   const GLdouble plane[] = {0, 1, 0, -0.25};
   glClipPlane(GL_CLIP_PLANE1, plane);
-  glMatrixMode(GL_PROJECTION); // the planes of eye space are others than those of clip space
+  glMatrixMode(GL_PROJECTION); // the planes in eye space differ from those in clip space
   glScalef(1, 0.5f, 1);
   glMatrixMode(GL_MODELVIEW);
   gradient(-1, -1, -0.75f, 1);
@@ -328,7 +330,7 @@ void changingClipPlanes(Recorder &r) {
   r.picture("lists");
 }
 
-/// Positions as a vertex program gives them; selection hits too.
+/// Tests feedback positions from a vertex program, and selection hits.
 void feedbackMode(Recorder &r) {
   usePrograms();
   load("!!ARBvp1.0\nADD result.position, vertex.position, program.env[0];\n"

@@ -1,4 +1,4 @@
-// Where the results of programs go: attachments, several colours, sRGB, samples, depth.
+// The targets of programs' results: attachments, several colors, sRGB, samples, depth.
 #include <memory>
 
 #include "harness.h"
@@ -37,7 +37,7 @@ public:
     r.check(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "complete");
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
-  /// Copies the samples to the window, which is read from then on.
+  /// Copies the samples to the window, which is read from now on.
   void resolve() const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_name);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
@@ -110,7 +110,7 @@ void drawBuffers(Recorder &r) {
   glProgramEnvParameter4fARB(kFragment, 0, 0.25f, 0.5f, 0.75f, 1);
   gradient();
   r.errors("four results");
-  // Without the option the one colour goes to each buffer of DrawBuffers, as fixed function's does.
+  // Without the option the single color goes to each buffer of DrawBuffers, as in fixed function.
   load(kTintFragments);
   tint(1, 0.5f, 0.25f);
   glProgramEnvParameter4fARB(kFragment, 0, 0, 0, 0, 0);
@@ -155,7 +155,7 @@ void floats(Recorder &r) {
     gradient();
     GLfloat pixel[4] = {};
     glReadPixels(10, 32, 1, 1, GL_RGBA, GL_FLOAT, pixel);
-    for (const GLfloat component : pixel) // to a thousandth: interpolation may differ by a bit
+    for (const GLfloat component : pixel) // to a thousandth, as interpolation may differ by a bit
       r.value("component", double(int(component * 1000 + (component < 0 ? -0.5f : 0.5f))));
   }
 }

@@ -1,4 +1,4 @@
-// The application's own GLSL beside assembly programs: alternating, half of the stages each,
+// The application's own GLSL beside assembly programs: alternating, for one of the stages,
 // pipelines, transform feedback.
 #include <array>
 
@@ -40,7 +40,7 @@ void alternating(Recorder &r) {
   r.picture("fifteen quads");
 }
 
-/// Each stage is GLSL, assembly or fixed function, in every combination.
+/// Tests every combination of GLSL, assembly and fixed function in the stages.
 void everyCombination(Recorder &r) {
   usePrograms();
   glProgramEnvParameter4fARB(kVertex, 0, 0, 0, 0, 0);
@@ -63,7 +63,7 @@ void everyCombination(Recorder &r) {
   r.picture("twelve combinations");
 }
 
-/// A shader that is detached after linking still shades.
+/// Tests that a shader still works after it was detached from the linked program.
 void detachedAfterLinking(Recorder &r) {
   usePrograms();
   tint(1, 0, 0);
@@ -87,7 +87,7 @@ void detachedAfterLinking(Recorder &r) {
   r.picture("without");
 }
 
-/// Attached but not linked in: the executable is the one of the last LinkProgram.
+/// Tests a shader that is attached but not linked: the executable is that of the last LinkProgram.
 void attachedAfterLinking(Recorder &r) {
   usePrograms();
   tint(1, 1, 0);
@@ -105,7 +105,7 @@ void attachedAfterLinking(Recorder &r) {
   r.check(linked != 0, "linked");
   gradient(0, -1, 1, 0);
   r.pixel("with the shader", 48, 16, {0, 255, 255, 255});
-  // A link that fails leaves what is effective.
+  // A failed link leaves the effective program.
   const char *const bad = "void main() { nothing; }";
   glShaderSource(shader, 1, &bad, nullptr);
   glCompileShader(shader);
@@ -119,7 +119,7 @@ void attachedAfterLinking(Recorder &r) {
   r.picture("three states");
 }
 
-/// ARB_shader_objects' own names of the same calls.
+/// Tests ARB_shader_objects' names of the same calls.
 void objectApi(Recorder &r) {
   if (!epoxy_has_gl_extension("GL_ARB_shader_objects"))
     return r.skip("no ARB_shader_objects");
@@ -161,7 +161,7 @@ void pipelines(Recorder &r) {
   GLuint pipeline = 0;
   glGenProgramPipelines(1, &pipeline);
   glBindProgramPipeline(pipeline);
-  gradient(-1, -1, -0.5f, -0.5f); // of no stage
+  gradient(-1, -1, -0.5f, -0.5f); // no stage
   glUseProgramStages(pipeline, GL_VERTEX_SHADER_BIT, vertex);
   gradient(-0.5f, -1, 0, -0.5f); // vertices
   glUseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, fragment);
@@ -176,7 +176,7 @@ void pipelines(Recorder &r) {
   glEnable(kFragment);
   tint(0, 1, 1);
   gradient(0, 0, 0.5f, 0.5f);
-  glUseProgram(makeGlsl(kVertexText, kFragmentText)); // wins over the pipeline
+  glUseProgram(makeGlsl(kVertexText, kFragmentText)); // overrides the pipeline
   gradient(0.5f, 0, 1, 0.5f);
   glUseProgram(0);
   gradient(-1, 0.5f, -0.5f, 1);
@@ -187,7 +187,7 @@ void pipelines(Recorder &r) {
   r.value("pipeline", integer(GL_PROGRAM_PIPELINE_BINDING));
 }
 
-/// Transform feedback by the application's GLSL, between draws of assembly programs.
+/// Tests transform feedback by the application's GLSL between draws of assembly programs.
 void transformFeedback(Recorder &r) {
   usePrograms();
   const GLuint program = makeGlsl(
@@ -221,7 +221,8 @@ void transformFeedback(Recorder &r) {
   r.picture("between draws");
 }
 
-/// A geometry shader needs GLSL vertices; the fragments may be an assembly program's.
+/// Tests a geometry shader, which needs GLSL vertices; the fragments may come from an assembly
+/// program.
 void geometryShader(Recorder &r) {
   usePrograms();
   tint(1, 1, 0.5f);
@@ -255,7 +256,7 @@ void geometryShader(Recorder &r) {
   r.picture("half the size");
 }
 
-/// Nothing the application asks of programs shows the linked program.
+/// Tests that no query about programs reveals the layer's linked program.
 void nothingShows(Recorder &r) {
   usePrograms();
   gradient(-1, -1, 0, 0);

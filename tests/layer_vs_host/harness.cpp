@@ -183,7 +183,7 @@ std::vector<Case> allCases() {
   return all;
 }
 
-/// In a process of its own, as a case may take the host down.
+/// Runs a case in a process of its own, as it may crash the host.
 bool runApart(const Case &row, const std::string &folder, const std::string &surface) {
   std::fflush(stdout);
   const pid_t child = fork();

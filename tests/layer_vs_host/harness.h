@@ -7,32 +7,32 @@
 
 #include "programs.h"
 
-/// Path equality: small scenes that go the ways GL has around a program. A case draws and writes
-/// down what it saw; run.py runs it on the bare host and under the layer and compares.
+/// Tests path equality with small scenes that take all paths of GL around a program. A case draws
+/// and records the results; run.py runs it on the bare host and under the layer, and compares.
 namespace paths {
 
 using namespace api;
 
-/// The edge of every picture, in pixels.
+/// The width and height of every picture, in pixels.
 inline constexpr int kSize = 64;
 
-/// What a case hands to the comparison.
+/// Records a case's results for the comparison.
 class Recorder {
 public:
-  /// The read framebuffer's lower left kSize x kSize pixels, RGBA8.
+  /// Records the read framebuffer's lower left kSize x kSize pixels, RGBA8.
   void picture(const std::string &what);
-  /// A number that is the same on both sides.
+  /// Records a number that must be equal on both sides.
   void value(const std::string &what, double number);
-  /// GetError until there is none; in order.
+  /// Records GetError's results until there is none, in order.
   void errors(const std::string &what);
-  /// What the specification asks for, with and without the layer.
+  /// Records a requirement of the specification, with and without the layer.
   void check(bool holds, const std::string &what);
-  /// A pixel's colour, within 2 of 255.
+  /// Checks a pixel's color, within 2 of 255.
   void pixel(const std::string &what, int x, int y, Pixel wanted);
-  /// The case needs what this context lacks.
+  /// Skips the case, as the context lacks something.
   void skip(const std::string &why) { m_skipped = why; }
 
-  /// One line of JSON; the pictures go to `folder`.
+  /// Writes one line of JSON; the pictures go to `folder`.
   void write(const std::string &name, const std::string &folder) const;
 
 private:
@@ -49,18 +49,19 @@ private:
 struct Case {
   const char *name;
   void (*run)(Recorder &);
-  /// Where the bare host (Mesa 22.3.6) is wrong: how. Its own checks may fail then, and nothing is
+  /// The bare host's fault (Mesa 22.3.6), if any. Its own checks may then fail, and nothing is
   /// compared with it.
   const char *bareHost = nullptr;
 };
 
-/// The tables, one a file.
+/// The tables, one in each file.
 extern const std::vector<Case> kListCases, kListStateCases, kNestedListCases, kSharedCases,
     kFramebufferCases, kDrawCases, kGlslCases, kQueryCases, kPixelCases, kCompareCases;
 
-/// A context on the case's drawable, of 64x64 RGBA8 with depth, stencil and accumulation buffers.
+/// Creates a context on the case's drawable, of 64x64 RGBA8 with depth, stencil and accumulation
+/// buffers.
 GLXContext createContext(GLXContext share = nullptr);
-/// The context that each case starts with.
+/// Returns the context that each case starts with.
 GLXContext mainContext();
 void makeCurrent(GLXContext context);
 void destroyContext(GLXContext context);
@@ -68,19 +69,20 @@ Display *display();
 
 // --- Scenes ---
 
-/// !!ARBvp1.0: position + env[0], colour and texture coordinate 0 passed on.
+/// The text is !!ARBvp1.0: position + env[0]; color and texture coordinate 0 are passed on.
 extern const char kMoveVertices[];
-/// !!ARBfp1.0: colour * local[0] + env[0].
+/// The text is !!ARBfp1.0: color * local[0] + env[0].
 extern const char kTintFragments[];
-/// Both, loaded, bound and enabled; a tint of ones.
+/// Both programs, loaded, bound and enabled, with a tint of ones.
 struct Programs {
   GLuint vertex = 0;
   GLuint fragment = 0;
 };
 Programs usePrograms();
-/// A quad of four colours; corners in clip space.
+/// Draws a quad of four colors; the corners are in clip space.
 void gradient(float x0 = -0.9f, float y0 = -0.9f, float x1 = 0.9f, float y1 = 0.9f);
-/// A 2D texture, nearest, of size x size texels that all differ; bound to the active unit.
+/// Makes a 2D texture with nearest sampling and size x size different texels, bound to the active
+/// unit.
 GLuint checkered(int size = 8);
 void tint(float r, float g, float b, float a = 1.0f);
 

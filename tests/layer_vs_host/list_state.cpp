@@ -1,12 +1,12 @@
-// Display lists and what else has state: attribute stacks, invalid programs, GLSL, other contexts.
+// Display lists and other state: attribute stacks, invalid programs, GLSL, other contexts.
 #include "harness.h"
 
 namespace paths {
 
 namespace {
 
-/// A list of the host's alone, called while what is effective cannot draw: its draws are errors,
-/// its other commands are not.
+/// Tests a list of only the host's commands that is called while the effective program cannot draw:
+/// its draws are errors, its other commands are not.
 void plainListInvalid(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint list = glGenLists(3);
@@ -53,7 +53,7 @@ void plainListInvalid(Recorder &r) {
   r.picture("valid again");
 }
 
-/// The attribute stack in lists: balanced, across lists, across the program API's first use.
+/// Tests the attribute stack in lists: balanced, across lists, across the program API's first use.
 void attribStack(Recorder &r) {
   const GLuint first = glGenLists(6);
   glNewList(first, GL_COMPILE);
@@ -76,7 +76,7 @@ void attribStack(Recorder &r) {
   r.picture("in one list");
   r.value("fragment enabled", glIsEnabled(kFragment));
   r.value("vertex enabled", glIsEnabled(kVertex));
-  // Pushed by one list, popped by another, both older than the programs.
+  // One list pushes and another pops; both are older than the programs.
   glCallList(first);
   glDisable(kFragment);
   r.value("depth", integer(GL_ATTRIB_STACK_DEPTH));
@@ -118,7 +118,7 @@ void attribStack(Recorder &r) {
   r.value("enabled", glIsEnabled(kFragment) + 2 * glIsEnabled(kVertex));
 }
 
-/// Client attributes are no part of lists, and hold nothing of programs.
+/// Tests that client attributes are not part of lists, and contain no program state.
 void clientAttributes(Recorder &r) {
   usePrograms();
   const GLfloat corners[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
@@ -153,7 +153,7 @@ void clientAttributes(Recorder &r) {
   r.value("client depth", integer(GL_CLIENT_ATTRIB_STACK_DEPTH));
 }
 
-/// GLSL programs put into force by lists, nested ones too.
+/// Tests GLSL programs that lists make current, including nested lists.
 void glslInLists(Recorder &r) {
   const GLuint first = glGenLists(5);
   const GLuint glsl = makeGlsl("uniform float high;\nvoid main() { gl_FrontColor = gl_Color.bgra;\n"
@@ -204,7 +204,7 @@ void glslInLists(Recorder &r) {
   r.picture("compile and execute");
 }
 
-/// One list holds a feedback copy, on which the draw after it depends.
+/// Tests a list with a feedback copy, on which the next draw depends.
 void feedbackCopy(Recorder &r) {
   usePrograms();
   checkered(64);

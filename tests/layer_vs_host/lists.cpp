@@ -1,4 +1,5 @@
-// Display lists: what is compiled, when it takes effect, and that what was compiled stays.
+// Display lists: which commands are compiled, when they take effect, and that compiled commands
+// never change.
 #include <cstring>
 
 #include "harness.h"
@@ -10,7 +11,7 @@ namespace {
 constexpr char kTop[] = "!!ARBvp1.0\nADD result.position, vertex.position, {0, 0.3, 0, 0};\n"
                         "MOV result.color, vertex.color.gbra;\nEND";
 
-/// Every command of both targets, and a draw after each change.
+/// Tests every command of both targets, with a draw after each change.
 void everyCommand(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint otherVertex = makeProgram(kTop, kVertex);
@@ -71,7 +72,8 @@ void compileAndExecute(Recorder &r) {
   r.picture("called");
 }
 
-/// Text that fails to load raises when it is executed, and leaves the program.
+/// Tests a text that fails to load: it raises the error when the list is executed, and keeps the
+/// program.
 void errorsInLists(Recorder &r) {
   usePrograms();
   const GLuint list = glGenLists(1);
@@ -104,7 +106,7 @@ void errorsInLists(Recorder &r) {
   r.value("mode", integer(GL_LIST_MODE));
 }
 
-/// What is not compiled: Gen, Delete, Is, Gets (AFP 3686-3690).
+/// Tests the commands that are not compiled: Gen, Delete, Is, Gets (AFP 3686-3690).
 void notCompiled(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint list = glGenLists(1);
@@ -125,7 +127,7 @@ void notCompiled(Recorder &r) {
   r.errors("called");
 }
 
-/// A list names the program: what the name stands for is looked up when it is executed.
+/// Tests that a list contains the program's name, which is looked up when the list is executed.
 void programDeleted(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint list = glGenLists(1);
@@ -153,7 +155,7 @@ void programDeleted(Recorder &r) {
   r.picture("vertex program deleted");
 }
 
-/// EXT_direct_state_access: the named forms are compiled too.
+/// Tests that the named commands of EXT_direct_state_access are compiled too.
 void namedCommands(Recorder &r) {
   if (!epoxy_has_gl_extension("GL_EXT_direct_state_access"))
     return r.skip("no EXT_direct_state_access");
@@ -216,7 +218,7 @@ void isListAndDelete(Recorder &r) {
   r.errors("negative GenLists");
 }
 
-/// Lists written over and over, while they hold commands of the layer's or not.
+/// Tests lists that are redefined repeatedly, with and without commands of the layer.
 void redefined(Recorder &r) {
   usePrograms();
   const GLuint list = glGenLists(2);
@@ -240,7 +242,7 @@ void redefined(Recorder &r) {
   r.value("lists", most);
 }
 
-/// Colour, texture coordinate and normal go on from list to list.
+/// Tests that color, texture coordinate and normal continue from list to list.
 void currentValues(Recorder &r) {
   usePrograms();
   const GLuint list = glGenLists(2);
@@ -266,7 +268,7 @@ void currentValues(Recorder &r) {
   r.picture("three rectangles");
 }
 
-/// Other commands that draw or read what is effective, inside lists.
+/// Tests other commands in lists that draw with or read what is effective.
 void pixelsInLists(Recorder &r) {
   usePrograms();
   const GLubyte texels[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
@@ -312,7 +314,7 @@ void evaluators(Recorder &r) {
   r.picture("two halves");
 }
 
-/// Vertex arrays are read when a list is compiled.
+/// Tests that vertex arrays are read when a list is compiled.
 void arraysInLists(Recorder &r) {
   usePrograms();
   GLfloat corners[8] = {-1, -1, 0, -1, 0, 0, -1, 0};
@@ -337,7 +339,7 @@ void arraysInLists(Recorder &r) {
   r.picture("as compiled");
 }
 
-/// Along which diagonal quads are cut: those of lists along another than those of immediate mode.
+/// Tests the diagonal along which quads are split: lists use another one than immediate mode.
 void quadsInLists(Recorder &r) {
   usePrograms();
   gradient(-1, -1, 0, 0);

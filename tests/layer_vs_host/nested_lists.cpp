@@ -16,8 +16,8 @@ void setEnv(float value, GLuint index = 0) {
   glProgramEnvParameter4fARB(kFragment, index, value, 0, 0, 0);
 }
 
-/// A chain longer than MAX_LIST_NESTING: how deep it goes, with commands of the layer's and
-/// without.
+/// Tests a chain longer than MAX_LIST_NESTING: how deep it goes, with and without commands of the
+/// layer.
 void depth(Recorder &r) {
   usePrograms();
   const int length = integer(GL_MAX_LIST_NESTING) + 8;
@@ -40,7 +40,7 @@ void depth(Recorder &r) {
   }
 }
 
-/// Lists that call themselves, and each other.
+/// Tests lists that call themselves, and each other.
 void recursion(Recorder &r) {
   usePrograms();
   const GLuint first = glGenLists(3);
@@ -55,7 +55,7 @@ void recursion(Recorder &r) {
   r.value("itself", matrix[12]);
 }
 
-/// Plain lists around lists with commands of the layer's around plain lists.
+/// Tests plain lists around lists with commands of the layer around plain lists.
 void alternating(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint first = glGenLists(5);
@@ -89,7 +89,7 @@ void alternating(Recorder &r) {
   r.picture("called");
 }
 
-/// The outer list is compiled when there are names for programs, and not yet any program.
+/// Tests an outer list that is compiled when names for programs exist, but no program.
 void compiledBefore(Recorder &r) {
   const GLuint first = glGenLists(3);
   GLuint program = 0;
@@ -125,7 +125,7 @@ template <typename T> void callCells(Recorder &r, const char *what, GLenum type,
   r.picture(what);
 }
 
-/// Lists 300..303 and 70000 draw a cell each, with a command of the layer's in it.
+/// Makes lists that draw a cell each, with a command of the layer in it.
 void makeCells(GLuint base, int count) {
   for (int i = 0; i < count; ++i) {
     glNewList(base + GLuint(i), GL_COMPILE);
@@ -168,7 +168,7 @@ void everyType(Recorder &r) {
   r.errors("no count");
 }
 
-/// The types inside a list: the array is copied, ListBase counts when it is executed.
+/// Tests the types in a list: the array is copied, and ListBase counts when it is executed.
 void typesInLists(Recorder &r) {
   usePrograms();
   makeCells(300, 4);
@@ -194,7 +194,7 @@ void typesInLists(Recorder &r) {
   r.value("base when called", integer(GL_LIST_BASE));
 }
 
-/// A called list changes ListBase: whether that holds for the rest of CallLists.
+/// Tests whether a called list's change of ListBase affects the rest of CallLists.
 void baseChangesInside(Recorder &r) {
   usePrograms();
   makeCells(300, 4);
@@ -210,8 +210,9 @@ void baseChangesInside(Recorder &r) {
   r.picture("which lists");
 }
 
-/// The same along any diagonal: the bare host cuts quads of a list along the one of its lists or
-/// the one of immediate mode, as lists before it left primitives open or not.
+/// Draws a quad that looks the same along either diagonal. The bare host splits quads of lists
+/// along the lists' or immediate mode's diagonal, depending on whether earlier lists left
+/// primitives open.
 void plane(float x0, float y0, float x1, float y1) {
   glBegin(GL_QUADS);
   glColor4f(0, 0, 1, 1), glVertex2f(x0, y0);
@@ -221,7 +222,8 @@ void plane(float x0, float y0, float x1, float y1) {
   glEnd();
 }
 
-/// Begin in one list, vertices in the next, End in a third; commands of the layer's in other lists.
+/// Tests Begin in one list, vertices in the next, End in a third, with commands of the layer in
+/// other lists.
 void openPrimitive(Recorder &r) {
   usePrograms();
   const GLuint first = glGenLists(4);
@@ -256,7 +258,7 @@ void openPrimitive(Recorder &r) {
   r.picture("called in a list");
 }
 
-/// glBegin is left open across nested calls, in lists that are compiled and outside.
+/// Tests a glBegin that stays open across nested calls, in compiled lists and outside.
 void nestedInPrimitive(Recorder &r) {
   usePrograms();
   const GLuint first = glGenLists(4);

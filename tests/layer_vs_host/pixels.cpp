@@ -36,7 +36,7 @@ void drawPixels(Recorder &r) {
   r.errors("rectangles");
 }
 
-/// A texture that the program samples while pixels are drawn.
+/// Tests a texture that the program samples while pixels are drawn.
 void drawPixelsTextured(Recorder &r) {
   usePrograms();
   checkered(4);
@@ -99,7 +99,7 @@ void bitmaps(Recorder &r) {
     glRasterPos2f(-0.9f, float(i) * 0.5f - 0.9f);
     glBitmap(16, 16, 0, 0, 20, 0, bits.data());
     glBitmap(16, 16, 0, 0, 20, 0, bits.data());
-    glFlush(); // Mesa gathers bitmaps, and draws them by the parameters that it finds then
+    glFlush(); // Mesa collects bitmaps, and draws them later with the then current parameters
   }
   r.picture("eight bitmaps");
 }
@@ -123,7 +123,7 @@ void accumulation(Recorder &r) {
   r.errors("accumulation");
 }
 
-/// glReadBuffer and glCopyTex(Sub)Image, the era's way to multipass.
+/// Tests glReadBuffer and glCopyTex(Sub)Image, the era's method for multipass.
 void copiesToTextures(Recorder &r) {
   usePrograms();
   checkered(64);

@@ -1,4 +1,4 @@
-// Queries around draws of programs, and conditional rendering.
+// Queries around draws with programs, and conditional rendering.
 #include "harness.h"
 
 namespace paths {
@@ -17,7 +17,7 @@ void occlusion(Recorder &r) {
   glGenQueries(4, queries);
   glBeginQuery(GL_SAMPLES_PASSED, queries[0]);
   gradient(-1, -1, 0, 0);
-  load("!!ARBfp1.0\nKIL {-1};\nMOV result.color, 1;\nEND"); // the first use compiles
+  load("!!ARBfp1.0\nKIL {-1};\nMOV result.color, 1;\nEND"); // the first use compiles it
   gradient(0, 0, 1, 1);
   load("!!ARBfp1.0\nTEMP t;\nSUB t, fragment.texcoord[0], 0.5;\nKIL t.x;\n"
        "MOV result.color, fragment.color;\nEND");
@@ -34,7 +34,7 @@ void occlusion(Recorder &r) {
   gradient(-0.1f, 0.5f, 0.1f, 0.7f);
   glEndQuery(GL_ANY_SAMPLES_PASSED);
   r.value("some of them", double(resultOf(queries[2])));
-  // An error draws nothing, and counts nothing.
+  // A draw that is an error counts nothing.
   glBindProgramARB(kFragment, 0);
   glBeginQuery(GL_SAMPLES_PASSED, queries[3]);
   gradient(-1, -1, 1, 1);
@@ -58,7 +58,7 @@ void conditional(Recorder &r) {
   glEndQuery(GL_SAMPLES_PASSED);
   glBeginConditionalRender(queries[0], GL_QUERY_WAIT);
   gradient(-1, -1, 0, 0);
-  load(kGreen); // compiled within
+  load(kGreen); // compiled within the query
   gradient(-1, 0, 0, 1);
   glBegin(GL_QUADS);
   glEnd();

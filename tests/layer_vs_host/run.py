@@ -6,9 +6,8 @@
   tests/layer_vs_host/run.py --build build --out FOLDER    keeps the pictures that differ (bare, layer)
   tests/layer_vs_host/run.py --build build --surface pbuffer
 
-Pictures may differ by ROUNDING in a channel; values and errors are the same. Where the client's
-table says that the bare host is wrong, the case's own checks alone decide. Exit status 1 if a case
-fails.
+Pictures may differ by ROUNDING in a channel; values and errors must be equal. If the client's table says that the
+bare host is wrong, only the case's own checks count. Exit status 1 if a case fails.
 """
 import argparse
 import json
@@ -25,18 +24,18 @@ from picture import Picture, write_png  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 SIZE = 64
-ROUNDING = 1  # of 255: two compilers order the same sums differently
+ROUNDING = 1  # in 255ths: two compilers order the same sums differently
 TIMEOUT = 240
 
 
 @dataclass
 class Report:
-    """What one side saw of a case."""
+    """One side's results of a case."""
     died: int = 0
     skipped: str = ""
     failed: list = field(default_factory=list)
-    pictures: list = field(default_factory=list)  # of (what, bytes)
-    values: list = field(default_factory=list)  # of [what, text]
+    pictures: list = field(default_factory=list)  # list of (what, bytes)
+    values: list = field(default_factory=list)  # list of [what, text]
 
 
 def environment(display, layer, scratch):
@@ -47,7 +46,7 @@ def environment(display, layer, scratch):
 
 
 def draw(client, names, display, layer, folder, surface):
-    """name -> Report, in the client's order."""
+    """Returns {name: Report}, in the client's order."""
     folder.mkdir(parents=True, exist_ok=True)
     result = subprocess.run([client, "--out", folder, "--surface", surface, *names], text=True,
                             env=environment(display, layer, folder), capture_output=True,
@@ -70,20 +69,20 @@ def draw(client, names, display, layer, folder, surface):
 
 
 def differing(a, b):
-    """How many pixels are further apart than rounding, and the largest distance."""
+    """Returns how many pixels differ by more than rounding, and the largest difference."""
     distances = [max(abs(x - y) for x, y in zip(a[i:i + 4], b[i:i + 4])) for i in range(0, len(a), 4)]
     return sum(d > ROUNDING for d in distances), max(distances)
 
 
 def rgb(rgba):
-    """Bottom row first becomes top row first; alpha is dropped."""
+    """Converts RGBA with the bottom row first to RGB with the top row first."""
     rows = [rgba[y * SIZE * 4:(y + 1) * SIZE * 4] for y in reversed(range(SIZE))]
     pixels = b"".join(rows)
     return Picture(SIZE, SIZE, b"".join(pixels[i:i + 3] for i in range(0, len(pixels), 4)))
 
 
 def compare(bare, layer):
-    """What differs, as lines."""
+    """Returns the differences, as lines."""
     lines = []
     if bare.values != layer.values:
         pairs = [f"{x[0]}: {x[1]}, layer {y[0]}: {y[1]}" for x, y in zip(bare.values, layer.values)
@@ -99,7 +98,7 @@ def compare(bare, layer):
 
 
 def judge(reason, bare, layer):
-    """(result, notes): pass, skip, host (the bare host is wrong, the layer right) or FAIL."""
+    """Returns (result, notes): pass, skip, host (the bare host is wrong, the layer right) or FAIL."""
     if layer.died and layer.died == bare.died:
         return "host", [f"dies, and so it does on the bare host: {layer.died}"]
     if layer.died:

@@ -1,5 +1,5 @@
-// Arrays of attributes that are one under two names (ARB_vertex_program, interactions with
-// NV_vertex_program): which of two counts, whose enables are whose, lists of them, elements.
+// Arrays of attributes that alias under two names (ARB_vertex_program, interactions with
+// NV_vertex_program): which array counts, the separate enables, lists, elements.
 #include "aliased_attributes.h"
 
 namespace api::aliases {
@@ -89,7 +89,7 @@ TEST_F(AliasedArrays, ArraysOfNvidiasEnablesAreOfProgramsAlone) {
       EXPECT_EQ(pixelOf(draw), reader == Reader::FixedFunction ? kGreenPixel : kCyanPixel)
           << int(reader);
     }
-    glEnableVertexAttribArray(3); // both of its enables
+    glEnableVertexAttribArray(3); // enables both
     EXPECT_EQ(pixelOf(draw), kCyanPixel);
     glDisableClientState(GL_VERTEX_ATTRIB_ARRAY0_NV + 3);
   }

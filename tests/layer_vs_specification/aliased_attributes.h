@@ -7,19 +7,19 @@
 
 #include "fixture.h"
 
-/// Draws that show the colour as each of its readers has it, for the tests of attributes that
+/// Draws that show the color as each of its readers sees it, for the tests of attributes that
 /// alias.
 namespace api::aliases {
 
 using Value = std::array<GLfloat, 4>;
 
-/// True if attributes alias here, which API_TEST_ALIASES says.
+/// True if attributes alias here, as API_TEST_ALIASES says.
 inline bool attributesAlias() {
   const char *const said = std::getenv("API_TEST_ALIASES");
   return said && std::string_view(said) == "1";
 }
 
-/// A vertex program that gives the attribute for the colour.
+/// Returns a vertex program that outputs the attribute as color.
 inline std::string shows(const std::string &attribute) {
   return "!!ARBvp1.0\nMOV result.position, vertex.position;\nMOV result.color, " + attribute +
          ";\nEND";
@@ -41,8 +41,7 @@ template <typename Draw> Pixel pixelOf(Draw &&draw) {
   return readPixel();
 }
 
-/// A register is read by a program's conventional name of it, by its generic name, and by fixed
-/// function.
+/// The reader of a register: a program by its conventional or its generic name, or fixed function.
 enum class Reader { Conventional, Generic, FixedFunction };
 inline constexpr Reader kReaders[] = {Reader::Conventional, Reader::Generic, Reader::FixedFunction};
 
@@ -59,14 +58,14 @@ protected:
     m_generic = makeProgram(shows("vertex.attrib[3]"), kVertex);
     ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR));
   }
-  /// Has draws show the primary colour as this reader has it.
+  /// Makes draws show the primary color as this reader sees it.
   void read(Reader reader) const {
     if (reader == Reader::FixedFunction)
       return glDisable(kVertex);
     glBindProgramARB(kVertex, reader == Reader::Generic ? m_generic : m_conventional);
     glEnable(kVertex);
   }
-  /// The commands of the colour, which must be one.
+  /// Returns the commands that set the color; all must set the same.
   [[nodiscard]] std::vector<std::function<void(const Value &)>> colorCommands() const {
     std::vector<std::function<void(const Value &)>> commands = {
         [](const Value &v) { glColor4fv(v.data()); },

@@ -1,6 +1,6 @@
-// Generic vertex attributes that are the conventional ones of their numbers (NV_vertex_program,
-// table X.2; ARB_vertex_program, interactions with it): whichever command sets one, whichever name
-// reads it, by current values, between Begin and End, in lists, with programs and without.
+// Generic vertex attributes that alias the conventional ones by number (NV_vertex_program, table
+// X.2; ARB_vertex_program, interactions with it). Either command sets a register and either name
+// reads it: as current values, between Begin and End, in lists, with programs and without.
 #include "aliased_attributes.h"
 
 namespace api::aliases {
@@ -10,7 +10,7 @@ namespace {
 struct Register {
   GLuint number;
   const char *name; ///< in a program
-  int components;   ///< that the conventional command has
+  int components;   ///< of the conventional command
   void (*set)(const GLfloat *v);
 };
 #define TEXCOORD(unit)                                                                             \
@@ -33,7 +33,7 @@ const Register kRegisters[] = {
     TEXCOORD(7)};
 #undef TEXCOORD
 
-/// Returns what the conventional command of a register leaves in it.
+/// Returns the register's value after its conventional command.
 Value conventional(const Register &row, const Value &v) {
   Value all = {0, 0, 0, 1};
   std::copy_n(v.begin(), row.components, all.begin());
@@ -186,7 +186,7 @@ TEST_F(AliasedAttributes, FixedFunctionReadsEveryRegister) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexels);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    // Each vertex has its values: of an array, and of VertexAttrib between Begin and End.
+    // Each vertex has its own values: from an array, and from VertexAttrib between Begin and End.
     const GLfloat coordinates[4][2] = {{0.75f, 0.5f}, {0.75f, 0.5f}, {0.75f, 0.5f}, {0.75f, 0.5f}};
     glEnable(GL_TEXTURE_2D);
     glMultiTexCoord2f(GL_TEXTURE0 + unit, 0.25f, 0.5f);
@@ -256,8 +256,8 @@ TEST_F(AliasedAttributes, TheApplicationsGlslHasItsGenericOnes) {
   glDeleteProgram(program);
 }
 
-/// OpenGL 2.1 has no generic attribute stand for a conventional one in GLSL, and linkers give them
-/// numbers as they like.
+/// In OpenGL 2.1 generic attributes do not alias conventional ones in GLSL, and linkers number them
+/// freely.
 TEST_F(AliasedAttributes, TheApplicationsGlslKeepsThemApart) {
   const GLuint program =
       makeGlsl("#version 120\nattribute vec4 given;\nvarying vec4 color;\n"
@@ -296,7 +296,7 @@ TEST_F(AliasedAttributes, TheApplicationsGlslKeepsThemApart) {
   glDeleteProgram(program);
 }
 
-/// The default profile's card keeps them apart, and so does the host.
+/// The default profile's card keeps them separate, and so does the host.
 TEST_F(ApiTest, AttributesAreApartWhereTheyDoNotAlias) {
   if (attributesAlias() || !epoxy_has_gl_extension("GL_ARB_vertex_program"))
     GTEST_SKIP() << "attributes alias here";

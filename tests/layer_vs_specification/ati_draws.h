@@ -1,7 +1,7 @@
 #pragma once
 #include "ati_shader.h"
 
-/// What the tests of drawing with ATI_fragment_shader share.
+/// Shared parts of the tests of drawing with ATI_fragment_shader.
 namespace api {
 
 inline constexpr GLuint kReg0 = GL_REG_0_ATI;
@@ -9,7 +9,7 @@ inline constexpr GLuint kReg1 = GL_REG_1_ATI;
 inline constexpr Pixel kYellow = {255, 255, 0, 255};
 inline constexpr Pixel kOpaqueBlack = {0, 0, 0, 255};
 
-/// Colours are 8 bits and paths round on their own.
+/// Compares colors of 8 bits; paths may round differently.
 inline void expectNear(const Pixel &got, const Pixel &want, int tolerance = 2) {
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(got[i], want[i], tolerance) << "component " << i;
@@ -26,7 +26,7 @@ protected:
   }
 };
 
-/// A texture of one colour for `target`, bound and complete, on the active unit.
+/// Makes a complete texture of one color for `target`, bound to the active unit.
 inline GLuint makeTexture(GLenum target, const Pixel &color) {
   const GLubyte texel[] = {GLubyte(color[0]), GLubyte(color[1]), GLubyte(color[2]),
                            GLubyte(color[3])};
@@ -53,7 +53,7 @@ inline GLuint makeTexture(GLenum target, const Pixel &color) {
   return name;
 }
 
-/// A shader that samples unit 0 at its coordinates and shows the sample.
+/// Makes a shader that samples unit 0 at its coordinates and outputs the sample.
 inline void makeSamplingShader() {
   ati::makeShader([] {
     ati::sample(kReg0, GL_TEXTURE0);

@@ -1,6 +1,6 @@
-// ATI_fragment_shader: what shaders draw by themselves. Defects of the bare host (Mesa 22.3.6) are
-// tests that it skips: DOT2_ADD takes its third argument from the second, alpha reads what its
-// colour wrote, and colour sum is left out.
+// ATI_fragment_shader: draws of shaders alone. Tests of defects of the bare host (Mesa 22.3.6) are
+// skipped there: DOT2_ADD takes its third argument from the second, alpha reads what its color
+// wrote, and color sum is missing.
 #include "ati_draws.h"
 
 namespace api {
@@ -21,7 +21,7 @@ TEST_F(AtiDraws, ConstantsOfTheContextAndOfTheShader) {
   glBindFragmentShaderATI(global);
   EXPECT_EQ(drawn(), kGreenPixel);
   glBindFragmentShaderATI(own);
-  glBeginFragmentShaderATI(); // specified again: without the constant of its own
+  glBeginFragmentShaderATI(); // specified again, without a constant of its own
   moveAll(GL_CON_0_ATI);
   glEndFragmentShaderATI();
   EXPECT_EQ(drawn(), kGreenPixel);
@@ -169,7 +169,7 @@ TEST_F(AtiDraws, AlphaReadsWhatWasBeforeItsColor) {
   BARE_HOST_DIFFERS("alpha reads the colour's result");
   makeShader([] {
     color1(GL_MOV_ATI, kReg0, {GL_CON_0_ATI});
-    color1(GL_MOV_ATI, kReg0, {GL_CON_1_ATI}); // with the next, a pair
+    color1(GL_MOV_ATI, kReg0, {GL_CON_1_ATI}); // a pair with the next
     alpha1(GL_MOV_ATI, kReg0, {kReg0, GL_RED});
   });
   EXPECT_EQ(drawn(), kGreenPixel);

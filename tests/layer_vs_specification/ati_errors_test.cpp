@@ -10,7 +10,7 @@ constexpr GLuint kReg0 = GL_REG_0_ATI;
 constexpr GLuint kReg1 = GL_REG_1_ATI;
 constexpr Arg kZero = {GL_ZERO};
 
-/// Between BeginFragmentShaderATI and EndFragmentShaderATI; the shader need not be valid.
+/// Begins and ends shader definitions; the shader need not be valid.
 class AtiErrors : public ApiTest {
 protected:
   void begin() { glBeginFragmentShaderATI(); }
@@ -29,7 +29,8 @@ TEST_F(AtiErrors, Names) {
   EXPECT_NO_GL_ERROR(glDeleteFragmentShaderATI(0));
   EXPECT_NO_GL_ERROR(glDeleteFragmentShaderATI(first + 1));
   EXPECT_NO_GL_ERROR(glDeleteFragmentShaderATI(987654)); // unused
-  EXPECT_NO_GL_ERROR(glBindFragmentShaderATI(4242));     // a name that Gen never gave
+  // GenFragmentShadersATI did not return this name
+  EXPECT_NO_GL_ERROR(glBindFragmentShaderATI(4242));
   const GLuint more = glGenFragmentShadersATI(2);
   EXPECT_TRUE(more + 1 < 4242 || more > 4242);
 }
@@ -39,7 +40,8 @@ TEST_F(AtiErrors, NamesInARow) {
   glBindFragmentShaderATI(5);
   const GLuint row = glGenFragmentShadersATI(0xFFFFFF00u);
   EXPECT_EQ(row, 6u);
-  EXPECT_NO_GL_ERROR(EXPECT_EQ(glGenFragmentShadersATI(1000), 0u)); // none left in a row
+  // so many consecutive names do not exist
+  EXPECT_NO_GL_ERROR(EXPECT_EQ(glGenFragmentShadersATI(1000), 0u));
 }
 
 TEST_F(AtiErrors, InsideAPair) {
@@ -77,7 +79,7 @@ TEST_F(AtiErrors, BetweenBeginAndEnd) {
   glEnd();
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
   EXPECT_FALSE(glIsEnabled(GL_FRAGMENT_SHADER_ATI));
-  EXPECT_INVALID_OPERATION(glEndFragmentShaderATI()); // no pair was opened
+  EXPECT_INVALID_OPERATION(glEndFragmentShaderATI()); // no pair is open
 }
 
 TEST_F(AtiErrors, Registers) {
@@ -96,7 +98,7 @@ TEST_F(AtiErrors, Registers) {
   }
   for (const GLenum swizzle : {GL_NONE, GL_SWIZZLE_STR_ATI - 1})
     EXPECT_INVALID_ENUM(pass(kReg0, GL_TEXTURE0, swizzle));
-  finish(GL_INVALID_OPERATION); // nothing is in it
+  finish(GL_INVALID_OPERATION); // the shader is empty
 }
 
 TEST_F(AtiErrors, SwizzlesOfOldRevisions) {
@@ -176,7 +178,8 @@ TEST_F(AtiErrors, OneFamilyOfCoordinates) {
   EXPECT_NO_GL_ERROR(sample(GL_REG_2_ATI, GL_TEXTURE3, GL_SWIZZLE_STR_DR_ATI));
   EXPECT_NO_GL_ERROR(sample(GL_REG_3_ATI, GL_TEXTURE4, GL_SWIZZLE_STQ_DQ_ATI));
   color1(GL_MOV_ATI, kReg0, kZero);
-  EXPECT_INVALID_OPERATION(pass(kReg0, GL_TEXTURE3, GL_SWIZZLE_STQ_DQ_ATI)); // the whole shader
+  // the rule is for the whole shader
+  EXPECT_INVALID_OPERATION(pass(kReg0, GL_TEXTURE3, GL_SWIZZLE_STQ_DQ_ATI));
   EXPECT_NO_GL_ERROR(pass(kReg0, GL_TEXTURE4, GL_SWIZZLE_STQ_ATI));
   color1(GL_MOV_ATI, kReg0, kZero);
   finish();
@@ -195,7 +198,7 @@ TEST_F(AtiErrors, EightPairsAPass) {
   eight();
   finish();
   begin();
-  for (int i = 0; i < 4; ++i) { // neither joins the other: alpha comes first
+  for (int i = 0; i < 4; ++i) { // they do not form pairs: alpha comes first
     alpha1(GL_MOV_ATI, kReg0, kZero);
     alpha1(GL_MOV_ATI, kReg0, kZero);
   }
@@ -234,21 +237,23 @@ TEST_F(AtiErrors, ThreeConstants) {
 
 TEST_F(AtiErrors, DotProductsPair) {
   begin();
-  EXPECT_INVALID_OPERATION(alpha2(GL_DOT3_ATI, kReg0, kZero, kZero)); // nothing before
+  EXPECT_INVALID_OPERATION(alpha2(GL_DOT3_ATI, kReg0, kZero, kZero)); // no operation before it
   color2(GL_ADD_ATI, kReg0, kZero, kZero);
-  EXPECT_INVALID_OPERATION(alpha2(GL_DOT4_ATI, kReg0, kZero, kZero)); // another op before
+  EXPECT_INVALID_OPERATION(alpha2(GL_DOT4_ATI, kReg0, kZero, kZero)); // another operation before it
   EXPECT_INVALID_OPERATION(alpha3(GL_DOT2_ADD_ATI, kReg0, kZero, kZero, kZero));
   color2(GL_DOT4_ATI, kReg0, kZero, kZero);
   EXPECT_INVALID_OPERATION(alpha2(GL_MUL_ATI, kReg0, kZero, kZero)); // DOT4 needs both units
   EXPECT_NO_GL_ERROR(alpha2(GL_DOT4_ATI, kReg0, kZero, kZero));
-  EXPECT_NO_GL_ERROR(alpha2(GL_MUL_ATI, kReg0, kZero, kZero)); // a pair of its own
+  EXPECT_NO_GL_ERROR(alpha2(GL_MUL_ATI, kReg0, kZero, kZero)); // a separate pair
   color3(GL_DOT2_ADD_ATI, kReg0, kZero, kZero, kZero);
   EXPECT_NO_GL_ERROR(alpha3(GL_DOT2_ADD_ATI, kReg0, kZero, kZero, kZero));
   color2(GL_DOT3_ATI, kReg0, kZero, kZero);
   EXPECT_NO_GL_ERROR(alpha1(GL_MOV_ATI, kReg0, kZero)); // DOT3 leaves the alpha unit free
   color2(GL_DOT4_ATI, kReg0, kZero, kZero);
-  pass(kReg0, GL_TEXTURE0);                               // the second pass: nothing precedes in it
-  finish(layered() ? GL_NO_ERROR : GL_INVALID_OPERATION); // bare host: no operation in a pass
+  // the second pass, in which nothing precedes
+  pass(kReg0, GL_TEXTURE0);
+  // the bare host finds no operation in a pass
+  finish(layered() ? GL_NO_ERROR : GL_INVALID_OPERATION);
 }
 
 TEST_F(AtiErrors, AlphaDotHasItsColorDirectlyBefore) {

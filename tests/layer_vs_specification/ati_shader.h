@@ -40,17 +40,17 @@ inline void alpha3(GLenum op, GLuint dst, Arg a, Arg b, Arg c, GLuint mod = GL_N
   glAlphaFragmentOp3ATI(op, dst, mod, a.source, a.replicate, a.modifiers, b.source, b.replicate,
                         b.modifiers, c.source, c.replicate, c.modifiers);
 }
-/// The constant's r, g, b and a.
+/// Sets the constant's r, g, b and a.
 inline void constant(GLuint name, GLfloat r, GLfloat g, GLfloat b, GLfloat a) {
   const GLfloat value[] = {r, g, b, a};
   glSetFragmentShaderConstantATI(name, value);
 }
-/// MOV of `source` into REG_0, all four components.
+/// Moves all four components of `source` to REG_0.
 inline void moveAll(GLuint source) {
   color1(GL_MOV_ATI, GL_REG_0_ATI, {source});
   alpha1(GL_MOV_ATI, GL_REG_0_ATI, {source});
 }
-/// Binds a new shader that `body` specifies, and gives its name.
+/// Binds a new shader defined by `body`, and returns its name.
 template <typename Body> GLuint makeShader(Body &&body) {
   const GLuint name = glGenFragmentShadersATI(1);
   glBindFragmentShaderATI(name);
@@ -59,7 +59,7 @@ template <typename Body> GLuint makeShader(Body &&body) {
   glEndFragmentShaderATI();
   return name;
 }
-/// A shader that gives every fragment constant `name`.
+/// Makes a shader that outputs constant `name` for every fragment.
 inline GLuint makeConstantShader(GLuint name) {
   return makeShader([&] { moveAll(name); });
 }

@@ -1,6 +1,6 @@
-// ATI_fragment_shader beside the state of GL that its draws depend on: texture targets, fog, colour
-// sum, lists, share groups. That the bare host (Mesa 22.3.6) leaves out colour sum is a test that
-// it skips.
+// ATI_fragment_shader with GL state that its draws depend on: texture targets, fog, color sum,
+// lists, share groups. The test of color sum is skipped on the bare host (Mesa 22.3.6), which lacks
+// it.
 #include <cmath>
 
 #include "ati_draws.h"
@@ -25,7 +25,7 @@ TEST_F(AtiDraws, TheEnabledTargetIsSampled) {
   for (const Row &row : rows)
     makeTexture(row.target, row.color);
   EXPECT_EQ(drawn()[0], 0) << "none is enabled";
-  for (const Row &row : rows) { // each is enabled beside those before it, over which it has
+  for (const Row &row : rows) { // each takes precedence over those before it, which stay enabled
     glEnable(row.target);       // precedence
     EXPECT_EQ(drawn(), row.color) << row.target;
   }
@@ -130,7 +130,7 @@ TEST_F(AtiDraws, ColorSum) {
   glFogi(GL_FOG_MODE, GL_LINEAR);
   glFogCoordf(0.5f);
   glEnable(GL_FOG);
-  expectNear(drawn(), {128, 128, 0, 255}); // the sum is before the fog
+  expectNear(drawn(), {128, 128, 0, 255}); // the sum comes before the fog
   glDisable(GL_FOG);
   glDisable(GL_COLOR_SUM);
   EXPECT_EQ(drawn(), kRedPixel);

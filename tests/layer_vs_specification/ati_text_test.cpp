@@ -1,4 +1,4 @@
-// ATI_text_fragment_shader, which only the layer has: the target in the program API, and draws.
+// ATI_text_fragment_shader, which only the layer offers: the target in the program API, and draws.
 #include "ati_shader.h"
 
 namespace api {
@@ -163,7 +163,7 @@ TEST_F(AtiText, SharedLikeOtherPrograms) {
     EXPECT_EQ(drawn(), kBluePixel) << "not enabled here";
   }
   m_context.makeCurrent();
-  glBindProgramARB(kText, name); // what another context changed is seen from here on
+  glBindProgramARB(kText, name); // binding makes another context's changes visible
   EXPECT_EQ(drawn(), kGreenPixel);
 }
 

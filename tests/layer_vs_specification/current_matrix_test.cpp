@@ -1,5 +1,5 @@
-// Matrix commands change the matrix that MATRIX_MODE names, however it came to name it: draws are
-// under the matrices that GL gives when it is asked.
+// Matrix commands change the matrix that MATRIX_MODE selects, in whatever way it was set. Draws use
+// the matrices that GL queries return.
 #include <array>
 #include <cmath>
 #include <random>
@@ -21,7 +21,7 @@ protected:
     if (!rasterizerDrawsAll())
       GTEST_SKIP() << "the host may draw: Mesa 22.3.6 draws with texture matrices of before";
     glViewport(0, 0, kSize, kSize);
-    // Each texel says where it is.
+    // Each texel contains its own position.
     std::array<GLubyte, 4 * 16> texels{};
     for (std::size_t i = 0; i < 16; ++i)
       texels[4 * i] = texels[4 * i + 1] = GLubyte(16 * i);
@@ -51,10 +51,10 @@ protected:
   }
 
   static constexpr GLuint kLists = 4;
-  /// A translation by pixels.
+  /// Returns a translation by pixels.
   static GLfloat step(int pixels) { return 2 * GLfloat(pixels) / kSize; }
   [[nodiscard]] std::string change(std::mt19937 &random) const;
-  /// Draws a pixel of window coordinates (4, 8) where all matrices are the identity, and compares.
+  /// Draws a pixel at window coordinates (4, 8) if all matrices are the identity, and compares.
   static void expectPixel(const std::string &how);
 
   GLuint m_lists = 0;
@@ -86,7 +86,7 @@ std::string CurrentMatrixPrimitives::change(std::mt19937 &random) const {
     return "Push ";
   case 7:
     glPopMatrix();
-    (void)glGetError(); // there may be none
+    (void)glGetError(); // there may be no error
     return "Pop ";
   case 8:
     glPushAttrib(GL_TRANSFORM_BIT);
@@ -147,7 +147,7 @@ TEST_F(CurrentMatrixPrimitives, DrawsAreUnderWhatWasChanged) {
     for (int i = 0; i < 40; ++i) {
       for (unsigned count = 1 + random() % 3; count != 0; --count)
         how += change(random);
-      if (random() % 4 != 0) { // else without a draw between
+      if (random() % 4 != 0) { // sometimes without a draw in between
         ASSERT_NO_FATAL_FAILURE(expectPixel(how));
       }
     }

@@ -1,4 +1,4 @@
-// What is drawn: parameters, precedence against GLSL, pixel paths, the invisible host program.
+// Tests draws: parameters, precedence over GLSL, pixel paths, the invisible host program.
 #include <vector>
 
 #include "fixture.h"
@@ -24,7 +24,7 @@ TEST_F(Draws, ParametersReachTheProgram) {
   const GLuint first = makeProgram(kLocal0);
   glProgramLocalParameter4fARB(kFragment, 0, 1, 0, 0, 1);
   EXPECT_EQ(drawn(), kRedPixel);
-  makeProgram(kLocal0); // the same text, its own parameters
+  makeProgram(kLocal0); // the same text with its own parameters
   glProgramLocalParameter4fARB(kFragment, 0, 0, 1, 0, 1);
   EXPECT_EQ(drawn(), kGreenPixel);
   glBindProgramARB(kFragment, first);

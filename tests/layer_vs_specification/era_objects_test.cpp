@@ -1,4 +1,4 @@
-// Apple's vertex array objects, and ranges of textures: objects' state that today's hosts lack.
+// Apple's vertex array objects and texture ranges: object state that today's hosts lack.
 #include <array>
 #include <cstring>
 
@@ -58,7 +58,7 @@ TEST_F(EraObjects, AnObjectHasArraysInTheApplicationsMemory) {
   GLuint names[2] = {};
   glGenVertexArraysAPPLE(2, names);
   EXPECT_EQ(glIsVertexArrayAPPLE(names[0]), GL_FALSE) << "not bound yet";
-  glVertexPointer(2, GL_FLOAT, 0, kRight); // of the default object
+  glVertexPointer(2, GL_FLOAT, 0, kRight); // in the default object
   glEnableClientState(GL_VERTEX_ARRAY);
   glColor4f(0, 1, 0, 1);
 
@@ -215,7 +215,7 @@ TEST_F(EraObjects, BothKindsShareNames) {
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   EXPECT_NE(name, 1u) << "in use";
-  glBindVertexArray(name); // the ARB's by its first bind
+  glBindVertexArray(name); // an ARB object, because of its first bind
   glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
   glBindVertexArrayAPPLE(3);
   glPopClientAttrib();
@@ -300,7 +300,7 @@ TEST_F(EraObjects, ATextureHasARange) {
     EXPECT_EQ(rangePointer(GL_TEXTURE_2D), memory) << "textures are shared";
     m_context.makeCurrent();
   }
-  // The memory is the application's; an image in it is read when it is given.
+  // The memory belongs to the application; an image in it is read when it is specified.
   memory[0] = 200;
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, memory);
   memory[0] = 0;

@@ -1,5 +1,5 @@
-// Extensions of the era that hosts of today lack: fences, vertex array ranges, hints, shadows by
-// SGI's names. What is announced works, and what is not announced has no entry points' effect.
+// Extensions of the era that today's hosts lack: fences, vertex array ranges, hints, shadows by
+// SGI's names. Extensions that are announced work, and the entry points of others have no effect.
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -24,7 +24,7 @@ GLint integer(GLenum pname) {
 
 class Era : public ApiTest {};
 
-/// A triangle over the whole framebuffer, in one colour.
+/// Draws a triangle over the whole framebuffer, in one color.
 void fill(GLfloat red, GLfloat green) {
   glColor4f(red, green, 0, 1);
   glBegin(GL_TRIANGLES);
@@ -86,8 +86,8 @@ TEST_F(Era, NvFence) {
   EXPECT_EQ(value, GL_TRUE);
   EXPECT_EQ(pixel()[0], 255);
 
-  // A test alone comes true in the end: nothing else is called. (NVIDIA's own of today do not, even
-  // after a flush.)
+  // TestFence alone eventually returns true, without any other call. (NVIDIA's present drivers do
+  // not, even after a flush.)
   fill(0, 1);
   glSetFenceNV(names[0], GL_ALL_COMPLETED_NV);
   int tests = 0;
@@ -164,7 +164,7 @@ TEST_F(Era, FencesAreOfOneContext) {
     other.makeCurrent();
     EXPECT_EQ(glIsFenceNV(7), GL_FALSE);
     EXPECT_GL_ERROR(GL_INVALID_OPERATION, glFinishFenceNV(7));
-    glSetFenceNV(9, GL_ALL_COMPLETED_NV); // left to the context's end
+    glSetFenceNV(9, GL_ALL_COMPLETED_NV); // deleted with the context
     m_context.makeCurrent();
   }
   EXPECT_EQ(glIsFenceNV(7), GL_TRUE);
@@ -350,7 +350,7 @@ TEST_F(Era, FloatPixels) {
   EXPECT_EQ(std::memcmp(read, expected, sizeof read), 0);
 }
 
-/// A 1x1 depth texture of one half, sampled at r: what the comparison gives.
+/// Samples a 1x1 depth texture of one half at r, and returns the comparison's result.
 GLubyte shadowAt(GLfloat r) {
   glEnable(GL_TEXTURE_2D);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);

@@ -128,11 +128,11 @@ TEST_F(Errors, EverythingIsAnErrorBetweenBeginAndEnd) {
 
 TEST_F(Errors, TheFirstErrorWins) {
   makeProgram(kRed);
-  glEnable(GL_LINE_LOOP); // the host's INVALID_ENUM
-  load(kBad);             // then the layer's
+  glEnable(GL_LINE_LOOP); // raises the host's INVALID_ENUM
+  load(kBad);             // raises the layer's error
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_ENUM));
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
-  load(kBad); // the layer's first
+  load(kBad); // raises the layer's error first
   glEnable(GL_LINE_LOOP);
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));

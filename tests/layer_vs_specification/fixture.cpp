@@ -17,7 +17,7 @@ bool opens(EGLDisplay display) {
          eglBindAPI(EGL_OPENGL_API);
 }
 
-/// Mesa's without a window system, else a device's.
+/// Opens Mesa's display without a window system, else a device's.
 bool openDisplay() {
   if (opens(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)))
     return true;
@@ -81,7 +81,7 @@ int main(int argc, char **argv) {
   ::testing::InitGoogleTest(&argc, argv);
   if (!api::chooseConfig()) {
     std::fprintf(stderr, "no EGL display here that needs no window\n");
-    return 77; // meson: skipped
+    return 77; // meson's code for skipped
   }
   return RUN_ALL_TESTS();
 }

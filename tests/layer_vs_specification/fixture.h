@@ -5,7 +5,7 @@
 #include "programs.h"
 
 /// An application of the program API: surfaceless EGL, libepoxy, a 32x32 RGBA8 framebuffer. It
-/// knows nothing of the layer except whether its answers are to be expected.
+/// knows nothing of the layer except whether to expect its answers.
 namespace api {
 
 /// A GL context of its own or in the share group of another, with a framebuffer object bound.
@@ -24,7 +24,7 @@ private:
   GLuint m_renderbuffer = 0;
 };
 
-/// One context, current, without errors before and after each test.
+/// Runs tests in one current context that has no errors before and after each.
 class ApiTest : public ::testing::Test {
 protected:
   void SetUp() override { ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR)); }
@@ -35,17 +35,17 @@ protected:
 /// True with the layer in front.
 bool layered();
 
-/// The layer's rasterizer draws every frame, and the host none (ARBITER_BACKEND=swrast).
+/// True if the layer's rasterizer draws every frame, and the host none (ARBITER_BACKEND=swrast).
 bool rasterizerDrawsAll();
 
-/// The host's Mesa by its first number; 0 where it is another GL.
+/// Returns the first number of the host's Mesa release; 0 for another GL.
 int mesaRelease();
 
 /// Skips a test whose expectation the bare host (Mesa 22.3.6) does not meet, with what it does.
 #define BARE_HOST_DIFFERS(what)                                                                    \
   if (!api::layered())                                                                             \
   GTEST_SKIP() << "bare host: " << what
-/// Likewise, of Mesa alone and from that release on.
+/// Skips a test that Mesa does not meet from that release on.
 #define BARE_MESA_DIFFERS(release, what)                                                           \
   if (!api::layered() && api::mesaRelease() >= (release))                                          \
   GTEST_SKIP() << "bare host: " << what

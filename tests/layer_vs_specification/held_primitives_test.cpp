@@ -1,5 +1,5 @@
-// Primitives of Begin and End that follow one another may be drawn as one: what comes between them
-// must have its effect in between, and what is asked for must be answered as if each was drawn.
+// Consecutive primitives of Begin and End may be drawn as one. Commands between them must take
+// effect in between, and queries must be answered as if each was drawn.
 #include <array>
 
 #include "fixture.h"
@@ -18,7 +18,7 @@ protected:
     glClear(GL_COLOR_BUFFER_BIT);
   }
 
-  /// Column `i` of four, with what is current now.
+  /// Draws column `i` of four with the current state.
   static void column(int i, GLenum mode = GL_QUADS) {
     const float left = -1 + float(i) * 0.5f, right = left + 0.5f;
     glBegin(mode);
@@ -154,7 +154,7 @@ TEST_F(HeldPrimitives, OtherModesArraysAndLists) {
 TEST_F(HeldPrimitives, WholeOnesFollowOnesThatAreNot) {
   glColor3f(1, 0, 0);
   column(0);
-  glBegin(GL_QUADS); // three vertices make nothing, and move no other
+  glBegin(GL_QUADS); // three vertices draw nothing, and change no other quad
   glVertex2f(-1, -1), glVertex2f(1, -1), glVertex2f(1, 1);
   glEnd();
   column(1);
@@ -188,7 +188,7 @@ TEST_F(HeldPrimitives, MistakesBetweenThem) {
   column(0);
   EXPECT_GL_ERROR(GL_INVALID_OPERATION, glEnd());
   column(1);
-  glVertex2f(0.9f, 0.9f); // outside of a primitive: nothing
+  glVertex2f(0.9f, 0.9f); // no effect outside of a primitive
   column(2);
   EXPECT_GL_ERROR(GL_INVALID_ENUM, glBegin(0x1234));
   EXPECT_EQ(at(0), kRed);
@@ -220,7 +220,7 @@ TEST_F(HeldPrimitives, AnotherContextSeesThemAfterFinish) {
   glColor3f(0, 1, 0);
   for (int i = 0; i < 4; ++i)
     column(i);
-  other.makeCurrent(); // which finishes what the first one drew
+  other.makeCurrent(); // finishes the first context's drawing
   std::array<Pixel, 32 * 32> texels{};
   glBindTexture(GL_TEXTURE_2D, texture);
   glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());

@@ -1,5 +1,5 @@
-// Strips, fans, loops and polygons that follow one another may be drawn as one: the picture is that
-// of each drawn alone.
+// Consecutive strips, fans, loops and polygons may be drawn as one: the picture is that of each
+// drawn alone.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,8 +21,8 @@ struct Vertex {
 };
 using Primitive = std::vector<Vertex>;
 
-/// Mesa 22.3.6 joins them too, but stipples run on from one strip to the next then; and of two
-/// pictures by different hands, as under `auto` until code is compiled, lines are not equal.
+/// Mesa 22.3.6 joins them too, but then continues a stipple from one strip to the next. If two
+/// rasterizers draw, as under `auto` until code is compiled, lines are not equal.
 #define HOST_DIFFERS()                                                                             \
   if (!rasterizerDrawsAll())                                                                       \
   GTEST_SKIP() << "the host may draw: stipples run on from one strip to the next"
@@ -45,8 +45,7 @@ protected:
     glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
     return picture;
   }
-  /// By chance: modes, states and primitives, which `draw` draws so that they are joined, and
-  /// alone.
+  /// Compares random modes, states and primitives, which `draw` draws joined and alone.
   using Draw = void (*)(GLenum mode, const std::vector<Primitive> &primitives, bool alone);
   static void expectAlike(unsigned firstSeed, unsigned count, Draw draw);
   static std::size_t lit(const Picture &picture) {
@@ -60,8 +59,9 @@ protected:
 constexpr std::array<GLenum, 6> kModes = {GL_LINE_STRIP,   GL_LINE_LOOP,  GL_TRIANGLE_STRIP,
                                           GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON};
 
-/// Some reach out of the view. `hasW`: each vertex has one of its own; with none, inputs are
-/// affine, and with some, those of primitives without are rounded otherwise.
+/// Returns a primitive that may extend beyond the view. With `hasW` each vertex has its own w.
+/// Without, inputs are affine; if only some primitives have one, those without are rounded
+/// differently.
 Primitive somePrimitive(std::mt19937 &random, bool hasW) {
   std::uniform_real_distribution<float> place(-1.3f, 1.3f), unit(0.1f, 1);
   Primitive primitive(1 + random() % 8);
@@ -82,7 +82,7 @@ void draw(GLenum mode, const std::vector<Primitive> &primitives, bool alone) {
     }
     glEnd();
     if (alone)
-      (void)glGetError(); // any command that is none of a primitive
+      (void)glGetError(); // any command that is not part of a primitive
   }
 }
 
@@ -101,7 +101,7 @@ void chooseState(std::mt19937 &random) {
   glLineStipple(2, 0x33C5);
   set(GL_POLYGON_STIPPLE, oneIn(5));
   glLineWidth(oneIn(3) ? 3 : 1);
-  // Polygons of which some are smooth lines are the host's, which may end for them.
+  // If some edges of polygons are smooth lines, the host draws, which may not join them.
   set(GL_LINE_SMOOTH, oneIn(4) && front == back);
   set(GL_BLEND, oneIn(2));
   glBlendFunc(GL_SRC_ALPHA, GL_ONE);
@@ -155,7 +155,7 @@ TEST_F(JoinedPrimitives, OfAListLookAsThoseOfTheirOwnLists) {
   expectAlike(1000, 300, drawListed);
 }
 
-/// A circle of so many sides around `x`, as a fan or a polygon.
+/// Draws a circle of that many sides around `x`, as a fan or a polygon.
 void circle(GLenum mode, float x, int sides, float radius) {
   glBegin(mode);
   for (int i = 0; i < sides; ++i) {
@@ -184,7 +184,7 @@ TEST_F(JoinedPrimitives, OneOfVeryManyVerticesFollowsSmallOnes) {
 }
 
 TEST_F(JoinedPrimitives, AttributesOfTheFirstOneStayWithIt) {
-  // The second sets what the first did not: it has the value of before.
+  // The second primitive sets an attribute that the first did not, which keeps the earlier value.
   glColor3f(1, 0, 0);
   const Picture picture = drawn([] {
     for (const float left : {-1.0f, 0.0f}) {
@@ -217,7 +217,7 @@ TEST_F(JoinedPrimitives, MaterialsAndMistakesWithin) {
       glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, i % 2 ? red : green);
       glVertex2f(left, -1), glVertex2f(right, -1);
       if (i == 2)
-        glEnable(GL_BLEND); // an error within
+        glEnable(GL_BLEND); // an error within the primitive
       glVertex2f(right, 1), glVertex2f(left, 1);
       glEnd();
     }
@@ -232,8 +232,8 @@ TEST_F(JoinedPrimitives, MaterialsAndMistakesWithin) {
   }
 }
 
-/// Quads whose vertices each come with the materials, as some programs give them: `again` leaves
-/// out none of them, else those alone that change something are given.
+/// Draws quads with materials at each vertex, as some programs set them. `again` sets all of them,
+/// otherwise only those that change.
 void drawQuads(std::mt19937 &random, bool again, bool follows) {
   std::array<GLfloat, 4> diffuse{}, given{-1, 0, 0, 0};
   for (int quad = 0; quad < 6; ++quad) {
@@ -277,7 +277,7 @@ TEST_F(JoinedPrimitives, MaterialsThatAreGivenAgainChangeNothing) {
       while (glGetError() != GL_NO_ERROR) {
       }
     }
-    int most = 0; // products with lights are the host's, or are made for each vertex
+    int most = 0; // the host computes products with lights, or they are computed for each vertex
     for (std::size_t i = 0; i < picture[0].size(); ++i)
       most = std::max(most, std::abs(picture[0][i] - picture[1][i]));
     ASSERT_LE(most, 1) << "seed " << seed;

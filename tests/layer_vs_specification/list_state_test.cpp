@@ -1,5 +1,5 @@
-// State that a list sets between its primitives: the picture is that of the same commands without a
-// list, however often the list sets what it has set before.
+// State that a list sets between its primitives. The picture is that of the same commands without a
+// list, however often the list repeats a setting.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -47,7 +47,7 @@ protected:
     ApiTest::TearDown();
   }
 
-  /// A triangle somewhere.
+  /// Draws a triangle at a place.
   static void triangle(int place, bool colored) {
     const float x = float(place % 8) / 4 - 1, y = float(place / 8) / 4 - 1;
     if (colored)
@@ -116,7 +116,7 @@ void ListStatePrimitives::expectAlike(unsigned seed, bool colorMaterial) {
   std::mt19937 random(seed);
   Commands commands;
   for (int place = 0; place < 64; ++place) {
-    // Mostly what was set before, as in models that are written triangle by triangle.
+    // Mostly the previous state is set again, as in models that are written triangle by triangle.
     const std::size_t kept = commands.size();
     for (unsigned i = random() % 4; i > 0; --i)
       command(commands, random, colorMaterial);
@@ -139,7 +139,7 @@ void ListStatePrimitives::expectAlike(unsigned seed, bool colorMaterial) {
     int most = 0;
     for (std::size_t i = 0; i < picture.size(); ++i)
       most = std::max(most, std::abs(picture[i] - wanted[i]));
-    EXPECT_LE(most, 3) << "seed " << seed; // either of two may draw a frame
+    EXPECT_LE(most, 3) << "seed " << seed; // either of two rasterizers may draw a frame
   }
 }
 
@@ -148,9 +148,9 @@ TEST_F(ListStatePrimitives, DrawAsWithoutAList) {
     expectAlike(seed, false);
 }
 
-/// Mesa 22.3.6 leaves out a material that the list has set before, though a colour came between,
-/// and takes a material late: over the colour that COLOR_MATERIAL, enabled since, has made it. So
-/// the pictures are alike where the host draws none of them.
+/// Mesa 22.3.6 omits a material that the list has set before, even if a color came between. It also
+/// applies a material late, over the color that COLOR_MATERIAL, enabled since, has set. The
+/// pictures are therefore only equal if the host draws none of them.
 TEST_F(ListStatePrimitives, ColoursThatAreMaterialsComeBetween) {
   if (!rasterizerDrawsAll())
     GTEST_SKIP() << "the host, whose materials come late, may draw (ARBITER_BACKEND is not swrast)";

@@ -1,5 +1,5 @@
-// Display lists: which commands of the program API are compiled, and that cutting a list shows
-// nowhere.
+// Display lists: which commands of the program API are compiled. That the layer splits lists is
+// invisible.
 #include <cstring>
 
 #include "fixture.h"
@@ -219,7 +219,7 @@ TEST_F(Lists, SegmentsAreInvisible) {
   EXPECT_TRUE(glIsList(m_list));
   for (GLuint name = 0xFFFFFE00u; name != 0; ++name)
     ASSERT_FALSE(glIsList(name)) << name;
-  glDeleteLists(0xFFFFFE00u, 0x1FF); // all of them are there
+  glDeleteLists(0xFFFFFE00u, 0x1FF); // all of them exist
   glCallList(m_list);
   EXPECT_EQ(drawn(), kRedPixel) << "the application deleted a segment";
   const GLuint next = glGenLists(3);

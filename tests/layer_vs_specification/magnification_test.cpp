@@ -1,5 +1,5 @@
-// Where magnification ends (OpenGL 4.1, 3.9.12): a level of detail of 0 for all filters is one of
-// the two that the specification leaves open, and what Mesa's software drivers have.
+// The limit of magnification (OpenGL 4.1, 3.9.12): a level of detail of 0 for all filters. It is
+// one of the two that the specification allows, and what Mesa's software drivers use.
 #include <cmath>
 #include <vector>
 
@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kSize = 64;
 
-/// How many of the picture's pixels are neither black nor white, of a texture of such texels alone
-/// that is drawn at a level of detail of `lambda`.
+/// Returns how many pixels are neither black nor white, if a texture of only such texels is drawn
+/// at a level of detail of `lambda`.
 int grey(GLenum minify, float lambda) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GLint(minify));
-  const float end = 2 * std::exp2(-lambda) - 1; // of a square of as many pixels as texels
+  const float end = 2 * std::exp2(-lambda) - 1; // of a square with as many pixels as texels
   glClear(GL_COLOR_BUFFER_BIT);
   glBegin(GL_QUADS);
   glTexCoord2f(0, 0), glVertex2f(-1, -1), glTexCoord2f(1, 0), glVertex2f(end, -1);

@@ -1,4 +1,4 @@
-// Zero times an infinity, as ARBITER_NUMERICS has it.
+// Zero times infinity under ARBITER_NUMERICS.
 #include <cstdlib>
 #include <string_view>
 
@@ -7,8 +7,8 @@
 namespace api {
 namespace {
 
-/// Green where a product of zero and an infinity is zero, red where it is NaN: a comparison with
-/// NaN is false. Parameters, so that no compiler computes it beforehand.
+/// Draws green if a product of zero and infinity is zero, red if it is NaN: a comparison with NaN
+/// is false. It uses parameters, so that no compiler computes it beforehand.
 constexpr char kFragmentText[] = "!!ARBfp1.0\nTEMP t;\nRCP t, program.local[0].x;\n"
                                  "MUL t, t, program.local[0];\nSGE t, t, 0;\n"
                                  "LRP result.color, t, {0,1,0,1}, {1,0,0,1};\nEND";
@@ -37,7 +37,7 @@ TEST_F(NumericsOfPrograms, ZeroTimesInfinityInAVertexProgram) {
   EXPECT_EQ(drawn(), zeroWins() ? kGreenPixel : kRedPixel);
 }
 
-/// The mode belongs to assembly programs: an application's own GLSL is the host's.
+/// The mode only affects assembly programs: an application's own GLSL is the host's.
 TEST_F(NumericsOfPrograms, AnApplicationsGlslIsLeftAlone) {
   const GLuint program = makeGlsl(nullptr, "uniform float zero;\nvoid main() {\n"
                                            "  float p = zero * (1.0 / zero);\n"

@@ -1,11 +1,11 @@
-// User clip planes beside programs of NVIDIA's: by distances that they write, or not at all. Needs
-// a profile that has the languages (nv40).
+// User clip planes with programs in NVIDIA's languages, by distances that they write, or not at
+// all. Needs a profile that has the languages (nv40).
 #include "nv_commands.h"
 
 namespace api::nv {
 namespace {
 
-/// Distances in x: 1 at the right edge, -1 at the left.
+/// Writes distances in x: 1 at the right edge, -1 at the left.
 constexpr char kClippedVp[] =
     "!!VP2.0\nMOV o[HPOS], v[OPOS];\nMOV o[COL0], v[COL0];\nMOV o[CLP1].x, v[OPOS].x;\nEND";
 constexpr char kClippedOption[] =
@@ -13,7 +13,7 @@ constexpr char kClippedOption[] =
     "MOV result.color, vertex.color;\nMOV result.clip[1].x, vertex.position.x;\nEND";
 
 TEST_F(NvTest, DistancesClipWhereTheirPlaneIsEnabled) {
-  const GLdouble left[] = {-1, 0, 0, 0}; // not asked: the distances are
+  const GLdouble left[] = {-1, 0, 0, 0}; // ignored: the distances count
   glClipPlane(GL_CLIP_PLANE1, left);
   glColor4f(0, 0, 1, 1);
   for (const char *text : {kClippedVp, kClippedOption}) {
@@ -24,7 +24,7 @@ TEST_F(NvTest, DistancesClipWhereTheirPlaneIsEnabled) {
     (void)quad();
     EXPECT_NE(readPixel(4, 16), kBluePixel) << text;
     EXPECT_EQ(readPixel(20, 16), kBluePixel) << text;
-    glEnable(GL_CLIP_PLANE0); // which nothing is written of
+    glEnable(GL_CLIP_PLANE0); // no distance is written for it
     (void)quad();
     EXPECT_NE(readPixel(4, 16), kBluePixel) << text;
     EXPECT_EQ(readPixel(20, 16), kBluePixel) << text;
@@ -74,7 +74,7 @@ TEST_F(NvTest, DistancesFollowPlanesThatListsEnable) {
   EXPECT_TRUE(clips(false));
   glPopAttrib();
   EXPECT_FALSE(clips(false));
-  // What is enabled in the list that draws.
+  // The plane is enabled in the list that draws.
   glNewList(lists + 2, GL_COMPILE);
   glEnable(GL_CLIP_PLANE1);
   glBegin(GL_QUADS);

@@ -1,4 +1,4 @@
-// Draws with register combiners: what they depend on, and what they take the place of.
+// Draws with register combiners: the state they depend on, and the stages they replace.
 #include <thread>
 
 #include "ati_draws.h"
@@ -7,7 +7,7 @@
 namespace api::combiners {
 namespace {
 
-/// The final combiner gives spare0; stage 0 puts AB into it.
+/// The final combiner outputs spare0; stage 0 writes AB to it.
 class NvCombinerDraws : public NvCombiners {
 protected:
   void SetUp() override {
@@ -27,7 +27,7 @@ protected:
 
 constexpr GLubyte kWhiteTexel[] = {255, 255, 255, 255};
 
-/// A texture of one depth, 1, and bound.
+/// Makes and binds a texture of one depth, 1.
 GLuint makeDepths() {
   const GLfloat depth = 1;
   GLuint name = 0;
@@ -56,7 +56,7 @@ TEST_F(NvCombinerDraws, ConstantsReachTheNextDraw) {
   expectNear(drawn(), kGreenPixel);
   glEnable(GL_PER_STAGE_CONSTANTS_NV);
   expectNear(drawn(), kBluePixel);
-  show(GL_CONSTANT_COLOR0_NV); // the final combiner keeps the global ones
+  show(GL_CONSTANT_COLOR0_NV); // the final combiner uses the global ones
   expectNear(drawn(), kGreenPixel);
 }
 
@@ -97,7 +97,7 @@ TEST_F(NvCombinerDraws, TheTargetsThatAreEnabled) {
   makeTexture(GL_TEXTURE_3D, kGreenPixel);
   glEnable(GL_TEXTURE_2D);
   expectNear(drawn(), kRedPixel);
-  glEnable(GL_TEXTURE_3D); // wins
+  glEnable(GL_TEXTURE_3D); // takes precedence
   expectNear(drawn(), kGreenPixel);
   glDisable(GL_TEXTURE_3D);
   expectNear(drawn(), kRedPixel);
@@ -113,7 +113,7 @@ TEST_F(NvCombinerDraws, DepthTextures) { // table RC.2
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kWhiteTexel);
   rgb(GL_VARIABLE_A_NV, GL_TEXTURE0);
   rgb(GL_VARIABLE_C_NV, GL_TEXTURE0, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
-  rgb(GL_VARIABLE_D_NV, GL_CONSTANT_COLOR0_NV); // red by alpha, and all by colour
+  rgb(GL_VARIABLE_D_NV, GL_CONSTANT_COLOR0_NV); // red by alpha, and all by color
   constant(GL_CONSTANT_COLOR0_NV, 1, 0, 0);
   expectNear(drawn(), {255, 255, 255, 255});
   const GLfloat depth = 0.5f;
@@ -143,7 +143,7 @@ TEST_F(NvCombinerDraws, DepthImagesOfOtherCommands) {
   glEnable(GL_TEXTURE_2D);
   makeTexture(GL_TEXTURE_2D, kRedPixel);
   expectNear(drawn(), kRedPixel);
-  const auto isDepth = [](const char *what) { // no colour (table RC.2)
+  const auto isDepth = [](const char *what) { // a depth texture has no color (table RC.2)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     EXPECT_EQ(drawn(), kOpaqueBlack) << what;
   };
@@ -164,7 +164,7 @@ TEST_F(NvCombinerDraws, DepthImagesOfOtherCommands) {
   glDeleteTextures(2, names);
 }
 
-/// Depths have no colour (table RC.2).
+/// Depth textures have no color (table RC.2).
 TEST_F(NvCombinerDraws, EachCommandThatBinds) {
   rgb(GL_VARIABLE_A_NV, GL_TEXTURE0);
   glEnable(GL_TEXTURE_2D);
@@ -197,10 +197,10 @@ TEST_F(NvCombinerDraws, EachCommandThatBinds) {
   glBindTexture(GL_TEXTURE_2D, depths);
   EXPECT_EQ(drawn(), kOpaqueBlack);
   glDeleteTextures(1, &depths);
-  drawn(); // of an incomplete texture: undefined, and without an error
+  drawn(); // an incomplete texture: undefined, and without an error
 }
 
-/// The second draw's depths, by their alpha: the mode and the binding are the list's.
+/// The second draw samples depths, by their alpha: mode and binding come from the list.
 TEST_F(NvCombinerDraws, TexturesThatListsBind) {
   rgb(GL_VARIABLE_A_NV, GL_TEXTURE0);
   rgb(GL_VARIABLE_C_NV, GL_TEXTURE0, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
@@ -242,7 +242,7 @@ TEST_F(NvCombinerDraws, DepthsThatAnotherThreadsContextMade) {
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
       glFinish();
     }).join();
-    glBindTexture(GL_TEXTURE_2D, texture); // from here on it is seen (OpenGL 4.6, 5.3.3)
+    glBindTexture(GL_TEXTURE_2D, texture); // makes the change visible (OpenGL 4.6, 5.3.3)
     EXPECT_EQ(drawn(), kOpaqueBlack);
   }
 }
@@ -279,7 +279,7 @@ TEST_F(NvCombinerDraws, ColorSumClamp) {
   glSecondaryColor3f(0.75f, 0, 0);
   rgb(GL_VARIABLE_A_NV, GL_CONSTANT_COLOR0_NV); // 0.75
   constant(GL_CONSTANT_COLOR0_NV, 0.75f, 0, 0);
-  // sum * 0.5, by B = sum and A = one half
+  // The final combiner computes sum * 0.5: B is the sum and A one half.
   final(GL_VARIABLE_A_NV, GL_CONSTANT_COLOR1_NV, GL_ALPHA);
   constant(GL_CONSTANT_COLOR1_NV, 0, 0, 0, 0.5f);
   final(GL_VARIABLE_B_NV, GL_SPARE0_PLUS_SECONDARY_COLOR_NV);
@@ -326,7 +326,8 @@ TEST_F(NvCombinerDraws, WhatAListEnablesChoosesTheProgram) {
   glDeleteLists(list, 1);
 }
 
-/// Register combiners of the Doom and Quake III years: a bump map's dot product, doubled.
+/// The combiners are typical of the years of Doom 3 and Quake III: a bump map's dot product,
+/// doubled.
 TEST_F(NvCombinerDraws, ADotProductOfExpandedNormals) {
   makeTexture(GL_TEXTURE_2D, {128, 128, 255, 255}); // (0, 0, 1)
   glEnable(GL_TEXTURE_2D);

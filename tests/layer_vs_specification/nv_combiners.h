@@ -3,10 +3,10 @@
 
 #include "fixture.h"
 
-/// What the tests of NV_register_combiners and 2 share.
+/// Shared parts of the tests of NV_register_combiners and 2.
 namespace api::combiners {
 
-/// Skips where the extensions are not offered: the bare host's, and other profiles.
+/// Skips tests if the extensions are not offered, as on the bare host and under other profiles.
 class NvCombiners : public ApiTest {
 protected:
   void SetUp() override {
@@ -20,7 +20,7 @@ inline void input(GLenum stage, GLenum portion, GLenum variable, GLenum source, 
                   GLenum usage) {
   glCombinerInputNV(stage, portion, variable, source, mapping, usage);
 }
-/// Of stage 0's RGB portion.
+/// Sets an input of stage 0's RGB portion.
 inline void rgb(GLenum variable, GLenum source, GLenum mapping = GL_UNSIGNED_IDENTITY_NV,
                 GLenum usage = GL_RGB) {
   input(GL_COMBINER0_NV, GL_RGB, variable, source, mapping, usage);

@@ -287,7 +287,7 @@ TEST_F(NvCombiners, DisplayLists) {
   expectAll(false);
   glCallList(list);
   expectAll(true);
-  // An error is raised where the list is called, once for each command, and changes nothing.
+  // An error is raised when the list is called, once for each command, and changes nothing.
   glNewList(list + 1, GL_COMPILE);
   EXPECT_NO_GL_ERROR(glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 0));
   rgb(GL_VARIABLE_B_NV, GL_FOG);

@@ -4,8 +4,8 @@
 
 #include "fixture.h"
 
-/// The commands of NV_vertex_program and NV_fragment_program by eglGetProcAddress: libepoxy takes
-/// gl.xml's word that some are others by another name, which they are not.
+/// Finds the commands of NV_vertex_program and NV_fragment_program by eglGetProcAddress. libepoxy
+/// follows gl.xml, which wrongly lists some as aliases of others.
 namespace api::nv {
 
 #define API_NV_COMMANDS(X)                                                                         \
@@ -35,7 +35,7 @@ API_NV_COMMANDS(API_NV_POINTER)
 inline constexpr GLenum kVertexNv = GL_VERTEX_PROGRAM_NV, kFragmentNv = GL_FRAGMENT_PROGRAM_NV,
                         kState = GL_VERTEX_STATE_PROGRAM_NV;
 
-/// Skips where the languages are not offered: the bare host's, and other profiles.
+/// Skips tests if the languages are not offered, as on the bare host and under other profiles.
 class NvTest : public ApiTest {
 protected:
   void SetUp() override {
@@ -55,7 +55,7 @@ inline void load(GLenum target, GLuint id, std::string_view text) {
   LoadProgramNV(target, id, GLsizei(text.size()), reinterpret_cast<const GLubyte *>(text.data()));
 }
 
-/// Loaded, bound and enabled.
+/// Loads, binds and enables a program.
 inline void use(GLenum target, GLuint id, std::string_view text) {
   load(target, id, text);
   BindProgramNV(target, id);
@@ -78,7 +78,7 @@ inline void vertices() {
   glVertex2f(-1, 1);
 }
 
-/// Over everything, of the current attributes.
+/// Draws a quad over everything with the current attributes, and returns its color.
 inline Pixel quad() {
   clear();
   glBegin(GL_QUADS);

@@ -1,5 +1,5 @@
-// DEPTH_TEXTURE_MODE beside a vertex program that writes clip distances, which hosts take in GLSL
-// 1.30 alone, where the mode is no state of theirs. Needs a profile that has the languages (nv40).
+// DEPTH_TEXTURE_MODE with a vertex program that writes clip distances. Hosts only support those in
+// GLSL 1.30, in which they ignore the mode. Needs a profile that has the languages (nv40).
 #include <string>
 
 #include "nv_commands.h"

@@ -1,4 +1,4 @@
-// Draws with programs of NVIDIA's own languages: parameters, tracked matrices, attributes by
+// Draws with programs in NVIDIA's own languages: parameters, tracked matrices, attributes by
 // number, arrays, lists. Needs a profile that has the languages (nv40).
 #include <cstddef>
 #include <string>
@@ -22,7 +22,7 @@ TEST_F(NvTest, AFragmentProgramWithItsParameters) {
             "MOV R0, p[3];\nADD o[COLR], R0, blue;\nEND");
   EXPECT_EQ(quad(), (Pixel{255, 0, 255, 255}))
       << "the same text gives named parameters their values";
-  glDisable(GL_FRAGMENT_PROGRAM_ARB); // one enable with the ARB's
+  glDisable(GL_FRAGMENT_PROGRAM_ARB); // it is the same enable as ARB's
   glColor4f(1, 0, 0, 1);
   EXPECT_EQ(quad(), kRedPixel);
 }
@@ -43,7 +43,7 @@ TEST_F(NvTest, AVertexProgramReadsAttributesByNumber) {
 }
 
 TEST_F(NvTest, EveryAttributeReachesTheProgram) {
-  // What each is set to, by the number, and by the conventional command that is the same.
+  // Each attribute is set by its number, and by the equivalent conventional command.
   for (GLuint i = 1; i < 16; ++i) {
     use(kVertexNv, 3,
         "!!VP1.0\nMOV o[HPOS], v[0];\nMOV o[COL0].xyz, v[" + std::to_string(i) + "].xxxx;\nEND");
@@ -55,10 +55,10 @@ TEST_F(NvTest, EveryAttributeReachesTheProgram) {
   }
 }
 
-/// Attributes that conventional commands have fewer components of, and those components.
+/// An attribute whose conventional command sets fewer components, and the remaining components.
 struct Wider {
   GLuint number;
-  std::string beyond; ///< a swizzle of those that only VertexAttribNV sets
+  std::string beyond; ///< a swizzle of the components that only VertexAttribNV sets
   void (*conventional)(GLfloat);
 };
 const Wider kWider[] = {{2, "w", [](GLfloat x) { glNormal3f(x, 0, 0); }},
@@ -93,7 +93,7 @@ TEST_F(NvTest, AttributesHaveFourComponents) {
     EXPECT_EQ(current[3], 1.0f);
     glPopAttrib();
     EXPECT_NEAR(quad()[1], 153, 1);
-    // Of vertices, in a primitive and in a list.
+    // The values are those of vertices, in a primitive and in a list.
     const auto draw = [&] {
       glBegin(GL_QUADS);
       VertexAttrib4fNV(wider.number, 0, 0.8f, 0.8f, 0.8f);
@@ -113,7 +113,7 @@ TEST_F(NvTest, AttributesHaveFourComponents) {
     EXPECT_NEAR(readPixel()[1], 204, 1);
     EXPECT_NEAR(quad()[1], 204, 1) << "it stays current";
     glDeleteLists(list, 1);
-    // Of an array.
+    // The values come from an array.
     const GLfloat values[4][4] = {
         {1, .4f, .4f, .4f}, {1, .4f, .4f, .4f}, {1, .4f, .4f, .4f}, {1, .4f, .4f, .4f}};
     constexpr GLfloat kCorners[] = {-1, -1, 1, -1, 1, 1, -1, 1};
@@ -134,13 +134,13 @@ TEST_F(NvTest, AttributesHaveFourComponents) {
 TEST_F(NvTest, Attribute0MakesVertices) {
   use(kVertexNv, 2, kThroughVp);
   clear();
-  const GLfloat several[] = {1, 1, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 1}; // 0 to 3
+  const GLfloat several[] = {1, 1, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 1}; // attributes 0 to 3
   glBegin(GL_TRIANGLE_STRIP);
   VertexAttrib4fNV(3, 0, 0, 1, 1);
   VertexAttrib2fNV(0, -1, -1);
   VertexAttrib2fNV(0, 1, -1);
   VertexAttrib2fNV(0, -1, 1);
-  VertexAttribs4fvNV(0, 4, several); // the colour comes before the vertex
+  VertexAttribs4fvNV(0, 4, several); // the color is set before the vertex
   glEnd();
   EXPECT_EQ(readPixel(), kBluePixel);
   EXPECT_EQ(readPixel(30, 30), kBluePixel);

@@ -8,20 +8,20 @@ namespace {
 
 constexpr GLenum kCurve = GL_MAP1_VERTEX_ATTRIB0_4_NV, kSurface = GL_MAP2_VERTEX_ATTRIB0_4_NV;
 
-/// A curve of the attribute, from one value to the other.
+/// Defines a curve of the attribute, from one value to the other.
 void line(GLuint attribute, const std::array<GLfloat, 4> &from, const std::array<GLfloat, 4> &to) {
   const GLfloat points[] = {from[0], from[1], from[2], from[3], to[0], to[1], to[2], to[3]};
   glMap1f(kCurve + attribute, 0, 1, 4, 2, points);
   glEnable(kCurve + attribute);
 }
 
-/// The whole window, of four corners; u goes to the right and v up.
+/// The corners of the whole window; u goes to the right and v up.
 constexpr GLfloat kCorners[] = {-1, -1, 0, 1, -1, 1, 0, 1, 1, -1, 0, 1, 1, 1, 0, 1};
 void surface(GLuint attribute, const GLfloat *corners) {
   glMap2f(kSurface + attribute, 0, 1, 8, 2, 0, 1, 4, 2, corners);
   glEnable(kSurface + attribute);
 }
-/// The same value everywhere.
+/// Defines a constant surface.
 void flat(GLuint attribute, const std::array<GLfloat, 4> &value) {
   glMap2f(kSurface + attribute, 0, 1, 4, 1, 0, 1, 4, 1, value.data());
   glEnable(kSurface + attribute);
@@ -180,10 +180,10 @@ TEST_F(NvEvaluatorTest, ConventionalMapsAreEvaluatedBeside) {
 TEST_F(NvEvaluatorTest, TheNormalIsNotNormalised) {
   use(kVertexNv, 60, "!!VP1.0\nMOV o[HPOS], v[0];\nMOV o[COL0].xyz, v[2].zxww;\nEND");
   constexpr GLfloat kHalf[] = {-1, -1, 0, 2, -1, 1, 0, 2, 1, -1, 0, 2, 1, 1, 0, 2};
-  glMap2f(kSurface, 0, 2, 8, 2, 0, 2.5f, 4, 2, kHalf); // q: 0.5 an u, 0.4 a v
+  glMap2f(kSurface, 0, 2, 8, 2, 0, 2.5f, 4, 2, kHalf); // q: 0.5 for each u, 0.4 for each v
   glEnable(kSurface);
   glEnable(GL_AUTO_NORMAL);
-  flat(2, {1, 1, 1, 1}); // whose place it takes
+  flat(2, {1, 1, 1, 1}); // it overrides this map
   glPointSize(20);
   clear();
   glBegin(GL_POINTS);
@@ -220,7 +220,7 @@ TEST_F(NvEvaluatorTest, ListsDefineEnableAndEvaluate) {
   clear();
   quadOfPoints();
   EXPECT_EQ(readPixel(), kBluePixel);
-  // As it is compiled, and between a Begin and an End of the application's.
+  // The list is executed while it is compiled, and between the application's Begin and End.
   glNewList(lists + 1, GL_COMPILE_AND_EXECUTE);
   clear();
   quadOfPoints();
@@ -249,7 +249,7 @@ TEST_F(NvEvaluatorTest, AVertexBetweenPointsHasTheCurrentValues) {
   useAttribute(3);
   surface(0, kCorners);
   flat(3, {0, 1, 0, 1});
-  glShadeModel(GL_FLAT); // of a triangle's last corner
+  glShadeModel(GL_FLAT); // by a triangle's last corner
   VertexAttrib4fNV(3, 1, 0, 0, 1);
   clear();
   glBegin(GL_TRIANGLE_STRIP);

@@ -1,6 +1,6 @@
-// Vertex programs that no text of the ARB's says, as they choose between values, beside fragment
-// programs: how the host runs the two is not to be seen. Needs a profile that has the languages
-// (nv40).
+// Vertex programs that cannot be written in ARB's language, as they choose between values, with
+// fragment programs. The way the host runs the two must be invisible. Needs a profile that has the
+// languages (nv40).
 #include <memory>
 #include <string>
 
@@ -9,7 +9,7 @@
 namespace api::nv {
 namespace {
 
-/// The colour is env[1] where env[0].x is above zero, else the vertex's.
+/// Returns a program whose color is env[1] if env[0].x is above zero, else the vertex's.
 std::string choosing(const std::string &more = "") {
   return "!!ARBvp1.0\nOPTION NV_vertex_program2;\nTEMP r, c;\n"
          "MOV result.position, vertex.position;\nMOV r, vertex.color;\n"
@@ -19,7 +19,7 @@ std::string choosing(const std::string &more = "") {
 }
 constexpr char kThroughFp[] = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND";
 constexpr char kSwapFp[] = "!!ARBfp1.0\nMOV result.color, fragment.color.yxzw;\nEND";
-/// The colour times env[2], plus local[0].
+/// Outputs the color times env[2], plus local[0].
 constexpr char kScaledFp[] = "!!ARBfp1.0\nMAD result.color, fragment.color, program.env[2], "
                              "program.local[0];\nEND";
 constexpr char kThroughArb[] = "!!ARBvp1.0\nMOV result.position, vertex.position;\n"
@@ -40,7 +40,7 @@ protected:
     ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << glGetString(GL_PROGRAM_ERROR_STRING_ARB);
   }
 
-  /// What the program chooses in the place of blue.
+  /// Sets the color that the program chooses instead of blue.
   static void setColour(GLfloat r, GLfloat g, GLfloat b) {
     glProgramEnvParameter4fARB(kVertex, 1, r, g, b, 1);
   }
@@ -178,13 +178,13 @@ TEST_F(NvStages, BesideTheApplicationsPipelines) {
   EXPECT_EQ(drawn(), kGreenPixel);
   glBindProgramPipeline(0);
   EXPECT_EQ(drawn(), kRedPixel);
-  // Bound while a list is compiled: it is not recorded.
+  // Binding a pipeline is not recorded in a list.
   glNewList(1, GL_COMPILE);
   glBindProgramPipeline(pipeline);
   glEndList();
   EXPECT_EQ(integer(GL_PROGRAM_PIPELINE_BINDING), GLint(pipeline));
   EXPECT_EQ(drawn(), kGreenPixel);
-  glDeleteProgramPipelines(1, &pipeline); // which binds none
+  glDeleteProgramPipelines(1, &pipeline); // unbinds it
   EXPECT_EQ(integer(GL_PROGRAM_PIPELINE_BINDING), 0);
   EXPECT_EQ(drawn(), kRedPixel);
   glCallList(1);

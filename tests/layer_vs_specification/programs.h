@@ -4,8 +4,8 @@
 
 #include <epoxy/gl.h>
 
-/// What every test of the program API needs of GL: programs to load, a quad to draw, a pixel to
-/// read. Of the current context, by libepoxy.
+/// Shared parts of the program API's tests: they load programs, draw a quad and read a pixel in the
+/// current context, by libepoxy.
 namespace api {
 
 using Pixel = std::array<int, 4>;
@@ -23,17 +23,17 @@ inline constexpr Pixel kGreenPixel = {0, 255, 0, 255};
 inline constexpr Pixel kBluePixel = {0, 0, 255, 255};
 
 void load(const std::string &text, GLenum target = kFragment);
-/// A new program object with that text, bound.
+/// Makes and binds a program object with that text.
 GLuint makeProgram(const std::string &text, GLenum target = kFragment);
 GLint programiv(GLenum pname, GLenum target = kFragment);
 GLint integer(GLenum pname);
-/// Draws a quad over everything in blue (if nothing else shades it), after a clear to zero.
+/// Clears to zero, then draws a quad over everything in blue (if nothing else shades it).
 void drawQuad();
 void clear();
 Pixel readPixel(int x = 16, int y = 16);
-/// clear, drawQuad, readPixel.
+/// Calls clear(), drawQuad() and readPixel().
 Pixel drawn();
-/// A linked GLSL program of the stages whose text is given.
+/// Links a GLSL program of the stages whose text is given.
 GLuint makeGlsl(const char *vertex, const char *fragment);
 
 } // namespace api

@@ -1,4 +1,4 @@
-// What the program API answers: objects, counts, limits, error position and string, enables.
+// The program API's queries: objects, counts, limits, error position and string, enables.
 #include <cstring>
 
 #include "fixture.h"
@@ -66,8 +66,8 @@ TEST_F(Queries, CountsAreComputed) {
   EXPECT_EQ(programiv(GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB), 1);
 }
 
-// What the chip's model makes of a text is not what the text says: a SIN is a polynomial with
-// constants of its own, and a read that waits for nobody needs no node of its own.
+// The chip's counts differ from the text's: a SIN is a polynomial with constants of its own, and a
+// read that depends on nothing needs no node of its own.
 TEST_F(Queries, NativeCountsAreTheChips) {
   BARE_HOST_DIFFERS("counts the text");
   makeProgram("!!ARBfp1.0\n"

@@ -1,5 +1,5 @@
-// State that is set between Begin and End, and Begin itself there, are errors (OpenGL 2.1, 2.6.3)
-// of which nothing else comes: the primitive is drawn as if they were not there.
+// Setting state between Begin and End, and Begin there, are errors (OpenGL 2.1, 2.6.3) without any
+// other effect: the primitive is drawn as if the command was missing.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -23,7 +23,7 @@ struct Command {
 const GLfloat kValues[16] = {0.5f, 0.25f, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0.5f, 0, 0, 1};
 const GLubyte kStipple[128] = {};
 
-/// Each would change the picture, of this primitive or of the next.
+/// Returns commands that would change the picture of this primitive or of the next.
 std::vector<Command> commands() {
   return {
       {"Begin of the mode", [] { glBegin(GL_TRIANGLES); }},
@@ -92,7 +92,8 @@ protected:
     glScalef(0.75f, 0.75f, 1);
   }
 
-  /// The host and the rasterizer, of which either may draw a frame, round colours apart.
+  /// Compares pictures. Either the host or the rasterizer may draw a frame, and they round colors
+  /// differently.
   static void expectAlike(const Picture &picture, const Picture &wanted, const char *what) {
     int most = 0;
     for (std::size_t i = 0; i < picture.size(); ++i)
@@ -104,7 +105,7 @@ protected:
     glTexCoord2f(x, y);
     glVertex2f(x, y);
   }
-  /// Two triangles, of which the first has the command in it, then lines and points.
+  /// Draws two triangles, the first with the command in it, then lines and points.
   static Picture drawn(const std::function<void()> &command) {
     glClear(GL_COLOR_BUFFER_BIT);
     glBegin(GL_TRIANGLES);
@@ -150,7 +151,7 @@ TEST_F(RefusedPrimitives, AQueryIsAnsweredAfterwards) {
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
 }
 
-/// The first error since the last GetError wins (2.5).
+/// The first error since the last GetError counts (2.5).
 TEST_F(RefusedPrimitives, AnEarlierErrorStaysTheFirst) {
   glLineWidth(-1);
   glBegin(GL_LINES);
@@ -168,7 +169,7 @@ TEST_F(RefusedPrimitives, AnEarlierErrorStaysTheFirst) {
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-/// As in an application that forgets most of its Ends.
+/// Some applications forget most of their Ends.
 TEST_F(RefusedPrimitives, PrimitivesInPrimitivesAreOne) {
   const auto strips = [](bool nested) {
     glClear(GL_COLOR_BUFFER_BIT);
@@ -193,7 +194,7 @@ TEST_F(RefusedPrimitives, PrimitivesInPrimitivesAreOne) {
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
 }
 
-/// The list has the command as it was given, and the error is raised where the list is called.
+/// The list contains the command, and the error is raised when the list is called.
 TEST_F(RefusedPrimitives, AListKeepsThem) {
   const Picture wanted = drawn(nullptr);
   const GLuint list = glGenLists(1);

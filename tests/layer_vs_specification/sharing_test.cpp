@@ -1,5 +1,5 @@
-// Program objects are shared exactly where display lists are; bindings, enables and env parameters
-// are the context's own.
+// Program objects are shared exactly when display lists are; bindings, enables and env parameters
+// belong to the context.
 #include <memory>
 #include <thread>
 
@@ -81,7 +81,7 @@ TEST_F(Sharing, ListsAreShared) {
   m_context.makeCurrent();
 }
 
-/// Names of GenLists are empty lists until one of the contexts compiles them (OpenGL 2.1, 5.4).
+/// GenLists creates empty lists, which any of the contexts can compile later (OpenGL 2.1, 5.4).
 TEST_F(Sharing, GeneratedListsAreFilledByEitherContext) {
   makeProgram(kRed);
   glEnable(kFragment);
@@ -122,7 +122,7 @@ TEST_F(Sharing, GeneratedListsAreFilledByEitherContext) {
   EXPECT_EQ(calls(again), cleared);
 }
 
-/// A context goes from thread to thread within a frame, in which its program is new.
+/// The context moves from thread to thread within a frame in which its program is new.
 TEST_F(Sharing, AContextWithANewProgramMovesBetweenThreads) {
   makeProgram(kRed);
   glEnable(kFragment);
@@ -152,7 +152,7 @@ TEST_F(Sharing, AContextWithANewProgramMovesBetweenThreads) {
     glBindProgramARB(kFragment, other);
     glProgramEnvParameter4fARB(kFragment, 0, 0, 1, 0, 1);
     if (turn == 1)
-      glFinish(); // for some applications the end of a frame
+      glFinish(); // it ends a frame in some applications
   }
 }
 

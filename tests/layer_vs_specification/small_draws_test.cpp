@@ -1,5 +1,5 @@
-// Small draws that follow one another with nothing changed but their vertices, matrices and current
-// values may be drawn as one: the picture is that of each drawn alone.
+// Consecutive small draws that differ only in vertices, matrices and current values may be drawn as
+// one: the picture is that of each drawn alone.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -19,11 +19,11 @@ struct Shape {
   GLenum mode = GL_TRIANGLES;
   Way way = Way::Immediate;
   std::vector<std::array<GLfloat, 3>> places;
-  std::vector<std::array<GLfloat, 4>> colors; ///< none: the current one
-  std::vector<GLushort> order;                ///< of Elements
+  std::vector<std::array<GLfloat, 4>> colors; ///< empty: the current one
+  std::vector<GLushort> order;                ///< for DrawElements
   GLuint list = 0;
 };
-/// A shape under a matrix and a colour of its own.
+/// A shape with a matrix and a color of its own.
 struct Draw {
   std::size_t shape = 0;
   std::array<GLfloat, 3> at{};
@@ -199,7 +199,7 @@ TEST_F(SmallDrawPrimitives, LookAsEachDrawnAlone) {
     chooseState(random);
     makeShapes(random);
     std::vector<Draw> draws(3 + random() % 30);
-    // Sizes from below a pixel to beyond the view; some are drawn again where they were.
+    // Sizes range from below a pixel to beyond the view; some are drawn again at their place.
     for (std::size_t i = 0; i < draws.size(); ++i) {
       if (i != 0 && random() % 5 == 0) {
         draws[i] = draws[i - 1];
@@ -226,7 +226,8 @@ TEST_F(SmallDrawPrimitives, LookAsEachDrawnAlone) {
 }
 
 TEST_F(SmallDrawPrimitives, AThousandBetweenOthersAreAllThere) {
-  // A pixel each, more than are joined at a time; what comes between is another kind of draw.
+  // There is one for each pixel, more than are joined at a time. Another kind of draw comes
+  // between.
   const auto corner = [](int i) { return -1 + 2 * float(i) / float(kSize); };
   glMatrixMode(GL_MODELVIEW);
   const GLuint list = glGenLists(1);

@@ -5,7 +5,7 @@
 
 namespace api {
 
-/// A context in which vertex programs are enabled; its fragments are fixed function's, blue.
+/// Runs tests with vertex programs enabled; fragments are fixed function's, blue.
 class VertexDraws : public ApiTest {
 protected:
   void SetUp() override {
@@ -16,7 +16,7 @@ protected:
 
 inline constexpr char kThrough[] = "!!ARBvp1.0\nMOV result.position, vertex.position;\n"
                                    "MOV result.color, vertex.color;\nEND";
-/// Position and colour, with what an application adds before END.
+/// Returns a program that passes the position on, with more code before END.
 inline std::string through(const std::string &more) {
   return "!!ARBvp1.0\nMOV result.position, vertex.position;\n" + more + "\nEND";
 }

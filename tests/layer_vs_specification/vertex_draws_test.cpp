@@ -1,4 +1,4 @@
-// What vertex programs draw, alone and with fragment programs: pictures by the pixel.
+// Draws with vertex programs, alone and with fragment programs: single pixels are compared.
 #include "vertex_draws.h"
 
 namespace api {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Fails on a header that does not compile by itself.
 
-A precompiled header declares names that a header forgets to include, so a tree built with one says
-nothing of it: the next build without stops. Here each header of src, generated ones too, is the
-only include of a source, compiled as the nearest target compiles its own, without a precompiled
-header. Warnings are complaints as well.
+A precompiled header declares names that a header forgets to include, so that a tree built with one
+does not notice; the next build without one fails. Here each header of src, including generated ones,
+is the only include of a source. It is compiled with the options of the nearest target, without a
+precompiled header. Warnings count as complaints.
 
 usage: lone_headers.py ROOT BUILD_TREE [HEADER...] | lone_headers.py --self-test
 BUILD_TREE has a compile_commands.json, and its generated headers exist.
@@ -19,14 +19,14 @@ import subprocess
 import sys
 import tempfile
 
-# Options that take a word with them, and options that do nothing for a check of syntax.
+# These options take a word, and the others are irrelevant to a syntax check.
 PAIRS = {"-include", "-o", "-MF", "-MQ", "-MT"}
 DROPPED = {"-c", "-MD", "-MMD", "-fpch-preprocess", "-Winvalid-pch", "-fpch-deps"}
 DROPPED_STARTS = ("-O", "-g", "-D_FORTIFY_SOURCE", "-fdiagnostics", "-Wno-pch")
 
 
 def options_of(command):
-    """The compiler and its options without input, output, optimisation and precompiled header."""
+    """Returns the compiler and its options without input, output, optimisation and precompiled header."""
     words = shlex.split(command)
     while "ccache" in pathlib.Path(words[0]).name:
         words.pop(0)
@@ -43,11 +43,11 @@ def options_of(command):
 
 
 class Tree:
-    """The sources of a build tree by their folders."""
+    """The sources of a build tree, by folder."""
 
     def __init__(self, root, build):
         self.root, self.build = pathlib.Path(root).resolve(), pathlib.Path(build).resolve()
-        self.commands = {}  # by folder, one of each set of options
+        self.commands = {}  # by folder, one for each set of options
         for entry in json.loads((self.build / "compile_commands.json").read_text()):
             if entry["file"].endswith((".cpp", ".cc")):
                 source = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
@@ -55,20 +55,20 @@ class Tree:
                     tuple(options_of(entry["command"])), entry["directory"])
 
     def headers(self):
-        """Those of src, but for what the precompiled ones are made of, and the generated ones."""
+        """Returns the headers of src and the generated ones, except those of precompiled headers."""
         found = sorted((self.root / "src").rglob("*.h"))
         generated = sorted((self.build / "src").rglob("*.h"))
         return [path for path in found + generated if "precompiled" not in path.parts]
 
     def nearest(self, header):
-        """(options, directory) of the targets in the header's folder, or in the nearest one to it."""
+        """Returns (options, directory) of the targets in the header's folder, or in the nearest one to it."""
         wanted = str(self.root / header.relative_to(self.build)
                      if self.build in header.parents else header).split("/")
         return max(self.commands.items(), key=lambda each: len(
             os.path.commonprefix([each[0].split("/"), wanted])))[1].items()
 
     def complaint(self, header):
-        """The compiler's first error of the header alone; empty if it compiles in one of the targets."""
+        """Returns the compiler's first error for the header alone; empty if it compiles in one of the targets."""
         for options, directory in self.nearest(header):
             done = subprocess.run(
                 [*options, "-Werror", "-fsyntax-only", "-x", "c++", "-"], cwd=directory,
@@ -81,7 +81,7 @@ class Tree:
 
 
 def check(root, build, names=()):
-    """Complaints, and how many headers were compiled."""
+    """Returns complaints, and how many headers were compiled."""
     tree = Tree(root, build)
     headers = [pathlib.Path(name).resolve() for name in names] or tree.headers()
     complaints, show = [], sys.stderr.isatty()
@@ -97,7 +97,7 @@ def check(root, build, names=()):
 
 
 def self_test():
-    """A good header and three bad ones, beside a source whose precompiled header hides one."""
+    """Checks a good header and three bad ones, beside a source whose precompiled header hides one."""
     files = {
         "src/room/good.h": "#pragma once\n#include <string>\nstd::string good();\n",
         "src/room/lacks.h": "#pragma once\nstd::string lacks();\n",

@@ -1,4 +1,4 @@
-// The scenes by name, and what they have in common.
+// Lists the scenes by name, and defines what they share.
 #include "allocation_scenes.h"
 
 namespace memory {

@@ -1,11 +1,11 @@
 #pragma once
 #include "allocations.h"
 
-/// What the scenes of rasterizer-allocations have in common: programs, textures and a quad.
+/// Shared parts of the scenes of rasterizer-allocations: programs, textures and a quad.
 namespace memory {
 
 [[nodiscard]] GLuint load(GLenum target, const std::string &text);
-/// A text that no program had before, of the same meaning.
+/// Returns a text of the same meaning that no program had before.
 [[nodiscard]] std::string fresh(const std::string &body, const char *header, int round);
 inline constexpr const char *kFragment = "TEMP t;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n"
                                          "MAD t, t, program.env[1], program.local[2];\n"
@@ -21,22 +21,22 @@ void setParameters();
 void enablePrograms();
 
 [[nodiscard]] std::vector<unsigned char> texelsOf(int side, int seed);
-/// It stays bound.
+/// Makes a texture, which stays bound.
 [[nodiscard]] GLuint makeTexture(int side, int seed);
-/// Added to texture coordinates, so that no pixel samples where two texels meet: the host, which a
-/// program is left to where memory runs out, and the rasterizer may each take another one there.
+/// An offset of texture coordinates, so that no pixel samples where two texels meet. There the
+/// host, which draws when memory runs out, and the rasterizer could choose different texels.
 inline constexpr float kOff = 0.007f;
-/// Over all rows, between two places of the x axis in clip space.
+/// Draws a quad over all rows, between two places of the x axis in clip space.
 void quad(float left = -1, float right = 1);
 
-/// What is used in all frames, made while there is memory.
+/// Objects that all frames use, made while there is memory.
 struct Kept {
   GLuint fragment, vertex, texture, list, buffer;
 };
 extern Kept g_kept;
 void makeKept(Surface &);
 void useKept();
-/// An error of this moment would be lost: the frame was refused if it says that memory ran out.
+/// Takes the present error. If it tells that memory ran out, the frame counts as refused.
 GLenum takeErrorOf(Surface &window);
 
 // --- draw_scenes.cpp ---

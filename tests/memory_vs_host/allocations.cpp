@@ -1,9 +1,9 @@
-// Frames in which an allocation of the layer's finds no memory: rasterizer-allocations SCENE FROM
-// STEP COUNT MODE, under libfailing_memory.so. Number FROM fails, then FROM + STEP, and so on:
-// COUNT of them, or until a frame has fewer. MODE is once, or forgood: all behind that one fail
-// too. Between two of those frames the same one is drawn with all memory there is, which must show
-// what it showed at first. Prints "at N" before each, "wrong: ..." for what is not as it should be,
-// and in the end "done: LAST failing allocations, MOST in a frame".
+// Draws frames in which an allocation of the layer fails: rasterizer-allocations SCENE FROM STEP
+// COUNT MODE, under libfailing_memory.so. Allocation FROM fails, then FROM + STEP, and so on: COUNT
+// of them, or until a frame has fewer. MODE is once, or forgood: all later ones fail too. Between
+// two of those frames the frame is drawn with all memory, and must look as at first. Prints "at N"
+// before each, "wrong: ..." for each fault, and at the end "done: LAST failing allocations, MOST in
+// a frame".
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -46,7 +46,7 @@ Errors takeErrors() {
   return errors;
 }
 
-/// How many pixels are unlike, by more than the two rasterizers' roundings.
+/// Returns how many pixels differ by more than the two rasterizers' rounding.
 long unlike(const Pixels &a, const Pixels &b) {
   if (a.size() != b.size())
     return long(a.size() > b.size() ? a.size() : b.size());
@@ -70,7 +70,7 @@ public:
       say(0, "two frames with all memory differ");
   }
 
-  /// False once a frame has fewer allocations.
+  /// Draws a frame with a failing allocation. Returns false once a frame has fewer allocations.
   bool fail(long at) {
     std::printf("at %ld\n", at);
     std::fflush(stdout);
@@ -118,7 +118,8 @@ bool Surface::open() {
   display = XOpenDisplay(nullptr);
   if (!display)
     return false;
-  // One that the rasterizer can draw to: what the host lists first may have another layout.
+  // The rasterizer must be able to draw to it: the host's first configuration may have another
+  // layout.
   config = software::chooseGlxConfig(display, GLX_PBUFFER_BIT | GLX_WINDOW_BIT);
   if (!config)
     return false;

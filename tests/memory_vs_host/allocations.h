@@ -5,13 +5,13 @@
 #include <epoxy/gl.h>
 #include <epoxy/glx.h>
 
-/// What the scenes of rasterizer-allocations draw with: commands of GL that need memory of the
-/// layer's, each followed by what shows whether they did what they should.
+/// The scenes of rasterizer-allocations: GL commands that need memory of the layer, each followed
+/// by commands that show whether it worked.
 namespace memory {
 
-inline constexpr int kSide = 48; ///< pixels of an edge of the window
+inline constexpr int kSide = 48; ///< pixels on a side of the window
 
-/// A window and its context, made current. Functions of GLX may be refused: then `refused` is set.
+/// A window with its current context. If a GLX function fails, `refused` is set.
 struct Surface {
   Display *display = nullptr;
   GLXFBConfig config = nullptr;
@@ -26,17 +26,17 @@ struct Surface {
 
 using Pixels = std::vector<unsigned char>;
 
-/// A frame: made again and again, `round` being another one each time. What it leaves does not
-/// matter to the next one. The errors of GL are the caller's to take.
+/// A frame that is drawn repeatedly, with another `round` each time. It must not affect the next
+/// one. The caller takes GL's errors.
 struct Scene {
   const char *name;
-  void (*prepare)(Surface &window); ///< once, with all memory there is; null: nothing
+  void (*prepare)(Surface &window); ///< called once, with all memory; null: nothing
   Pixels (*frame)(Surface &window, int round);
 };
 extern const std::vector<Scene> kScenes;
 
 [[nodiscard]] Pixels readPixels();
-/// The state that frames begin with.
+/// Sets the state that frames begin with.
 void reset();
 
 } // namespace memory

@@ -12,7 +12,7 @@ Pixels programs(Surface &window, int round) {
   enablePrograms();
   quad();
   Pixels picture = readPixels();
-  // A mistake has a text; a text is read back.
+  // A mistake has an error string, which is read back.
   (void)load(GL_FRAGMENT_PROGRAM_ARB, fresh("MOV result.color, wrong;\n", "!!ARBfp1.0", round));
   if (takeErrorOf(window) == GL_INVALID_OPERATION)
     (void)glGetString(GL_PROGRAM_ERROR_STRING_ARB);
@@ -28,8 +28,8 @@ Pixels programs(Surface &window, int round) {
   return picture;
 }
 
-/// A program whose machine code is not there yet: what it compares with is another number each
-/// time. The picture is not.
+/// Draws with a program whose machine code does not exist yet: a comparison's constant differs each
+/// time, but the picture does not.
 Pixels compiles(Surface &window, int round) {
   reset();
   const std::string body = "TEMP t, u;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n"
@@ -88,7 +88,7 @@ Pixels draws(Surface &, int) {
   glRotatef(30, 0, 0, 1);
   glMultiDrawArrays(GL_TRIANGLES, firsts, counts, 2);
   glDeleteBuffers(1, &buffer);
-  // Fixed function's vertices, then its fragments.
+  // This draws with fixed-function vertices, then with fixed-function fragments.
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_VERTEX_PROGRAM_ARB);
   glRectf(0.2f, 0.2f, 0.6f, 0.9f);
@@ -111,10 +111,10 @@ Pixels manyTriangles(Surface &, int round) {
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(2, GL_FLOAT, 0, vertices.data());
   glDrawArrays(GL_TRIANGLES, 0, 3 * count);
-  // The number is another one each time, so that arrays grow; the picture is not.
+  // The count differs each time, so that arrays grow, but the picture does not.
   glClear(GL_COLOR_BUFFER_BIT);
   glDrawArrays(GL_TRIANGLES, 0, 900);
-  glTranslatef(5, 0, 0); // clipped, all of it
+  glTranslatef(5, 0, 0); // everything is clipped
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 900);
   return readPixels();
 }

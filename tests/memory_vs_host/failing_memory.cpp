@@ -1,8 +1,8 @@
-/// Preloaded before the layer: the Nth allocation that the layer, its JIT library, or (asked for)
-/// LLVM on the JIT library's behalf makes finds no memory. What the host and the application
-/// allocate always succeeds: they would end the process themselves.
+/// Makes the Nth allocation of the layer, its JIT library, or optionally LLVM on behalf of the JIT
+/// library fail. It is preloaded before the layer. Allocations of the host and the application
+/// always succeed, as their failure would end the process.
 ///
-/// The client arms and disarms it (failing_memory.h). FAIL_LIBRARIES=llvm counts LLVM's too.
+/// The client arms and disarms it (failing_memory.h). FAIL_LIBRARIES=llvm includes LLVM's.
 #include "failing_memory.h"
 
 #include <atomic>
@@ -18,7 +18,7 @@
 #include <sys/types.h>
 #include <unwind.h>
 
-// glibc's own functions beneath those that are replaced here; in no header.
+// These are glibc's own functions beneath the ones replaced here; no header declares them.
 extern "C" void *__libc_malloc(std::size_t);
 extern "C" void *__libc_calloc(std::size_t, std::size_t);
 extern "C" void *__libc_memalign(std::size_t, std::size_t);
@@ -27,7 +27,7 @@ extern "C" void __libc_free(void *);
 
 namespace {
 
-/// Where a library's code is mapped.
+/// The address range of a library's code.
 struct Range {
   std::atomic<std::uintptr_t> begin{0}, end{0};
   [[nodiscard]] bool has(std::uintptr_t address) const {
@@ -37,7 +37,7 @@ struct Range {
 };
 Range g_layer, g_jit, g_llvm;
 
-std::atomic<long> g_left{-1};    ///< allocations until one fails; below zero: none will
+std::atomic<long> g_left{-1};    ///< allocations until one fails; negative: none will
 std::atomic<long> g_made{0};     ///< since it was armed
 std::atomic<long> g_failures{0}; ///< since it was armed
 std::atomic<bool> g_armed{false}, g_forGood{false};
@@ -79,7 +79,7 @@ _Unwind_Reason_Code lookForJit(_Unwind_Context *context, void *found) {
   return _URC_END_OF_STACK;
 }
 
-/// LLVM compiles for the JIT library here, and not for the host.
+/// True if LLVM compiles for the JIT library, not for the host.
 bool isForJit() {
   thread_local bool s_asking = false; // unwinding may allocate
   if (s_asking)
@@ -91,7 +91,7 @@ bool isForJit() {
   return found;
 }
 
-/// The allocation that `caller` asks for is one that must fail.
+/// True if the allocation that `caller` requests must fail.
 bool fails(void *caller) {
   if (!g_armed.load(std::memory_order_relaxed))
     return false;
@@ -171,14 +171,14 @@ EXPORTED void *aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept 
   return nullptr;
 }
 
-/// As what is above is glibc's: who asks whether both are of one library finds them so.
+/// Replaced too, as programs check that all allocation functions come from one library.
 EXPORTED std::size_t malloc_usable_size(void *block) noexcept {
   using Function = std::size_t (*)(void *);
   static const auto s_next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "malloc_usable_size"));
   return s_next(block);
 }
 
-/// Memory that is shared with the X server.
+/// Allocates memory that is shared with the X server.
 EXPORTED int shmget(key_t key, std::size_t bytes, int flags) noexcept {
   using Function = int (*)(key_t, std::size_t, int);
   static const auto s_next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "shmget"));
@@ -190,7 +190,7 @@ EXPORTED int shmget(key_t key, std::size_t bytes, int flags) noexcept {
 
 } // extern "C"
 
-// Libraries that share libstdc++.so would otherwise be seen as its operator new.
+// Without these, libraries that share libstdc++.so would be seen as its operator new.
 EXPORTED void *operator new(std::size_t bytes) { return orThrow(unlessFails(CALLER, bytes)); }
 EXPORTED void *operator new[](std::size_t bytes) { return orThrow(unlessFails(CALLER, bytes)); }
 EXPORTED void *operator new(std::size_t bytes, const std::nothrow_t &) noexcept {

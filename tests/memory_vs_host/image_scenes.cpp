@@ -1,4 +1,4 @@
-// Scenes of copies, textures, frames shown and contexts.
+// Scenes of copies, textures, shown frames and contexts.
 #include "allocation_scenes.h"
 
 namespace memory {
@@ -118,7 +118,7 @@ Pixels contexts(Surface &window, int) {
   return picture;
 }
 
-/// All that a context makes when it first draws, shows and samples.
+/// Makes everything that a context makes when it first draws, shows and samples.
 Pixels firstDraws(Surface &window, int round) {
   const Kept kept = g_kept;
   Surface own = window;

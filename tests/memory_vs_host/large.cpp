@@ -1,7 +1,7 @@
-// One thing that is large: rasterizer-large WHAT COUNT. Draws COUNT vertices of client arrays as
-// one primitive's kind, or records COUNT binds of programs in a display list and calls it. Records
-// the picture, and then the milliseconds that it took and the most memory that the process ever
-// had, in KiB: "figures MILLISECONDS KIB".
+// Draws one large thing: rasterizer-large WHAT COUNT. Draws COUNT vertices of client arrays as one
+// kind of primitive, or records COUNT binds of programs in a display list and calls it. Records the
+// picture, then the milliseconds that it took and the process's peak memory in KiB: "figures
+// MILLISECONDS KIB".
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -22,16 +22,16 @@ struct Vertex {
   unsigned char color[4];
 };
 
-/// How far apart the places are where primitives are seen. Wherever a draw is cut in parts, at a
-/// multiple of this, the primitives on both sides are large and have colours of their own, so that
-/// one that is missing, doubled, wound the other way, or given another's provoking vertex shows.
+/// The distance between the places where primitives are visible. Wherever a draw is split, at a
+/// multiple of this, the primitives on both sides are large and have distinct colors. A primitive
+/// that is missing, doubled, wound the other way, or has a wrong provoking vertex is then visible.
 constexpr std::size_t kStep = 65536;
 constexpr std::size_t kSeen = 9; ///< vertices on each side of such a place
 
 /// Most vertices are one point, so that their primitives have no area.
 constexpr Vertex kUnseen = {0.97f, -0.97f, {0, 0, 0, 255}};
 
-/// Vertex `i` of a sequence.
+/// Returns vertex `i` of a sequence.
 Vertex vertexAt(std::size_t i) {
   const std::size_t place = (i + kSeen) / kStep, middle = place * kStep;
   if (i >= middle + kSeen)
@@ -52,10 +52,10 @@ std::vector<Vertex> sequenceOf(std::size_t count) {
   return vertices;
 }
 
-/// The same sequence by indices, of vertices that lie in another order.
+/// Returns the same sequence by indices, with reordered vertices.
 std::vector<unsigned> shuffle(std::vector<Vertex> &vertices) {
   const std::size_t count = vertices.size();
-  std::size_t factor = 7919; // no divisor of the counts that the runner asks for
+  std::size_t factor = 7919; // divides none of the counts that the runner uses
   std::vector<unsigned> indices(count);
   std::vector<Vertex> shuffled(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -107,8 +107,8 @@ constexpr Kind kKinds[] = {
     {"begin-fan-material", GL_TRIANGLE_FAN, Way::BeginMaterial, true},
 };
 
-/// One primitive of Begin and End: its vertices are in no array. A material among its last ones is
-/// for the host to know: it draws what follows.
+/// Draws one primitive of Begin and End, whose vertices are in no array. A material among its last
+/// vertices must reach the host, which draws the rest.
 void beginLarge(const Kind &kind, std::size_t count) {
   const std::size_t material =
       kind.way == Way::BeginMaterial ? count * 3 / 4 / kStep * kStep : count;
@@ -132,7 +132,7 @@ void drawLarge(const Kind &kind, std::size_t count) {
   if (kind.way == Way::Elements)
     indices = shuffle(vertices);
   glShadeModel(kind.flat ? GL_FLAT : GL_SMOOTH);
-  // Sides that the windings tell apart.
+  // Front and back sides are drawn differently.
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   for (const GLenum front : {GL_CCW, GL_CW}) {
@@ -171,8 +171,8 @@ void bindMany(std::size_t count, const GLuint *programs) {
   glCallList(1);
 }
 
-/// Programs that are long, by what they repeat; each instruction needs the one before. Their
-/// numbers come to no rest at zero.
+/// A long program made of repeated lines, each of which depends on the previous one. Its numbers do
+/// not converge to zero.
 struct Chain {
   const char *name;
   const char *even, *odd;
@@ -201,7 +201,7 @@ void makeTexture() {
 void drawLong(const Chain &chain, std::size_t count) {
   std::string text =
       "!!ARBfp1.0\nTEMP t, u;\nMOV t, fragment.color;\nMOV u, { 0.5, 0.25, 0.75, 1 };\n";
-  const std::size_t each = std::string(chain.name) == "mixture" ? 2 : 1; // instructions of a line
+  const std::size_t each = std::string(chain.name) == "mixture" ? 2 : 1; // instructions in a line
   for (std::size_t i = 0; i < count / each; ++i)
     text += i % 2 ? chain.odd : chain.even;
   makeTexture();
@@ -239,7 +239,7 @@ int main(int argc, char **argv) {
           "!!ARBfp1.0\nMUL result.color, fragment.color, { 0.9, 0.8, 1, 1 };\nEND\n")};
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
   glClear(GL_COLOR_BUFFER_BIT);
-  quad(); // what is made once is made
+  quad(); // one-time objects are made here
   glFinish();
   glClear(GL_COLOR_BUFFER_BIT);
   const auto count = std::size_t(std::atoll(argv[2]));

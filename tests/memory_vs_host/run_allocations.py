@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Fails the Nth allocation of the layer's in frames of every kind (allocation_scenes.cpp), for every N
-(--every 1) or for a part of them, on each back end. No process may end, a frame that is not as it should
-be must raise OUT_OF_MEMORY, and the next frame, with all memory there is, must be right.
+"""Fails the Nth allocation of the layer in frames of every kind (allocation_scenes.cpp), for every N
+(--every 1) or for a part of them, on each back end.
+
+No process may end, a frame with a wrong picture must raise OUT_OF_MEMORY, and the next frame, with all memory, must be
+right.
 
   run_allocations.py --build build [--every K] [--scene NAME] [--backend NAME] [--mode once|forgood]
 
@@ -25,25 +27,25 @@ TIMEOUT = 240
 PART = 40  # failing allocations of one process: a frame with its own context takes a second
 BACKENDS = ("host", "auto", "swrast")
 MODES = ("once", "forgood")
-# A compilation asks for 23,000, most of them alike: there N goes on by so many times --every.
+# A compilation makes 23,000 allocations, most of them alike, so that N advances by this many times --every.
 SPARSE = {"compiles": 37}
 
 
 class Runner:
-    """Runs a scene on a back end, with or without allocations that fail."""
+    """Runs a scene on a back end, with or without failing allocations."""
 
     def __init__(self, build, scene, backend):
         self.build, self.scene, self.backend = build, scene, backend
 
     def process(self, display, first, every, count, mode):
-        """(status, lines, standard error, draws of the rasterizer)."""
+        """Returns (status, lines, standard error, draws of the rasterizer)."""
         client = self.build / "tests/memory_vs_host/rasterizer-allocations"
         failing = self.build / "tests/memory_vs_host/libfailing_memory.so"
         with tempfile.TemporaryDirectory(prefix="arbiter-memory-") as folder:
             stats = pathlib.Path(folder) / "stats.json"
             env = sides.environment(sides.layer_of(self.build), self.backend,
                                     {"DISPLAY": display, "XDG_CACHE_HOME": folder, "ARBITER_THREADS": "2",
-                                     # What is counted must not depend on how busy the machine is.
+                                     # the count must not depend on the machine's load
                                      "ARBITER_DEBUG": "steady", "ARBITER_STATS": str(stats)})
             env["LD_PRELOAD"] = f"{failing}:{env['LD_PRELOAD']}"
             command = [str(client), self.scene, str(first), str(every), str(count), mode]
@@ -56,7 +58,7 @@ class Runner:
                 result.stderr.decode(errors="replace"), drawn)
 
     def allocations(self, display):
-        """(how many a frame makes at most, what is wrong already)."""
+        """Returns (the most allocations of a frame, what is wrong already)."""
         status, lines, errors, drawn = self.process(display, 10**9, 1, 1, "once")
         done = done_line(lines)
         if status != 0 or not done:
@@ -66,7 +68,7 @@ class Runner:
         return int(done[2]), []
 
     def part(self, display, first, end, every, mode):
-        """(how many frames were tried, what is wrong): numbers `first`, `first + every`, .. below `end`."""
+        """Returns (how many frames were tried, what is wrong): numbers `first`, `first + every`, .. below `end`."""
         tried, wrong, at, unreached = 0, [], first, 0
         while at < end and len(wrong) <= 40 and unreached < 3:
             count = (end - at + every - 1) // every
@@ -76,8 +78,8 @@ class Runner:
             wrong += [line[7:] for line in lines if line.startswith("wrong: ")]
             done = done_line(lines)
             if done and status == 0:
-                # It ends early at a frame that asks for fewer: what could not be had once (a
-                # compiler) is not asked for again by that process, but by the next one.
+                # The process ends early at a frame with fewer allocations: after one failure (of a compiler) it does
+                # not try again, but the next process does.
                 last = int(done[1])
                 unreached = 0 if last >= at else unreached + 1
                 at = max(last, at) + every
@@ -119,7 +121,7 @@ def main():
         parts = {}
         for pair, (most, wrong) in zip(pairs, counted):
             step = every * SPARSE.get(pair[0], 1)
-            # A frame in which some fail may ask for more than one in which none does.
+            # A frame with failures may make more allocations than one without.
             end = 1 if wrong else most + most // 10 + 2
             for mode in modes:
                 parts[pair, mode] = [

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Draws of very many vertices, lists of very many commands, very long programs: the process takes no more
-than 1.3 times the bare one's memory and, with --time, time. The picture is that of the layer's own host
-back end, as the bare host shades smoothly under ARB programs whatever ShadeModel says.
+"""Tests draws of very many vertices, lists of very many commands, and very long programs.
+
+The process takes at most 1.3 times the bare one's memory and, with --time, time. The picture is compared with the
+layer's own host back end, as the bare host shades smoothly under ARB programs whatever ShadeModel says.
 
   run_large.py --build build [--vertices N] [--binds N] [--time] [--backend NAME] [--kind NAME]
 
@@ -19,20 +20,20 @@ import sides  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 RATIO = 1.3
-LONG_RATIO = 1.5  # of memory: long programs go through the host's GLSL where the layer has them
-# KiB that the layer takes however many the vertices are: machine code, the first vertices of Begin and End.
-# They show where these are few and lie in no array.
+LONG_RATIO = 1.5  # of memory: under the layer, long programs go through the host's GLSL
+# KiB that the layer takes for any number of vertices: machine code, the first vertices of Begin and End. They matter if
+# the vertices are few and in no array.
 OWN, OWN_UP_TO = 24 << 10, 10_000_000
 WAIT_US = 600_000
 CHAINS = ("long-mad", "long-tex", "long-pow", "long-mixture")
-PIXELS = 0.02  # of the picture may differ: the rasterizers' lines and points are not each other's
+PIXELS = 0.02  # the fraction of pixels that may differ, as the rasterizers' lines and points are not equal
 
 
 def figures_of(build, what, count, display, folder, backend=None):
-    """(pixels, milliseconds, KiB, software statistics)."""
+    """Returns (pixels, milliseconds, KiB, software statistics)."""
     stats = pathlib.Path(folder) / f"{what}-{backend}.json"
     layer = sides.layer_of(build) if backend else None
-    # Each has its own cache: the host's keeps what it made of a program.
+    # Each run has its own cache, as the host stores compiled programs.
     cache = pathlib.Path(folder) / f"cache-{backend}"
     env = sides.environment(layer, backend, {"DISPLAY": display, "XDG_CACHE_HOME": str(cache),
                                              "ARBITER_STATS": str(stats)})
@@ -42,7 +43,7 @@ def figures_of(build, what, count, display, folder, backend=None):
 
 
 def wrong_of_long(statistics):
-    """Machine code is not waited for: the program is the host's."""
+    """Checks that machine code is not waited for: the host draws with the program."""
     wrong = []
     if not statistics.get("given_to_host", {}).get("not-compiled"):
         wrong.append("the host did not draw with the long program")

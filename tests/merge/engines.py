@@ -1,5 +1,5 @@
 """Ways to run shards on several machines. Each takes the job's command, with {} for the shard's number,
-and the numbers to run, and comes back when all have ended; what came of them is in their files."""
+and the numbers to run, and returns when all have ended; the results are in their files."""
 
 import os
 import pathlib
@@ -8,10 +8,10 @@ import subprocess
 
 
 class Job:
-    """What is run for each shard, and where.
+    """The command to run for each shard, and where.
 
-    command: words, {} in them is the shard's number; result: the path of its file, likewise; root: the
-    folder that it runs in, which is at the same place on each machine; log: a folder for what jobs say;
+    command: words, {} in them is the shard's number; result: the path of its file, with {} too; root: the
+    folder that it runs in, which has the same path on each machine; log: a folder for the jobs' output;
     hosts: for `parallel`, names as ssh takes them, or `:` for this machine; options: more of the engine's own."""
 
     def __init__(self, name, command, result, root, log, hosts=(":",), options=()):
@@ -21,10 +21,10 @@ class Job:
 
 
 def parallel_command(job, numbers):
-    """GNU parallel over ssh: one shard a machine at a time; what fails on one is tried on another.
+    """Runs GNU parallel over ssh, one shard for each machine at a time; a failed shard is retried on another machine.
 
-    A result is fetched from a machine that does not share the folder; --return takes its whole path, as
-    one with /./ in it would be looked for in the home folder there."""
+    A result is fetched from a machine that does not share the folder. --return takes its whole path, as
+    one with /./ in it would be looked up in the home folder there."""
     remote = [] if job.hosts == [":"] else ["--return", job.result]
     return ["parallel", "--will-cite", "--jobs", "1", "--sshlogin", ",".join(job.hosts),
             "--workdir", str(job.root), *remote, "--line-buffer",
@@ -34,7 +34,7 @@ def parallel_command(job, numbers):
 
 
 def run_parallel(job, numbers):
-    # The command is quoted for a shell of this kind, whatever the user's own is.
+    # The command is quoted for this shell, whatever the user's own is.
     return subprocess.run(parallel_command(job, numbers), stdin=subprocess.DEVNULL,
                           env={**os.environ, "SHELL": "/bin/bash"}).returncode
 
@@ -45,7 +45,7 @@ def slurm_script(job):
 
 
 def slurm_command(job, numbers):
-    """A job array, on machines that Slurm chooses and that share the folder."""
+    """Returns a job array's command, for machines that Slurm chooses and that share the folder."""
     return ["sbatch", "--wait", "--parsable", "--requeue", "--job-name", job.name,
             "--array", ",".join(map(str, numbers)), "--chdir", str(job.root),
             "--output", str(job.log / "task-%a.txt"), "--open-mode", "append", *job.options,

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Tests of the engines with jobs that are quick, and that die: GNU parallel as it is, on this machine and
-with a stand-in for ssh; for Slurm a stand-in for sbatch, which takes the options that are used.
+"""Tests the engines with quick jobs and jobs that die. GNU parallel is real, on this machine and with a stand-in for
+ssh; Slurm has a stand-in for sbatch, which takes the options that are used.
 
-try_ssh.sh and try_slurm.sh do it with the services themselves and with the suites."""
+try_ssh.sh and try_slurm.sh test the services themselves with the suites."""
 
 import argparse
 import contextlib
@@ -22,7 +22,7 @@ import sharding
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# A suite whose job notes that it ran, and dies, hangs up or fails as a file of its number says.
+# A suite whose job notes that it ran, and dies, hangs or fails as a file of its number says.
 SUITE = '''
 import os, pathlib, signal, sys
 sys.path.insert(0, {here!r})
@@ -44,7 +44,7 @@ result = merge_test.differential_result(shard, failing=(11,) if what == "fail" e
 results.write(path, result)
 '''
 
-# Takes what engines.py gives to sbatch; tasks run one after another.
+# Takes the options that engines.py passes to sbatch, and runs tasks one after another.
 SBATCH = '''#!{python}
 import os, subprocess, sys
 options = dict(zip(sys.argv[1:], sys.argv[2:]))
@@ -60,7 +60,7 @@ for index in options["--array"].split(","):
 sys.exit(status)
 '''
 
-# `down` refuses each connection; what is done on any other host is done here.
+# The host `down` refuses each connection; commands for any other host run here.
 SSH = '''#!/bin/bash
 while [[ $1 == -* ]]; do case $1 in -[lpioFS]) shift 2 ;; *) shift ;; esac; done
 host=$1
@@ -97,7 +97,7 @@ class Case(unittest.TestCase):
             (self.folder / ("plan-" + index[1:])).write_text(what)
 
     def run_engine(self):
-        """(exit status, shards that ran, what was said)"""
+        """Returns (exit status, shards that ran, output)."""
         (self.folder / "ran").write_text("")
         text = io.StringIO()
         command = [sys.executable, str(self.folder / "suite.py"), str(self.folder), self.extra]
@@ -112,7 +112,7 @@ class Case(unittest.TestCase):
 
 
 class Common:
-    """What holds of each engine."""
+    """Tests for each engine."""
 
     def test_all_shards_and_their_sum(self):
         status, ran, text = self.run_engine()
@@ -142,7 +142,7 @@ class Common:
         data = self.result(3).read_bytes()
         self.result(3).write_bytes(data[:len(data) // 2])
         self.result(5).unlink()
-        # That of another shard under this one's name.
+        # The result of another shard has this one's name.
         self.result(1).write_bytes(self.result(2).read_bytes())
         status, ran, text = self.run_engine()
         self.assertEqual((status, ran), (0, [1, 3, 5]))
@@ -155,7 +155,7 @@ class Common:
         self.run_of["sources"] = "changed"
         status, ran, text = self.run_engine()
         self.assertEqual(ran, [1, 2, 3, 4, 5])
-        # The stand-in's results say that they are of the old one.
+        # The stand-in's results say that they belong to the old run.
         self.assertEqual(status, merge.PIECES, text)
         self.assertIn("is of another run (sources: d2 and changed)", text)
         self.run_of = dict(merge_test.DIFFERENTIAL)

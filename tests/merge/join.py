@@ -1,10 +1,10 @@
-"""Results of shards become those of the whole run, or it is said why they do not."""
+"""Joins results of shards to those of the whole run, or tells why they do not fit."""
 
 from results import Damaged, read
 
 
 class Incomplete(Exception):
-    """Why the shards are not a whole run: a sentence each, and the shards that have no result."""
+    """The shards are not a whole run; has a sentence for each reason, and the shards without a result."""
 
     def __init__(self, complaints, missing=()):
         super().__init__("; ".join(complaints))
@@ -12,7 +12,7 @@ class Incomplete(Exception):
 
 
 def difference(one, other):
-    """In which field two descriptions of runs differ, as words."""
+    """Returns the first field in which two descriptions of runs differ, as words."""
     for field in sorted(set(one) | set(other)):
         if one.get(field) != other.get(field):
             return "%s: %s and %s" % (field, one.get(field), other.get(field))
@@ -20,7 +20,7 @@ def difference(one, other):
 
 
 def read_all(paths):
-    """(results, notes): a damaged or absent file is as good as none, and gets a note."""
+    """Returns (results, notes): a damaged or missing file has no result, but a note."""
     found, notes = [], []
     for path in paths:
         try:
@@ -33,7 +33,8 @@ def read_all(paths):
 
 
 def whole(results):
-    """(results in the order of their shards, notes). Incomplete if they contradict or lack one."""
+    """Returns (results in the order of their shards, notes). Raises Incomplete if they contradict each other or one
+    is missing."""
     if not results:
         raise Incomplete(["there is no whole result file"])
     first = results[0]

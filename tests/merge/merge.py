@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Joins the result files of shards to the report, and the exit status, of one machine's whole run.
+"""Joins the result files of shards into the report, and the exit status, of a whole run on one machine.
 
-Ends with "N passed, N failed, N skipped", and 0 or 1 by that; with 2, and a sentence for each reason,
-where shards are missing or contradict one another. A file that is damaged counts as missing."""
+Ends with "N passed, N failed, N skipped", and status 0 or 1 accordingly. If shards are missing or contradict
+one another, it ends with status 2 and a sentence for each reason. A damaged file counts as missing."""
 
 import argparse
 import json
@@ -14,11 +14,11 @@ import of_differential
 import of_piglit
 
 KINDS = {kind.KIND: kind for kind in (of_piglit, of_differential)}
-PIECES = 2  # the exit status where the shards are not one whole run
+PIECES = 2  # the exit status if the shards are not one whole run
 
 
 def results_of(document, measured):
-    """A report without what differs from run to run."""
+    """Returns a report without the parts that differ from run to run."""
     if isinstance(document, dict):
         return {key: results_of(value, measured) for key, value in document.items()
                 if key not in measured}
@@ -28,7 +28,7 @@ def results_of(document, measured):
 
 
 def differences(one, other, where=""):
-    """Where two documents are not equal, as words."""
+    """Yields the differences of two documents, as words."""
     if isinstance(one, dict) and isinstance(other, dict):
         for key in sorted(set(one) | set(other)):
             yield from differences(one.get(key), other.get(key), "%s/%s" % (where, key))
@@ -40,7 +40,7 @@ def differences(one, other, where=""):
 
 
 def against(path, run, parts):
-    """Compares with the report of another run; the exit status."""
+    """Compares with the report of another run; returns the exit status."""
     kind = KINDS[run["kind"]]
     try:
         theirs = json.loads(pathlib.Path(path).read_text())
@@ -58,7 +58,7 @@ def against(path, run, parts):
 
 
 def finish(run, parts, folder=None, counts=None):
-    """Writes and shows the report of a whole run; its exit status."""
+    """Writes and shows the report of a whole run; returns its exit status."""
     kind = KINDS[run["kind"]]
     document = kind.document(run, parts)
     sums = kind.counts(document)
@@ -74,7 +74,7 @@ def finish(run, parts, folder=None, counts=None):
 
 
 def merge(paths, folder=None, counts=None, other=None):
-    """Of files; the exit status. other: a report that this one is to be equal to"""
+    """Merges files; returns the exit status. other: a report that this one must equal"""
     results, notes = join.read_all(paths)
     try:
         parts, more = join.whole(results)

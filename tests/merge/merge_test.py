@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of shards and of their merging: every test in one shard, and no file believed that is not whole."""
+"""Tests shards and their merging: every test is in one shard, and incomplete files are rejected."""
 
 import contextlib
 import io
@@ -59,7 +59,7 @@ class Case(unittest.TestCase):
         return paths
 
     def merged(self, paths, **options):
-        """(exit status, report, all that was said)"""
+        """Returns (exit status, report, all output)."""
         text = io.StringIO()
         report = self.folder / "report"
         with contextlib.redirect_stdout(text), contextlib.redirect_stderr(text):
@@ -100,7 +100,7 @@ class Merging(Case):
             for failing in ((), (7, 19)):
                 options = {"failing": failing} if made is differential_result else {}
                 alone = self.merged(self.write(made, 1, **options))
-                for of in (2, 5, 40):  # of the last, most have nothing of a way
+                for of in (2, 5, 40):  # most shards of the last have nothing of a way
                     together = self.merged(self.write(made, of, **options))
                     self.assertEqual(alone[0], together[0])
                     kind = merge.KINDS[made(Shard(1, 1)).run["kind"]]

@@ -1,17 +1,17 @@
 """The report of the differential suite, from the rows of all shards of a run.
 
-A shard's content is {"ways": {name: row}}, a row as row() makes it, or as fault() where a way could not be run;
-`faults` beside figures are what the rasterizer's or the layer's statistics lack."""
+A shard's content is {"ways": {name: row}}, with rows from row(), or from fault() if a way could not be run;
+`faults` lists what is missing in the rasterizer's or the layer's statistics."""
 
 import json
 
 KIND = "differential"
-# Not equal from run to run: back ends that the layer chooses by what it has drawn differ in the last bits.
+# These vary from run to run: the layer chooses back ends by what it has drawn, and they differ in the last bits.
 MEASURED = ("worst_error",)
 
 
 def row(name, document):
-    """A way's row of a shard, from the report of the program that draws."""
+    """Returns a way's row of a shard, from the report of the program that draws."""
     return {"name": name, "renderers": [document["renderer"]], "programs": document["programs"],
             "values": document["values"], "ill_conditioned": document["ill_conditioned"],
             "worst_error": document["worst_error"], "failures": document["failures"], "faults": []}
@@ -23,7 +23,7 @@ def fault(name, text):
 
 
 def add(one, other):
-    """Two rows of the same way."""
+    """Adds two rows of the same way."""
     return {"name": one["name"], "renderers": sorted(set(one["renderers"] + other["renderers"])),
             **{key: one[key] + other[key] for key in ("programs", "values", "ill_conditioned")},
             "worst_error": max(one["worst_error"], other["worst_error"]),

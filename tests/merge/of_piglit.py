@@ -1,8 +1,7 @@
 """The report of piglit on the bare host and under the layer, from the tables of all shards of a run.
 
 A shard's content is {"bare": {test: status}, "profiles": {profile: {"layer": {test: status}, "flakes":
-{test: [bare, layer]}}}}. What is judged is the whole: a row of the expectations is stale if no shard
-saw its difference."""
+{test: [bare, layer]}}}}. The whole run is judged: an expectation is stale if no shard saw its difference."""
 
 import collections
 import json
@@ -15,12 +14,13 @@ import expectations
 import table
 
 KIND = "piglit"
-MEASURED = ("seconds",)  # not equal from run to run
+MEASURED = ("seconds",)  # varies from run to run
 
 
 def report(profile, bare, layer, flaky, seconds, is_part):
-    """One profile's. flaky: tests whose difference did not stay; is_part: of tests chosen by name,
-    where a row that nothing used says nothing."""
+    """Returns the report of one profile. flaky: tests whose difference did not persist; is_part: tests were chosen by
+    name,
+    so that an unused expectation means nothing."""
     rows = expectations.load(profile)
     explained, unexpected = expectations.judge(expectations.differences(bare, layer), rows)
     flakes = {key: unexpected.pop(key) for key in list(unexpected) if key in flaky}

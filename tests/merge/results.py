@@ -1,7 +1,7 @@
-"""The file that a shard leaves: what run it is of, which part, and what came of it.
+"""The result file of a shard: which run it belongs to, which part it is, and its results.
 
-It is written under another name and renamed when it is whole, and holds a digest of itself: a machine
-that dies, a disk that fills or a copy that is cut short leaves no file, or one that is known as damaged."""
+It is written under another name and renamed when it is complete, and contains a digest of itself. If a machine
+dies, a disk fills or a copy is cut short, there is no file, or one that is recognized as damaged."""
 
 import hashlib
 import json
@@ -15,12 +15,12 @@ SCHEMA = 1
 
 
 class Damaged(ValueError):
-    """Not a whole result file."""
+    """The file is not a complete result file."""
 
 
 class Result:
-    """run: what must be equal in all shards of a run; content: what came of the shard, the same from
-    machine to machine; seconds: how long its parts took; where: its file, or what stands for it."""
+    """run: must be equal in all shards of a run; content: the shard's results, independent of the machine;
+    seconds: how long its parts took; where: its file, or a description of it."""
 
     def __init__(self, run, shard, content, seconds, where="this run"):
         self.run, self.shard, self.content, self.seconds = run, shard, content, seconds
@@ -37,7 +37,7 @@ def write(path, result):
     document = {"schema": SCHEMA, "run": result.run, "shard": str(result.shard),
                 "machine": socket.gethostname(), "seconds": result.seconds,
                 "content": result.content}
-    # As it is when it is read again: numbers and keys may change their kind on the way.
+    # The round trip makes it what a reader gets, as numbers and keys may change their type.
     document = json.loads(json.dumps(document))
     document["digest"] = digest(document)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -54,7 +54,7 @@ def write(path, result):
 
 
 def read(path):
-    """The Result in a file; Damaged if it is not whole, OSError if there is none."""
+    """Returns the Result in a file. Raises Damaged if it is incomplete, OSError if there is none."""
     data = pathlib.Path(path).read_bytes()
     try:
         document = json.loads(data)
@@ -74,7 +74,8 @@ def read(path):
 
 
 def sources_digest(root, folders):
-    """Of every file in folders of the checkout: shards of different sources are not one run's."""
+    """Returns the digest of every file in folders of the checkout: shards of different sources do not belong
+    together."""
     every = hashlib.sha256()
     for folder in folders:
         for path in sorted((pathlib.Path(root) / folder).rglob("*")):

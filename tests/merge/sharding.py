@@ -1,4 +1,4 @@
-"""What the runners of suites share: options for a part of a run, and for all of it on many machines."""
+"""Shared parts of the suites' runners: options for a part of a run, and for a whole run on many machines."""
 
 import argparse
 import pathlib
@@ -57,15 +57,15 @@ def result_path(folder, shard):
 
 
 def pieces_folder(folder, args):
-    """Where a part keeps what it works with, as several may run on one machine."""
+    """Returns a part's working folder, as several parts may run on one machine."""
     if not args.shard:
         return folder
     return folder / "shards" / ("work-%d-of-%d" % (args.shard.index, args.shard.of))
 
 
 def wanting(run, shards, folder):
-    """Numbers of the shards of a run that have no whole result; what is not one of this run is removed,
-    and it is said why."""
+    """Returns the numbers of a run's shards without a complete result. Removes results of other runs, and
+    prints why."""
     numbers = []
     for index in range(1, shards + 1):
         shard = Shard(index, shards)
@@ -85,7 +85,7 @@ def wanting(run, shards, folder):
 
 
 def run_engine(args, run, command, folder):
-    """All shards, those that have no whole result yet, merged; the exit status."""
+    """Runs all shards that have no complete result yet and merges them; returns the exit status."""
     paths = [result_path(folder, Shard(index, args.shards)) for index in range(1, args.shards + 1)]
     if args.fresh:
         for path in paths:
@@ -111,17 +111,17 @@ def run_engine(args, run, command, folder):
 
 
 def main(args, run, work, command, folder):
-    """The way of a run by its options; the exit status.
+    """Executes a run by its options; returns the exit status.
 
-    run: what describes it, the same in each of its shards; work: a function of a Shard to (content,
-    seconds of its parts), or None where it could not be done; command: the words that do the same run,
-    for an engine; folder: of the report."""
+    run: the description, the same in each of its shards; work: a function of a Shard that returns (content,
+    seconds of its parts), or None if it could not be done; command: the command line of the same run,
+    for an engine; folder: for the report."""
     if args.engine:
         return run_engine(args, run, command, folder)
     shard = args.shard or WHOLE
     path = args.result or result_path(folder, shard)
     if args.shard:
-        path.unlink(missing_ok=True)  # of another run: what is there at the end is this one's
+        path.unlink(missing_ok=True)  # a file of another run must not remain
     done = work(shard)
     if done is None:
         return 1

@@ -1,7 +1,7 @@
-"""Which part of a run is a shard's: one of N, numbered from 1, and every test in exactly one.
+"""Divides a run into N shards, numbered from 1, with every test in exactly one.
 
-Tests with names go by the name alone, so that a test that comes or goes moves no other; numbered ones
-go in blocks, as one process draws a block more cheaply than as many strewn numbers."""
+Named tests are assigned by name alone, so that adding or removing a test moves no other. Numbered tests
+are assigned in blocks, as one process draws a block faster than scattered numbers."""
 
 import hashlib
 import re
@@ -24,12 +24,12 @@ class Shard:
         return "%d/%d" % (self.index, self.of)
 
     def has(self, name):
-        """Whether the test of this name is the shard's."""
+        """True if the test of this name belongs to the shard."""
         number = int.from_bytes(hashlib.sha256(name.encode()).digest()[:8], "big")
         return number % self.of == self.index - 1
 
     def block(self, count):
-        """(first, how many) of `count` things numbered from 0; blocks differ by one at most."""
+        """Returns (first, how many) of `count` things numbered from 0; blocks differ by one at most."""
         first, end = ((index * count) // self.of for index in (self.index - 1, self.index))
         return first, end - first
 

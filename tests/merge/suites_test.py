@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A few tests of each suite in one process and in shards: the merged report is the same.
+"""Runs a few tests of each suite in one process and in shards: the merged report must be the same.
 
 usage: suites_test.py BUILD_TREE"""
 
@@ -15,7 +15,7 @@ import sharding
 
 BUILD = None
 SUITES = {
-    # The block of a way is smaller than the count of shards; edges are one test.
+    # A way's block is smaller than the count of shards; edges are one test.
     "differential": (["scripts/run_differential.py", "--count", "8", "--vertex-count", "2", "--mode-count", "5",
                       "--ways", "glsl,layer,vertex-glsl,swrast-edges,swrast-vertex"], "--out"),
     "piglit": (["tests/piglit/compare.py", "--platform", "surfaceless_egl", "--jobs", "2",
@@ -24,7 +24,7 @@ SUITES = {
 
 
 def run(*words):
-    """(exit status, what it printed)"""
+    """Returns (exit status, output)."""
     done = subprocess.run([sys.executable, *map(str, words)], stdin=subprocess.DEVNULL, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     return done.returncode, done.stdout
@@ -38,7 +38,7 @@ class Suites(unittest.TestCase):
             folder = pathlib.Path(name)
             status, alone = run(*words, folder_option, folder / "alone")
             self.assertEqual(status, 0, alone)
-            # In another order than they are joined in, as machines end as they will.
+            # The order differs from the joining order, as machines end in any order.
             files = []
             for index in range(shards, 0, -1):
                 part, said = run(*words, folder_option, folder / "spread", "--shard", "%d/%d" % (index, shards))

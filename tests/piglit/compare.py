@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Debian's piglit on the bare host and under the layer, compared test by test.
+"""Compares Debian's piglit on the bare host and under the layer, test by test.
 
-Both sides run now, on this machine: nothing but the expected differences is stored, in
-expectations/PROFILE.txt, each with its reason. A difference that no line explains is run again on
-both sides; if it does not stay, it is a flake and is reported as one. Ends with
-"N passed, N failed, N skipped": passed is the same result as on the bare host or an explained
-one, skipped is skipped by both. --shard and --engine spread the tests over machines (docs/driver/shards.md).
+Both sides run now, on this machine: only the expected differences are stored, in expectations/PROFILE.txt, each with
+its reason. A difference that no line explains is run again on both sides; if it does not persist, it is reported as a
+flake. Ends with "N passed, N failed, N skipped". Passed means that the result equals the bare host's or is explained;
+skipped means that both sides skipped. --shard and --engine spread the tests over machines (docs/driver/shards.md).
 """
 
 import argparse
@@ -26,11 +25,11 @@ import results
 import run as piglit
 import sharding
 
-SOURCES = ("include", "src", "tests/piglit")  # what a result depends on
+SOURCES = ("include", "src", "tests/piglit")  # a result depends on these
 
 
 def layer_is_active(layer, library, folder, platform):
-    """Whether a test under the layer leaves statistics with a program that it compiled."""
+    """True if a test under the layer leaves statistics with a program that it compiled."""
     stats = folder / "probe.json"
     stats.unlink(missing_ok=True)
     env = piglit.environment(layer, "host", {"ARBITER_STATS": str(stats),
@@ -44,7 +43,7 @@ def layer_is_active(layer, library, folder, platform):
 
 
 def run_again(unexpected, tests, sides, attempts):
-    """Splits unexpected differences in (steady, flakes): what changes from run to run is a flake.
+    """Splits unexpected differences into (steady, flakes): a flake changes from run to run.
 
     sides: functions that run {test: profile} on the bare host and under the layer."""
     flakes = {}
@@ -105,7 +104,7 @@ def arguments():
 
 
 def description(args, tests):
-    """What is the same in all shards of a run."""
+    """Returns the description that all shards of a run share."""
     return {"kind": of_piglit.KIND, "set": args.set, "filter": args.tests,
             "profiles": args.profiles.split(","), "platform": args.platform,
             "tests": results.digest(sorted(tests.items())),
@@ -113,14 +112,14 @@ def description(args, tests):
 
 
 def command(args):
-    """The words that do the same run, of a shard."""
+    """Returns the command line of the same run for a shard."""
     return [str(sharding.ROOT / "dev"), "piglit", "--set", args.set, "--profiles", args.profiles,
             "--platform", args.platform, "--jobs", str(args.jobs), "--attempts", str(args.attempts),
             *args.tests]
 
 
 def run_shard(args, tests, shard):
-    """(content, seconds) of the shard's part of the tests; None where the layer is not there."""
+    """Returns (content, seconds) of the shard's part of the tests; None if the layer is missing."""
     tests = {name: profile for name, profile in tests.items() if shard.has(name)}
 
     def run_bare(some, name="bare-again"):

@@ -1,11 +1,11 @@
 """Expected differences between the bare host and the layer.
 
-One line a difference, four fields with ` | ` between them:
+One line for each difference, four fields with ` | ` between them:
 
     test or pattern (* matches anything) | result on the bare host | result under the layer | reason
 
-A line without a reason is an error, and so is one whose tests ran and showed no such difference:
-the files say what is true now.
+A line without a reason is an error. So is a line whose tests ran without such a difference:
+the files describe the present state.
 """
 
 import fnmatch
@@ -22,7 +22,7 @@ class Expectation:
         self.reason, self.used = reason, False
 
     def matches(self, test):
-        # Square brackets are parts of names here, not sets of characters.
+        # Square brackets belong to names here and are not sets of characters.
         return fnmatch.fnmatchcase(test, re.sub(r"\[", "[[]", self.pattern))
 
     def explains(self, test, bare, layer):
@@ -46,21 +46,21 @@ def parse(text, where):
 
 
 def load(profile):
-    """What is expected of a configuration; auto-programs and swrast-programs are held to what auto and swrast are."""
+    """Returns the expectations of a configuration; auto-programs and swrast-programs share those of auto and swrast."""
     name = profile.removesuffix("-programs").replace(":", "-")
     path = pathlib.Path(__file__).parent / "expectations" / (name + ".txt")
     return parse(path.read_text(), path.name)
 
 
 def differences(bare, layer):
-    """{test: (bare result, layer result)} where they differ."""
+    """Returns {test: (bare result, layer result)} of the tests that differ."""
     return {test: (bare.get(test, "missing"), layer.get(test, "missing"))
             for test in sorted(set(bare) | set(layer))
             if bare.get(test, "missing") != layer.get(test, "missing")}
 
 
 def judge(changes, rows):
-    """(explained, unexpected) of {test: (bare, layer)}; marks the rows used."""
+    """Returns (explained, unexpected) of {test: (bare, layer)}; marks the rows used."""
     explained, unexpected = {}, {}
     for test, (bare, layer) in changes.items():
         row = next((r for r in rows if r.explains(test, bare, layer)), None)
@@ -73,6 +73,6 @@ def judge(changes, rows):
 
 
 def unused_rows(rows, ran):
-    """Rows whose tests ran without the difference they speak of."""
+    """Returns the rows whose tests ran without their difference."""
     return [row for row in rows
             if not row.used and any(row.matches(test) for test in ran)]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the comparison itself: that a worse result fails, and that its excuses are held to."""
+"""Tests of the comparison itself: a worse result fails, and expectations must be true."""
 
 import unittest
 

@@ -1,7 +1,7 @@
-"""The tests of Debian's piglit package, and which of them a run takes.
+"""Selects the tests of Debian's piglit package for a run.
 
-Names come from the package's own profile files. Tests that hold ARB fragment programs are found by
-their text, so that a newer package brings its new tests along: shader_test files with a
+Names come from the package's own profile files. Tests that contain ARB fragment programs are found by
+their text, so that a newer package brings its new tests: shader_test files with a
 [fragment program] section, and test binaries that contain the header `!!ARBfp`.
 """
 
@@ -13,7 +13,7 @@ import xml.etree.ElementTree
 
 PROFILES = ("quick_gl", "quick_shader", "glslparser")
 
-# Groups whose names alone say that they are about assembly programs.
+# The names of these groups tell that they are about assembly programs.
 NAMED = re.compile(
     r"^(asmparsertest@"
     r"|spec@arb_fragment_program(_shadow)?@"
@@ -23,10 +23,9 @@ NAMED = re.compile(
     r"|spec@nv_(fragment|vertex)_program"
     r"|spec@ext_gpu_program_parameters)")
 
-# What every change runs: all of the fragment language and the program API; of the host's own
-# vertex parser and of the many objects that a name could collide with, only the parts next to it;
-# of fixed function what the rasterizer drew or answered otherwise once, with a test that takes its
-# context away in an exit handler, and buffers in memory of the application's own.
+# Every change runs these tests. They cover the whole fragment language and program API, and only the related parts of
+# the host's vertex parser and of other objects with names. They also cover fixed function that the rasterizer once drew
+# or answered differently, a test that destroys its context in an exit handler, and buffers in the application's memory.
 QUICK = re.compile(
     r"^(asmparsertest@arbfp1\.0@"
     r"|spec@arb_fragment_program(_shadow)?@"
@@ -46,7 +45,7 @@ QUICK = re.compile(
 
 
 def library_of_piglit():
-    """The folder that holds bin/, tests/ and framework/."""
+    """Returns the folder that holds bin/, tests/ and framework/."""
     for folder in sorted(pathlib.Path("/usr/lib").glob("*/piglit")) + \
             [pathlib.Path("/usr/lib/piglit"), pathlib.Path("/usr/local/lib/piglit")]:
         if (folder / "tests").is_dir():
@@ -55,7 +54,7 @@ def library_of_piglit():
 
 
 def read_profile(library, name):
-    """{test name: (type, options)} of one profile file."""
+    """Returns {test name: (type, options)} of one profile file."""
     with gzip.open(library / "tests" / (name + ".xml.gz")) as stream:
         tree = xml.etree.ElementTree.parse(stream)
     tests = {}
@@ -66,7 +65,7 @@ def read_profile(library, name):
 
 
 def value(text):
-    """An option's value: the profile files hold Python literals."""
+    """Parses an option's value, which is a Python literal in the profile files."""
     try:
         return ast.literal_eval(text)
     except (ValueError, SyntaxError, TypeError):
@@ -74,7 +73,7 @@ def value(text):
 
 
 def holds_fragment_program(library, kind, options, cache={}):
-    """Whether the test's shader file or binary contains an ARB fragment program."""
+    """True if the test's shader file or binary contains an ARB fragment program."""
     if kind == "shader":
         command = value(options.get("command", "[]"))
         path = library / (command[-1] if command else str(value(options.get("shader_file"))))
@@ -96,7 +95,7 @@ def holds_fragment_program(library, kind, options, cache={}):
 
 
 def select(which):
-    """{test name: profile} of the tests in set `which`: quick, named or full."""
+    """Returns {test name: profile} of the tests in set `which`: quick, named or full."""
     library = library_of_piglit()
     chosen = {}
     for profile in PROFILES:

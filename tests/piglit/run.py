@@ -1,4 +1,4 @@
-"""One run of piglit over a list of tests, and its results as a plain table."""
+"""Runs piglit over a list of tests, and returns its results as a plain table."""
 
 import bz2
 import json
@@ -9,20 +9,22 @@ import subprocess
 
 from profiles import PROFILES
 
-# What a test's environment is cleared of, so that the two sides differ by the layer alone.
+# These prefixes are removed from a test's environment, so that the two sides differ only by the layer.
 FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PRELOAD", "PIGLIT_")
 
 
-# Who draws (ARBITER_BACKEND), by configuration: with the profile `host`, the host alone and
-# Arbiter's own rasterizer wherever it can; with all others, the default back end.
+# The back end (ARBITER_BACKEND) of each configuration. With the profile `host` it is the host, or Arbiter's rasterizer
+# wherever possible; all other profiles use the default back end.
 BACKENDS = {"host": "host", "swrast": "swrast", "swrast-programs": "swrast"}
-# Back ends by name, with the profile `host`; -programs: with ARBITER_FIXED_FUNCTION=programs.
+# Configurations by back end, with the profile `host`; -programs: with ARBITER_FIXED_FUNCTION=programs.
 BY_BACKEND = ("swrast", "auto", "swrast-programs", "auto-programs")
 
 
 def environment(layer=None, profile=None, extra=None):
-    """profile: a name of ARBITER_PROFILE, with `:report` or `:enforce` for ARBITER_LIMITS, or
-    one of BY_BACKEND: the profile `host` with that ARBITER_BACKEND."""
+    """Returns a test's environment.
+
+    profile: a name of ARBITER_PROFILE, with `:report` or `:enforce` for ARBITER_LIMITS, or one of BY_BACKEND: the
+    profile `host` with that ARBITER_BACKEND."""
     env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
     env["LIBGL_ALWAYS_SOFTWARE"] = "1"
     env["PIGLIT_NO_FAST_SKIP"] = "1"  # a skip is the test's own answer, not the framework's guess
@@ -78,11 +80,11 @@ def flatten(document):
     for name, test in document["tests"].items():
         table[name] = test["result"]
         for subtest, status in (test.get("subtests") or {}).items():
-            if subtest != "__type__":  # how the framework's JSON marks the type of the table
+            if subtest != "__type__":  # the framework's JSON marks the type of the table with it
                 table["%s/%s" % (name, subtest)] = status
     return table
 
 
 def test_of(key, names):
-    """The test that a key of the table belongs to: subtests run with their test."""
+    """Returns the test that a key of the table belongs to: subtests run with their test."""
     return key if key in names else key.rsplit("/", 1)[0]

@@ -1,10 +1,10 @@
-"""The report of a comparison for people: one Markdown table of every difference, with its reason."""
+"""Writes a comparison's report for people: one Markdown table of every difference, with its reason."""
 
 KINDS = ("unexpected", "explained", "flake", "stale")
 
 
 def rows(report):
-    """(kind, test, bare, layer, reason) of every difference of one profile, the worst kind first."""
+    """Returns (kind, test, bare, layer, reason) of every difference of one profile, the worst kind first."""
     out = []
     for test, result in report["unexpected"].items():
         out.append(("unexpected", test, result["bare"], result["layer"], "none known"))

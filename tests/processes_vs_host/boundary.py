@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""What the layer's libraries ask of the process by name, read from their dynamic symbols: of C++
-nothing at all, so that an application's operator new, its C++ library or its LLVM is never met by
-the layer's memory or objects; and what they offer.
+"""Checks which symbols the layer's libraries import and export, by their dynamic symbols.
+
+They must import nothing of C++, so that an application's operator new, its C++ library or its LLVM never meet the
+layer's memory or objects.
 
 usage: boundary.py LAYER JIT
 """
@@ -9,11 +10,11 @@ import re
 import subprocess
 import sys
 
-# Mangled names, and what the C++ runtime has under C names (__cxa_*, __gxx_*, _Unwind_*). Of libc's
-# own are the end of the process, of a thread and of a library.
+# Matches mangled names, and C names of the C++ runtime (__cxa_*, __gxx_*, _Unwind_*). libc itself has those for the end
+# of the process, of a thread and of a library.
 CPLUSPLUS = re.compile(r"^(_Z|__cxa_|__gxx_|_Unwind_|__cxxabi)")
 OF_LIBC = {"__cxa_atexit", "__cxa_finalize", "__cxa_thread_atexit_impl"}
-# Weak, of the C++ library that is linked in: never called, or what ends the process in any case.
+# Weak symbols of the static C++ library: never called, or only to end the process.
 HARMLESS = {"_ZGTtdlPv", "_ZGTtnaj", "_ZGTtnam", "__cxa_pure_virtual"}
 
 

@@ -1,4 +1,4 @@
-// Ways to end, each in the midst of draws or of compilations.
+// Tests the ways to end a process during draws or compilations.
 #include <csetjmp>
 #include <csignal>
 #include <cstdio>
@@ -19,7 +19,7 @@ namespace foreign {
 
 namespace {
 
-/// Draws until `end` is called by the alarm.
+/// Draws until the alarm calls `end`.
 template <void (*end)(int)> void drawUntil() {
   openContext();
   drawFrame();
@@ -48,7 +48,7 @@ void callAbort(int) { std::abort(); }
 template <int signal> void raiseIt(int) { kill(getpid(), signal); }
 template <int signal> void die() { drawUntil<raiseIt<signal>>(); }
 
-/// `end` on a thread of its own, while this one draws.
+/// Calls `end` on another thread, while this one draws.
 template <void (*end)(int), bool fresh> void endFromThread() {
   openContext();
   drawFrame();
@@ -59,7 +59,7 @@ template <void (*end)(int), bool fresh> void endFromThread() {
   drawForEver(fresh);
 }
 
-/// exit() that is under way for long after libGLX's own destructor, while this thread draws on.
+/// Calls an exit() that continues long after libGLX's destructor, while this thread draws on.
 void endSlowlyFromThread() {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe");
   const std::string library = self.substr(0, self.rfind('/')) + "/foreign_slow_end.so";
@@ -69,7 +69,7 @@ void endSlowlyFromThread() {
 
 sigjmp_buf g_back;
 void jump(int) { siglongjmp(g_back, 1); }
-/// Out of a draw that is never taken up again; then exit().
+/// Jumps out of a draw that never continues, then calls exit().
 void longjmpThenExit() {
   openContext();
   drawFrame();
@@ -108,7 +108,7 @@ void exitWhileOtherDraws() {
   std::exit(7);
 }
 
-/// Until it is killed from outside.
+/// Draws until it is killed from outside.
 void drawForEverSaying() {
   openContext();
   for (int i = 0; i < 3; ++i)
@@ -118,7 +118,7 @@ void drawForEverSaying() {
   drawForEver(false);
 }
 
-/// The last thread ends the process.
+/// Ends the process by its last thread.
 void mainEndsFirst() {
   std::thread([] {
     usleep(20000);

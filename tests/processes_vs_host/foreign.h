@@ -1,39 +1,41 @@
 #pragma once
 #include <functional>
 
-/// What the programs of this folder share: a GL context, and a scene whose picture is known.
+/// Shared parts of the programs in this folder: a GL context, and a scene with a known picture.
 namespace foreign {
 
-/// A window (GLX) or, where the environment has FOREIGN_EGL, a pbuffer (EGL) of 64x64 with a
-/// compatibility context, current on this thread. Ends the process with 3 if there is none.
+/// Makes a window (GLX) or, if the environment has FOREIGN_EGL, a pbuffer (EGL) of 64x64 with a
+/// compatibility context, current on this thread. Exits the process with 3 if it cannot.
 void openContext();
 /// Makes that context current on this thread, or releases it.
 void makeCurrent(bool current);
-/// Runs the body on this thread with another context, which shares objects with that one; the
-/// threads of both must be Xlib's to know (XInitThreads).
+/// Runs the body on this thread with another context, which shares objects with that one. Xlib must
+/// know the threads of both (XInitThreads).
 void onOtherContext(const std::function<void()> &body);
-/// Deletes what drawFrame() samples. Where it is bound in another context it goes on to exist.
+/// Deletes the textures that drawFrame() samples. They continue to exist while bound in another
+/// context.
 void deleteTextures();
-/// Draws a frame with programs of several kinds (the vertex program samples a texture, where the
-/// environment has FOREIGN_VERTEX_TEXTURE), each a new one for the compiler where `fresh` is
-/// set, reads its picture, which is the same each time, and shows it.
+/// Draws a frame with programs of several kinds, reads its picture, which is the same each time,
+/// and shows it. The vertex program samples a texture if the environment has
+/// FOREIGN_VERTEX_TEXTURE. If `fresh` is set, each program is new to the compiler.
 void drawFrame(bool fresh = false);
-/// One frame, and of its picture each fourth pixel of each fourth row as "picture HEX".
+/// Draws one frame, and prints each fourth pixel of each fourth row of its picture as "picture
+/// HEX".
 void drawAndPrint();
-/// Bitmaps of a new picture, and reads it; many, so that what comes at any time mostly finds one
-/// under way.
+/// Draws many bitmaps of a new picture and reads it. An asynchronous event mostly interrupts a
+/// bitmap.
 void drawBitmaps();
-/// A draw of 512x512 pixels that take long, into a texture of its own from now on, which takes some
-/// milliseconds of every thread.
+/// Draws 512x512 slow pixels to a texture, which takes some milliseconds of every thread. The
+/// texture stays the target.
 void drawManyPixels();
-/// A bitmap of drawBitmaps(), or the draw of drawManyPixels(), is under way; to be asked in
+/// True if a bitmap of drawBitmaps(), or the draw of drawManyPixels(), is in progress; for signal
 /// handlers.
 bool isInMidst();
-/// Draws frames for ever.
+/// Draws frames forever.
 [[noreturn]] void drawForEver(bool fresh);
-/// Runs the body on a thread of its own with that much stack, and joins it.
+/// Runs the body on a thread with that much stack, and joins it.
 void onThread(unsigned long stackBytes, const std::function<void()> &body);
-/// "WHAT failed", and the end with status 4, unless `good`.
+/// Prints "WHAT failed" and exits with status 4, unless `good`.
 void need(bool good, const char *what);
 
 } // namespace foreign

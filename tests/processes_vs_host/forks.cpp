@@ -1,4 +1,4 @@
-// fork, vfork and exec in each place.
+// Tests fork, vfork and exec at various moments.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -30,7 +30,7 @@ pid_t forked() {
   return fork();
 }
 
-/// Both draw, each in a context of its own.
+/// Draws in both processes, each with a context of its own.
 void beforeContext() {
   const pid_t child = forked();
   if (child != 0)
@@ -51,7 +51,8 @@ void childUnderscoreExits() {
   drawAndPrint();
 }
 
-/// The child's exit() runs what this process registered for its own end.
+/// Lets the child call exit(), which runs the functions that this process registered for its own
+/// end.
 void childExits() {
   openContext();
   for (int i = 0; i < 3; ++i) {
@@ -79,7 +80,7 @@ void childExecs() {
   drawAndPrint();
 }
 
-/// The child goes on as this program from the start.
+/// Lets the child execute this program from the start.
 void childExecsDrawing() {
   openContext();
   drawAndPrint();
@@ -115,7 +116,7 @@ void spawns() {
   }
 }
 
-/// Another thread forks while this one draws programs that are new.
+/// Forks on another thread while this one draws with new programs.
 void whileCompiling() {
   openContext();
   drawFrame();

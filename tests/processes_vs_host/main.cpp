@@ -1,4 +1,4 @@
-// foreign ROW: one row of the matrix of foreign processes. run.py says what is compared.
+// foreign ROW: runs one row of the matrix of foreign processes. run.py says what is compared.
 #include "rows.h"
 
 #include <csignal>

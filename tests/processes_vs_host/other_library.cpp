@@ -1,4 +1,5 @@
-// A libarbiter_jit.so of another version: the right name, and functions that must never be called.
+// A libarbiter_jit.so of another version, with the right name and functions that must never be
+// called.
 #include <cstdlib>
 
 #include "fp_compiler/jit_boundary.h"
@@ -8,7 +9,7 @@ namespace {
 
 using namespace arbiter::fp::jit::boundary;
 
-/// Any function of the interface.
+/// Stands for any function of the interface.
 template <typename Result, typename... Arguments> Result never(Arguments...) { std::abort(); }
 
 constexpr Interface kOther = {kVersion ^ 1, never, never, never, never, never, never, never, never,

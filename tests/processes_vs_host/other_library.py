@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A libarbiter_jit.so that was built with other headers than the layer is refused: one line in the log, and
-the host draws. And the version that tells does change with each of the headers.
+"""Tests that the layer refuses a libarbiter_jit.so built with other headers: it logs one line, and the host draws.
+Also tests that the version changes with each of the headers.
 
   other_library.py --build build
 """
@@ -19,14 +19,14 @@ import jit_version  # noqa: E402
 import sides  # noqa: E402
 
 ROOTS = ("fp_compiler/jit_boundary.h", "fp_compiler/jit_fields.h")
-# What is known to cross: the closure must have found these at least.
+# The interface uses these headers for certain, so that the closure must have found them.
 KNOWN = {"fp_compiler/abi.h", "fp_compiler/jit.h", "fp_compiler/ir/interface.h", "fp_compiler/ir/ir.h",
          "fp_compiler/ir/ops.def", "fp_compiler/numerics.h"}
 REFUSED = re.compile(r"no rasterizer, the host draws: .* was built with other headers than this$")
 
 
 def patched(library, version, folder):
-    """A copy of the library that says another version."""
+    """Returns a copy of the library with another version."""
     data = library.read_bytes()
     old = version.to_bytes(8, "little")
     if old not in data:
@@ -37,7 +37,7 @@ def patched(library, version, folder):
 
 
 def drawn_with(build, library, backend, display, folder):
-    """(lines of output, lines of the log, draws of the rasterizer)"""
+    """Returns (lines of output, lines of the log, draws of the rasterizer)."""
     stats = folder / "stats.json"
     stats.unlink(missing_ok=True)
     env = sides.environment(sides.layer_of(build), backend,
@@ -51,7 +51,7 @@ def drawn_with(build, library, backend, display, folder):
 
 
 def wrong_versions(build):
-    """Lines that say what of the version is wrong."""
+    """Returns lines about faults of the version."""
     headers = jit_version.closure(SOURCE, ROOTS)
     text = (build / "src/fp_compiler/jit_version.h").read_text()
     now = jit_version.version(headers)

@@ -1,5 +1,6 @@
-// operator new and delete of the program's own: each block has a header that says so. Linked to the
-// matrix's client as a second program, and exported, as they are by anything that links a library.
+// Defines operator new and delete for the program: each block has a header that marks it. It is
+// linked to the matrix's client as a second program, and exported, as in any program that links a
+// library.
 #include <cstdio>
 #include <cstdlib>
 #include <new>

@@ -1,31 +1,32 @@
-"""Rows in which the bare host itself ends badly now and then, as exit() in a handler that interrupted
-malloc does: whether the layer's runs do so more often. Nothing is taken for the host's fault that the
-bare host was not seen to do, in the same way, in runs of its own.
+"""Compares failure rates, for rows in which the bare host itself sometimes fails, as exit() does in a handler that
+interrupted malloc: does the layer fail more often? A failure only counts as the host's if the bare host failed in
+the same way, in runs of its own.
 """
 import math
 import time
 
 AT_MOST = 240  # bare runs, until one ends in the way that the layer's did
 AT_LEAST = 60  # runs of each
-DOUBT = 0.01   # how improbable the layer's number must be before it is called worse
+DOUBT = 0.01   # the probability below which the layer's number counts as worse
 
 
 def chance(bare_failures, bare_runs, layer_failures, layer_runs):
-    """How probable so many or more of the failures are the layer's if the two are alike (Fisher)."""
+    """Returns the probability that at least this many of the failures are the layer's if both are alike (Fisher)."""
     failures, runs = bare_failures + layer_failures, bare_runs + layer_runs
     return sum(math.comb(layer_runs, k) * math.comb(bare_runs, failures - k)
                for k in range(layer_failures, min(failures, layer_runs) + 1)) / math.comb(runs, failures)
 
 
 def compare(end, bare_run, layer_run, seconds=math.inf):
-    """`bare_run` and `layer_run` make a run with a seed of its own and return how it ended, or None
-    where it was as it should be; `end` is how one of the layer's did. After so many seconds, with
-    fewer runs than it takes to judge, it counts as worse. Returns (worse, words)."""
+    """Returns (worse, words).
+
+    `bare_run` and `layer_run` make a run with a new seed and return how it ended, or None if it was right; `end` is how
+    one of the layer's ended. If after that many seconds there are too few runs to judge, it counts as worse."""
     until = time.monotonic() + seconds
     again = sum(layer_run() is not None for _ in range(6))
     if again >= 5 and all(bare_run() != end for _ in range(6)):  # that is no chance
         return True, f"{end}, and {again} of 6 more runs fail"
-    # In turns: how busy the machine is changes what comes at any time.
+    # The runs alternate, as the machine's load affects asynchronous events.
     bare, layer = [], []
     while len(bare) < AT_MOST and (not bare or time.monotonic() < until):
         if len(bare) >= AT_LEAST and {end, None, *layer} <= {None, *bare}:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The comparison of rates (rates.py) with hosts and layers that fail as often as is said here."""
+"""Tests the comparison of rates (rates.py) with simulated hosts and layers of known failure rates."""
 import random
 import unittest
 
@@ -19,7 +19,7 @@ class Rates(unittest.TestCase):
     def test_what_bare_never_does(self):
         self.assertTrue(rates.compare("hangs", process(0), process(0.02))[0])
         self.assertTrue(rates.compare("hangs", process(0.3, "SIGSEGV"), process(0.05))[0])
-        # Another failure of the layer's that shows while the first is looked at.
+        # Another failure of the layer appears while the first is examined.
         layer = iter([None] * 6 + ["SIGSEGV"] + [None] * 300)
         self.assertTrue(rates.compare("hangs", process(0.05), lambda: next(layer))[0])
 
@@ -29,7 +29,7 @@ class Rates(unittest.TestCase):
         def layer():
             runs.append(1)
             return None
-        for bare in (process(0), process(1)):  # the same end once says nothing of rates
+        for bare in (process(0), process(1)):  # the same end each time says nothing about rates
             worse, words = rates.compare("hangs", bare, layer, seconds=0)
             self.assertTrue(worse)
             self.assertIn("no time to compare", words)

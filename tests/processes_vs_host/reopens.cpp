@@ -1,5 +1,6 @@
-// A program that is not linked to GL: it opens the library, draws, closes it, and does so again, as
-// those do whose plugins draw. What the layer has in the process must stand libGL's going.
+// A program that is not linked with GL: it opens the library, draws, closes it, and does so again,
+// as programs with drawing plugins do. The layer's state in the process must survive the unloading
+// of libGL.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -21,7 +22,7 @@ void need(bool good, const char *what) {
   std::_Exit(4);
 }
 
-/// libGL, while it is open.
+/// Opens libGL and closes it at the end.
 class Library {
 public:
   Library() : m_handle(dlopen("libGL.so.1", RTLD_NOW | RTLD_LOCAL)) {
@@ -79,7 +80,7 @@ void draw(const Library &library) {
   std::fflush(stdout);
 }
 
-/// All of GL within one opening of it: the display too, as libGL hooks into it.
+/// Opens GL, draws and closes everything. The display must be closed first, as libGL hooks into it.
 void openAndDraw() {
   const Library library;
   FIND(glXChooseVisual);

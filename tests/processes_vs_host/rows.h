@@ -1,24 +1,24 @@
 #pragma once
 
-/// The rows of the matrix of foreign processes: each is something that processes do which the layer
-/// knows nothing of. Each draws, and prints or ends in a way that the run on the bare host is the
-/// reference for.
+/// The rows of the matrix of foreign processes: each is something that processes do without the
+/// layer's knowledge. Each draws, and prints or ends in a way that is compared with the run on the
+/// bare host.
 namespace foreign {
 
 struct Row {
   const char *name;
-  void (*run)(); ///< returning is exit(0) by main
+  void (*run)(); ///< returning makes main exit with 0
 };
 
-// Of one source each.
+// Each of these adds the rows of one source.
 void endRows(void (*add)(Row));
 void surroundingRows(void (*add)(Row));
 void forkRows(void (*add)(Row));
 void threadRows(void (*add)(Row));
-/// In the program whose malloc is its own (foreign_watched) only.
+/// Defined only in the program with its own malloc (foreign_watched).
 [[gnu::weak]] void watchedRows(void (*add)(Row));
 
-/// Milliseconds by FOREIGN_SEED, so that what comes from aside comes at any point of a frame.
+/// Returns milliseconds by FOREIGN_SEED, so that asynchronous events come at any point of a frame.
 int someMilliseconds();
 /// Calls the handler of SIGALRM after that time, once.
 void alarmAfter(int milliseconds, void (*handler)(int));

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""The matrix of foreign processes: each row is something that programs do to themselves (ends.cpp,
-surroundings.cpp, forks.cpp, threads.cpp), run on the bare host and under the layer with each back end.
-None may be worse than bare: the same end, the same output, the same picture within a step, in time.
-Where the bare host itself fails now and then, the layer may not fail more often (rates.py).
+"""Runs the matrix of foreign processes. Each row is something that programs do to themselves (ends.cpp,
+surroundings.cpp,
+forks.cpp, threads.cpp), on the bare host and under the layer with each back end. No row may be worse than bare: the
+end, the output and the time must match, and the picture may differ by a step. If the bare host itself sometimes
+fails, the layer may not fail more often (rates.py).
 
   tests/processes_vs_host/run.py --build build                     all
   tests/processes_vs_host/run.py --build build --quick --repeat 1  as ./dev test
   tests/processes_vs_host/run.py --build build --only exit         rows that have "exit" in their name
-  tests/processes_vs_host/run.py --build build --repeat 20         each row that comes from aside 20 times
+  tests/processes_vs_host/run.py --build build --repeat 20         each row with asynchronous events 20 times
   tests/processes_vs_host/run.py --build build --seed 1234         as a failure named it
 
 Prints a table, and with --json writes it. Exit status 1 if a row is worse than bare.
@@ -35,26 +36,26 @@ WAYS = ("host", "auto", "swrast")
 TIMEOUT = 60
 TIMEOUT_OF_RATES = 25
 TIMEOUT_OF_VALGRIND = 300
-QUICK_RATES = 150  # seconds for a comparison of rates in ./dev test, which ends it after ten minutes
-# Of a block that one operator new gave and another delete took, it says "Mismatched free".
+QUICK_RATES = 150  # seconds for a comparison of rates in ./dev test, which stops it after ten minutes
+# valgrind reports "Mismatched free" for a block that one operator new returned and another delete took.
 VALGRIND = ("valgrind", "--undef-value-errors=no", "--leak-check=no", "--show-mismatched-frees=yes")
-# What the bare host does not always stand, by its own locks and destructors: rates are compared, which
-# takes minutes, and is left to the whole matrix. The rows of watched.cpp ask the same of the layer alone.
+# The bare host does not always survive these, by its own locks and destructors. Their rates are compared, which takes
+# minutes and is left to the whole matrix. The rows of watched.cpp test the layer alone.
 BY_CHANCE = ("exit-in-handler-", "exit-in-thread-", "exit-while-other-draws", "longjmp-then-exit",
              "fork-child-exits")
-# Rows in which something comes at any time, by the seed.
+# In these rows an event comes asynchronously, by the seed.
 FROM_ASIDE = ("drawing", "compiling", "draws", "longjmp", "sig")
-# What the bare host does not stand at all, by the end that is asked for: rows of the layer's alone.
+# The bare host never survives these, so that they test the layer alone; the value is the required end.
 ASKED = {"exit-slowly-in-thread-drawing": "exit 7"}
 WITHOUT_HOST = ("exit-in-layer-drawing-bitmaps", "exit-slowly-in-thread-drawing", "longjmp-out-of-layer-drawing")
-# Rows that are run again with a texture in the vertex program, of NV_vertex_program3: the bare host's picture
-# has none, and is the same.
+# These rows run again with a texture in the vertex program (NV_vertex_program3). The bare host's program has none, but
+# its picture is the same.
 SAMPLING = ("plain", "exit-in-handler-drawing", "exit-in-thread-drawing", "longjmp-then-exit", "sigterm", "sigsegv",
             "interrupted", "handler-draws", "own-faults", "callback-throws", "fork-before-context", "fork-child-_exits",
             "fork-child-exits", "fork-while-compiling", "small-stack", "cancelled-drawing", "cancelled-compiling",
             "other-context-deletes-drawing")
-# A row with such a texture is the host back end's only where the bare host stands this mode: what the back
-# end asks of it there, where the row's bare run asks another thing.
+# A row with such a texture runs on the host back end only if the bare host survives this mode: the back end's requests
+# to the host differ from the bare run's.
 ASKED_OF_HOST = {"small-stack": "small-stack-links"}
 VERTEX_TEXTURE = {"FOREIGN_VERTEX_TEXTURE": "1", "ARBITER_PROFILE": "nv40"}
 ALLOCATORS = {"jemalloc": "libjemalloc.so.2", "tcmalloc": "libtcmalloc_minimal.so.4"}
@@ -66,21 +67,20 @@ class Row:
         self.layered = layered or {}  # the environment under the layer alone
         self.name, self.mode, self.client, self.without_layer = name, mode, client, without_layer
         self.preload, self.wrapper, self.environment = preload, wrapper, environment or {}
-        # Where the host draws, the layer's part of a bitmap or of a large draw is a few instructions,
-        # which a signal finds after many seconds or never; and a host that draws after its destructors
-        # ran ends badly.
+        # If the host draws, the layer's part of a bitmap or a large draw is a few instructions, which a signal rarely
+        # or never interrupts. A host that draws after its destructors ran fails too.
         self.ways = [w for w in WAYS if w != "host"] if mode in WITHOUT_HOST else WAYS
         self.repeats = any(word in mode for word in FROM_ASIDE) and mode != "handler-draws"
 
 
 def library(name):
-    """The path of a library of this machine's, or None."""
+    """Returns the path of an installed library, or None."""
     listing = subprocess.run(["/sbin/ldconfig", "-p"], capture_output=True, text=True).stdout
     return next((line.split()[-1] for line in listing.splitlines() if line.split()[:1] == [name]), None)
 
 
 def comma_locale(scratch):
-    """A folder with a locale that writes 0,5, or None where it cannot be made."""
+    """Makes a folder with a locale that writes 0,5. Returns None if it cannot be made."""
     made = subprocess.run(["localedef", "--no-archive", "-i", "de_DE", "-f", "UTF-8",
                            str(scratch / "de_DE.UTF-8")], capture_output=True) \
         if shutil.which("localedef") else None
@@ -88,7 +88,7 @@ def comma_locale(scratch):
 
 
 def other_users(build, scratch):
-    """The client as a set-user-ID program of another user's, or None and why it cannot be made."""
+    """Makes the client a set-user-ID program of another user. Returns it, or None and the reason."""
     path = scratch / "foreign_other_user"
     if os.geteuid() != 0:
         return None, "only root makes a program of another user's"
@@ -101,11 +101,11 @@ def other_users(build, scratch):
 
 
 def all_rows(build, scratch):
-    """The rows, and what of them this machine cannot run."""
+    """Returns the rows, and those that this machine cannot run."""
     listing = subprocess.run([build / "tests/processes_vs_host/foreign"], capture_output=True, text=True, check=True)
     rows, skipped = [], []
     for mode in listing.stdout.split():
-        if mode == "draw-for-ever":  # statistics.py's
+        if mode == "draw-for-ever":  # for statistics.py
             continue
         if mode == "comma-locale":
             folder = comma_locale(scratch)
@@ -127,7 +127,7 @@ def all_rows(build, scratch):
         else:
             skipped.append((name, f"{file} is not installed"))
     path, why = other_users(build, scratch)
-    if path:  # the loader preloads nothing by its path there: not even the layer's own check is asked
+    if path:  # the loader preloads nothing by its path there, so that even the layer's own check does not run
         rows.append(Row("set-user-id", "plain", client=path, without_layer=True))
     else:
         skipped.append(("set-user-id", why))
@@ -169,7 +169,7 @@ def environment_of(row, way, build, display, scratch, seed):
 
 
 def run_once(row, way, build, display, scratch, seed, timeout=TIMEOUT):
-    """How the process ended ("exit 7", "SIGTERM", "hangs"), its lines of output, its errors."""
+    """Returns how the process ended ("exit 7", "SIGTERM", "hangs"), its lines of output, its errors."""
     command = [*row.wrapper, build / "tests/processes_vs_host" / row.client, row.mode]
     process = subprocess.Popen(command, env=environment_of(row, way, build, display, scratch, seed),
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -192,7 +192,7 @@ def same_line(one, other):
 
 
 def difference(bare, layer):
-    """None, or how `layer` is worse than `bare`."""
+    """Returns how `layer` is worse than `bare`, or None."""
     if layer[0] != bare[0]:
         return f"{layer[0]}, bare {bare[0]}: {layer[2].strip()[-300:]}"
     if len(layer[1]) != len(bare[1]):
@@ -204,18 +204,18 @@ def difference(bare, layer):
 
 
 def gave_up(result):
-    """No end that a program asks for: the bare host may have it too."""
+    """True if the process ended in a way that no program asks for; the bare host may do so too."""
     return result[0] in ("hangs", "SIGSEGV", "SIGABRT", "SIGBUS", "SIGILL", "SIGFPE", "exit 4")
 
 
 def expected_end(mode):
-    """A row that is to end so is not given up by the bare host because it does."""
+    """True if the row is meant to end by a signal, so that this is no failure of the bare host."""
     return mode.startswith(("abort", "sigsegv"))
 
 
 def bare_of(row, build, display, scratch, seed):
-    """A bare run that ends as the row says, if any of five does; and how those ended that did not. Of a
-    row that is the layer's alone: what is asked."""
+    """Returns a bare run that ends as the row requires, if any of five does, and how the others ended. For a row that
+    tests the layer alone it returns the requirement."""
     if row.mode in ASKED:
         return (ASKED[row.mode], [], ""), []
     failed = []
@@ -228,7 +228,7 @@ def bare_of(row, build, display, scratch, seed):
 
 
 def ways_of(row, build, display, scratch, seed):
-    """The back ends that the row is for, on this host."""
+    """Returns the back ends that the row supports, on this host."""
     mode = ASKED_OF_HOST.get(row.mode) if row.layered else None
     if mode and "host" in row.ways and not bare_of(Row(mode, mode), build, display, scratch, seed)[0]:
         print(f"        {row.name}: not by the host, which does not stand {mode}", flush=True)
@@ -237,7 +237,7 @@ def ways_of(row, build, display, scratch, seed):
 
 
 def not_shown(row, way, layer, scratch, seed):
-    """None, or what the output does not show: that the run asked what its row is for, and memory."""
+    """Returns what the output lacks: proof that the run tested what its row is for, or valid memory. None: nothing."""
     if "-layer-" in row.mode and "interrupted the layer" not in layer[2]:
         return "never in the layer's code"
     for words in ("Mismatched free", "Invalid free"):
@@ -258,7 +258,7 @@ def run_row(row, build, display, scratch, seeds, seconds_of_rates):
     for seed in seeds if row.repeats else seeds[:1]:
         bare, failed = bare_of(row, build, display, scratch, seed)
         bare_ends.update(failed)
-        if not bare:  # the bare host does not stand the row: nothing can be worse
+        if not bare:  # the bare host does not survive the row, so that nothing can be worse
             continue
         bare_ends.add(bare[0])
         stood = True

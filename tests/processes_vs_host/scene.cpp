@@ -77,8 +77,8 @@ GLuint load(GLenum target, const std::string &text) {
   return name;
 }
 
-/// Programs that no process compiled before: a comment would not do, as machine code is kept by
-/// what a program means. What is added is a part of the colour that no buffer of bytes shows.
+/// Returns a term that makes a program new to every process. A comment would not do, as machine
+/// code is cached by a program's meaning. The term changes the color by less than a byte shows.
 std::string freshTerm() {
   static unsigned s_count = 0;
   static const unsigned s_seed =
@@ -86,7 +86,7 @@ std::string freshTerm() {
   char text[96];
   std::snprintf(text, sizeof text, "ADD c.x, c.x, 0.0000%04u%05u;\n", s_seed % 10000,
                 ++s_count % 100000);
-  for (char *at = text; *at; ++at) // a comma of the locale's is no decimal point of a program's
+  for (char *at = text; *at; ++at) // a program's decimal point must not be the locale's comma
     if (*at == ',' && at[1] >= '0' && at[1] <= '9')
       *at = '.';
   return text;
@@ -97,7 +97,7 @@ struct Programs {
 };
 Programs g_programs;
 
-/// Ones: by what a vertex program that samples it moves vertices, nothing moves.
+/// Makes a texture of ones: a vertex program that displaces vertices by it moves nothing.
 GLuint makeDisplacement() {
   static unsigned char s_texels[16][16][4];
   std::memset(s_texels, 255, sizeof s_texels);
@@ -161,7 +161,7 @@ void drop(Programs &programs) {
   glDeleteTextures(1, &programs.displacement);
 }
 
-/// Many triangles in few draws, so that there is work for several threads.
+/// Draws many triangles in few draws, so that several threads have work.
 void drawGrid() {
   constexpr int kCells = 24;
   static float s_vertices[kCells * kCells * 6][5];

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""heed_signals(): what a runner's caller ignores ends the runner's children again."""
+"""Tests heed_signals(): a signal that a runner's caller ignores can end the runner's children again."""
 import signal
 import subprocess
 import sys
@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 CLIENTS = Path(__file__).resolve().parent.parent / "clients"
-# A runner, whose child sends itself the signal.
+# A runner whose child sends itself the signal.
 RUNNER = f"""
 import subprocess, sys
 sys.path.insert(0, {str(CLIENTS)!r})
@@ -19,7 +19,7 @@ print(subprocess.run(["sh", "-c", f"kill -{{sys.argv[1]}} $$"]).returncode)
 
 
 def end_of_child(number, heeds):
-    """How a child of a runner ends by the signal that the runner's caller ignores."""
+    """Returns how a runner's child ends by a signal that the runner's caller ignores."""
     done = subprocess.run([sys.executable, "-c", RUNNER, str(int(number)), heeds], capture_output=True, text=True,
                           check=True, preexec_fn=lambda: signal.signal(number, signal.SIG_IGN))
     return int(done.stdout)

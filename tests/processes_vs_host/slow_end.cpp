@@ -1,5 +1,5 @@
-// A library whose destructor takes its time. A client that opens it is in exit() for so long, with
-// libGLX finalised, which nothing of this depends on, and Xlib not yet, which this uses.
+// A library with a slow destructor. A client that opens it stays in exit() for long. By then libGLX
+// is finalised, as it does not depend on this library, but Xlib, which this library uses, is not.
 #include <unistd.h>
 
 #include <X11/Xlib.h>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Statistics and logs of processes that end by any way: what `arbiter run --stats --log` says is
-there, whole, and tells the frames that were drawn; and `arbiter run` itself ends as its command.
+"""Tests statistics and logs of processes that end in any way. The files of `arbiter run --stats --log` must exist, be
+complete, and count the frames that were drawn; and `arbiter run` itself must end as its command does.
 
 usage: statistics.py --build BUILD [--only NAME]
 """
@@ -52,8 +52,8 @@ class Case:
         return out
 
     def reports(self):
-        """All reports that were written, once no record is left."""
-        for _ in range(1200):  # a minute: a busy machine takes its time
+        """Returns all written reports, once no record is left."""
+        for _ in range(1200):  # a minute, as the machine may be busy
             if not list(self.scratch.glob("*.running")):
                 break
             time.sleep(0.05)
@@ -86,7 +86,7 @@ def ended_by(mode, expected):
 
 
 def sent(number, to_command):
-    """A signal from outside, to `arbiter run` or to the command itself."""
+    """Sends a signal from outside, to `arbiter run` or to the command itself."""
     def case(c):
         process = c.start(c.foreign("draw-for-ever"))
         line = process.stdout.readline()  # its process number
@@ -104,7 +104,7 @@ def sent(number, to_command):
 
 
 def without_run(c):
-    """The layer alone: the report of a process that was killed is made by `arbiter stats`."""
+    """Tests the layer alone: `arbiter stats` makes the report of a process that was killed."""
     env = dict(c.env, LD_PRELOAD=str(c.build / "src/interposer/libGLX_arbiter.so.0"),
                ARBITER_STATS=str(c.stats), ARBITER_LOG=f"info:{c.log}", FOREIGN_SEED="5")
     code = subprocess.run(c.foreign("sigkill"), env=env, timeout=TIMEOUT).returncode
@@ -118,7 +118,7 @@ def without_run(c):
 
 
 def several(c):
-    """Children that are killed one after the other, by their numbers."""
+    """Tests children that are killed one after the other, by their numbers."""
     one = " ".join(c.foreign("sigkill"))
     c.run(["sh", "-c", f"{one}; {one}; exit 3"], 3, stats=c.scratch / "stats-%p.json")
     reports = c.reports()
@@ -127,21 +127,21 @@ def several(c):
 
 
 def executed(c):
-    """A program that goes on as another: both are reported."""
+    """Tests a program that executes another: both are reported."""
     c.run(c.foreign("exec-itself"), 0)
     need(len(c.reports()) == 2, "one of two programs is missing")
 
 
 def forked(c):
-    """exit() of a child that was forked in the midst: the host's own end hangs there now and then, so
-    that the child here goes on as another program."""
+    """Tests a child forked during a frame. The host's own exit() sometimes hangs there, so that the child executes
+    another program instead."""
     c.run(c.foreign("fork-child-execs-drawing"), 0)
     reports = c.reports()
     need(len(reports) == 2 and reports[0]["process"] != reports[1]["process"], f"{len(reports)} reports of two")
 
 
 def stopped(c):
-    """A command that stops is seen to stop, and goes on."""
+    """Tests that a command that stops is seen to stop, and continues."""
     process = c.start(c.foreign("draw-for-ever"))
     child = int(process.stdout.readline().split()[1])
     os.kill(child, signal.SIGSTOP)

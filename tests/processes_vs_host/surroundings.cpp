@@ -1,4 +1,4 @@
-// Surroundings that a process gives itself, or is given.
+// Tests environments that a process makes for itself, or is given.
 #include <cerrno>
 #include <cfenv>
 #include <clocale>
@@ -69,7 +69,7 @@ void oddRounding() {
 #endif
 }
 
-/// mmap and mprotect with PROT_EXEC are refused from here on.
+/// Makes mmap and mprotect refuse PROT_EXEC from now on.
 void refuseExecutableMemory() {
   const unsigned protection = offsetof(seccomp_data, args[2]);
   sock_filter filter[] = {
@@ -99,7 +99,7 @@ void sandboxedAfterAFrame() {
     drawAndPrint();
 }
 
-/// Standard descriptors closed: what libraries open gets their numbers.
+/// Tests closed standard descriptors: files that libraries open get their numbers.
 void withoutStandardDescriptors() {
   const int kept = fcntl(1, F_DUPFD, 100);
   close(0);
@@ -112,8 +112,8 @@ void withoutStandardDescriptors() {
   drawAndPrint();
 }
 
-/// A program that closes what it does not know, as those do that become daemons; what it opens then
-/// has the numbers of what was closed, and must hold only what it wrote itself.
+/// Tests a program that closes all descriptors, as daemons do. Files that it then opens have the
+/// same numbers, and must contain only what it wrote itself.
 void closesAllDescriptors() {
   for (int i = 3; i < 64; ++i)
     close(i);
@@ -140,7 +140,7 @@ template <int what, unsigned long value> void limited() {
 
 volatile sig_atomic_t g_alarms = 0;
 void count(int) { g_alarms = g_alarms + 1; }
-/// Calls are interrupted a thousand times a second, and not taken up again by the kernel.
+/// Tests calls that are interrupted a thousand times a second, and not restarted by the kernel.
 void interrupted() {
   openContext();
   alarmAfter(1, count);
@@ -166,7 +166,8 @@ void handlerDraws() {
 
 sigjmp_buf g_recover;
 void recover(int) { siglongjmp(g_recover, 1); }
-/// The program meets its own faults on a stack of its own, before, between and after frames.
+/// Tests a program that handles its own faults on an alternate stack, before, between and after
+/// frames.
 void ownFaults() {
   static char s_stack[65536];
   const stack_t stack = {s_stack, 0, sizeof s_stack};
@@ -236,12 +237,12 @@ void commaLocale() {
   drawTwo();
 }
 
-/// Exceptions of an application's own, by what they derive from.
+/// The application's exceptions, by their base class.
 struct Refused : std::exception {};
 struct Odd {};
 
-/// A debug callback that throws is called in the midst of a command of the host's, and the
-/// application catches what it threw around the command.
+/// Tests a debug callback that throws within a command of the host, and an application that catches
+/// the exception around the command.
 template <typename Exception> void callbackThrows() {
   openContext();
   drawAndPrint();

@@ -1,4 +1,4 @@
-// Threads of the application's: small, cancelled, ending with a context; and the layer's.
+// Tests the application's threads (small, cancelled, or ending with a context) and the layer's.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -37,7 +37,8 @@ template <unsigned long bytes> void smallStack() {
   });
 }
 
-/// A program of the host's own language that a vertex program with a texture is like.
+/// Links a GLSL program that resembles a vertex program with a texture. Returns whether that
+/// worked.
 bool linksGlsl() {
   const GLuint program = glCreateProgram();
   const auto attach = [program](GLenum stage, const char *text) {
@@ -58,8 +59,8 @@ bool linksGlsl() {
   return linked != 0;
 }
 
-/// Whether the host's linker stands so small a stack: Mesa 25's takes 57 of its 64 KB in one
-/// function.
+/// Tests whether the host's linker works with such a small stack: Mesa 25's takes 57 of its 64 KB
+/// in one function.
 void smallStackLinks() {
   openContext();
   makeCurrent(false);
@@ -70,7 +71,7 @@ void smallStackLinks() {
   });
 }
 
-/// The first draw was made with room, as most programs have it; then a small thread goes on.
+/// Makes the first draw with a large stack, as most programs do; then a small thread continues.
 void smallStackLater() {
   openContext();
   drawAndPrint();
@@ -93,8 +94,8 @@ void endsWithContext() {
     });
 }
 
-/// A thread that is asked to end in the midst of a frame, at its first wait: the host's or the
-/// layer's. What the host had locked then stays so, and the process ends without destructors.
+/// Cancels a thread during a frame; it ends at its first wait, which is the host's or the layer's.
+/// The host's locks then stay locked, so that the process ends without destructors.
 template <bool first> void cancelledInFrame() {
   openContext();
   makeCurrent(false);
@@ -144,8 +145,7 @@ template <bool fresh> void cancelled() {
   _exit(0);
 }
 
-/// Another thread deletes the textures of the draws that go on here, at any time, in a context of
-/// its own.
+/// Deletes textures in another thread and context at any time, while draws here use them.
 void otherContextDeletes() {
   XInitThreads();
   openContext();
@@ -164,7 +164,8 @@ void otherContextDeletes() {
   drawAndPrint();
 }
 
-/// Threads that the layer started take no signals: an application's handlers run on its own.
+/// Tests that threads of the layer take no signals: an application's handlers run on its own
+/// threads.
 void threadsOfTheLayer() {
   openContext();
   for (int i = 0; i < 4; ++i)
@@ -179,7 +180,7 @@ void threadsOfTheLayer() {
       continue;
     if (std::fread(text, 1, sizeof text - 1, file) && std::strstr(text, "arbiter")) {
       const char *const blocked = std::strstr(text, "SigBlk:\t");
-      // All but SIGKILL, SIGSTOP and the two that are glibc's own.
+      // The mask has all but SIGKILL, SIGSTOP and glibc's own two.
       open += !blocked || (std::strtoull(blocked + 8, nullptr, 16) | 0x180040100ull) != ~0ull;
     }
     std::fclose(file);

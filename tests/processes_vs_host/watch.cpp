@@ -1,5 +1,4 @@
-// The watch on what a handler interrupted: by its stack, and by malloc, which is this program's
-// own.
+// Determines what a handler interrupted, by its stack, and by malloc, which is the program's own.
 #include "watch.h"
 
 #include <atomic>
@@ -34,7 +33,7 @@ __thread bool t_watched __attribute__((tls_model("initial-exec"))) = false;
 
 enum class Owner { Program, Libc, Layer, Other };
 
-/// Whose code lies at an address. Takes no lock: a handler asks.
+/// Returns whose code is at an address. Takes no lock, as handlers call it.
 Owner ownerOf(void *address) {
   dl_find_object found = {};
   if (_dl_find_object(address, &found) != 0)
@@ -49,7 +48,7 @@ Owner ownerOf(void *address) {
   };
   if (starts("libGLX_arbiter") || starts("libarbiter_"))
     return Owner::Layer;
-  // linux-gate: the kernel's own page, which code of 32 bits calls and returns from a handler by.
+  // linux-gate is the kernel's page by which 32-bit code makes calls and returns from handlers.
   for (const char *const libc :
        {"libc.so", "linux-gate.so", "libGL.so", "libGLX.so", "libEGL.so", "libGLdispatch"})
     if (starts(libc))
@@ -57,7 +56,7 @@ Owner ownerOf(void *address) {
   return Owner::Other;
 }
 
-/// The frames that a handler interrupted: whether the layer's are among them, and none the host's.
+/// The frames that a handler interrupted: whether the layer's or the host's are among them.
 struct Interrupted {
   bool whole = false, host = false, layer = false;
 };
@@ -70,12 +69,13 @@ Interrupted lookAtFrames() {
     seen.host = seen.host || owner == Owner::Other;
     seen.layer = seen.layer || owner == Owner::Layer;
   }
-  // The stack of a thread begins in libc. One that does not was given up, in machine code.
+  // A thread's stack begins in libc. If the unwound one does not, unwinding stopped in machine
+  // code.
   seen.whole = count > 3 && count < 96 && ownerOf(frames[count - 1]) == Owner::Program;
   return seen;
 }
 
-/// Ends a watched thread's process where the layer does at exit what may wait for ever.
+/// Ends a watched thread's process if the layer, at exit, does something that may wait forever.
 void check(void *caller, const char *what) {
   if (!t_watched || ownerOf(caller) != Owner::Layer)
     return;
@@ -84,7 +84,7 @@ void check(void *caller, const char *what) {
   _exit(9);
 }
 
-/// An allocation of this thread's, from a caller; or what else no handler can look into.
+/// Marks an allocation by this thread, or another operation that handlers must not look into.
 class Allocation {
 public:
   explicit Allocation(void *caller) {
@@ -96,7 +96,7 @@ public:
   Allocation &operator=(const Allocation &) = delete;
 };
 
-/// libc's own function, which this program's hides.
+/// Returns libc's own function, which this program's hides.
 template <typename Function> Function realOf(std::atomic<Function> &kept, const char *name) {
   if (!kept.load())
     kept = reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
@@ -106,9 +106,9 @@ template <typename Function> Function realOf(std::atomic<Function> &kept, const 
 } // namespace
 
 void prepareWatch() {
-  static_cast<void>(lookAtFrames()); // backtrace() loads a library at first
-  // What the libraries call must be this program's: a handler that does not see that it is in the
-  // midst of an allocation leaves libc's lock behind.
+  static_cast<void>(lookAtFrames()); // the first backtrace() loads a library
+  // The libraries must call this program's functions: otherwise a handler does not see an
+  // allocation in progress, and leaves libc's lock locked.
   for (const char *const name :
        {"malloc", "calloc", "realloc", "memalign", "aligned_alloc", "posix_memalign", "free",
         "__register_frame", "__deregister_frame", "pthread_mutex_lock", "pthread_join"})
@@ -132,7 +132,7 @@ void watchLayer() { t_watched = true; }
 
 using foreign::Allocation;
 
-#pragma GCC visibility push(default) // the libraries' calls come here
+#pragma GCC visibility push(default) // the libraries' calls arrive here
 extern "C" {
 void *malloc(std::size_t bytes) {
   const Allocation allocation(__builtin_return_address(0));
@@ -166,7 +166,7 @@ void free(void *block) {
   const Allocation allocation(__builtin_return_address(0));
   __libc_free(block);
 }
-// LLVM tells libgcc of the code that it made, under a lock that backtrace() takes as well.
+// LLVM registers its code with libgcc under a lock that backtrace() takes as well.
 void __register_frame(void *frame) {
   static std::atomic<void (*)(void *)> s_real;
   const Allocation busy(nullptr);

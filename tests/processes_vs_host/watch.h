@@ -1,22 +1,22 @@
 #pragma once
 
-/// What a signal's handler can know of the code that it interrupted. The host's own locks, and
-/// malloc's, hang exit() in such a handler without a layer as well (one run of thirty); a row that
-/// asks exit() of a process where neither is held asks it of the layer alone.
+/// Tells a signal handler about the code that it interrupted. If that holds the host's locks or
+/// malloc's, exit() hangs in the handler even without a layer (in one run of thirty). A row that
+/// calls exit() only when neither is held tests the layer alone.
 namespace foreign {
 
-/// To be called once, before the first signal.
+/// Prepares the watch; call it once, before the first signal.
 void prepareWatch();
-/// The layer is in this process.
+/// True if the layer is in this process.
 bool isLayerLoaded();
-/// In a handler: all frames below are this program's, the layer's or libc's, none the host's, and
-/// no allocation is under way on this thread.
+/// True in a handler if all frames below are this program's, the layer's or libc's, none the
+/// host's, and this thread has no allocation in progress.
 bool interruptedOutsideHost();
-/// And one of them is the layer's.
+/// True if, in addition, one of them is the layer's.
 bool interruptedInLayer();
-/// From here on, this thread ends the process with 9, and a line that says so, where the layer's
-/// libraries allocate or free in it, lock a mutex or join a thread: malloc's lock, and any of the
-/// layer's, may be held by what a handler interrupted.
+/// Makes the process exit with 9 and a message if the layer's libraries, on this thread, allocate,
+/// free, lock a mutex or join a thread from now on. The code that a handler interrupted may hold
+/// malloc's lock, or one of the layer's.
 void watchLayer();
 
 } // namespace foreign

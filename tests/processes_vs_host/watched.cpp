@@ -1,6 +1,6 @@
-// exit(), or a jump away, where a handler interrupted the layer's own code, at any place of it: it
-// may hold any lock of the layer's, and none of the host's or malloc's (watch.h). A program of its
-// own, as its malloc is.
+// Tests exit(), or a jump out, in a handler that interrupted the layer's own code at any place.
+// That code may hold any lock of the layer, and none of the host's or malloc's (watch.h). It is a
+// program of its own, as it has its own malloc.
 #include <csetjmp>
 #include <csignal>
 #include <cstdio>
@@ -19,16 +19,16 @@ namespace foreign {
 
 namespace {
 
-/// Alarms, one a millisecond, of which the first so many wait for code of the layer's: on the bare
-/// host none, which takes the program's own code.
+/// The alarms come each millisecond. That many of the first ones wait for code of the layer; none
+/// do on the bare host, where the program's own code serves.
 int g_alarmsForLayer = 0;
 volatile sig_atomic_t g_alarms = 0;
 volatile sig_atomic_t g_stopped = 0;
-/// What is drawn: code of the layer's is of interest in it alone.
+/// The kind of drawing in which the layer's code is to be interrupted.
 enum class What { Frame, Bitmaps, ManyPixels };
 What g_what = What::Frame;
 
-/// run.py wants this line of each process that has the layer.
+/// Prints the line that run.py requires from each process with the layer.
 void reportPlace(bool inLayer) {
   static constexpr char kText[] = "foreign: interrupted the layer\n";
   if (inLayer && write(2, kText, sizeof kText - 1) < 0)
@@ -92,7 +92,7 @@ void exitInBitmap() {
 
 template <bool fresh> void exitInLayer() { drawInterruptedBy(exitThere, fresh); }
 
-/// The thread that draws stands still in the midst while another ends the process.
+/// Ends the process on another thread while the drawing thread stands still within the layer.
 template <bool fresh> void exitBesideLayer() {
   std::thread([] {
     sigset_t alarm;
@@ -115,15 +115,15 @@ void jumpThere(int) {
   siglongjmp(g_back, 1);
 }
 
-/// Uses the stack below the caller's frame.
+/// Overwrites the stack below the caller's frame.
 [[gnu::noinline]] void overwriteStack() {
   unsigned char bytes[256 * 1024];
   std::memset(bytes, 0xA5, sizeof bytes);
   asm volatile("" : : "r"(bytes) : "memory");
 }
 
-/// Out of a draw that other threads work on: it is never taken up again, and its frames on the
-/// stack are other functions' from then on.
+/// Jumps out of a draw that other threads work on. It never continues, and other functions reuse
+/// its stack frames.
 void jumpOutOfDraw() {
   g_what = What::ManyPixels;
   if (sigsetjmp(g_back, 1) == 0)

@@ -10,7 +10,7 @@
 #include "fp_compiler/hw/r300/compile.h"
 #include "fp_compiler/hw/r300/report/disassemble.h"
 
-/// The compiler against programs composed by hand, and against another compiler's figures.
+/// Compares the compiler with programs composed by hand, and with another compiler's results.
 namespace arbiter::r300 {
 namespace {
 
@@ -35,10 +35,9 @@ std::string read(const std::string &path) {
   return text.str();
 }
 
-/// The least that a person found with the machine's tables at hand: an operation a half of a pair,
-/// both halves used wherever they are free, presubtract, modifiers, clamps and copies at no cost.
-/// `why` says what it is made of; a chain is the longest way of operations that wait for each
-/// other.
+/// The best result that a person found with the machine's tables: one operation in each half of a
+/// pair, with both halves used whenever possible, and presubtract, modifiers, clamps and copies at
+/// no cost. `why` explains it; a chain is the longest path of dependent operations.
 struct Best {
   const char *program;
   std::uint32_t pairs, textures, nodes;
@@ -108,8 +107,8 @@ TEST(BestKnown, TheMedianIsNearWhatAPersonComposed) {
   EXPECT_LE(median, 1.15);
 }
 
-/// Slots of single statements, straight to the output, as the compiler of Mesa 22.3.6's r300 driver
-/// gives them: it was built on its own and run. LRP, SGE and SLT are with presubtract.
+/// Slots of single statements, written directly to the output, by the compiler of Mesa 22.3.6's
+/// r300 driver, which was built separately and run. LRP, SGE and SLT use presubtract.
 struct Figure {
   const char *statement;
   std::uint32_t slots;
@@ -144,7 +143,8 @@ constexpr Figure kMesa[] = {
     {"COS result.color, a.x;", 7},
     {"LIT result.color, a;", 9},
     {"SCS result.color.xy, a.x;", 12},
-    // Swizzles and signs that the unit does not have: the copies, and the operation itself.
+    // The unit lacks these swizzles and signs, so that the count includes copies and the operation
+    // itself.
     {"ADD result.color, a.xzyw, b;", 3},
     {"ADD result.color, a.yxzw, b;", 4},
     {"ADD result.color, a.zyxw, b;", 4},

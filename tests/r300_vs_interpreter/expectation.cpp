@@ -13,7 +13,7 @@ using namespace fp::ir;
 namespace {
 constexpr int kTrials = 16;
 constexpr float kUlp = 0x1p-23f;
-/// Beyond this spread of possible results, relative to 1 + |result|, a value says nothing.
+/// If results spread wider than this, relative to 1 + |result|, a value is not judged.
 constexpr float kIllConditioned = 0.02f;
 
 struct Tolerance {
@@ -24,7 +24,7 @@ Tolerance tolerance(Opcode op) {
   switch (op) {
   case Opcode::Cos:
   case Opcode::Sin:
-  case Opcode::Scs: // two parabolas, the second on the first: 0.0011 at worst
+  case Opcode::Scs: // two parabolas, the second of the first: error at most 0.0011
     return {kUlp, 0, 1.5e-3f};
   case Opcode::Pow:
   case Opcode::Lit:
@@ -45,7 +45,7 @@ Tolerance tolerance(Opcode op) {
   }
 }
 
-/// Moves values by their tolerance, up or down.
+/// Moves values up or down by their tolerance.
 class Shaker {
 public:
   Shaker(const Program &program, const Inputs &inputs, std::uint64_t seed)
@@ -63,7 +63,8 @@ public:
     m_inputs.result = [this](const Instruction &instruction, Vec4 &value) {
       const Tolerance allowed = tolerance(instruction.op);
       for (float &component : value)
-        if (component != 0 || allowed.absolute != 0) // else a zero by rule, not by rounding
+        // otherwise a zero follows from a rule, not from rounding
+        if (component != 0 || allowed.absolute != 0)
           shake(component, allowed.relative, allowed.absolute);
     };
     m_inputs.texture = [this, texture = inputs.texture](const Sample &sample) {
@@ -77,7 +78,8 @@ public:
       m_position.push_back(program.attributes[i].kind == AttributeKind::Position);
   }
 
-  /// Valid until the next call. The window position takes a way through the clip position.
+  /// Returns moved inputs, valid until the next call. The window position is moved through the clip
+  /// position.
   const Inputs &next() {
     ++m_run;
     m_attributes = m_exact;
@@ -93,14 +95,14 @@ private:
   void shake(float &value, float relative, float absolute) {
     if (relative == 0 && absolute == 0)
       return;
-    // Every other run goes to the ends: a clamp may hide all but those.
+    // Every other run uses the extremes, as a clamp may hide everything else.
     const float share =
         m_run % 2 ? (m_random.chance(50) ? 1.0f : -1.0f) : m_random.real(-1.0f, 1.0f);
     value += share * (relative * std::fabs(value) + absolute);
   }
 
-  /// A base that is not above zero, to a power below: 0 by ir/semantics.h, an infinity through
-  /// LG2 and EX2, and nothing that the specification defines.
+  /// Avoids a base that is not positive with a negative exponent. ir/semantics.h gives 0, LG2 and
+  /// EX2 give an infinity, and the specification does not define it.
   static void leaveOpen(float &base, float exponent) {
     if (base <= 0 && exponent < 0)
       base = std::numeric_limits<float>::min();
@@ -124,11 +126,11 @@ void finishTolerance(Expected &expected) {
   const float scale = 1.0f + std::fabs(expected.value);
   if (expected.slack > kIllConditioned * scale)
     expected.comparable = false;
-  // The directions that would show the worst were hardly among the trials.
+  // The trials are unlikely to include the worst directions.
   expected.slack = 4.0f * expected.slack + 1e-6f * scale;
 }
 
-/// An output depth is Evaluation::depth alone.
+/// True if an output is a color; depth is only in Evaluation::depth.
 bool isColor(const Program &program, std::size_t output) {
   return program.outputs[output].kind == OutputKind::Color;
 }

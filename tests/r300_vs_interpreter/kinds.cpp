@@ -25,7 +25,7 @@ fp::ir::Program longFragment(std::uint64_t seed) {
   return fp::testing::randomProgram(seed, options);
 }
 
-/// Half of the results also go into a sum that is shown, so that little of the program is dead.
+/// Adds half of the results to a visible sum, so that little of the program is dead.
 fp::ir::Program live(std::uint64_t seed) {
   using namespace fp::ir;
   fp::testing::RandomOptions options;
@@ -45,7 +45,7 @@ fp::ir::Program live(std::uint64_t seed) {
     add.src[1].file = File::Parameter;
     add.src[1].index = half;
     add.src[2].index = instruction.dst.index;
-    // The last word on each colour is the sum's.
+    // The sum is written to each color last.
     if (!info(instruction.op).has(Kills) && instruction.dst.file == File::Output &&
         program.outputs[instruction.dst.index].kind == OutputKind::Color) {
       add.dst = instruction.dst;
@@ -69,7 +69,7 @@ fp::ir::Program wild(std::uint64_t seed) {
   return fp::testing::randomProgram(seed, options);
 }
 
-/// Under fixed-function state of its own.
+/// Returns a random program with random fixed-function state.
 fp::ir::Program ati(std::uint64_t seed) {
   fp::testing::RandomAtiOptions options;
   options.defined = options.tameDivisors = true;
@@ -87,7 +87,7 @@ fp::ir::Program ati(std::uint64_t seed) {
       fp::ati::lower(fp::testing::randomAtiShader(seed, options), lowering), state);
 }
 
-/// Programs of files, by their place among them.
+/// Returns the programs of files, in their order.
 std::vector<fp::ir::Program> &texts() {
   static std::vector<fp::ir::Program> programs;
   return programs;

@@ -10,17 +10,17 @@ namespace arbiter::r300 {
 struct Kind {
   const char *name;
   fp::ir::Program (*make)(std::uint64_t seed);
-  bool compared; ///< false: the values are undefined, only the rules are looked at
+  bool compared; ///< false: the values are undefined, so that only the rules are checked
 };
 
-/// Those that make programs of any number.
+/// Returns the kinds that generate programs.
 [[nodiscard]] std::span<const Kind> generatedKinds();
 
-/// Programs of files: make(i) is the i-th of all that addTexts() found.
+/// Returns the kind whose make(i) returns the i-th program that addTexts() found.
 [[nodiscard]] const Kind &textKind();
 [[nodiscard]] std::uint64_t textCount();
-/// Adds every fragment program of a folder, in the order of their names. False, with a message, if
-/// there is none or one does not pass its check.
+/// Adds every fragment program of a folder, in the order of their names. Returns false, with a
+/// message, if there is none or one is invalid.
 [[nodiscard]] bool addTexts(const char *folder);
 
 } // namespace arbiter::r300

@@ -10,7 +10,7 @@ namespace arbiter::r300 {
 using namespace fp::hw::r300;
 
 namespace {
-/// A mistake in one half of a pair; false where it would change nothing.
+/// Makes a mistake in one half of a pair; returns false if it would change nothing.
 template <typename Half> bool mutateHalf(Half &half, std::size_t arguments, int kind, int choice) {
   using Op = decltype(half.op);
   using Select = decltype(half.arguments[0].select);
@@ -68,13 +68,13 @@ std::string mutate(Code &code, fp::testing::Random &random) {
             : mutateHalf(pair.alpha, argumentCount(pair.alpha.op, pair.rgb.op), kind, choice);
     return done ? where + ": " + kNames[kind] : std::string();
   }
-  if (kind == 5) { // the order of two pairs
+  if (kind == 5) { // swaps two pairs
     if (at + 1 >= code.pairs.size() || !readsResultOf(code.pairs[at + 1], pair))
       return {};
     std::swap(code.pairs[at], code.pairs[at + 1]);
     return where + ": changes places with the next";
   }
-  if (kind == 6) { // a register that is still in use
+  if (kind == 6) { // overwrites a register that is still in use
     if (pair.rgb.mask == 0 || code.temporaries < 2)
       return {};
     pair.rgb.temporary = std::uint16_t((pair.rgb.temporary + 1) % code.temporaries);

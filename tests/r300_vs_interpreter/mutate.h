@@ -6,8 +6,8 @@
 
 namespace arbiter::r300 {
 
-/// Changes one thing of \p code that should change what it does, and says what: a mistake that a
-/// compiler could make. Empty where this code has nothing of the kind that was chosen.
+/// Changes one thing in \p code that should change its effect, like a compiler's mistake, and
+/// returns a description. Returns "" if the code has nothing of the chosen kind.
 [[nodiscard]] std::string mutate(fp::hw::r300::Code &code, fp::testing::Random &random);
 
 } // namespace arbiter::r300

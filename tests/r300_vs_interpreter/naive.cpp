@@ -10,7 +10,7 @@ namespace arbiter::r300 {
 using namespace fp::ir;
 
 namespace {
-/// The slot table of Mesa 22.3.6's r300 compiler, without presubtract.
+/// Returns the slots of an opcode by Mesa 22.3.6's r300 compiler, without presubtract.
 std::uint32_t slotsOf(Opcode op) {
   switch (op) {
   case Opcode::Flr:
@@ -56,7 +56,8 @@ bool nativeSwizzle(const Swizzle &swizzle, std::uint8_t used) {
   });
 }
 
-/// Copies that bring an operand into a form that the RGB unit reads: one a component.
+/// Returns the number of copies that bring an operand into a form that the RGB unit reads, one for
+/// each component.
 std::uint32_t copiesFor(const Operand &operand, std::uint8_t used) {
   const std::uint8_t rgb = used & 7;
   const std::uint8_t signs = operand.negate & rgb;
@@ -85,11 +86,12 @@ public:
     for (const Output &output : m_program.outputs) {
       if (output.kind != OutputKind::Color)
         continue;
-      // A copy to the result; a clamp and the sum; the factor, a clamp, LRP and alpha's clamp.
+      // This counts a copy to the result; a clamp and the sum; the factor, a clamp, LRP and alpha's
+      // clamp.
       m_counts.pairs += 1 + (m_program.options.colorSum ? 2 : 0) +
                         (m_program.options.fog != FogMode::None ? 7 : 0);
     }
-    m_counts.pairs += m_counts.nodes; // each may need a slot for nothing
+    m_counts.pairs += m_counts.nodes; // each node may need an empty slot
     return m_counts;
   }
 
@@ -119,7 +121,7 @@ private:
   void texture(const Instruction &instruction) {
     ++m_counts.textures;
     const Operand &coordinate = instruction.src[0];
-    // What was never written is a constant zero.
+    // A component that was never written is a constant zero.
     const bool inRegister = coordinate.file == File::Attribute ||
                             (coordinate.file == File::Temporary &&
                              (registerMask(instruction, 0) & ~m_components[coordinate.index]) == 0);
@@ -131,7 +133,8 @@ private:
     if (!plain)
       m_counts.pairs += 4;
     m_counts.pairs += rectangle;
-    // A chain of reads, or a register that arithmetic of this node has in hand.
+    // The read needs a new node after another read, or if arithmetic of this node uses the
+    // register.
     const bool reads = coordinate.file == File::Temporary && m_written[coordinate.index];
     const bool writes = !info(instruction.op).has(Kills) &&
                         instruction.dst.file == File::Temporary && m_touched[instruction.dst.index];
@@ -142,7 +145,8 @@ private:
     }
     if (info(instruction.op).has(Kills))
       return;
-    // Mask, clamp, output; a shadow target's comparison, with the reference divided.
+    // This counts mask, clamp and output; for a shadow target the comparison, with the divided
+    // reference.
     m_counts.pairs += isShadow(instruction.target) ? 6 : 1;
     wrote(instruction.dst);
   }

@@ -5,8 +5,8 @@
 
 namespace arbiter::r300 {
 
-/// What a program costs by the slot tables when nothing is shared, paired, reordered or dropped: an
-/// operation a slot. A compiler that is worth its name is never above.
+/// A program's cost by the slot tables, with one operation in each slot and nothing shared, paired,
+/// reordered or dropped. The compiler must never exceed it.
 struct NaiveCounts {
   std::uint32_t pairs = 0, textures = 0, nodes = 1;
 };

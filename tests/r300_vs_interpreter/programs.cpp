@@ -17,12 +17,12 @@
 #include "naive.h"
 #include "surroundings.h"
 
-/// Random programs through the R300's compiler: every code is legal, and run on the chip's
-/// interpreter it gives what the program says; and it takes no more than an operation a slot.
+/// Runs random programs through the R300's compiler. Every code must be legal, give the program's
+/// results on the chip's interpreter, and take at most one slot for each operation.
 ///   r300-programs [--count N] [--from SEED] [--kind NAME] [--mutants 1]
 ///   r300-programs --texts FOLDER [--texts FOLDER...]
-/// With --mutants each code gets one mistake, and most must be noticed.
-/// Exit status 1 if any fails; the first of a kind are printed with their listings.
+/// With --mutants each code gets one mistake, and most must be noticed. The exit status is 1 if any
+/// fails; the first failures of a kind are printed with their listings.
 namespace arbiter::r300 {
 namespace {
 
@@ -30,11 +30,11 @@ using fp::hw::r300::Code;
 
 constexpr std::uint64_t kFragments = 2;
 constexpr int kShown = 3;
-/// More than this share of values that say nothing would make the comparison one in name only.
+/// If more values than this fraction are not judged, the comparison would be meaningless.
 constexpr double kSkippedShare = 0.08;
 
-/// Less than this share of mistakes noticed, and the comparison is blind. Those that are not are
-/// mostly no mistakes: values that a clamp, a minimum or a comparison hides.
+/// If fewer mistakes than this fraction are noticed, the comparison is blind. Most that go
+/// unnoticed have no effect: a clamp, a minimum or a comparison hides them.
 constexpr double kNoticedShare = 0.65;
 
 struct Totals {
@@ -69,7 +69,7 @@ public:
         return;
   }
 
-  /// One mistake in its code: is it noticed?
+  /// Makes one mistake in a program's code and checks whether it is noticed.
   void mutant(std::uint64_t seed) {
     const fp::ir::Program program = m_kind.make(seed);
     Code code = fp::hw::r300::compile(program, {});

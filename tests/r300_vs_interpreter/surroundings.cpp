@@ -29,7 +29,7 @@ Vec4 attributeValue(const Attribute &attribute, std::uint64_t fragment) {
   if (attribute.kind == AttributeKind::FogCoord)
     return {value[0], 0, 0, 1};
   if (attribute.kind == AttributeKind::Position)
-    value[3] = 0.25f + 0.75f * value[3]; // 1/w of a fragment in sight
+    value[3] = 0.25f + 0.75f * value[3]; // 1/w of a visible fragment
   return value;
 }
 
@@ -55,7 +55,7 @@ Vec4 sampleTexture(const Sample &sample) {
     const float passes = sample.coordinate[2] <= sampleTexture(depth)[0] ? 1.0f : 0.0f;
     return {passes, passes, passes, passes};
   }
-  // Any smooth function of all that is asked for will do.
+  // Any smooth function of all inputs serves.
   const float place = sample.coordinate[0] + 1.7f * sample.coordinate[1] +
                       2.3f * sample.coordinate[2] + 0.7f * sample.bias + 5.0f * float(sample.unit) +
                       11.0f * float(int(sample.target));

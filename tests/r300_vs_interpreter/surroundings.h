@@ -5,14 +5,14 @@
 
 namespace arbiter::r300 {
 
-/// What one fragment reads, made up of a number and of the bindings, in the ranges that tame
-/// programs are made for. Serves ir::evaluate() and the chip's interpreter alike: a shadow target's
-/// sample is the comparison with what the plain target gives.
+/// The inputs of one fragment, derived from a number and the bindings, in the ranges of tame
+/// programs. ir::evaluate() and the chip's interpreter use the same: a shadow target's sample is
+/// the comparison with the plain target's.
 class Surroundings {
 public:
   Surroundings(const fp::ir::Program &program, std::uint64_t fragment);
   [[nodiscard]] const fp::ir::Inputs &inputs() const { return m_inputs; }
-  /// The inputs refer to this.
+  /// Copying is disabled because the inputs refer to this object.
   Surroundings(const Surroundings &) = delete;
   Surroundings &operator=(const Surroundings &) = delete;
 

@@ -4,9 +4,9 @@
   attached.py --build DIR [--out DIR] [NAME...]
   attached.py --packages          the packages that it needs
 
-Each plays a still picture for ever under `arbiter run --control`. Through `arbiter ctl` its fragment program is
-listed with what it costs, a pixel of its frame is traced, and the program is edited: the picture changes, and
-is what it was when the client has gone. The screen is looked at after each step.
+Each plays a still picture forever under `arbiter run --control`. Through `arbiter ctl` its fragment program is
+listed with its cost, a pixel of its frame is traced, and the program is edited: the picture changes, and
+is restored when the client has gone. The screen is read after each step.
 """
 
 import argparse
@@ -25,7 +25,7 @@ import picture
 import session
 
 PACKAGES = (*live.PACKAGES, "xine-ui", "libxine2-bin", "libxine2-x")
-# Name, command, to which the clip is added.
+# Name, and the command, to which the clip is added.
 APPLICATIONS = {
     "mplayer": [*live.PLAYER, "-loop", "0"],
     "xine": ["xine", "-V", "opengl", "-A", "none", "-g", "-p", "--no-gui", "--loop=loop", "--no-splash",
@@ -36,7 +36,7 @@ NEGATIVE = ("!!ARBfp1.0\nTEMP y;\nTEX y, fragment.texcoord[0], texture[0], 2D;\n
 
 
 class Attached:
-    """One application that is controlled, and its client."""
+    """A controlled application, and its client."""
 
     def __init__(self, arbiter: Path, command: list, out: Path, server: session.XServer):
         self.arbiter, self.out, self.server = arbiter, out, server
@@ -61,7 +61,7 @@ class Attached:
         return [str(word) for word in (self.arbiter, "ctl", "--timeout", 60, *words)]
 
     def ask(self, *words) -> dict:
-        """What `arbiter ctl --json` answers."""
+        """Returns the answer of `arbiter ctl --json`."""
         done = subprocess.run(self._words(("--json", *words)), env=self.environment, capture_output=True,
                               text=True, timeout=120)
         if done.returncode != 0:
@@ -99,7 +99,7 @@ def main() -> int:
 
 def _attach(arbiter: Path, name: str, out: Path) -> str:
     (out / ".xine").mkdir(exist_ok=True)
-    (out / ".xine/config").write_text(".version:2\n")  # without one xine asks for settings
+    (out / ".xine/config").write_text(".version:2\n")  # without a file xine asks for settings
     clip = live.clip(out / "still.y4m")
     with session.XServer(out / "screen") as server:
         application = Attached(arbiter, [*APPLICATIONS[name], str(clip)], out, server)
@@ -117,7 +117,7 @@ def _steps(application: Attached, out: Path) -> str:
     picture.write_png(out / "before.png", before)
     program = next((row for row in application.ask("programs")["programs"]
                     if row["target"] == "fragment" and row["draws"] > 0), None)
-    if program is None:  # the first list begins the count
+    if program is None:  # the first list starts the count
         program = _drawn(application)
     cost = application.ask("measure")["programs"].get(program["id"])
     if not cost or not cost["pixels"]:
@@ -140,7 +140,7 @@ def _steps(application: Attached, out: Path) -> str:
 
 
 def _drawn(application: Attached) -> dict:
-    """The fragment program that draws, while a client is there to have draws counted."""
+    """Returns the fragment program that draws; draws are counted while a client is attached."""
     measured = application.ask("measure")["programs"]
     rows = application.ask("programs")["programs"]
     for row in rows:
@@ -150,7 +150,7 @@ def _drawn(application: Attached) -> dict:
 
 
 def _trace(application: Attached, program: str) -> dict:
-    """Of a pixel inside the picture, which every frame of a player's draws anew."""
+    """Traces a pixel inside the picture, which a player draws again in every frame."""
     done = subprocess.run(application._words(("--json", "trace", "100,100")), env=application.environment,
                           capture_output=True, text=True, timeout=120)
     frame = application.out / "frame.png"

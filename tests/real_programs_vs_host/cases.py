@@ -1,4 +1,4 @@
-"""What a real program is to the runner: the packages it needs, its preparation, its cases."""
+"""Describes a real program to the runner: the packages it needs, its preparation, its cases."""
 
 import os
 import subprocess
@@ -10,17 +10,17 @@ class PrepareError(Exception):
     """A program's input could not be made; the text says which command failed and how."""
 
 
-# How recordings are compared (recordings/replay.py): with the rasterizer, and with the host as what draws.
+# The ways in which recordings are compared (recordings/replay.py): drawn by the rasterizer, and drawn by the host.
 DRAWN = ("auto-late", "auto-cold", "auto-warm", "swrast", "r300")
 WAYS = (*DRAWN, "host", "programs")
 
 
 @dataclass(frozen=True)
 class Case:
-    """One command whose last picture is compared between the bare host and the layer.
+    """A command whose last picture is compared between the bare host and the layer.
 
-    The picture is `output` (a file that the program writes, relative to the run's own folder), or,
-    where that is empty, what the X screen shows most of the time.
+    The picture is `output` (a file that the program writes, relative to the run's own folder), or, if
+    that is empty, what the X screen shows most of the time.
     """
 
     name: str
@@ -30,21 +30,21 @@ class Case:
     stdin: str = ""
     environment: dict[str, str] = field(default_factory=dict)
     timeout: float = 120.0
-    stop_after: float = 0.0  # seconds after which SIGTERM ends a program that runs for ever
-    # Not the same from run to run, so that only its recording can be compared (recordings/).
+    stop_after: float = 0.0  # seconds after which SIGTERM ends a program that runs forever
+    # It varies from run to run, so that only its recording can be compared (recordings/).
     recorded: bool = False
-    api: str = "gl"  # of window systems that apitrace records: gl, with GLX, or egl
-    # Of its recorded frames, how many pixels may be off by more than 3 %. More than 60 needs a reason.
+    api: str = "gl"  # a window system that apitrace records: gl (with GLX) or egl
+    # The number of pixels of a recorded frame that may differ by more than 3 %. More than 60 needs a reason.
     wrong_pixels: int = 60
-    ways_left_out: tuple[str, ...] = ()  # in which its recording is not compared. Any needs a reason.
-    step: int = 8  # of 255, in place of those 3 %. More needs a reason too.
-    frames: int = 0  # that its recording keeps, from the first; 0: as many as the runner's option says
+    ways_left_out: tuple[str, ...] = ()  # ways in which its recording is not compared; any needs a reason
+    step: int = 8  # in 255ths, replaces those 3 %; more needs a reason too
+    frames: int = 0  # the number of first frames that its recording keeps; 0: the runner's option
     maximum: int = 0  # tolerance: largest difference of a channel, of 255
     mean: float = 0.0  # tolerance: mean difference of all channels, of 255
-    # More than a Radeon 9700 holds: under a profile with enforced limits the program would be refused
-    # as that card's driver refused it, so this case asks for a report only (ARBITER_LIMITS).
+    # It exceeds a Radeon 9700: under a profile with enforced limits the program would be refused, as by that card's
+    # driver, so that this case only asks for a report (ARBITER_LIMITS).
     over_limits: bool = False
-    least_programs: int = 1  # fragment programs that must have been compiled by the layer
+    least_programs: int = 1  # fragment programs that the layer must have compiled
     refused: int = 0  # programs that the bare host refuses too
     statuses: tuple[int, ...] = (0,)  # exit statuses that are a success
 
@@ -56,7 +56,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Program:
-    """A program of Debian's, or a kind of client that is built here against one of its libraries."""
+    """A program from Debian, or a client that is built here with one of its libraries."""
 
     name: str
     packages: tuple[str, ...]
@@ -70,12 +70,11 @@ class Program:
         """Ends what the program leaves running."""
 
 
-# For cases with anisotropic textures: the filter is each implementation's own. llvmpipe's is a weighted mean
-# of whole texels of one level, the rasterizer's one of trilinear samples (tests/rasterizer_vs_host/run_anisotropy.py):
-# in 0ad's terrain single pixels are 33 apart, at the edges of magnified texels 47. What is lost or moved is
-# further off.
+# For cases with anisotropic textures, whose filter is implementation-dependent. llvmpipe's is a weighted mean of whole
+# texels of one level, the rasterizer's one of trilinear samples (tests/rasterizer_vs_host/run_anisotropy.py). In 0ad's
+# terrain single pixels differ by 33, at the edges of magnified texels by 47. Lost or moved geometry differs more.
 ANISOTROPIC_STEP = 48
-# So the same are compared with the usual step, too: a host that lacks the filter.
+# These cases are compared with the usual step too, on a host without the filter.
 WITHOUT_ANISOTROPY = {"MESA_EXTENSION_OVERRIDE": "-GL_EXT_texture_filter_anisotropic"}
 
 DATA = Path(__file__).resolve().parent / "data"
@@ -83,7 +82,7 @@ DATA = Path(__file__).resolve().parent / "data"
 
 def shell(command: list[str], cwd: Path | None = None, environment: dict[str, str] | None = None,
           timeout: float = 300.0) -> str:
-    """Runs a preparation step; its output if it succeeds, PrepareError if not."""
+    """Runs a preparation step; returns its output if it succeeds, and raises PrepareError if not."""
     try:
         done = subprocess.run(command, cwd=cwd, env={**os.environ, **(environment or {})},
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -99,7 +98,7 @@ def shell(command: list[str], cwd: Path | None = None, environment: dict[str, st
 
 
 def build_client(work: Path, source: str, libraries: list[str]) -> Path:
-    """Compiles data/SOURCE against a library's development files, unless that was done; its path."""
+    """Compiles data/SOURCE with a library's development files, unless that was done; returns its path."""
     path = DATA / source
     binary = work / path.stem
     if not binary.exists() or binary.stat().st_mtime < path.stat().st_mtime:

@@ -1,5 +1,4 @@
-"""What shows that fragment programs were really used: apitrace's record on the bare host, and the
-layer's statistics."""
+"""Proves that fragment programs were really used, by apitrace's record on the bare host and the layer's statistics."""
 
 import collections
 import hashlib
@@ -32,7 +31,7 @@ def record(case: Case, folder: Path, texts: Path) -> int:
 
 
 def _strings(dump: str) -> list[str]:
-    """The string argument of each call, with the dump's escapes undone."""
+    """Returns the string argument of each call, with the dump's escapes undone."""
     found = []
     for call in _CALL.finditer(dump):
         out, i = [], call.end()
@@ -51,8 +50,8 @@ def _strings(dump: str) -> list[str]:
 
 
 def summarise(stats: list[dict]) -> dict:
-    """The figures of all processes of a run together: distinct fragment programs that compiled and
-    that did not, and draws by path with the reasons for those that the rasterizer did not do."""
+    """Adds up the figures of all processes of a run: distinct fragment programs that compiled and
+    that did not, and draws by path with the reasons for those that the rasterizer did not make."""
     programs = [p for s in stats for p in s.get("programs", []) if "fragment" in str(
         p.get("target", "")).lower()]
 
@@ -75,7 +74,7 @@ def summarise(stats: list[dict]) -> dict:
 
 
 def problems(summary: dict, least_programs: int, refused: int = 0) -> list[str]:
-    """Why the statistics do not show that the layer compiled and drew."""
+    """Returns why the statistics do not show that the layer compiled and drew."""
     found = []
     if summary["programs"] < least_programs:
         found.append(f"{summary['programs']} fragment programs compiled, "

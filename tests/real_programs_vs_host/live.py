@@ -4,9 +4,9 @@
   live.py --build DIR [--out DIR]
   live.py --packages          the packages that it needs
 
-MPlayer is captured for a few frames. Then it plays a still picture for ever under
+MPlayer is captured for a few frames. Then it plays a still picture forever under
 `arbiter run --replace` with the capture's folder, and its fragment program is edited there: to another
-formula, to one that is wrong, back to its own. The screen is looked at after each step.
+formula, to an invalid one, back to its own. The screen is read after each step.
 """
 
 import argparse
@@ -31,7 +31,7 @@ PLAYER = ["mplayer", "-noconfig", "all", "-nosound", "-noconsolecontrols", "-vo"
 
 
 class Failure(Exception):
-    """A step did not show what it should."""
+    """A step did not have the required result."""
 
 
 def main() -> int:
@@ -57,7 +57,7 @@ def main() -> int:
 
 
 def clip(path: Path) -> Path:
-    """A second of a still gradient of all colours."""
+    """Makes a second of a still gradient of all colors."""
     width, height = SIZE
     luma = bytes(40 + (x * 150 // width + y // 4) % 180 for y in range(height) for x in range(width))
     blue = bytes(60 + x * 130 // (width // 2) for y in range(height // 2) for x in range(width // 2))
@@ -97,7 +97,7 @@ def _steps(arbiter: Path, out: Path) -> None:
 
 
 def _captured(folder: Path) -> Path:
-    """The text that drew the frames."""
+    """Returns the text that drew the frames."""
     index = json.loads((folder / "index.json").read_text())
     drawn = [p for p in index["programs"] if p["target"] == "fragment" and p["draws"] >= 5]
     if not drawn:
@@ -126,7 +126,7 @@ def _edit(server: session.XServer, program: Path, own: bytes, out: Path) -> None
 
 
 def _put(path: Path, text: bytes) -> None:
-    """As editors save: whole, under another name, renamed."""
+    """Saves as editors do: to another name, which is then renamed."""
     beside = path.with_suffix(".new")
     beside.write_bytes(text)
     os.replace(beside, path)
@@ -137,7 +137,7 @@ def _shot(server: session.XServer) -> picture.Picture:
 
 
 def wait(server: session.XServer, good, problem: str) -> picture.Picture:
-    """The first picture that is good and still the same a moment later."""
+    """Returns the first picture that is good and unchanged a moment later."""
     end = time.monotonic() + 60
     while time.monotonic() < end:
         shot = _shot(server)

@@ -1,6 +1,6 @@
 """Pictures as rows of 8-bit RGB: reads PNG, XWD and PPM, writes PNG, compares two, joins several.
 
-Standard library alone, so that the runner starts on a bare machine.
+Uses only the standard library, so that the runner starts on a bare machine.
 """
 
 import struct
@@ -13,23 +13,23 @@ _PNG_CHANNELS = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}
 
 
 class PictureError(Exception):
-    """A file is not a picture of a kind that is read here."""
+    """A file is not a picture of a supported kind."""
 
 
 @dataclass(frozen=True)
 class Picture:
-    """width x height pixels, top row first, three bytes (red, green, blue) each."""
+    """A picture of width x height pixels, top row first, three bytes (red, green, blue) each."""
 
     width: int
     height: int
     rgb: bytes
 
     def is_blank(self) -> bool:
-        """True if all pixels are the same: a program that drew nothing."""
+        """True if all pixels are equal: a program that drew nothing."""
         return self.rgb == self.rgb[:3] * (self.width * self.height)
 
     def crop(self, width: int, height: int) -> "Picture":
-        """The top left part, at most width x height."""
+        """Returns the top left part, at most width x height."""
         width, height = min(width, self.width), min(height, self.height)
         stride = self.width * 3
         rows = (self.rgb[y * stride : y * stride + width * 3] for y in range(height))
@@ -38,7 +38,7 @@ class Picture:
 
 @dataclass(frozen=True)
 class Difference:
-    """How far two pictures are apart, in units of 1/255 of a channel."""
+    """The difference of two pictures, in 255ths of a channel."""
 
     same_size: bool
     maximum: int
@@ -55,7 +55,7 @@ NOTHING_ALIKE = Difference(False, 255, 255.0, 0, 0)
 
 
 def compare(a: Picture, b: Picture) -> Difference:
-    """The difference of two pictures; the largest possible one where the sizes differ."""
+    """Returns the difference of two pictures; the largest possible one if the sizes differ."""
     if (a.width, a.height) != (b.width, b.height):
         return Difference(False, 255, 255.0, a.width * a.height, a.width * a.height)
     if a.rgb == b.rgb:
@@ -72,13 +72,13 @@ def compare(a: Picture, b: Picture) -> Difference:
 
 
 def magnified(a: Picture, b: Picture, factor: int = 16) -> Picture:
-    """|a - b| times factor, to see where two pictures of one size differ."""
+    """Returns |a - b| times factor, which shows where two pictures of one size differ."""
     rgb = bytes(min(255, factor * abs(x - y)) for x, y in zip(a.rgb, b.rgb))
     return Picture(a.width, a.height, rgb)
 
 
 def side_by_side(pictures: list[Picture], gap: int = 4) -> Picture:
-    """All pictures in one row, with grey between them and below shorter ones."""
+    """Joins pictures in one row, with grey between them and below shorter ones."""
     height = max(p.height for p in pictures)
     grey = b"\x80\x80\x80"
     rows = []
@@ -112,7 +112,7 @@ def write_png(path: Path, picture: Picture) -> None:
 
 
 def read(path: Path) -> Picture:
-    """A picture from a PNG (8 bits a channel), an XWD window dump (32 bits a pixel) or a PPM (P6)."""
+    """Reads a picture from a PNG (8 bits a channel), an XWD window dump (32 bits a pixel) or a PPM (P6)."""
     data = path.read_bytes()
     if data.startswith(_PNG_SIGNATURE):
         return _read_png(data)
@@ -131,7 +131,7 @@ def _read_ppm(data: bytes) -> Picture:
 
 
 def _read_xwd(data: bytes) -> Picture:
-    """An XWD of version 7, ZPixmap, with 32 bits a pixel and red, green, blue in a word's low 24."""
+    """Reads an XWD of version 7, ZPixmap, with 32 bits a pixel and red, green, blue in a word's low 24."""
     if len(data) < 100:
         raise PictureError("too short for a window dump")
     head = struct.unpack(">25I", data[:100])

@@ -1,4 +1,4 @@
-"""Tests of the comparison of recordings: each way of being wrong must be seen, in any frame."""
+"""Tests the comparison of recordings: each kind of fault must be noticed, in any frame."""
 
 import io
 import subprocess
@@ -23,7 +23,7 @@ SIDE = 20
 
 
 def _shot(changed: int = 0, by: int = 0) -> Picture:
-    """A gradient whose first `changed` pixels are brighter by `by` in green."""
+    """Returns a gradient whose first `changed` pixels are brighter by `by` in green."""
     rgb = bytearray((i * 5) % 200 for i in range(SIDE * SIDE * 3))
     for pixel in range(changed):
         rgb[pixel * 3 + 1] += by
@@ -73,7 +73,7 @@ class Compared(unittest.TestCase):
 
     def _compare(self, bare: list[Picture], again: list[Picture], layer: list[Picture],
                  statuses=(0, 0, 0), stats=None, cut_off=False, **recording) -> judge.Row:
-        """The row of the one way, with replays that give these pictures and statuses."""
+        """Returns the row of the one way, with replays that have these pictures and statuses."""
         runs = iter(zip((bare, again, layer), statuses, (False, False, cut_off)))
 
         def replay(_recording, _calls, _way, folder, _timeout, take):
@@ -125,7 +125,7 @@ class Compared(unittest.TestCase):
         self.assertIn("status -11, bare 0", row.reason)
         self.assertIn("1 frames, bare 2", self._compare([_shot()] * 2, [_shot()] * 2,
                                                         [_shot()]).reason)
-        # A program that ends badly on the bare host may do so with the layer.
+        # A program that fails on the bare host may fail with the layer.
         self.assertTrue(self._compare([_shot()], [_shot()], [_shot()], statuses=(1, 1, 1)).passed)
 
     def test_of_a_run_that_was_cut_off_no_frame_is_compared(self):

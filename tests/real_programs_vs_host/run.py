@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
-"""Unmodified programs from Debian draw the same with Arbiter as without it.
+"""Checks that unmodified programs from Debian draw the same with Arbiter as without it.
 
   run.py --list                       the programs and their packages
-  run.py --packages [NAME...]         the packages alone, for a script that installs them
-  run.py [NAME...] --build DIR        run them on the bare host and with the layer, and compare
-  run.py [NAME...] --texts DIR        record them on the bare host; write each program string there
+  run.py --packages [NAME...]         only the packages, for a script that installs them
+  run.py [NAME...] --build DIR        runs them on the bare host and with the layer, and compares
+  run.py [NAME...] --texts DIR        records them on the bare host; writes each program string there
 
-Each case that is the same from run to run runs twice on the bare host and once with the layer for
-each profile; recordings/ compares recordings of these and of all others, frame by frame. It passes if
-the pictures agree within the case's tolerance and the layer's own statistics say that it compiled
-the fragment programs and drew with them.
+Each reproducible case runs twice on the bare host and once with the layer for each profile; recordings/
+compares recordings of all, frame by frame. A case passes if the pictures agree within its tolerance and
+the layer's statistics show that it compiled the fragment programs and drew with them.
 """
 
 import argparse
@@ -152,7 +151,7 @@ def _judge(case: Case, bare: session.Outcome, outcome: session.Outcome, row: dic
 
 
 def _problem(case: Case, outcome: session.Outcome) -> str:
-    """What is wrong with a run by itself; empty if nothing is."""
+    """Returns what is wrong with a run by itself; empty if nothing is."""
     last = " | ".join(outcome.log.strip().splitlines()[-2:])[-200:]
     if outcome.status not in case.statuses:
         return f"status {outcome.status} ({last})"

@@ -1,4 +1,4 @@
-"""Tests of the runner's own parts: a comparison that cannot see a difference proves nothing."""
+"""Tests the runner's own parts: a comparison that cannot notice a difference proves nothing."""
 
 import sys
 import tempfile
@@ -25,7 +25,7 @@ class Pictures(unittest.TestCase):
             self.assertEqual(picture.read(path), _gradient())
 
     def test_png_filters_are_undone(self):
-        # Two pixels of grey a row; rows filtered by Sub, Up, Average and Paeth.
+        # There are two pixels of grey a row; the rows are filtered by Sub, Up, Average and Paeth.
         rows = bytes([1, 10, 5, 2, 1, 1, 3, 10, 4, 4, 1, 1])
         expected = [10, 15, 11, 16, 15, 19, 16, 20]
         self.assertEqual(list(picture._unfilter(rows, 2, 4, 1)), expected)

@@ -1,4 +1,4 @@
-"""Runs one program on an X server of its own, on the bare host or with the layer, and looks at it."""
+"""Runs one program on an X server of its own, on the bare host or with the layer, and watches its screen."""
 
 import collections
 import json
@@ -56,7 +56,7 @@ class XServer:
 
 @dataclass(frozen=True)
 class Mode:
-    """One way to run: name, and the layer's library, profile and back end, if there is a layer."""
+    """A way to run: a name, and the layer's library, profile and back end, if there is a layer."""
 
     name: str
     library: Path | None = None
@@ -74,7 +74,7 @@ class Mode:
 
 @dataclass
 class Outcome:
-    """What one run left: its status, its picture, its log and the layer's statistics."""
+    """The result of one run: its status, its picture, its log and the layer's statistics."""
 
     status: int
     seconds: float
@@ -116,7 +116,7 @@ def run(case: Case, mode: Mode, folder: Path) -> Outcome:
 
 
 class _Seen:
-    """The screens of one run, by how often each was seen; blank ones are left out."""
+    """Counts how often each screen of a run was seen; ignores blank ones."""
 
     def __init__(self, case: Case):
         self._case = case
@@ -147,7 +147,7 @@ def _feed(process: subprocess.Popen, text: str) -> None:
 
 
 def _watch(process: subprocess.Popen, case: Case, server: XServer, seen: _Seen) -> int:
-    """Waits for the program, looking at the screen; its status, or -SIGKILL past the time limit."""
+    """Waits for the program while watching the screen; returns its status, or -SIGKILL past the time limit."""
     begin, asked = time.monotonic(), False
     while process.poll() is None:
         elapsed = time.monotonic() - begin
@@ -174,7 +174,7 @@ def _picture(case: Case, folder: Path, seen: _Seen) -> picture.Picture | None:
 
 
 def read_stats(folder: Path) -> list[dict]:
-    """The statistics of each process that ran with the layer in `folder`."""
+    """Reads the statistics of each process that ran with the layer in `folder`."""
     found = []
     for path in sorted(folder.glob("stats.*.json")):
         try:

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Direct3D 9's shader models 2.x and 3.0: Wine's ARB back end under the layer against its GLSL one without.
+"""Tests Direct3D 9's shader models 2.x and 3.0: Wine's ARB back end under the layer against its GLSL one without.
 
   shader_models.py --build DIR [--out DIR]
   shader_models.py --packages          the packages that it needs
 
-Announced by a profile that has them (nv40), NVIDIA's options are what Wine's ARB back end writes these models
-in: branches, loops, subroutines, textures in vertex programs, facing, gradients, given levels of detail.
-data/models.cpp draws a tile of each. The bare host runs the same client by GLSL, which Wine writes with other
-code. A tile may be a level apart in any pixel.
+Under a profile with NVIDIA's options (nv40), Wine's ARB back end writes these models in their languages: branches,
+loops, subroutines, textures in vertex programs, facing, gradients, explicit levels of detail. data/models.cpp draws
+a tile of each. The bare host runs the same client by GLSL, which Wine writes with other code. A tile may differ by
+a level in any pixel.
 """
 
 import argparse
@@ -30,7 +30,7 @@ KEY = r"HKCU\Software\Wine\Direct3D"
 TILE, COLUMNS = 128, 4
 TILES = ("facing: front", "facing: back", "inputs in a loop", "loop with break", "texldl", "subroutine",
          "vertices: loop, if", "vertices: texture", "gradients", "branches", "dependent lookups", "loops in loops")
-MOST = 1  # of 255
+MOST = 1  # in 255ths
 BACKENDS = ("auto", "host")
 
 
@@ -44,10 +44,10 @@ def environment(prefix: Path, display: str) -> dict[str, str]:
 
 
 def drawn(folder: Path, back_end: str, command: list, setting: dict[str, str]) -> picture.Picture:
-    """What the command leaves in o.ppm, with Wine's back end `arb` or `glsl`."""
+    """Returns the picture that the command writes to o.ppm, with Wine's back end `arb` or `glsl`."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "o.ppm").unlink(missing_ok=True)
-    # With a core context, which newer versions get, Wine has its GLSL back end alone.
+    # With a core context, which newer versions get, Wine only has its GLSL back end.
     for name, kind, value in (("shader_backend", "REG_SZ", back_end), ("MaxVersionGL", "REG_DWORD", "131073")):
         shell(["wine", "reg", "add", KEY, "/v", name, "/t", kind, "/d", value, "/f"], environment=setting)
     with open(folder / "log", "wb") as log:

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Programs for Windows of 64 and of 32 bits under one installation of the layer: as on bare Wine.
+"""Compares 64-bit and 32-bit Windows programs under one installation of the layer with bare Wine.
 
   wine_widths.py [--arbiter COMMAND] [--clients FOLDER] [--out DIR]
 
-OpenGL's assembly programs through opengl32, and Direct3D 8 and 9 through Wine's ARB back end: each client is
-built for both widths (or lies in FOLDER as NAME.64.exe and NAME.32.exe) and runs in a Windows of 64 bits, which
-has both, and in one of 32. Wanted are wine, wine64, wine32:i386, Xvfb, and the layer for both widths.
+They use OpenGL's assembly programs through opengl32, and Direct3D 8 and 9 through Wine's ARB back end. Each client is
+built for both word sizes (or is in FOLDER as NAME.64.exe and NAME.32.exe) and runs in a 64-bit Windows, which has
+both, and in a 32-bit one. It needs wine, wine64, wine32:i386, Xvfb, and the layer for both word sizes.
 """
 
 import argparse
@@ -24,14 +24,14 @@ from cases import DATA, PrepareError, shell
 
 KEY = r"HKCU\Software\Wine\Direct3D"
 COMPILERS = {64: "x86_64-w64-mingw32-g++", 32: "i686-w64-mingw32-g++"}
-# By name: what it is linked with, its arguments, and how many programs it loads at least.
+# By name: the libraries it is linked with, its arguments, and the least number of programs that it loads.
 CLIENTS = {"opengl32": (["-lopengl32", "-lgdi32"], [], 5),
            "tiles": (["-ld3d9", "-ld3dx9_43"], [], 6),
            "stages": ([], ["o.ppm"], 4)}
-WINDOWS = {"win64": (64, 32), "win32": (32,)}  # and whose programs run there
+WINDOWS = {"win64": (64, 32), "win32": (32,)}  # the word sizes of the programs that each runs
 BACKENDS = ("host", "swrast")
-MOST = 2  # of 255: what pixels may be apart
-OTHERS = 4  # and how many may be more: where a comparison of a shader falls the other way
+MOST = 2  # the allowed difference of pixels, in 255ths
+OTHERS = 4  # the number of pixels that may differ more, where a shader's comparison goes the other way
 
 
 def environment(prefix: Path, windows: str, display: str) -> dict[str, str]:
@@ -51,7 +51,7 @@ def build_clients(folder: Path) -> None:
 
 
 def drawn(folder: Path, command: list, setting: dict[str, str]) -> picture.Picture:
-    """What the command leaves in o.ppm."""
+    """Returns the picture that the command writes to o.ppm."""
     folder.mkdir(parents=True)
     with open(folder / "log", "wb") as log:
         subprocess.run(command, cwd=folder, env=setting, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
@@ -63,7 +63,7 @@ def drawn(folder: Path, command: list, setting: dict[str, str]) -> picture.Pictu
 
 
 def problem(bare: picture.Picture, layer: picture.Picture, stats: list[dict], least: int) -> str:
-    """What is wrong; empty if nothing is."""
+    """Returns what is wrong; empty if nothing is."""
     programs = sum(not program["error"] for one in stats for program in one["programs"])
     draws = sum(one["draws"][path] for one in stats for path in ("host_glsl", "host_assembly", "rasterizer"))
     apart = picture.compare(bare, layer)
@@ -77,7 +77,7 @@ def problem(bare: picture.Picture, layer: picture.Picture, stats: list[dict], le
 
 
 def compared(folder: Path, command: list, setting: dict[str, str], arbiter: str, least: int) -> str:
-    """What is wrong with a client under either back end; empty if nothing is."""
+    """Returns what is wrong with a client under either back end; empty if nothing is."""
     try:
         bare = drawn(folder / "bare", command, setting)
         for backend in BACKENDS:
@@ -92,7 +92,7 @@ def compared(folder: Path, command: list, setting: dict[str, str], arbiter: str,
 
 
 def run_windows(windows: str, clients: Path, arbiter: str, out: Path, display: str) -> list[str]:
-    """The clients in one installation of Windows; the names of those that fail."""
+    """Runs the clients in one installation of Windows; returns the names of those that fail."""
     setting = environment(out / windows / "prefix", windows, display)
     failed = []
     (out / windows).mkdir()

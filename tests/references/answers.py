@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Fails when docs/design/builder_answers.md names a test that is not there, or a row of its tables none.
+"""Fails if docs/design/builder_answers.md names a test that does not exist, or if a row of its tables names none.
 
 `Suite.Name` is a TEST of that suite and name in some source, `Class.test_name` a method of a Python
-test, and a word alone a name that a meson.build gives to a test.
+test, and a single word a test name in a meson.build.
 
 usage: answers.py ROOT | answers.py --self-test
 """
@@ -33,7 +33,7 @@ def sources(root):
 
 
 def tests_of(root):
-    """All names of tests, as the page spells them."""
+    """Returns all names of tests, as the page spells them."""
     names = set()
     for name, text in sources(root):
         if name.endswith(".cpp"):
@@ -50,7 +50,7 @@ def tests_of(root):
 
 
 def rows_of(page):
-    """(line number, cells) of each table's rows, without its head."""
+    """Yields (line number, cells) of each table's rows, without its head."""
     previous = ""
     for number, line in enumerate(page.split("\n"), 1):
         is_row = line.startswith("| ") and previous.startswith(("|---", "| "))

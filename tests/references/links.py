@@ -23,7 +23,7 @@ NAMED = re.compile(r"(?<![\w/.-])(?:[\w.-]+/)*[\w-]+\.(?:md|toml|py|svg|png|sh)(
 
 
 def blank(match):
-    """Keeps the lines of what is taken out, so that line numbers stay."""
+    """Blanks a match but keeps its line breaks, so that line numbers stay."""
     return re.sub(r"[^\n]", " ", match.group())
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Fails when a comment or a page of docs/ names a file, a function, a variable or an option that is not there.
+"""Fails if a comment or a page of docs/ names a file, a function, a variable or an option that does not exist.
 
-Files are names with a suffix of the tree's languages (`residency.cpp`, `state/core/context.h`): any file of the tree
-whose path ends so, or that the build makes. Functions are names with empty brackets (`settled()`),
-which the code must have as a word; those of GL, GLX, EGL, POSIX and the C++ library are others'.
-Variables are ARBITER_NAMES, options what begins with two dashes and is some program's here.
+A file is a name with a suffix of the tree's languages (`residency.cpp`, `state/core/context.h`). It must be the end of
+some path in the tree, or of a generated file. A function is a name with empty brackets (`settled()`), and must be a
+word of the code; functions of GL, GLX, EGL, POSIX and the C++ library are exempt. Variables are ARBITER_NAMES; options
+begin with two dashes and must belong to a program here.
 
 usage: references.py ROOT | references.py --self-test
 """
@@ -24,25 +24,25 @@ OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]+[a-z]\b")
 VARIABLE = re.compile(r"\bARBITER_[A-Z][A-Z0-9_]*[A-Z0-9]\b(?!\*)")
 OTHERS = re.compile(r"(gl|glX|egl|X[A-Z]|wgl|std::|llvm::|pthread_|OSMesa|_mm|__builtin|Q[A-Z])")
 
-# Files that others have (Mesa, libglvnd, LLVM), that the build makes, or a user under his own name.
+# Files of other projects (Mesa, libglvnd, LLVM), generated files, and example names of a user's files.
 OTHER_FILES = re.compile(
     r"(.*/)?(limits|glext|host_table|jit_version|main/config|i915_context|r300_pci_ids|lib(glx|egl)abi)\.h|"
     r"gl\.xml|(entry|software)_points\.cpp|host_table\.cpp|ErrorHandling\.cpp|(FILE|small)\.toml|"
     r"(.*/)?NAME\w*\.\w+|compile_commands\.json|CHANGELOG\.md|steam\.sh")
 PROGRAMS = {"dev", "bench/run", "tests/fuzz/run"}  # without a suffix
-OTHER_OPTIONS = {"--snapshot"}  # glretrace's
+OTHER_OPTIONS = {"--snapshot"}  # of glretrace
 
 
 def tracked(root):
     listed = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True)
     names = listed.stdout.split("\n") if listed.returncode == 0 else []
-    if not any(names):  # no checkout: an archive of it, or a test
+    if not any(names):  # an archive of the tree, or a test
         names = [path.relative_to(root).as_posix() for path in root.rglob("*") if path.is_file()]
     return [name for name in names if name and not name.startswith(("build", "out/"))]
 
 
 def comments_of(name, text):
-    """(line number, text) of a source file's comments, a page's lines."""
+    """Yields (line number, text) of a source file's comments, or of a page's lines."""
     if name.endswith(".md"):
         fenced = False
         for number, line in enumerate(text.split("\n"), 1):

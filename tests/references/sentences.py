@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Fails when the sentences of a page are too long: 17 words in the mean of README, 20 in that of a page of docs/.
+"""Fails if a page's sentences are too long: the mean may be 17 words in README and 20 in a page of docs/.
 
-Code, tables and headings are left out, as is docs/reference/, which is generated. Code within a sentence is one word.
+Code, tables and headings are left out, and docs/reference/, which is generated. Code within a sentence is one word.
 An item of a list ends a sentence, as a paragraph does.
 
 usage: sentences.py ROOT | sentences.py --list ROOT | sentences.py --self-test
@@ -23,7 +23,7 @@ WORD = re.compile(r"\w[\w'’.,/-]*")
 
 
 def blocks(text):
-    """The paragraphs and the items of lists."""
+    """Yields the paragraphs and the items of lists."""
     text = re.sub(r"<!--.*?-->", "", FENCE.sub("", text), flags=re.S)
     block = []
     for line in text.split("\n") + [""]:
@@ -39,7 +39,7 @@ def blocks(text):
 
 
 def sentences(text):
-    """The number of words of each sentence."""
+    """Yields the number of words of each sentence."""
     for block in blocks(text):
         block = LINK.sub(lambda link: re.sub(r"^!?\[|\]\([^)]*\)$", "", link.group()), block)
         block = re.sub(r"(`+).+?\1", "code", block)

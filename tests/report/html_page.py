@@ -1,16 +1,16 @@
-"""What a page that stands alone must be, read with html.parser."""
+"""Checks by html.parser that a page is well-formed and stands alone."""
 import base64
 import hashlib
 import html.parser
 import re
 
 VOID = {'meta', 'input', 'br', 'link', 'img', 'hr'}
-# What would be fetched, or would run, from elsewhere or from a program's text.
+# Elements that load or run something from elsewhere or from a program's text.
 FORBIDDEN_TAGS = {'link', 'img', 'iframe', 'object', 'embed', 'base', 'audio', 'video', 'source'}
 
 
 class Page(html.parser.HTMLParser):
-    """Every element with its attributes and text; `faults` holds what is not well-formed."""
+    """Collects every element with its attributes and text; `faults` lists what is not well-formed."""
 
     def __init__(self, text):
         super().__init__()
@@ -59,7 +59,7 @@ class Page(html.parser.HTMLParser):
                 all(element.get(name) == value for name, value in values.items())]
 
     def problems(self):
-        """The faults, and what makes the page not stand alone or its links lead nowhere."""
+        """Returns the faults, external references, and links without a target."""
         found = list(self.faults)
         found += [f'href {link}' for link in self.links if not link.startswith('#')]
         found += [f'{link} leads nowhere' for link in self.links
@@ -74,6 +74,6 @@ class Page(html.parser.HTMLParser):
         return found
 
     def rows(self):
-        """The table of programs: its rows' texts by cell, in order."""
+        """Returns the table of programs: its rows' texts by cell, in order."""
         table, = self.find('table', id='programs')
         return re.findall(r'\S.*', table['text'])

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""`arbiter report` from outside: the page as html.parser reads it and as Chromium shows it, and its
-JSON twin.
+"""Tests `arbiter report` from outside: the page as html.parser reads it and as Chromium shows it, and its JSON twin.
 
 usage: report_test.py ARBITER SOURCE_ROOT LIGHTING [unittest arguments]
-LIGHTING is the demonstration of that name, or - where there is none to capture.
+LIGHTING is the demonstration of that name, or - to skip its capture.
 """
 import concurrent.futures
 import http.server
@@ -54,7 +53,7 @@ class Folder(unittest.TestCase):
         return path
 
     def put_set(self):
-        """One of each verdict and language, in folders."""
+        """Writes a set with one program of each verdict and language, in folders."""
         shutil.copytree(ROOT / 'demos' / 'programs', self.scratch / 'set' / 'demos')
         self.put('set/deep/er/wide.fp', alu(70))
         self.put('set/hostile <b>&.fp', HOSTILE)
@@ -165,7 +164,7 @@ class Captured(Folder):
         page, twin = self.report(folder)
         self.assertEqual(page.problems(), [])
         self.assertTrue(twin['captured'])
-        self.assertEqual(twin['profile']['name'], 'nv30')  # as it was captured
+        self.assertEqual(twin['profile']['name'], 'nv30')  # the profile of the capture
         program, = twin['programs']
         self.assertEqual((program['capture']['draws'], program['capture']['loads']), (3, 1))
         section, = page.find('details', id='p1')
@@ -178,7 +177,7 @@ class Captured(Folder):
 
 
 def corner(path):
-    """The colour of a PNG's first pixel, and its size."""
+    """Returns the color of a PNG's first pixel, and its size."""
     data = path.read_bytes()
     width, height, depth, kind = struct.unpack('>IIBB', data[16:26])
     assert depth == 8 and kind in (2, 6), 'not RGB of 8 bits'
@@ -187,10 +186,10 @@ def corner(path):
         length, name = struct.unpack('>I4s', data[at:at + 8])
         packed += data[at + 8:at + 8 + length] if name == b'IDAT' else b''
         at += 12 + length
-    return tuple(zlib.decompress(packed)[1:4]), (width, height)  # a first pixel has no neighbours
+    return tuple(zlib.decompress(packed)[1:4]), (width, height)  # a first pixel has no neighbors
 
 
-# Runs in a copy of the page without the policy; says what a person would see.
+# The probe runs in a copy of the page without the policy, and reports what a person would see.
 PROBE = '''<script>
 const told = {titles: [], gauges: []};
 const table = document.getElementById("programs");
@@ -247,7 +246,7 @@ class Browser(Folder):
         return Page(self.chromium(address, '--dump-dom'))
 
     def each(self, function, arguments):
-        """The results of calls that run beside each other."""
+        """Returns the results of calls that run in parallel."""
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             return list(pool.map(function, arguments))
 
@@ -314,7 +313,7 @@ class Browser(Folder):
                 text = self.page.read_bytes().replace(b'http-equiv', policy)
                 copies.append(self.put(name + '.html', text.replace(b'</body>', injected.encode())).as_uri())
             held, free = (page.find('title')[0]['text'] for page in self.each(self.dom, copies))
-            self.assertEqual(asked, {'/free'})  # which shows that the trial is one
+            self.assertEqual(asked, {'/free'})  # this proves that the trial is effective
             self.assertTrue(held.startswith('Programs of'))
             self.assertEqual(free, 'owned')
             server.shutdown()

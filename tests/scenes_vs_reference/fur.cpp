@@ -1,7 +1,7 @@
-// Fur in shells and fins, lit by hair: a table of two dimensions has what a strand scatters by the
-// cosines of the light and of the half vector with its direction. As it was drawn on a GeForce 4:
-// a vertex program of NVIDIA's, two textures, two register combiners, the alpha test for strands
-// that end below a shell. And by ARB's programs.
+// Fur in shells and fins, with lit hairs: a two-dimensional table has the light that a strand
+// scatters, by the cosines of its direction with the light and with the half vector. It is drawn as
+// on a GeForce 4: an NVIDIA vertex program, two textures, two register combiners, and the alpha
+// test for strands that end below a shell. It is also drawn by ARB programs.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -22,16 +22,17 @@ constexpr glm::vec4 kClear = {0.1f, 0.12f, 0.16f, 1};
 struct Fur {
   Mesh skin, fins;
   glm::mat4 projection{1}, modelView{1};
-  glm::vec4 light{0}, eye{0}; ///< of the object's space
+  glm::vec4 light{0}, eye{0}; ///< in object space
   std::vector<glm::vec4> hairs, table;
 } g_fur;
 
 GLuint g_textures[2] = {};
 
-/// The height of a shell, in the length of a hair. No hair ends at one: lengths are of 1/255.
+/// Returns the height of a shell, relative to the length of a hair. No hair ends at a shell, as
+/// lengths are multiples of 1/255.
 float shellAt(int shell) { return (float(shell * 19) + 8.5f) / 255; }
 
-/// Strips along the meridians that stand off the skin.
+/// Makes strips along the meridians that stand off the skin.
 Mesh makeFins(const Mesh &skin, int columns, int rows) {
   Mesh fins;
   for (int column = 0; column < columns; ++column)
@@ -48,7 +49,7 @@ Mesh makeFins(const Mesh &skin, int columns, int rows) {
   return fins;
 }
 
-/// A repeatable number for a place, [0, 1).
+/// Returns a repeatable number for a place, in [0, 1).
 float noise(int x, int y) {
   auto n = std::uint32_t(x) * 374761393u + std::uint32_t(y) * 668265263u;
   n = (n ^ n >> 13) * 1274126177u;
@@ -63,7 +64,7 @@ void uploadImage(const std::vector<glm::vec4> &texels, int size) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
-/// Colours as bytes have them.
+/// Rounds colors to bytes.
 glm::vec4 inBytes(glm::vec4 color) {
   for (int i = 0; i < 4; ++i)
     color[i] = std::round(std::clamp(color[i], 0.0f, 1.0f) * 255) / 255;
@@ -80,7 +81,7 @@ void makeImages() {
       g_fur.hairs.push_back(
           inBytes({0.5f + 0.3f * tint, 0.38f + 0.2f * tint, 0.25f + 0.1f * tint, length}));
     }
-  // Kajiya and Kay: the sine of the angle with the light; and what is left of the half vector's.
+  // Kajiya and Kay: the sine of the angle with the light, and that with the half vector.
   for (int y = 0; y < kTable; ++y)
     for (int x = 0; x < kTable; ++x) {
       const float lt = (float(x) + 0.5f) * 2 / kTable - 1, ht = (float(y) + 0.5f) * 2 / kTable - 1;
@@ -170,7 +171,8 @@ constexpr char kNvVertices[] =
     "MOV o[COL0].w, v[TEX1].x;\n"
     "END";
 
-/// Stage 0: hair by light, and how much of the strand is left above. Stage 1: both by the shade.
+/// Sets stage 0 to hair times light, and the strand's remaining coverage. Stage 1 multiplies both
+/// by the shade.
 void combineFur() {
   glEnable(GL_REGISTER_COMBINERS_NV);
   glCombinerParameteriNV(GL_NUM_GENERAL_COMBINERS_NV, 2);
@@ -257,7 +259,7 @@ void beginByArb() {
   useArbProgram(GL_FRAGMENT_PROGRAM_ARB, kArbFragments);
 }
 
-/// ARB's vertices, and combiners: what these alone cost.
+/// Sets ARB vertices with combiners, which shows the cost of the combiners alone.
 void beginByCombiners() {
   beginByArb();
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
@@ -284,7 +286,7 @@ glm::vec4 hairAt(const glm::vec4 &at) {
   return g_fur.hairs[std::size_t(texel(at.y) * kHairs + texel(at.x))];
 }
 
-/// Within what hosts' filters resolve of a texel.
+/// True if a sample is within the resolution of hosts' filters between two texels.
 bool isBetweenHairs(const glm::vec4 &at) {
   const auto near = [](float c) {
     return std::abs(c * kHairs - std::round(c * kHairs)) < 1.0f / 200;
@@ -323,7 +325,7 @@ void drawMesh(Canvas &canvas, const Mesh &mesh, const float *height) {
                          canvas.undecided[at] = canvas.undecided[at] || between;
                          if (hair.a - shade.a <= 0)
                            return;
-                         canvas.undecided[at] = between; // what lies below is not seen
+                         canvas.undecided[at] = between; // it hides what lies below
                          const glm::vec4 light = lightAt(fragment.varyings[1]);
                          canvas.depths[at] = fragment.depth;
                          canvas.colors[at] =
@@ -352,7 +354,7 @@ Scene furScene() {
            {"as-then", "GL_NV_register_combiners GL_NV_vertex_program", beginAsThen, draw, end}},
           reference,
           3,
-          0.006}; // strands are of single texels: where a sample falls to the next one
+          0.006}; // strands are single texels: a sample may fall to the next one
 }
 
 } // namespace scenes

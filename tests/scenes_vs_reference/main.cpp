@@ -1,8 +1,9 @@
-// scenes [--png FOLDER | --require WAY]: draws each scene in each way that is offered, and compares
-// it with plain C++. Ends with a line of JSON, where ways that are not offered are null; status 1
-// if a picture is further off than its scene allows, or the required way is not offered. scenes
-// --pace SCENE [SIZE]: draws frames of one, for a benchmark: a line "WAY COUNT" on standard input
-// is answered by the milliseconds of a frame, and those of all its threads' processor time.
+// scenes [--png FOLDER | --require WAY]: draws each scene in each available way, and compares it
+// with plain C++. Ends with a line of JSON, in which unavailable ways are null. The status is 1 if
+// a picture differs more than its scene allows, or the required way is unavailable.
+// scenes --pace SCENE [SIZE]: draws frames of one scene for a benchmark. The answer to a line "WAY
+// COUNT" on standard input is the milliseconds of a frame, and those of all its threads' processor
+// time.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -22,7 +23,7 @@ namespace scenes {
 namespace {
 
 int g_size = 256;
-constexpr double kMostUndecided = 0.1; ///< the part of a picture
+constexpr double kMostUndecided = 0.1; ///< the fraction of a picture
 
 Picture read() {
   Picture picture(std::size_t(g_size) * std::size_t(g_size) * 4);
@@ -43,14 +44,14 @@ void write(const std::string &path, const Picture &picture) {
   image.version = PNG_IMAGE_VERSION;
   image.width = image.height = png_uint_32(g_size);
   image.format = PNG_FORMAT_RGBA;
-  Picture opaque = picture; // alpha is how much of a strand is left
+  Picture opaque = picture; // alpha is a strand's remaining coverage
   for (std::size_t i = 3; i < opaque.size(); i += 4)
     opaque[i] = 255;
   if (!png_image_write_to_file(&image, path.c_str(), 0, opaque.data(), -g_size * 4, nullptr))
     std::fprintf(stderr, "%s: %s\n", path.c_str(), image.message);
 }
 
-/// The part of the pixels that are further apart, of those that are decided.
+/// Returns the fraction of decided pixels that differ by more than `steps`.
 double apart(const Picture &a, const Picture &b, const Canvas &canvas, int steps) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.size(); i += 4) {
@@ -64,7 +65,8 @@ double apart(const Picture &a, const Picture &b, const Canvas &canvas, int steps
   return double(count) / double(a.size() / 4);
 }
 
-/// The part of the pixels that are not of the picture's first colour: an empty one proves nothing.
+/// Returns the fraction of pixels that differ from the picture's first color: an empty picture
+/// proves nothing.
 double drawn(const Picture &picture) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < picture.size(); i += 4)
@@ -91,7 +93,7 @@ bool compare(const Scene &scene, const std::string &folder, const std::string &r
     }
     way.begin();
     way.draw();
-    way.draw(); // where the first frame makes programs, the second shows that they last
+    way.draw(); // the first frame makes programs, the second shows that they last
     const Picture picture = read();
     way.end();
     const double off = apart(picture, reference, canvas, scene.steps);
@@ -116,7 +118,7 @@ int compareAll(const std::string &folder, const std::string &required) {
 
 // --- For a benchmark ---
 
-/// One of techniques.h, as a scene of two ways. Its textures stay.
+/// Makes a scene of two ways from a technique of techniques.h. Its textures stay.
 template <const techniques::Technique &technique> Scene sceneOf() {
   const auto end = [] { endPrograms(); };
   return {technique.name,

@@ -20,7 +20,8 @@ Mesh sphere(int columns, int rows) {
       MeshVertex vertex{at, at};
       vertex.tangent = {std::cos(down) * std::cos(around), -std::sin(down),
                         std::cos(down) * std::sin(around)};
-      vertex.texture = {u * 4 + 0.5f / 64, v * 2 + 0.5f / 64}; // no vertex between two of 64 texels
+      // avoids vertices between two of 64 texels
+      vertex.texture = {u * 4 + 0.5f / 64, v * 2 + 0.5f / 64};
       mesh.vertices.push_back(vertex);
     }
   const auto at = [&](int column, int row) { return std::uint32_t(row * (columns + 1) + column); };
@@ -118,7 +119,7 @@ void endPrograms() {
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
   if (epoxy_has_gl_extension("GL_NV_register_combiners"))
     glDisable(GL_REGISTER_COMBINERS_NV);
-  if (epoxy_has_gl_extension("GL_NV_vertex_program")) // ARB's env parameters are the same ones
+  if (epoxy_has_gl_extension("GL_NV_vertex_program")) // they are the same as ARB's env parameters
     glTrackMatrixNV(GL_VERTEX_PROGRAM_NV, 0, GL_NONE, GL_IDENTITY_NV);
 }
 

@@ -10,35 +10,35 @@
 #include <vector>
 
 /// Scenes of 2002 and the ways to draw each: by the extensions of those years, and by ARB's, which
-/// took their place. Each is computed in plain C++ too.
+/// replaced them. Each is computed in plain C++ too.
 namespace scenes {
 
-/// Bytes of RGBA, the lowest row first.
+/// Bytes of RGBA, the bottom row first.
 using Picture = std::vector<std::uint8_t>;
 
 /// One way to draw a scene.
 struct Way {
   const char *name;
   const char *needs; ///< an extension, or two with a space between them
-  void (*begin)();   ///< programs and state that stay while it is drawn
-  void (*draw)();    ///< a frame
+  void (*begin)();   ///< sets programs and state that stay while it is drawn
+  void (*draw)();    ///< draws a frame
   void (*end)();
 };
 
 struct Scene {
   const char *name;
-  void (*prepare)(); ///< geometry and textures; the framebuffer is bound
+  void (*prepare)(); ///< makes geometry and textures; the framebuffer is bound
   std::vector<Way> ways;
-  struct Canvas (*reference)(int size); ///< null: a benchmark's alone
-  int steps;                            ///< of 255 that a pixel may be off
-  double outliers;                      ///< the part of the pixels that may be further off
+  struct Canvas (*reference)(int size); ///< null: only for benchmarks
+  int steps;                            ///< allowed difference of a pixel, in 255ths
+  double outliers;                      ///< the fraction of pixels that may differ more
 };
 
 [[nodiscard]] Scene furScene();
 [[nodiscard]] Scene shadowScene();
 [[nodiscard]] Scene skinningScene();
 
-/// The picture's width and height.
+/// Returns the picture's width and height.
 [[nodiscard]] int pictureSize();
 
 // --- Geometry ---
@@ -51,7 +51,7 @@ struct MeshVertex {
   glm::vec4 extra{0}; ///< texture coordinates 1
 };
 
-/// Triangles by index, in buffers of GL's from upload() on.
+/// Triangles by index, in GL buffers after upload().
 struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices;
@@ -61,22 +61,22 @@ struct Mesh {
     indices.insert(indices.end(), {a, b, c, a, c, d});
   }
   void upload();
-  /// Positions, normals, texture coordinates 0 and, as texture coordinates 2, tangents.
-  /// \param extra texture coordinates 1 come from the mesh, and are not the current ones
+  /// Draws positions, normals, texture coordinates 0 and, as texture coordinates 2, tangents.
+  /// \param extra takes texture coordinates 1 from the mesh instead of the current ones
   void draw(bool extra) const;
 };
 
-/// A sphere of radius 1; tangents go down the meridians.
+/// Returns a sphere of radius 1; its tangents go down the meridians.
 [[nodiscard]] Mesh sphere(int columns, int rows);
 
 // --- GL ---
 
 void loadMatrices(const glm::mat4 &projection, const glm::mat4 &modelView);
-/// A new texture, bound to the active unit, with both filters and CLAMP_TO_EDGE or REPEAT.
+/// Makes a texture, bound to the active unit, with both filters and CLAMP_TO_EDGE or REPEAT.
 GLuint newTexture(GLint filter, GLint wrap);
-/// A program of ARB's, made, bound and enabled.
+/// Makes, binds and enables an ARB program.
 GLuint useArbProgram(GLenum target, const char *text);
-/// A vertex program of NVIDIA's, the same.
+/// Makes, binds and enables an NVIDIA vertex program.
 GLuint useNvProgram(const char *text);
 void endPrograms();
 
@@ -88,8 +88,8 @@ void finalInput(GLenum variable, GLenum source, GLenum mapping = GL_UNSIGNED_IDE
 
 // --- Plain C++ ---
 
-/// A picture with depths that is drawn to by hand, and the pixels of which nothing is decided: a
-/// sample falls between two texels.
+/// A picture with depths that plain C++ draws to. It marks undecided pixels, whose sample falls
+/// between two texels.
 struct Canvas {
   explicit Canvas(int side, const glm::vec4 &clear);
   int size;

@@ -1,5 +1,5 @@
-// A sphere over a floor and its shadow by a map of depths: by SGI's names for textures of depths
-// and their comparison, by ARB's, by register combiners behind the comparison, and by ARB's
+// A sphere over a floor, with its shadow by a depth map. It is drawn by SGI's extensions for depth
+// textures and their comparison, by ARB's, by register combiners after the comparison, and by ARB
 // programs.
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr glm::vec4 kClear = {0.5f, 0.6f, 0.7f, 1};
 constexpr float kAmbient = 0.25f, kDiffuse = 0.7f;
 
 struct World {
-  Mesh mesh; ///< both, with colours of one
+  Mesh mesh; ///< sphere and floor, with colors of one
   glm::mat4 projection{1}, modelView{1}, lightProjection{1}, lightView{1};
   glm::vec3 light{0}; ///< its direction
 } g_world;
@@ -63,12 +63,12 @@ void prepare() {
   g_world.lightView = glm::lookAt(g_world.light * 6.0f, glm::vec3(0), glm::vec3(0, 1, 0));
   glActiveTexture(GL_TEXTURE0);
   g_map = newTexture(GL_NEAREST, GL_CLAMP_TO_EDGE);
-  const GLint internal = GL_DEPTH_COMPONENT24; // SGIX's has the same number
+  const GLint internal = GL_DEPTH_COMPONENT24; // SGIX's enumerant has the same value
   glTexImage2D(GL_TEXTURE_2D, 0, internal, pictureSize(), pictureSize(), 0, GL_DEPTH_COMPONENT,
                GL_UNSIGNED_INT, nullptr);
 }
 
-/// From places of the object's space to the map's, each in [0,1].
+/// Returns the matrix from object space to the map's, [0,1] in each coordinate.
 glm::mat4 toMap() {
   glm::mat4 half(0.5f);
   half[3] = {0.5f, 0.5f, 0.5f, 1};
@@ -81,7 +81,7 @@ void beginState() {
   glBindTexture(GL_TEXTURE_2D, g_map);
 }
 
-/// Depths as the light sees them, copied into the map.
+/// Draws the depths as the light sees them, and copies them into the map.
 void drawMap() {
   loadMatrices(g_world.lightProjection, g_world.lightView);
   glDepthFunc(GL_LESS);
@@ -122,7 +122,7 @@ void useLight() {
   glLightfv(GL_LIGHT0, GL_AMBIENT, &black.x);
   glLightfv(GL_LIGHT0, GL_DIFFUSE, &diffuse.x);
   glLightfv(GL_LIGHT0, GL_SPECULAR, &black.x);
-  glLightfv(GL_LIGHT0, GL_POSITION, &direction.x); // under the view's matrix
+  glLightfv(GL_LIGHT0, GL_POSITION, &direction.x); // transformed by the view's matrix
   glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, &white.x);
   glEnable(GL_LIGHT0);
 }
@@ -151,7 +151,8 @@ void drawFixed() {
   glDisable(GL_TEXTURE_2D);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  // Towards the eye by a little: two rasterizers may share the work, and their depths differ.
+  // The offset moves the second pass slightly towards the eye: two rasterizers may share the work,
+  // and their depths differ.
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(-1, -8);

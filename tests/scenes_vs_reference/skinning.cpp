@@ -1,5 +1,5 @@
-// A tube that is bent by four bones: a palette of matrices in a vertex program's parameters, which
-// each vertex finds by two numbers of its own.
+// A tube that four bones bend: a vertex program's parameters have a palette of matrices, and two
+// numbers of each vertex select two of them.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -25,7 +25,8 @@ struct Tube {
   glm::vec4 light{0};
 } g_tube;
 
-/// Extra: the weights in x and y, the first rows of the bones in z and w.
+/// Makes the mesh. Its extra coordinates have the weights in x and y, the first rows of the bones
+/// in z and w.
 void prepare() {
   Mesh mesh;
   for (int along = 0; along <= kAlong; ++along)
@@ -53,7 +54,8 @@ void prepare() {
   g_tube.modelView = glm::lookAt(glm::vec3(1, 1, 5.5f), glm::vec3(0), glm::vec3(0, 1, 0));
   g_tube.light = glm::vec4(glm::normalize(glm::vec3(0.5f, 0.6f, 0.7f)), 0);
   glm::mat4 bone(1);
-  for (int i = 0; i < kBones; ++i) { // each turns about its lower end, with what is above it
+  // each rotates about its lower end, together with the bones above it
+  for (int i = 0; i < kBones; ++i) {
     const glm::vec3 joint = {0, float(i) - 2, 0};
     bone = glm::translate(bone, joint);
     bone = glm::rotate(bone, glm::radians(i % 2 == 0 ? 14.0f : -38.0f),
@@ -85,7 +87,7 @@ void end() {
   glDisable(GL_DEPTH_TEST);
 }
 
-/// By the two bones in turn: `moved` and `turned` are added up in `place` and `normal`.
+/// Transforms by the two bones in turn: `place` and `normal` sum up `moved` and `turned`.
 constexpr char kNvVertices[] =
     "!!VP1.1\n"
     // c[0..3]: to clip space; c[4]: light; c[5]: colour; c[6]: 0.3, 0.7, 0, 1; c[8..]: the palette

@@ -1,4 +1,5 @@
-// Buffers that several contexts draw from, map and pack pixels to; and program objects.
+// Commands on buffers that several contexts draw from, map and pack pixels to; and on program
+// objects.
 #include <algorithm>
 #include <cstring>
 
@@ -46,7 +47,7 @@ void copyBuffer(World &world, Random &random, const std::string &) {
   glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
-/// Mapped in one context, and perhaps unmapped in another.
+/// Maps a buffer in one context, and possibly unmaps it in another.
 void mapBuffer(World &world, Random &random, const std::string &) {
   Buffer &buffer = anyBuffer(world, random);
   const std::vector<Vertex> quads = randomQuads(buffer.quads, random);
@@ -73,7 +74,7 @@ void deleteBuffer(World &world, Random &random, const std::string &) {
   world.defineBuffer(index, quads, random);
 }
 
-/// Pixels go to a buffer and come back as texels of another shape.
+/// Packs pixels into a buffer, and unpacks them as texels of another shape.
 void packAndUnpack(World &world, Random &random, const std::string &) {
   const int index = random.below(kTextures);
   const Texture &texture = world.texture(index);
@@ -95,9 +96,9 @@ void packAndUnpack(World &world, Random &random, const std::string &) {
   glDeleteBuffers(1, &buffer);
 }
 
-/// A program of another text takes the place of one, which contexts may have bound. It has a new
-/// object: Mesa 22.3.6 crashes in the next draw where an object that has a text is given another.
-/// And it crashes in a context that drew with a program that another one deleted.
+/// Replaces a program, which contexts may have bound, by one with another text. It makes a new
+/// object: Mesa 22.3.6 crashes in the next draw if an object with a text gets another. It also
+/// crashes in a context that drew with a program that another context deleted.
 void loadProgram(World &world, Random &random, const std::string &) {
   const bool fragment = !random.once(3);
   Group &group = world.group();

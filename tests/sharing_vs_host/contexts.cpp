@@ -1,4 +1,4 @@
-// Which context's turn it is, on which thread, with which drawable; windows shown and resized.
+// Selects the context of each turn, its thread and its drawable; shows and resizes windows.
 #include <algorithm>
 
 #include "world.h"
@@ -11,7 +11,7 @@ void World::handOn(int context, int thread, int drawable, Ending ending, bool re
   const bool sameGroup = before.group == next.group;
   GLsync fence = nullptr;
   here([&] {
-    // A flush completes nothing for another thread, and a fence is the group's.
+    // A flush completes nothing for another thread, and a fence belongs to the group.
     if (ending == Ending::Fence && sameGroup) {
       fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
       glFlush();
@@ -62,7 +62,7 @@ void World::remake(int context) {
     if (i != context && m_contexts[std::size_t(i)].group == old.group)
       share = m_contexts[std::size_t(i)].handle;
   if (!share)
-    return; // the objects would go with it
+    return; // the objects would be destroyed too
   const int thread = old.thread >= 0 ? old.thread : context % Workers::kThreads;
   if (old.thread >= 0)
     m_workers.run(thread, [&] {
@@ -74,7 +74,8 @@ void World::remake(int context) {
   made.group = old.group;
   made.drawable = old.drawable;
   made.loads = old.loads;
-  // On a thread, the current context's among them: what was finished before it was made is seen.
+  // The current context may be on the same thread; commands that finished before the creation are
+  // visible.
   m_workers.run(this->context().thread, [&] { made.handle = m_platform.makeContext(share); });
   old = made;
   if (context != m_current)
@@ -87,13 +88,13 @@ namespace {
 
 void handOnCommand(World &world, Random &random, const std::string &) {
   const int context = random.below(kContexts) % world.contexts();
-  // One that is current stays so, mostly: it is not made current again before its next turn.
+  // A context that is current mostly stays so: it is not made current again before its next turn.
   const bool moves = random.once(8), changes = random.once(8);
   int thread = random.below(Workers::kThreads);
   const int drawable = random.below(kContexts) % world.contexts();
   const auto ending = World::Ending(random.below(3));
-  // The first stays current while the others come and go: so do an application's window and its
-  // loaders. The rasterizer draws for a context that is alone.
+  // The first context mostly stays current while the others change, like an application's window
+  // and its loaders. The rasterizer only draws for a context that is alone.
   const bool rarely = random.once(6), often = !random.once(6);
   const bool release = &world.context() == &world.context(0) ? rarely : often;
   const Context &next = world.context(context);
@@ -105,8 +106,8 @@ void handOnCommand(World &world, Random &random, const std::string &) {
 
 void remakeCommand(World &world, Random &random, const std::string &) {
   const int context = random.below(kContexts) % world.contexts();
-  // What is current elsewhere may have commands under way: only those of this turn are known to be
-  // complete.
+  // A context that is current elsewhere may have commands in progress: only those of this turn are
+  // known to be complete.
   world.remake(context);
 }
 
@@ -118,7 +119,7 @@ void swapCommand(World &world, Random &, const std::string &what) {
     record(what + " shown", world.platform().grab(world.drawable().handle, world.drawable().size));
     const int before = world.context().bound;
     world.bindFramebuffer(-1);
-    world.clearAll(); // what the back buffer holds is undefined
+    world.clearAll(); // the back buffer's content is undefined
     world.bindFramebuffer(before);
   });
 }

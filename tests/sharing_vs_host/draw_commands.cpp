@@ -1,4 +1,4 @@
-// Clears and draws, with programs and without.
+// Clears and draws, with and without programs.
 #include "world.h"
 
 namespace sharing {
@@ -25,7 +25,7 @@ void clear(World &world, Random &random, const std::string &) {
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// The programs of one draw, bound anew; returns the texture that it samples, or -1.
+/// Binds the programs of one draw again; returns the texture that it samples, or -1.
 class Programs {
 public:
   Programs(World &world, Random &random) {
@@ -61,7 +61,7 @@ private:
   bool m_possible = false;
 };
 
-/// Depths are far apart, so that no comparison is of equal ones.
+/// Sets a depth test. Depths are far apart, so that equal ones are never compared.
 class Depth {
 public:
   Depth(World &world, Random &random) {
@@ -97,9 +97,10 @@ void drawImmediate(World &world, Random &random, const std::string &) {
   glEnd();
 }
 
-/// A quad over all of the target that shows the whole texture of that unit, texel by pixel.
+/// Draws a quad over the whole target that shows the unit's whole texture, one texel for each
+/// pixel.
 void drawTexels(GLenum unit, int textureWidth, int textureHeight, int width, int height, float z) {
-  // A quarter of a texel from its border.
+  // The offset is a quarter of a texel from its border.
   const float u0 = -0.25f / float(textureWidth), v0 = -0.25f / float(textureHeight);
   const float u1 = u0 + float(width) / float(textureWidth);
   const float v1 = v0 + float(height) / float(textureHeight);
@@ -128,7 +129,7 @@ void drawTexture(World &world, Random &random, const std::string &) {
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
 }
 
-/// Of the texture that unit 1 keeps, without a program; what another context deleted is drawn too.
+/// Draws with the texture that unit 1 keeps, without a program, even if another context deleted it.
 /// The unit stays active until a texture is bound.
 void drawKept(World &world, Random &random, const std::string &) {
   Context &context = world.context();
@@ -171,7 +172,7 @@ void endArrays() {
 
 void drawBuffer(World &world, Random &random, const std::string &) {
   const Buffer &buffer = world.group().buffers[std::size_t(random.below(kBuffers))];
-  const int times = random.between(1, 3); // small buffers that are drawn from again are copied
+  const int times = random.between(1, 3); // small buffers that are drawn from repeatedly are copied
   int width = 0, height = 0;
   if (buffer.mapped || !world.readyToDraw(width, height))
     return;

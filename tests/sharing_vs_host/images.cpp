@@ -1,5 +1,5 @@
-// Two contexts that share nothing but an EGLImage: what one draws to its texture, the other samples
-// and reads in its own. Ends with status 0 where all is as it must be.
+// Tests two contexts that share only an EGLImage: one draws to its texture, the other samples and
+// reads it in its own. Exits with status 0 if everything is right.
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -49,7 +49,7 @@ public:
       glViewport(0, 0, kEdge, kEdge);
       side.program = software::makeProgram(GL_FRAGMENT_PROGRAM_ARB,
                                            "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n");
-      draw(side, 0); // the rasterizer knows the texture by now
+      draw(side, 0); // the rasterizer has used the texture by now
     }
   }
 
@@ -58,7 +58,7 @@ public:
            epoxy_has_gl_extension("GL_OES_EGL_image");
   }
 
-  /// The second side's texture becomes the first one's.
+  /// Makes the second side's texture an image of the first one's.
   void join() {
     use(m_sides[0]);
     const EGLImageKHR image = eglCreateImageKHR(
@@ -71,7 +71,7 @@ public:
     glEGLImageTargetTexture2DOES(GL_TEXTURE_2D, image);
   }
 
-  /// What side `to` reads after side `from` drew value `value`.
+  /// Returns what side `to` reads after side `from` drew value `value`.
   int after(int from, int to, int value) {
     use(m_sides[from]);
     draw(m_sides[from], value);

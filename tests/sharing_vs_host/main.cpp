@@ -1,9 +1,10 @@
-// Random sequences of commands of several contexts, the same for the same seed wherever they run.
+// Issues random sequences of commands of several contexts; a seed gives the same sequence
+// everywhere.
 //   sharing-model [--windows] [--whole] FIRST COUNT COMMANDS        that many seeds
 //   sharing-model [--windows] [--whole] SEED 1 COMMANDS 3,17,20     only those commands of one
-//   sharing-model --names SEED 1 COMMANDS [...]                     what they are
-// What was read comes out as a line each, "seed number command TAB bytes hash", or with --whole as
-// records of software::record(). A line "seed end" follows each sequence.
+//   sharing-model --names SEED 1 COMMANDS [...]                     prints their names
+// Each read is printed as a line "seed number command TAB bytes hash", or with --whole as records
+// of software::record(). A line "seed end" follows each sequence.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -38,7 +39,7 @@ void runSequence(Platform &platform, Workers &workers, std::uint64_t seed, const
   World world(platform, workers);
   Random opening(seed);
   world.open(opening);
-  // Asking for errors after each command is a habit of some programs, and not of others.
+  // Some programs ask for errors after each command, others never.
   const bool checks = opening.once(2);
   const std::string prefix = std::to_string(seed) + " ";
   for (int number = 0; number < options.commands; ++number) {

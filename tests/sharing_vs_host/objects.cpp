@@ -1,4 +1,4 @@
-// What objects hold: storage from random numbers.
+// Defines the storage of objects from random numbers.
 #include <algorithm>
 
 #include "world.h"
@@ -12,8 +12,8 @@ void World::define(Texture &texture, int width, int height, GLenum internal, Ran
   bindTexture(texture.name);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  // What sRGB decodes to is not the same to the bit: run_formats.py of ../rasterizer_vs_host
-  // samples that.
+  // Decoded sRGB values differ in the last bits; run_formats.py of ../rasterizer_vs_host tests
+  // them.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
   glTexImage2D(GL_TEXTURE_2D, 0, GLint(internal), width, height, 0,
                random.once(2) ? GL_RGBA : GL_BGRA, GL_UNSIGNED_BYTE, texels.data());
@@ -31,7 +31,7 @@ void World::defineRenderbuffer(Renderbuffer &renderbuffer, GLenum internal, int 
   renderbuffer.width = width;
   renderbuffer.height = height;
   renderbuffer.version = ++m_version;
-  // What it holds is undefined.
+  // The new storage is undefined.
   glBindFramebuffer(GL_FRAMEBUFFER, context().scratch);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, renderbuffer.point(), GL_RENDERBUFFER,
                             renderbuffer.name);
@@ -45,7 +45,7 @@ void World::defineRenderbuffer(Renderbuffer &renderbuffer, GLenum internal, int 
 std::vector<Vertex> randomQuads(int quads, Random &random) {
   std::vector<Vertex> vertices;
   for (int i = 0; i < quads; ++i) {
-    // Edges of sixteenths: they meet pixels' borders in every target.
+    // Edges are at multiples of a sixteenth, so that they meet pixel borders in every target.
     const int x = random.between(-8, 6), y = random.between(-8, 6);
     const int w = random.between(1, 8), h = random.between(1, 8);
     unsigned char rgba[4];
@@ -53,7 +53,8 @@ std::vector<Vertex> randomQuads(int quads, Random &random) {
       component = static_cast<unsigned char>(random.bits());
     for (int corner = 0; corner < 4; ++corner) {
       const int right = corner == 1 || corner == 2, top = corner >= 2;
-      // One texel for all of it: no sample lies near a texel's border in any size of texture.
+      // The whole quad samples one texel: no sample is near a texel's border in any size of
+      // texture.
       vertices.push_back({float(x + right * w) / 8.0f,
                           float(y + top * h) / 8.0f,
                           float(random.between(-50, 50)) / 64.0f,

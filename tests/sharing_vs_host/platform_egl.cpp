@@ -43,7 +43,7 @@ public:
   }
 
   void *makeContext(void *share) override {
-    eglBindAPI(EGL_OPENGL_API); // of the calling thread
+    eglBindAPI(EGL_OPENGL_API); // for the calling thread
     const EGLContext context = eglCreateContext(m_display, m_config, share, nullptr);
     if (context == EGL_NO_CONTEXT)
       die("no EGL context");

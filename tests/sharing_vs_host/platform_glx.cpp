@@ -6,7 +6,7 @@ namespace sharing {
 
 namespace {
 
-/// X errors end the process with their text, which is what a test wants.
+/// Uses GLX. X errors end the process with their text, which is what a test wants.
 class GlxPlatform final : public Platform {
 public:
   GlxPlatform() {
@@ -29,7 +29,7 @@ public:
   void destroyContext(void *context) override {
     glXDestroyContext(m_display, static_cast<GLXContext>(context));
   }
-  /// Beside the others, so that none hides another.
+  /// Places the window beside the others, so that none covers another.
   void *makeDrawable(Size size) override {
     const Window window = software::makeWindow(m_display, m_config, size.width, size.height,
                                                {.x = 130 * (m_windows++ % 4)});

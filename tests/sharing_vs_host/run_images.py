@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is shared by EGLImages is right under the layer, with each back end: run_images.py --build build.
+"""Tests textures that EGLImages share, under the layer with each back end: run_images.py --build build.
 Ends with "N passed, N failed, N skipped"."""
 
 import argparse
@@ -11,7 +11,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "rasterizer_vs_host"))
 import sides  # noqa: E402
 
-SKIPPED = 77  # the host offers no EGLImages of textures
+SKIPPED = 77  # the host does not support EGLImages of textures
 
 
 def main():

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Random sequences of several contexts that share objects, on the bare host and under the layer: what is
-read after each step must be equal, to the bit.
+"""Runs random sequences of several contexts that share objects, on the bare host and under the layer. Everything read
+after each step must be equal, to the bit.
 
   run_sharing.py --build build                              the quick set, three back ends
-  run_sharing.py --build build --count 10000 --jobs 16      that many sequences a back end
+  run_sharing.py --build build --count 10000 --jobs 16      that many sequences for each back end
   run_sharing.py --build build --first 41 --count 1         one of them
   run_sharing.py --build build --backend swrast --windows 0 one back end, no windows
-  run_sharing.py --build build --planted                    and is a command seen that one side leaves out?
+  run_sharing.py --build build --planted                    also: is a command noticed that one side leaves out?
 
-Of the sequences a share (--windows, in percent) has windows of GLX, which are shown and resized, and
-the others pbuffers of EGL without a window system. A sequence that differs is reduced: commands are left
-out as long as it still does. It is run twice on the bare host; what the two disagree on is left out.
-Progress goes to the error output. --json FILE: the result as data. Ends with "N passed, N failed, N skipped".
+A share of the sequences (--windows, in percent) has GLX windows, which are shown and resized; the others have
+pbuffers of EGL without a window system. A differing sequence is reduced: commands are removed as long as it still
+differs. It is run twice on the bare host, and what differs between the two is ignored. Progress goes to the error
+output. --json FILE writes the result as data. Ends with "N passed, N failed, N skipped".
 """
 
 import argparse
@@ -36,12 +36,12 @@ TIMEOUT = 60  # seconds for a sequence
 
 
 class Sides:
-    """The bare host and the layer with each back end."""
+    """Runs the bare host and the layer with each back end."""
 
     def __init__(self, args, displays, scratch):
         self.client = args.build / "tests/sharing_vs_host/sharing-model"
         self.commands, self.displays = args.commands, displays
-        # Images are of a tile or two: more threads of the host's only wait for one another.
+        # Images have a tile or two: more of the host's threads would only wait for one another.
         extra = {"LP_NUM_THREADS": "1"}
         self.environments = {
             "bare": sides.environment(extra={**extra, "XDG_CACHE_HOME": str(scratch / "host")})}
@@ -55,7 +55,7 @@ class Sides:
         return [str(word) for word in (self.client, *flags, first, count, self.commands, *kept)]
 
     def run(self, side, windows, first, count, only=None, extra=None):
-        """{seed: its lines}; a sequence in which the process ended has that as its last line."""
+        """Returns {seed: its lines}; if the process ended within a sequence, its last line says so."""
         env = {**self.environments[side], **(extra or {})}
         if windows:
             env["DISPLAY"] = self.displays.name()
@@ -94,8 +94,8 @@ def ended(lines):
 
 
 def difference(bare, layer):
-    """The first line in which the layer's sequence is not the bare host's; None where all are equal. Where
-    the bare host ends nothing is said."""
+    """Returns the first line in which the layer's sequence differs from the bare host's; None if all are equal, or if
+    the bare host's process ended."""
     if ended(bare):
         return None
     for got, expected in zip(layer, bare):
@@ -105,7 +105,7 @@ def difference(bare, layer):
 
 
 class Count:
-    """What was found, with progress."""
+    """Counts the results and prints progress."""
 
     def __init__(self, sequences):
         self.lock, self.sequences, self.started = threading.Lock(), sequences, time.monotonic()
@@ -138,15 +138,15 @@ def batch(model, count, windows, first, size):
                 continue
             again = again or model.run("bare", windows, first, size)
             if again[seed] != bare[seed] or bare_ends_so(model, side, windows, seed, layer[seed]):
-                skipped.append(seed)  # the bare host's own affair
+                skipped.append(seed)  # a fault of the bare host
             else:
                 failures.append({"seed": seed, "backend": side, "windows": windows, "what": what})
     count.add(size, failures, skipped)
 
 
 def bare_ends_so(model, side, windows, seed, lines):
-    """A sequence of the layer's ended: whether the bare host ends in that sequence too, in other runs, and
-    as often. Its renderbuffers of deleted contexts do that to Mesa 22.3.6."""
+    """True if the bare host's process ends in that sequence too, in other runs, and as often as the layer's did. Mesa
+    22.3.6 does so because of renderbuffers of deleted contexts."""
     def end(one):
         last = model.run(one, windows, seed, 1)[seed]
         return last[-1].split(": ")[1] if ended(last) else None
@@ -166,7 +166,7 @@ def reduce(model, failure):
 
 
 def planted(model, seeds):
-    """(seen, planted) of commands on pixels that one side leaves out, one a seed: among the last."""
+    """Returns (noticed, planted) of pixel commands near the end that one side leaves out, one for each seed."""
     kinds = ("texture quad", "TexSubImage", "CopyTexSubImage", "ReadPixels", "TexImage")
     seen = tried = 0
     for seed in seeds:
@@ -182,8 +182,8 @@ def planted(model, seeds):
 
 
 def drawn(model, side, windows, scratch):
-    """How many draws the rasterizer did in one batch. None: then the layer is not there, and the bare host
-    was compared with itself."""
+    """Returns how many draws the rasterizer made in one batch. Returns None if the layer is not there, so that the bare
+    host was compared with itself."""
     path = scratch / f"stats-{windows}.json"
     model.run(side, windows, 1, 4, extra={"ARBITER_STATS": str(path)})
     return sides.software_statistics(path).get("drawn", 0)
@@ -230,7 +230,7 @@ def main():
         scratch = pathlib.Path(folder)
         model = Sides(args, displays, scratch)
         count = Count(args.count)
-        # The last of the seeds have windows, so that a seed's kind is known from the command line.
+        # The last seeds have windows, so that a seed's kind is known from the command line.
         split = args.first + args.count - args.count * args.windows // 100
         jobs = []
         for start in range(args.first, args.first + args.count):

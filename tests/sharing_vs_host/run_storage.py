@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Objects that have storage in common, and objects that shaders write: each scene of sharing-storage on the
-bare host and under the layer, with each back end. Pictures must be equal.
+"""Tests objects that share storage, and objects that shaders write. Each scene of sharing-storage is drawn on the bare
+host and under the layer, with each back end, and the pictures must be equal.
 
   run_storage.py --build build [SCENE...]
 

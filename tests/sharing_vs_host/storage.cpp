@@ -1,7 +1,7 @@
-// Objects that have storage in common, or that are written by shaders: sharing-storage SCENE, or
-// `sharing-storage list`. Each scene draws to one with a fragment program and samples the other;
-// what is sampled is written as records for run_storage.py, which compares. Ends with 77 where the
-// host lacks what the scene is about.
+// Tests objects that share storage or that shaders write: sharing-storage SCENE, or
+// `sharing-storage list`. Each scene draws to one object with a fragment program and samples the
+// other. The samples are written as records, which run_storage.py compares. Exits with 77 if the
+// host lacks the scene's feature.
 #include <cstring>
 
 #include "storage.h"
@@ -35,7 +35,7 @@ void views() {
   show(view, "the view, after a copy to another one");
 }
 
-/// What is left of a deleted view, and what has its name next.
+/// Tests the content of a deleted view, and of the next object with its name.
 void deletedViews() {
   const GLuint original = makeTexture(true);
   GLuint view = viewOf(original);
@@ -51,10 +51,10 @@ void deletedViews() {
   show(next, "that texture, after the original was drawn to");
 }
 
-/// One level and one layer.
+/// Tests views of one level and one layer.
 void partialViews() {
   const GLuint plain = makeTexture(false);
-  fill(plain, 15); // the rasterizer is there by now
+  fill(plain, 15); // the rasterizer has been used by now
   show(plain, "a texture that no other has texels of");
   GLuint names[2];
   glGenTextures(2, names);
@@ -84,7 +84,7 @@ void partialViews() {
   show(layer, "a layer's view, after the layer was drawn to");
 }
 
-/// In a context of the group that is not the layer's business.
+/// Tests views made in a context of the group that bypasses the layer.
 void viewsOfOthers() {
   const GLuint original = makeTexture(true);
   fill(original, 40);
@@ -102,7 +102,7 @@ void copiedImages() {
   fill(to, 20);
   show(to, "before");
   fill(from, 160);
-  glFlush(); // Mesa 22.3.6 copies before it draws rectangles that it collected
+  glFlush(); // Mesa 22.3.6 copies before it draws the rectangles that it has collected
   glCopyImageSubData(from, GL_TEXTURE_2D, 0, 0, 0, 0, to, GL_TEXTURE_2D, 0, 3, 3, 0, 9, 9, 1);
   show(to, "after a part was copied");
   const unsigned char color[4] = {9, 99, 199, 255};
@@ -140,7 +140,7 @@ constexpr const char *kStoresVerticesAsTexels =
     "  if (ivec2(gl_FragCoord.xy) == ivec2(0)) imageStore(to, 1, vec4(1.0, 1.0, 0, 0));\n"
     "  gl_FragColor = vec4(0);\n}\n";
 
-/// What shaders wrote are vertices next.
+/// Tests vertices that shaders have written.
 void storedVertices(bool byTexture) {
   const GLfloat triangle[6] = {-1, -1, 0, -1, -1, 1};
   GLuint buffer = 0, texture = 0;
@@ -157,7 +157,7 @@ void storedVertices(bool byTexture) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     show(result, name);
   };
-  for (int i = 0; i < 6; ++i) // so often that vertices may be kept
+  for (int i = 0; i < 6; ++i) // often enough that vertices may be cached
     draw("before the store");
   runShaders(program, [&] {
     if (byTexture) {

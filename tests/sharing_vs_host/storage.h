@@ -7,46 +7,48 @@
 
 #include "../rasterizer_vs_host/surface.h"
 
-/// What the scenes of sharing-storage draw with: textures of one colour, drawn by a fragment
-/// program that the rasterizer takes, and a target that they are sampled to.
+/// Shared parts of the scenes of sharing-storage: textures of one color, drawn by a fragment
+/// program that the rasterizer supports, and a target that samples are written to.
 namespace storage {
 
 inline constexpr int kEdge = 16; ///< of textures and the target, in texels
 
-/// A context without a window, with what makeObjects() makes. Ends the process with 77 without one.
+/// Makes a context without a window, and calls makeObjects(). Exits the process with 77 if there is
+/// none.
 void open();
-/// The programs and the target, in the current context.
+/// Makes the programs and the target in the current context.
 void makeObjects();
-/// Ends the process as one that the host has nothing for.
+/// Exits the process, as the host lacks something.
 [[noreturn]] void skip(const char *why);
 
 [[nodiscard]] GLuint makeTexture(bool immutable);
-/// Of all of a texture that makeTexture(true) made.
+/// Makes a view of all of a texture that makeTexture(true) made.
 [[nodiscard]] GLuint viewOf(GLuint texture);
-/// Sampled without a filter; it stays bound.
+/// Sets sampling without a filter; the texture stays bound.
 void unfiltered(GLuint texture);
 [[nodiscard]] GLuint framebufferOf(GLuint texture);
-/// One rectangle over all of the draw framebuffer, red as `value`.
+/// Draws one rectangle over the whole draw framebuffer, with red `value`.
 void drawFilled(int value);
-/// The same of a texture, which stays attached to the draw framebuffer.
+/// Fills a texture, which stays attached to the draw framebuffer.
 void fill(GLuint texture, int value);
 /// Samples the texture over the target and records that.
 void show(GLuint texture, const char *name);
 
-/// A program of the application's own whose fragments are shaded by `text`.
+/// Makes a GLSL program of the application whose fragment shader is `text`.
 [[nodiscard]] GLuint makeShaders(const char *text);
 /// Draws with it over the target; `prepare` is called before it is used.
 void runShaders(GLuint program, const std::function<void()> &prepare);
-/// Does it in a context of the core profile that shares the objects, and comes back.
+/// Calls `what` in a core profile context that shares the objects, then returns to the present
+/// context.
 void inCoreContext(const std::function<void()> &what);
 
 // --- Scenes of what lies outside GL: storage_outside.cpp ---
 
-/// Two textures in memory that was imported.
+/// Tests two textures in imported memory.
 void importedMemory();
-/// As open(), in a window of X.
+/// Does what open() does, in an X window.
 void openScreen();
-/// A pixmap's colours as a texture (GLX_EXT_texture_from_pixmap). Requires: openScreen().
+/// Tests a pixmap's colors as a texture (GLX_EXT_texture_from_pixmap). Requires openScreen().
 void boundPixmap();
 
 } // namespace storage

@@ -1,4 +1,4 @@
-// Scenes of storage that others than GL have, too: memory of another interface, a pixmap of X.
+// Scenes of storage that is shared outside of GL: memory of another interface, an X pixmap.
 #include <unistd.h>
 
 #include <epoxy/glx.h>
@@ -10,8 +10,8 @@ namespace storage {
 
 namespace {
 
-/// As llvmpipe exports memory: what it begins with, in bytes, and the first 16 of SHA-1 of the
-/// driver's name.
+/// The header of memory that llvmpipe exports: sizes in bytes, and the first 16 bytes of the SHA-1
+/// of the driver's name.
 struct ExportedMemory {
   std::size_t size = 0, offset = 0;
   unsigned char driver[16] = {0x6c, 0xb9, 0xee, 0x07, 0x4a, 0x0b, 0xad, 0x7b,
@@ -56,7 +56,7 @@ void importedMemory() {
       write(file, &header, sizeof header) != ssize_t(sizeof header))
     skip("no memory");
   const GLuint before = makeTexture(true);
-  fill(before, 200); // the rasterizer is there by now
+  fill(before, 200); // the rasterizer has been used by now
   show(before, "before");
   GLuint memory = 0, names[2];
   glCreateMemoryObjectsEXT(1, &memory);

@@ -1,4 +1,4 @@
-// The context, programs and textures that the scenes of sharing-storage have in common.
+// The context, programs and textures that the scenes of sharing-storage share.
 #include <cstdlib>
 #include <string>
 

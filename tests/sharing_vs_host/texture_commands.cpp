@@ -1,4 +1,4 @@
-// Textures, renderbuffers, framebuffers, and pixels read.
+// Commands on textures, renderbuffers and framebuffers, and reads of pixels.
 #include <algorithm>
 
 #include "world.h"
@@ -66,7 +66,8 @@ void feedback(World &world, Random &random, const std::string &) {
                       height);
 }
 
-/// TexParameter and back again: NEAREST_MIPMAP_NEAREST has no levels, and samples (0, 0, 0, 1).
+/// Changes TexParameter and restores it: with NEAREST_MIPMAP_NEAREST the texture is incomplete and
+/// samples (0, 0, 0, 1).
 void parameters(World &world, Random &random, const std::string &) {
   const Texture &texture = world.texture(random.below(kTextures));
   bindTexture(texture.name);
@@ -95,7 +96,7 @@ void bindFramebuffer(World &world, Random &random, const std::string &) {
   world.bindFramebuffer(random.between(-1, kFramebuffers - 1));
 }
 
-/// Half a window's, half a framebuffer's colours to those of another.
+/// Blits half of a window's or framebuffer's colors to another.
 void blit(World &world, Random &random, const std::string &) {
   const int to = random.between(-1, kFramebuffers - 1);
   Context &context = world.context();
@@ -105,7 +106,7 @@ void blit(World &world, Random &random, const std::string &) {
     return;
   world.bindFramebuffer(to);
   if (world.ready(toWidth, toHeight)) {
-    // A feedback loop where both have the texture.
+    // If both have the texture, it is a feedback loop.
     const Attachment from =
         before < 0 ? Attachment() : context.framebuffers[std::size_t(before)].color;
     const Attachment other = to < 0 ? Attachment() : context.framebuffers[std::size_t(to)].color;

@@ -7,8 +7,8 @@
 
 namespace sharing {
 
-/// Threads that take turns: one works while the others, and the caller, wait. So the order of all
-/// commands is the caller's, and what one did happens before the next one's work.
+/// Threads that take turns: one works while the others and the caller wait. The caller thus
+/// determines the order of all commands, and a thread's work happens before the next thread's.
 class Workers {
 public:
   static constexpr int kThreads = 3;
@@ -16,7 +16,7 @@ public:
   ~Workers();
   Workers(const Workers &) = delete;
   Workers &operator=(const Workers &) = delete;
-  /// Does the work on thread `thread`; returns when it is done.
+  /// Runs the work on thread `thread`; returns when it is done.
   void run(int thread, const std::function<void()> &work);
 
 private:
@@ -24,7 +24,7 @@ private:
   std::mutex m_mutex;
   std::condition_variable m_changed;
   const std::function<void()> *m_work = nullptr;
-  int m_turn = -1; ///< whose work it is; -1: the caller's turn
+  int m_turn = -1; ///< the working thread; -1: the caller
   bool m_ends = false;
   std::array<std::thread, kThreads> m_threads;
 };

@@ -157,7 +157,7 @@ void World::attach(Framebuffer &framebuffer, bool depth, bool isTexture, int ind
   Attachment &attachment = depth ? framebuffer.depth : framebuffer.color;
   attachment = {isTexture, index};
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name);
-  // A buffer of depths alone takes the place of depths; that of stencil values must be empty then.
+  // A depth buffer replaces the depth attachment only; the stencil attachment must then be empty.
   if (index < 0 || depth)
     glFramebufferRenderbuffer(GL_FRAMEBUFFER,
                               depth ? GL_DEPTH_STENCIL_ATTACHMENT : GL_COLOR_ATTACHMENT0,
@@ -240,7 +240,7 @@ void World::orphan(bool isTexture, const Object *object) {
         if (attachment.index < 0 || attachment.orphan || attachment.isTexture != isTexture ||
             objectOf(attachment, depth) != object)
           continue;
-        // Of the framebuffer that is bound where it is deleted it is detached (4.4.2).
+        // Deleting it detaches it from the bound framebuffer (4.4.2).
         if (&other == &context() && other.bound == f)
           attachment = {};
         else

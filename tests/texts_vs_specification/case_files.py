@@ -1,22 +1,22 @@
-"""The files of cases: texts with what the specification says of them.
+"""Reads files of cases: texts with their verdicts by the specification.
 
 A case begins with a line
 
     === NAME | VERDICT | REASON [| WORD]...
 
-and goes on to the next such line; lines that begin with # before the first are comments. VERDICT is
+and ends at the next such line; lines that begin with # before the first are comments. VERDICT is
 accept or refuse; REASON is the specification's section or rule. A WORD is one of
 
-    undefined            the specification leaves open what is drawn: bare hosts are not compared
-    exact                all ways draw the same to the bit, the bare host's own path included
+    undefined            the specification does not define the picture: bare hosts are not compared
+    exact                all ways draw the same to the bit, including the bare host's own path
     host-exact           the bare host and the layer's back end host do; the rasterizer may round otherwise
-    show RESULT          the result of a vertex program that is shown (texts.cpp); else its colour
-    bare accept: WHY     the bare host's verdict is another one, and why that is no fault of the layer
+    show RESULT          the result of a vertex program that is shown (texts.cpp); else its color
+    bare accept: WHY     the bare host's verdict differs, and why that is no fault of the layer
     bare refuse: WHY
-    bare rounds from Mesa N.M: WHY   of `exact`, the bare host's path in Mesa N.M and later only about the same
-    bare draws: WHY      what the bare host draws depends on memory that it never wrote: not compared
+    bare rounds from Mesa N.M: WHY   for `exact`: in Mesa N.M and later the bare host's path agrees only approximately
+    bare draws: WHY      the bare host's picture depends on memory that it never wrote: not compared
 
-@{A;B;C} in a text or in the words stands for one case each with A, B and C, every combination of
+@{A;B;C} in a text or in the words stands for one case each with A, B and C, in every combination of
 several; braces nest.
 """
 
@@ -26,7 +26,7 @@ import pathlib
 
 
 class Malformed(Exception):
-    """A file of cases that cannot be read; the message has file and line."""
+    """A file of cases cannot be read; the message has file and line."""
 
 
 @dataclasses.dataclass
@@ -49,7 +49,7 @@ class Case:
 
 
 def pieces(text):
-    """The text as a list of strings and of lists of alternatives, in turn."""
+    """Returns the text as an alternating list of strings and lists of alternatives."""
     parts, at = [], 0
     while (begin := text.find('@{', at)) >= 0:
         depth, options, start = 1, [], begin + 2
@@ -71,7 +71,7 @@ def pieces(text):
 
 
 def expanded(text):
-    """(label, text) of every combination; the label is empty for a text without alternatives."""
+    """Returns (label, text) of every combination; the label is empty for a text without alternatives."""
     parts = pieces(text)
     choices = [part for part in parts if isinstance(part, list)]
     for chosen in itertools.product(*choices):
@@ -119,7 +119,7 @@ def cases_of(path, line, head, text):
 
 
 def read_cases(path):
-    """Every case of a file. Raises Malformed."""
+    """Reads every case of a file. Raises Malformed."""
     path = pathlib.Path(path)
     heads = []
     for number, line in enumerate(path.read_text(encoding='utf-8').splitlines(keepends=True), 1):

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Program texts with known verdicts, loaded and drawn in four ways.
+"""Loads program texts with known verdicts, and draws them in four ways.
 
-bare: the host's own implementation, in a process of its own for as long as it lives; host, auto,
-swrast: the layer's back ends. A text fails if
+bare is the host's own implementation, in a process that runs as long as it survives; host, auto and swrast are the
+layer's back ends. A text fails if
 
-- a way of the layer refuses what the specification accepts, or the other way round;
-- the bare host's verdict is another one, and the case does not say why;
-- a picture of the layer differs from the bare host's, where something defined is drawn;
+- the layer refuses in any way what the specification accepts, or the other way round;
+- the bare host's verdict differs, and the case does not say why;
+- a picture of the layer differs from the bare host's, and the specification defines the picture;
 - two ways of the layer differ from each other, whatever the specification says;
-- where a case says `exact`, any of these differ by a bit: sums and products decide whether passes that
-  are drawn in different ways meet at equal depths; where it says `host-exact`, bare and host do.
+- the case says `exact` and any two of these differ by a bit (sums and products decide whether passes drawn in
+  different ways meet at equal depths), or it says `host-exact` and bare and host do.
 
 usage: run.py --texts PROGRAM --layer LIBRARY [--json FILE] [--only WORD] [--list] FILE.cases...
 Exit status: 0 all agree, 1 some differ, 2 a file of cases is malformed, 77 no GL.
@@ -31,18 +31,18 @@ from case_files import Malformed, read_cases
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'clients'))
 from plain_environment import plain  # noqa: E402
 
-# The largest difference of a component, as a part of its size and absolute. Approximate functions
-# (EX2, LG2, POW, SIN) are within 2^-10 of the exact value by the specification.
+# The largest difference of a component, relative and absolute. The specification allows approximate functions (EX2,
+# LG2, POW, SIN) to differ from the exact value by 2^-10.
 RELATIVE, ABSOLUTE = 2.0 ** -10, 2.0 ** -10
 WAYS = ('bare', 'host', 'auto', 'swrast')
 
 
 class NoGl(Exception):
-    """There is no GL context to be had; the message says why."""
+    """There is no GL context; the message says why."""
 
 
 class Ended(Exception):
-    """A process that should have gone on; the message says how it ended."""
+    """A process ended unexpectedly; the message says how."""
 
 
 def environment(way, layer, cache):
@@ -54,7 +54,7 @@ def environment(way, layer, cache):
 
 
 def one_process(texts, folder, lines, env):
-    """Answers by name until the process ended; and, if it ended too soon, the name it ended at."""
+    """Returns answers by name until the process ended; and, if it ended too soon, the name it ended at."""
     done = subprocess.run([texts, folder], input=''.join(lines), capture_output=True, text=True,
                           env=env, timeout=1500)
     answers, ended = {}, None
@@ -72,13 +72,13 @@ def one_process(texts, folder, lines, env):
 
 
 def mesa_release(version):
-    """(23, 2) of a GL_VERSION "… Mesa 23.2.1"; None of other drivers."""
+    """Returns (23, 2) for a GL_VERSION "… Mesa 23.2.1"; None for other drivers."""
     found = re.search(r'Mesa (\d+)\.(\d+)', version)
     return found and tuple(map(int, found.groups()))
 
 
 def way_of(texts, layer, folder, cases, way):
-    """For each case (position, errors), or None where the process crashed; last the GL_VERSION."""
+    """Returns for each case (position, errors), or None if the process crashed; last the GL_VERSION."""
     folder.mkdir()
     for index, case in enumerate(cases):
         (folder / f'{index}.txt').write_bytes(case.text.encode())
@@ -106,7 +106,7 @@ def pixels(folder, index):
 
 
 def differs(a, b, exact=False):
-    """Where two pictures differ first, as text; empty if they agree."""
+    """Returns the first difference of two pictures as text; empty if they agree."""
     if len(a) != len(b):
         return f'{len(a)} and {len(b)} values'
     for index, (x, y) in enumerate(zip(a, b)):
@@ -123,7 +123,7 @@ def verdict(result):
 
 
 def faults_of(case, results, folders, index):
-    """What is wrong with one case, a line each."""
+    """Returns what is wrong with one case, a line each."""
     accepted = {way: results[way][index] is not None and results[way][index][0] == -1 for way in WAYS}
     for way in WAYS[1:]:
         if results[way][index] is None or accepted[way] != case.accepted:

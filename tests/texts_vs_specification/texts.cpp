@@ -2,10 +2,10 @@
 //
 // usage: texts FOLDER < LIST
 // A line of LIST is "NAME STAGE SHOWN": FOLDER/NAME.txt is loaded as a program of STAGE (fragment,
-// vertex). The answer is a line "NAME POSITION", where POSITION is -1 for a text that is accepted,
-// after which FOLDER/NAME.raw has what was drawn: the floats of both colour buffers and of the
-// depth buffer. The first line is "version" and GL_VERSION. Before a text is loaded its name is
-// written, so that a crash has one.
+// vertex). The answer is a line "NAME POSITION". POSITION is -1 for a text that is accepted;
+// FOLDER/NAME.raw then has the floats of both color buffers and of the depth buffer. The first line
+// is "version" and GL_VERSION. The name is written before a text is loaded, so that a crash can be
+// attributed.
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -18,10 +18,11 @@
 namespace {
 using namespace arbiter::differential;
 
-/// How a vertex program's result is shown: a fragment program that copies it, or fixed function.
+/// How a vertex program's result is shown: by a fragment program that copies it, or by fixed
+/// function.
 struct Shown {
   const char *name;
-  const char *attribute; ///< of the fragment program; null: fixed function
+  const char *attribute; ///< for the fragment program; null: fixed function
 };
 constexpr Shown kShown[] = {{"primary", "color"},     {"secondary", "color.secondary"},
                             {"back", "color"},        {"fogcoord", "fogcoord"},
@@ -35,7 +36,7 @@ std::string read(const std::string &path) {
   return text.str();
 }
 
-/// GL_PROGRAM_ERROR_POSITION_ARB after the load.
+/// Loads a text and returns GL_PROGRAM_ERROR_POSITION_ARB.
 int load(GLenum target, const std::string &text) {
   static GLuint names[2] = {};
   GLuint &name = names[target == GL_VERTEX_PROGRAM_ARB];
@@ -52,7 +53,7 @@ int load(GLenum target, const std::string &text) {
   return refused ? std::max(position, 0) : -1;
 }
 
-/// Vertices that come with nothing but a place: all else is the current value.
+/// Draws vertices that have only a position; all other attributes are current values.
 void drawPlainPoints() {
   glColor4f(0.2f, 0.4f, 0.6f, 0.8f);
   glBegin(GL_POINTS);

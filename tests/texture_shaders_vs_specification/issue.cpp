@@ -12,7 +12,7 @@ struct Row {
   GLenum name;
   GLenum target;
 };
-/// By Operation.
+/// The enumerants in the order of Operation.
 constexpr Row kRows[] = {
     {GL_NONE, 0},
     {GL_TEXTURE_1D, GL_TEXTURE_1D},

@@ -5,14 +5,14 @@
 
 namespace shaded {
 
-/// The stages of units 0 to `state.units` - 1 as TexEnv sets them; of a conventional state the
-/// texture targets that are enabled.
+/// Sets the stages of units 0 to `state.units` - 1 by TexEnv; for a conventional state, enables its
+/// texture targets.
 void issue(const arbiter::fp::texture_shader::State &state);
 void issue(const arbiter::fp::texture_shader::Environments &environments, int units);
-/// Register combiners show half of a unit's colour and one half.
+/// Sets register combiners that show half of a unit's color plus one half.
 void showUnit(int unit);
 
-/// The target that an operation samples; 0: none.
+/// Returns the target that an operation samples; 0: none.
 [[nodiscard]] GLenum targetOf(arbiter::fp::texture_shader::Operation operation);
 
 } // namespace shaded

@@ -1,10 +1,9 @@
 // texture_shaders [--first SEED] [--count N] [--peer] [--fx9] [--verbose] [--reduce]: draws with
 // random stages of NV_texture_shader, 2 and 3, before register combiners and before texture
-// environments, and compares each pixel with the specification's words, worked out in double
-// precision; with --fx9, which ARBITER_NUMERICS is to be, what random combiners make of them
-// exactly, with integers; with --reduce a state that differs is cut down to what it takes to
-// differ, and printed. Ends with one line of JSON: what was drawn, what differs, what was not
-// judged.
+// environments. It compares each pixel with the specification, computed in double precision. With
+// --fx9, which ARBITER_NUMERICS must match, random combiners follow and the comparison is exact,
+// with integers. With --reduce a differing state is reduced to what is needed to differ, and
+// printed. Ends with one line of JSON: what was drawn, what differs, what was not judged.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,16 +23,16 @@ using namespace arbiter::fp;
 using texture_shader::Color;
 using texture_shader::Evaluated;
 
-constexpr double kTolerance = 1.0; ///< of 255, between a byte that was drawn and the specification
-constexpr double kExactly = 0.01;  ///< the same of whole numbers of 255ths
+constexpr double kTolerance = 1.0; ///< in 255ths, between a drawn byte and the specification
+constexpr double kExactly = 0.01;  ///< the tolerance for whole numbers of 255ths
 constexpr double kDepthTolerance = 1e-4;
-/// Coordinates so near to another texel, in texels, and quotients so near to 0/0 may be either.
+/// Coordinates this near to another texel, in texels, and quotients this near to 0/0 are undecided.
 constexpr double kUndetermined = 1e-3;
 
 struct Options {
   Seeds seeds;
   bool verbose = false;
-  bool peer = false; ///< the driver is NVIDIA's: what it does otherwise is left out
+  bool peer = false; ///< the driver is NVIDIA's: its known differences are left out
   bool reduce = false;
   bool fx9 = false; ///< combiners by the integers of Numerics::Fx9
 };
@@ -42,7 +41,8 @@ struct Tally {
   int states = 0, different = 0;
   long cells = 0, unjudged = 0, exact = 0, discarded = 0, depths = 0, stages = 0, inconsistent = 0;
   double worst = 0.0;
-  std::array<long, texture_shader::kOperations> operations{}; ///< consistent stages of each
+  /// number of consistent stages of each
+  std::array<long, texture_shader::kOperations> operations{};
 };
 
 void makeTarget() {
@@ -63,7 +63,7 @@ struct Picture {
     glReadPixels(0, 0, shaded::kSize, shaded::kSize, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   }
 
-  /// Where a cell's first pixel is in `pixels`.
+  /// Returns the index of a cell's first pixel in `pixels`.
   static std::size_t at(int cell) {
     return (std::size_t(cell / shaded::kCells) * shaded::kSize +
             std::size_t(cell % shaded::kCells)) *
@@ -71,8 +71,8 @@ struct Picture {
   }
 };
 
-/// How far a cell's pixels are from what is expected, in steps of a byte; of depths that are
-/// further than their tolerance a thousand.
+/// Returns the largest difference of a cell's pixels from the expected color, in steps of a byte;
+/// 1000 if a depth exceeds its tolerance.
 double distanceOf(const Picture &picture, int cell, const Color &color, const double *depth) {
   double worst = 0.0;
   const int x0 = cell % shaded::kCells * shaded::kCellSize,
@@ -108,10 +108,10 @@ void report(std::uint64_t seed, const shaded::Scene &scene, int cell, double dis
   std::printf("\n");
 }
 
-/// One cell as the specification has it, and how far from that it is.
+/// A cell's expected result, and the drawn difference from it.
 struct Cell {
   Evaluated expected;
-  shaded::Colored drawn; ///< that ought to be
+  shaded::Colored drawn; ///< the expected color
   bool judged = false;
   double distance = 0.0;
   bool same = true;
@@ -144,7 +144,7 @@ Picture drawnBy(const shaded::Scene &scene) {
   return picture;
 }
 
-/// \return no cell differs
+/// Judges the cells. \return true if no cell differs
 bool judge(std::uint64_t seed, const shaded::Scene &scene, const Options &options, Tally &tally) {
   const Picture picture = drawnBy(scene);
   bool same = true;
@@ -175,7 +175,7 @@ bool judge(std::uint64_t seed, const shaded::Scene &scene, const Options &option
   return same;
 }
 
-/// The first unit whose SHADER_CONSISTENT_NV is not as the specification's rules have it; -1: none.
+/// Returns the first unit whose SHADER_CONSISTENT_NV violates the specification; -1: none.
 int otherwiseConsistent(const shaded::Scene &scene) {
   if (scene.state().conventional)
     return -1;
@@ -190,7 +190,7 @@ int otherwiseConsistent(const shaded::Scene &scene) {
   return -1;
 }
 
-/// The first cell that differs; -1: none.
+/// Returns the first cell that differs; -1: none.
 int differentCell(const shaded::Scene &scene, const Options &options) {
   const Picture picture = drawnBy(scene);
   for (int index = 0; index < shaded::kCells * shaded::kCells; ++index)
@@ -199,7 +199,7 @@ int differentCell(const shaded::Scene &scene, const Options &options) {
   return -1;
 }
 
-/// Cuts a state down as long as it differs in the way that it does, and prints what is left.
+/// Reduces a state as long as it differs in the same way, and prints the result.
 void reduce(shaded::Scene &scene, const Options &options, bool byConsistency) {
   const auto differs = [&] {
     return byConsistency ? otherwiseConsistent(scene) >= 0 : differentCell(scene, options) >= 0;

@@ -10,7 +10,7 @@ using namespace arbiter::fp::texture_shader;
 
 namespace {
 
-/// The offset that does not scale.
+/// Returns the corresponding offset operation without scaling.
 Operation withoutScale(Operation operation) {
   switch (operation) {
   case Operation::Offset2DScale:
@@ -28,16 +28,16 @@ Operation withoutScale(Operation operation) {
 
 bool reflects(Operation operation) { return infoOf(operation).family == Family::Reflect; }
 
-/// Units whose stage's result is no colour, though it samples, are (1, 1, 1, 1) there where an
-/// environment names them.
+/// True if a unit's stage samples but its result is not a color. NVIDIA's driver then reads (1, 1,
+/// 1, 1) if an environment names the unit.
 bool isOtherwiseNamed(const State &state, std::size_t unit) {
   const Texture &texture = state.textures[unit];
   return infoOf(state.stages[unit].operation).target && texture.base >= Base::Hilo &&
          texture.base != Base::DsdtMagIntensity;
 }
 
-/// The unit whose texture an argument of `unit`'s COMBINE is the colour of; nothing: another
-/// colour.
+/// Returns the unit whose texture color an argument of `unit`'s COMBINE reads; nothing if it reads
+/// another color.
 std::optional<std::size_t> unitOf(const CombineArgument &argument, std::size_t unit) {
   if (argument.source >= CombineSource::Unit0)
     return std::size_t(argument.source) - std::size_t(CombineSource::Unit0);
@@ -53,10 +53,10 @@ void leaveOut(State &state) {
     Stage &stage = state.stages[unit];
     const OperationInfo &info = infoOf(stage.operation);
     Texture &own = state.textures[unit];
-    // Of other formats a scaled one is not consistent there.
+    // In other formats the driver treats a scaled one as inconsistent.
     if (info.scale && isRgba(own.base) && own.base != Base::Rgb)
       own.base = Base::Rgba;
-    // A diffuse stage before a reflection that is not consistent is consistent there.
+    // The driver treats a diffuse stage before an inconsistent reflection as consistent.
     if (unit > 1 && reflects(stage.operation) &&
         state.stages[unit - 1].operation == Operation::DotProductDiffuseCubeMap &&
         stage.previous + 2 >= int(unit))
@@ -65,19 +65,20 @@ void leaveOut(State &state) {
       continue;
     Stage &previous = state.stages[stage.previous];
     Texture &read = state.textures[stage.previous];
-    // What is read of a scaled offset is scaled there.
+    // The driver scales what is read from a scaled offset.
     previous.operation = withoutScale(previous.operation);
-    // What is read of an ALPHA texture is (0, 0, 0, A) there.
+    // The driver reads (0, 0, 0, A) from an ALPHA texture.
     if (read.base == Base::Alpha)
       read.base = Base::Rgba;
-    // A component that a signed texture does not have, and is 1, makes its signedness mixed there.
+    // A signed texture's missing component is 1, and the driver then treats the signedness as
+    // mixed.
     if (computesDot(info.family) && (read.base == Base::Luminance || read.base == Base::Rgb))
       read.signs = Signs::Unsigned;
-    // A signed HILO result of an offset has a third component of 1 there.
+    // The driver gives a signed HILO result of an offset a third component of 1.
     if (computesDot(info.family) && read.base == Base::Hilo &&
         infoOf(previous.operation).family == Family::Offset)
       read.signs = Signs::Unsigned;
-    // It gives nothing there.
+    // The driver gives no result for it.
     if (stage.operation == Operation::DependentRgbCubeMap)
       stage.operation = Operation::TextureCubeMap;
   }
@@ -88,7 +89,7 @@ void leaveOut(const State &state, Environments &environments) {
     return;
   for (std::size_t unit = 0; unit < state.units; ++unit) {
     Environment &environment = environments[unit];
-    // Its process ends there in a fault.
+    // The driver's process crashes with it.
     const Family family = infoOf(state.stages[unit].operation).family;
     if ((family == Family::PassThrough || family == Family::DotColor) &&
         environment.mode == EnvironmentMode::Blend)
@@ -98,7 +99,7 @@ void leaveOut(const State &state, Environments &environments) {
         const auto of = unitOf(argument, unit);
         if (of && isOtherwiseNamed(state, *of))
           argument.source = CombineSource::Previous;
-        // The colour of an ALPHA texture is black in COMBINE there.
+        // The driver reads black as the color of an ALPHA texture in COMBINE.
         else if (of && state.textures[*of].base == Base::Alpha)
           argument.alpha = true;
       }

@@ -15,7 +15,7 @@ template <typename T> bool becomes(T &value, const T &simple) {
   return changes;
 }
 
-/// COMBINE4_NV: the functions of both halves have four arguments.
+/// True for COMBINE4_NV: the functions of both halves have four arguments.
 bool hasFour(const Environment &environment) {
   return argumentsOf(environment.color.function) == 4;
 }
@@ -41,7 +41,7 @@ bool withoutFour(Kept &kept, std::size_t unit) {
   return true;
 }
 
-/// Of COMBINE_RGB, or of COMBINE_ALPHA.
+/// Simplifies the function of COMBINE_RGB or of COMBINE_ALPHA.
 template <bool kAlpha> bool simpleFunction(Kept &kept, std::size_t unit) {
   Environment &environment = kept.environments[unit];
   if (environment.mode != EnvironmentMode::Combine)
@@ -51,7 +51,7 @@ template <bool kAlpha> bool simpleFunction(Kept &kept, std::size_t unit) {
   return (!hasFour(environment) && becomes(half.function, CombineFunction::Replace)) || scaled;
 }
 
-/// An argument is the primary colour, as it is.
+/// Replaces an argument by the unmodified primary color.
 template <bool kAlpha, int kArgument> bool simpleArgument(Kept &kept, std::size_t unit) {
   Environment &environment = kept.environments[unit];
   if (environment.mode != EnvironmentMode::Combine)

@@ -25,12 +25,11 @@ namespace {
 constexpr GLenum kTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D,
                                GL_TEXTURE_CUBE_MAP};
 
-/// Random numbers are of a grid that edges of texels are on.
+/// Keeps random numbers off the grid that the edges of texels are on.
 constexpr float kOffGrid = 0.0011f;
 
-/// What ARB_texture_env_combine and NV_texture_env_combine4 alone have no name for becomes what
-/// they have: hosts without ATI_texture_env_combine3 lack its functions, and its sources but with
-/// four arguments.
+/// Replaces what ARB_texture_env_combine and NV_texture_env_combine4 cannot express: hosts without
+/// ATI_texture_env_combine3 lack its functions, and its sources except with four arguments.
 void withoutAtis(Environment &environment) {
   for (CombineHalf *const half : {&environment.color, &environment.alpha}) {
     if (half->function >= CombineFunction::ModulateAdd &&
@@ -49,7 +48,7 @@ void withoutAtis(Environment &environment) {
 Scene::Scene(bool peer, bool fx9)
     : m_peer(peer), m_fx9(fx9), m_textures(makeTextures(peer)), m_cells(kCells * kCells) {}
 
-/// Conventional texturing: each unit has a target or none.
+/// Arranges conventional texturing: each unit has a target or none.
 void Scene::arrangeConventional(Random &random) {
   constexpr Operation kOperations[] = {Operation::None,      Operation::Texture1D,
                                        Operation::Texture2D, Operation::TextureRectangle,
@@ -62,7 +61,7 @@ void Scene::arrangeConventional(Random &random) {
   }
 }
 
-/// A texture of the kind that the state wants, and of any other targets any.
+/// Binds a texture of the kind that the state needs, and any textures to the other targets.
 void Scene::bind(Random &random, int unit) {
   const auto at = std::size_t(unit);
   const GLenum wanted = targetOf(m_state.stages[at].operation);
@@ -140,7 +139,7 @@ void Scene::arrangeCombiners(Random &random) {
     constant = randomColor(random, true);
   combined::issueConstants(m_combinerInputs, stages);
   Color &secondary = m_combinerInputs.secondary = randomColor(random, true);
-  secondary[3] = 1.0; // what SecondaryColor3 gives it
+  secondary[3] = 1.0; // as SecondaryColor3 sets it
   glSecondaryColor3dv(secondary.data());
 }
 
@@ -156,7 +155,8 @@ void Scene::arrangeColoring(Random &random) {
   for (Environment &environment : m_environments)
     if (m_state.conventional && (environment.mode == EnvironmentMode::Combine ||
                                  environment.mode == EnvironmentMode::Decal))
-      environment = {EnvironmentMode::Modulate, {}, {}}; // what GL leaves undefined is the host's
+      // GL leaves this undefined, so that the host decides
+      environment = {EnvironmentMode::Modulate, {}, {}};
   if (!epoxy_has_gl_extension("GL_ATI_texture_env_combine3"))
     for (Environment &environment : m_environments)
       withoutAtis(environment);
@@ -191,8 +191,9 @@ void Scene::arrange(Random &random, int units) {
   };
 }
 
-/// NVIDIA's driver draws texture shaders before environments with the environment colours of the
-/// last draw that was before combiners, or without texture shaders: this is one, out of sight.
+/// Draws an invisible point. NVIDIA's driver draws texture shaders before environments with the
+/// environment colors of the last draw with combiners or without texture shaders, and this is such
+/// a draw.
 void Scene::makeConstantsCurrent() const {
   glEnable(GL_REGISTER_COMBINERS_NV);
   glBegin(GL_POINTS);

@@ -8,40 +8,40 @@
 #include "reduce.h"
 #include "textures.h"
 
-/// What random stages are drawn with: textures of every target and format, and an 8x8 grid of
-/// rectangles, each of one colour and one coordinate a unit, so that no interpolation stands
-/// between a draw and the specification.
+/// The scene for random stages: textures of every target and format, and an 8x8 grid of rectangles.
+/// Each has one color and one coordinate for each unit, so that interpolation does not affect the
+/// comparison with the specification.
 namespace shaded {
 
-inline constexpr int kCells = 8;    ///< a side
+inline constexpr int kCells = 8;    ///< on a side
 inline constexpr int kCellSize = 4; ///< in pixels
 inline constexpr int kSize = kCells * kCellSize;
 
-/// What the framebuffer holds before a draw.
+/// The framebuffer's content before a draw.
 inline constexpr std::array<float, 4> kClearColor = {0.2f, 0.4f, 0.6f, 0.8f};
 inline constexpr float kClearDepth = 0.125f;
 
-/// What the framebuffer gets of a fragment, before it is clamped.
+/// The color that the framebuffer receives from a fragment, before clamping.
 struct Colored {
   arbiter::fp::texture_shader::Color color{};
-  bool isExact = false; ///< of whole 255ths, and nothing else
+  bool isExact = false; ///< sum of whole 255ths
   double margin = 1.0;  ///< combiners::Evaluated::margin
 };
 
 class Scene {
 public:
-  /// \param peer for NVIDIA's driver: what it does otherwise (docs/write/texture_shaders.md) is
-  /// left out \param fx9 of Numerics::Fx9: register combiners of random states stand behind the
-  /// stages
+  /// Makes the scene. \param peer leaves out what NVIDIA's driver does differently
+  /// (docs/write/texture_shaders.md)
+  /// \param fx9 puts register combiners of random states behind the stages, for Numerics::Fx9
   Scene(bool peer, bool fx9);
-  /// New stages and new values for everything around them; GL is set to it.
+  /// Chooses new stages and new values for everything around them, and sets GL to it.
   void arrange(arbiter::fp::testing::Random &random, int units);
   void draw() const;
 
   [[nodiscard]] Kept kept() const { return {m_state, m_environments}; }
-  /// Stages and environments become these, in GL too, and all around them stays.
+  /// Restores stages and environments, in GL too, and keeps everything around them.
   void restore(const Kept &kept);
-  /// Prints what there is, and what its units make of a cell.
+  /// Prints the state, and its units' results for a cell.
   void describe(int cell) const;
 
   [[nodiscard]] const arbiter::fp::texture_shader::State &state() const { return m_state; }
@@ -72,8 +72,8 @@ private:
   std::array<const Texture *, arbiter::fp::texture_shader::kUnits> m_bound{};
   bool m_combines = false;
   int m_shown = 0;
-  arbiter::fp::combiners::State m_combiners;         ///< with m_fx9
-  arbiter::fp::combiners::Inputs m_combinerInputs{}; ///< without primary colours and textures
+  arbiter::fp::combiners::State m_combiners;         ///< used with m_fx9
+  arbiter::fp::combiners::Inputs m_combinerInputs{}; ///< without primary colors and textures
   arbiter::fp::texture_shader::Environments m_environments;
   std::array<arbiter::fp::texture_shader::Color, arbiter::fp::texture_shader::kUnits> m_constants{};
   arbiter::fp::texture_shader::Inputs m_inputs; ///< without coordinates

@@ -1,7 +1,7 @@
-// sequences [--first SEED] [--count N]: sequences of commands of NV_texture_shader, 2 and 3 whose
-// names and values are right and wrong, some of them in display lists, some between PushAttrib and
-// PopAttrib. Each command's error and the whole state behind each sequence are those of a model
-// that section 3.8.13.2 and the specifications' New State were made into. Ends with a line of JSON.
+// sequences [--first SEED] [--count N]: issues sequences of commands of NV_texture_shader, 2 and 3.
+// Their names and values are valid and invalid, some commands are in display lists, some between
+// PushAttrib and PopAttrib. A model from section 3.8.13.2 and the specifications' New State
+// predicts each command's error and the whole state after each sequence. Ends with a line of JSON.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using arbiter::fp::testing::Random;
 
 constexpr int kMostUnits = 8;
-constexpr int kCommands = 100; ///< of a sequence
+constexpr int kCommands = 100; ///< in a sequence
 constexpr GLenum kShader = GL_TEXTURE_SHADER_NV;
 
 /// An operation, the first unit that may have it, and whether another unit must follow.
@@ -256,7 +256,7 @@ bool isExpected(std::uint64_t seed, int at, const Command &c, GLenum expected) {
   return false;
 }
 
-/// One sequence; the state goes on from the one before.
+/// Runs one sequence; the state continues from the previous one.
 bool run(std::uint64_t seed, int units, Model &model, long &errors) {
   Random random(seed);
   const Model before = model;
@@ -275,7 +275,7 @@ bool run(std::uint64_t seed, int units, Model &model, long &errors) {
     errors += error != GL_NO_ERROR ? 1 : 0;
     if (firstError == GL_NO_ERROR)
       firstError = error;
-    // The host raises errors of its own environments where the list is compiled.
+    // For its own environments the host raises errors when the list is compiled.
     if (!lists)
       same = isExpected(seed, i, command, error) && same;
   }

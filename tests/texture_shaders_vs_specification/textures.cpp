@@ -13,14 +13,14 @@ using arbiter::fp::texture_shader::Signs;
 
 namespace {
 
-/// What pixels are given as: components of a type, each in steps of its greatest integer.
+/// A format of pixel data: components of a type, each in steps of its greatest integer.
 struct Format {
   GLenum internal;
   GLenum external;
   GLenum type;
   Base base;
   Signs signs;
-  std::array<int, 4> steps; ///< of each component: negative: signed; 0: none
+  std::array<int, 4> steps; ///< for each component; negative: signed; 0: none
 };
 
 constexpr Format kFormats[] = {
@@ -76,7 +76,7 @@ constexpr Format kFormats[] = {
      {-127, -127, 255, 255}},
 };
 
-/// Table 3.15: what is stored of a pixel.
+/// Returns what is stored of a pixel (table 3.15).
 Color stored(Base base, const Color &c) {
   switch (base) {
   case Base::Alpha:
@@ -99,8 +99,8 @@ template <typename T> void append(std::vector<std::uint8_t> &bytes, T value) {
   bytes.insert(bytes.end(), at, at + sizeof value);
 }
 
-/// Random pixels of the format as they lie in memory; their values to `values`.
-/// \param peer signed bytes of floats are as NVIDIA's driver stores them
+/// Returns random pixels of the format in memory layout, and their values in `values`.
+/// \param peer converts signed bytes to floats as NVIDIA's driver does
 std::vector<std::uint8_t> pixelsOf(Random &random, const Format &format, std::size_t count,
                                    bool peer, std::vector<Color> &values) {
   std::vector<std::uint8_t> bytes;
@@ -177,7 +177,7 @@ Texture begin(GLenum target) {
   return texture;
 }
 
-/// The texel of a coordinate along one side, in texels.
+/// Returns the texel of a coordinate along one side; both are in texels.
 int texelOf(double coordinate, int side, double &margin) {
   const double nearest = std::round(coordinate);
   if (nearest > 0.0 && nearest < side)

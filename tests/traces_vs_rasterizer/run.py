@@ -1,19 +1,18 @@
 #!/usr/bin/env python3
-"""Traces of the pixel debugger against the bits that the rasterizer drew, pixel by pixel.
+"""Compares traces of the pixel debugger with the bits that the rasterizer drew, pixel by pixel.
 
 usage: run.py --build BUILD [--count N] [--seed S] [--json FILE] [--latency]
 
-Half of the traces are of the gallery's documents, every pass of them at several frames, half of generated
-programs on a quad and on a torus. A trace is what the interpreter makes of the pixel's inputs; the
-rasterizer's colour must be that to the bit (NaNs are equal), or both must discard. Where a program calls a
-function the colours may differ by 2^-16, of a value above 1: machine code has functions of its own, within
-2^-21.8 (docs/design/machine_code.md).
-Where the bits are equal and the pass neither blends nor is masked, the picture has the trace's 8 bits too, but
-for one in a hundred: in a draw of the whole picture attributes may have another last bit than in that of one
-quad, and a sample of the nearest texel, or a KIL, then goes the other way. Each document is first traced by
-a command of its own, which says whether the rasterizer drew everything itself; further pixels are asked of
-the language server. The times of both are printed; --latency fails where they are beyond what is asked of
-the debugger (50 ms in the middle, 150 ms of 99 in 100).
+Half of the traces are of the gallery's documents, every pass of them at several frames; half of generated
+programs on a quad and on a torus. A trace is the interpreter's result for the pixel's inputs. The rasterizer's
+color must equal it to the bit (NaNs are equal), or both must discard. If a program calls a function, the colors may
+differ by 2^-16, relative above 1: machine code has its own functions, within 2^-21.8
+(docs/design/machine_code.md).
+If the bits are equal and the pass neither blends nor masks, the picture has the trace's 8 bits too, except for one
+in a hundred. In a draw of the whole picture the last bit of an attribute may differ from that in a draw of one
+quad, and a nearest sample or a KIL then goes the other way. Each document is first traced by a command, which tells
+whether the rasterizer drew everything itself; further pixels are requested from the language server. The times of
+both are printed; --latency fails if they exceed the debugger's requirement (median 50 ms, 99th percentile 150 ms).
 """
 import argparse
 import json
@@ -34,11 +33,11 @@ sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
 from lsp_client import Client  # noqa: E402
 from plain_environment import plain  # noqa: E402
 
-MOST_TRIES = 60  # for a pixel that the document covers
+MOST_TRIES = 60  # to find a pixel that the document covers
 MOST_COMMANDS = 15
-MOST_BARE = 2  # passes without a covered pixel in so many tries
+MOST_BARE = 2  # allowed passes without a covered pixel in that many tries
 PIXELS_OF_PROGRAM = 20
-# Polynomials in machine code, the C library in the interpreter.
+# Machine code has polynomials for these, the interpreter calls the C library.
 FUNCTIONS = {'COS', 'EX2', 'EXP', 'LG2', 'LIT', 'LOG', 'POW', 'RSQ', 'SCS', 'SIN'}
 ROUNDING = 2.0 ** -16
 ASKED = {'median': 0.050, 'p99': 0.150}
@@ -77,7 +76,7 @@ class Times:
 
 
 def is_opaque(text):
-    """The picture has the fragment's own colour."""
+    """True if the picture has the fragment's own color."""
     return not re.search(r'^#@.*\b(blend (?!off)|colour off)', text, re.MULTILINE)
 
 
@@ -86,7 +85,7 @@ def calls_functions(trace, text):
 
 
 def colour_of(trace):
-    """(value, the letters of its components that are written)."""
+    """Returns (value, the letters of its components that are written)."""
     results = {each['name']: each for each in trace['results']}
     colour = results.get('result.color') or results.get('result.color[0]')
     return (colour['value'], colour.get('mask', 'xyzw')) if colour else ([], '')
@@ -99,7 +98,7 @@ def within(mine, drawn):
 
 
 def is_pictured(value, picture):
-    """Whether 8 bits are those of a colour; the middle between two levels is rounded either way."""
+    """True if 8 bits match a color; the middle between two levels may be rounded either way."""
     for component, level in zip(value, bytes.fromhex(picture)):
         exact = component if isinstance(component, str) else 255 * min(max(component, 0.0), 1.0)
         if not isinstance(exact, str) and abs(exact - level) > 0.5 + 1e-4:
@@ -108,7 +107,7 @@ def is_pictured(value, picture):
 
 
 def fault(trace, rounded):
-    """What is wrong with a trace; empty: nothing."""
+    """Returns what is wrong with a trace; empty: nothing."""
     verdict = trace['verdict']
     if verdict['drawn'] is None or trace['discarded']:
         return '' if verdict['equal'] and verdict['drawn'] is None else 'one of the two discards'
@@ -128,7 +127,7 @@ def is_another_picture(trace):
 
 
 class Count:
-    """Of traces: all, and those whose colour is the drawn one to the bit."""
+    """Counts all traces, and those whose color equals the drawn one to the bit."""
 
     def __init__(self):
         self.all = self.equal = 0
@@ -179,7 +178,7 @@ class Suite:
         return [each // 4 + self.random.randrange(each // 2) for each in subject.size]
 
     def one_command(self, subject):
-        """A pixel that is covered, traced by a process of its own. None: there is none."""
+        """Traces a covered pixel by a process. Returns None if there is none."""
         for _ in range(MOST_COMMANDS):
             pixel = self.middle_pixel(subject)
             begin = time.monotonic()
@@ -210,7 +209,7 @@ class Suite:
         return answer, time.monotonic() - begin
 
     def further(self, subject, main, first, count):
-        """More pixels of the same pass, as an editor asks for them."""
+        """Traces more pixels of the same pass, as an editor requests them."""
         uri = main.as_uri()
         self.client.open(uri, main.read_text())
         self.ask(uri, subject, first)  # starts the process that draws
@@ -224,7 +223,7 @@ class Suite:
                 if 'covers this pixel' not in answer['error']['message']:
                     self.fail(subject, pixel, answer['error']['message'])
                     break
-                # What covers nothing ends the session; the next request starts another.
+                # A pixel that nothing covers ends the session; the next request starts another.
                 self.ask(uri, subject, first)
                 continue
             done += 1
@@ -239,12 +238,12 @@ class Suite:
 
 
 def gallery(build, chooser):
-    """(Subject, the document's file) of every pass."""
+    """Yields (Subject, the document's file) of every pass."""
     folder = ROOT / 'demos' / 'gallery'
     for main in sorted(folder.glob('*.fp')):
         text = main.read_text()
         if not re.search(r'^#@.*\btitle\b', text, re.MULTILINE):
-            continue  # a further pass of another one
+            continue  # a further pass of another document
         panel = '\n'.join(re.findall(r'^#@.*', text, re.MULTILINE))
         names = [main.name] + re.findall(r'\bthen ([\w.-]+)', panel)
         for number, name in enumerate(names, 1):

@@ -1,6 +1,6 @@
 // usage: spell_programs SEED COUNT
-// Prints generated fragment programs as documents, a JSON array of texts: a mesh, values for the
-// parameters that the program reads and images for the units whose kind documents have.
+// Prints generated fragment programs as documents, in a JSON array of texts: a mesh, values for the
+// parameters that the program reads, and images for the units whose kind documents support.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +25,7 @@ std::string parameterLine(const ir::Parameter &parameter, Random &random) {
   return line + "\n";
 }
 
-/// Units of testing::kUnitTargets: 0 is 2D, 1 1D, 3 CUBE, 4 RECT.
+/// The units of testing::kUnitTargets: 0 is 2D, 1 1D, 3 CUBE, 4 RECT.
 constexpr const char *kTextures =
     "#@ texture 0 = clouds 32 32, linear\n#@ texture 1 = gradient 32 1 power 2, linear\n"
     "#@ texture 3 = normalise 16\n#@ texture 4 = noise 16 16, nearest, edge\n";
@@ -45,7 +45,7 @@ std::string panelOf(const ir::Program &program, std::uint64_t seed) {
   return panel + kTextures;
 }
 
-/// The verdict is on the first colour; a program that writes only others has none.
+/// True if a program writes the first color, which the verdict is about.
 bool writesFirstColour(const ir::Program &program) {
   return std::any_of(program.outputs.begin(), program.outputs.end(), [](const ir::Output &output) {
     return output.kind == ir::OutputKind::Color && output.index == 0;

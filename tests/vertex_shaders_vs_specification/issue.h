@@ -5,22 +5,22 @@
 
 #include "fp_compiler/testing/vertex_shader/random_shader.h"
 
-/// A random shader by the commands of EXT_vertex_shader.
+/// Issues a random shader by the commands of EXT_vertex_shader.
 namespace vertex_shaders {
 
-/// The shader as an application has it: its names, and what they are of.
+/// A shader in the application's view: its names and their kinds.
 class Issued {
 public:
-  /// Generates its symbols and defines the shader, which is bound.
+  /// Generates its symbols and defines the shader, which stays bound.
   explicit Issued(const arbiter::fp::testing::RandomVertexShader &made);
   ~Issued();
   Issued(const Issued &) = delete;
   Issued &operator=(const Issued &) = delete;
 
-  /// Gives GL's state, invariants and attributes their values. Variants are current values, or
-  /// arrays of one vertex that draw() enables.
+  /// Sets GL's state, invariants and attributes. Variants are current values, or arrays of one
+  /// vertex that draw() enables.
   void setValues(bool arrays);
-  /// One point.
+  /// Draws one point.
   void draw() const;
 
 private:
@@ -36,7 +36,7 @@ private:
 
   const arbiter::fp::testing::RandomVertexShader &m_made;
   GLuint m_shader = 0;
-  std::vector<GLuint> m_names; ///< of each symbol
+  std::vector<GLuint> m_names; ///< of the symbols
   std::vector<std::array<GLfloat, 16>> m_values;
   bool m_arrays = false;
 };

@@ -1,7 +1,7 @@
 // vertex_shaders [--first SEED] [--count N] [--verbose]: defines random shaders of
-// EXT_vertex_shader, draws a point with each for every result, and compares what a fragment program
-// finds there with the table of operations, worked out in double precision. Ends with one line of
-// JSON: what was drawn, what differs, what was not judged.
+// EXT_vertex_shader and draws a point with each for every result. A fragment program reads the
+// result, which is compared with the table of operations, computed in double precision. Ends with
+// one line of JSON: what was drawn, what differs, what was not judged.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,10 +18,10 @@ namespace {
 using namespace arbiter::fp;
 using testing::VertexShaderResults;
 
-/// Results are seen one after the other: coordinates, colours, fog.
+/// Each view shows one result: coordinates, colors, fog.
 constexpr int kViews = testing::kRandomTexCoords + 3;
-constexpr double kTolerance = 2e-3;   ///< of the value, or of one where that is more
-constexpr double kDisturbance = 1e-4; ///< single precision and a host's powers and logarithms
+constexpr double kTolerance = 2e-3;   ///< relative to the value, or to one if that is more
+constexpr double kDisturbance = 1e-4; ///< single precision, and a host's powers and logarithms
 
 struct Options {
   Seeds seeds;
@@ -43,7 +43,7 @@ void makeTarget() {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
 }
 
-/// Programs that show a result each.
+/// Makes the programs that show one result each.
 void makeViews(GLuint (&programs)[kViews]) {
   glGenProgramsARB(kViews, programs);
   for (int view = 0; view < kViews; ++view) {
@@ -59,7 +59,8 @@ void makeViews(GLuint (&programs)[kViews]) {
   }
 }
 
-/// Component `c` of what a view shows; of the fog coordinate only the first is the shader's.
+/// Returns the expected component `c` of a view; only the first component of the fog coordinate is
+/// the shader's.
 double expected(const VertexShaderResults &results, int view, std::size_t c) {
   const int rest = view - testing::kRandomTexCoords;
   if (rest < 0)

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Random shaders of EXT_vertex_shader, defined by its commands and drawn with by the layer on the host and by its
-rasterizer, against the table of operations of the specification
+"""Tests random shaders of EXT_vertex_shader, defined by its commands. The layer draws with them on the host and by its
+rasterizer; the reference is the specification's table of operations
 (src/fp_compiler/testing/vertex_shader/evaluate.cpp).
 
   run.py --build build [--first SEED] [--count N] [--backend host|swrast|both] [--profile NAME] [--json FILE]
 
-Every result is read from a buffer of floats. Where a disturbance of 1e-4 in each operation changes a result by more
-than half of what it may differ by, as where a floor is next to a whole number, nothing is decided and the result is not
-judged: at most one in five of them, or the run fails. So it does where the rasterizer leaves more draws to the host
-than one in fifty.
+Every result is read from a buffer of floats. A result is not judged if a disturbance of 1e-4 in each operation changes
+it by more than half of its tolerance, for example if a floor is next to a whole number. The run fails if that happens
+to more than one in five, or if the rasterizer leaves more than one in fifty draws to the host.
 
 Ends with "N passed, N failed, 0 skipped".
 """

@@ -30,14 +30,15 @@ QString firstThatExists(const QStringList &paths) {
   return {};
 }
 
-/// Of the XDG base directory specification; Qt 6.4 has no name for it.
+/// Returns the state folder of the XDG base directory specification; Qt 6.4 has no name for it.
 QString stateFolder() {
   const QString home = qEnvironmentVariable("XDG_STATE_HOME");
   return (home.startsWith(u'/') ? home : QDir::homePath() + QStringLiteral("/.local/state")) +
          QStringLiteral("/arbiter-builder");
 }
 
-/// GL says nothing of it: the text is right, and a checker with the unit's number is drawn.
+/// Returns a warning of the window's own: to GL the text is valid, and a checker with the unit's
+/// number is drawn.
 Problem problemOf(const UnsetUnit &unset, const QString &text) {
   Problem problem;
   problem.severity = Severity::Warning;
@@ -158,7 +159,8 @@ void Workbench::draw() {
     m_other.want(wanted);
 }
 
-/// The renderer that stays takes the value alone; for others, and on release, the text has it.
+/// Handles a moving slider. `arbiter render` takes the value alone; for other renderers, and on
+/// release, the text gets it.
 void Workbench::sliderMoved(int line, int component, double) {
   const ParameterLine &moved = m_parameters.lines()[line];
   LiveValue live;
@@ -176,7 +178,7 @@ bool Workbench::turnCamera(double yaw, double pitch, double distance) {
   const SceneSettings settings = sceneOf(document().text());
   if (settings.camera != u"orbit")
     return false;
-  double lowest = -90, highest = 90; // how far it may turn up and down from the text's
+  double lowest = -90, highest = 90; // limits of the pitch relative to the text's
   for (const ArgumentValue &each : settings.cameraArguments)
     if (each.name == u"pitch") {
       lowest -= each.value;
@@ -209,7 +211,7 @@ void Workbench::diagnosed(qint64 revision, const QList<Problem> &problems) {
       return;
     Report report = Report::of(json.toObject());
     if (report.gauges.isEmpty() && !m_report.gauges.isEmpty())
-      return; // a wrong text: the gauges of the last right one stay
+      return; // the text is invalid: the gauges keep the last valid one
     m_report = report;
     Q_EMIT reportChanged();
   });
@@ -235,9 +237,10 @@ void Workbench::setState(PictureState state) {
   Q_EMIT statusChanged();
 }
 
-/// What the language server says is said once; the renderer adds what only drawing finds.
+/// Merges the problems, so that those of the language server are listed once; the renderer adds
+/// those that only drawing finds.
 void Workbench::mergeProblems() {
-  const bool isBegun = !document().text().trimmed().isEmpty(); // nothing is wrong with no text
+  const bool isBegun = !document().text().trimmed().isEmpty(); // an empty text has no problems
   QList<Problem> all = isBegun ? m_ofLanguage : QList<Problem>();
   for (const Problem &problem : m_ofRenderer) {
     const bool said = std::any_of(all.cbegin(), all.cend(), [&](const Problem &other) {

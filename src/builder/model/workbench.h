@@ -13,27 +13,28 @@
 
 namespace arbiter::builder {
 
-/// Where the window finds things.
+/// Paths that the window uses.
 struct Places {
   QString arbiter;  ///< the command
   QString journals; ///< a folder
   QString held;     ///< the file that remembers texts that stopped the renderer
   QString gallery;  ///< a folder of documents; empty: none
 
-  /// Beside the executable, in its build tree or installation, and in the user's folder of state.
+  /// Returns the paths beside the executable, in its build tree or installation, and in the user's
+  /// state folder.
   [[nodiscard]] static Places standard();
 };
 
-/// How the picture stands to the text.
+/// The relation of the picture to the text.
 enum class PictureState {
-  None,    ///< nothing is drawn yet
-  Newest,  ///< it is the text's
-  Waiting, ///< the text's is on its way
-  Wrong,   ///< the text is wrong; an older one is drawn
-  Held,    ///< the text stopped the renderer; an older one is drawn
+  None,    ///< nothing has been drawn yet
+  Newest,  ///< it shows the text
+  Waiting, ///< the text is being drawn
+  Wrong,   ///< the text is invalid; an older one is shown
+  Held,    ///< the text stopped the renderer; an older one is shown
 };
 
-/// One document with all that works on it: the window without widgets.
+/// One document with all its services: the window without widgets.
 class Workbench : public QObject {
   Q_OBJECT
 public:
@@ -44,12 +45,12 @@ public:
   [[nodiscard]] Document &document() { return m_file.document(); }
   [[nodiscard]] LspClient &language() { return m_lsp; }
   [[nodiscard]] RendererSession &renderer() { return m_session; }
-  /// The picture that the newest is compared with, drawn in another process.
+  /// Returns the session of the picture that the newest is compared with, drawn in another process.
   [[nodiscard]] RendererSession &other() { return m_other; }
   [[nodiscard]] Parameters &parameters() { return m_parameters; }
   [[nodiscard]] Trace &trace() { return m_trace; }
 
-  /// Starts the language server and draws. Call it once, with the document open or not.
+  /// Starts the language server and draws. Call it once, with or without an open document.
   void start();
   void setProfile(const QString &profile);
   void setNumerics(const QString &numerics);
@@ -60,17 +61,17 @@ public:
   [[nodiscard]] PictureState pictureState() const { return m_pictureState; }
   [[nodiscard]] const QImage &picture() const { return m_frame.image; }
   [[nodiscard]] const Frame &frame() const { return m_frame; }
-  /// "revision 41 is wrong; revision 40 is drawn"
+  /// Returns "revision 41 is wrong; revision 40 is drawn" or the like.
   [[nodiscard]] QString statusText() const;
 
-  /// Traces a pixel of the picture: from the left, from the bottom.
+  /// Traces a pixel of the picture, counted from the left and the bottom.
   void debugPixel(QPoint pixel);
   [[nodiscard]] std::optional<QPoint> debuggedPixel() const { return m_pixel; }
-  /// Makes A of a register's values after a row of the trace, over the whole picture: [0,1] is
-  /// black to white.
+  /// Sets A to a register's values after a row of the trace, over the whole picture: [0,1] is black
+  /// to white.
   void watchRow(int row);
 
-  /// Takes the newest picture as A; what is drawn from here on is B. Its text and options are kept.
+  /// Takes the newest picture as A, with its text and options. Everything drawn from now on is B.
   void pin();
   void unpin();
   [[nodiscard]] bool isPinned() const { return !m_pinned.isNull(); }
@@ -79,13 +80,13 @@ public:
   void compareWith(const RenderOptions &options);
   [[nodiscard]] const QString &pinnedName() const { return m_pinnedName; }
 
-  /// The document as it is drawn, with held sliders and a held camera where they are.
+  /// Returns the document to draw, with the values of held sliders and of a held camera.
   [[nodiscard]] Scene scene() const;
 
-  /// Turns an orbiting camera by so many degrees more, its distance times the factor. The picture
-  /// follows, the text does not until releaseCamera(). \returns false where there is no such camera
+  /// Turns an orbiting camera by degrees and scales its distance. The picture follows at once, the
+  /// text at releaseCamera(). \returns false if there is no such camera
   bool turnCamera(double yaw, double pitch, double distance = 1);
-  /// The camera is let go: the text has where it is, as one undo step.
+  /// Releases the camera: the text gets its values, as one undo step.
   void releaseCamera();
 
 Q_SIGNALS:
@@ -95,7 +96,7 @@ Q_SIGNALS:
   void pinnedChanged();
   void statusChanged();
   void traceFailed(const QString &why);
-  /// For a message to the user.
+  /// Reports a message for the user.
   void notice(const QString &message);
 
 private:
@@ -122,32 +123,33 @@ private:
   OpenFile m_file;
   LspClient m_lsp;
   RendererSession m_session;
-  RendererSession m_other;     ///< of A: paused, and taken to the time of each frame of B
-  bool m_otherIsAsked = false; ///< for a frame, which has not come
-  double m_otherTime = -1;     ///< of the frame that was asked for last, s
-  int m_otherSteps = 0;        ///< of the newest frame of A, with feedback; 0: none has come
-  QTimer m_together;           ///< with feedback both go on when both are there
-  bool m_stepIsAsked = false;  ///< of B, and has not come
-  QElapsedTimer m_since;       ///< with feedback: of the last frame of either
+  /// draws A; it is paused, and its time is set to that of each frame of B
+  RendererSession m_other;
+  bool m_otherIsAsked = false; ///< a frame of A was requested and has not come
+  double m_otherTime = -1;     ///< time of the last requested frame of A, in seconds
+  int m_otherSteps = 0;        ///< with feedback: steps of the newest frame of A; 0: none has come
+  QTimer m_together;           ///< with feedback: both continue when both frames are there
+  bool m_stepIsAsked = false;  ///< a step of B was requested and has not come
+  QElapsedTimer m_since;       ///< with feedback: since the last frame of either
   Parameters m_parameters;
   Trace m_trace;
   ToolRun m_debugTool;
   ToolRun m_watchTool;
-  QTimer m_redraw; ///< one draw for what changes in one turn of the event loop
+  QTimer m_redraw; ///< one draw for all changes within one turn of the event loop
 
   QList<Problem> m_ofLanguage, m_ofRenderer, m_problems;
   Report m_report;
   Frame m_frame;
   PictureState m_pictureState = PictureState::None;
-  QString m_why; ///< of Held
+  QString m_why; ///< the reason of Held
   double m_busy = 0;
   std::optional<QPoint> m_pixel;
   QImage m_pinned;
   QString m_pinnedName;
-  std::optional<Turn> m_turn; ///< of a held camera, from where the text has it
+  std::optional<Turn> m_turn; ///< a held camera's rotation relative to the text's
   std::optional<RenderOptions> m_otherOptions;
-  qint64 m_drawNumber = 0;            ///< of scenes; held sliders draw one revision many times
-  QHash<qint64, qint64> m_revisionOf; ///< the document's revision by draw number
+  qint64 m_drawNumber = 0;            ///< counts scenes; held sliders draw one revision many times
+  QHash<qint64, qint64> m_revisionOf; ///< the document's revision, by draw number
 };
 
 } // namespace arbiter::builder

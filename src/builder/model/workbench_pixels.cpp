@@ -1,4 +1,4 @@
-// What the workbench does with a picture: traces a pixel of it, compares it with another.
+// Operations on the workbench's picture: tracing a pixel, comparing with another picture.
 #include <QTemporaryFile>
 #include <cmath>
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace arbiter::builder {
 
-/// `arbiter debug` of a pixel, of the frame that is shown, as it is drawn.
+/// Returns the arguments of `arbiter debug` for a pixel of the displayed frame, with the options it
+/// is drawn with.
 QStringList Workbench::debugWords(QPoint pixel) const {
   const double rate = sceneOf(m_file.document().text()).rate;
   QStringList words{
@@ -33,7 +34,7 @@ void Workbench::debugPixel(QPoint pixel) {
                            ? tr("the debugger ended with code %1").arg(result.code)
                            : result.complaint);
   });
-  Q_EMIT pictureChanged(); // its mark
+  Q_EMIT pictureChanged(); // the picture's mark has changed
 }
 
 void Workbench::watchRow(int row) {
@@ -71,23 +72,23 @@ void Workbench::unpin() {
   Q_EMIT pinnedChanged();
 }
 
-/// A is drawn no more: what is shown as A stays.
+/// Stops drawing A; its last picture stays.
 void Workbench::endFollowing() {
   m_otherOptions.reset();
   letGo();
 }
 
-/// B waits for A no longer.
+/// Stops B from waiting for A.
 void Workbench::letGo() {
   m_otherSteps = 0;
   m_together.stop();
   m_session.setHeldBack(false);
 }
 
-/// With feedback a frame of A is shown when it follows from as many frames as B's.
+/// Takes a frame of A. With feedback it is shown once it has as many steps as B's.
 void Workbench::takeOther(const Frame &frame) {
   m_otherIsAsked = false;
-  if (!m_otherOptions) // an earlier picture is A now
+  if (!m_otherOptions) // A is an earlier picture now
     return;
   m_otherSteps = frame.steps;
   if (m_otherSteps == m_frame.steps) {
@@ -97,9 +98,9 @@ void Workbench::takeOther(const Frame &frame) {
   followTime();
 }
 
-/// Two renderers have two clocks: A is taken to B's time, a frame after the other.
+/// Sets A's time to B's, one frame after the other, as the two renderers have separate clocks.
 void Workbench::followTime() {
-  constexpr double kWithinAFrame = 1e-6; // against rounding down to the frame before
+  constexpr double kWithinAFrame = 1e-6; // against rounding down to the previous frame
   if (!m_otherOptions)
     return;
   if (m_frame.steps > 0)
@@ -112,8 +113,8 @@ void Workbench::followTime() {
   m_other.setTime(m_frame.time + kWithinAFrame);
 }
 
-/// A document with feedback has no picture of a time, but one of so many frames before it. A is
-/// taken to as many, which may take a while, and B waits for it.
+/// Brings A to as many steps as B, while B waits. With feedback a picture depends on the number of
+/// frames before it, not on a time.
 void Workbench::followSteps() {
   constexpr int kMilliseconds = 16;
   if (m_otherSteps == 0)
@@ -128,8 +129,8 @@ void Workbench::followSteps() {
   m_other.setSteps(m_frame.steps);
 }
 
-/// The next frame of B, when A has this one. A frame that was asked for may not come (its process
-/// went, or the document changed): it is asked for again.
+/// Requests B's next frame once A has the present one. A requested frame may never come (its
+/// process ended, or the document changed); it is then requested again.
 void Workbench::stepTogether() {
   constexpr qint64 kPatience = 3000;
   if (m_since.elapsed() > kPatience) {

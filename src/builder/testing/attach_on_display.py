@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The window attached to a real client: both on a display of their own, the client under
+"""Tests the window attached to a real client: both on a display of their own, the client under
 `arbiter run --control`.
 
 usage: attach_on_display.py ARBITER PAINTER WINDOW_TEST

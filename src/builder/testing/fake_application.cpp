@@ -59,7 +59,7 @@ void FakeApplication::disconnected(control::ClientId) {
   m_held = false;
 }
 
-/// A frame of one colour.
+/// Lends a frame of one color.
 void FakeApplication::lend(control::ClientId client) {
   const int slot = m_ring->take();
   if (slot < 0)
@@ -69,7 +69,7 @@ void FakeApplication::lend(control::ClientId client) {
     std::uint8_t *const pixel = m_ring->pixels(slot) + 4 * i;
     pixel[0] = red ? 255 : 0;
     pixel[1] = red ? 0 : 255;
-    pixel[2] = pixel[3] = 0; // a window's alpha may be anything
+    pixel[2] = pixel[3] = 0; // a window's alpha may have any value
   }
   m_server->send(client,
                  control::eventLine("frame", {{"serial", 1}, {"slot", slot}, {"number", 1}}));

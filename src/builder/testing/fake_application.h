@@ -11,10 +11,10 @@
 
 namespace arbiter::builder::testing {
 
-/// An application that is controlled, without GL: it listens where the layer would, in a folder of
-/// its own, and has one fragment program, one parameter and one texture. A text with the word
-/// "wrong" is wrong; one with "red" makes its frames red, which are green at first. Like the layer
-/// it undoes all when its client goes.
+/// A controlled application without GL. It listens as the layer would, in a folder of its own, and
+/// has one fragment program, one parameter and one texture. A text with the word "wrong" is
+/// invalid; one with "red" makes its green frames red. Like the layer it undoes all changes when
+/// its client goes.
 class FakeApplication : public control::Service {
 public:
   FakeApplication();
@@ -26,16 +26,16 @@ public:
   static constexpr const char *kText = "!!ARBfp1.0\nMOV result.color, program.local[0];\nEND\n";
   static constexpr int kWidth = 4, kHeight = 2;
 
-  /// The text that stands in for its own; empty: none.
+  /// Returns the text that replaces the program's own; empty: none.
   [[nodiscard]] std::string edit();
-  /// program.local[0].x, as it is drawn with.
+  /// Returns the present value of program.local[0].x.
   [[nodiscard]] double value();
   [[nodiscard]] int clients() const { return m_clients; }
-  /// Requests so far of a method.
+  /// Returns the number of requests of a method so far.
   [[nodiscard]] int count(const std::string &method);
-  /// Hangs up on everyone.
+  /// Disconnects all clients.
   void end();
-  /// The next `program.set` is answered so much later.
+  /// Delays the answer to the next `program.set`.
   void setDelay(int milliseconds) { m_delay = milliseconds; }
 
   void connected(control::ClientId client, pid_t process) override;
@@ -53,7 +53,7 @@ private:
   std::shared_ptr<control::FrameRing> m_ring;
   std::thread m_thread;
   std::atomic<int> m_clients{0}, m_delay{0};
-  std::mutex m_mutex; ///< what follows
+  std::mutex m_mutex; ///< guards the members below
   std::string m_edit;
   double m_value = 0.25;
   bool m_held = false;

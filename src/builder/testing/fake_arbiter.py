@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A stand-in of `arbiter render` (docs/write/control.md) that draws no GL: a text is a colour.
+"""A stand-in for `arbiter render` (docs/write/control.md) that draws without GL: a text is a color.
 
-The picture is 4x2 pixels, all of the colour that stands behind "colour " in the text as six digits,
-but the bottom left one, which is white. "wrong" in the text is refused, "crash" ends the process by a
-signal, "hang" never answers, "slow" takes 0.3 s.
+The picture has 4x2 pixels. All have the color that follows "colour " in the text as six digits, except the bottom left
+one, which is white. "wrong" in the text is refused, "crash" ends the process by a signal, "hang" never answers,
+"slow" takes 0.3 s.
 """
 import fcntl
 import json
@@ -17,8 +17,8 @@ import time
 
 WIDTH, HEIGHT = 4, 2
 STRIDE = WIDTH * 4
-SLOT = mmap.PAGESIZE  # as a slot of so few pixels is
-F_ADD_SEALS, SEALS = 1033, 0x2 | 0x4  # against shrinking and growing
+SLOT = mmap.PAGESIZE  # the slot size of such small pictures
+F_ADD_SEALS, SEALS = 1033, 0x2 | 0x4  # the seals against shrinking and growing
 
 
 class Renderer:
@@ -72,7 +72,7 @@ class Renderer:
                  'end': at + 5, 'line': 1, 'column': at + 1}]}
         digits = re.search('colour ([0-9a-f]{6})', text)
         self.colour = tuple(bytes.fromhex(digits.group(1))) if digits else (0, 0, 0)
-        if 'started with' in text:  # red: for that profile; green: with those numerics
+        if 'started with' in text:  # red: with that profile; green: with those numerics
             self.colour = (255 * ('nv30' in sys.argv), 255 * ('fp24' in sys.argv), 0)
         self.draw()
         return {'ok': True, 'superseded': False, 'revision': self.revision, 'diagnostics': [],

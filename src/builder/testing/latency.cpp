@@ -1,6 +1,6 @@
-// How long the window takes, in milliseconds: from its start to the first picture, from a key to
-// the squiggle, from a key to the new pixels, from a slider to the new pixels. Pixels count when
-// the picture's widget has painted them.
+// Measures how long the window takes, in milliseconds: from its start to the first picture, from a
+// key to the squiggle, from a key to the new pixels, from a slider to the new pixels. Pixels count
+// when the picture's widget has painted them.
 //   QT_QPA_PLATFORM=offscreen ARBITER_COMMAND=.../arbiter builder_latency [TURNS]
 #include <QApplication>
 #include <QElapsedTimer>
@@ -25,7 +25,7 @@ namespace {
 using testing::serve;
 using testing::waitFor;
 
-/// A program of 96 instructions whose red is the parameter's, and whose green is `tone`.
+/// Returns a long program whose red is the parameter's, and whose green is `tone`.
 QString program(int instructions) {
   QString text = QStringLiteral("!!ARBfp1.0\n#@ size 512 512, profile nv30\n"
                                 "#@ local[0].x \"red\" = 0.25 in 0..1\n"
@@ -49,7 +49,7 @@ void print(const char *what, std::vector<double> times) {
   std::fflush(stdout);
 }
 
-/// Until the widget has painted a picture of that colour.
+/// Waits until the widget has painted a picture of that color.
 class Painted : public QObject {
 public:
   explicit Painted(PictureView &view) : m_view(view) { view.installEventFilter(this); }
@@ -73,7 +73,7 @@ private:
   bool m_seen = false;
 };
 
-/// What did not come within the time that tests wait; null: all was measured.
+/// Measures all. Returns what did not come in the time that tests wait; null: everything came.
 const char *measure(int turns) {
   QTemporaryDir folder;
   QElapsedTimer since;
@@ -101,7 +101,7 @@ const char *measure(int turns) {
     const int before = bench.picture().pixelColor(256, 256).green();
     since.restart();
     bench.document().closeStep();
-    editor.textCursor().deletePreviousChar(); // "0." alone: then another digit
+    editor.textCursor().deletePreviousChar(); // leaves "0."; then another digit
     const char key = char('2' + turn % 7);
     QTest::keyClick(&editor, key);
     if (!painted.waits([&](QColor c) { return c.green() != before; }))

@@ -9,8 +9,8 @@
 
 namespace arbiter::builder::testing {
 
-/// Serves events until the condition holds. \returns false after \p milliseconds without it; they
-/// are many, as machines that test are busy.
+/// Handles events until the condition holds. \returns false after \p milliseconds without it; the
+/// default is long, as test machines are busy
 inline bool waitFor(const std::function<bool()> &condition, int milliseconds = 60000) {
   QElapsedTimer since;
   since.start();
@@ -22,7 +22,7 @@ inline bool waitFor(const std::function<bool()> &condition, int milliseconds = 6
   return true;
 }
 
-/// Serves events for some time.
+/// Handles events for some time.
 inline void serve(int milliseconds) {
   QElapsedTimer since;
   since.start();

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs a program of Qt's on a display of its own, as a user's is: through X, not off screen.
+"""Runs a Qt program on an X display of its own, as for a user, not off screen.
 
 usage: on_display.py PROGRAM [ARGUMENT...]
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`arbiter builder --screenshot`, as a script runs it: no display, a picture, an end.
+"""Tests `arbiter builder --screenshot` as a script runs it: without a display it writes a picture and exits.
 
 usage: screenshot_command_test.py ARBITER GALLERY [UNITTEST ARGUMENT...]
 """

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Pictures of the window's views, light and dark, at one and two pixels a unit.
+"""Takes pictures of the window's views, light and dark, at one and two pixels a unit.
 
 usage: screenshots.py ARBITER_BUILDER GALLERY [--quick | --pages] [--out FOLDER] [--demo PROGRAM]
 
-Every picture must have the size that its scale asks for, and show more than one colour; those of one
-view in light and dark must differ. --quick takes one of each kind. --pages takes those that the
-documentation shows (docs/pictures), which have at most 100 KB each; with --out docs/pictures they are
-made anew. Without --out pictures are thrown away. --demo is an application that the window is
-attached to, on a display of its own (Xvfb): without it that picture is left out. The environment's
-ARBITER_COMMAND is the `arbiter` that runs it.
+Every picture must have the size that its scale implies, and more than one color; light and dark pictures of a view
+must differ. --quick takes one of each kind. --pages takes the pictures of the documentation (docs/pictures), which
+have at most 100 KB each; --out docs/pictures replaces them. Without --out pictures are deleted. --demo is an
+application that the window is attached to, on a display of its own (Xvfb); without it that picture is left out. The
+environment's ARBITER_COMMAND is the `arbiter` that runs it.
 """
 import argparse
 import contextlib
@@ -25,7 +24,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / 'tests' / '
 import x_server  # noqa: E402
 
 WRONG = ('MAD offset, offset, magnitude.x', 'MAD offset, ofset, magnitude.x')
-# (name, document, what is replaced in it, panel, pixel to debug)
+# (name, document, replacement in its text, panel, pixel to debug)
 SHOTS = [
     ('picture', 'twirl.fp', None, 'Parameters', ''),
     ('error', 'twirl.fp', WRONG, 'Problems', ''),
@@ -39,9 +38,9 @@ SHOTS = [
     ('bench', 'gooch.fp', None, 'Bench', ''),
     ('gallery', None, None, 'Gallery', ''),
 ]
-# Those of the pages: the same, with colours, size and further options. What is edited was drawn
-# before, and is drawn still.
-PAGES = [  # pictures of few colours pack well
+# The pages' pictures have colors, size and further options as well. A text that is edited was drawn before, and the old
+# picture stays.
+PAGES = [  # pictures of few colors compress well
     ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 640), ()),
     ('error', 'life.fp', None, 'Problems', '', 'light', (920, 680),
      ('--edit', 'ADD n, here, step.wyww=>ADD n, here, stp.wyww')),
@@ -59,7 +58,7 @@ KINDS = [(colours, scale) for colours in ('light', 'dark') for scale in (1, 2)]
 
 
 def size_of(png):
-    """(width, height) of a PNG, and whether it has more than one colour."""
+    """Returns (width, height) of a PNG, and whether it has more than one color."""
     data = png.read_bytes()
     assert data[:8] == b'\x89PNG\r\n\x1a\n', png
     size = struct.unpack('>II', data[16:24])
@@ -96,7 +95,7 @@ def shoot(arguments, shot, colours, scale, png, folder, more=(), **further):
 
 @contextlib.contextmanager
 def application(demo, folder):
-    """The demo under `arbiter run --control`, drawing: its process, and the folder of its socket."""
+    """Starts the demo under `arbiter run --control`. Returns its process, and the folder of its socket."""
     runtime = folder / 'runtime'
     runtime.mkdir(mode=0o700)
     with x_server.XServer('640x480x24') as display:
@@ -116,7 +115,7 @@ def application(demo, folder):
 
 
 def fault_of(done, png, size):
-    """What is wrong with a page's picture; nothing if it is as it should be."""
+    """Returns the fault of a page's picture, or nothing."""
     if done.returncode != 0 or not png.exists():
         return f'status {done.returncode}: {done.stderr[-400:]}'
     if size_of(png)[0] != size:
@@ -137,7 +136,7 @@ def take_attached(arguments, png, folder):
 
 
 def take_pages(arguments, out, folder):
-    """The documentation's pictures; returns how many failed."""
+    """Takes the documentation's pictures; returns how many failed."""
     failed = 0
     for *shot, colours, size, more in PAGES:
         if arguments.only not in (None, shot[0]):

@@ -22,7 +22,7 @@ int typeForEver(const QString &journals) {
   QObject::connect(&speak, &QTimer::timeout, [&] {
     for (; said < typist.typed().size(); ++said)
       if (::write(STDOUT_FILENO, "\n", 1) != 1)
-        ::_exit(1); // the test is gone
+        ::_exit(1); // the test has ended
   });
   speak.start(1);
   return QApplication::exec();

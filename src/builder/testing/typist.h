@@ -6,7 +6,8 @@
 
 namespace arbiter::builder::testing {
 
-/// Types comment lines into a widget, a key a turn, for as long as events are served.
+/// Types comment lines into a widget, one key for each turn of the event loop, while events are
+/// handled.
 class Typist {
 public:
   Typist(QWidget &into, int milliseconds) : m_into(into) {
@@ -16,17 +17,17 @@ public:
   Typist(const Typist &) = delete;
   Typist &operator=(const Typist &) = delete;
 
-  /// Ends a line that has begun: what follows is a program again.
+  /// Ends an unfinished line, so that the text is a valid program again.
   void stop() {
     m_timer.stop();
     while (!m_typed.isEmpty() && !m_typed.endsWith(u'\n'))
       key();
   }
   [[nodiscard]] const QString &typed() const { return m_typed; }
-  /// Milliseconds that the slowest key took.
+  /// Returns the milliseconds that the slowest key took.
   [[nodiscard]] double slowest() const { return m_slowest; }
 
-  /// What so many keys type.
+  /// Returns the text that so many keys type.
   [[nodiscard]] static QString text(qsizetype characters) {
     QString all;
     for (int line = 0; all.size() < characters; ++line)
@@ -53,8 +54,8 @@ private:
   double m_slowest = 0;
 };
 
-/// The process that a test kills: the window, with a text that is typed for ever; a line on
-/// standard output a character, when its key is through.
+/// Runs the process that a test kills: a window in which a text is typed forever. It writes one
+/// line to standard output for each character, after its key has been handled.
 /// \param journals the folder of its journal
 [[nodiscard]] int typeForEver(const QString &journals);
 

@@ -22,7 +22,7 @@ inline const QString kText = QStringLiteral("!!ARBfp1.0\n"
                                             "MOV result.color.x, red.x;\n"
                                             "END\n");
 
-/// The action of that name, as a menu or a key runs it.
+/// Runs the action of that name, as a menu or a key does.
 inline void runAction(MainWindow &window, const char *name) {
   for (QAction *action : window.findChildren<QAction *>())
     if (action->text().remove(u'&') == QLatin1StringView(name))
@@ -30,7 +30,7 @@ inline void runAction(MainWindow &window, const char *name) {
   FAIL() << "no action " << name;
 }
 
-/// As soon as a dialog is open, \p answer gets it.
+/// Calls \p answer with the next dialog that opens.
 inline void whenAsked(const std::function<void(QDialog &)> &answer) {
   auto *timer = new QTimer(qApp);
   QObject::connect(timer, &QTimer::timeout, timer, [timer, answer] {
@@ -44,7 +44,7 @@ inline void whenAsked(const std::function<void(QDialog &)> &answer) {
   timer->start(20);
 }
 
-/// The window with a document, as a user has it before them: the processes are real.
+/// Tests the window with a document and real processes.
 class Window : public ::testing::Test {
 protected:
   Window() {
@@ -71,7 +71,7 @@ protected:
     window->openText(text);
     ASSERT_TRUE(drawsNewest()) << window->bench().statusText().toStdString();
   }
-  /// The widget of that name in the window; a failure if there is none.
+  /// Returns the widget of that name in the window; fails if there is none.
   template <typename Widget> Widget &find(const char *name) {
     auto *found = window->findChild<Widget *>(QString::fromLatin1(name));
     if (!found)

@@ -1,4 +1,4 @@
-// arbiter-builder [FILE|FOLDER]: the window. `arbiter builder` starts it.
+// The window's program: arbiter-builder [FILE|FOLDER]. `arbiter builder` starts it.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QRegularExpression>
@@ -18,14 +18,14 @@ namespace {
 using namespace arbiter::builder;
 
 constexpr int kExitUsage = 1;
-constexpr int kLeastSide = 320, kMostSide = 8192; ///< of a picture of the window
+constexpr int kLeastSide = 320, kMostSide = 8192; ///< of a screenshot
 
 int fail(const QString &text) {
   std::fprintf(stderr, "arbiter-builder: %s\n", text.toLocal8Bit().constData());
   return kExitUsage;
 }
 
-/// What the command line can ask for.
+/// The options of the command line.
 struct Options {
   QCommandLineOption scheme{QStringLiteral("colours"), QObject::tr("system, light or dark"),
                             QStringLiteral("SCHEME")};
@@ -60,7 +60,7 @@ struct Options {
   }
 };
 
-/// "1024x700"; nothing where it is no such text, or no window's size.
+/// Parses "1024x700"; returns nothing if it is invalid or no size of a window.
 std::optional<QSize> sizeOf(const QString &text) {
   static const QRegularExpression kSize(QStringLiteral("^(\\d{1,5})x(\\d{1,5})$"));
   const QRegularExpressionMatch match = kSize.match(text);
@@ -70,7 +70,7 @@ std::optional<QSize> sizeOf(const QString &text) {
   return match.hasMatch() && fits ? std::optional(size) : std::nullopt;
 }
 
-/// Qt would abort without a display; a picture needs none.
+/// True if there is a display. Qt would abort without one, but a screenshot needs none.
 bool hasDisplay(int argc, char **argv) {
   if (!qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
       !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
@@ -83,7 +83,7 @@ bool hasDisplay(int argc, char **argv) {
   return shoots;
 }
 
-/// The panel of that name, in any case; nothing without one.
+/// Returns the panel of that name, in any case; nothing if there is none.
 std::optional<QString> panelOf(const QString &name) {
   for (const QString &each : MainWindow::panelNames())
     if (each.compare(name, Qt::CaseInsensitive) == 0)
@@ -111,7 +111,7 @@ int show(MainWindow &window, const QCommandLineParser &parser, const Options &op
     window.resize(*size);
   if (!documents.isEmpty() && !window.openNamed(documents.constFirst()) && shooting)
     return fail(window.lastNotice());
-  window.bench().start(); // first: its processes start while the window is laid out
+  window.bench().start(); // its processes start while the window is laid out
   window.show();
   window.showPanel(panel                 ? *panel
                    : documents.isEmpty() ? QObject::tr("Gallery")
@@ -129,7 +129,7 @@ int show(MainWindow &window, const QCommandLineParser &parser, const Options &op
 } // namespace
 
 int main(int argc, char **argv) {
-  std::signal(SIGPIPE, SIG_IGN); // a child that goes is an error of a write
+  std::signal(SIGPIPE, SIG_IGN); // makes writing to an ended child an error
   if (!hasDisplay(argc, argv))
     return fail(QStringLiteral("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set"));
   QApplication application(argc, argv);

@@ -8,28 +8,28 @@ namespace arbiter::builder {
 
 enum class Scheme { System, Light, Dark };
 
-/// The colours of what Qt's palette has none for. Texts have a contrast of 4.5 or more on the
-/// editor's background, in both schemes; view/window/window_test.cpp counts it.
+/// Colors that Qt's palette lacks. Texts have a contrast of at least 4.5 on the editor's
+/// background, in both schemes; view/window/window_test.cpp checks it.
 struct Colours {
   bool dark = false;
   QColor background, text, dim; ///< of the editor
-  QColor line;                  ///< the line of the cursor
-  QColor traced;                ///< the line that the debugger is at
+  QColor line;                  ///< the cursor's line
+  QColor traced;                ///< the debugger's line
   QColor error, warning, note;
   QColor opcode, keyword, option, binding, name, parameter, number, comment, panel;
-  QColor good, amber; ///< gauges: within, near the limit; over is `error`
+  QColor good, amber; ///< gauges within the limit and near it; `error` is over it
 };
 
 [[nodiscard]] const Colours &colours();
 
-/// Sets style, palette and colours. System is dark where the desktop's palette is.
+/// Sets style, palette and colors. System is dark if the desktop's palette is.
 void applyScheme(QApplication &application, Scheme scheme);
 [[nodiscard]] Scheme schemeNamed(const QString &name);
 
-/// The relative contrast of two colours, 1 to 21 (WCAG 2.1, 1.4.3).
+/// Returns the contrast ratio of two colors, 1 to 21 (WCAG 2.1, 1.4.3).
 [[nodiscard]] double contrast(const QColor &a, const QColor &b);
 
-/// The application's icon, as data/arbiter-builder.svg draws it.
+/// Returns the application's icon, drawn like data/arbiter-builder.svg.
 [[nodiscard]] QIcon applicationIcon();
 
 } // namespace arbiter::builder

@@ -1,12 +1,12 @@
-// What LD_PRELOAD finds under $LIB in processes of the machine's other width (32 bits beside 64).
-// The loader complains of a library that is not there, or of the wrong width, in every such
-// process; this one is always there. Where the layer is installed for that width too, it is loaded
-// in this one's place (an auxiliary filter: the loader does without, and says nothing, where it is
-// missing). Where it is not, the process runs as without the layer: libglvnd's variables, which
-// select a vendor that no library of this width has, are what they were before.
+// The library that LD_PRELOAD finds under $LIB in processes of the machine's other word size
+// (32-bit beside 64-bit). The loader complains in every such process about a missing library or one
+// of the wrong word size; this one is always there. If the layer is installed for that word size
+// too, it is loaded in place of this library (an auxiliary filter, which the loader skips silently
+// if it is missing). If not, the process runs without the layer: this library restores libglvnd's
+// variables, as they select a vendor that has no library of this word size.
 //
-// Compiled for the other width without its C library, and run before any constructor: it calls
-// nothing.
+// It is compiled for the other word size without a C library, and runs before any constructor, so
+// that it must not call anything.
 #include "interposer/plain_text.h"
 
 namespace {
@@ -18,9 +18,9 @@ constexpr int kMostLength = 8192;
 
 struct Selection {
   const char *name;  ///< libglvnd's variable
-  const char *marks; ///< in a value of the layer's
-  const char *saved; ///< has what it was
-  char *before;      ///< room for the entry as it was
+  const char *marks; ///< identifies a value that the layer set
+  const char *saved; ///< the variable with the previous value
+  char *before;      ///< a buffer for the previous entry
 };
 
 char g_glx[kMostLength];
@@ -37,7 +37,7 @@ const char *valueOf(char **environment, const char *name) {
   return nullptr;
 }
 
-/// The entry `name` with `value` in `room`; null where it is too long.
+/// Writes the entry `name` with `value` to `room`; null if it is too long.
 char *entryOf(const char *name, const char *value, char *room) {
   int length = 0;
   const char *const texts[] = {name, value};
@@ -51,7 +51,7 @@ char *entryOf(const char *name, const char *value, char *room) {
   return room;
 }
 
-/// The entry in the place of `entry`; null if there is to be none.
+/// Returns the previous entry in the place of `entry`; null if it is to be removed.
 char *asBefore(char *entry, char **environment) {
   for (const Selection &selection : kSelections) {
     if (after(entry, selection.saved))
@@ -67,7 +67,7 @@ char *asBefore(char *entry, char **environment) {
 
 } // namespace
 
-/// Of libarbiter_first.so, which the layer brings along.
+/// Defined by libarbiter_first.so, which the layer brings along.
 extern "C" [[gnu::weak]] const char *arbiterReplacedVendor();
 
 namespace {
@@ -75,7 +75,7 @@ namespace {
 [[gnu::constructor]] void restoreSelection(int /*argc*/, char ** /*argv*/, char **environment) {
   if (&arbiterReplacedVendor || !environment)
     return;
-  // In two steps: what was saved may stand on either side of what it replaces.
+  // This takes two passes, as a saved value may stand before or after the one it replaces.
   for (char **entry = environment; *entry; ++entry)
     for (const Selection &selection : kSelections)
       if (after(*entry, selection.name))

@@ -10,7 +10,7 @@ namespace arbiter::scene {
 
 namespace {
 
-/// About how many vertices a shape has, before any is made; 0 for a file's.
+/// Estimates a shape's vertex count before any is made; 0 for a file's shape.
 double verticesOf(const ShapeSpec &spec) {
   const double parts = spec.argument("parts") + 1, count = spec.argument("count");
   switch (spec.shape.value) {
@@ -37,7 +37,7 @@ MeshError tooMany(const ShapeSpec &spec) {
   return {spec.shape.span, "the mesh has more than 2097152 vertices"};
 }
 
-/// The whole of it in [-1,1], its middle in the origin.
+/// Scales the mesh into [-1,1] and centers it.
 void fit(Mesh &mesh) {
   glm::vec3 low(mesh.vertices.front().position), high(low);
   for (const MeshVertex &vertex : mesh.vertices) {
@@ -88,7 +88,7 @@ private:
     return spec.of.empty() ? makeAlone(spec) : makeOf(spec);
   }
 
-  /// How many vertices a file has is known only now.
+  /// Makes a shape from another. Only now is the vertex count of a file known.
   [[nodiscard]] Result<Mesh, MeshError> makeOf(const ShapeSpec &spec) const {
     const auto inner = make(spec.of.front());
     if (!inner)

@@ -1,4 +1,4 @@
-// Meshes that are made of another one.
+// Meshes that are derived from another mesh.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +14,8 @@ namespace {
 
 using Place = std::array<long, 3>;
 
-/// Vertices of one place are one corner of the body, whatever their texture coordinates: the seam
-/// of a sphere has two.
+/// Rounds a position. Vertices at one position are one corner of the body, even if their texture
+/// coordinates differ: a sphere's seam has two vertices for each corner.
 Place placeOf(const glm::vec3 &position) {
   constexpr float kSteps = 8192; // a unit
   return {std::lround(position.x * kSteps), std::lround(position.y * kSteps),
@@ -35,7 +35,7 @@ public:
   }
 
 private:
-  /// Faces share their edges, and each has one fin.
+  /// Adds the fin of an edge. Faces share edges, and each edge has one fin.
   void add(const MeshVertex &a, const MeshVertex &b) {
     const Place from = placeOf(a.position), to = placeOf(b.position);
     if (from == to || !m_edges.insert(std::minmax(from, to)).second)
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  /// Numbers of its vertices in the volume, as the face has them.
+  /// The numbers of an edge's vertices in the volume, in the face's order.
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
   void addFace(std::size_t index) {
@@ -97,7 +97,7 @@ private:
     }
   }
 
-  /// \p one goes from p to q, \p other from q to p.
+  /// Adds the quad between two faces. \p one goes from p to q, \p other from q to p.
   void addQuad(const Edge &one, const Edge &other) {
     const auto [p1, q1] = one;
     const auto [q2, p2] = other;

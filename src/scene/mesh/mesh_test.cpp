@@ -74,7 +74,7 @@ TEST(Mesh, ShellsCountFromInsideOut) {
   EXPECT_EQ(mesh.vertices[11].extra.x, 1);
 }
 
-/// A cube has 12 edges and a diagonal in each of its six faces.
+/// A cube has 12 edges, and a diagonal in each of its six faces.
 TEST(Mesh, FinsStandInEachEdgeOnce) {
   const Mesh mesh = meshOf("fins parts 3 of cube");
   ASSERT_EQ(mesh.vertices.size(), 18u * 2 * 4);
@@ -84,8 +84,8 @@ TEST(Mesh, FinsStandInEachEdgeOnce) {
   EXPECT_EQ(mesh.vertices[0].position, mesh.vertices[6].position) << "before they are raised";
 }
 
-/// Every edge of a volume is shared by two triangles that run along it opposite ways, also across
-/// the sphere's seam and at its poles: so it has no hole, however its faces move.
+/// In a closed volume two triangles share every edge and run along it in opposite directions. That
+/// includes the sphere's seam and its poles, so that the volume has no hole however its faces move.
 TEST(Mesh, AVolumeIsClosed) {
   for (const char *words : {"volume of cube", "volume of sphere parts 12",
                             "volume of torus parts 12", "volume of knot parts 16"}) {
@@ -99,7 +99,7 @@ TEST(Mesh, AVolumeIsClosed) {
       if (const auto other = edges.find({ends.second, ends.first});
           other == edges.end() || other->second != count)
         ++open;
-    // The two ends of a quad are edges of no face: they meet those of other quads in one corner.
+    // The two ends of a quad are not edges of a face: they meet those of other quads in one corner.
     for (const auto &[ends, count] : edges) {
       const auto &a = mesh.vertices[ends.first].position, &b = mesh.vertices[ends.second].position;
       open -= glm::distance(a, b) < 1e-3f && !edges.contains({ends.second, ends.first});

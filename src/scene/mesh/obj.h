@@ -7,16 +7,16 @@
 #include "scene/mesh/mesh.h"
 #include "util/result.h"
 
-/// Meshes from OBJ files. They are not trusted: every index is checked, and how many there are.
+/// Reads meshes from OBJ files. The files are untrusted: every index and every count is checked.
 namespace arbiter::scene {
 
 struct ObjError {
   std::string message; ///< the reason, without the file's name
 };
 
-/// What an OBJ text says, faces cut into triangles.
+/// The content of an OBJ text, with faces cut into triangles.
 struct ObjFaces {
-  /// Numbers in the three lists; -1 where a face has none.
+  /// Indices into the three lists; -1 if a face has none.
   struct Corner {
     int position = -1, st = -1, normal = -1;
     bool operator==(const Corner &) const = default;
@@ -26,18 +26,19 @@ struct ObjFaces {
   std::vector<std::array<Corner, 3>> triangles;
 };
 
-/// Reads v, vt, vn and f; groups and materials are left aside. A face has at most 256 corners, and
-/// all triangles together at most kMaxVertices. Errors: a number that names no vertex, one that is
-/// not finite, too many of something, no face at all.
+/// Reads v, vt, vn and f; ignores groups and materials. A face has at most 256 corners, and all
+/// triangles together at most kMaxVertices. Fails for an index without a vertex, a number that is
+/// not finite, too many of anything, or no face at all.
 [[nodiscard]] Result<ObjFaces, ObjError> readObj(const std::string &text);
 
-/// A vertex for each corner that is unlike the others. Where the file has no normals they are the
-/// mean of the faces about a position, by their areas; tangents are where s grows, and across the
-/// normal where there are no texture coordinates, which are then (0, 0).
+/// Builds the mesh, with one vertex for each distinct corner. Without normals in the file, a normal
+/// is the mean of the faces around a position, weighted by area. A tangent is the direction in
+/// which s increases. Without texture coordinates these are (0, 0) and tangents are any direction
+/// across the normal.
 [[nodiscard]] Mesh meshOf(const ObjFaces &faces);
 
-/// The corners of a plane polygon in three dimensions, in order: three numbers for each of its
-/// triangles, also where it is not convex.
+/// Triangulates a plane polygon in three dimensions, which may be concave. Returns three corner
+/// numbers for each triangle.
 [[nodiscard]] std::vector<std::array<std::size_t, 3>>
 cutPolygon(const std::vector<glm::vec3> &corners);
 

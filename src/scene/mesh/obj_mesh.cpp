@@ -9,22 +9,23 @@ namespace arbiter::scene {
 
 namespace {
 
-/// The vector with length 1, or the other one if it has no length, or none that a float has.
+/// Returns the normalized vector, or `other` if its length is zero or not a finite float.
 glm::vec3 unitOr(const glm::vec3 &vector, const glm::vec3 &other) {
   const float length = glm::length(vector);
   return length > 1e-30f && std::isfinite(length) ? vector / length : other;
 }
 
-/// Any direction across a normal.
+/// Returns any direction perpendicular to a normal.
 glm::vec3 across(const glm::vec3 &normal) {
   const glm::vec3 axis = std::abs(normal.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   return glm::normalize(axis - normal * glm::dot(axis, normal));
 }
 
-/// Of a triangle, or of all about a vertex: where s grows, in object coordinates, by their areas.
+/// The direction in which s increases, in object coordinates, of a triangle or of all triangles
+/// around a vertex, weighted by area.
 struct Direction {
   glm::vec3 s{0.0f};
-  bool mirrored = false; ///< (s, t) is clockwise on it
+  bool mirrored = false; ///< (s, t) is clockwise on the surface
 };
 
 class Builder {
@@ -42,7 +43,8 @@ public:
 
 private:
   using Corner = ObjFaces::Corner;
-  /// A vertex of mirrored texture coordinates has another binormal than its neighbour.
+  /// Distinguishes vertices. One with mirrored texture coordinates has another binormal than its
+  /// neighbor.
   using Key = std::tuple<int, int, int, bool>;
 
   [[nodiscard]] const glm::vec3 &place(const Corner &corner) const {
@@ -109,7 +111,7 @@ private:
   }
 
   const ObjFaces &m_faces;
-  std::vector<glm::vec3> m_averages; ///< of each position, not of length 1
+  std::vector<glm::vec3> m_averages; ///< of each position, not normalized
   std::map<Key, std::uint32_t> m_numbers;
   std::vector<Direction> m_directions; ///< of each vertex
   Mesh m_mesh;

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A square of texture coordinates and a triangle without.
+/// A square with texture coordinates and a triangle without.
 constexpr const char *kSquare = "# a comment\nmtllib ../../etc/passwd\no thing\n"
                                 "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 4\n"
                                 "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl x\n"
@@ -65,7 +65,7 @@ float areaOf(const std::vector<glm::vec3> &corners) {
   return whole;
 }
 
-/// Triangles that overlap or stick out have together another area than the polygon.
+/// If triangles overlap or stick out, their total area differs from the polygon's.
 TEST(Obj, PolygonsNeedNotBeConvex) {
   const auto flat = [](std::vector<glm::vec2> corners) {
     std::vector<glm::vec3> all;
@@ -105,7 +105,7 @@ TEST(Obj, WhatIsWrongIsSaid) {
   }
 }
 
-/// Whatever the bytes are: an error, or a mesh whose indices and numbers are good.
+/// Any bytes yield an error, or a mesh whose indices and numbers are valid.
 TEST(Obj, ChangedBytesEndSoon) {
   std::string text = kSquare;
   std::minstd_rand random(5);

@@ -1,4 +1,5 @@
-// The library reads the lines and calls back; it trusts what they say of vertices, this does not.
+// Reads OBJ lines by a library that calls back. The library trusts the file's indices; this code
+// does not.
 #include <cmath>
 #include <sstream>
 #include <tiny_obj_loader.h>
@@ -9,7 +10,7 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr int kMaxCorners = 256; ///< of a face: cutting takes time by their square
+constexpr int kMaxCorners = 256; ///< of a face: triangulation takes quadratic time
 
 class Reader {
 public:
@@ -40,7 +41,7 @@ public:
 private:
   static Reader &of(void *self) { return *static_cast<Reader *>(self); }
 
-  /// The first one stays: what comes behind may be its consequence.
+  /// Records a fault. The first one stays, as later ones may follow from it.
   void complain(const std::string &fault) {
     if (m_fault.empty())
       m_fault = fault;
@@ -58,7 +59,7 @@ private:
       list.push_back(value);
   }
 
-  /// From 1 on, or back from the last one; 0: none.
+  /// Converts an OBJ index: positive from 1, or negative from the end; 0: none.
   int numberOf(int index, std::size_t count, const char *what) {
     const auto size = int(count);
     if (index == 0)

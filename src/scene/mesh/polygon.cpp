@@ -8,7 +8,8 @@ namespace arbiter::scene {
 
 namespace {
 
-/// Newell's: twice the area along each axis, whatever the corners' order is like.
+/// Computes the normal by Newell's method: twice the area along each axis, for any order of
+/// corners.
 glm::vec3 normalOf(const std::vector<glm::vec3> &corners) {
   glm::vec3 normal(0.0f);
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -20,7 +21,7 @@ float area(const glm::vec2 &a, const glm::vec2 &b, const glm::vec2 &c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Cuts ears off: corners whose triangle holds no other one.
+/// Triangulates by ear clipping: it cuts off corners whose triangle contains no other corner.
 class Cutter {
 public:
   explicit Cutter(const std::vector<glm::vec3> &corners) : m_ring(corners.size()) {
@@ -36,7 +37,8 @@ public:
   }
 
 private:
-  /// Along the axis in which the area is greatest, so that it is counter-clockwise.
+  /// Projects the polygon along the axis in which its area is greatest, so that it is
+  /// counter-clockwise.
   void flatten(const std::vector<glm::vec3> &corners) {
     const glm::vec3 normal = normalOf(corners), size = glm::abs(normal);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -64,7 +66,8 @@ private:
     return true;
   }
 
-  /// Of a polygon that crosses itself any corner: it has no right answer, but an end.
+  /// Returns an ear. A self-intersecting polygon has no right answer; any corner then serves, so
+  /// that the loop ends.
   [[nodiscard]] std::size_t ear() const {
     for (std::size_t at = 1; at <= m_ring.size(); ++at)
       if (isEar(at % m_ring.size()))
@@ -78,7 +81,7 @@ private:
     m_ring.erase(m_ring.begin() + std::ptrdiff_t(at));
   }
 
-  std::vector<std::size_t> m_ring; ///< the corners that are left
+  std::vector<std::size_t> m_ring; ///< the remaining corners
   std::vector<glm::vec2> m_points;
   std::vector<std::array<std::size_t, 3>> m_triangles;
 };

@@ -12,7 +12,8 @@ namespace {
 
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 
-/// Two triangles for each cell of a grid over s and t in [0,1], but for those without area.
+/// Makes two triangles for each cell of a grid over s and t in [0,1], except for triangles without
+/// area.
 template <typename At> Mesh surface(int across, int up, At at) {
   Mesh mesh;
   for (int y = 0; y <= up; ++y)
@@ -49,7 +50,7 @@ MeshVertex vertexOf(const glm::vec3 &position, const glm::vec3 &normal, const gl
   return vertex;
 }
 
-/// The (2,3) torus knot's core at \p t in [0, 2 pi).
+/// Returns a point of the (2,3) torus knot's core at \p t in [0, 2 pi).
 glm::vec3 knotCore(float t) {
   const float radius = 1.0f + 0.42f * std::cos(3.0f * t);
   return glm::vec3(radius * std::cos(2.0f * t), radius * std::sin(2.0f * t),
@@ -72,7 +73,7 @@ Mesh makePlane(int parts) {
 }
 
 Mesh makeCube() {
-  // Normal and direction of s of each face.
+  // The normal and the direction of s of each face.
   static const glm::vec3 kFaces[6][2] = {{{1, 0, 0}, {0, 0, -1}}, {{-1, 0, 0}, {0, 0, 1}},
                                          {{0, 1, 0}, {1, 0, 0}},  {{0, -1, 0}, {1, 0, 0}},
                                          {{0, 0, 1}, {1, 0, 0}},  {{0, 0, -1}, {-1, 0, 0}}};
@@ -90,7 +91,7 @@ Mesh makeCube() {
 }
 
 Mesh makeSphere(int parts) {
-  // s goes once around from the back, t from the south pole to the north.
+  // s goes once around from the back, t from the south pole to the north pole.
   return surface(parts, parts, [](float s, float t) {
     const float around = kTurn * s, up = kTurn / 2 * t;
     const glm::vec3 point(-std::sin(up) * std::sin(around), -std::cos(up),
@@ -125,7 +126,8 @@ Mesh makeKnot(int parts, float tube) {
   return surface(4 * parts, parts / 4, [&](float s, float t) {
     const float along = kTurn * s, around = kTurn * t;
     const glm::vec3 tangent = glm::normalize(knotCore(along + 0.001f) - knotCore(along - 0.001f));
-    // Away from the torus that the knot winds around, which is never along the knot.
+    // This direction points away from the torus that the knot winds around, which is never along
+    // the knot.
     const glm::vec3 away(std::cos(3 * along) * std::cos(2 * along),
                          std::cos(3 * along) * std::sin(2 * along), std::sin(3 * along));
     const glm::vec3 side = glm::normalize(glm::cross(tangent, away));

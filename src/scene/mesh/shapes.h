@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/mesh/mesh.h"
 
-/// One function a shape; build.cpp chooses.
+/// Makes the shapes, one function for each; build.cpp selects one.
 namespace arbiter::scene {
 
 [[nodiscard]] Mesh makeGrid(int parts);
@@ -13,14 +13,14 @@ namespace arbiter::scene {
 [[nodiscard]] Mesh makeKnot(int parts, float tube);
 [[nodiscard]] Mesh makeBillboards(int count, std::uint32_t seed);
 
-/// Copies of a mesh behind one another, extra.x from 0 to 1.
+/// Makes copies of a mesh behind one another, with extra.x from 0 to 1.
 [[nodiscard]] Mesh makeShells(const Mesh &mesh, int count);
-/// A strip of quads in each edge, of as many quads as \p parts, without area until a vertex program
-/// raises it: extra.x goes from 0 to 1 along it, extra.y is the edge's end, 0 or 1.
+/// Makes a strip of \p parts quads in each edge. It has no area until a vertex program raises it:
+/// extra.x goes from 0 to 1 along it, and extra.y is the edge's end, 0 or 1.
 [[nodiscard]] Mesh makeFins(const Mesh &mesh, int parts);
-/// Each face with vertices and a normal of its own, and a quad, without area for now, in each edge
-/// that two faces share: a vertex program that moves the vertices of faces turned from the light
-/// makes a shadow volume of it, closed if the mesh is.
+/// Makes a mesh for shadow volumes. Each face has vertices and a normal of its own. Each edge that
+/// two faces share has a quad, without area at first. A vertex program that moves the vertices of
+/// faces turned away from the light makes a shadow volume of it, which is closed if the mesh is.
 [[nodiscard]] Mesh makeVolume(const Mesh &mesh);
 
 } // namespace arbiter::scene

@@ -10,7 +10,7 @@ namespace arbiter::scene {
 
 namespace {
 
-/// The tokens of a clause before a place, and what may follow them.
+/// Knows the tokens of a clause before a place, and collects what may follow them.
 class Place {
 public:
   Place(std::vector<Token> before, bool behindTexture)
@@ -50,7 +50,7 @@ private:
     addAll<Setting>();
   }
 
-  /// The arguments of the clause's last word of a table.
+  /// Adds the arguments that the clause's last table word takes.
   template <typename Enum> void addArguments() {
     for (auto token = m_before.rbegin(); token != m_before.rend(); ++token)
       if (const auto word = findWord<Enum>(token->text)) {
@@ -60,7 +60,7 @@ private:
       }
   }
 
-  /// A word of a table right behind the setting.
+  /// Adds a table's words directly behind the setting.
   template <typename Enum> void one() {
     if (isFirst())
       addAll<Enum>();
@@ -187,7 +187,7 @@ std::optional<PanelPlace> completePanel(std::string_view text, std::uint32_t off
         clause.push_back(token);
         continue;
       }
-      // Filters and wraps may follow one another behind a texture.
+      // Filter and wrap words may follow one another behind a texture.
       texture = !clause.empty() &&
                 (clause[0].text == "texture" || (texture && !findWord<Setting>(clause[0].text)));
       clause.clear();
@@ -199,7 +199,7 @@ std::optional<PanelPlace> completePanel(std::string_view text, std::uint32_t off
 }
 
 std::optional<PanelPlace> explainPanel(std::string_view text, std::uint32_t offset) {
-  // The place behind the word's first byte is the word's own.
+  // The place behind the word's first byte belongs to the word.
   auto place = completePanel(text, offset + 1);
   if (!place || place->replaced.begin == place->replaced.end)
     return std::nullopt;

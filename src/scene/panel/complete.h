@@ -5,7 +5,7 @@
 
 #include "fp_compiler/span.h"
 
-/// What may stand in a place of a panel: for editors.
+/// Tells editors what may stand at a place of a panel.
 namespace arbiter::scene {
 
 struct Candidate {
@@ -14,14 +14,14 @@ struct Candidate {
 };
 
 struct PanelPlace {
-  fp::Span replaced; ///< the word that is being written there, from its first byte on
+  fp::Span replaced; ///< the word being written there, from its first byte
   std::vector<Candidate> candidates;
 };
 
-/// Nothing outside of panel lines.
+/// Returns the candidates at a place; nothing outside of panel lines.
 [[nodiscard]] std::optional<PanelPlace> completePanel(std::string_view text, std::uint32_t offset);
 
-/// The word that the byte is in, with its meaning in that place; the only candidate.
+/// Returns the word at the byte as the only candidate, with its meaning in that place.
 [[nodiscard]] std::optional<PanelPlace> explainPanel(std::string_view text, std::uint32_t offset);
 
 } // namespace arbiter::scene

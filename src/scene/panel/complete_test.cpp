@@ -8,7 +8,7 @@ namespace {
 using testing::Contains;
 using testing::Not;
 
-/// The words that may stand at the mark '^', which is no part of the text.
+/// Returns the words that may stand at the mark '^', which is not part of the text.
 std::vector<std::string> at(std::string text) {
   const std::size_t mark = text.find('^');
   text.erase(mark, 1);

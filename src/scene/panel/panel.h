@@ -8,25 +8,25 @@
 #include "fp_compiler/diagnostic.h"
 #include "scene/words.h"
 
-/// The panel of one program text: what its comment lines that begin with `#@` say. Every number and
-/// word has its place in the text, in bytes, so that one can be written anew and the rest stays.
+/// Parses the panel of a program text: its comment lines that begin with `#@`. Every number and
+/// word has its place in the text, in bytes, so that it can be replaced without changing the rest.
 namespace arbiter::scene {
 
 struct Number {
   double value = 0;
-  fp::Span span; ///< empty: not written, a default
+  fp::Span span; ///< empty: a default that is not written
 
   [[nodiscard]] bool written() const { return span.end > span.begin; }
 };
 
 struct Name {
   std::string text;
-  fp::Span span; ///< with its quotes, if it has them
+  fp::Span span; ///< including quotes
 
   [[nodiscard]] bool written() const { return span.end > span.begin; }
 };
 
-/// A word of a table where it stands.
+/// A word of a table and its place.
 template <typename Enum> struct Chosen {
   Enum value = {};
   fp::Span span;
@@ -36,14 +36,14 @@ template <typename Enum> struct Chosen {
 struct Arguments {
   std::array<Number, kMaxArguments> numbers = {};
 
-  /// Requires: the row has an argument of that name.
+  /// Returns a value. Requires that the row has an argument of that name.
   [[nodiscard]] double get(const WordRow &row, std::string_view name) const;
 };
 
 struct ShapeSpec {
   Chosen<Shape> shape;
   Arguments arguments;
-  std::array<Number, 3> at = {}; ///< where its middle is, behind the scale
+  std::array<Number, 3> at = {}; ///< the position of its middle, after scaling
   Number scale{1, {}};
   Name file;                 ///< of File
   std::vector<ShapeSpec> of; ///< one for shells and volume, else none
@@ -78,7 +78,7 @@ struct Target {
   Number width, height;
 };
 
-/// What one texture coordinate set is.
+/// The source of one texture coordinate set.
 struct CoordinateSpec {
   unsigned set = 0;
   Chosen<Coordinate> source;
@@ -94,26 +94,26 @@ struct Animation {
 struct Parameter {
   Setting space = Setting::Local; ///< or Env, Attrib
   unsigned first = 0;             ///< index
-  unsigned count = 1;             ///< more than one: rows of a matrix
+  unsigned count = 1;             ///< more than one: the rows of a matrix
   std::array<bool, 4> mask = {true, true, true, true};
-  Name label; ///< without its quotes; may be empty
+  Name label; ///< without quotes; may be empty
   Chosen<ValueKind> kind;
   std::vector<Number> values; ///< one for each component of the mask; of Rotate: degrees
   Arguments arguments;        ///< of Rotate
-  Name target;                ///< of Camera: whose camera
+  Name target;                ///< of Camera: the pass whose camera it is
   bool hasRange = false;
   Number low{0, {}}, high{1, {}};
-  bool colour = false; ///< to be picked as a colour
+  bool colour = false; ///< edited as a color
   std::optional<Animation> animation;
   fp::Span span; ///< the whole clause
 };
 
-/// Where texels come from.
+/// The source of texels.
 struct TextureSource {
   Chosen<Generator> generator;
   Arguments arguments;
-  Number width{256, {}}, height{256, {}}; ///< texels; of a cube map the width
-  std::vector<Name> files;                ///< of File one, of Cube six, or one DDS
+  Number width{256, {}}, height{256, {}}; ///< texels; the width of a cube map
+  std::vector<Name> files;                ///< File: one; Cube: six, or one DDS
   Name target;                            ///< of Picture and DepthOf
   std::vector<TextureSource> of;          ///< of Normals and Feedback; may be empty
 
@@ -128,7 +128,7 @@ struct TextureSpec {
   TextureSource source;
   Chosen<Filter> filter{Filter::Linear, {}};
   Chosen<Wrap> wrap{Wrap::Repeat, {}};
-  bool compare = false; ///< a shadow texture: r is compared, not farther is 1
+  bool compare = false; ///< a shadow texture: the comparison with r yields 1 if r is not farther
   fp::Span span;
 };
 
@@ -136,7 +136,7 @@ struct Panel {
   Name title, profile, numerics;
   Number width{512, {}}, height{512, {}};
   Number rate{60, {}};
-  std::vector<ShapeSpec> mesh; ///< drawn as one; empty: not said
+  std::vector<ShapeSpec> mesh; ///< drawn as one; empty: not set
   fp::Span meshSpan;
   std::optional<CameraSpec> camera;
   State state;
@@ -146,21 +146,21 @@ struct Panel {
   std::vector<TextureSpec> textures;
   Name vertex;
   std::vector<Name> then;
-  bool written = false; ///< the text has any `#@` line
-  /// Errors: what the line asks for cannot be. Warnings: words that have no meaning here; they are
-  /// kept, and mean nothing.
+  bool written = false; ///< true if the text has any `#@` line
+  /// The diagnostics. An error is a line that cannot be obeyed. A warning is about words that have
+  /// no meaning here; they are ignored and kept in the text.
   std::vector<fp::Diagnostic> diagnostics;
 
   [[nodiscard]] bool ok() const;
 };
 
-/// Largest values of a text; beyond them is an error.
+/// The largest values in a text; more is an error.
 inline constexpr int kMaxTextureSide = 4096;
 inline constexpr unsigned kMaxUnits = 32;
 inline constexpr unsigned kMaxParameters = 1024;
 inline constexpr std::size_t kMaxPanelDiagnostics = 64;
 
-/// Reads the `#@` lines of a text of any language.
+/// Parses the `#@` lines of a text in any language.
 [[nodiscard]] Panel parsePanel(std::string_view text);
 
 } // namespace arbiter::scene

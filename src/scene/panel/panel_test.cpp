@@ -188,7 +188,7 @@ TEST(Panel, HostileTextEndsSoon) {
   EXPECT_FALSE(parsePanel("END").written);
 }
 
-/// Whatever the bytes are: each place lies in the text, and the same text is read the same.
+/// For any bytes, each span lies in the text, and parsing the text again gives the same result.
 TEST(Panel, ChangedBytesKeepEverySpanInTheText) {
   std::string text = kTwirl;
   std::minstd_rand random(7);
@@ -230,7 +230,7 @@ TEST(Words, AreUniqueAndTheirDefaultsInRange) {
   check(wordsOf<Shape>());
   check(wordsOf<CameraKind>());
   check(wordsOf<ValueKind>());
-  // A filter's word behind a texture is not another setting.
+  // A filter's word behind a texture must not be a setting.
   for (const WordRow &row : wordsOf<Filter>())
     EXPECT_FALSE(findWord<Setting>(row.word)) << row.word;
   for (const WordRow &row : wordsOf<Wrap>())

@@ -90,7 +90,7 @@ bool readThen(Reader &reader) {
   return true;
 }
 
-/// What may stand in a panel several times.
+/// True if the setting may occur several times in a panel.
 bool repeats(Setting setting) {
   return setting == Setting::Local || setting == Setting::Env || setting == Setting::Attrib ||
          setting == Setting::Texture || setting == Setting::Then || setting == Setting::Coordinate;
@@ -111,7 +111,8 @@ public:
   }
 
 private:
-  /// What the last clause was: words of filters go with a texture, and vanish with a wrong one.
+  /// The kind of the last clause. Filter words belong to a texture, and are ignored behind an
+  /// invalid one.
   enum class Behind { Other, Texture, WrongTexture };
 
   void clause(Reader &reader, Behind &behind) {

@@ -9,7 +9,7 @@ namespace {
 constexpr double kGreatest = 1e30;
 constexpr unsigned kMaxAttribs = 16;
 
-/// "[4]" or "[4..6]".
+/// Reads "[4]" or "[4..6]".
 bool readIndex(Reader &reader, Parameter &parameter) {
   const double most = (parameter.space == Setting::Attrib ? kMaxAttribs : kMaxParameters) - 1;
   Number first, last;
@@ -27,7 +27,7 @@ bool readIndex(Reader &reader, Parameter &parameter) {
   return true;
 }
 
-/// ".x", ".xyz": each component once, in order.
+/// Reads ".x" or ".xyz": each component once, in order.
 bool readMask(Reader &reader, Parameter &parameter) {
   if (!reader.at(TokenKind::Word) || reader.peek().text.front() != '.')
     return true;

@@ -28,7 +28,7 @@ bool readFiles(Reader &reader, std::size_t count, TextureSource &source) {
   return true;
 }
 
-/// Six files, or one with all faces.
+/// Reads six files, or one with all faces.
 bool readFaces(Reader &reader, TextureSource &source) {
   const std::string_view first = reader.peek().text;
   return readFiles(reader, first.ends_with(".dds") || first.ends_with(".DDS") ? 1 : kFaces, source);
@@ -46,7 +46,7 @@ bool readSize(Reader &reader, TextureSource &source) {
 
 bool readSource(Reader &reader, int nesting, TextureSource &source);
 
-/// "of" and a source; what may not stand within another is an error.
+/// Reads "of" and a source. A source that must not be nested is an error.
 bool readInner(Reader &reader, int nesting, TextureSource &source) {
   const Generator outer = source.generator.value;
   if (outer != Generator::Normals && outer != Generator::Feedback)

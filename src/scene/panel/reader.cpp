@@ -9,7 +9,7 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr std::size_t kMaxName = 255; ///< bytes; of files it is the file system's own
+constexpr std::size_t kMaxName = 255; ///< bytes; the file systems' own limit of file names
 
 std::string shown(double value) {
   std::ostringstream out;
@@ -17,7 +17,7 @@ std::string shown(double value) {
   return out.str();
 }
 
-/// Of a message: bytes that may be half a character, or many.
+/// Quotes text for a message. The bytes may end within a character, or be many.
 std::string quoted(std::string_view text) {
   constexpr std::size_t kShown = 40;
   std::string shown(text.substr(0, kShown));
@@ -26,7 +26,7 @@ std::string quoted(std::string_view text) {
   return "'" + shown + (text.size() > kShown ? "..'" : "'");
 }
 
-/// The words without the empty ones.
+/// Returns the words that are not empty.
 std::vector<std::string_view> names(std::span<const WordRow> rows) {
   std::vector<std::string_view> words;
   for (const WordRow &row : rows)

@@ -4,13 +4,13 @@
 #include "scene/panel/panel.h"
 #include "scene/panel/token.h"
 
-/// What the parts of the parser share: a place in one line, and how to complain of it.
+/// The parser's position in one line, and its diagnostics; all parts of the parser use it.
 namespace arbiter::scene {
 
 inline constexpr int kMaxNesting = 3; ///< of "of"
 
-/// Every read function returns false after an error or a warning; the rest of the clause is then
-/// skipped.
+/// Reads the tokens of a line. Every read function returns false after an error or a warning; the
+/// rest of the clause is then skipped.
 class Reader {
 public:
   Reader(std::vector<Token> tokens, Panel &panel) : m_tokens(std::move(tokens)), m_panel(panel) {}
@@ -32,25 +32,26 @@ public:
   bool accept(TokenKind kind) { return at(kind) && (take(), true); }
   bool acceptWord(std::string_view word) { return atWord(word) && (take(), true); }
   void skipClause();
-  /// Where the token that was taken last ends.
+  /// Returns the end of the last taken token.
   [[nodiscard]] std::uint32_t last() const { return m_last; }
   [[nodiscard]] Panel &panel() { return m_panel; }
 
   bool error(fp::Span span, const char *id, std::string message, std::string hint = {});
   bool warning(fp::Span span, const char *id, std::string message, std::string hint = {});
-  /// An error at the token here: "expected WHAT".
+  /// Reports an error at the next token: "expected WHAT".
   bool expected(const std::string &what, std::string hint = {});
-  /// A warning of the word here, which is none of \p rows.
+  /// Warns that the next word is not in \p rows.
   bool unknownWord(const std::string &what, std::span<const WordRow> rows);
 
   bool number(const std::string &what, double low, double high, Number &number);
   bool integer(const std::string &what, double low, double high, Number &number);
-  /// A word or a string.
+  /// Reads a word or a string.
   bool name(const std::string &what, Name &name);
-  /// A name of a file beside the document: no absolute one, none that leads out of the folder.
+  /// Reads the name of a file beside the document. Absolute names, and names that leave the folder,
+  /// are errors.
   bool file(const std::string &what, Name &name);
   bool onOff(bool &on);
-  /// A warning of what a clause that is read already goes on with.
+  /// Warns of unexpected words behind a complete clause.
   bool leftOver();
 
   template <typename Enum> bool word(const std::string &what, Chosen<Enum> &chosen) {
@@ -64,10 +65,10 @@ public:
   }
   /// Fills in the defaults of the word's arguments.
   static void defaults(const WordRow &row, Arguments &arguments);
-  /// One "name number" of the word, if one stands here. \returns false if it is wrong.
+  /// Reads one "name number" of the word, if there is one. \returns false if it is wrong.
   bool argument(const WordRow &row, Arguments &arguments, bool &found);
 
-  /// "one of checker, noise ..".
+  /// Returns "one of checker, noise ..".
   static std::string wordList(std::span<const WordRow> rows);
 
 private:
@@ -80,14 +81,15 @@ private:
   std::uint32_t m_last = 0;
 };
 
-/// Each reads what follows the clause's first word.
+/// These functions read what follows the clause's first word.
 bool readMesh(Reader &reader);
 bool readCamera(Reader &reader);
 bool readCoordinate(Reader &reader);
 bool readParameter(Reader &reader, Setting space, std::uint32_t begin);
 bool readTexture(Reader &reader, std::uint32_t begin);
-/// A clause behind a texture's: filter, wrap or compare, of the last texture if \p good.
-/// \returns whether it was one.
+/// Reads a clause behind a texture's: filter, wrap or compare. It applies to the last texture if \p
+/// good.
+/// \returns true if it was one.
 bool readSampler(Reader &reader, bool good);
 bool readSetting(Reader &reader, Setting setting, std::uint32_t begin);
 

@@ -75,10 +75,10 @@ private:
     return length;
   }
 
-  /// "0..1" is a number, a range sign and a number; "2nd.png" is a word.
+  /// Reads a number. "0..1" is a number, a range sign and a number; "2nd.png" is a word.
   Token number() {
     const char *const begin = m_text.data() + m_at + (peek() == '+');
-    // What is longer is no number: each byte of a line is looked at a few times only.
+    // Longer digits are no number, so that each byte of a line is read only a few times.
     constexpr std::ptrdiff_t kLongest = 64;
     const char *const end = m_text.data() + m_text.size();
     const char *limit = begin + std::min(end - begin, kLongest);

@@ -1,4 +1,4 @@
-// DDS files: the header, then for each face its levels, the largest first.
+// Decodes DDS files: the header, then the levels of each face, the largest first.
 #include <algorithm>
 #include <bit>
 
@@ -107,7 +107,8 @@ private:
     return {};
   }
 
-  /// The header that newer tools write; numbers of DXGI_FORMAT, with and without sRGB.
+  /// Reads the header that newer tools write. Its formats are numbers of DXGI_FORMAT, with and
+  /// without sRGB.
   std::string readExtended() {
     if (m_bytes.size() < kExtendedHeader)
       return "it has no whole header";
@@ -144,7 +145,7 @@ private:
     }
   }
 
-  /// Before any texel is read: are all of them there, and are they not too many?
+  /// Checks the sizes before any texel is read: all texels must be there, and not too many.
   std::string measure() const {
     std::uint64_t bytes = 0, texels = 0;
     for (unsigned level = 0; level < m_levels; ++level) {
@@ -201,7 +202,7 @@ private:
   }
 
   std::string_view m_bytes;
-  std::size_t m_data = 0; ///< where the next level begins
+  std::size_t m_data = 0; ///< the offset of the next level
   unsigned m_width = 0, m_height = 0, m_levels = 1, m_faces = 1;
   DdsFormat m_format;
 };

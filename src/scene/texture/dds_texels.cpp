@@ -1,4 +1,4 @@
-// Blocks and texels of DDS files.
+// Decodes blocks and texels of DDS files.
 #include <bit>
 
 #include "scene/texture/dds_format.h"
@@ -14,14 +14,14 @@ std::uint32_t little(const std::uint8_t *bytes, unsigned count) {
   return value;
 }
 
-/// 5, 6 and 5 bits, to 8 each.
+/// Expands 5, 6 and 5 bits to 8 bits each.
 Rgba8 colourOf(std::uint32_t bits) {
   const std::uint32_t red = bits >> 11 & 31, green = bits >> 5 & 63, blue = bits & 31;
   return {std::uint8_t(red << 3 | red >> 2), std::uint8_t(green << 2 | green >> 4),
           std::uint8_t(blue << 3 | blue >> 2), 255};
 }
 
-/// (a * parts of \p a + b * parts of \p b) / their sum, to the nearest.
+/// Returns (a * parts of \p a + b * parts of \p b) / their sum, rounded to nearest.
 std::uint8_t mixed(unsigned a, unsigned parts, unsigned b, unsigned others) {
   const unsigned whole = parts + others;
   return std::uint8_t((a * parts + b * others + whole / 2) / whole);
@@ -34,8 +34,8 @@ Rgba8 mixed(const Rgba8 &a, unsigned parts, const Rgba8 &b, unsigned others) {
   return result;
 }
 
-/// Two colours and two between them; BC1 has, where the first is not the greater, one between them
-/// and black that is transparent.
+/// Decodes two colors and two in between. If the first is not greater, BC1 has one color in between
+/// and transparent black.
 void decodeColours(const std::uint8_t *block, bool mayBeClear, std::array<Rgba8, 16> &texels) {
   const std::uint32_t first = little(block, 2), second = little(block + 2, 2);
   std::array<Rgba8, 4> palette = {colourOf(first), colourOf(second)};
@@ -51,13 +51,13 @@ void decodeColours(const std::uint8_t *block, bool mayBeClear, std::array<Rgba8,
     texels[i] = palette[indices >> 2 * i & 3];
 }
 
-/// Four bits a texel.
+/// Decodes four bits of alpha for each texel.
 void decodePlainAlpha(const std::uint8_t *block, std::array<Rgba8, 16> &texels) {
   for (unsigned i = 0; i < 16; ++i)
     texels[i][3] = std::uint8_t((block[i / 2] >> i % 2 * 4 & 15) * 17);
 }
 
-/// Two levels and six between them, or four, nothing and all.
+/// Decodes two levels and six in between, or four in between, zero and one.
 void decodeMixedAlpha(const std::uint8_t *block, std::array<Rgba8, 16> &texels) {
   const unsigned first = block[0], second = block[1];
   std::array<std::uint8_t, 8> palette = {block[0], block[1], 0, 0, 0, 0, 0, 255};
@@ -71,7 +71,7 @@ void decodeMixedAlpha(const std::uint8_t *block, std::array<Rgba8, 16> &texels) 
   }
 }
 
-/// A component of at most 8 bits, to 8.
+/// Expands a component of at most 8 bits to 8 bits.
 std::uint8_t componentOf(std::uint32_t bits, std::uint32_t mask) {
   const std::uint32_t most = mask >> std::countr_zero(mask);
   return std::uint8_t(((bits & mask) >> std::countr_zero(mask)) * 255 / most);

@@ -1,4 +1,4 @@
-// Images whose texels are directions or displacements and no colours.
+// Makes images whose texels are directions or displacements instead of colors.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -12,7 +12,8 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr int kNone = 32768; ///< the level of no displacement; 65535 is odd, a half has none
+/// the value of no displacement: the maximum, 65535, is odd and cannot be halved exactly
+constexpr int kNone = 32768;
 
 template <typename Offset> Image displacements(int width, int height, Offset offset) {
   Image image(width, height, 16);
@@ -30,7 +31,7 @@ template <typename Offset> Image displacements(int width, int height, Offset off
   return image;
 }
 
-/// The direction of a cube map's face at s and t in [-1,1] (GL, 3.8.6).
+/// Returns the direction of a cube map face at s and t in [-1,1] (GL, 3.8.6).
 glm::vec3 directionOf(int face, float s, float t) {
   switch (face) {
   case 0:
@@ -86,7 +87,8 @@ Image makeNormals(const Image &heights, float strength) {
   const auto height = [&](int x, int y) {
     return heights.at((x + heights.width) % heights.width, (y + heights.height) % heights.height).r;
   };
-  // A slope is of texture coordinates: a larger image of the same heights has the same normals.
+  // Slopes are relative to texture coordinates: a larger image of the same heights has the same
+  // normals.
   const float alongS = strength * float(heights.width) / 64.0f;
   const float alongT = strength * float(heights.height) / 64.0f;
   for (int y = 0; y < heights.height; ++y)

@@ -1,7 +1,8 @@
-// Images from files, good and hostile ones. Files are made here: JPEG by the library, DDS by hand.
+// Reads images from good and hostile files. The test makes JPEG files by the library, DDS files by
+// hand.
 #include <csetjmp>
 #include <cstdio>
-// Behind cstdio, which it takes for granted.
+// This include must follow cstdio.
 #include <jpeglib.h>
 
 #include <filesystem>
@@ -39,7 +40,7 @@ std::string jpegOf(int width, int height, bool progressive) {
     jpeg_simple_progression(&info);
   jpeg_start_compress(&info, TRUE);
   for (int y = 0; y < height; ++y) {
-    // Red above, blue below.
+    // The picture is red above and blue below.
     std::vector<unsigned char> row;
     for (int x = 0; x < width; ++x)
       row.insert(row.end(), {std::uint8_t(y * 2 < height ? 255 : 0), 0,
@@ -95,7 +96,7 @@ void put(std::string &bytes, std::size_t at, std::uint32_t value) {
     bytes[at + i] = char(value >> 8 * i);
 }
 
-/// A header without texels.
+/// Returns a header without texels.
 std::string header(std::uint32_t width, std::uint32_t height, std::uint32_t levels = 0) {
   std::string bytes(128, '\0');
   bytes.replace(0, 4, "DDS ");
@@ -113,7 +114,7 @@ std::string coded(const char *code, std::string bytes) {
   return bytes;
 }
 
-/// 32 bits: blue, green, red, alpha.
+/// Sets a format of 32 bits: blue, green, red, alpha.
 std::string plain(std::string bytes) {
   put(bytes, 80, 0x41);
   put(bytes, 88, 32);
@@ -138,14 +139,15 @@ std::array<int, 4> texel(const Image &image, int x, int y) {
   return values;
 }
 
-/// Red (31, 0, 0) and blue (0, 0, 31): by the order of the two the block has four colours or three.
+/// Returns red (31, 0, 0) and blue (0, 0, 31). Their order decides whether the block has four
+/// colors or three.
 std::string colours(bool redFirst, const char (&indices)[5]) {
   return (redFirst ? std::string("\x00\xf8\x1f\x00", 4) : std::string("\x1f\x00\x00\xf8", 4)) +
          std::string(indices, 4);
 }
 
 TEST(Dds, BlocksOfTheThreeKinds) {
-  // Rows of a block: indices 0 1 2 3 from the lowest bits on.
+  // Each row of a block has indices 0 1 2 3, from the lowest bits up.
   const auto four = decoded(coded("DXT1", header(4, 4)) + colours(true, "\xe4\0\x55\xff"))[0];
   EXPECT_THAT(texel(four, 0, 0), ElementsAre(255, 0, 0, 255));
   EXPECT_THAT(texel(four, 1, 0), ElementsAre(0, 0, 255, 255));
@@ -161,7 +163,7 @@ TEST(Dds, BlocksOfTheThreeKinds) {
   EXPECT_THAT(texel(stepped, 0, 0), ElementsAre(170, 0, 85, 0)) << "four colours, in any order";
   EXPECT_EQ(texel(stepped, 3, 3)[3], 255);
   EXPECT_EQ(texel(stepped, 1, 0)[3], 17);
-  // Indices 0 to 7 of three bits: 0x88 0xc6 0xfa.
+  // The bytes 0x88 0xc6 0xfa are the indices 0 to 7 of three bits each.
   const std::string eight("\xff\x00\x88\xc6\xfa\0\0\0", 8), six("\x00\xff\x88\xc6\xfa\0\0\0", 8);
   const auto mixed = decoded(coded("DXT5", header(4, 4)) + eight + colours(true, "\0\0\0\0"))[0];
   EXPECT_EQ(texel(mixed, 1, 0)[3], 0);
@@ -257,7 +259,7 @@ TEST(Dds, HostileFilesAreErrorsBeforeMemoryIsAskedFor) {
   }
 }
 
-// Sizes, levels, masks and formats that do not go with the bytes behind them.
+// Sizes, levels, masks and formats do not fit the bytes that follow.
 TEST(Dds, ChangedBytesAreErrorsOrImages) {
   const std::string texels(700, '\x5a');
   std::string newer = coded("DX10", header(8, 8, 4)) + std::string(20, '\0');
@@ -321,7 +323,7 @@ TEST_F(ImageFiles, AreToldApartByTheirBytes) {
   EXPECT_EQ(make("normals strength 2 of b.dds").value()[0].width, 1);
 }
 
-/// Faces of cube maps are held as they are looked at from inside: the topmost row is t = 0.
+/// Faces of cube maps are stored as seen from inside: the top row is t = 0.
 TEST_F(ImageFiles, ACubeOfSixFilesOrOfOne) {
   for (int face = 0; face < 6; ++face)
     writePicture(std::to_string(face) + ".png", 2, 7, std::uint8_t(10 * face + 9));

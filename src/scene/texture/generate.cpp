@@ -13,14 +13,14 @@ namespace {
 using Images = Result<std::vector<Image>, TextureError>;
 
 std::string pathOf(const Name &file, const std::string &folder) {
-  // A panel has no absolute names; a command line may.
+  // A panel has no absolute names, but a command line may.
   return file.text.starts_with('/') ? file.text : folder + file.text;
 }
 
 Images readFile(const Name &file, const std::string &folder, Rows rows) {
   const std::string path = pathOf(file, folder);
   std::error_code error;
-  // A pipe could keep the reader waiting for ever.
+  // A pipe could block the reader forever.
   if (!std::filesystem::is_regular_file(path, error))
     return TextureError{file.span, path + ": " + (error ? error.message() : "is no regular file")};
   auto images = readImage(path, rows);
@@ -56,7 +56,7 @@ Images readCube(const TextureSource &source, const std::string &folder) {
   return faces;
 }
 
-/// Generators of one image from their arguments alone.
+/// Makes one image from the generator's arguments alone.
 Image makeFlat(const TextureSource &source, int width, int height) {
   switch (source.generator.value) {
   case Generator::Checker:

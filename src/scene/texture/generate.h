@@ -12,12 +12,11 @@ struct TextureError {
   std::string message;
 };
 
-/// The images of a source: one, or six faces of a cube map in GL's order.
-/// \param folder of the document, where its files are; with a slash behind it, or empty. An
-///        absolute name, which a panel never has, is taken as it is.
-/// \param width,height of the document's picture: the size of what feedback begins with, whatever
-///        numbers stand there
-/// Requires: the source is neither Picture nor DepthOf, which passes draw.
+/// Makes the images of a source: one, or six faces of a cube map in GL's order.
+/// \param folder the document's folder, where its files are; ends with a slash, or is empty. An
+///        absolute name, which a panel never has, is used as it is.
+/// \param width,height of the document's picture: feedback begins with an image of that size
+/// Requires that the source is neither Picture nor DepthOf, which passes draw.
 [[nodiscard]] Result<std::vector<Image>, TextureError>
 generate(const TextureSource &source, const std::string &folder, int width, int height);
 

@@ -2,7 +2,8 @@
 #include "scene/panel/panel.h"
 #include "scene/texture/image.h"
 
-/// One function a generator; generate.cpp chooses. The same texels at every call.
+/// Makes generated images, one function for each generator; generate.cpp selects one. Each call
+/// gives the same texels.
 namespace arbiter::scene {
 
 [[nodiscard]] Image makeConstant(const TextureSource &source, int width, int height);
@@ -17,18 +18,18 @@ namespace arbiter::scene {
 [[nodiscard]] Image makeCells(const TextureSource &source, int width, int height);
 [[nodiscard]] Image makeLandscape(int width, int height);
 
-/// Two texels wide (the cell is dead, or alive) and sixteen high (how many of nine are alive). Red
-/// is the cell's next state; the other components colour it.
+/// Makes the rule of Life. It is two texels wide (the cell is dead, or alive) and sixteen high (how
+/// many of nine are alive). Red is the cell's next state, and the other components color it.
 [[nodiscard]] Image makeRule();
 
-/// 16 bits: 32768 is no displacement, 65535 almost one half of the texture.
+/// Makes 16-bit displacements: 32768 is none, 65535 almost half of the texture.
 [[nodiscard]] Image makeTwirl(const TextureSource &source, int width, int height);
 [[nodiscard]] Image makeRipple(const TextureSource &source, int width, int height);
 
-/// Tangent-space normals, n as 0.5 + 0.5 * n, of heights in red; alpha is the height.
+/// Makes tangent-space normals, n as 0.5 + 0.5 * n, from heights in red; alpha is the height.
 [[nodiscard]] Image makeNormals(const Image &heights, float strength);
 
-/// Six faces in GL's order: +x, -x, +y, -y, +z, -z.
+/// Makes six faces in GL's order: +x, -x, +y, -y, +z, -z.
 [[nodiscard]] std::vector<Image> makeNormalise(int side);
 [[nodiscard]] std::vector<Image> makeSky(const TextureSource &source, int side);
 

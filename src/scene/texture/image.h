@@ -8,7 +8,7 @@
 
 namespace arbiter::scene {
 
-/// An RGBA image of 8 or 16 bits a component; row 0 is the bottom one, as in GL.
+/// An RGBA image of 8 or 16 bits a component. Row 0 is the bottom one, as in GL.
 struct Image {
   Image() = default;
   Image(int columns, int rows, int componentBits = 8)
@@ -20,18 +20,18 @@ struct Image {
   int height = 0;
   int bits = 8;
   std::vector<std::uint16_t> texels; ///< 0 to most()
-  std::vector<Image> smaller;        ///< levels 1 and on, of a file that has them
+  std::vector<Image> smaller;        ///< levels 1 and up, if the file has them
 
   [[nodiscard]] float most() const { return bits == 16 ? 65535.0f : 255.0f; }
-  /// A texel in [0,1].
+  /// Returns a texel in [0,1].
   [[nodiscard]] glm::vec4 at(int x, int y) const;
-  /// Clamps to [0,1], to the nearest level.
+  /// Sets a texel: clamps to [0,1] and rounds to the nearest level.
   void set(int x, int y, const glm::vec4 &colour);
-  /// The middle of a texel as a texture coordinate.
+  /// Returns the middle of a texel as a texture coordinate.
   [[nodiscard]] glm::vec2 coordinate(int x, int y) const {
     return {(float(x) + 0.5f) / float(width), (float(y) + 0.5f) / float(height)};
   }
-  /// In 8 bits, as a thumbnail shows it.
+  /// Returns the image in 8 bits, as a thumbnail shows it.
   [[nodiscard]] Picture picture() const;
 };
 

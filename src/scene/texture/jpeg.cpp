@@ -1,7 +1,7 @@
 #include <csetjmp>
 #include <cstddef>
 #include <cstdio>
-// Behind cstdio, which it takes for granted.
+// This include must follow cstdio.
 #include <jpeglib.h>
 
 #include <jerror.h>
@@ -13,10 +13,10 @@ namespace arbiter::scene {
 
 namespace {
 
-/// A progressive file may have a scan in a few bytes, each as dear as the whole picture.
+/// A progressive file may have a scan in a few bytes, each as costly as the whole picture.
 constexpr int kMaxScans = 100;
 
-/// The library's own struct first: it is what its functions are given.
+/// The error handler. The library's own struct comes first, as the library passes a pointer to it.
 struct Failure {
   jpeg_error_mgr base;
   std::jmp_buf jump;
@@ -30,7 +30,7 @@ Failure &failureOf(j_common_ptr info) { return *reinterpret_cast<Failure *>(info
   std::longjmp(failureOf(info).jump, 1);
 }
 
-/// Of warnings (level -1) those that leave the picture whole do not matter.
+/// Handles a message. Warnings (level -1) that leave the picture intact are ignored.
 void warn(j_common_ptr info, int level) {
   const int code = info->err->msg_code;
   if (level < 0 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM &&
@@ -46,7 +46,8 @@ void countScans(j_common_ptr info) {
   std::longjmp(failure.jump, 1);
 }
 
-/// Nothing with a destructor may be made between run() and the library's calls: errors jump.
+/// Decodes a file. No object with a destructor may be made between run() and the library's calls,
+/// as errors use longjmp.
 class Decoder {
 public:
   Decoder() {

@@ -30,7 +30,8 @@ glm::vec3 skyAt(glm::vec2 at) {
   return glm::mix(colour, glm::vec3(0.96f), 0.85f * cover);
 }
 
-/// A checker to the horizon, which turns to haze where its fields are smaller than a texel.
+/// Returns a checkered ground up to the horizon. It fades into haze where its fields are smaller
+/// than a texel.
 glm::vec3 groundAt(glm::vec2 at) {
   const float distance = 0.06f / (kHorizon + 0.002f - at.y);
   const glm::vec2 field = glm::floor(glm::vec2((at.x - 0.5f) * distance * 36.0f, distance * 8.0f));
@@ -40,7 +41,7 @@ glm::vec3 groundAt(glm::vec2 at) {
                   glm::smoothstep(kHorizon - 0.08f, kHorizon, at.y));
 }
 
-/// How high the mountains are at an s.
+/// The heights of the mountains at an s.
 struct Skyline {
   explicit Skyline(float s)
       : far(kHorizon + 0.17f * fractalNoise({s * 4.0f, 3.5f}, 5, 0, 21) * (1.1f - s)),
@@ -63,7 +64,7 @@ glm::vec3 colourAt(glm::vec2 at, const Skyline &skyline) {
 
 Image makeLandscape(int width, int height) {
   Image image(width, height);
-  std::vector<Skyline> skylines; // of columns: noise is most of the picture's time
+  std::vector<Skyline> skylines; // one for each column, as noise takes most of the picture's time
   for (int x = 0; x < width; ++x)
     skylines.emplace_back(image.coordinate(x, 0).x);
   for (int y = 0; y < height; ++y)

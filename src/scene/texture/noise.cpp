@@ -8,7 +8,7 @@ namespace {
 
 int wrapped(int x, int period) { return period == 0 ? x : ((x % period) + period) % period; }
 
-/// As floor(), without a call.
+/// Computes floor() inline, without a call.
 int floorOf(float value) {
   const int towardsZero = int(value);
   return towardsZero - int(float(towardsZero) > value);
@@ -28,7 +28,8 @@ float smoothNoise(glm::vec2 at, int period, std::uint32_t seed) {
 } // namespace
 
 std::uint32_t hashOf(int x, int y, std::uint32_t seed) {
-  // Marsaglia's and Jenkins's kind of mixing: products and shifts, until each bit hangs on all.
+  // The mixing is of Marsaglia's and Jenkins's kind: products and shifts until each bit depends on
+  // all.
   std::uint32_t h =
       std::uint32_t(x) * 0x9E3779B1u ^ std::uint32_t(y) * 0x85EBCA77u ^ (seed + 1) * 0xC2B2AE3Du;
   h = (h ^ (h >> 15)) * 0x2C1B3C6Du;

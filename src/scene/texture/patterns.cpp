@@ -13,7 +13,7 @@ namespace {
 
 glm::vec4 grey(float level) { return {level, level, level, 1.0f}; }
 
-/// An image by a function of the texture coordinate.
+/// Makes an image from a function of the texture coordinate.
 template <typename Colour> Image paint(int width, int height, Colour colour) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
@@ -45,7 +45,7 @@ Image makeChecker(const TextureSource &source, int width, int height) {
 
 Image makeNoise(int width, int height) {
   Image image(width, height);
-  std::uint32_t state = 2463534242u; // xorshift32: the sequence is part of the picture's meaning
+  std::uint32_t state = 2463534242u; // xorshift32: the sequence determines the picture
   for (std::uint16_t &texel : image.texels) {
     state ^= state << 13;
     state ^= state >> 17;
@@ -95,7 +95,7 @@ Image makeBricks(const TextureSource &source, int width, int height) {
     const float row = std::floor(place.y);
     place.x = std::fmod(place.x + 0.5f * std::fmod(row, 2.0f), columns);
     const glm::vec2 inside = glm::fract(place);
-    // Mortar is as wide between bricks of a row as between rows.
+    // Mortar is as wide between the bricks of a row as between rows.
     const glm::vec2 joint = glm::max(glm::vec2(mortar * columns / rows, mortar), 1e-6f);
     const glm::vec2 edge = glm::min(inside, 1.0f - inside) / joint;
     const float level = glm::clamp(std::min(edge.x, edge.y), 0.0f, 1.0f);

@@ -8,12 +8,12 @@ namespace arbiter::scene {
 namespace {
 
 constexpr int kTile = 64;  ///< texels
-constexpr int kSquare = 8; ///< likewise
-constexpr int kDot = 5;    ///< texels a dot of a digit
+constexpr int kSquare = 8; ///< texels
+constexpr int kDot = 5;    ///< texels for each dot of a digit
 constexpr int kColumns = 5, kRows = 7;
 constexpr int kGap = 1; ///< dots between digits
 
-/// Rows from the top, the leftmost dot in the highest of five bits.
+/// A digit's rows from the top, with the leftmost dot in the highest of five bits.
 using Digit = std::array<std::uint8_t, kRows>;
 constexpr std::array<Digit, 10> kDigits = {{
     {0x0E, 0x11, 0x13, 0x15, 0x19, 0x11, 0x0E},
@@ -32,7 +32,7 @@ int widthOf(const std::string &number) {
   return kDot * (int(number.size()) * (kColumns + kGap) - kGap);
 }
 
-/// A dot of the number, which stands in the middle of the tile.
+/// True if the texel belongs to the number, which is centered in the tile.
 bool isLit(const std::string &number, int x, int y) {
   const int left = (kTile - widthOf(number)) / 2, bottom = (kTile - kDot * kRows) / 2;
   if (x < left || y < bottom || x >= left + widthOf(number) || y >= bottom + kDot * kRows)

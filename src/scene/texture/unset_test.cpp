@@ -7,7 +7,7 @@
 namespace arbiter::scene {
 namespace {
 
-/// The tile as a person reads it: '#' where it is white, from the top, every fifth texel.
+/// Returns the tile as text: '#' for white, from the top, every fifth texel.
 std::string readable(const Image &image) {
   std::string text;
   for (int y = 47; y > 14; y -= 5) {

@@ -8,10 +8,10 @@
 #include <type_traits>
 #include <vector>
 
-/// A binary form for plain structures: numbers as they lie in memory, sequences with a count before
-/// them. It is for one build on one machine (a cache), not for exchange. A structure takes part
-/// through `template <typename Archive> void fields(Archive &archive, T &value)`, which hands its
-/// members to the archive: one function writes and reads, so the two cannot differ.
+/// A binary form for plain structures: numbers in memory layout, sequences with their count in
+/// front. It is for one build on one machine (a cache), not for exchange. A structure takes part
+/// through `template <typename Archive> void fields(Archive &archive, T &value)`, which passes its
+/// members to the archive. One function both writes and reads, so the two cannot differ.
 ///
 ///   template <typename A> void fields(A &archive, Point &point) {
 ///     auto &[x, y] = point; // a new member does not compile until it is added here
@@ -34,7 +34,7 @@ private:
     if constexpr (detail::kIsNumber<T>)
       m_bytes.append(reinterpret_cast<const char *>(&value), sizeof value);
     else
-      fields(*this, const_cast<T &>(value)); // fields() gives it back as const
+      fields(*this, const_cast<T &>(value)); // fields() returns it as const
   }
   void write(const std::string &text) { write(std::string_view(text)); }
   void write(std::string_view text) {
@@ -59,15 +59,15 @@ private:
   std::string m_bytes;
 };
 
-/// Reads what ArchiveWriter wrote. On bytes that end early or that count more than there is, values
-/// keep their initial state and good() turns false; nothing is read or allocated beyond the bytes.
+/// Reads what ArchiveWriter wrote. If bytes are missing, or a count exceeds them, good() becomes
+/// false and values keep their initial state. Nothing is read or allocated beyond the bytes.
 class ArchiveReader {
 public:
   explicit ArchiveReader(std::string_view bytes) : m_rest(bytes) {}
   template <typename... Ts> void operator()(Ts &...values) { (read(values), ...); }
-  /// Nothing was missing.
+  /// True if no bytes were missing.
   [[nodiscard]] bool good() const { return m_good; }
-  /// Nothing was missing and nothing is left.
+  /// True if no bytes were missing and none are left.
   [[nodiscard]] bool complete() const { return m_good && m_rest.empty(); }
   void fail() {
     m_good = false;
@@ -79,7 +79,7 @@ private:
     if constexpr (std::is_same_v<T, bool>) {
       std::uint8_t byte = 0;
       read(byte);
-      if (byte > 1) // no bool: undefined behaviour for its reader
+      if (byte > 1) // a bool with another value is undefined behaviour for its reader
         fail();
       value = byte == 1;
     } else if constexpr (detail::kIsNumber<T>) {
@@ -114,7 +114,8 @@ private:
     if (present)
       read(value.emplace());
   }
-  /// A count of elements of a byte at least; 0 and a failure if there are not so many bytes.
+  /// Reads a count of elements of at least one byte each. Returns 0 and fails if so many bytes do
+  /// not follow.
   std::size_t readCount() {
     std::uint32_t count = 0;
     read(count);

@@ -36,7 +36,7 @@ std::optional<HashKey> cacheKeyOf(const std::string &folder) {
   if (::getrandom(fresh.data(), fresh.size(), GRND_NONBLOCK) != ssize_t(fresh.size()))
     return std::nullopt;
   ::unlink(path.c_str());
-  // Another process may be first; then its key is the one.
+  // If another process was first, its key counts.
   if (!createPrivateFile(path, {reinterpret_cast<const char *>(fresh.data()), fresh.size()}))
     return std::nullopt;
   return read(path);

@@ -6,11 +6,12 @@
 
 namespace arbiter {
 
-/// The secret of a cache's folder, 16 random bytes in its file "key": what is stored is signed with
-/// it, so that a file which another user, another machine or another folder made is no entry. Made
-/// at the first call; one that is not the user's own, that others may read, or that is not whole is
-/// replaced, and with it all that was signed. Nothing if there is none and none can be made.
-/// \param folder exists, is the user's, and no other user may write to it
+/// Returns the secret of a cache's folder: 16 random bytes in its file "key". Entries are signed
+/// with it, so that files made by another user, machine or folder are not accepted. The first call
+/// creates the file. A key that is incomplete, readable by others or owned by another user is
+/// replaced, which invalidates all signed entries. Returns nothing if there is no key and none can
+/// be made.
+/// \param folder exists, belongs to the user, and no other user may write to it
 [[nodiscard]] std::optional<HashKey> cacheKeyOf(const std::string &folder);
 
 } // namespace arbiter

@@ -27,20 +27,21 @@ namespace {
 constexpr unsigned kShards = 64;
 constexpr char kMagic[8] = {'A', 'R', 'B', 'C', 'A', 'C', 'H', '2'};
 constexpr const char *kTemporary = ".tmp";
-/// A hit moves the time of last use on if it is older than this: not a write for each read.
+/// A hit renews the time of last use only if it is older than this, so that not every read causes a
+/// write.
 constexpr std::time_t kTouchSeconds = 600;
-/// A temporary file as old as this is what a process that died left.
+/// A temporary file of this age was left by a process that died.
 constexpr std::time_t kAbandonedSeconds = 3600;
 
-/// What stands before key and value in a file.
+/// The header in front of key and value in a file.
 struct Header {
   char magic[8];
   std::uint64_t keyBytes;
   std::uint64_t valueBytes;
-  KeyedHash signature; ///< of all else in the file, this being zero
+  KeyedHash signature; ///< of the rest of the file, computed with this field zero
 };
 
-/// "/folder/2a", for names whose first two digits are 2a, 6a, aa or ea.
+/// Returns "/folder/2a" for names whose first two digits are 2a, 6a, aa or ea.
 std::string shardPath(const std::string &folder, unsigned shard) {
   char digits[8];
   std::snprintf(digits, sizeof digits, "/%02x", shard % kShards);
@@ -50,7 +51,7 @@ std::string shardOf(const std::string &folder, const std::string &name) {
   return shardPath(folder, unsigned(std::strtoul(name.substr(0, 2).c_str(), nullptr, 16)));
 }
 
-/// A descriptor that closes itself.
+/// Owns a file descriptor and closes it.
 struct Descriptor {
   int number;
   explicit Descriptor(int n) : number(n) {}
@@ -62,11 +63,12 @@ struct Descriptor {
   Descriptor &operator=(const Descriptor &) = delete;
 };
 
-/// The folder is there, is a folder and not a link, is the user's own, and others neither read nor
-/// write what is in it. One that others could only read is taken from them.
+/// Creates the folder if needed. Returns true if it is a folder, not a link, belongs to the user,
+/// and no one else may read or write in it. Removes the read permission of others if that is all
+/// they have.
 bool makeFolders(const std::string &path) {
   for (std::size_t at = path.find('/', 1); at != std::string::npos; at = path.find('/', at + 1))
-    ::mkdir(path.substr(0, at).c_str(), 0700); // those that are there are left as they are
+    ::mkdir(path.substr(0, at).c_str(), 0700); // existing folders stay as they are
   ::mkdir(path.c_str(), 0700);
   const Descriptor folder(
       ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC | O_NOCTTY));
@@ -95,7 +97,7 @@ KeyedHash signatureOf(const HashKey &secret, std::string bytes) {
   return keyedHash(secret, bytes);
 }
 
-/// The value in a file's bytes, if they are whole, signed, and of this key.
+/// Returns the value in a file's bytes if they are complete, signed, and stored under this key.
 std::optional<std::string> valueIn(const std::string &bytes, std::string_view key,
                                    const HashKey &secret) {
   Header header;
@@ -132,8 +134,8 @@ void eachFile(const std::string &shard,
   ::closedir(stream);
 }
 
-/// Holds a subfolder to its share: what was used longest ago goes, down to three quarters, so that
-/// not each new file has to look for room.
+/// Evicts the least recently used files when a subfolder exceeds its share. It frees a quarter of
+/// the share, so that not every new file has to evict.
 void evict(const std::string &shard, std::uint64_t share) {
   std::vector<FileRow> rows;
   std::uint64_t total = 0;
@@ -183,7 +185,7 @@ CacheStore::CacheStore(std::string folder, std::uint64_t maxBytes) noexcept
       m_secret = *secret;
       m_usable = true;
     }
-  } catch (...) { // out of memory: then without
+  } catch (...) { // out of memory: the store works without a folder
   }
 }
 

@@ -1,5 +1,4 @@
-/// The cache on disk: what is stored is found, and nothing that happens to the files is more than a
-/// miss.
+/// The cache on disk: stored values are found, and any damage to the files is no more than a miss.
 #include "util/cache/cache_store.h"
 
 #include <csignal>
@@ -42,7 +41,7 @@ protected:
     text << std::ifstream(path, std::ios::binary).rdbuf();
     return text.str();
   }
-  /// Open to its owner alone, so that it is the content that is judged.
+  /// Makes the file accessible to its owner only, so that the test judges its content.
   static void write(const fs::path &path, const std::string &bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
     fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
@@ -66,7 +65,7 @@ TEST_F(Cache, FindsWhatWasStoredByAnyStoreOfTheFolder) {
   EXPECT_EQ(cacheUsage(m_folder).files, 2u);
   EXPECT_EQ(clearCache(m_folder).files, 0u);
   EXPECT_EQ(store.find("key"), std::nullopt);
-  EXPECT_TRUE(store.store("key", "again")); // the subfolder is made anew
+  EXPECT_TRUE(store.store("key", "again")); // the subfolder is created again
 }
 
 TEST_F(Cache, FilesAndFoldersAreTheOwnersOnly) {
@@ -98,8 +97,7 @@ TEST_F(Cache, AFileThatOthersMayReadOrWriteIsAMissAndGoes) {
   }
 }
 
-// A whole entry of the right key, made elsewhere: by another user, on another machine, for another
-// folder.
+// The entry is complete and has the right key, but another user, machine or folder made it.
 TEST_F(Cache, AnEntryThatAnotherSecretSignedIsAMiss) {
   const CacheStore store(m_folder, kMegabyte), foreign(m_top + "/foreign", kMegabyte);
   ASSERT_TRUE(store.store("key", "value"));
@@ -110,7 +108,7 @@ TEST_F(Cache, AnEntryThatAnotherSecretSignedIsAMiss) {
   write(here, bytesOf(there));
   EXPECT_EQ(store.find("key"), std::nullopt);
   EXPECT_FALSE(fs::exists(here));
-  // With its secret it would be an entry.
+  // With its own secret it becomes a valid entry.
   ASSERT_TRUE(store.store("key", "value"));
   write(here, bytesOf(there));
   write(m_folder + "/key", bytesOf(m_top + "/foreign/key"));
@@ -181,7 +179,7 @@ TEST_F(Cache, AFileOfAnotherKeyIsNotTaken) {
     write(file, ofOne);
   EXPECT_EQ(store.find("two"), std::nullopt);
   EXPECT_EQ(store.find("one"), "1");
-  // Two entries that changed places.
+  // Two entries have changed places.
   ASSERT_TRUE(store.store("two", "2"));
   const fs::path a = files().at(0), b = files().at(1);
   const std::string ofA = bytesOf(a);
@@ -200,7 +198,7 @@ TEST_F(Cache, StaysWithinItsSizeAndKeepsWhatWasUsedLast) {
   EXPECT_LE(cacheUsage(m_folder).bytes, limit);
   EXPECT_GT(cacheUsage(m_folder).bytes, limit / 2);
   EXPECT_FALSE(store.store("large", std::string(3000, 'v'))); // more than half a share
-  // All but one of a subfolder are old: that one outlives the rest.
+  // All files of a subfolder but one are old: that one outlives the rest.
   clearCache(m_folder);
   ASSERT_TRUE(store.store("kept", value));
   const fs::path kept = files().at(0);
@@ -237,7 +235,7 @@ TEST_F(Cache, GoesWithoutWhereItCannotWrite) {
   EXPECT_FALSE(CacheStore(m_top + "/link", kMegabyte).usable());
   EXPECT_FALSE(CacheStore("", kMegabyte).store("key", "value"));
   EXPECT_EQ(CacheStore("", kMegabyte).find("key"), std::nullopt);
-  // A folder that turns read-only, or vanishes, while it is in use.
+  // The folder turns read-only, or vanishes, while it is in use.
   const CacheStore store(m_folder, kMegabyte);
   ASSERT_TRUE(store.store("key", "value"));
   if (::geteuid() != 0) { // root writes anywhere
@@ -255,7 +253,7 @@ TEST_F(Cache, AFullDiskLeavesNothingBehind) {
   const CacheStore store(m_folder, kMegabyte * 64);
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
-  if (child == 0) { // the limit on a file's size stands for a full disk: write() falls short
+  if (child == 0) { // the file size limit stands for a full disk: write() falls short
     struct rlimit limit = {2048, 2048};
     ::signal(SIGXFSZ, SIG_IGN);
     ::setrlimit(RLIMIT_FSIZE, &limit);
@@ -276,12 +274,12 @@ TEST_F(Cache, ALinkIsNotFollowed) {
   fs::rename(path, elsewhere);
   fs::create_symlink(elsewhere, path);
   EXPECT_EQ(store.find("key"), std::nullopt);
-  EXPECT_TRUE(store.store("key", "other")); // takes the link's place
+  EXPECT_TRUE(store.store("key", "other")); // replaces the link
   EXPECT_EQ(store.find("key"), "other");
   EXPECT_NE(bytesOf(elsewhere).find("value"), std::string::npos);
 }
 
-// Writers, readers and evictions of the same keys at once: a reader sees a whole value or none.
+// Writers, readers and evictions use the same keys at once. A reader sees a whole value or none.
 TEST_F(Cache, ProcessesShareItWithoutATornRead) {
   const CacheStore parent(m_folder, 64 * 16384);
   std::vector<pid_t> children;

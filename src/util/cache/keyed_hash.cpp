@@ -7,7 +7,7 @@ namespace arbiter {
 
 namespace {
 
-/// Little-endian, whatever the machine is: the same message has the same hash everywhere.
+/// Reads a little-endian word on any machine, so that a message has the same hash everywhere.
 std::uint64_t load(const char *from, std::size_t bytes) {
   std::uint64_t word = 0;
   for (std::size_t i = 0; i < bytes; ++i)
@@ -53,7 +53,7 @@ struct State {
 KeyedHash keyedHash(const HashKey &key, std::string_view message) {
   const auto *const bytes = reinterpret_cast<const char *>(key.data());
   const std::uint64_t k0 = load(bytes, 8), k1 = load(bytes + 8, 8);
-  // "somepseudorandomlygeneratedbytes", and the mark of the long result.
+  // The constants spell "somepseudorandomlygeneratedbytes". 0xee marks the 128-bit result.
   State state = {k0 ^ 0x736f6d6570736575u, k1 ^ 0x646f72616e646f6du ^ 0xeeu,
                  k0 ^ 0x6c7967656e657261u, k1 ^ 0x7465646279746573u};
   std::size_t at = 0;

@@ -8,8 +8,8 @@ namespace arbiter {
 using HashKey = std::array<std::uint8_t, 16>;
 using KeyedHash = std::array<std::uint8_t, 16>;
 
-/// SipHash-2-4 with 128 bits of result (Aumasson and Bernstein): a message authentication code. Who
-/// does not have the key cannot make a message with the right hash, nor one with a chosen change.
+/// Computes SipHash-2-4 with a 128-bit result (Aumasson and Bernstein), a message authentication
+/// code. Without the key no one can forge the hash of a message, or change a message unnoticed.
 [[nodiscard]] KeyedHash keyedHash(const HashKey &key, std::string_view message);
 
 } // namespace arbiter

@@ -1,4 +1,5 @@
-/// SipHash-2-4-128 against its authors' vectors: key 00 01 .. 0f, message 00 01 .. of each length.
+/// SipHash-2-4-128 against its authors' vectors: the key 00 01 .. 0f, and a message 00 01 .. of
+/// each length.
 #include "util/cache/keyed_hash.h"
 
 #include <string>

@@ -15,7 +15,7 @@ bool protect(const void *begin, std::size_t bytes, int rights) {
   return mprotect(const_cast<void *>(begin), bytes, rights) == 0;
 }
 
-/// Where sealed pages begin: the tables of a process are few.
+/// The addresses of sealed pages. A process has few such tables.
 constinit std::array<std::atomic<const void *>, 32> g_sealed{};
 
 void remember(const void *begin) {

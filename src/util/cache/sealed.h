@@ -1,31 +1,32 @@
 #pragma once
 #include <cstddef>
 
-/// Tables of functions that are filled at run time: read-only but for the moment of a write, so
-/// that a stray write of whatever part of the process cannot make a call lead elsewhere.
+/// Function tables that are filled at run time. They are read-only except during a write, so that a
+/// stray write anywhere in the process cannot redirect a call.
 namespace arbiter {
 
-/// Of memory that is sealed, in bytes: the largest page that kernels of this processor use.
+/// The size of a sealed page in bytes: the largest page size that kernels of this processor use.
 #if defined(__x86_64__) || defined(__i386__)
 inline constexpr std::size_t kSealedPage = 4096;
 #else
 inline constexpr std::size_t kSealedPage = 65536;
 #endif
 
-/// Makes whole pages read-only. Where the system refuses, they stay as they are.
+/// Makes whole pages read-only. If the system refuses, they stay writable.
 void sealPages(const void *begin, std::size_t bytes);
-/// Whether pages that begin there were sealed.
+/// True if the pages that begin there were sealed.
 [[nodiscard]] bool isSealed(const void *begin);
 
-/// Sealed pages while they are written again. Reading goes on in other threads. One write of the
-/// process's is under way at a time; nothing waits, as a signal's handler may have interrupted it.
+/// Unseals pages for a write while other threads keep reading. Only one write per process is under
+/// way at a time. A second one fails instead of waiting, as it may come from a signal handler that
+/// interrupted the first.
 class UnsealedPages {
 public:
   UnsealedPages(const void *begin, std::size_t bytes);
   ~UnsealedPages();
   UnsealedPages(const UnsealedPages &) = delete;
   UnsealedPages &operator=(const UnsealedPages &) = delete;
-  /// False: another write is under way, or the system refuses. Nothing may be written.
+  /// False if another write is under way, or the system refuses. Then nothing may be written.
   [[nodiscard]] explicit operator bool() const { return m_open; }
 
 private:
@@ -34,19 +35,20 @@ private:
   bool m_open = false;
 };
 
-/// A value with pages of its own, for static storage.
+/// A value on pages of its own, for static storage.
 template <typename T> class alignas(kSealedPage) Sealed {
 public:
   [[nodiscard]] constexpr const T &operator*() const { return m_value; }
   [[nodiscard]] constexpr const T *operator->() const { return &m_value; }
 
-  /// Once, before others read it: calls write(T &) and seals.
+  /// Calls write(T &) and seals the pages. Requires that no other thread reads them yet.
   template <typename Write> const T &fill(Write write) {
     write(m_value);
     sealPages(this, sizeof *this);
     return m_value;
   }
-  /// Later: calls write(T &), which stores what others may read at that moment. False: not called.
+  /// Calls write(T &) on the unsealed pages; others may read what it stores at any moment.
+  /// \returns false if write was not called
   template <typename Write> bool amend(Write write) {
     const UnsealedPages open(this, sizeof *this);
     if (!open)

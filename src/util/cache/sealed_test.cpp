@@ -13,7 +13,8 @@ namespace {
 
 using Table = std::array<void *, 700>;
 
-/// The rights of the page at an address, as the kernel lists them: "r--p". "" if nothing is there.
+/// Returns the permissions of the page at an address, as the kernel lists them ("r--p"); "" if
+/// there is no page.
 std::string rightsAt(const void *address) {
   const auto wanted = reinterpret_cast<unsigned long>(address);
   std::FILE *const maps = std::fopen("/proc/self/maps", "r");
@@ -64,7 +65,7 @@ TEST(Sealed, SharesItsPagesWithNothing) {
   EXPECT_EQ(rightsAt(&g_neighbour), "rw-p");
 }
 
-/// A handler of signals that interrupts a write must not wait for it.
+/// A signal handler that interrupts a write must not wait for it.
 TEST(Sealed, ASecondWriteIsRefusedAndNotWaitedFor) {
   bool inner = true;
   EXPECT_TRUE(g_amended.amend([&](Table &) { inner = g_shared.amend([](Table &) {}); }));

@@ -13,12 +13,13 @@ namespace arbiter::defaults {
 
 namespace {
 
-/// Tries conditions on a program; its file is hashed at most once, and only if all else holds.
+/// Evaluates conditions for a program. Its file is hashed at most once, and only if all other
+/// conditions hold.
 class Matcher {
 public:
   explicit Matcher(const Program &program) : m_program(program) {}
 
-  /// Why the entry is for the program; nothing if it is not.
+  /// Returns why the entry applies to the program; nothing if it does not.
   std::optional<std::string> why(const Match &match) {
     std::string held;
     if (!holds(match.names, m_program.name, "name", false, held) ||
@@ -43,7 +44,7 @@ private:
     return true;
   }
 
-  /// Either file may be meant: the one that runs, or the Windows program that it runs.
+  /// The pattern may match either file: the one that runs, or the Windows program that it runs.
   bool pathHolds(const std::vector<std::string> &patterns, std::string &held) const {
     return holds(patterns, m_program.file(), "path", false, held) ||
            holds(patterns, m_program.path, "path", false, held);

@@ -6,22 +6,22 @@
 #include "util/defaults/entry.h"
 #include "util/defaults/program.h"
 
-/// Which entries are for a program, and what follows from them.
+/// Selects the entries that apply to a program, and the settings that follow from them.
 namespace arbiter::defaults {
 
 struct Chosen {
   const Entry *entry = nullptr;
-  std::string why; ///< the conditions that held: "name \"quake3.x86\""
+  std::string why; ///< the conditions that hold: "name \"quake3.x86\""
 };
 
-/// A key, and the last entry that sets it.
+/// The value of a key, from the last entry that sets it.
 struct Setting {
   const Key *key = nullptr;
   const Value *value = nullptr;
   const Entry *entry = nullptr;
-  bool used = true; ///< false: the environment has the variable, which wins
+  bool used = true; ///< false: the environment sets the variable and wins
 
-  /// "FILE:LINE" of the value.
+  /// Returns "FILE:LINE" of the value.
   [[nodiscard]] std::string place() const;
 };
 
@@ -32,19 +32,20 @@ struct Choice {
   std::vector<Chosen> entries;   ///< in the order of the files
   std::vector<Setting> settings; ///< in the order of keys()
 
-  /// Null where no entry sets it.
+  /// Returns null if no entry sets it.
   [[nodiscard]] const Setting *find(Env variable) const;
 };
 
-/// \param environment a variable's value; null: not set
+/// Selects the entries and settings of a program.
+/// \param environment returns a variable's value; null: not set
 [[nodiscard]] Choice choose(Program program, std::vector<File> files,
                             const std::function<const char *(const char *)> &environment);
 
-/// This process's, read when it is first asked for; no file is read before. A set-user-id program
-/// has none. Never destroyed.
-/// \param shipped the folder that was installed with the layer, of the first call
+/// Returns this process's choice. The first call reads the files; none is read before. A
+/// set-user-id program has no choice. The result is never destroyed.
+/// \param shipped the folder that was installed with the layer; only the first call's counts
 [[nodiscard]] const Choice &ownChoice(const std::string &shipped);
-/// The same where ownChoice() was called; null where it was not.
+/// Returns the choice if ownChoice() was called before, else null.
 [[nodiscard]] const Choice *ownChoiceIfRead() noexcept;
 
 } // namespace arbiter::defaults

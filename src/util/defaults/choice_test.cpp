@@ -102,7 +102,7 @@ TEST_F(DefaultsFolder, EachConditionMustHold) {
   EXPECT_TRUE(applies("name='game', path='*/q/*'"));
   EXPECT_FALSE(applies("name='game', path='*/r/*'"));
   EXPECT_FALSE(applies("name='game', windows='*'"));
-  // The published hash of no bytes; the second differs in the last digit.
+  // The first is the published hash of no bytes. The second differs in the last digit.
   EXPECT_TRUE(applies("xxh128='99aa06d3014798d86001c324468d497f'"));
   EXPECT_FALSE(applies("xxh128='99aa06d3014798d86001c324468d4970'"));
 }
@@ -112,7 +112,7 @@ TEST_F(DefaultsFolder, WindowsProgramsUnderWine) {
   fs::create_directories(root / "prefix/dosdevices");
   fs::create_directory_symlink(root / "drive", root / "prefix/dosdevices/c:");
   variables["WINEPREFIX"] = root / "prefix";
-  // Before Wine sets the name, and after.
+  // The words as they are before Wine sets the name, and after.
   for (const auto &[executable, words] :
        {std::pair{"/usr/bin/wine64", std::vector<std::string>{"wine64", exe, "-window"}},
         {"/usr/lib/wine/wine64-preloader", {"C:\\games\\quake\\quake.exe", "other.exe"}},

@@ -1,6 +1,6 @@
-// What the first use of GL in a process pays for the defaults of programs: files read and matched,
-// as the layer does it once. Median of many times, in microseconds; the first is printed too, as a
-// process has no other.
+// Measures what the first use of GL in a process pays for the defaults of programs: it reads and
+// matches the files once, as the layer does. Prints the median of many runs in microseconds, and
+// the first run, as a process makes only one.
 //
 // usage: defaults_bench FOLDER
 #include <algorithm>

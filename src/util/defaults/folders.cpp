@@ -28,7 +28,8 @@ std::vector<Folder> named(std::string_view list) {
 
 bool isFile(std::string_view name) { return !name.starts_with(".") && name.ends_with(".toml"); }
 
-/// The file's text is followed in every program of the user: what another user put there is not.
+/// True if a file belongs to neither root nor the user. Such a file is ignored, as its text would
+/// affect every program of the user.
 bool isForeign(const std::string &path) {
   struct stat status = {};
   return ::stat(path.c_str(), &status) == 0 && status.st_uid != 0 && status.st_uid != ::geteuid();
@@ -37,7 +38,7 @@ bool isForeign(const std::string &path) {
 void readFolder(const Folder &folder, std::vector<File> &files) {
   DIR *const stream = ::opendir(folder.path.c_str());
   if (stream == nullptr) {
-    // HOME may be another user's, whose folders are closed: a program that was started by `su`.
+    // HOME may belong to another user whose folders are closed, as in a program started by `su`.
     if (errno != ENOENT && errno != ENOTDIR && !(folder.users && errno == EACCES))
       files.push_back({{}, {folder.path + ": " + std::strerror(errno)}});
     return;

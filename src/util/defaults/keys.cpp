@@ -6,8 +6,8 @@ namespace arbiter::defaults {
 
 namespace {
 
-/// What rules how a program is answered and drawn. Where reports go, who may look on and what is
-/// kept on disk are the user's to say, not a file's.
+/// The variables that decide what a program is told and how it is drawn. Others are the user's
+/// alone to set: where reports go, who may observe, and what is kept on disk.
 constexpr Env kVariables[] = {
     Env::Profile,    Env::Limits,   Env::Identity, Env::ExtensionsMaxYear, Env::ExtensionsMaxLength,
     Env::Extensions, Env::Numerics, Env::Backend,  Env::FixedFunction,     Env::Attributes,
@@ -25,7 +25,7 @@ std::string keyOf(Env variable) {
 } // namespace
 
 std::span<const Key> keys() {
-  // Never destroyed: another thread may ask while the process ends.
+  // The list is never destroyed: another thread may ask while the process ends.
   static const auto *const s_keys = [] {
     auto *made = new std::vector<Key>;
     for (const Env variable : kVariables)

@@ -14,10 +14,10 @@ namespace arbiter::defaults {
 
 namespace {
 
-constexpr std::size_t kMaxCommandLine = 2u << 20; // what execve takes by default
+constexpr std::size_t kMaxCommandLine = 2u << 20; // execve's default limit
 constexpr std::size_t kMaxMaps = 16u << 20;
 constexpr std::string_view kDeleted =
-    " (deleted)"; // behind the link's text, where the file is gone
+    " (deleted)"; // follows the link's text if the file was deleted
 
 std::string_view lastPart(std::string_view path, const char *separators = "/") {
   const std::size_t at = path.find_last_of(separators);
@@ -39,7 +39,7 @@ bool isWindowsName(std::string_view word) {
   return word.size() > 4 && equalInAnyCase(word.substr(word.size() - 4), ".exe");
 }
 
-/// A name that begins with `stem`, and then has digits, or '-' and more, or nothing.
+/// True if a name is `stem`, alone or followed by digits, or by '-' and more.
 bool isOf(std::string_view name, std::string_view stem) {
   if (!name.starts_with(stem))
     return false;
@@ -49,15 +49,15 @@ bool isOf(std::string_view name, std::string_view stem) {
   return name.empty() || name.front() == '-';
 }
 
-/// Loaders that are given the program's own file as a word.
+/// True for loaders that are given the program's own file as a word.
 bool isElfLoader(std::string_view name) {
   return name.starts_with("ld-linux") || name.starts_with("ld-2.") || name == "ld.so" ||
          isOf(name, "box64") || isOf(name, "box86") || name.starts_with("FEX") ||
          name.starts_with("qemu-");
 }
 
-/// The first word that is no option. Those of ld.so that have a value are known; other loaders'
-/// options have it behind '=' or in the environment.
+/// Returns the first word that is not an option. ld.so's options with a separate value are known.
+/// Options of other loaders have their value behind '=' or in the environment.
 std::string programWord(const std::vector<std::string> &words) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     const std::string &word = words[i];
@@ -78,7 +78,7 @@ std::string realPath(const std::string &path) {
   return result;
 }
 
-/// The entry of a folder that has that name in some case; its exact name if there is one.
+/// Returns the entry of a folder whose name matches in any case, the exact name first.
 std::string entryInAnyCase(const std::string &folder, std::string_view name) {
   std::string exact = folder + "/" + std::string(name);
   if (::access(exact.c_str(), F_OK) == 0)
@@ -94,7 +94,8 @@ std::string entryInAnyCase(const std::string &folder, std::string_view name) {
   return found;
 }
 
-/// "C:\games\q.exe" in this file system: Wine's drives are links in the prefix's folder dosdevices.
+/// Translates "C:\games\q.exe" to a path in this file system. Wine's drives are links in the
+/// prefix's folder dosdevices.
 std::string fromDrive(const Facts &facts, std::string_view path) {
   const char *const prefix = facts.environment("WINEPREFIX");
   const char *const home = facts.environment("HOME");
@@ -115,7 +116,7 @@ std::string fromDrive(const Facts &facts, std::string_view path) {
   return found.empty() ? found : realPath(found);
 }
 
-/// The file of that name, in any case, that the process has loaded.
+/// Returns the file of that name, in any case, that the process has loaded.
 std::string loadedFile(const std::string &maps, std::string_view name) {
   std::string text;
   if (maps.empty() || !arbiter::readFile(maps.c_str(), kMaxMaps, text))
@@ -138,7 +139,8 @@ void takeWindowsWord(Program &program, const Facts &facts, const std::string &wo
   const bool drive =
       word.size() > 2 && std::isalpha(static_cast<unsigned char>(word[0])) && word[1] == ':';
   program.windowsPath = drive ? fromDrive(facts, word) : realPath(word);
-  // A name alone, which Wine found by its own rules, or from a folder that was left since.
+  // The word may be a bare name that Wine found by its own rules, or come from a folder that was
+  // left since.
   if (program.windowsPath.empty())
     program.windowsPath = loadedFile(facts.mapped, program.windows);
 }
@@ -181,7 +183,8 @@ Program programOf(const Facts &facts) {
       program.name = lastPart(real);
     }
   }
-  // Wine gives its process the Windows program's name; before it does, that is a word of its own.
+  // Wine sets its process's name to the Windows program's. Before that, the program is a separate
+  // word.
   for (std::size_t i = 0; i < facts.words.size() && program.windows.empty(); ++i)
     if ((i == 0 || loader) && isWindowsName(facts.words[i]))
       takeWindowsWord(program, facts, facts.words[i]);
@@ -194,7 +197,7 @@ std::string hashOfFile(const std::string &path) {
 }
 
 bool matches(std::string_view pattern, std::string_view text, bool anyCase) {
-  // The last `*`, and how much of the text it has taken so far.
+  // The position of the last `*`, and how much of the text it has matched so far.
   std::size_t star = std::string_view::npos, taken = 0, p = 0, t = 0;
   const auto same = [&](char a, char b) { return a == b || (anyCase && lower(a) == lower(b)); };
   while (t < text.size()) {

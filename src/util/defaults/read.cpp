@@ -43,7 +43,7 @@ bool isIn(std::string_view name, std::span<const std::string_view> known) {
   return std::find(known.begin(), known.end(), name) != known.end();
 }
 
-/// A string, or several, none of them empty.
+/// Reads a string, or an array of strings. None may be empty.
 bool readStrings(Reader &reader, const std::string &key, const toml::node &node,
                  std::vector<std::string> &strings) {
   const auto add = [&](const toml::node &each) {
@@ -104,7 +104,7 @@ bool readMatch(Reader &reader, const toml::node &node, Match &match) {
              noFolders(reader, "windows", child, match.windows);
     else if (name == "xxh128")
       good = readHashes(reader, child, match.hashes);
-    else // an entry would be for more programs than it was meant for
+    else // without this condition the entry would apply to more programs than intended
       good = reader.unknown(key, "match", kMatchKeys);
     if (!good)
       return false;
@@ -112,7 +112,7 @@ bool readMatch(Reader &reader, const toml::node &node, Match &match) {
   return true;
 }
 
-/// What the layer would say of the variable; empty if it would follow.
+/// Returns the layer's warning about the variable's value; empty if it accepts it.
 std::string whyNotFollowed(const Value &value) {
   std::vector<std::string> warnings;
   const std::string name = info(value.variable).name;
@@ -142,7 +142,8 @@ bool readValue(Reader &reader, const Key &key, const toml::node &node, Value &va
   }
   if (const std::string fault = whyNotFollowed(value); !fault.empty())
     return reader.fail(node.source(), key.name + ": " + fault);
-  // As the variable has it (fp_compiler/hw/profile.h): what has a slash or ends in .toml is a path.
+  // A value with a slash or the ending .toml is a path, as in the variable
+  // (fp_compiler/hw/profile.h).
   const bool isPath = value.text.find('/') != std::string::npos || value.text.ends_with(".toml");
   if (key.variable == Env::Profile && isPath && value.text.front() != '/') {
     const std::size_t slash = reader.path.rfind('/');
@@ -233,7 +234,7 @@ void readRoot(Reader &reader, const toml::table &root) {
   }
 }
 
-/// Whether the parser breaks within the text's first lines.
+/// True if the parser breaks within the text's first `bytes` bytes.
 bool breaksWithin(std::string_view text, std::size_t bytes) {
   try {
     static_cast<void>(toml::parse(text.substr(0, bytes)));
@@ -243,7 +244,7 @@ bool breaksWithin(std::string_view text, std::size_t bytes) {
   }
 }
 
-/// The line that the parser, which does not say, breaks at.
+/// Finds the line at which the parser breaks, as the parser does not report it.
 std::uint32_t brokenLine(std::string_view text) {
   std::vector<std::size_t> ends;
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string_view::npos;)

@@ -2,15 +2,15 @@
 #include "util/defaults/choice.h"
 #include "util/json.h"
 
-/// A program's defaults as JSON: of the statistics, and of `arbiter defaults --json`.
+/// Writes a program's defaults as JSON, for the statistics and for `arbiter defaults --json`.
 namespace arbiter::defaults {
 
-/// An entry: title, file, line, match, set, source, note.
+/// Writes an entry: title, file, line, match, set, source, note.
 void writeEntry(JsonWriter &json, const Entry &entry);
 
-/// {"program": {...}, "entries": [{title, file, line, why}], "settings": {key: {value, file, line,
-/// title, used}}, "errors": [...]}; null for no choice. "used" is false where the environment has
-/// the variable, which then wins.
+/// Writes {"program": {...}, "entries": [{title, file, line, why}], "settings": {key: {value, file,
+/// line, title, used}}, "errors": [...]}, or null if there is no choice. "used" is false if the
+/// environment sets the variable and wins.
 void writeChoice(JsonWriter &json, const Choice *choice);
 
 } // namespace arbiter::defaults

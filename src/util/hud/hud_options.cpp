@@ -24,7 +24,7 @@ constexpr CornerName kCorners[] = {{"top-left", false, false},
 
 constexpr std::string_view kOtherWords[] = {"hidden", "scale=N", "key=NAME"};
 
-/// Says that `word` is none of those that are known, and which is near.
+/// Returns a message that `word` is unknown, with the nearest known word.
 std::string notKnown(std::string_view word) {
   std::array<std::string_view, std::size(kPartNames) + std::size(kCorners) + std::size(kOtherWords)>
       known;
@@ -57,7 +57,7 @@ bool takePrefix(std::string_view &text, std::string_view prefix) {
   return true;
 }
 
-/// Reads F1 to F12 behind shift+, ctrl+ and alt+, or none.
+/// Reads F1 to F12, optionally behind shift+, ctrl+ and alt+.
 bool readKey(std::string_view text, HudKey &key) {
   constexpr std::uint32_t kF1 = 0xFFBE; // XK_F1
   key = {};
@@ -80,7 +80,8 @@ bool readKey(std::string_view text, HudKey &key) {
   return true;
 }
 
-/// Reads one word. \return what is wrong with it; empty: nothing
+/// Reads one word.
+/// \return what is wrong with it; empty: nothing
 std::string readWord(std::string_view word, HudOptions &options, std::uint8_t &parts) {
   for (unsigned i = 0; i < kHudParts; ++i)
     if (word == kPartNames[i]) {

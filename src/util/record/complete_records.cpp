@@ -14,8 +14,8 @@ namespace arbiter {
 
 namespace {
 
-/// The number of the process whose record `name` is, where it is one of the target `pattern`, with
-/// %p for any number; 0 where it is not.
+/// Returns the process number in `name` if it is a record of the target `pattern`, in which %p
+/// stands for any number. Returns 0 if not.
 int processOf(std::string_view name, std::string_view pattern) {
   constexpr std::string_view kEnding = ".running";
   if (!name.ends_with(kEnding))
@@ -51,7 +51,8 @@ int processOf(std::string_view name, std::string_view pattern) {
 
 struct Found {
   std::string path;
-  std::int64_t began; ///< ns: a record is written to as long as its process lives, so its making
+  /// ns; the time of creation, as a record is written to as long as its process lives
+  std::int64_t began;
 };
 
 } // namespace

@@ -24,7 +24,7 @@ constexpr std::size_t kFrameBytes = 96 << 10, kBytes = std::size_t(3) << 20;
 constexpr std::size_t kPathBytes = 1024;
 constexpr const char *kEnding = ".running";
 
-/// Strings that grow in place, as nothing may be allocated.
+/// A string of fixed capacity, as nothing may be allocated.
 struct Path {
   char text[kPathBytes + 64] = {};
   std::size_t length = 0;
@@ -45,8 +45,8 @@ struct Path {
 };
 } // namespace
 
-/// What lies in the file, for processes of 32 and of 64 bits alike. Written in an order in which it
-/// is whole at every moment: texts first, then what says that they are there.
+/// The layout of the file, equal for 32-bit and 64-bit processes. Writes are ordered so that it is
+/// consistent at every moment: texts first, then the fields that refer to them.
 struct LiveRecord::Layout {
   char magic[sizeof kMagic];
   std::int32_t process;
@@ -60,9 +60,9 @@ struct LiveRecord::Layout {
     std::uint32_t before, after;
     char text[kFrameBytes];
   } frames[2];
-  std::atomic<std::uint32_t> frame; ///< which of the two
+  std::atomic<std::uint32_t> frame; ///< the index of the current frame, 0 or 1
   std::atomic<std::uint32_t> rowsEnd;
-  char rows[1]; ///< each its length in four bytes, then its text; to the end of kBytes
+  char rows[1]; ///< each its length in four bytes, then its text; up to kBytes
 
   static constexpr std::size_t kRowsAt =
       16 + 16 + sizeof(Moment) + kPathBytes + 8 * kCounters + 2 * (8 + kFrameBytes) + 8;
@@ -75,7 +75,7 @@ struct LiveRecord::Layout {
     std::memcpy(target, path.data(), path.size());
     std::memcpy(magic, kMagic, sizeof magic);
   }
-  /// Of a file that another process left: nothing leads out of it.
+  /// True if no field of a file that another process left points outside of it.
   [[nodiscard]] bool isSound() const {
     const Frame &current = frames[frame.load() & 1];
     return std::memcmp(magic, kMagic, sizeof magic) == 0 && target[kPathBytes - 1] == '\0' &&
@@ -87,8 +87,8 @@ struct LiveRecord::Layout {
     path.add(target).add(".").add(process).add(kEnding);
     return path;
   }
-  /// Where the report goes: a file that another program wrote since this one began is that one's,
-  /// and so may be the ones beside it.
+  /// Returns the report's path. A file that another program has written since this one began is not
+  /// overwritten, and later numbers are tried in its place.
   [[nodiscard]] Path reportPath() const {
     constexpr int kMost = 100;
     for (int i = named == 0 && forked != 0 ? 1 : 0;; ++i) {
@@ -112,7 +112,7 @@ struct LiveRecord::Layout {
 
 namespace {
 
-/// A file's writer with a buffer of its own.
+/// Writes to a file with a buffer of its own.
 struct FileSink {
   int descriptor;
   std::size_t used = 0;
@@ -146,7 +146,7 @@ void *mapFile(const char *path, std::size_t bytes) {
       ::open(path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC | O_NOCTTY, 0600);
   if (descriptor < 0)
     return nullptr;
-  // With room that is the file's already: a page that cannot be written back is a SIGBUS.
+  // fallocate reserves the room: a mapped page that cannot be written back raises SIGBUS.
   void *mapping = MAP_FAILED;
   if (::fallocate(descriptor, 0, 0, off_t(bytes)) == 0)
     mapping = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
@@ -173,9 +173,9 @@ LiveRecord *LiveRecord::make(const std::string &target, bool named) {
   const std::string path = target + "." + std::to_string(::getpid()) + kEnding;
   void *memory = mapFile(path.c_str(), kBytes);
   if (!memory && errno == EEXIST) {
-    // Of this number's earlier process, or program: this one may have been begun by exec(). What
-    // all of them report is newer than the first one's beginning: files' times are coarse by less
-    // than what is taken off here.
+    // A record of this process number exists: exec() may have begun this program. Reports of all of
+    // them are newer than the first one's beginning. kCoarse allows for the resolution of file
+    // times.
     const std::int64_t earlier = beganAt(path);
     complete(path);
     constexpr std::int64_t kCoarse = 20'000'000, kSecond = 1'000'000'000;
@@ -259,7 +259,7 @@ bool LiveRecord::write(const TextSink &sink) const {
          fillIn(sink, {frame.text + frame.before, frame.after}, layout.counters, kCounters);
 }
 
-/// Writes the report aside and moves it into its place.
+/// Writes the report to a temporary file and moves it into place.
 bool LiveRecord::report() {
   const Path path = m_layout->reportPath();
   struct stat info = {};
@@ -289,7 +289,7 @@ bool LiveRecord::finish() {
     const int before = errno;
     if (m_layout->inFile != 0)
       ::unlink(m_layout->recordPath().text);
-    // The file is of this process now, and may be written again.
+    // The file belongs to this process now, and may be overwritten.
     m_layout->inFile = 0;
     timespec now = {};
     clock_gettime(CLOCK_REALTIME, &now);
@@ -299,7 +299,7 @@ bool LiveRecord::finish() {
   return good;
 }
 
-/// The record in the file, as memory of this process's own; null where there is none.
+/// Reads the record from the file into memory; null if there is none.
 LiveRecord::Layout *LiveRecord::open(const std::string &path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0)

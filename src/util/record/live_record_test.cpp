@@ -1,5 +1,5 @@
-// Records that outlive their process: whole at every moment, completed once, never by the wrong
-// one.
+// Records that outlive their process: they are consistent at every moment, and completed once, by
+// the right process.
 #include "util/record/live_record.h"
 
 #include <csignal>
@@ -33,7 +33,7 @@ protected:
   [[nodiscard]] int files() const {
     return int(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
   }
-  /// What the child of that number left, its number in place of %d.
+  /// Expects that the signal killed the child.
   static void expectDead(pid_t child, int signal) {
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
@@ -44,7 +44,7 @@ private:
   char m_folder[40] = "/tmp/arbiter-record-XXXXXX";
 };
 
-/// {"n": counter 3, "reasons": {those of counters 4 and 5}, "rows": [...]}
+/// Fills in {"n": counter 3, "reasons": {those of counters 4 and 5}, "rows": [...]}.
 void fill(LiveRecord &record) {
   JsonWriter json;
   json.beginObject().key("n").raw(counterPlace(3));
@@ -129,9 +129,10 @@ TEST_F(Records, AnotherProcessesReportIsNotReplaced) {
 TEST_F(Records, AProgramThatGoesOnAsAnotherIsToldOfTwice) {
   for (const char *const name : {"plain", "named"}) {
     const bool named = std::string_view(name) == "named";
-    for (int i = 1; i <= 3; ++i) { // nothing is finished: as exec() ends a program
+    for (int i = 1; i <= 3; ++i) { // exec() ends a program without finish()
       if (i == 3)
-        usleep(60000); // longer than files' times are coarse: the first report is not this one's
+        // longer than the resolution of file times, so that the first report counts as an older one
+        usleep(60000);
       LiveRecord *const record = LiveRecord::make(path(name), named);
       ASSERT_NE(record, nullptr);
       fill(*record);
@@ -181,7 +182,8 @@ TEST_F(Records, ADamagedOneIsNone) {
 TEST_F(Records, WithoutAFileTheReportIsMadeAllTheSame) {
   const pid_t child = fork();
   if (child == 0) {
-    const rlimit limit = {100000, 100000}; // a file of a record's size would be SIGXFSZ
+    // a record exceeds this file size limit, which would raise SIGXFSZ
+    const rlimit limit = {100000, 100000};
     setrlimit(RLIMIT_FSIZE, &limit);
     LiveRecord *const record = LiveRecord::make(path("r"), false);
     fill(*record);

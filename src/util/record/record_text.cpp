@@ -6,8 +6,8 @@ namespace arbiter {
 
 namespace {
 
-// Control characters, which JSON writes as escapes: none comes from a text.
-constexpr char kCounter = '\x01'; ///< and three digits in base 16
+// These are control characters, which JSON writes as escapes, so that no text contains them.
+constexpr char kCounter = '\x01'; ///< then three digits in base 16
 constexpr char kObject = '\x02';  ///< its depth as one digit, then members to kEnd
 constexpr char kMember = '\x03';  ///< behind a member's name: three digits follow
 constexpr char kEnd = '\x04';
@@ -18,7 +18,7 @@ std::string digitsOf(unsigned index) {
   return {kHex[index >> 8 & 15], kHex[index >> 4 & 15], kHex[index & 15]};
 }
 
-/// The counter that the three digits at the front of `text` name; takes them off.
+/// Removes the three digits at the front of `text` and returns the counter that they name.
 std::uint64_t takeCounter(std::string_view &text, const std::uint64_t *counters, unsigned count) {
   unsigned index = count;
   const std::string_view digits = text.substr(0, kDigits);
@@ -40,7 +40,7 @@ bool writeLine(const TextSink &sink, int depth) {
   return good;
 }
 
-/// The members of an object, up to and with its end.
+/// Writes the members of an object and its end.
 bool writeObject(const TextSink &sink, std::string_view &text, const std::uint64_t *counters,
                  unsigned count) {
   const int depth = text.empty() ? 0 : text[0] - '0';

@@ -14,7 +14,7 @@ GLfloat between(std::mt19937 &random, GLfloat low, GLfloat high) {
   return low + (high - low) * GLfloat(random() % 65536u) / 65535.0f;
 }
 
-/// Linear filtering with REPEAT (OpenGL 1.4, 3.8.8).
+/// Samples with linear filtering and REPEAT (OpenGL 1.4, 3.8.8).
 Color sampleColors(const Images &images, GLfloat s, GLfloat t) {
   const GLfloat u = s * 8 - 0.5f, v = t * 8 - 0.5f;
   const GLfloat left = std::floor(u), bottom = std::floor(v), a = u - left, b = v - bottom;
@@ -29,7 +29,7 @@ Color sampleColors(const Images &images, GLfloat s, GLfloat t) {
   return color;
 }
 
-/// The nearest texel, with CLAMP_TO_EDGE: (du, dv).
+/// Samples the nearest texel, with CLAMP_TO_EDGE: (du, dv).
 std::array<GLfloat, 2> sampleOffsets(const Images &images, GLfloat s, GLfloat t) {
   const auto texel = [](GLfloat c) { return std::clamp(int(std::floor(c * 4)), 0, 3); };
   const auto at = std::size_t(2 * (texel(t) * 4 + texel(s)));
@@ -103,7 +103,7 @@ State randomState(std::mt19937 &random) {
     for (GLfloat &part : unit.constant)
       part = between(random, 0, 1);
     unit.q = random() % 3u == 0 ? between(random, 0.5f, 2) : 1.0f;
-    if (unit.kind == Kind::Colors) { // of others no texel's edge is near a pixel's middle
+    if (unit.kind == Kind::Colors) { // in others no texel's edge is near a pixel's middle
       unit.s = {between(random, -1, 1), between(random, 0, 2)};
       unit.t = {between(random, -1, 1), between(random, 0, 2)};
     }
@@ -121,7 +121,7 @@ Color colorAt(const State &state, const Images &images, int x, int y) {
     if (unit.kind != Kind::Bump || to == from)
       continue;
     if (state.units[to].kind == Kind::Bump && to < from)
-      continue; // it has sampled
+      continue; // it has sampled already
     const auto d = sampleOffsets(images, at[from][0], at[from][1]);
     at[to][0] += d[0] * unit.matrix[0] + d[1] * unit.matrix[1];
     at[to][1] += d[0] * unit.matrix[2] + d[1] * unit.matrix[3];

@@ -1,4 +1,5 @@
-// ATI_envmap_bumpmap: its state, errors and formats, and random states drawn, against plain C++.
+// ATI_envmap_bumpmap: its state, errors and formats; random states are drawn and compared with
+// plain C++.
 #include "bump_map.h"
 
 #include <cstdlib>
@@ -113,7 +114,7 @@ TEST_F(EraBumpMaps, Errors) {
   EXPECT_EQ(matrixNow(), (Matrix{1, 0, 0, 1}));
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);
   EXPECT_EQ(environment(GL_BUMP_TARGET_ATI), GL_TEXTURE0);
-  // A unit that has coordinates of programs alone, where there is such.
+  // This is a unit that only has coordinates in programs, if there is one.
   GLint units = 0, images = 0;
   glGetTexBumpParameterivATI(GL_BUMP_NUM_TEX_UNITS_ATI, &units);
   glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &images);
@@ -211,11 +212,11 @@ TEST_F(EraBumpMaps, RandomStates) {
     const State state = bump::randomState(random);
     bump::define(images);
     bump::draw(state);
-    EXPECT_LE(bump::difference(state, images), 3); // filters of eight bits
+    EXPECT_LE(bump::difference(state, images), 3); // filters have eight bits
   }
 }
 
-/// One unit bumps another by a constant offset.
+/// Returns a state in which one unit bumps another by a constant offset.
 State simple() {
   State state;
   state.units[0].kind = Kind::Bump;
@@ -236,10 +237,10 @@ TEST_F(EraBumpMaps, MatrixAndTargetReachTheNextDraw) {
   state.units[0].matrix = {0, 0.3f, -0.2f, 0};
   bump::draw(state);
   EXPECT_LE(bump::difference(state, images), 3);
-  state.units[0].target = 2; // none that is enabled
+  state.units[0].target = 2; // a unit that is not enabled
   bump::draw(state);
   EXPECT_LE(bump::difference(state, images), 3);
-  state.units[0].kind = Kind::Colors; // fixed function of the host's again
+  state.units[0].kind = Kind::Colors; // fixed function of the host again
   state.units[0].environment = GL_REPLACE;
   bump::draw(state);
   EXPECT_LE(bump::difference(state, images), 3);

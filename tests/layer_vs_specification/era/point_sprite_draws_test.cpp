@@ -1,4 +1,4 @@
-// Points drawn by NV_point_sprite, each pixel against the formula of the specification.
+// Points drawn by NV_point_sprite; each pixel is compared with the specification's formula.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using Coordinates = std::array<GLfloat, 4>;
 
-/// One point in window coordinates of the 32x32 framebuffer.
+/// A point in window coordinates of the 32x32 framebuffer.
 struct Point {
   GLfloat x = 16, y = 16, size = 20;
   Coordinates coordinates = {0, 0, 0, 1};
@@ -30,7 +30,7 @@ void draw(const Point &point) {
   glEnd();
 }
 
-/// Section 3.3, of the pixel (x, y).
+/// Returns the coordinates at pixel (x, y) (section 3.3).
 Coordinates spriteAt(const Point &point, GLenum mode, int x, int y) {
   const Coordinates &c = point.coordinates;
   return {0.5f + (GLfloat(x) + 0.5f - point.x) / point.size,
@@ -49,8 +49,7 @@ Picture picture() {
   return pixels;
 }
 
-/// What a colour of the pixel should be, within so many steps; pixels on the point's edge may be
-/// either.
+/// Compares each pixel's color within a tolerance; pixels on the point's edge may be either.
 template <typename Color>
 void expectSprite(const Point &point, GLenum mode, const Color &colorOf, int tolerance) {
   const Picture pixels = picture();
@@ -149,12 +148,12 @@ TEST_F(EraPointSprites, RandomPoints) {
     sprites(mode);
     clearAll();
     draw(point);
-    // Hosts place a sprite's edges and size in steps of their own.
+    // Hosts round a sprite's edges and size differently.
     expectSprite(point, mode, coordinatesAsColor, 2 + int(255.0f / point.size / 8));
   }
 }
 
-/// A texture of 4x4x4 texels, each of a colour of its own.
+/// Returns the color of a texel; a texture of 4x4x4 texels has a distinct one for each.
 std::array<GLfloat, 3> texelColor(int s, int t, int r) {
   return {GLfloat(s * 85) / 255, GLfloat(t * 85) / 255, GLfloat(r * 60 + 30) / 255};
 }
@@ -188,15 +187,15 @@ TEST_F(EraPointSprites, FixedFunctionOfAThreeDimensionalTexture) {
     for (int slice = 0; slice < 4; ++slice) {
       SCOPED_TRACE(testing::Message() << mode << ", slice " << slice);
       const GLfloat r = (GLfloat(slice) + 0.5f) / 4;
-      // The middle is between texels, where no pixel's centre is.
+      // The middle is between texels, where there is no pixel center.
       const Point point{.size = 16, .coordinates = {0.6f, 0.5f, r, 1}};
       sprites(mode);
       clearAll();
       draw(point);
       expectSprite(point, mode, sampled, 1);
     }
-  // Others in between are drawn as ever, and points behind them. Mesa takes what is replaced for
-  // replaced in the fixed function of triangles too, as long as sprites are enabled.
+  // Triangles in between, and points after them, are drawn as usual. Mesa replaces coordinates in
+  // triangles of fixed function too, as long as sprites are enabled.
   clearAll();
   sprites(GL_R);
   glDisable(GL_POINT_SPRITE_NV);
@@ -233,7 +232,7 @@ TEST_F(EraPointSprites, GeneratedCoordinatesAndTextureMatrices) {
   clearAll();
   Point point{.coordinates = {0.1f, 0, 0, 1}};
   draw(point);
-  point.coordinates[0] = 0.75f; // what it comes to
+  point.coordinates[0] = 0.75f; // the resulting value
   expectSprite(point, GL_S, coordinatesAsColor, 2);
 }
 
@@ -293,7 +292,7 @@ TEST_F(EraPointSprites, ArraysAndLists) {
   expectSprite(point, GL_R, coordinatesAsColor, 2);
   glNewList(1, GL_COMPILE);
   glClear(GL_COLOR_BUFFER_BIT);
-  glBegin(GL_TRIANGLES); // none of it is seen
+  glBegin(GL_TRIANGLES); // none of it is visible
   for (int i = 0; i < 3; ++i)
     glVertex2f(-1, -1);
   glEnd();

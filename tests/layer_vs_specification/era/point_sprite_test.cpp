@@ -1,4 +1,4 @@
-// NV_point_sprite: POINT_SPRITE_R_MODE_NV as state.
+// NV_point_sprite: the state POINT_SPRITE_R_MODE_NV.
 #include "point_sprites.h"
 
 namespace api {
@@ -27,7 +27,7 @@ TEST_F(EraPointSprites, State) {
   EXPECT_EQ(asFloat, 0.0f);
   EXPECT_EQ(asDouble, 0.0);
   EXPECT_EQ(asBoolean, GL_FALSE);
-  glPointParameteriNV(GL_POINT_SIZE_MIN, 2); // the others are as they were
+  glPointParameteriNV(GL_POINT_SIZE_MIN, 2); // the others are unchanged
   GLfloat least = 0;
   glGetFloatv(GL_POINT_SIZE_MIN, &least);
   EXPECT_EQ(least, 2.0f);

@@ -1,4 +1,4 @@
-// Errors of ARB_imaging.
+// The errors of ARB_imaging.
 #include "imaging.h"
 
 namespace api::imaging {

@@ -1,5 +1,5 @@
-// Commands of ARB_imaging with arguments at random, most of them wrong, inside of lists and
-// primitives too: nothing crashes, and what is right afterwards works.
+// Commands of ARB_imaging with random arguments, most of them invalid, also in lists and
+// primitives. Nothing crashes, and valid commands work afterwards.
 #include <cmath>
 #include <functional>
 #include <initializer_list>

@@ -4,7 +4,7 @@
 
 namespace api::imaging {
 
-/// Skips where ARB_imaging is not offered.
+/// Skips tests if ARB_imaging is not offered.
 class ImagingTest : public ApiTest {
 protected:
   void SetUp() override {
@@ -56,7 +56,7 @@ inline GLfloat number(GLenum pname) {
 inline constexpr GLubyte kBytes[] = {10, 20,  30,  40,  50,  60,  70,  80,
                                      90, 100, 110, 120, 130, 140, 150, 160};
 
-/// The level's bytes, which the image has the size of.
+/// Returns the level's bytes; it has the image's size.
 inline std::vector<GLubyte> texels(GLenum target, const Image &image) {
   std::vector<GLubyte> bytes(std::size_t(image.width * image.height) * 4 + 4);
   glGetTexImage(target, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());

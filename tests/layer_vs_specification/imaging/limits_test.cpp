@@ -1,4 +1,4 @@
-// Sizes and formats at their limits, and beyond, of ARB_imaging's tables and filters (OpenGL 2.1,
+// Sizes and formats of ARB_imaging's tables and filters at their limits, and beyond (OpenGL 2.1,
 // 3.6.3 and 6.1.7 to 6.1.10).
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace api::imaging {
 namespace {
 
-/// The greatest width that a proxy takes.
+/// Returns the greatest width that a proxy accepts.
 GLsizei greatestTable() {
   GLsizei width = 1;
   for (GLsizei next = 2; next <= 1 << 24; next *= 2) {
@@ -19,8 +19,8 @@ GLsizei greatestTable() {
   return width;
 }
 
-/// What a proxy takes is taken, and what it does not is too large: no state of it is left, and the
-/// table stays.
+/// A size that a proxy accepts works, and one that it refuses is too large: the proxy's state is
+/// then zero, and the table stays.
 TEST_F(ImagingState, AProxySaysWhatATableMayBe) {
   const GLsizei most = greatestTable();
   EXPECT_GE(most, 256);
@@ -54,7 +54,7 @@ TEST_F(ImagingState, AProxySaysWhatATableMayBe) {
   EXPECT_GL_ERROR(GL_INVALID_ENUM, glHistogram(GL_PROXY_HISTOGRAM, 4, GL_INTENSITY, GL_FALSE));
 }
 
-/// A proxy is for sizes: what else is wrong is an error of it, too, and leaves it.
+/// A proxy only checks sizes; all other errors are raised for it too, and leave it unchanged.
 TEST_F(ImagingState, AProxyHasTheOtherErrors) {
   glColorTable(GL_PROXY_COLOR_TABLE, GL_RGB8, 16, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
   EXPECT_GL_ERROR(GL_INVALID_ENUM,
@@ -72,7 +72,7 @@ TEST_F(ImagingState, AProxyHasTheOtherErrors) {
   EXPECT_EQ(table(GL_PROXY_COLOR_TABLE, GL_COLOR_TABLE_WIDTH), 16);
 }
 
-/// What a copy may not be is said before the framebuffer is read; a proxy has no copies.
+/// An invalid copy is an error before the framebuffer is read; a proxy has no copies.
 TEST_F(ImagingState, CopiesOfTables) {
   glColorTable(GL_PROXY_COLOR_TABLE, GL_RGB8, 16, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
   EXPECT_GL_ERROR(GL_INVALID_ENUM, glCopyColorTable(GL_PROXY_COLOR_TABLE, GL_RGBA8, 0, 0, 4));
@@ -113,7 +113,7 @@ TEST_F(ImagingState, FiltersOfTheGreatestSize) {
                   glCopyConvolutionFilter2D(GL_CONVOLUTION_2D, GL_RGBA, 0, 0, 1, -1));
 }
 
-/// A type that is none is an error also where there is nothing to convert.
+/// An invalid type is an error even if there is nothing to convert.
 TEST_F(ImagingState, NothingIsOfNoType) {
   const auto wrong = [](GLenum error, auto call) { EXPECT_GL_ERROR(error, call()); };
   GLubyte read[16] = {};
@@ -132,7 +132,8 @@ TEST_F(ImagingState, NothingIsOfNoType) {
   EXPECT_TRUE(std::all_of(read, read + 16, [](GLubyte b) { return b == 0; }));
 }
 
-/// Bits of every format, and what of a colour it keeps: a table rounds to them, a filter does not.
+/// Each format has its bits, and keeps certain components of a color: a table rounds to them, a
+/// filter does not.
 TEST_F(ImagingState, EveryFormatHasItsBits) {
   struct Row {
     GLenum format;

@@ -9,7 +9,7 @@ namespace {
 
 double clamp(double value) { return std::clamp(value, 0.0, 1.0); }
 
-/// What each component of a pixel is combined with in an entry of this format; false: with nothing.
+/// Returns the operand for a pixel's component in an entry of this format; false: there is none.
 bool operand(GLenum format, const Color &entry, int component, double &value) {
   switch (format) {
   case GL_ALPHA:
@@ -39,7 +39,7 @@ void scale(const ScaleBias &by, Image &image) {
       color[c] = color[c] * by.scale[c] + by.bias[c];
 }
 
-/// Half-way between two entries, as far as floats can tell.
+/// True if a place is half-way between two entries, within the precision of floats.
 bool isBetween(double place) { return std::abs(place - std::floor(place) - 0.5) < 1e-4; }
 
 void look(const Table &table, Image &image) {
@@ -173,7 +173,7 @@ std::vector<GLubyte> randomBytes(std::mt19937 &random, int count) {
 }
 
 int differences(const Image &image, const GLubyte *bytes) {
-  constexpr double kHalfWay = 1e-3; // of a step: floats on the way have 24 bits
+  constexpr double kHalfWay = 1e-3; // in steps: floats on the way have 24 bits
   int count = 0;
   for (const Color &color : image.colors)
     for (const double component : color) {

@@ -1,5 +1,5 @@
-// The colour matrix, attribute stacks and display lists of ARB_imaging, and the pixels that it has
-// no part in.
+// The color matrix, attribute stacks and display lists of ARB_imaging, and the pixels that it does
+// not affect.
 #include "imaging.h"
 
 namespace api::imaging {
@@ -108,7 +108,7 @@ TEST_F(ImagingState, TheAttributeStackHasPixelModes) {
   EXPECT_EQ(table(GL_COLOR_TABLE, GL_COLOR_TABLE_WIDTH), 1) << "in no group";
 }
 
-/// The first pixel of the framebuffer.
+/// Returns the red of the framebuffer's first pixel.
 GLubyte red() {
   GLubyte bytes[4] = {};
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
@@ -187,7 +187,7 @@ TEST_F(ImagingState, ColorIndicesBecomeColors) {
   const GLfloat map[] = {0, 1};
   for (const GLenum name : {GL_PIXEL_MAP_I_TO_R, GL_PIXEL_MAP_I_TO_G, GL_PIXEL_MAP_I_TO_B})
     glPixelMapfv(name, 2, map);
-  glPixelTransferf(GL_RED_SCALE, 0); // of components, which indices are not
+  glPixelTransferf(GL_RED_SCALE, 0); // affects components only, not indices
   glPixelTransferf(GL_POST_COLOR_MATRIX_RED_SCALE, 0.4f);
   const GLubyte indices[] = {1, 0};
   const GLubyte bits = 0x80;

@@ -1,5 +1,5 @@
-// The names that ARB_imaging's commands had before: of SGI_color_table, EXT_color_subtable,
-// EXT_convolution and EXT_histogram. All act on the one state.
+// The earlier names of ARB_imaging's commands: those of SGI_color_table, EXT_color_subtable,
+// EXT_convolution and EXT_histogram. All act on the same state.
 #include <algorithm>
 #include <iterator>
 
@@ -45,7 +45,8 @@ namespace {
   X(GetMinmaxParameterfvEXT, (GLenum, GLenum, GLfloat *))                                          \
   X(GetMinmaxParameterivEXT, (GLenum, GLenum, GLint *))
 
-/// By eglGetProcAddress: libepoxy looks for extensions that are not announced.
+/// Finds the functions by eglGetProcAddress, as libepoxy checks for extensions that are not
+/// announced.
 class ImagingNames : public ImagingTest {
 protected:
 #define API_POINTER(name, parameters) void(*name) parameters = nullptr;

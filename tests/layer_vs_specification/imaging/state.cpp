@@ -1,4 +1,4 @@
-// A model's state at random, and what sets it by GL.
+// Generates a model's random state, and sets it in GL.
 #include <algorithm>
 
 #include "model.h"
@@ -16,7 +16,7 @@ constexpr GLenum kModes[] = {GL_REDUCE, GL_CONSTANT_BORDER, GL_REPLICATE_BORDER}
 
 bool one(std::mt19937 &random, unsigned of) { return random() % of == 0; }
 
-/// A multiple of 1/16 of the range.
+/// Returns a random multiple of 1/16 in the range.
 double few(std::mt19937 &random, double low, double high) {
   const auto steps = unsigned((high - low) * 16) + 1;
   return low + double(random() % steps) / 16.0;

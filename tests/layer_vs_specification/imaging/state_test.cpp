@@ -1,4 +1,4 @@
-// What ARB_imaging keeps: tables, filters, histograms and minmax tables, given and asked for.
+// The state of ARB_imaging: tables, filters, histograms and minmax tables are set and queried.
 #include <algorithm>
 #include <iterator>
 

@@ -1,5 +1,5 @@
-// Every command that moves colours, with state of ARB_imaging at random, against plain C++: the
-// bytes are the same.
+// Every command that transfers colors, with random state of ARB_imaging, against plain C++: the
+// bytes are equal.
 #include <cmath>
 
 #include "imaging.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr int kTrials = 40;
 constexpr int kSize = 32; ///< of the framebuffer
 
-/// What the framebuffer holds, after all of it was made black.
+/// Returns the framebuffer's bytes, and clears it to black.
 std::vector<GLubyte> framebuffer() {
   std::vector<GLubyte> bytes(kSize * kSize * 4);
   glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
@@ -40,14 +40,14 @@ protected:
   std::mt19937 m_random{20020926};
   int m_known = 0, m_unknown = 0; ///< components of expected images
 
-  /// Most of what is compared is known.
+  /// Counts known components; most of what is compared must be known.
   void note(const Image &image) {
     for (const Color &color : image.colors)
       for (const double component : color)
         ++(std::isnan(component) ? m_unknown : m_known);
   }
 
-  /// Each trial: a model, an image of a random size, and the image that the model makes of it.
+  /// Runs trials: a model, an image of a random size, and the model's result.
   template <typename F> void trials(int dimensions, F function) {
     for (int trial = 0; trial < kTrials; ++trial) {
       SCOPED_TRACE(trial);
@@ -143,7 +143,7 @@ TEST_F(ImagingTransfer, TexSubImage2D) {
 }
 
 TEST_F(ImagingTransfer, TexImage3D) {
-  // Of three dimensions, so that nothing is convolved.
+  // A 3D image is never convolved.
   trials(3,
          [](const Model &model, const auto &bytes, int width, int height, const Image &expected) {
            apply(model);
@@ -200,7 +200,7 @@ TEST_F(ImagingTransfer, HistogramAndMinmaxCount) {
   for (int trial = 0; trial < kTrials; ++trial) {
     SCOPED_TRACE(trial);
     Model model = randomModel(m_random);
-    model.convolution2D = model.separable = false; // sums of floats would not be exact
+    model.convolution2D = model.separable = false; // float sums would not be exact
     model.first = {};
     model.matrix = Model{}.matrix;
     model.postColorMatrix = {};

@@ -1,11 +1,11 @@
-// Draws with NV_texture_shader, 2 and 3: what they depend on, and what they take the place of.
+// Draws with NV_texture_shader, 2 and 3: the state they depend on, and the stages they replace.
 #include "texture_shaders.h"
 
 namespace api::shaders {
 namespace {
 
-/// Unit 0 passes its coordinates through, as a colour that no environment takes; unit 1 reads a
-/// texture of four colours by its alpha and red, and its environment replaces.
+/// Unit 0 passes its coordinates through, as a color that no environment uses. Unit 1 reads a
+/// texture of four colors by its alpha and red, and its environment replaces.
 class NvTextureShaderDraws : public NvTextureShaders {
 protected:
   void SetUp() override {
@@ -21,7 +21,7 @@ protected:
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     read(0.25f, 0.25f);
   }
-  /// Where the dependent read goes.
+  /// Sets the coordinates of the dependent read.
   static void read(float alpha, float red) { glMultiTexCoord4f(GL_TEXTURE0, red, 0, 0, alpha); }
 
   GLuint m_four = 0;
@@ -74,7 +74,7 @@ TEST_F(NvTextureShaderDraws, ParametersReachTheNextDraw) {
 
 TEST_F(NvTextureShaderDraws, TexturesThatChangeConsistency) {
   expectNear(drawnIn(0, 0, 1), kRedPixel);
-  glBindTexture(GL_TEXTURE_2D, 0); // incomplete: the unit passes the primary colour on
+  glBindTexture(GL_TEXTURE_2D, 0); // incomplete: the unit passes on the primary color
   expectNear(drawnIn(0, 0, 1), kBluePixel);
   glBindTexture(GL_TEXTURE_2D, m_four);
   expectNear(drawnIn(0, 0, 1), kRedPixel);
@@ -154,7 +154,7 @@ TEST_F(NvTextureShaderDraws, ConventionalTexturingOfTheirFormats) { // the amend
   expectNear(drawnIn(0, 0, 1), kRedPixel); // clamped
   const GLfloat hilo[] = {1, 1};
   makeTexel(GL_HILO_NV, GL_HILO_NV, GL_FLOAT, hilo);
-  expectNear(drawnIn(0, 0, 1), kBluePixel); // no colour: what was before passes
+  expectNear(drawnIn(0, 0, 1), kBluePixel); // no color: the previous one is kept
 }
 
 TEST_F(NvTextureShaderDraws, DepthTextures) {
@@ -171,7 +171,7 @@ TEST_F(NvTextureShaderDraws, DepthTextures) {
 }
 
 TEST_F(NvTextureShaderDraws, DepthsThatAreReplaced) {
-  // Unit 1: the dot product that is z; unit 2: w and the depth, z / w.
+  // Unit 1 computes the dot product z; unit 2 computes w and the depth z / w.
   unit(0);
   const GLubyte white[] = {255, 255, 255, 255};
   makeTexel(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, white);
@@ -194,7 +194,7 @@ TEST_F(NvTextureShaderDraws, FromDisplayLists) {
   glNewList(list, GL_COMPILE);
   read(0.25f, 0.25f);
   glRectf(-1, -1, 0, 1);
-  operation(GL_NONE); // of unit 1, the active one
+  operation(GL_NONE); // for unit 1, the active one
   glRectf(0, -1, 1, 1);
   glEndList();
   glColor4f(0, 0, 1, 1);

@@ -1,4 +1,4 @@
-// Errors of NV_texture_shader, 2 and 3.
+// The errors of NV_texture_shader, 2 and 3.
 #include "texture_shaders.h"
 
 namespace api::shaders {
@@ -33,7 +33,7 @@ constexpr GLenum kOfThreeStages[] = {
     GL_DOT_PRODUCT_TEXTURE_CUBE_MAP_NV, GL_DOT_PRODUCT_REFLECT_CUBE_MAP_NV,
     GL_DOT_PRODUCT_CONST_EYE_REFLECT_CUBE_MAP_NV, GL_DOT_PRODUCT_TEXTURE_3D_NV};
 
-/// 3.8.13.2: the first unit that may have an operation is `first`.
+/// Expects that `first` is the first unit that may have the operations (3.8.13.2).
 template <std::size_t N> void expectFirst(const GLenum (&operations)[N], int first) {
   for (const GLenum name : operations)
     for (int i = 0; i <= first; ++i) {
@@ -100,7 +100,7 @@ TEST_F(NvTextureShaders, BetweenBeginAndEnd) {
   EXPECT_EQ(integer(GL_HI_SCALE_NV), 1);
 }
 
-/// An internal format, and the format of TexImage that goes with it; 0: colours.
+/// An internal format, and a suitable format for TexImage; 0: colors.
 struct Pair {
   GLenum internal, format;
 };

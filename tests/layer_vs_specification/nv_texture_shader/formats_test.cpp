@@ -9,10 +9,10 @@ namespace {
 
 struct Sizes {
   GLenum internal, format;
-  GLenum first;  ///< the name of a size
-  GLint bits;    ///< of it
-  GLenum second; ///< another
-  GLint more;    ///< of that
+  GLenum first;  ///< the query of a size
+  GLint bits;    ///< its result
+  GLenum second; ///< another query
+  GLint more;    ///< its result
 };
 constexpr Sizes kSizes[] = {
     {GL_SIGNED_RGBA_NV, GL_RGBA, GL_TEXTURE_RED_SIZE, 8, GL_TEXTURE_ALPHA_SIZE, 8},
@@ -92,7 +92,7 @@ TEST_F(NvTextureShaders, TargetsOfAllDimensions) {
   glDeleteTextures(4, names);
 }
 
-/// What a texel became, asked as floats.
+/// Returns the stored texel, queried as floats.
 std::array<GLfloat, 4> texelOf(GLenum format) {
   std::array<GLfloat, 4> texel = {9, 9, 9, 9};
   glGetTexImage(GL_TEXTURE_2D, 0, format, GL_FLOAT, texel.data());
@@ -149,10 +149,10 @@ TEST_F(NvTextureShaders, PackedPixels) { // table 3.8: S8 components are signed
   glDeleteTextures(1, &name);
 }
 
-/// A 2x2 image of HILO bytes amid others: row length, skips.
+/// Places a 2x2 image of HILO bytes within memory, by row length and skips.
 TEST_F(NvTextureShaders, WherePixelsLieInMemory) {
   GLubyte memory[64] = {};
-  // Three texels a row; one row and one texel are skipped.
+  // There are three texels a row; one row and one texel are skipped.
   for (std::size_t row = 0; row < 2; ++row)
     for (std::size_t column = 0; column < 2; ++column)
       memory[(row + 1) * 6 + (column + 1) * 2] = GLubyte(51 * (1 + row * 2 + column));
@@ -202,7 +202,7 @@ TEST_F(NvTextureShaders, ScalesAndBiasesOfComponents) { // 3.6.5
   glPixelTransferf(GL_VIBRANCE_BIAS_NV, -2);
   expectPixels(GL_FLOAT, std::array<GLfloat, 4>{0.8f, 0.5f}, {0.4f, 0.75f}, GL_HILO_NV, GL_HILO_NV);
   expectPixels(GL_FLOAT, std::array<GLfloat, 4>{1, 1, 1, 1}, {-1, 1, 1, 0});
-  glPixelTransferf(GL_RED_SCALE, 0.25f); // of colours, not of these
+  glPixelTransferf(GL_RED_SCALE, 0.25f); // for colors only, not for these
   expectPixels(GL_FLOAT, std::array<GLfloat, 4>{0.8f, 0.5f}, {0.4f, 0.75f}, GL_HILO_NV, GL_HILO_NV);
   glPixelTransferf(GL_RED_SCALE, 1);
 }

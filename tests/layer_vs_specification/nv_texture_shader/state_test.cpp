@@ -50,7 +50,7 @@ TEST_F(NvTextureShaders, WhatIsSetIsGivenBack) {
   EXPECT_EQ(back[0], GL_LESS);
   EXPECT_EQ(back[1], GL_GEQUAL);
   EXPECT_EQ(back[3], GL_LESS);
-  unit(0); // has its own
+  unit(0); // it has its own state
   EXPECT_EQ(value(GL_SHADER_OPERATION_NV), GL_NONE);
   EXPECT_EQ(values(GL_OFFSET_TEXTURE_MATRIX_NV), (Four{1, 0, 0, 1}));
 }
@@ -131,7 +131,7 @@ TEST_F(NvTextureShaders, DisplayLists) {
   glEnable(GL_TEXTURE_SHADER_NV);
   operation(GL_PASS_THROUGH_NV);
   glPixelTransferf(GL_LO_SCALE_NV, 4);
-  glTexEnvi(kShader, GL_SHADER_OPERATION_NV, GL_FOG); // an error, where it is called
+  glTexEnvi(kShader, GL_SHADER_OPERATION_NV, GL_FOG); // an error when the list is called
   glTexEnvf(kShader, GL_OFFSET_TEXTURE_BIAS_NV, 7);
   EXPECT_EQ(value(GL_SHADER_OPERATION_NV), GL_NONE);
   glEndList();

@@ -5,10 +5,10 @@
 #include "../ati_draws.h"
 #include "../fixture.h"
 
-/// What the tests of NV_texture_shader, 2 and 3 share.
+/// Shared parts of the tests of NV_texture_shader, 2 and 3.
 namespace api::shaders {
 
-/// Skips where the extensions are not offered: the bare host's, and other profiles.
+/// Skips tests if the extensions are not offered, as on the bare host and under other profiles.
 class NvTextureShaders : public ApiTest {
 protected:
   void SetUp() override {
@@ -49,7 +49,7 @@ inline GLint levelValue(GLenum pname, GLenum target = GL_TEXTURE_2D, GLint level
   return result;
 }
 
-/// A texture of one texel, bound to GL_TEXTURE_2D of the active unit.
+/// Makes a texture of one texel, bound to GL_TEXTURE_2D of the active unit.
 inline GLuint makeTexel(GLenum internal, GLenum format, GLenum type, const void *texel) {
   GLuint name = 0;
   glGenTextures(1, &name);
@@ -62,7 +62,7 @@ inline GLuint makeTexel(GLenum internal, GLenum format, GLenum type, const void 
   return name;
 }
 
-/// clear, everything in that colour (if nothing else shades it), readPixel.
+/// Clears, draws everything in that color (if nothing else shades it), and reads the pixel.
 inline Pixel drawnIn(GLfloat red, GLfloat green, GLfloat blue) {
   clear();
   glColor4f(red, green, blue, 1);
@@ -70,7 +70,7 @@ inline Pixel drawnIn(GLfloat red, GLfloat green, GLfloat blue) {
   return readPixel();
 }
 
-/// A 2x2 texture: red, green below; blue, yellow above.
+/// Makes a 2x2 texture: red, green below; blue, yellow above.
 inline GLuint makeFour() {
   const GLubyte texels[] = {255, 0, 0,   255, 0,   255, 0, 255, //
                             0,   0, 255, 255, 255, 255, 0, 255};

@@ -1,5 +1,5 @@
-// Actors of Clutter's that turn by a fixed step a frame: a picture, colours, an effect that blurs.
-// Cogl's driver for fixed-function GL makes a fragment program of what each of them is drawn with.
+// Draws Clutter actors that rotate by a fixed step a frame: a picture, colors, a blur effect.
+// Cogl's driver for fixed-function GL generates a fragment program for each material.
 #include <clutter/clutter.h>
 #include <vector>
 

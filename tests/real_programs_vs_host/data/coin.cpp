@@ -1,4 +1,5 @@
-// Coin's bump maps, and programs of a scene's own as ARB texts (SoShaderProgram), in a GLX window.
+// Draws Coin's bump maps, and a scene's own programs as ARB texts (SoShaderProgram), in a GLX
+// window.
 #include <GL/gl.h>
 #include <GL/glx.h>
 #include <Inventor/SbViewportRegion.h>
@@ -79,7 +80,7 @@ MOV result.color.w, 1.0;
 END
 )";
 
-/// 32x32 heights, one byte each.
+/// Sets 32x32 heights, one byte each.
 void setBumps(SoBumpMap &node) {
   constexpr short kSide = 32;
   std::vector<unsigned char> heights;
@@ -107,7 +108,7 @@ SoShaderParameter4f *setShaders(SoShaderProgram &node) {
   return wave;
 }
 
-/// A double-buffered window whose context is current; null if there is none.
+/// Opens a double-buffered window whose context is current; returns null if it cannot.
 Window openWindow(Display *display) {
   int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_RED_SIZE, 8, GLX_DEPTH_SIZE, 24, None};
   XVisualInfo *visual = glXChooseVisual(display, DefaultScreen(display), wanted);

@@ -1,6 +1,6 @@
-// A Direct3D 9 program that draws twelve tiles into an off-screen target and writes them to o.ppm:
-// pixel shaders 2.x (of which 2.a and 2.b are profiles) and 3.0 and vertex shaders 2.x and 3.0,
-// with what each has over the model before.
+// A Direct3D 9 program that draws twelve tiles into an off-screen target and writes them to o.ppm.
+// It uses pixel shaders 2.x (2.a and 2.b are profiles of it) and 3.0, and vertex shaders 2.x and
+// 3.0, with the features that each adds to the previous model.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -20,7 +20,7 @@ struct Vertex {
   float position[3], uv[4], color[4];
 };
 
-// Vertex shaders. c0 to c7 are set by setConstants(), b0 is true, i0 is (3, 0, 1).
+// The vertex shaders. setConstants() sets c0 to c7; b0 is true, i0 is (3, 0, 1).
 constexpr char kPlainVs[] = "vs_3_0\n"
                             "dcl_position v0\ndcl_texcoord v1\ndcl_color v2\n"
                             "dcl_position o0\ndcl_texcoord o1\ndcl_color o2\ndcl_texcoord1 o3\n"
@@ -45,7 +45,7 @@ constexpr char kTextureVs[] = "vs_3_0\n"
                               "mov r2, v0\n"
                               "mad r2.xy, r0, c20.x, r2\nadd r2.xy, r2, c20.y\n"
                               "mov o0, r2\nmov o1, v1\nmov o2, r0\nmov o3, v1\n";
-// Wine's GLSL of subroutines is no oracle: there the same code stands in place of the call.
+// Wine's GLSL for subroutines is unreliable as a reference: there the code replaces the call.
 #define RELATIVE_VS                                                                                \
   "vs_2_x\n"                                                                                       \
   "def c20, 4.0, 0.5, 0.0, 1.0\n"                                                                  \
@@ -77,7 +77,7 @@ constexpr char kBranches[] =
     "if_lt r0.y, c0.y\nmul r1, r1, r0.y\nelse\nadd r1.x, r1.x, r0.x\nendif\n"
     "else\nsub r1, c0.w, r1\nendif\n"
     "mov oC0, r1\n";
-// Dependent reads deeper than any of model 2.0.
+// The dependent reads are deeper than any in model 2.0.
 constexpr char kDependent[] = "ps_2_x\n"
                               "def c0, 0.5, 0.25, 0.0, 1.0\n"
                               "dcl t0.xy\ndcl_2d s0\n"
@@ -100,7 +100,7 @@ constexpr char kInputs3[] = "ps_3_0\n"
                             "mov r0, c0.x\n"
                             "loop aL, i0\nmad r0, v[aL], c0.y, r0\nendloop\n"
                             "mov oC0, r0\n";
-// The iterations of a Mandelbrot-like series, which end by themselves.
+// This runs the iterations of a Mandelbrot-like series, which end by themselves.
 constexpr char kBreak3[] = "ps_3_0\n"
                            "def c0, 0.0, 4.0, 3.0, -2.0\ndef c1, 0.0625, 1.5, 1.0, 2.0\n"
                            "defi i1, 16, 0, 0, 0\n"
@@ -136,9 +136,9 @@ constexpr char kCall3Inline[] = "ps_3_0\n"
                                 "mov r0, v1\n"
                                 "if_gt v0.x, c0.y\nmul r0, r0, v0.y\nendif\n"
                                 "mov oC0, r0\n";
-// Loops in loops, and a sample with gradients in the end: those of two texels of 64 a pixel, of
-// which a tile's square has 115.2, so that the level of detail is 1. Between two levels hosts round
-// it in ways of their own: llvmpipe has 1.125 for 1.152.
+// This has nested loops, and at the end a sample with gradients. They are two of 64 texels a pixel,
+// of which a tile's side has 115.2, so that the level of detail is 1. Between two levels hosts
+// round it differently: llvmpipe has 1.125 for 1.152.
 constexpr char kNested3[] = "ps_3_0\n"
                             "def c0, 0.0, 0.125, 0.75, 3.6\n"
                             "defi i1, 3, 0, 0, 0\ndefi i2, 2, 0, 0, 0\n"
@@ -178,7 +178,7 @@ struct Device {
   IDirect3DTexture9 *picture = nullptr, *heights = nullptr;
 };
 
-/// With all its levels, each of another tint, so that a level of detail shows.
+/// Makes a texture with all levels, each of another tint, so that a level of detail is visible.
 IDirect3DTexture9 *makePicture(IDirect3DDevice9 *device) {
   IDirect3DTexture9 *texture = nullptr;
   check("CreateTexture",
@@ -315,8 +315,8 @@ void drawTile(const Device &d, int index, bool inlined) {
                              0.0f,
                              1.0f};
   d.device->SetViewport(&view);
-  // What a level of detail is between two is each implementation's own, and each lookup enlarges
-  // it.
+  // A level of detail between two is implementation-dependent, and each lookup increases the
+  // difference.
   d.device->SetSamplerState(0, D3DSAMP_MIPFILTER,
                             tile.pixel == kDependent ? D3DTEXF_NONE : D3DTEXF_LINEAR);
   useShaders(d, tile, inlined);
@@ -366,7 +366,7 @@ void save(const Device &d) {
 
 } // namespace
 
-/// "inline": subroutines stand where they are called.
+/// "inline" replaces calls of subroutines by their code.
 int main(int argc, char **argv) {
   const bool inlined = argc > 1 && !std::strcmp(argv[1], "inline");
   const Device d = open();

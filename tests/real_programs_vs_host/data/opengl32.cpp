@@ -1,5 +1,5 @@
-// A Windows program of OpenGL: assembly programs by the entry points of wglGetProcAddress(), in a
-// window. Four tiles, one technique each, are read back and written to o.ppm.
+// A Windows OpenGL program in a window: it uses assembly programs through wglGetProcAddress(). Four
+// tiles, one technique each, are read back and written to o.ppm.
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -22,7 +22,7 @@ constexpr char kModulate[] = "!!ARBfp1.0\n"
                              "LRP u, tint.w, t, tint;\n"
                              "MUL result.color, u, fragment.color;\n"
                              "END";
-// A ring: what lies outside of it is no fragment at all.
+// This draws a ring and kills all other fragments.
 constexpr char kRing[] = "!!ARBfp1.0\n"
                          "TEMP r, d;\n"
                          "MAD r, fragment.texcoord[0], 2.0, -1.0;\n"
@@ -34,7 +34,7 @@ constexpr char kRing[] = "!!ARBfp1.0\n"
                          "KIL d.x;\n"
                          "MUL result.color, d.yzxw, 2.0;\n"
                          "END";
-// The second lookup's place is what the first one found.
+// The first lookup's result is the second one's coordinate.
 constexpr char kDependent[] = "!!ARBfp1.0\n"
                               "PARAM scale = program.local[0];\n"
                               "TEMP t, at;\n"
@@ -112,7 +112,8 @@ void makeTexture() {
       texels.insert(texels.end(), {wave, static_cast<unsigned char>(4 * x),
                                    static_cast<unsigned char>(4 * y), 255});
     }
-  // Nearest: filters of bytes are each implementation's own, and a second lookup enlarges that.
+  // This is nearest, as filters of bytes are implementation-dependent, and a second lookup
+  // increases the difference.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, kSide, kSide, 0, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -124,7 +125,7 @@ void drawQuad() {
   glBegin(GL_QUADS);
   for (const auto &corner : kCorners) {
     glColor4f(1, corner[0], 1 - corner[1], 1);
-    // A little aside of texels' edges.
+    // The offset avoids edges of texels.
     glTexCoord2f(corner[0] + 0.003F, corner[1] + 0.003F);
     glVertex3f(corner[0] * 1.8F - 0.9F, corner[1] * 1.8F - 0.9F, 0);
   }
@@ -146,7 +147,7 @@ bool draw(const Programs &programs) {
     if (tile == 3) {
       if (!programs.bindNew(GL_VERTEX_PROGRAM_ARB, kVertex))
         return false;
-      // It stays within the viewport: not every host cuts there what reaches beyond.
+      // It stays within the viewport, as not every host clips there.
       const float turn[4] = {0.8F * std::cos(0.3F), 0.8F * std::sin(0.3F), 0, 0};
       programs.local(GL_VERTEX_PROGRAM_ARB, 1, turn);
       glEnable(GL_VERTEX_PROGRAM_ARB);

@@ -1,5 +1,5 @@
-// osgFX's effects whose techniques are vertex and fragment programs: bump mapping, anisotropic
-// lighting and cartoon shading, on spheres that turn by a fixed step a frame.
+// Draws osgFX effects with vertex and fragment programs: bump mapping, anisotropic lighting and
+// cartoon shading, on spheres that rotate by a fixed step a frame.
 #include <cmath>
 #include <osg/Geode>
 #include <osg/Geometry>
@@ -18,7 +18,7 @@ constexpr int kFrames = 16;
 constexpr int kWidth = 400;
 constexpr int kHeight = 200;
 
-/// A sphere of quad strips with normals and texture coordinates.
+/// Makes a sphere of quad strips with normals and texture coordinates.
 osg::ref_ptr<osg::Geode> makeSphere() {
   constexpr int kStacks = 16;
   constexpr int kSlices = 24;
@@ -55,7 +55,7 @@ osg::ref_ptr<osg::Geode> makeSphere() {
   return geode;
 }
 
-/// 64x64 texels; colour(x, y) gives red, green and blue from 0 to 1.
+/// Makes a texture of 64x64 texels; colour(x, y) returns red, green and blue from 0 to 1.
 template <typename Colour> osg::ref_ptr<osg::Texture2D> makeTexture(Colour colour) {
   constexpr int kSide = 64;
   osg::ref_ptr<osg::Image> image = new osg::Image;
@@ -98,7 +98,7 @@ osg::ref_ptr<osgFX::BumpMapping> makeBumps(osg::Node *node) {
   return effect;
 }
 
-/// A node at x that turns with its siblings.
+/// Puts a node at x, where it rotates with its siblings.
 osg::ref_ptr<osg::MatrixTransform> place(osg::Node *node, float x) {
   osg::ref_ptr<osg::MatrixTransform> transform =
       new osg::MatrixTransform(osg::Matrix::translate(x, 0, 0));

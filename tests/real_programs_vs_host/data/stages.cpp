@@ -1,4 +1,5 @@
-// Direct3D 8: texture stages of the fixed function and pixel shaders 1.1, for Wine's ARB back end.
+// Draws with Direct3D 8: fixed-function texture stages and pixel shaders 1.1, for Wine's ARB back
+// end.
 // usage: stages [FILE]     FILE becomes a PPM of the last frame
 #include <cmath>
 #include <cstdio>
@@ -17,9 +18,9 @@ struct Vertex {
   float u0, v0, u1, v1;
 };
 
-/// A quarter of a texel. Direct3D 8 has vertices at pixels' centres, and without it whole columns
-/// and rows would be sampled exactly at texels' edges, which each implementation rounds its own
-/// way.
+/// A quarter of a texel. Direct3D 8 has vertices at pixel centers. Without the offset whole columns
+/// and rows would be sampled exactly at edges of texels, whose rounding is
+/// implementation-dependent.
 constexpr float kAside = 0.25F / kSide;
 constexpr float kNone = kAside, kOnce = 1 + kAside, kTwice = 2 + kAside;
 constexpr Vertex kQuad[] = {{-0.9F, -0.9F, 0.5F, 0xFFFF4020, kNone, kOnce, kNone, kTwice},
@@ -27,10 +28,10 @@ constexpr Vertex kQuad[] = {{-0.9F, -0.9F, 0.5F, 0xFFFF4020, kNone, kOnce, kNone
                             {0.9F, -0.9F, 0.5F, 0x802040FF, kOnce, kOnce, kTwice, kTwice},
                             {0.9F, 0.9F, 0.5F, 0xFFFFFFFF, kOnce, kNone, kTwice, kNone}};
 
-// ps.1.1; tex t0; tex t1; mul r0, t0, v0
+// The shader is: ps.1.1; tex t0; tex t1; mul r0, t0, v0
 constexpr DWORD kProduct[] = {0xFFFF0101, 0x42,       0xB00F0000, 0x42,       0xB00F0001,
                               0x05,       0x800F0000, 0xB0E40000, 0x90E40000, 0x0000FFFF};
-// ps.1.1; tex t0; tex t1; lrp r0, c0, t0, t1; mad r0, r0, v0, c1
+// The shader is: ps.1.1; tex t0; tex t1; lrp r0, c0, t0, t1; mad r0, r0, v0, c1
 constexpr DWORD kMixture[] = {
     0xFFFF0101, 0x42,       0xB00F0000, 0x42,       0xB00F0001, 0x12,       0x800F0000, 0xA0E40000,
     0xB0E40000, 0xB0E40001, 0x04,       0x800F0000, 0x80E40000, 0x90E40000, 0xA0E40001, 0x0000FFFF};
@@ -43,7 +44,7 @@ constexpr Stage kStages[] = {{D3DTOP_MODULATE, D3DTA_TEXTURE, D3DTA_DIFFUSE},
                              {D3DTOP_BLENDDIFFUSEALPHA, D3DTA_TEXTURE, D3DTA_TFACTOR},
                              {D3DTOP_DOTPRODUCT3, D3DTA_TEXTURE, D3DTA_DIFFUSE}};
 
-/// By name: the cross compiler has no import library of Direct3D 8.
+/// Creates Direct3D by name, as the cross compiler has no import library of Direct3D 8.
 IDirect3D8 *createDirect3D() {
   using Create = IDirect3D8 *(WINAPI *)(UINT);
   const HMODULE library = LoadLibraryA("d3d8.dll");
@@ -99,7 +100,7 @@ void drawFrame(IDirect3DDevice8 *device, int frame, DWORD product, DWORD mixture
   device->EndScene();
 }
 
-/// What has been drawn, before it is shown.
+/// Writes the drawn picture before it is shown.
 bool write(IDirect3DDevice8 *device, const char *path) {
   IDirect3DSurface8 *drawn = nullptr, *copy = nullptr;
   D3DLOCKED_RECT lock;

@@ -1,5 +1,5 @@
 // A Direct3D 9 program that draws twelve tiles into an off-screen target, one technique each, and
-// writes them to o.ppm: pixel shaders 1.1, 1.4 and 2.0, and the fixed function's texture stages.
+// writes them to o.ppm: pixel shaders 1.1, 1.4 and 2.0, and fixed-function texture stages.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -28,7 +28,7 @@ constexpr char kModulate11[] = "ps_1_1\n"
                                "mul r0, t0, v0\n"
                                "mad_sat r0.rgb, t1, c0, r0\n"
                                "+mov r0.a, t0.a\n";
-// Bump lighting: a normal and a light in [0, 1] expanded to [-1, 1].
+// Bump lighting expands a normal and a light from [0, 1] to [-1, 1].
 constexpr char kBump11[] = "ps_1_1\n"
                            "def c1, 0.1, 0.1, 0.2, 1.0\n"
                            "tex t0\n"
@@ -46,7 +46,7 @@ constexpr char kCnd11[] = "ps_1_1\n"
                           "mul r0.a, t0.g, v0.a\n"
                           "mad r0.a, v1.b, t0.b, r0.a\n"
                           "cnd r0, r0.a, c0, t0\n";
-// Two phases: the first one's result is a texture coordinate.
+// This has two phases: the first one's result is a texture coordinate.
 constexpr char kDependent14[] = "ps_1_4\n"
                                 "def c0, 0.15, 0.15, 0.0, 0.0\n"
                                 "texld r0, t0\n"
@@ -298,7 +298,7 @@ void drawTile(const Device &d, int index) {
                        0.0f,
                        1.0f};
   d.device->SetViewport(&view);
-  // Corners at different depths and with different colours, so that a mistake in any input shows.
+  // The corners have different depths and colors, so that a mistake in any input is visible.
   const float x[4] = {-0.95f, 0.95f, -0.95f, 0.95f}, y[4] = {0.95f, 0.95f, -0.95f, -0.95f};
   const float z[4] = {0.1f, 0.4f, 0.6f, 0.9f};
   const DWORD diffuse[4] = {0xffff8080, 0xc080ff80, 0x808080ff, 0xffffffff};
@@ -341,7 +341,8 @@ int main() {
   const Device d = open();
   d.device->Clear(0, nullptr, D3DCLEAR_TARGET, D3DCOLOR_XRGB(30, 30, 60), 1.0f, 0);
   check("BeginScene", d.device->BeginScene());
-  // Wine leaves the first stage's texture out until a draw has used two: the second tile is first.
+  // Wine ignores the first stage's texture until a draw has used two, so that the second tile is
+  // drawn first.
   for (int draw = 0; draw <= kColumns * kRows; ++draw) {
     const int index = draw == 0 ? 1 : draw - 1;
     defaults(d);

@@ -1,6 +1,6 @@
-// A film of Qt Multimedia's in a QGraphicsView over GL: where the host offers no GLSL, Qt converts
-// its colours in an ARB fragment program. Which frames are shown depends on the clock: only
-// recordings of it are compared.
+// Plays a film by Qt Multimedia in a QGraphicsView over GL: on a host without GLSL, Qt converts its
+// colors in an ARB fragment program. The shown frames depend on the clock, so that only recordings
+// of it are compared.
 #include <QApplication>
 #include <QGLWidget>
 #include <QGraphicsScene>

@@ -1,4 +1,4 @@
-"""The real programs, by name. The first four are the acceptance; the others are more evidence."""
+"""The real programs, by name. The first four are the acceptance test; the others are more evidence."""
 
 from programs import (clutter, coin, games, gem, hacks, irrlicht, mplayer, openscad, osgfx, pyopengl, qtvideo,
                       qutemol, savers, wildmagic, wine, xine)

@@ -1,5 +1,6 @@
-"""Clutter over Cogl's driver for fixed-function GL, through a client of the project: what an actor is drawn
-with becomes a fragment program that Cogl generates, and its effects are GLSL in the same context."""
+"""Clutter over Cogl's driver for fixed-function GL, through a client of the project.
+
+Cogl generates a fragment program for an actor's material, and its effects are GLSL in the same context."""
 
 from pathlib import Path
 

@@ -1,15 +1,16 @@
-"""Coin, the Open Inventor of Debian, through a client of the project: its bump maps draw with programs of
-its own, and a scene's SoShaderProgram may hold texts in assembly.
+"""Coin, Debian's Open Inventor, through a client of the project.
+
+Its bump maps draw with programs of its own, and a scene's SoShaderProgram may contain assembly texts.
 """
 
 from pathlib import Path
 
 from cases import DRAWN, WITHOUT_ANISOTROPY, Case, Program, build_client
 
-# Coin adds highlights in passes with a vertex program to passes without, and compares depths by LEQUAL: no two
-# implementations meet in the same pixels unless they compute depths alike. llvmpipe's do not meet mostly; those of
-# softpipe and of the rasterizer all do, bit by bit.
-# The anisotropy that Coin asks for is each filter's own: it is off in that comparison.
+# Coin adds highlights in passes with a vertex program to passes without, and compares depths by LEQUAL. Two
+# implementations only agree if they compute depths alike. llvmpipe's passes mostly do not meet; softpipe's and the
+# rasterizer's do, bit by bit. The anisotropic filter that Coin enables is implementation-dependent, so that it is off
+# in that comparison.
 SOFTPIPE = {"GALLIUM_DRIVER": "softpipe", **WITHOUT_ANISOTROPY}
 
 

@@ -1,4 +1,4 @@
-"""Games: menus and attract modes in fixed function, and one whose shaders are GLSL."""
+"""Games: menus and attract modes in fixed function, and one with GLSL shaders."""
 
 from pathlib import Path
 
@@ -22,9 +22,9 @@ GAMES = {
     "trackballs": ("-w",),
 }
 GLSL = "trackballs"  # the rasterizer has nothing to draw
-# Their textures are anisotropic, text included: the filter is each implementation's own (cases.py).
+# Their textures are anisotropic, including text; the filter is implementation-dependent (cases.py).
 ANISOTROPIC = ("neverball", "trigger-rally")
-# A level of it, by its renderer that knows no GLSL, without its introduction and sound.
+# A level of the game, by its renderer without GLSL, without its introduction and sound.
 OPENARENA = ("+set", "cl_renderer", "opengl1", "+set", "r_fullscreen", "0", "+set", "r_mode", "-1",
              "+set", "r_customwidth", "640", "+set", "r_customheight", "480", "+set", "com_introplayed", "1",
              "+set", "s_initsound", "0", "+devmap", "oa_dm1")
@@ -34,7 +34,7 @@ class Games(Program):
     def cases(self, work: Path) -> list[Case]:
         def case(name: str, options: tuple[str, ...] = (), environment: dict[str, str] | None = None,
                  seconds: float = SECONDS) -> Case:
-            home = work / f"home-{name}"  # where they keep their settings
+            home = work / f"home-{name}"  # for their settings
             home.mkdir(parents=True, exist_ok=True)
             path = next((folder / name for folder in FOLDERS if (folder / name).exists()), Path(name))
             return Case(f"games-{name}", [str(path), *options], stop_after=seconds, recorded=True,

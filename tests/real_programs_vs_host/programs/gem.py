@@ -1,5 +1,5 @@
-"""Gem, the graphics of Pure Data: a cube whose colours are a hash of the pixel's place, by the program
-that comes as its example. Each rounding shows.
+"""Gem, the graphics of Pure Data: a cube whose colors are a hash of the pixel's place, by the
+example program that comes with it. Each rounding is visible.
 """
 
 from pathlib import Path

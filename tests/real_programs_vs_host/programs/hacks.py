@@ -1,4 +1,4 @@
-"""Demonstrations of XScreenSaver, which use no program text: display lists, lighting, fog, textures."""
+"""Demonstrations of XScreenSaver, which use no programs: display lists, lighting, fog, textures."""
 
 from pathlib import Path
 

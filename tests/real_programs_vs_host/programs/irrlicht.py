@@ -1,7 +1,7 @@
 """Irrlicht's tutorials 10 and 11: its own ARB programs, and its normal and parallax map materials.
 
 The sources come with the engine's documentation. They are changed in three ways only: the scene's
-clock moves by a fixed step a frame instead of by real time, the window need not have the focus, and
+clock advances by a fixed step a frame instead of real time, the window need not have the focus, and
 the last frame stays for a while.
 """
 
@@ -18,10 +18,10 @@ STEP_MS = 70
 _LOOP = (f"device->getTimer()->stop(); device->getTimer()->setTime(0);\n"
          f"\tfor (irr::u32 step = 0; step < {FRAMES} && device->run();"
          f" device->getTimer()->setTime(++step * {STEP_MS}))")
-# The last frame stays on the screen for long enough to be the one that is seen most often.
+# The last frame stays on the screen long enough to be seen most often.
 _SHOT = f"driver->endScene();\n\t\tif (step + 1 == {FRAMES}) device->sleep(1500);"
 
-# Folder of the example, what it asks on standard input.
+# The example's folder, and the answers on standard input.
 EXAMPLES = (("10.Shaders", "a\nn\n"), ("11.PerPixelLighting", "a\n"))
 
 

@@ -1,10 +1,10 @@
-"""MPlayer's gl output: YUV to RGB conversion and scalers, one program generated for each mode."""
+"""MPlayer's gl output: YUV to RGB conversion and scalers, with one generated program for each mode."""
 
 from pathlib import Path
 
 from cases import Case, Program, shell
 
-# Name of the case, the options of -vo gl, further options.
+# The name of the case, the options of -vo gl, further options.
 MODES = (
     ("yuv2", "yuv=2", ()),
     ("yuv3-gamma", "yuv=3", ("-gamma", "25")),
@@ -18,7 +18,7 @@ MODES = (
 )
 
 
-# Whose LRPs Mesa computes in another order, which shows in single pixels.
+# Mesa computes the LRPs of this mode in another order, which is visible in single pixels.
 MIXED = "scale1"
 
 
@@ -26,7 +26,7 @@ class MPlayer(Program):
     def cases(self, work: Path) -> list[Case]:
         clip = work / "still.y4m"
         if not clip.exists():
-            # One picture, again and again: whenever the screen is looked at, it shows the same.
+            # The clip repeats one picture, so that the screen always shows the same.
             shell(["ffmpeg", "-v", "error", "-f", "lavfi", "-i",
                    "testsrc2=size=320x240:rate=25:duration=1,loop=loop=-1:size=1,"
                    "trim=end_frame=25", "-pix_fmt", "yuv420p", "-y", str(clip)])

@@ -1,5 +1,6 @@
-"""OpenSceneGraph's osgFX, through a client of the project: bump mapping, anisotropic lighting and cartoon
-shading, whose techniques are vertex and fragment programs in display lists.
+"""OpenSceneGraph's osgFX, through a client of the project.
+
+Its bump mapping, anisotropic lighting and cartoon shading use vertex and fragment programs in display lists.
 """
 
 from pathlib import Path
@@ -12,9 +13,9 @@ class OsgFx(Program):
         client = build_client(work, "osgfx.cpp", [
             "-losgFX", "-losgViewer", "-losgGA", "-losgUtil", "-losgDB", "-losg", "-lOpenThreads",
             "-lGL"])
-        # The cartoon's program writes s of its texture coordinates and no q, by which fixed function
-        # divides. Mesa has 0 there; of s/0 llvmpipe makes the first texel, softpipe and the rasterizer the last
-        # one. (NVIDIA's driver has 1, which the programs count on: with q written all draw the same.)
+        # The cartoon's program writes s of its texture coordinates but not q, by which fixed function divides. Mesa has
+        # 0 there; llvmpipe turns s/0 into the first texel, softpipe and the rasterizer into the last one. (NVIDIA's
+        # driver has 1, which the programs rely on: with q written all draw the same.)
         return [Case("osgfx", [str(client)], recorded=True, ways_left_out=DRAWN)]
 
 

@@ -1,5 +1,5 @@
-"""Qt Multimedia 5 on a host without GLSL: its films are converted from YUV by one fragment program,
-between Qt's own drawing by fixed function. data/video.cpp is a small player of the project.
+"""Qt Multimedia 5 on a host without GLSL: one fragment program converts its films from YUV,
+between Qt's own fixed-function drawing. data/video.cpp is a small player of the project.
 """
 
 from pathlib import Path

@@ -1,5 +1,6 @@
-"""QuteMol builds its programs as text and, on a card that it does not know, loads the text "END":
-a client of the error path, which must go on as it does on the bare host."""
+"""QuteMol builds its programs as text and, on a card that it does not know, loads the text "END".
+
+It tests the error path, which must continue as on the bare host."""
 
 from pathlib import Path
 

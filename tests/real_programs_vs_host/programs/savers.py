@@ -5,14 +5,14 @@ from pathlib import Path
 from cases import Case, Program
 
 FOLDER = Path("/usr/libexec/xscreensaver")
-# Name, options, seconds, pixels that may be off. hyperspace draws few frames a second on a processor, and the
-# first twenty prepare what its programs read. It reflects at normals that it reads from a cube map, whose
-# roundings come back as other levels of detail of the cube map that it then looks up.
+# The name, options, seconds, and allowed number of differing pixels. hyperspace draws few frames a second on a
+# processor, and the first twenty prepare what its programs read. It reflects at normals from a cube map, whose rounding
+# changes the level of detail of the next cube map lookup.
 SAVERS = (
     ("hyperspace", ("-S", "100", "-R", "4", "-d", "3"), 30.0, 400),
     ("drempels", (), 4.0, 60),
 )
-# In fixed function. hufo_smoke's colours are at times no numbers, which the host clamps to 1.
+# These use fixed function. Some of hufo_smoke's colors are NaN, which the host clamps to 1.
 PLAIN = ("biof", "busyspheres", "colorfire", "cyclone", "euphoria", "feedback", "fieldlines", "flocks", "flux",
          "hufo_smoke", "hufo_tunnel", "lattice", "lorenz", "matrixview", "pixelcity", "plasma", "skyrocket",
          "solarwinds", "spirographx", "sundancer2")

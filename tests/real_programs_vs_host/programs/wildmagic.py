@@ -1,21 +1,21 @@
-"""Wild Magic's sample programs: a scene each, whose ARB programs are part of the engine."""
+"""Wild Magic's sample programs, each a scene whose ARB programs are part of the engine."""
 
 from pathlib import Path
 
 from cases import Case, PrepareError, Program
 
-# Those whose programs are in the package's data; the others stop at a missing file.
+# The package's data contain these samples' programs; the others stop at a missing file.
 NAMES = (
     "BillboardNodes BspNodes CameraAndLightNodes ClodMeshes DlodNodes InverseKinematics Lights "
     "MaterialTextures NonuniformScale ParticleSystems PlanarReflections PlanarShadows PointSystems "
     "PolygonOffsets Polysegments Portals RenderToTexture ScreenPolygons SortFaces SurfaceMeshes "
     "SwitchNodes TriStripsFans VertexTextures"
 ).split()
-# Asks for NV_fragment_program2 and NV_vertex_program3. Mesa offers neither, so that the bare host draws nothing
-# of it: a profile that does draws what no frame here can be compared with.
+# This sample needs NV_fragment_program2 and NV_vertex_program3. Mesa offers neither, so that the bare host draws
+# nothing of it, and there is no frame to compare a profile that offers them with.
 REFUSED = ("VertexTextures",)
 OFFERING = ("auto-late", "auto-cold", "auto-warm", "swrast", "host")
-# Shows how two triangles of one plane fight without an offset; who wins is a matter of the last bit.
+# This sample shows z-fighting of two triangles in one plane without an offset, which the last bit decides.
 FIGHTS = ("PolygonOffsets",)
 SAMPLES = Path("/usr/lib/x86_64-linux-gnu/libwildmagic/SampleGraphics")
 

@@ -1,7 +1,7 @@
 """Wine's Direct3D 8 and 9 over its ARB back end: pixel shaders 1.1, 1.4, 2.0 and the fixed function.
 
-data/tiles.cpp and data/stages.cpp are small Direct3D programs of the project; Wine translates what they ask
-for into vertex and fragment programs.
+data/tiles.cpp and data/stages.cpp are small Direct3D programs of the project; Wine translates their
+state and shaders into vertex and fragment programs.
 """
 
 import os
@@ -40,7 +40,7 @@ class Wine(Program):
         return binary
 
     def finish(self, work: Path) -> None:
-        # Its status says only whether a server was there to end.
+        # The status only tells whether there was a server to end.
         subprocess.run(["wineserver", "-k"], env={**os.environ, **self._environment(work)},
                        check=False)
 

@@ -1,1 +1,1 @@
-"""Recordings of programs, replayed on the bare host and with the layer, every frame compared."""
+"""Replays recordings of programs on the bare host and with the layer, and compares every frame."""

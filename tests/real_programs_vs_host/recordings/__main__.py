@@ -1,12 +1,12 @@
-"""Recordings of programs draw the same with Arbiter as without it, in every frame.
+"""Checks that recordings of programs draw the same with Arbiter as without it, in every frame.
 
   python3 tests/real_programs_vs_host/recordings [NAME...] --build DIR     programs of ../programs
   python3 tests/real_programs_vs_host/recordings --trace FILE --build DIR  a trace of apitrace's
 
 A program is recorded once on the bare host; its trace stays in --work. Each trace is replayed
-twice on the bare host; the frames on which the two agree are compared with those of a run with the
-layer: the back end `auto` with cold caches and with warm ones, `swrast`, `host`, all with the profile
-host, and the default profile. A frame is wrong if more than 60 pixels are off by more than 3 %.
+twice on the bare host. The frames on which the two agree are compared with those of a run with the
+layer: the back end `auto` with cold and with warm caches, `swrast`, `host`, all with the profile
+host, and the default profile. A frame is wrong if more than 60 pixels differ by more than 3 %.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-"""Which recordings a command is about: programs by name, traces that are given, or all there are."""
+"""Selects the recordings of a command: programs by name, given traces, or all."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -22,7 +22,7 @@ class Choice:
     traces: list[Path]
     case: str | None  # only cases whose name contains this
     work: Path  # inputs and traces, kept between runs
-    frames: int  # of a longer trace only the first so many
+    frames: int  # of a longer trace only this many first frames
 
     @property
     def everything(self) -> bool:
@@ -35,7 +35,7 @@ class Choice:
         return self.traces + (sorted(SHARED.glob("*.trace")) if self.everything else [])
 
     def recordings(self) -> Iterator[Make]:
-        """What makes each recording, one at a time: a program's server ends before the next begins."""
+        """Yields the makers of the recordings, one at a time: a program's server ends before the next begins."""
         for path in self.files():
             for variant in traces.variants(path):
                 if not self.case or self.case in path.stem + variant.suffix:

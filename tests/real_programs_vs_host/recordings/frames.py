@@ -1,4 +1,4 @@
-"""The frames of a replay: read from glretrace's output, kept, and compared one by one."""
+"""Reads the frames of a replay from glretrace's output, stores them, and compares them one by one."""
 
 import zlib
 from dataclasses import dataclass
@@ -7,19 +7,18 @@ from typing import BinaryIO, Iterator
 
 from picture import Picture, PictureError
 
-# A frame is wrong if more pixels than this are off by more than 3 % in a channel, unless its case says
-# otherwise: seams of a pixel and the last bit of a filter stay below, a lost draw or a moved edge
-# does not.
+# A frame is wrong if more pixels than this differ by more than 3 % in a channel, unless its case says otherwise. Seams
+# of a pixel and the last bit of a filter stay below; a lost draw or a moved edge does not.
 WRONG_PIXELS = 60
-STEP = 8  # of 255: the smallest difference over 3 %, unless its case says otherwise
+STEP = 8  # in 255ths: the smallest difference over 3 %, unless its case says otherwise
 
-# What Mesa says on standard output about MESA_EXTENSION_OVERRIDE.
+# Mesa prints this on standard output about MESA_EXTENSION_OVERRIDE.
 _HOSTS_WORDS = b"Warning: extension "
 
 
 @dataclass(frozen=True)
 class Frame:
-    """What one snapshot shows; `call` is the number of the call in the trace."""
+    """The picture of one snapshot; `call` is the number of the call in the trace."""
 
     call: int
     picture: Picture
@@ -27,11 +26,11 @@ class Frame:
 
 @dataclass(frozen=True)
 class Distance:
-    """How far a frame is from the same frame of the first bare run."""
+    """The difference of a frame from the same frame of the first bare run."""
 
     call: int
-    pixels: int  # that are off by the step or more; all of them if the sizes differ
-    maximum: int  # of 255
+    pixels: int  # that differ by the step or more; all if the sizes differ
+    maximum: int  # in 255ths
     same_size: bool = True
 
     def wrong(self, allowed: int = WRONG_PIXELS) -> bool:
@@ -39,8 +38,8 @@ class Distance:
 
 
 def read_frames(stream: BinaryIO) -> Iterator[Frame]:
-    """The snapshots that `glretrace --snapshot-prefix=-` writes: binary PNM with the call's number
-    as comment. PictureError if the stream is anything else, or ends within a picture."""
+    """Yields the snapshots that `glretrace --snapshot-prefix=-` writes: binary PNM with the call's number
+    as comment. Raises PictureError if the stream is anything else, or ends within a picture."""
     while head := stream.readline():
         kind = head.strip()
         if head.startswith(_HOSTS_WORDS):
@@ -61,7 +60,7 @@ def read_frames(stream: BinaryIO) -> Iterator[Frame]:
 
 
 def distance(call: int, a: Picture, b: Picture, step: int = STEP) -> Distance:
-    """Counts pixels in the rows that are not the same bytes; most frames have none."""
+    """Counts differing pixels, in the rows whose bytes differ; most frames have none."""
     if (a.width, a.height) != (b.width, b.height):
         return Distance(call, max(a.width * a.height, b.width * b.height), 255, False)
     if a.rgb == b.rgb:
@@ -80,13 +79,13 @@ def distance(call: int, a: Picture, b: Picture, step: int = STEP) -> Distance:
 
 
 class FrameStore:
-    """The frames of the first bare run, compressed in one file."""
+    """Stores the frames of the first bare run, compressed in one file."""
 
     def __init__(self, path: Path):
         path.parent.mkdir(parents=True, exist_ok=True)
         self._file = open(path, "w+b")
         self._places: list[tuple[int, int, int, int, int]] = []  # call, width, height, offset, size
-        self.any_shown = False  # a frame that is not one colour
+        self.any_shown = False  # a frame with more than one color
 
     def __len__(self) -> int:
         return len(self._places)
@@ -110,8 +109,8 @@ class FrameStore:
 class Comparison:
     """Takes the frames of a later run in order and compares each with the stored one.
 
-    Only the frames whose index is in `steady` count; None: all do. The frame that is furthest off
-    is kept, to be shown. `allowed` is the number of pixels that may be off by `step` or more.
+    Only the frames whose index is in `steady` count; None: all do. The frame with the largest difference
+    is kept for display. `allowed` is the number of pixels that may differ by `step` or more.
     """
 
     def __init__(self, store: FrameStore, allowed: int, steady: set[int] | None = None,
@@ -124,7 +123,7 @@ class Comparison:
 
     @property
     def seen(self) -> int:
-        """How many frames the run had, counted or not."""
+        """Returns how many frames the run had, counted or not."""
         return self._next
 
     def compare(self, frame: Frame) -> None:
@@ -141,7 +140,7 @@ class Comparison:
             self.worst, self._worst_pixels = (before, frame), apart.pixels
 
     def agreeing(self) -> set[int]:
-        """The indices of the frames that are not wrong."""
+        """Returns the indices of the frames that are not wrong."""
         return {index for index, apart in self.distances.items() if not apart.wrong(self._allowed)}
 
     def wrong(self) -> list[Distance]:

@@ -1,4 +1,4 @@
-"""Compares one recording in all ways and says what is wrong with each."""
+"""Compares one recording in all ways and reports what is wrong with each."""
 
 import shutil
 from dataclasses import asdict, dataclass, field
@@ -16,13 +16,13 @@ from recordings.traces import Recording
 
 @dataclass
 class Row:
-    """One recording one way; its fields are those of result.json."""
+    """The result of one recording in one way; its fields are those of result.json."""
 
     recording: str
     program: str
     way: str
     frames: int = 0  # of the first bare run
-    steady: int = 0  # on which two bare runs agree; those that are compared
+    steady: int = 0  # the frames on which two bare runs agree, which are compared
     wrong: list[dict] = field(default_factory=list)  # call, pixels, maximum, same_size
     maximum: int = 0  # largest difference in any steady frame, wrong or not
     status: int = 0
@@ -47,7 +47,7 @@ class Row:
 
 def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
             show: Callable[[Row], None]) -> list[Row]:
-    """Replays bare twice and once each way; `show` is given each row as it is known."""
+    """Replays bare twice and once each way; calls `show` with each row as it is known."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     calls = traces.snapshot_calls(recording.trace)
@@ -84,7 +84,7 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
 
 
 def _unfit(bare: Run, again: Run, store: FrameStore, steady: set[int]) -> list[str]:
-    """Why the bare host's runs are nothing to compare with; empty if they are."""
+    """Returns why the bare host's runs cannot serve for comparison; empty if they can."""
     found = [run.problem for run in (bare, again) if run.problem]
     if bare.status != again.status:
         found.append(f"status {bare.status}, then {again.status}")
@@ -97,8 +97,8 @@ def _unfit(bare: Run, again: Run, store: FrameStore, steady: set[int]) -> list[s
 
 def judge(recording: Recording, way: Way, bare: Run, run: Run, seen: Comparison,
           head: Row) -> Row:
-    """What is wrong with a run: its end, its frames, or what it drew them with. Of one that was cut
-    off nothing else is said, as its last frame may be half a one."""
+    """Returns what is wrong with a run: its end, its frames, or what it drew them with. For one that was cut
+    off it reports nothing else, as its last frame may be incomplete."""
     if run.cut_off:
         return Row(recording.name, recording.program, way.name, head.frames, head.steady,
                    status=run.status, bare_status=bare.status,
@@ -120,7 +120,7 @@ def judge(recording: Recording, way: Way, bare: Run, run: Run, seen: Comparison,
 
 
 def _unproved(recording: Recording, way: Way, summary: dict) -> list[str]:
-    """Why the statistics do not show that the layer drew, and with the recording's programs."""
+    """Returns why the statistics do not show that the layer drew, and with the recording's programs."""
     if recording.refused is None:
         return []
     idle = way.mode.backend == "swrast" and not recording.least_programs and not summary["draws_rasterizer"]
@@ -129,7 +129,7 @@ def _unproved(recording: Recording, way: Way, summary: dict) -> list[str]:
 
 
 def _draw_worst(seen: Comparison, folder: Path) -> None:
-    """Bare, layer, and 16 times their difference, side by side."""
+    """Draws bare, layer, and 16 times their difference, side by side."""
     if not seen.worst:
         return
     before, after = (frame.picture for frame in seen.worst)

@@ -1,4 +1,4 @@
-"""Replays a trace one way, on an X server of its own, and hands each frame on as it comes."""
+"""Replays a trace in one way, on an X server of its own, and passes each frame on as it comes."""
 
 import os
 import shutil
@@ -16,19 +16,19 @@ from recordings import traces
 from recordings.frames import Frame, read_frames
 from recordings.traces import Recording
 
-# glretrace reads pictures of the size that it takes a window to have; where the host's buffers are
-# smaller it shows what malloc gave it. Filled with the same byte by every run, such memory is no
-# difference, and what the layer writes there is one.
+# glretrace reads pictures of the size that it expects of a window. If the host's buffers are smaller, the rest is
+# uninitialised memory of malloc. Every run fills that with the same byte, so that it is no difference, unless the layer
+# writes there.
 _FILLED = {"MALLOC_PERTURB_": "85"}
 
 
 @dataclass(frozen=True)
 class Way:
-    """One way of running: where the layer is, if at all, and what its caches hold."""
+    """A way of running: the layer's library, if any, and the state of its caches."""
 
     mode: session.Mode
-    cold: bool = False  # begins with empty caches; otherwise with what earlier ways left
-    programs_alone: bool = False  # fixed function is the host's where no program is
+    cold: bool = False  # begins with empty caches; otherwise with those of earlier ways
+    programs_alone: bool = False  # fixed function is the host's where there is no program
     late: bool = False  # machine code is late, as on a busy machine: the host draws meanwhile
 
     @property
@@ -38,20 +38,20 @@ class Way:
 
 @dataclass
 class Run:
-    """What a replay left."""
+    """The result of a replay."""
 
     status: int  # negative: ended by that signal
     seconds: float
     log: str
     stats: list[dict]
     problem: str = ""  # why its frames could not be read to their end
-    cut_off: bool = False  # ended by the time limit: its frames are no evidence of anything
+    cut_off: bool = False  # ended by the time limit, so that its frames prove nothing
 
 
 def ways(library: Path) -> list[Way]:
-    """The back ends, with caches cold and warm, and with machine code that is late; the default
-    profile, whose limits are reported only, as a recording holds no answer to a refusal that it did
-    not meet; and fixed function drawn by the host in contexts without programs."""
+    """Returns the ways: the back ends, with cold and warm caches, and with late machine code; the default
+    profile, whose limits are only reported, as a recording cannot react to a refusal; and fixed function
+    drawn by the host in contexts without programs."""
     def mode(name: str, backend: str, profile: str = "host") -> session.Mode:
         return session.Mode(name, library, profile, backend)
 
@@ -63,7 +63,7 @@ def ways(library: Path) -> list[Way]:
 
 def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: float,
            take: Callable[[Frame], None]) -> Run:
-    """Runs glretrace in `folder`; `take` is called with each snapshot. Caches are beside the folder,
+    """Runs glretrace in `folder`; calls `take` with each snapshot. Caches are beside the folder,
     one for the bare host and one for all ways with the layer."""
     cache = folder.parent / ("cache" if way.mode.library else "bare-cache")
     if way.cold:
@@ -93,7 +93,7 @@ def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: fl
 
 def _take_all(process: subprocess.Popen, timeout: float,
               take: Callable[[Frame], None]) -> tuple[str, bool]:
-    """Hands on the frames until the process ends; what kept it from ending well, or nothing, and
+    """Passes on the frames until the process ends. Returns what kept it from ending well, or nothing, and
     whether that was the time limit."""
     late = threading.Event()
 

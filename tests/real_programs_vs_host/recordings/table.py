@@ -1,4 +1,4 @@
-"""The comparison as text: a line for each run as it ends, and a table of all of them."""
+"""Prints the comparison: a line for each run as it ends, and a table of all of them."""
 
 from recordings.judge import Row
 from recordings.replay import Way
@@ -11,7 +11,7 @@ def progress(row: Row) -> None:
 
 
 def write(rows: list[Row], chosen: list[Way]) -> None:
-    """A recording a line: its frames, how many are steady, and for each way the wrong ones."""
+    """Prints a line for each recording: its frames, how many are steady, and for each way the wrong ones."""
     names = [way.name for way in chosen]
     by_recording: dict[str, dict[str, Row]] = {}
     for row in rows:

@@ -1,4 +1,4 @@
-"""Traces: made once from a program with apitrace and kept, or files that are given."""
+"""Traces: recorded once from a program with apitrace and kept, or given as files."""
 
 import json
 import re
@@ -10,30 +10,30 @@ import session
 from cases import ANISOTROPIC_STEP, WITHOUT_ANISOTROPY, Case, PrepareError, shell
 from recordings.frames import STEP, WRONG_PIXELS
 
-# What may change a picture without showing it; after the last swap the last of these is looked at.
+# Calls that may change a picture without showing it; the last one after the last swap is captured too.
 _DRAWS = (r"^(gl(Draw|MultiDraw|End(ARB)?$|CallLists?$|Clear$|Rect[dfis]|Bitmap|CopyPixels|"
           r"ReadPixels)|(glX|egl)SwapBuffers)")
 
 
 @dataclass(frozen=True)
 class Recording:
-    """A trace, and what its replay with the layer must show."""
+    """A trace, and the required results of its replay with the layer."""
 
     name: str
     trace: Path
-    program: str = ""  # of tests/real_programs_vs_host/programs; empty for a file that was given
+    program: str = ""  # of tests/real_programs_vs_host/programs; empty for a given file
     environment: dict[str, str] = field(default_factory=dict)
     over_limits: bool = False
-    wrong_pixels: int = WRONG_PIXELS  # that a frame may have
+    wrong_pixels: int = WRONG_PIXELS  # the number that a frame may have
     step: int = STEP  # the smallest difference that makes a pixel wrong
-    least_programs: int = 0  # fragment programs that must have been compiled by the layer
+    least_programs: int = 0  # fragment programs that the layer must have compiled
     refused: int | None = None  # programs that the bare host refuses too; None: not known
     ways_left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class FileVariant:
-    """How a trace that was given is compared; `suffix` of its name."""
+    """How a given trace is compared; `suffix` is added to its name."""
 
     suffix: str = ""
     least_programs: int = 0
@@ -42,7 +42,7 @@ class FileVariant:
     environment: dict[str, str] = field(default_factory=dict)
 
 
-# Traces that others brought, by file name.
+# Traces from others, by file name.
 KNOWN_FILES = {
     "0ad-terrain.trace": (FileVariant(least_programs=5, refused=0, step=ANISOTROPIC_STEP),
                           FileVariant("-trilinear", least_programs=5, refused=0, environment=WITHOUT_ANISOTROPY)),
@@ -55,7 +55,7 @@ def variants(path: Path) -> tuple[FileVariant, ...]:
 
 
 def of_file(path: Path, work: Path, frames: int, variant: FileVariant) -> Recording:
-    """A trace that is there already; its first `frames` frames."""
+    """Returns the first `frames` frames of an existing trace."""
     if not path.is_file():
         raise PrepareError(f"{path}: no such trace")
     return Recording(path.stem + variant.suffix, _shortened(path, work, frames), environment=variant.environment,
@@ -63,7 +63,7 @@ def of_file(path: Path, work: Path, frames: int, variant: FileVariant) -> Record
 
 
 def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:
-    """The case's trace under `work`; recorded on the bare host unless it is there."""
+    """Returns the case's trace under `work`; records it on the bare host unless it exists."""
     trace = work / f"{case.name}.trace"
     if not trace.exists():
         _record(case, work, frames, trace)
@@ -73,8 +73,8 @@ def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:
 
 
 def _record(case: Case, work: Path, frames: int, trace: Path) -> None:
-    """Records until something is drawn: a busy machine may take longer than `stop_after` to start
-    the program, and a trace without a draw, kept, would fail for ever."""
+    """Records until something is drawn. A busy machine may take longer than `stop_after` to start
+    the program, and a stored trace without a draw would fail forever."""
     fresh = work / f"{case.name}.new.trace"
     for attempt in range(4):
         session.record(replace(case, stop_after=case.stop_after * 2**attempt),
@@ -91,7 +91,7 @@ def _record(case: Case, work: Path, frames: int, trace: Path) -> None:
 
 
 def _shortened(trace: Path, work: Path, frames: int) -> Path:
-    """The trace itself, or a copy of its first frames if it has more than that."""
+    """Returns the trace itself, or a copy of its first frames if it has more than that."""
     if frame_count(trace) <= frames:
         return trace
     work.mkdir(parents=True, exist_ok=True)
@@ -102,7 +102,7 @@ def _shortened(trace: Path, work: Path, frames: int) -> Path:
 
 
 def frame_count(trace: Path) -> int:
-    """How many frames end with a swap; a trace that was cut off is no error."""
+    """Returns how many frames end with a swap; a trace that was cut off is no error."""
     try:
         return int(json.loads(shell(["apitrace", "info", str(trace)]))["FramesCount"])
     except (ValueError, KeyError) as error:
@@ -110,13 +110,13 @@ def frame_count(trace: Path) -> int:
 
 
 def player(trace: Path) -> str:
-    """The program that replays it, by the window system that it was recorded with."""
+    """Returns the program that replays it, by the window system that it was recorded with."""
     egl = shell(["apitrace", "dump", "--color=never", "--grep=^eglCreateContext$", str(trace)])
     return "eglretrace" if egl.strip() else "glretrace"
 
 
 def snapshot_calls(trace: Path) -> str:
-    """What glretrace is asked to look at: each frame, and the last draw if no swap follows it, as
+    """Returns the calls for glretrace's snapshots: each frame, and the last draw if no swap follows it, as
     in programs that draw to a framebuffer object and read it, or that were ended while drawing."""
     last = _last_draw(trace)
     if last is None:
@@ -125,7 +125,7 @@ def snapshot_calls(trace: Path) -> str:
 
 
 def _last_draw(trace: Path) -> re.Match | None:
-    """The number and name of the last call that may change a picture."""
+    """Returns the number and name of the last call that may change a picture."""
     calls = shell(["apitrace", "dump", "--color=never", f"--grep={_DRAWS}", str(trace)])
     last = None
     for last in re.finditer(r"^(\d+) (\w+)\(", calls, re.MULTILINE):

@@ -14,7 +14,7 @@ namespace {
 
 const QString kProgram = QString::fromLatin1(FakeApplication::kProgram);
 
-/// An attachment to the fake, with what it said.
+/// An attachment to the fake application, which records its signals.
 class Attached : public ::testing::Test {
 protected:
   Attached() : it(QStringLiteral("/bin/false")) {

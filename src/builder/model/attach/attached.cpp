@@ -12,7 +12,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr qint64 kMostSide = 512; ///< of a thumbnail, by the protocol
+constexpr qint64 kMostSide = 512; ///< of a thumbnail, limited by the protocol
 
 QString executableOf(qint64 process) {
   return QFileInfo(QFile::symLinkTarget(QStringLiteral("/proc/%1/exe").arg(process))).fileName();

@@ -6,22 +6,23 @@
 #include <array>
 #include <optional>
 
-/// Programs, parameters and textures of an attached application (docs/write/control.md).
+/// Data of an attached application: programs, parameters and textures (docs/write/control.md).
 namespace arbiter::builder {
 
-/// A process that listens.
+/// A process that listens at a socket.
 struct ListeningProcess {
   qint64 process = 0;
   QString path; ///< of its socket
-  QString name; ///< of its executable; empty where it is not known
+  QString name; ///< of its executable; empty: unknown
 };
-/// Applications with the layer, of $XDG_RUNTIME_DIR/arbiter. \param why set where there can be none
+/// Returns the applications with the layer in $XDG_RUNTIME_DIR/arbiter. \param why set if there can
+/// be none
 [[nodiscard]] QList<ListeningProcess> listeningProcesses(QString *why = nullptr);
 
-/// What one frame cost, by program.
+/// The cost of one frame for one program.
 struct MeasuredCost {
   qint64 draws = 0;
-  std::optional<qint64> pixels; ///< none: the host cannot count them
+  std::optional<qint64> pixels; ///< none: the host cannot count pixels
   double milliseconds = 0;
 };
 
@@ -32,11 +33,11 @@ struct AttachedProgram {
   bool underNativeLimits = true;
   qint64 draws = 0;
   qint64 rasterizerDraws = 0; ///< of `draws`
-  double milliseconds = 0;    ///< since a client is there
+  double milliseconds = 0;    ///< since a client is attached
   qint64 instructions = 0;    ///< native
   std::optional<MeasuredCost> measured;
 
-  /// "rasterizer", "host", "both"; empty: it has drawn nothing.
+  /// Returns "rasterizer", "host" or "both"; empty: it has drawn nothing.
   [[nodiscard]] QString drawer() const;
 };
 [[nodiscard]] AttachedProgram programOf(const QJsonObject &row);
@@ -54,7 +55,7 @@ struct AttachedParameter {
 struct AttachedTexture {
   qint64 name = 0, unit = 0, width = 0, height = 0;
   QString target, format;
-  QImage image; ///< small; null: not come yet, or it cannot be read
+  QImage image; ///< small; null: not received yet, or unreadable
 
   [[nodiscard]] bool isSame(const AttachedTexture &other) const {
     return name == other.name && unit == other.unit && target == other.target &&
@@ -62,11 +63,11 @@ struct AttachedTexture {
   }
 };
 [[nodiscard]] AttachedTexture textureOf(const QJsonObject &row);
-/// An answer of texture.get, the top row first; null where it has no image.
+/// Returns the image of an answer to texture.get, the top row first; null if it has none.
 [[nodiscard]] QImage imageOf(const QJsonObject &answer);
 
-/// The file of a program's text in a folder of replacements; empty where the id is none, so that no
-/// process names a path.
+/// Returns the file name of a program's text in a folder of replacements. Returns "" if the id is
+/// invalid, so that no process can name a path.
 [[nodiscard]] QString fileNameOf(const QString &id);
 
 } // namespace arbiter::builder

@@ -10,17 +10,17 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kAgain = 500;          ///< ms between lists
+constexpr int kAgain = 500;          ///< ms between requests of lists
 constexpr int kPatience = 20000;     ///< ms for a trace
 constexpr int kThumbnail = 96;       ///< pixels a side
-constexpr int kImagesEach = 6;       ///< of lists, one has new thumbnails
+constexpr int kImagesEach = 6;       ///< new thumbnails are requested with every n-th list
 constexpr qint64 kMostTextures = 64; ///< thumbnails
 
 QString drawnText(const QJsonObject &program) {
   return program[u"edit"].isString() ? program[u"edit"].toString() : program[u"text"].toString();
 }
 
-/// Its bytes, which need be no UTF-8.
+/// Returns the bytes of the text that is drawn with, which may not be UTF-8.
 QByteArray drawnBytes(const QJsonObject &program) {
   if (program[u"edit"].isString())
     return program[u"edit"].toString().toUtf8();
@@ -38,7 +38,7 @@ Attachment::Attachment(const QString &arbiter, QObject *parent)
   connect(&m_again, &QTimer::timeout, this, &Attachment::refresh);
 }
 
-/// What waits is answered then, and is not taken.
+/// Destroying the client answers pending requests; the answers are ignored.
 Attachment::~Attachment() { delete m_client.release(); }
 
 void Attachment::attach(const ListeningProcess &process) {
@@ -51,7 +51,7 @@ void Attachment::attach(const ListeningProcess &process) {
   connect(m_client.get(), &ControlClient::closed, this,
           [this] { lost(tr("process %1 has ended, or hung up").arg(m_process.process)); });
   connect(m_client.get(), &ControlClient::frame, this, [this](const QImage &image) {
-    m_picture = image.convertToFormat(QImage::Format_RGB32); // a window's alpha is not seen
+    m_picture = image.convertToFormat(QImage::Format_RGB32); // a window's alpha is not visible
     Q_EMIT pictureChanged();
   });
   connect(m_client.get(), &ControlClient::event, this,
@@ -60,7 +60,7 @@ void Attachment::attach(const ListeningProcess &process) {
               Q_EMIT busy(params[u"milliseconds"].toDouble());
           });
   m_client->call(QStringLiteral("hello"), {{"client", "arbiter-builder"}});
-  ask(QStringLiteral("frame.want"), {{"every", 2}}, {}); // whole: a pixel is one of the frame's
+  ask(QStringLiteral("frame.want"), {{"every", 2}}, {}); // every pixel must be one of the frame's
   Q_EMIT attachedChanged();
   refresh();
 }
@@ -71,7 +71,7 @@ void Attachment::detach() {
   m_tracer.cancel();
   ControlClient *const gone = m_client.release();
   gone->close();
-  gone->deleteLater(); // one of its signals may be what led here
+  gone->deleteLater(); // one of its signals may have led here
   m_programs.clear();
   m_parameters.clear();
   m_textures.clear();
@@ -95,7 +95,7 @@ void Attachment::lost(const QString &why) {
 
 void Attachment::setWatched(bool watched) { watched ? m_again.start() : m_again.stop(); }
 
-/// Faults are told; what comes after the client has gone is not taken.
+/// Sends a request. It reports faults, and ignores what arrives after the client has gone.
 void Attachment::ask(const QString &method, const QJsonObject &params, Take take) {
   if (!m_client)
     return;
@@ -132,7 +132,7 @@ void Attachment::takePrograms(const QJsonObject &answer) {
       program.measured = *cost;
     m_programs.append(program);
   }
-  // What draws comes first.
+  // Programs that draw come first.
   std::stable_sort(m_programs.begin(), m_programs.end(), [](const auto &a, const auto &b) {
     return std::pair(a.effective, a.draws) > std::pair(b.effective, b.draws);
   });
@@ -159,9 +159,9 @@ void Attachment::takeTextures(const QJsonObject &answer) {
   m_textures = textures;
   if (changed)
     Q_EMIT texturesChanged();
-  else if (++m_round % kImagesEach != 0) // reading them is work for the application
+  else if (++m_round % kImagesEach != 0) // reading textures is work for the application
     return;
-  for (const AttachedTexture &texture : textures) // one that cannot be read has none
+  for (const AttachedTexture &texture : textures) // an unreadable texture has no image
     m_client->call(QStringLiteral("texture.get"),
                    {{"name", texture.name}, {"target", texture.target}, {"size", kThumbnail}},
                    [this, texture](const QJsonObject &image, const QJsonObject &) {
@@ -302,7 +302,7 @@ void Attachment::tracePixel(QPoint pixel) {
   if (!m_client)
     return;
   m_pixel = pixel;
-  Q_EMIT pictureChanged(); // its mark
+  Q_EMIT pictureChanged(); // the picture's mark has changed
   m_tracer.run({QStringLiteral("ctl"), QStringLiteral("--json"), QStringLiteral("--pid"),
                 QString::number(m_process.process), QStringLiteral("--timeout"),
                 QStringLiteral("15"), QStringLiteral("trace"),

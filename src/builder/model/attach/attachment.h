@@ -13,8 +13,8 @@
 
 namespace arbiter::builder {
 
-/// A running application that is looked at and changed through its socket. Nothing of the
-/// application outlives detach(): it undoes all that was changed, as the end of this process does.
+/// Inspects and changes a running application through its socket. detach() undoes all changes in
+/// the application, and so does the end of this process.
 class Attachment : public QObject {
   Q_OBJECT
 public:
@@ -22,13 +22,13 @@ public:
   explicit Attachment(const QString &arbiter, QObject *parent = nullptr);
   ~Attachment() override;
 
-  /// A complaint is told by troubled().
+  /// Attaches to a process; reports a failure by troubled().
   void attach(const ListeningProcess &process);
   void detach();
   [[nodiscard]] bool isAttached() const { return m_client != nullptr; }
   [[nodiscard]] const ListeningProcess &process() const { return m_process; }
 
-  /// Lists are read again while this is on: where they are seen.
+  /// Turns periodic updates of the lists on while they are visible.
   void setWatched(bool watched);
   void refresh();
 
@@ -39,18 +39,18 @@ public:
 
   // --- One program ---
 
-  /// Its text is told by textCame().
+  /// Selects a program; textCame() delivers its text.
   void select(const QString &id);
   [[nodiscard]] const QString &selected() const { return m_selected; }
-  /// The application's own text of the selected program.
+  /// Returns the application's own text of the selected program.
   [[nodiscard]] const QString &ownText() const { return m_ownText; }
-  /// The application draws with the text from its next frame on, if it is right: judged() says. The
-  /// newest wins: one that waits when another comes is not sent.
+  /// Makes the application draw with the text from its next frame on, if it is valid; judged()
+  /// reports that. If several texts wait, only the newest is sent.
   void setText(const QString &text);
-  /// What the application said of the last text that it was sent.
+  /// Returns the diagnostics of the last text that was sent.
   [[nodiscard]] const QList<Problem> &problems() const { return m_problems; }
   [[nodiscard]] bool isRight() const { return m_right; }
-  /// The application's own text again.
+  /// Restores the application's own text.
   void putBack();
   void setEnabled(bool enabled);
   void setParameter(const QString &name, const std::array<double, 4> &value);
@@ -58,13 +58,14 @@ public:
 
   // --- The whole ---
 
-  /// Pixels and time of each program in the next frame.
+  /// Measures pixels and time of each program in the next frame.
   void measure();
-  /// Every text as it is drawn with, for `arbiter run --replace FOLDER`; told by exported().
+  /// Writes every text that is drawn with to a folder, for `arbiter run --replace FOLDER`;
+  /// exported() reports it.
   void exportTo(const QString &folder);
-  /// Traces a pixel of the frame, from the left and from the bottom.
+  /// Traces a pixel of the frame, counted from the left and from the bottom.
   void tracePixel(QPoint pixel);
-  /// Of the last trace.
+  /// Returns the pixel of the last trace.
   [[nodiscard]] std::optional<QPoint> tracedPixel() const { return m_pixel; }
 
 Q_SIGNALS:
@@ -73,14 +74,14 @@ Q_SIGNALS:
   void parametersChanged();
   void texturesChanged();
   void pictureChanged();
-  /// The selected program's text, as it is drawn with.
+  /// Delivers the selected program's text that is drawn with.
   void textCame(const QString &text);
   void judged();
   void exported(const QString &folder, int programs);
-  /// A document of `arbiter ctl trace --json`.
+  /// Delivers a document of `arbiter ctl trace --json`.
   void traced(const QJsonObject &json);
   void busy(double milliseconds);
-  /// For a message to the user.
+  /// Reports a message for the user.
   void troubled(const QString &why);
 
 private:
@@ -104,7 +105,7 @@ private:
   QString m_selected, m_ownText;
   QList<Problem> m_problems;
   bool m_right = true;
-  std::optional<QString> m_waiting; ///< a text that is sent when the one before is answered
+  std::optional<QString> m_waiting; ///< a text to send when the previous one is answered
   bool m_sending = false;
   qint64 m_revision = 0;
   int m_round = 0;

@@ -17,7 +17,7 @@ const QString kWrong = QStringLiteral("!!ARBfp1.0\nTEMP offset;\nMOV ofset, 1;\n
 const QString kRight = QStringLiteral("!!ARBfp1.0\nTEMP offset;\nMOV offset, 1;\n"
                                       "MOV result.color, offset;\nEND\n");
 
-/// The language server with what it said of the newest text.
+/// A language server with its diagnostics of the newest text.
 class Server {
 public:
   Server() : client(qEnvironmentVariable("ARBITER_COMMAND")) {
@@ -111,7 +111,7 @@ TEST(LspClient, AnswersWhatIsAskedOfAPlace) {
   EXPECT_TRUE(gauges.lines.contains(4)) << "the MOV of the result costs a slot";
 }
 
-/// The text after the edit, with the costs moved.
+/// Makes the edit in the text and moves the costs.
 void make(const Edit &edit, QString &text, Report &report) {
   text.replace(edit.at, edit.removed.size(), edit.added);
   report.follow(edit, text);

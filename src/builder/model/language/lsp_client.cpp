@@ -11,7 +11,8 @@ namespace {
 constexpr int kPatienceMilliseconds = 10000;
 constexpr int kRestartMilliseconds = 50;
 constexpr int kMaxDeaths = 3;
-/// More waits to be read by the server than this: a newer text takes the place of what is not sent.
+/// If the server has more unread bytes than this, texts wait, and a newer text replaces a waiting
+/// one.
 constexpr qint64 kMaxUnread = 1 << 16;
 
 } // namespace
@@ -31,7 +32,7 @@ LspClient::~LspClient() {
   if (!m_process)
     return;
   m_process->disconnect(this);
-  m_process->closeWriteChannel(); // it ends at the end of its input
+  m_process->closeWriteChannel(); // the server ends at the end of its input
   if (!m_process->waitForFinished(200)) {
     m_process->kill();
     m_process->waitForFinished(1000);

@@ -11,33 +11,34 @@
 
 namespace arbiter::builder {
 
-/// One text in the hands of a language server, `arbiter lsp`, in a process of its own. A server
-/// that ends, or answers nothing for long, is started anew with the newest text; one that ends by
-/// the same text time and again is given that text no more until it changes.
+/// Serves one text by a language server, `arbiter lsp`, in a process of its own. A server that ends
+/// or stops answering is restarted with the newest text. If one text ends it repeatedly, the server
+/// does not get that text again until it changes.
 class LspClient : public QObject {
   Q_OBJECT
 public:
-  /// \param program of the command `arbiter`
+  /// \param program the command `arbiter`
   explicit LspClient(QString program, QObject *parent = nullptr);
   ~LspClient() override;
 
   /// Starts the server if it does not run.
   void start();
-  /// Gives it a text under a name ("file:///.../twirl.fp") and a revision that grows.
+  /// Sends a text with its name ("file:///.../twirl.fp") and a revision, which must increase.
   void setText(const QString &uri, const QString &text, qint64 revision);
-  /// The profile that counts are for; empty is the server's own.
+  /// Sets the profile that counts are for; empty: the server's own.
   void setProfile(const QString &profile);
 
-  /// Result of a request, or null after an error, or when the server ended. Not called if the text
-  /// changed meanwhile, where `anyRevision` is false.
+  /// Receives the result of a request, or null after an error or the server's end. If `anyRevision`
+  /// is false, it is not called when the text changed meanwhile.
   using Answer = std::function<void(const QJsonValue &result)>;
-  /// Asks about the place of the text: \p parameters gets textDocument, and position if at >= 0.
+  /// Sends a request about a place in the text. \p parameters gets textDocument, and position if at
+  /// >= 0.
   void request(const QString &method, qsizetype at, QJsonObject parameters, Answer answer);
 
   [[nodiscard]] bool isReady() const { return m_ready; }
   [[nodiscard]] qint64 processId() const { return m_process ? m_process->processId() : 0; }
   [[nodiscard]] QString uri() const { return m_uri; }
-  /// Types of semantic tokens, by number.
+  /// Returns the types of semantic tokens, by number.
   [[nodiscard]] const QStringList &tokenTypes() const { return m_tokenTypes; }
   [[nodiscard]] bool offers(const QString &capability) const {
     return m_capabilities.contains(capability);
@@ -45,10 +46,10 @@ public:
   void setPatience(int milliseconds) { m_watchdog.setInterval(milliseconds); }
 
 Q_SIGNALS:
-  /// What the server says of the text of that revision, if it still is the newest.
+  /// Delivers the server's diagnostics of the text of that revision, if it still is the newest.
   void diagnosed(qint64 revision, const QList<arbiter::builder::Problem> &problems);
   void ready();
-  /// The server does not run or does not answer; the text says what is done about it.
+  /// Reports that the server does not run or does not answer; the text tells what is done about it.
   void troubled(const QString &message);
 
 private:
@@ -77,12 +78,12 @@ private:
   QStringList m_tokenTypes;
   bool m_ready = false;
 
-  QString m_uri, m_openUri; ///< wanted; and what the server has open
+  QString m_uri, m_openUri; ///< the wanted text's, and that of the one that the server has open
   QString m_text;
   qint64 m_revision = -1;
   qint64 m_sentRevision = -1;
   qint64 m_heldRevision = -1; ///< the text that ended the server too often
-  int m_deaths = 0;           ///< since an answer to a text
+  int m_deaths = 0;           ///< since a text was last answered
 
   int m_nextId = 1;
   QHash<int, Waiting> m_waiting;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr qsizetype kMaxHeader = 4096;
 
-/// The value of Content-Length; -1 without one.
+/// Returns the value of Content-Length; -1 without one.
 qint64 lengthOf(const QByteArray &header) {
   for (const QByteArray &line : header.split('\n')) {
     const QByteArray lower = line.trimmed().toLower();

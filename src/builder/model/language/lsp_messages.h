@@ -5,15 +5,15 @@
 
 namespace arbiter::builder {
 
-/// Messages of the language server protocol, cut out of a stream of bytes: header lines with
-/// Content-Length, an empty line, that many bytes.
+/// Splits a byte stream into messages of the language server protocol: header lines with
+/// Content-Length, an empty line, and that many bytes.
 class LspMessages {
 public:
   static constexpr qint64 kMaxBytes = 64 << 20;
 
-  /// The messages that are whole now; what is no JSON object is passed over.
+  /// Returns the complete messages; skips what is not a JSON object.
   [[nodiscard]] QList<QJsonObject> take(const QByteArray &bytes);
-  /// The stream cannot be read any further: a header without a usable length.
+  /// True if the stream is unusable because a header has no valid length.
   [[nodiscard]] bool broken() const { return m_broken; }
   void clear();
 

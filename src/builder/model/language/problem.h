@@ -9,29 +9,29 @@ namespace arbiter::builder {
 
 enum class Severity { Error = 1, Warning = 2, Note = 3 };
 
-/// Something that a compiler says of a text; places in UTF-16 units.
+/// A compiler's diagnostic of a text; places are in UTF-16 units.
 struct Problem {
   Severity severity = Severity::Error;
   QString code; ///< "undeclared"
   QString message;
-  QString hint; ///< what to do; may be empty
+  QString hint; ///< advice; may be empty
   QString file; ///< empty: the text itself
   qsizetype begin = 0;
   qsizetype end = 0;
-  int line = 1; ///< from 1, as column
+  int line = 1; ///< counted from 1, like column
   int column = 1;
 };
 
-/// Diagnostic[] of the protocol, about \p text. Whatever its shape, nothing fails: what cannot be
-/// read has an empty range at the text's begin.
+/// Reads the protocol's Diagnostic[] about \p text. It accepts any shape: a place that cannot be
+/// read becomes an empty range at the beginning of the text.
 [[nodiscard]] QList<Problem> problemsOf(const QJsonArray &diagnostics, const QString &text);
 
-/// A diagnostic of the control protocol (docs/write/control.md), whose places are bytes of `bytes`.
-/// It reads every shape, as problemsOf() does.
+/// Reads a diagnostic of the control protocol (docs/write/control.md), whose places are bytes of
+/// `bytes`. It accepts any shape, as problemsOf() does.
 [[nodiscard]] Problem problemOfControl(const QJsonValue &json, const QByteArray &bytes);
 
-/// The problem to go to from a place: the next one behind it, or before it, and round at the ends.
-/// -1 where there is none.
+/// Returns the next problem after a place, or the previous one before it, and wraps around at the
+/// ends. Returns -1 if there is none.
 [[nodiscard]] qsizetype nextProblem(const QList<Problem> &problems, qsizetype from, bool forward);
 
 } // namespace arbiter::builder

@@ -8,7 +8,7 @@ namespace arbiter::builder {
 
 namespace {
 
-/// The clauses of one line.
+/// Splits one line into clauses.
 class Line {
 public:
   Line(const QString &text, const UtfMap &map) : m_text(text), m_map(map) {}
@@ -53,7 +53,7 @@ QString spelled(const QString &word, const QString &value) {
 
 bool endsLine(QChar c) { return c == u'\n' || c == u'\r'; }
 
-/// With its end, so that no empty line stays.
+/// Removes the clause's whole line with its end, so that no empty line stays.
 Edit removeLine(const QString &text, const Clause &clause) {
   qsizetype begin = clause.begin, end = clause.end;
   while (begin > 0 && !endsLine(text[begin - 1]))
@@ -105,7 +105,7 @@ Edit removeClause(const QString &text, const Clause &clause) {
     return removeLine(text, clause);
   qsizetype begin = clause.begin, end = clause.end;
   if (clause.first) {
-    end = text.indexOf(u',', end) + 1; // not alone: there is one
+    end = text.indexOf(u',', end) + 1; // it is not alone, so that there is a comma
     while (end < text.size() && (text[end] == u' ' || text[end] == u'\t'))
       ++end;
   } else {

@@ -11,7 +11,8 @@ namespace arbiter::builder {
 
 namespace {
 
-/// A name that leads out of the folder is an error of its line, and no file of the document.
+/// Adds a name. A name that leaves the folder is an error of its line, and not a file of the
+/// document.
 void add(const scene::Name &name, QStringList &names) {
   const QString text = QString::fromStdString(name.text);
   const bool leaves =
@@ -65,7 +66,7 @@ QStringList copyCompanions(const QStringList &names, const QString &from, const 
       continue;
     const QString path = target.filePath(name);
     if (target.mkpath(QFileInfo(path).path()) && QFile::copy(source.filePath(name), path)) {
-      // An installed file may be read only, and its copy is the user's.
+      // An installed file may be read-only; the copy belongs to the user.
       QFile::setPermissions(path, QFile::permissions(path) | QFile::WriteOwner);
       copied << name;
     } else {

@@ -4,14 +4,14 @@
 
 namespace arbiter::builder {
 
-/// The files beside a document that it names, and those that its other programs name: images, a
-/// mesh, programs of vertices and further passes, a profile. Relative names, each once. \param
-/// folder where the document looks for them
+/// Returns the files that a document and its other programs name: images, a mesh, vertex programs,
+/// further passes, a profile. Names are relative, each once. \param folder where the document looks
+/// for them
 [[nodiscard]] QStringList companionsOf(const QString &text, const QString &name,
                                        const QString &folder);
 
-/// Copies those that \p to has not; what it has stays as it is. \returns the names of the copies;
-/// those that could not be made are in \p failed
+/// Copies the files that \p to does not have, and overwrites none. \returns the names of the
+/// copies; \p failed gets the names of the others
 QStringList copyCompanions(const QStringList &names, const QString &from, const QString &to,
                            QStringList &failed);
 

@@ -1,4 +1,4 @@
-// What the panel writes of a parameter besides its value: range, animation, a new line.
+// Edits the rest of a parameter besides its value: range, animation, a new line.
 #include <QStringList>
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace arbiter::builder {
 
 namespace {
 
-/// A parameter's clause in the text as it is now.
+/// A parameter's clause in the present text.
 class Written {
 public:
   Written(const QString &text, int line)
@@ -29,7 +29,7 @@ public:
     const qsizetype end = m_map.unit(m_parameter->span.end);
     return {end, {}, u' ' + words};
   }
-  /// What stands in place of "animate WORD 5s"; nothing takes the blank before it too.
+  /// Replaces "animate WORD 5s"; an empty text also removes the blank before it.
   [[nodiscard]] Edit animation(const QString &words) const {
     const scene::Animation &animation = *m_parameter->animation;
     qsizetype end = m_map.unit(animation.period.written() ? animation.period.span.end
@@ -66,7 +66,7 @@ void Parameters::setRange(int line, double low, double high) {
   const scene::Parameter *parameter = written.parameter();
   if (!parameter || !(low < high))
     return;
-  QList<Edit> edits; // the last first
+  QList<Edit> edits; // the last one first
   if (!parameter->hasRange)
     edits = {written.behind(rangeText(low, high))};
   else

@@ -38,7 +38,7 @@ QList<Component> componentsOf(const scene::Parameter &parameter, const UtfMap &m
   return all;
 }
 
-/// A range for a slider that the text gives none: wide enough for the values, and round.
+/// Chooses a range for a slider without one in the text: round numbers, wide enough for the values.
 void guessRange(ParameterLine &line) {
   double largest = 1;
   bool negative = false;
@@ -131,7 +131,7 @@ double Parameters::valueAt(int line, int component, double seconds) const {
   return values[std::size_t(m_lines[line].components[component].index)];
 }
 
-/// From the last to the first, so that each finds its place.
+/// Returns the edits from last to first, so that each one's place stays right.
 QList<Edit> Parameters::heldEdits() const {
   QList<Edit> edits;
   for (const Held &held : m_held) {

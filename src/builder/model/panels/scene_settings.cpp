@@ -34,7 +34,7 @@ template <typename Enum> QStringList wordsOfTable() {
   return all;
 }
 
-/// A shape that says nothing but its word and its numbers.
+/// True if the mesh is a single shape with only its word and numbers.
 bool isPlain(const scene::Panel &panel) {
   return panel.mesh.size() == 1 && panel.mesh[0].of.empty();
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPatienceMilliseconds = 60000;
 
-/// Whole, or not at all: one that is cut by a full disk is none.
+/// Writes a picture completely or not at all, even if the disk is full.
 bool writePicture(const QString &file, const QImage &image) {
   QSaveFile png(file);
   return png.open(QIODevice::WriteOnly) && image.save(&png, "PNG") && png.commit();
@@ -51,7 +51,7 @@ void SequenceExport::start(const Scene &scene, const RenderOptions &options,
   connect(m_session.get(), &RendererSession::held, this,
           [this](qint64, const QString &why) { end(why); });
   m_session->setOptions(options);
-  m_session->setPaused(true); // time goes on when it is told to
+  m_session->setPaused(true); // time only advances by setTime()
   m_session->want(scene);
   m_patience.start();
 }
@@ -65,7 +65,7 @@ void SequenceExport::answered(const SceneAnswer &answer) {
   end(tr("the document cannot be drawn"));
 }
 
-/// The one that is waited for is written; then the next one is asked for.
+/// Writes the frame that was requested, then requests the next one.
 void SequenceExport::take(const Frame &frame) {
   const int number = int(std::lround(frame.time * m_request.rate));
   const int wanted = m_request.first + m_written;
@@ -75,7 +75,7 @@ void SequenceExport::take(const Frame &frame) {
       return end(tr("%1 cannot be written").arg(file));
     ++m_written;
     Q_EMIT progressed(m_written, m_request.frames);
-    if (!m_session) // cancelled by who was told
+    if (!m_session) // a receiver of the signal has cancelled
       return;
     if (m_written >= m_request.frames)
       return end({});
@@ -95,7 +95,7 @@ void SequenceExport::end(const QString &complaint) {
   m_patience.stop();
   if (m_session) {
     m_session->disconnect(this);
-    m_session.release()->deleteLater(); // one of its signals may be what led here
+    m_session.release()->deleteLater(); // one of its signals may have led here
   }
   Q_EMIT finished(complaint);
 }

@@ -7,17 +7,17 @@
 
 namespace arbiter::builder {
 
-/// Which frames of a document become files.
+/// The frames of a document to write to files.
 struct SequenceRequest {
-  QString folder; ///< made if it is not there
+  QString folder; ///< created if it does not exist
   QString name;   ///< "twirl": twirl-0000.png, twirl-0001.png, ...
   int first = 0;
   int frames = 1;
-  double rate = 60; ///< frames a second, as the document has it
+  double rate = 60; ///< frames a second of the document
 };
 
-/// Draws frames of a document into PNG files, one after another, by a renderer of its own: the
-/// window's goes on. Frame N is the picture of `arbiter draw --frame N`.
+/// Writes frames of a document to PNG files, by a renderer of its own, so that the window's
+/// continues. Frame N is the picture of `arbiter draw --frame N`.
 class SequenceExport : public QObject {
   Q_OBJECT
 public:
@@ -25,17 +25,18 @@ public:
   explicit SequenceExport(QString arbiter, QObject *parent = nullptr);
 
   void start(const Scene &scene, const RenderOptions &options, const SequenceRequest &request);
-  /// What is written stays.
+  /// Stops; files that are written stay.
   void cancel();
   [[nodiscard]] bool isRunning() const { return m_session != nullptr; }
   [[nodiscard]] int written() const { return m_written; }
-  /// The file of a frame.
+  /// Returns the file of a frame.
   [[nodiscard]] static QString fileOf(const SequenceRequest &request, int frame);
   void setPatience(int milliseconds) { m_patience.setInterval(milliseconds); }
 
 Q_SIGNALS:
   void progressed(int written, int frames);
-  /// It is over. \param complaint why not all are written; empty: they are, or it was cancelled
+  /// Reports the end. \param complaint why not all frames are written; empty: they are, or it was
+  /// cancelled
   void finished(const QString &complaint);
 
 private:

@@ -109,7 +109,7 @@ QList<UnsetUnit> unsetUnits(const QString &all) {
   static const QRegularExpression kComment(QStringLiteral("#[^\n]*"));
   static const QRegularExpression kUnit(QStringLiteral("\\btexture\\s*\\[\\s*(\\d{1,2})\\s*\\]"));
   QString code = all;
-  for (auto each = kComment.globalMatch(all); each.hasNext();) { // the places stay
+  for (auto each = kComment.globalMatch(all); each.hasNext();) { // blanks keep the places
     const QRegularExpressionMatch comment = each.next();
     code.replace(comment.capturedStart(), comment.capturedLength(),
                  QString(comment.capturedLength(), u' '));

@@ -12,20 +12,20 @@
 
 namespace arbiter::builder {
 
-/// What a command of `arbiter` left.
+/// The result of a command of `arbiter`.
 struct ToolResult {
   bool started = false;
-  bool finished = false; ///< by itself, not by a signal or for lack of time
+  bool finished = false; ///< exited by itself, not by a signal or timeout
   int code = -1;
   QByteArray output;
   QString complaint; ///< standard error
 
-  /// The document on standard output; empty if it is none.
+  /// Returns the document on standard output; empty if it is not JSON.
   [[nodiscard]] QJsonObject json() const;
 };
 
-/// One command of `arbiter` at a time, in a process of its own: a new one takes the place of one
-/// that runs. One that takes too long, or writes too much, is ended.
+/// Runs one command of `arbiter` at a time in a process; a new one replaces a running one. A
+/// command that takes too long or writes too much is killed.
 class ToolRun : public QObject {
   Q_OBJECT
 public:
@@ -35,8 +35,8 @@ public:
   ~ToolRun() override;
 
   using Done = std::function<void(const ToolResult &)>;
-  /// \param arguments "@" among them stands for the path of the scene's text, laid out with what
-  /// lies beside it
+  /// Runs a command. \param arguments "@" stands for the path of the scene's text, which is written
+  /// with the files beside it
   void run(const QStringList &arguments, const Scene &scene, Done done);
   void cancel();
   [[nodiscard]] bool isRunning() const { return m_process != nullptr; }

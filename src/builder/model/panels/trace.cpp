@@ -84,7 +84,7 @@ QColor TraceValue::color() const {
 }
 
 bool Trace::take(const QJsonObject &json) {
-  // The trace stands by itself, or as a member beside the pixel's verdict.
+  // The trace is the document itself, or a member beside the pixel's verdict.
   const QJsonObject trace = json[u"trace"].isObject() ? json[u"trace"].toObject() : json;
   if (!trace[u"rows"].isArray())
     return false;

@@ -8,52 +8,52 @@
 
 namespace arbiter::builder {
 
-/// A vec4 as a trace prints it: numbers, "nan", "inf", "-inf".
+/// A vec4 of a trace, whose components are numbers, "nan", "inf" or "-inf".
 struct TraceValue {
   std::array<double, 4> value = {};
   bool known = false;
 
   [[nodiscard]] static TraceValue of(const QJsonValue &json);
-  /// The components of a mask ("xy"; all of them if empty), five digits each.
+  /// Returns the components of a mask ("xy"; all if empty), five digits each.
   [[nodiscard]] QString text(const QString &mask = {}) const;
-  /// As a picture shows it: clamped to [0,1]; black where it is no number.
+  /// Returns the value as a picture shows it: clamped to [0,1], and black if it is no number.
   [[nodiscard]] QColor color() const;
 };
 
 struct TraceOperand {
   QString text;
   TraceValue value;
-  QString unwritten; ///< components that nothing wrote before
+  QString unwritten; ///< components that no instruction has written before
 };
 
-/// One instruction as it ran for the pixel.
+/// An instruction as it was executed for the pixel.
 struct TraceRow {
   int line = 1;
   QString text;
   QString opcode;
-  QString destination; ///< as it stands in the program, with its mask
+  QString destination; ///< as in the program, with its mask
   QString name;        ///< of the register
   QString mask;
-  TraceValue value;  ///< of the first arithmetic
-  TraceValue second; ///< of the other one, where it differs
+  TraceValue value;  ///< in the first arithmetic
+  TraceValue second; ///< in the second one, if it differs
   double error = 0;
   QList<TraceOperand> operands;
   TraceValue texel, coordinate;
-  int unit = -1;     ///< of the texel; -1: no sample
+  int unit = -1;     ///< of the sampled texel; -1: no sample
   QStringList flags; ///< "nan", "inf", "unwritten", "over-one"
   bool discarded = false;
 };
 
-/// What `arbiter debug --json` says of one pixel, and the row that is looked at. Programs are
-/// straight lines, so stepping is moving by a row, and every register's value after any row is
-/// known.
+/// A trace of one pixel by `arbiter debug --json`, and the current row. Programs are straight
+/// lines, so that a step is one row, and every register's value is known after any row.
 class Trace : public QObject {
   Q_OBJECT
 public:
   using QObject::QObject;
 
-  /// Takes a document of `arbiter debug --json`. The row stays where the new trace has as many.
-  /// \returns false, and keeps what was, if it has no trace
+  /// Loads a document of `arbiter debug --json`. The current row stays if the new trace has as many
+  /// rows.
+  /// \returns false, and keeps the old trace, if it has none
   bool take(const QJsonObject &json);
   void clear();
 
@@ -64,16 +64,17 @@ public:
   [[nodiscard]] bool isDiscarded() const { return m_discarded; }
   [[nodiscard]] const QString &numerics() const { return m_numerics; }
   [[nodiscard]] const QString &secondNumerics() const { return m_secondNumerics; }
-  /// Inputs: name, value.
+  /// Returns the inputs: name, value.
   [[nodiscard]] const QList<std::pair<QString, TraceValue>> &inputs() const { return m_inputs; }
-  /// The registers after the current row: name, value; the one that it wrote is first.
+  /// Returns the registers after the current row: name, value. The one that the row wrote is first.
   [[nodiscard]] QList<std::pair<QString, TraceValue>> registers() const;
 
   void step(int by) { moveTo(m_current + by); }
   void moveTo(int row);
-  /// To the first row of a line of the text, or of the next line that has one.
+  /// Goes to the first row of a line of the text, or of the next line that has one.
   void runToLine(int line);
-  /// To the next row that has a flag, round at the end. \returns false if none has
+  /// Goes to the next row that has a flag, and wraps around at the end. \returns false if none has
+  /// it
   bool nextFlag(const QString &flag);
 
 Q_SIGNALS:

@@ -6,12 +6,12 @@
 
 namespace arbiter::builder {
 
-/// A text in UTF-8 with the places of its bytes in UTF-16: the project's libraries count bytes.
+/// Maps the bytes of a text in UTF-8 to UTF-16 units: the project's libraries count bytes.
 class UtfMap {
 public:
   explicit UtfMap(const QString &text) : m_bytes(text.toStdString()) {
     if (std::size_t(text.size()) == m_bytes.size())
-      return; // one byte a unit
+      return; // each byte is one unit
     m_units.reserve(m_bytes.size() + 1);
     qsizetype unit = 0;
     for (const char c : m_bytes) {
@@ -24,7 +24,7 @@ public:
   }
 
   [[nodiscard]] const std::string &bytes() const { return m_bytes; }
-  /// The UTF-16 unit that a character begins at; a byte within it is its end.
+  /// Returns the UTF-16 unit at which a character begins; for a byte within it, its end.
   [[nodiscard]] qsizetype unit(std::uint32_t byte) const {
     const std::size_t at = std::min<std::size_t>(byte, m_bytes.size());
     return m_units.empty() ? qsizetype(at) : m_units[at];

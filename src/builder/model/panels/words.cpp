@@ -36,7 +36,7 @@ void addOpcodes(QList<Word> &all) {
   }
 }
 
-/// A word that both languages have is one row.
+/// Adds a word; a word that both languages have is one row.
 void add(QList<Word> &all, Word word) {
   for (Word &other : all)
     if (other.kind == word.kind && other.word == word.word) {

@@ -7,15 +7,15 @@
 
 namespace arbiter::builder {
 
-/// What a word is, for lists and colours.
+/// The kind of a word, for lists and colors.
 enum class WordKind { Opcode, Keyword, Option, Target, Binding, Panel };
 
-/// A word of the languages, as the compiler's tables have it.
+/// A word of the languages, from the compiler's tables.
 struct Word {
   WordKind kind = WordKind::Opcode;
   QString word;      ///< "MAD"
   QString signature; ///< "MAD result, a, b, c"
-  QString formula;   ///< "a*b + c"; of opcodes
+  QString formula;   ///< "a*b + c"; only for opcodes
   QString doc;       ///< one line
   QString section;   ///< of the specification
   bool fragment = true, vertex = true;
@@ -26,14 +26,14 @@ struct Word {
 }
 [[nodiscard]] QString nameOf(WordKind kind);
 
-/// All words of the ARB languages and of `#@` lines, made of the tables that the parser is made of.
+/// Returns all words of the ARB languages and of `#@` lines, from the tables of the parsers.
 [[nodiscard]] const QList<Word> &allWords();
 
-/// The words that a search finds, the best first: words that begin with it, then those that have
-/// it, then those whose meaning has it. All of them for an empty one.
+/// Returns the words that match a search, the best first: words that begin with it, then words that
+/// contain it, then words whose meaning contains it. An empty search returns all.
 [[nodiscard]] QList<Word> searchWords(const QString &search);
 
-/// The language that a text's header names; fragment programs' without one.
+/// Returns the language of a text's header; the fragment program language without one.
 [[nodiscard]] fp::ir::Language languageOf(const QString &text);
 
 } // namespace arbiter::builder

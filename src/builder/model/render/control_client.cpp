@@ -94,7 +94,7 @@ void ControlClient::takeFrame() {
 void ControlClient::read() {
   if (!m_client)
     return;
-  const QPointer<ControlClient> alive(this); // a receiver may close this, or delete it
+  const QPointer<ControlClient> alive(this); // a receiver may close or delete this
   m_client->receive();
   takeFrame();
   while (alive && m_client) {

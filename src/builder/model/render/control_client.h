@@ -13,31 +13,32 @@ class Client;
 
 namespace arbiter::builder {
 
-/// The client of docs/write/control.md (src/control) in Qt's event loop, with Qt's JSON. A side
-/// that sends what cannot be understood is hung up on.
+/// A client of the control protocol (docs/write/control.md, src/control) in Qt's event loop, with
+/// Qt's JSON. It disconnects from a server that sends invalid messages.
 class ControlClient : public QObject {
   Q_OBJECT
 public:
-  /// \param descriptor owned from here on
+  /// Takes a connected socket. \param descriptor owned by the client
   explicit ControlClient(int descriptor, QObject *parent = nullptr);
   ~ControlClient() override;
-  /// Connects to a socket's path, whose other end must be of the same user; nullptr with a reason.
+  /// Connects to a socket's path, whose server must belong to the same user; nullptr with a reason.
   [[nodiscard]] static std::unique_ptr<ControlClient> connectTo(const QString &path, QString &why);
 
-  /// \p result or \p error is what came; both empty when the other side is gone.
+  /// Receives \p result or \p error; both are empty if the server is gone.
   using Answer = std::function<void(const QJsonObject &result, const QJsonObject &error)>;
   void call(const QString &method, const QJsonObject &params, Answer answer = {});
   void notify(const QString &method, const QJsonObject &params);
   [[nodiscard]] bool isOpen() const { return m_client != nullptr; }
   void close();
 
-  /// Takes what has come, without waiting. Pictures are told before events, and those before
+  /// Reads what has arrived, without waiting. It emits pictures before events, and events before
   /// answers.
   void read();
 
 Q_SIGNALS:
   void event(const QString &method, const QJsonObject &params);
-  /// A copy of the newest picture, the top row first; it has been released.
+  /// Delivers a copy of the newest picture, the top row first; the picture itself has been
+  /// released.
   void frame(const QImage &image, const QJsonObject &params);
   void closed();
 

@@ -15,7 +15,7 @@ namespace arbiter::builder {
 namespace {
 
 constexpr int kChildDescriptor = 3;
-/// What the command says of a verb or an option that it does not know.
+/// The command's exit code for an unknown verb or option.
 constexpr int kExitUsage = 1;
 constexpr int kNice = 5;
 constexpr qint64 kKeptRevisions = 64;
@@ -42,7 +42,7 @@ ControlRenderer::~ControlRenderer() {
   if (!m_process)
     return;
   m_process->disconnect(this);
-  m_client.reset(); // it ends when its client does
+  m_client.reset(); // the process ends when its client does
   m_process->kill();
   m_process->waitForFinished(1000);
 }
@@ -59,20 +59,20 @@ void ControlRenderer::start(const RenderOptions &options, const QString &folder)
   m_process->setStandardOutputFile(QProcess::nullDevice());
   const int theirs = pair[1];
   const pid_t parent = ::getpid();
-  // Between fork and exec: calls alone that are safe there.
+  // Between fork and exec only async-signal-safe calls are allowed.
   m_process->setChildProcessModifier([theirs, parent] {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent)
       ::_exit(1);
     ::setpriority(PRIO_PROCESS, 0, ::getpriority(PRIO_PROCESS, 0) + kNice);
-    if (theirs == kChildDescriptor) // dup2() would keep its close-on-exec
+    if (theirs == kChildDescriptor) // dup2() would keep its close-on-exec flag
       ::fcntl(theirs, F_SETFD, 0);
     else
       ::dup2(theirs, kChildDescriptor);
   });
   connect(m_process, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
     if (m_client)
-      m_client->read(); // its last answers may lie there still
+      m_client->read(); // its last answers may still be there
     if (!m_greeted && status == QProcess::NormalExit && code == kExitUsage)
       Q_EMIT unsupported();
     else
@@ -85,7 +85,7 @@ void ControlRenderer::start(const RenderOptions &options, const QString &folder)
   });
   connect(m_client.get(), &ControlClient::event, this, &ControlRenderer::event);
   connect(m_client.get(), &ControlClient::frame, this, &ControlRenderer::takeFrame);
-  // A renderer that breaks the protocol is none; one that has ended says so itself.
+  // A renderer that violates the protocol is killed. One that has ended is reported by its process.
   connect(m_client.get(), &ControlClient::closed, this, &ControlRenderer::kill);
   m_process->start(m_program, argumentsOf(options, folder));
   ::close(theirs);
@@ -103,7 +103,7 @@ void ControlRenderer::finish(const QString &why) {
   m_process->deleteLater();
   m_process = nullptr;
   if (m_client)
-    m_client.release()->deleteLater(); // one of its signals may be what led here
+    m_client.release()->deleteLater(); // one of its signals may have led here
   Q_EMIT ended(why);
 }
 
@@ -118,7 +118,7 @@ void ControlRenderer::draw(const Scene &scene) {
   QJsonObject files;
   for (auto file = scene.files.cbegin(); file != scene.files.cend(); ++file)
     files[file.key()] = file.value();
-  // The same text may be sent twice, and the protocol's revisions must grow.
+  // The same text may be sent twice, but the protocol's revisions must increase.
   m_revisions.insert(++m_sent, scene.revision);
   m_revisions.remove(m_sent - kKeptRevisions);
   m_client->call(
@@ -132,7 +132,7 @@ void ControlRenderer::draw(const Scene &scene) {
 void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error,
                              const Scene &scene) {
   if (result.isEmpty() && error.isEmpty())
-    return; // gone; ended() says so
+    return; // the process is gone; ended() reports it
   SceneAnswer answer;
   answer.revision = scene.revision;
   answer.ok = result[u"ok"].toBool();
@@ -143,7 +143,7 @@ void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error
   for (const QJsonValue &each : result[u"diagnostics"].toArray()) {
     Problem problem = problemOfControl(each, bytes);
     if (problem.file == scene.name)
-      problem.file.clear(); // the text itself
+      problem.file.clear(); // an empty name is the text itself
     answer.problems.append(problem);
   }
   if (!error.isEmpty())

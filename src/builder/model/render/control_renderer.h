@@ -7,7 +7,7 @@
 
 namespace arbiter::builder {
 
-/// `arbiter render`, over a socket that it is started with (docs/write/control.md).
+/// Draws by `arbiter render`, over a socket that the process inherits (docs/write/control.md).
 class ControlRenderer : public Renderer {
   Q_OBJECT
 public:
@@ -37,9 +37,9 @@ private:
   QString m_program;
   QProcess *m_process = nullptr;
   std::unique_ptr<ControlClient> m_client;
-  bool m_greeted = false;            ///< it has answered: it is a renderer
-  qint64 m_sent = 0;                 ///< scenes; their numbers on the wire
-  QHash<qint64, qint64> m_revisions; ///< the document's of those
+  bool m_greeted = false;            ///< it has answered, so that it is a renderer
+  qint64 m_sent = 0;                 ///< number of scenes sent, which numbers them in the protocol
+  QHash<qint64, qint64> m_revisions; ///< the document's revision, by that number
 };
 
 } // namespace arbiter::builder

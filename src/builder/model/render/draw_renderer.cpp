@@ -11,8 +11,8 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kExitUsage = 1;   ///< arbiter(1)
-constexpr int kExitInvalid = 2; ///< the program is not valid
+constexpr int kExitUsage = 1;   ///< as in arbiter(1)
+constexpr int kExitInvalid = 2; ///< the program is invalid
 
 QStringList argumentsOf(const RenderOptions &options, const QString &document,
                         const QString &picture) {
@@ -84,7 +84,7 @@ void DrawRenderer::finished(int code, QProcess::ExitStatus status) {
   if (!answer.ok) {
     const QString message = complaint.isEmpty() ? tr("`arbiter draw` ended with code %1").arg(code)
                                                 : complaint.section(u'\n', 0, 0);
-    // What the compiler says of an invalid program the language server says too, with its place.
+    // The language server already reports the diagnostics of an invalid program, with their places.
     if (code != kExitInvalid)
       answer.problems.append({Severity::Error,
                               QStringLiteral("draw"),

@@ -7,8 +7,8 @@
 
 namespace arbiter::builder {
 
-/// A process of `arbiter draw` for each scene: where no renderer that stays is installed. One frame
-/// each, without time going on.
+/// Draws each scene by a process of `arbiter draw`, for installations without `arbiter render`. It
+/// draws one frame each, without animation.
 class DrawRenderer : public Renderer {
   Q_OBJECT
 public:

@@ -29,7 +29,7 @@ Scene scene(const QString &text, qint64 revision) {
   return {text, QStringLiteral("a.fp"), {}, {}, revision};
 }
 
-/// A session with what it said.
+/// A renderer session that records its signals.
 class Session {
 public:
   explicit Session(const QString &memory = {}) : session(fake(), memory) {
@@ -117,7 +117,7 @@ TEST(Session, AKilledRendererComesBackWithTheNewestText) {
   ASSERT_TRUE(it.draws(1));
   for (int i = 2; i < 22; ++i) {
     it.session.want(scene(QStringLiteral("colour 0000%1").arg(i, 2, 16, QChar(u'0')), i));
-    serve(i % 7); // at any moment: before it draws, while it does, after
+    serve(i % 7); // at any moment: before, during and after drawing
     if (const qint64 process = it.session.processId(); process > 0)
       ::kill(pid_t(process), SIGKILL);
   }
@@ -252,7 +252,7 @@ TEST(WorkFolder, HasTheTextAndWhatLiesBesideIt) {
   ASSERT_TRUE(typed.open(QIODevice::ReadOnly));
   EXPECT_EQ(typed.readAll(), "typed");
   EXPECT_TRUE(QFile::exists(target.filePath(QStringLiteral("photo.png"))));
-  layOut(wanted, target.path()); // again: the links are there already
+  layOut(wanted, target.path()); // again, as the links exist already
   ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
   EXPECT_EQ(saved.readAll(), "saved") << "the user's file was written through a link";
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kPatienceMilliseconds = 10000;
 constexpr int kTickMilliseconds = 100;
-constexpr qint64 kBusyMilliseconds = 300; ///< what takes longer is said
+constexpr qint64 kBusyMilliseconds = 300; ///< drawing that takes longer is reported
 constexpr int kMaxBackOff = 2000;
 constexpr qsizetype kMaxHeld = 1000;
 
@@ -28,7 +28,7 @@ QByteArray hashOf(const Scene &scene) {
 
 namespace {
 
-/// What a person did not choose is as the document's panel says.
+/// Returns the options; those that the user did not set come from the document's panel.
 RenderOptions optionsOf(const Scene &scene, RenderOptions options) {
   const scene::Panel panel = scene::parsePanel(scene.text.toStdString());
   QString folder = scene.folder;
@@ -127,8 +127,8 @@ void RendererSession::sendNext() {
     m_waiting.reset();
     return hold(scene, tr("this program stopped the renderer"));
   }
-  // A renderer keeps what it was started with: the folder that names begin from, and the layer's
-  // profile and numerics.
+  // A renderer keeps its start options: the folder of the files, and the layer's profile and
+  // numerics.
   const RenderOptions options = optionsOf(scene, m_options);
   if (scene.folder != m_folder || options != m_started)
     dropRenderer();
@@ -170,7 +170,7 @@ void RendererSession::take(const SceneAnswer &answer) {
 void RendererSession::ended(const QString &why) {
   m_patience.stop();
   m_tick.stop();
-  // Where no process ever got ready or drew, GL is at fault, and no text.
+  // If no process ever got ready or drew, GL is at fault, not the text.
   const bool drawsHere = m_lastGoodScene || (m_renderer && m_renderer->wasReady());
   if (m_renderer) {
     m_renderer->disconnect(this);
@@ -180,7 +180,7 @@ void RendererSession::ended(const QString &why) {
   const std::optional<Scene> scene = std::exchange(m_underWay, std::nullopt);
   if (scene) {
     const QByteArray hash = hashOf(*scene);
-    // Once may be another's doing: an administrator's, or the kernel's that needs memory.
+    // A single end may have another cause, such as an administrator or the kernel's lack of memory.
     if (drawsHere && hash == m_suspect)
       hold(*scene, tr("this program stopped the renderer (%1)").arg(why));
     else if (!m_waiting)
@@ -211,7 +211,7 @@ void RendererSession::hold(const Scene &scene, const QString &why) {
   m_held.insert(hashOf(scene));
   remember();
   if (m_waiting && m_waiting->revision > scene.revision)
-    return; // it has changed meanwhile
+    return; // the text has changed meanwhile
   setState(State::Held);
   Q_EMIT held(scene.revision, why);
   m_lastHeld = scene;

@@ -9,41 +9,41 @@
 
 namespace arbiter::builder {
 
-/// Draws the newest scene, whatever becomes of the process that draws. One scene is under way at a
-/// time; of those that come meanwhile the newest is next. A process that ends is started anew. A
-/// text that ended it twice, or kept it from answering for long, is held: it is not drawn again
-/// until it changes or drawAnyway() is said, today or when the file is opened next.
+/// Draws the newest scene, whatever happens to the drawing process. One scene is in progress at a
+/// time, and the newest waiting one is next. A process that ends is restarted. A text that ended it
+/// twice, or blocked it for long, is held: it is not drawn again until it changes or drawAnyway()
+/// is called. Held texts are remembered across sessions.
 class RendererSession : public QObject {
   Q_OBJECT
 public:
   enum class State { Idle, Drawing, Held };
   using Factory = std::function<Renderer *(QObject *parent)>;
 
-  /// \param factories the kinds of renderer, the best first: the next is taken where one is not
+  /// \param factories the kinds of renderer, the best first; the next one is used if one is not
   /// installed
   /// \param memory the file that remembers held texts; empty: none
   RendererSession(QList<Factory> factories, const QString &memory, QObject *parent = nullptr);
   ~RendererSession() override;
 
-  /// The newest scene.
+  /// Requests the newest scene.
   void want(const Scene &scene);
   void setOptions(const RenderOptions &options);
   [[nodiscard]] const RenderOptions &options() const { return m_options; }
-  /// What is drawn with: options(), and the document's where those are empty.
+  /// Returns the options in use: options(), with the document's where those are empty.
   [[nodiscard]] const RenderOptions &effectiveOptions() const { return m_started; }
   bool setParameter(const LiveValue &value);
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return m_paused; }
-  /// Time goes on by step() alone, whether or not it is paused.
+  /// Stops the animation's own time: it then advances only by step(), whether paused or not.
   void setHeldBack(bool heldBack);
   void step(double seconds);
   void setTime(double seconds);
   void setSteps(int steps);
   bool bench(int frames);
 
-  /// Ends what is under way: its text is held.
+  /// Stops the drawing in progress and holds its text.
   void stop();
-  /// Draws the held text all the same.
+  /// Draws the held text.
   void drawAnyway();
 
   [[nodiscard]] State state() const { return m_state; }
@@ -58,9 +58,9 @@ Q_SIGNALS:
   void drew(const arbiter::builder::Frame &frame);
   void answered(const arbiter::builder::SceneAnswer &answer);
   void benched(int frames, double milliseconds, double median);
-  /// A scene takes long: so many milliseconds so far.
+  /// Reports how long a slow scene has taken so far.
   void busy(double milliseconds);
-  /// This revision is held; the text says why.
+  /// Reports that this revision is held; the text tells why.
   void held(qint64 revision, const QString &why);
   void restarted(const QString &why);
 
@@ -79,8 +79,9 @@ private:
   QString m_memory;
   Renderer *m_renderer = nullptr;
   RenderOptions m_options;
-  QString m_folder;        ///< that the renderer was started with
-  RenderOptions m_started; ///< likewise; m_options, and the document's where those are empty
+  QString m_folder; ///< the folder that the renderer was started with
+  /// the options it was started with: m_options, with the document's where those are empty
+  RenderOptions m_started;
 
   std::optional<Scene> m_waiting;  ///< the newest, not sent yet
   std::optional<Scene> m_underWay; ///< sent, not answered
@@ -90,10 +91,10 @@ private:
   State m_state = State::Idle;
   bool m_paused = false, m_heldBack = false;
 
-  QSet<QByteArray> m_held; ///< hashes of texts
-  QByteArray m_suspect;    ///< of the text that ended the renderer last
+  QSet<QByteArray> m_held; ///< hashes of held texts
+  QByteArray m_suspect;    ///< the hash of the text that last ended the renderer
   int m_restarts = 0;
-  QElapsedTimer m_since; ///< the scene under way was sent
+  QElapsedTimer m_since; ///< since the scene in progress was sent
   QTimer m_patience;
   QTimer m_tick;
   QTimer m_restart;

@@ -7,11 +7,11 @@ namespace arbiter::builder {
 
 namespace {
 
-/// Of a folder with more entries only these are linked; a document of so many files is none.
+/// At most this many entries of a folder are linked; no document has so many files.
 constexpr int kMaxLinks = 2000;
 
 void write(const QString &path, const QString &text) {
-  QFile::remove(path); // it may be a link, whose file is not to be written
+  QFile::remove(path); // a link's target must not be overwritten
   QFile file(path);
   if (file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
     file.write(text.toUtf8());

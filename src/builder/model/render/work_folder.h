@@ -5,8 +5,8 @@
 
 namespace arbiter::builder {
 
-/// Lays out a document that is not saved for a command that reads files: its text under its name in
-/// \p folder, and beside it links to what lies beside the document.
+/// Writes an unsaved document for a command that reads files: its text under its name in \p folder,
+/// with links to the files beside the document.
 /// \returns the path of the text
 QString layOut(const Scene &scene, const QString &folder);
 

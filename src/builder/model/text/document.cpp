@@ -6,14 +6,14 @@ namespace arbiter::builder {
 
 namespace {
 
-/// A pause this long, in milliseconds, ends an undo step of typing.
+/// A pause of this many milliseconds ends an undo step of typing.
 constexpr qint64 kPause = 1000;
-/// Steps that are kept; the oldest go first.
+/// The number of steps that are kept; the oldest are dropped.
 constexpr qsizetype kMaxSteps = 10000;
 
 bool isWord(QChar c) { return c.isLetterOrNumber() || c == u'_'; }
 
-/// Words and what stands between them are undone apart.
+/// True if both are words or both are not: words and separators are undone separately.
 bool sameKind(QStringView last, QStringView next) {
   return !last.isEmpty() && !next.isEmpty() && isWord(last.back()) == isWord(next.front()) &&
          !next.contains(u'\n') && !last.contains(u'\n');
@@ -106,7 +106,7 @@ bool Document::joins(const Edit &edit) const {
   const Edit &last = m_steps[m_done - 1].edits.last();
   if (edit.removed.isEmpty() && last.removed.isEmpty())
     return edit.at == last.at + last.added.size() && sameKind(last.added, edit.added);
-  if (edit.added.isEmpty() && last.added.isEmpty()) // backspace, and delete
+  if (edit.added.isEmpty() && last.added.isEmpty()) // backspace and delete
     return edit.at + edit.removed.size() == last.at || edit.at == last.at;
   return false;
 }

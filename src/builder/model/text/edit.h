@@ -3,8 +3,8 @@
 
 namespace arbiter::builder {
 
-/// One replacement in a text. Places and lengths are in UTF-16 units, as QString and the language
-/// server protocol count them.
+/// One replacement in a text. Places and lengths are in UTF-16 units, as in QString and the
+/// language server protocol.
 struct Edit {
   qsizetype at = 0;
   QString removed;
@@ -14,20 +14,20 @@ struct Edit {
   [[nodiscard]] Edit inverse() const { return {at, added, removed}; }
 };
 
-/// The smallest single edit that makes \p after of \p before; surrogate pairs stay whole.
+/// Returns the smallest single edit from \p before to \p after; surrogate pairs stay whole.
 [[nodiscard]] Edit difference(const QString &before, const QString &after);
 
-/// A place as people count it: both from 1, the column in UTF-16 units.
+/// A place as people count it: both numbers start at 1, and the column is in UTF-16 units.
 struct LineColumn {
   int line = 1;
   int column = 1;
 };
 
-/// The line and column of an offset; offsets beyond the text are its end.
+/// Returns the line and column of an offset; an offset beyond the text is its end.
 [[nodiscard]] LineColumn placeOf(const QString &text, qsizetype offset);
 
-/// The offset of a line and character, both from 0 as the protocol counts. Beyond a line's end it
-/// is that end, beyond the last line the text's.
+/// Returns the offset of a line and character, both from 0 as in the protocol. A place beyond a
+/// line's end is that end; one beyond the last line is the end of the text.
 [[nodiscard]] qsizetype offsetOf(const QString &text, qint64 line, qint64 character);
 
 } // namespace arbiter::builder

@@ -28,7 +28,8 @@ void FileWatch::watch(const QString &path) {
   arm();
 }
 
-/// A file that was replaced is forgotten by the watcher; its folder is not.
+/// Watches the file and its folder again. The watcher forgets a file that was replaced, but not its
+/// folder.
 void FileWatch::arm() {
   if (m_path.isEmpty())
     return;

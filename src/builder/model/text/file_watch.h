@@ -6,16 +6,15 @@
 
 namespace arbiter::builder {
 
-/// Says when another program changed a file: written in place, or replaced by another file of its
-/// name, as most editors save.
+/// Reports that another program changed a file, in place or by replacing it, as most editors do.
 class FileWatch : public QObject {
   Q_OBJECT
 public:
   explicit FileWatch(QObject *parent = nullptr);
 
-  /// Watches one file, in place of the last; none if empty.
+  /// Watches a file instead of the previous one; none if empty.
   void watch(const QString &path);
-  /// What the file is known to hold: a change to these bytes is not told.
+  /// Sets the bytes that the file is known to hold; a change to these bytes is not reported.
   void setKnown(const QByteArray &bytes) { m_known = bytes; }
 
 Q_SIGNALS:
@@ -30,7 +29,7 @@ private:
   QByteArray m_known;
   bool m_gone = false;
   QFileSystemWatcher m_watcher;
-  QTimer m_settle; ///< writers are given a moment to finish
+  QTimer m_settle; ///< gives writers a moment to finish
 };
 
 } // namespace arbiter::builder

@@ -29,7 +29,7 @@ std::optional<QJsonObject> objectOf(const QByteArray &text) {
   return json.object();
 }
 
-/// False where the edit does not fit the text, or is none.
+/// Applies a line to the document. Returns false if it is not an edit or does not fit the text.
 bool replay(const QByteArray &text, QString &document) {
   const auto edit = objectOf(text);
   if (!edit)
@@ -59,7 +59,7 @@ std::optional<Recovered> read(const QString &file) {
   return recovered;
 }
 
-/// True if a process that lives has the journal.
+/// True if a running process holds the journal.
 bool isHeld(const QString &file) {
   const int descriptor = ::open(QFile::encodeName(file).constData(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0)

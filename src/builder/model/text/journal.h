@@ -7,35 +7,36 @@
 
 namespace arbiter::builder {
 
-/// What a process that ended without closing a document left behind.
+/// A document that a process left unsaved when it ended.
 struct Recovered {
-  QString journal; ///< the file to remove when it is taken or refused
-  QString path;    ///< of the document; empty if it had none yet
+  QString journal; ///< the file to remove after it is taken or refused
+  QString path;    ///< of the document; empty if untitled
   QString text;
 };
 
-/// Every edit of a document, in a file, before the next one is made: whatever ends the process, the
-/// text is there again. A line each of JSON: the document's path and text, then edits. A torn last
-/// line is passed over. A lock that ends with the process tells the journals of living ones.
+/// Writes every edit of a document to a file before the next one, so that the text survives any end
+/// of the process. Each line is JSON: first the document's path and text, then the edits. An
+/// incomplete last line is ignored. A lock, which ends with the process, marks journals in use.
 class Journal {
 public:
-  /// \param folder of all journals; made, for the user alone, when it is needed
+  /// \param folder of all journals; created when needed, for the user alone
   explicit Journal(QString folder) : m_folder(std::move(folder)) {}
   Journal(const Journal &) = delete;
   Journal &operator=(const Journal &) = delete;
   ~Journal() { close(); }
 
-  /// Begins anew with a text. \error the folder or file cannot be written
+  /// Starts a new journal with a text. \error the folder or file cannot be written
   [[nodiscard]] Result<QString, FileFault> begin(const QString &path, const QString &text);
-  /// \returns false if it could not be written: the disk is full, or begin() failed
+  /// Appends an edit. \returns false if it could not be written: the disk is full, or begin()
+  /// failed
   bool record(const Edit &edit);
-  /// To the disk, for a machine that loses its power; what is recorded outlives the process anyway.
+  /// Flushes to the disk, against a loss of power; records survive the process anyway.
   void sync() const;
-  /// The document is closed or has no change: the journal goes.
+  /// Removes the journal, as the document is closed or has no change.
   void close();
   [[nodiscard]] qint64 bytes() const { return m_bytes; }
 
-  /// Of processes that are no more. Unreadable ones are left alone.
+  /// Returns the documents of processes that have ended. Ignores unreadable journals.
   [[nodiscard]] static QList<Recovered> recoverable(const QString &folder);
   static void discard(const Recovered &recovered);
 

@@ -9,10 +9,10 @@ namespace arbiter::builder {
 
 namespace {
 
-/// The table of the longest common subsequence has this many entries at most.
+/// The limit of entries in the table of the longest common subsequence.
 constexpr qsizetype kMaxTable = 4'000'000;
 
-/// Lines with what ends them, so that joining gives the text again.
+/// Splits into lines with their ends, so that joining them gives the text again.
 QStringList linesOf(const QString &text) {
   QStringList lines;
   qsizetype begin = 0;
@@ -25,7 +25,7 @@ QStringList linesOf(const QString &text) {
   return lines;
 }
 
-/// For each line of `base` its partner in `other`, or -1; partners rise.
+/// Returns for each line of `base` its partner in `other`, or -1; partners are in order.
 std::vector<qsizetype> partners(const QStringList &base, const QStringList &other) {
   std::vector<qsizetype> result(std::size_t(base.size()), -1);
   qsizetype begin = 0;
@@ -78,7 +78,7 @@ Merge mergeTexts(const QString &baseText, const QString &mineText, const QString
   Merge merge;
   qsizetype b = 0, m = 0, t = 0;
   while (b < base.size() || m < mine.size() || t < theirs.size()) {
-    // Up to the next line that all three have.
+    // The next line that all three have ends this piece.
     qsizetype next = b;
     while (next < base.size() && (inMine[std::size_t(next)] < m || inTheirs[std::size_t(next)] < t))
       ++next;

@@ -10,7 +10,7 @@ namespace arbiter::builder {
 
 namespace {
 constexpr int kSyncMilliseconds = 1000;
-/// A journal that grew to this begins anew with the text as it is.
+/// A journal of this size is restarted with the present text.
 constexpr qint64 kMaxJournal = 8 << 20;
 } // namespace
 
@@ -94,7 +94,7 @@ Result<QString, FileFault> OpenFile::save(const QString &path) {
   return target;
 }
 
-/// The journal begins with the first change: its text is that before the change.
+/// Records an edit. The journal begins at the first change, with the text before it.
 void OpenFile::journal(const Edit &edit) {
   if (m_opening)
     return;

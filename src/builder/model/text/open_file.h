@@ -9,7 +9,7 @@
 
 namespace arbiter::builder {
 
-/// A document with its file: opened, journalled, saved, watched.
+/// A document with its file, which it opens, journals, saves and watches.
 class OpenFile : public QObject {
   Q_OBJECT
 public:
@@ -19,38 +19,39 @@ public:
 
   [[nodiscard]] Document &document() { return m_document; }
   [[nodiscard]] const Document &document() const { return m_document; }
-  /// Absolute; empty of a document that was never saved.
+  /// Returns the absolute path; empty if the document was never saved.
   [[nodiscard]] const QString &path() const { return m_path; }
-  /// "twirl.fp", or "untitled".
+  /// Returns "twirl.fp", or "untitled".
   [[nodiscard]] QString name() const;
-  /// The file's name; of a text that was never saved the one that it may have: that of the document
-  /// it is a copy of, or "untitled.fp".
+  /// Returns the file's name. For a text that was never saved it is a proposal: the name of the
+  /// document that it copies, or "untitled.fp".
   [[nodiscard]] QString proposedName() const;
-  /// Where relative names in the text lead from.
+  /// Returns the folder that relative names in the text start from.
   [[nodiscard]] QString folder() const;
 
   [[nodiscard]] Result<QString, FileFault> open(const QString &path);
-  /// A text without a file; \p folder is where it looks for what it names, \p proposed the name
-  /// that it may be saved as.
+  /// Opens a text without a file. \p folder is where it looks for the files it names, \p proposed
+  /// the name that it may be saved as.
   void openText(const QString &text, const QString &folder = {}, const QString &proposed = {});
-  /// What a journal kept: the file's text if there is one, then the kept one as an undo step.
+  /// Restores a journal's document: the file's text if there is one, then the journal's text as an
+  /// undo step.
   void recover(const Recovered &recovered);
-  /// Writes to the file, or to another, which is the document's from then on.
+  /// Writes to the file, or to another, which then becomes the document's.
   [[nodiscard]] Result<QString, FileFault> save(const QString &path = {});
 
-  /// Of a conflict: the file's text replaces the document's, as one undo step.
+  /// Resolves a conflict: the file's text replaces the document's, as one undo step.
   void takeTheirs(const QString &theirs);
-  /// Of a conflict: the document stays; saving it replaces the file's text.
+  /// Resolves a conflict: the document stays, and saving it replaces the file's text.
   void keepMine(const QString &theirs) { m_document.setSavedText(theirs); }
 
 Q_SIGNALS:
   void pathChanged(const QString &path);
-  /// The file was changed elsewhere, and what it changed is in the document now.
+  /// Reports that the file was changed elsewhere, and that the document now contains the change.
   void merged(int changedLines);
-  /// Both changed the same lines: the document is as it was; the file has this text.
+  /// Reports that both changed the same lines. The document is unchanged; the file has this text.
   void conflict(const QString &theirs);
   void fileRemoved();
-  /// Something was not kept or read; the text says what.
+  /// Reports that something could not be kept or read.
   void complaint(const QString &message);
 
 private:
@@ -67,7 +68,7 @@ private:
   QString m_folder;
   QString m_proposed;
   bool m_journals = false; ///< the journal has begun for this text
-  bool m_opening = false;  ///< what changes now is no edit
+  bool m_opening = false;  ///< present changes are not edits
 };
 
 } // namespace arbiter::builder

@@ -211,12 +211,12 @@ TEST(OpenFile, OutsideChangesAreMergedAsOneStep) {
   OpenFile open(folder.filePath(QStringLiteral("j")));
   ASSERT_TRUE(open.open(file).ok());
   open.document().replace(0, 3, QStringLiteral("ONE"), Origin::Typing);
-  // As most editors save: another file takes the name.
+  // Most editors save this way: another file takes the name.
   write(file + QStringLiteral(".tmp"), "one\ntwo\nthree\nfour\nFIVE\n");
   ASSERT_EQ(::rename(qPrintable(file + QStringLiteral(".tmp")), qPrintable(file)), 0);
   ASSERT_TRUE(waitFor(
       [&] { return open.document().text() == QStringLiteral("ONE\ntwo\nthree\nfour\nFIVE\n"); }));
-  // And once more: the watcher has not lost the file with its first name.
+  // The watcher must not have lost the file with the first change.
   write(file, "one\ntwo\n3\nfour\nFIVE\n");
   ASSERT_TRUE(waitFor(
       [&] { return open.document().text() == QStringLiteral("ONE\ntwo\n3\nfour\nFIVE\n"); }));

@@ -15,9 +15,9 @@ namespace arbiter::builder {
 
 namespace {
 
-/// As a text document has it, with \n between lines.
+/// Returns the text of a text document, with \n between lines.
 QString plain(const QTextDocument &document) {
-  QString text = document.toRawText(); // toPlainText() makes other spaces of some
+  QString text = document.toRawText(); // toPlainText() replaces some spaces
   for (QChar &c : text)
     if (c == QChar::ParagraphSeparator || c == QChar::LineSeparator || c == QChar(0xfdd0) ||
         c == QChar(0xfdd1))
@@ -34,7 +34,7 @@ CodeEditor::CodeEditor(Workbench &bench, QWidget *parent) : QPlainTextEdit(paren
   setLineWrapMode(NoWrap);
   setTabChangesFocus(false);
   setAccessibleName(tr("Program text"));
-  setUndoRedoEnabled(false); // the bench's document has it
+  setUndoRedoEnabled(false); // the document provides undo
   m_gutter = new Gutter(*this);
   m_completer = new Completer(*this);
   m_highlighter = new Highlighter(document());
@@ -81,7 +81,7 @@ void CodeEditor::resizeEvent(QResizeEvent *event) {
   m_gutter->setGeometry(area.left(), area.top(), gutterWidth(), area.height());
 }
 
-/// What the editor's text has become is told to the document, whatever way it took.
+/// Sends a change of the editor's text to the document, whatever caused it.
 void CodeEditor::contentsChange() {
   if (m_applying)
     return;
@@ -102,7 +102,7 @@ void CodeEditor::documentEdited(const Edit &edit, Origin origin) {
   cursor.setPosition(int(edit.at + edit.removed.size()), QTextCursor::KeepAnchor);
   cursor.insertText(edit.added);
   m_applying = false;
-  if (plain(*document()) != text()) { // letters that a text document changes
+  if (plain(*document()) != text()) { // a text document changes some characters
     m_applying = true;
     setPlainText(text());
     m_applying = false;
@@ -136,7 +136,7 @@ void CodeEditor::showMarks() {
     mark.cursor = QTextCursor(document());
     mark.cursor.setPosition(int(problem.begin));
     mark.cursor.setPosition(std::min(int(problem.end), last), QTextCursor::KeepAnchor);
-    if (!mark.cursor.hasSelection()) // something must be seen
+    if (!mark.cursor.hasSelection()) // an empty mark would be invisible
       mark.cursor.movePosition(QTextCursor::PreviousCharacter, QTextCursor::KeepAnchor);
     mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
     mark.format.setUnderlineColor(problem.severity == Severity::Error     ? c.error
@@ -186,7 +186,7 @@ qsizetype CodeEditor::wordBegin() const {
 void CodeEditor::undoStep() { m_bench.document().undo(); }
 void CodeEditor::redoStep() { m_bench.document().redo(); }
 
-/// Return keeps the indentation of the line before.
+/// Breaks the line and keeps its indentation.
 void CodeEditor::indentLine() {
   const QString line = textCursor().block().text().left(textCursor().positionInBlock());
   qsizetype spaces = 0;
@@ -208,7 +208,7 @@ void CodeEditor::keyPressEvent(QKeyEvent *event) {
   if (plainReturn)
     return indentLine();
   if (event->key() == Qt::Key_Backtab || event->key() == Qt::Key_Escape) {
-    event->ignore(); // the way out of the text by keyboard
+    event->ignore(); // leaves the text by keyboard
     return;
   }
   QPlainTextEdit::keyPressEvent(event);
@@ -237,7 +237,7 @@ void CodeEditor::insertFromMimeData(const QMimeData *source) {
 }
 
 bool CodeEditor::event(QEvent *event) {
-  // The bench's undo, not the text edit's, which has none.
+  // The workbench provides undo; the text edit's own is off.
   if (event->type() == QEvent::ShortcutOverride) {
     auto *key = static_cast<QKeyEvent *>(event);
     if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {

@@ -11,9 +11,8 @@ class Completer;
 class Gutter;
 class Highlighter;
 
-/// Shows the workbench's document and sends it what is typed. The document is the one that knows
-/// undo; what others change in it is shown where it stands, and the cursor and the focus never move
-/// by it.
+/// Displays the workbench's document and sends it what is typed. The document provides undo.
+/// Changes by others appear in place, and never move the cursor or the focus.
 class CodeEditor : public QPlainTextEdit {
   Q_OBJECT
 public:
@@ -27,13 +26,13 @@ public:
   void renameName();
   void goTo(qsizetype offset);
   void goToProblem(bool forward);
-  /// Applies the first fix that the server offers for the problem at the cursor.
+  /// Applies the server's first fix for the problem at the cursor.
   void fixHere();
   void undoStep();
   void redoStep();
-  /// The word at the cursor, "" where there is none.
+  /// Returns the word at the cursor, "" if there is none.
   [[nodiscard]] QString wordAtCursor() const;
-  /// Marks the line that the debugger is at, from 1; 0: none.
+  /// Marks the debugger's line, from 1; 0: none.
   void setTracedLine(int line);
   void refreshColours();
 

@@ -1,4 +1,4 @@
-// What the editor asks the language server.
+// The editor's requests to the language server.
 #include <QHelpEvent>
 #include <QInputDialog>
 #include <QTextBlock>
@@ -16,7 +16,7 @@ qsizetype offsetAt(const QString &text, const QJsonValue &position) {
   return offsetOf(text, position[u"line"].toInteger(), position[u"character"].toInteger());
 }
 
-/// Markdown as a tool tip shows it.
+/// Converts Markdown to rich text for a tool tip.
 QString richText(const QString &markdown) {
   QTextDocument document;
   document.setMarkdown(markdown);
@@ -67,7 +67,8 @@ void CodeEditor::renameName() {
       });
 }
 
-/// TextEdit[] of the protocol: all in the text as it is, so the last comes first.
+/// Applies the protocol's TextEdit[]. All refer to the present text, so that the last one is
+/// applied first.
 void CodeEditor::applyEdits(const QJsonArray &edits, const QString &name) {
   QList<Edit> all;
   for (const QJsonValue &each : edits) {

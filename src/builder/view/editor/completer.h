@@ -6,19 +6,18 @@ namespace arbiter::builder {
 
 class CodeEditor;
 
-/// The list of what may stand at the cursor, as the language server says; narrowed by what is
-/// typed.
+/// Shows the language server's completions at the cursor, narrowed by what is typed.
 class Completer : public QListWidget {
 public:
   explicit Completer(CodeEditor &editor);
 
   /// Shows CompletionItem[] for the word that begins at an offset of the text.
   void show(const QJsonArray &items, qsizetype wordBegin);
-  /// The word has changed: hides what no longer fits, and the list if nothing does.
+  /// Hides items that no longer match the word, and the list if none does.
   void narrow();
-  /// Arrow keys, Return, Tab and Escape. \returns false if the key is not the list's
+  /// Handles arrow keys, Return, Tab and Escape. \returns false for other keys
   bool takeKey(int key);
-  /// The item puts its text into the editor.
+  /// Inserts the item's text into the editor.
   void accept();
 
 private:

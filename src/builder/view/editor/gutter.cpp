@@ -14,7 +14,7 @@ namespace arbiter::builder {
 
 namespace {
 
-/// "2 slots", "1 TEX n2": as narrow as it can be said.
+/// Returns a short text: "2 slots", "1 TEX n2".
 QString costText(const LineCost &cost, bool nodes) {
   if (cost.gone)
     return QStringLiteral("\u2013"); // compiled away

@@ -5,7 +5,7 @@ namespace arbiter::builder {
 
 class CodeEditor;
 
-/// Left of the text: line numbers, marks of problems; and what each line costs on the card.
+/// Shows line numbers, marks of problems and native costs left of the text.
 class Gutter : public QWidget {
 public:
   explicit Gutter(CodeEditor &editor);

@@ -34,7 +34,7 @@ Highlighter::Highlighter(QTextDocument *document) : QSyntaxHighlighter(document)
       m_panel.insert(word.word, word.kind);
       continue;
     }
-    if (word.kind == WordKind::Binding) // its first word; the others stand behind a full stop
+    if (word.kind == WordKind::Binding) // only the first word; the others follow a dot
       m_words.insert(word.word.section(QRegularExpression(QStringLiteral("[.\\[]")), 0, 0),
                      word.kind);
     else
@@ -59,7 +59,7 @@ qsizetype Highlighter::word(const QString &text, qsizetype begin) {
   const auto found = m_words.constFind(word);
   if (found != m_words.constEnd())
     setFormat(int(begin), int(end - begin), colourOf(*found));
-  // What follows it through full stops and indexes is of one binding.
+  // The words behind dots and indices belong to the same binding.
   if (found != m_words.constEnd() && *found == WordKind::Binding) {
     qsizetype chain = end;
     while (chain + 1 < text.size() && text[chain] == u'.' && beginsWord(text[chain + 1])) {
@@ -79,7 +79,7 @@ qsizetype Highlighter::word(const QString &text, qsizetype begin) {
     return std::max(end, chain);
   }
   if (found == m_words.constEnd() && begin > 0 && text[begin - 1] == u'.')
-    setFormat(int(begin), int(end - begin), colours().parameter); // mask, swizzle, field
+    setFormat(int(begin), int(end - begin), colours().parameter); // a mask, swizzle or field
   return end;
 }
 

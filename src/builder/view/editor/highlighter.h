@@ -7,16 +7,16 @@
 
 namespace arbiter::builder {
 
-/// Characters of an identifier, its first and the others.
+/// These tell whether a character may begin, or be within, an identifier.
 [[nodiscard]] inline bool beginsWord(QChar c) { return c.isLetter() || c == u'_' || c == u'$'; }
 [[nodiscard]] inline bool inWord(QChar c) { return beginsWord(c) || c.isDigit(); }
 
-/// Colours a program's words, by the compiler's tables. Names are what no table has.
+/// Colors a program's words by the compiler's tables. Words in no table are names.
 class Highlighter : public QSyntaxHighlighter {
 public:
   explicit Highlighter(QTextDocument *document);
 
-  /// The colours have changed.
+  /// Updates the colors after they have changed.
   void refresh();
 
 protected:

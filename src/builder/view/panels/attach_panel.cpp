@@ -22,7 +22,7 @@ namespace {
 
 enum Column { kProgram, kDrawer, kDraws, kTime, kPixels, kFrameTime, kMarks, kColumns };
 
-/// What is told apart at a glance; the whole name is the tool tip.
+/// Shortens an id to the part that distinguishes it; the tool tip has all of it.
 QString shortId(const QString &id) {
   const qsizetype dot = id.lastIndexOf(u'.');
   return id.left(8) + (dot < 0 ? QString() : id.mid(dot));
@@ -228,7 +228,7 @@ void AttachPanel::choose(int row) {
   const QList<AttachedProgram> &programs = m_attachment.programs();
   if (row < 0 || row >= programs.size() || programs[row].id == m_attachment.selected())
     return;
-  const QString id = programs[row].id; // the list is read anew
+  const QString id = programs[row].id; // the list is rebuilt
   m_attachment.select(id);
 }
 

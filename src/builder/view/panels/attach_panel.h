@@ -16,15 +16,15 @@ class AttachedValues;
 class PictureView;
 class Table;
 
-/// A running application: its programs with their cost, its frame, and of the program that is
-/// chosen the text, which is edited live, and the parameters; its textures.
+/// Shows a running application: its programs with their cost, its frame and its textures. The
+/// selected program's text and parameters can be edited live.
 class AttachPanel : public QWidget {
 public:
   explicit AttachPanel(Attachment &attachment);
 
   [[nodiscard]] PictureView &picture() { return *m_picture; }
   [[nodiscard]] AttachedText &text() { return *m_text; }
-  /// Looks again which processes listen.
+  /// Updates the list of processes.
   void listProcesses();
   void attachOrDetach();
   /// Attaches to the process of that number, if it listens.

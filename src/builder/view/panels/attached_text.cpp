@@ -67,11 +67,11 @@ void AttachedText::take(const QString &text) {
   m_sent = text;
   m_tracedLine = 0;
   if (m_editor->toPlainText() != text)
-    m_editor->setPlainText(text); // another program's: its undo is its own
+    m_editor->setPlainText(text); // another program has its own undo history
   m_sent = m_editor->toPlainText();
 }
 
-/// Highlighting is no edit.
+/// Sends the text if it changed; highlighting is no edit.
 void AttachedText::edited() {
   const QString text = m_editor->toPlainText();
   if (text == m_sent || m_attachment.selected().isEmpty())

@@ -12,14 +12,14 @@ namespace arbiter::builder {
 
 class Highlighter;
 
-/// The text of an application's program: what is typed is drawn with at once, if it is right; what
-/// is wrong is underlined, and the last right text is drawn on.
+/// Edits the text of an application's program. A valid text is drawn with at once. Errors are
+/// underlined, and the last valid text stays in use.
 class AttachedText : public QWidget {
 public:
   explicit AttachedText(Attachment &attachment);
 
   [[nodiscard]] QPlainTextEdit &editor() { return *m_editor; }
-  /// Marks the line that the debugger is at, from 1; 0: none.
+  /// Marks the debugger's line, from 1; 0: none.
   void setTracedLine(int line);
 
 private:

@@ -14,7 +14,7 @@ namespace {
 constexpr int kFirstComponent = 1, kState = 5;
 constexpr double kMost = 1e9;
 
-/// A number as programs have them: any, in steps that fit it.
+/// Edits a program's number, of any magnitude, in steps that fit it.
 class Number : public QDoubleSpinBox {
 public:
   Number() {
@@ -82,7 +82,7 @@ void AttachedValues::build() {
   }
 }
 
-/// Values of the application's, but where one is being typed.
+/// Shows the application's values, except for one that is being typed.
 void AttachedValues::showValues() {
   const QList<AttachedParameter> &parameters = m_attachment.parameters();
   QStringList names;

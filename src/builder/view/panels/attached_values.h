@@ -9,8 +9,8 @@ namespace arbiter::builder {
 
 class Table;
 
-/// What an application's program reads. A local or env parameter is changed while the application
-/// draws, and held until it is let go.
+/// Shows the parameters of an application's program. A local or env parameter can be changed while
+/// the application draws; it keeps the value until it is released.
 class AttachedValues : public QWidget {
 public:
   explicit AttachedValues(Attachment &attachment);

@@ -9,7 +9,7 @@ namespace arbiter::builder {
 
 namespace {
 
-/// A name that no other file there has: "photo.png", "photo-2.png".
+/// Returns a file name that is free there: "photo.png", "photo-2.png".
 QString freeName(const QDir &folder, const QString &path) {
   const QFileInfo file(path);
   QString name = file.fileName();

@@ -7,12 +7,12 @@ class QWidget;
 
 namespace arbiter::builder {
 
-/// The name by which a document may have a file: relative to its folder. One that lies elsewhere is
-/// copied there, when the user says so. Empty: it is not, and was complained of.
+/// Returns the name of a file relative to the document's folder. If it lies elsewhere, it asks the
+/// user and copies the file there. Returns "" after a refusal or a reported error.
 [[nodiscard]] QString nameBeside(QWidget *parent, Workbench &bench, const QString &path);
 
-/// The same without a question: the file is copied.
-/// \returns empty after telling the bench's notice why it could not be
+/// Copies the file without asking, and returns its relative name.
+/// \returns "" after reporting the error by the workbench's notice
 [[nodiscard]] QString copyBeside(Workbench &bench, const QString &path);
 
 } // namespace arbiter::builder

@@ -10,7 +10,8 @@ namespace arbiter::builder {
 
 class PictureView;
 
-/// A beside B: the picture against an earlier one, or against the same text drawn in another way.
+/// Compares pictures A and B: the present picture with an earlier one, or with the same text drawn
+/// with other options.
 class ComparePanel : public QWidget {
 public:
   ComparePanel(Workbench &bench, PictureView &picture);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kFaces = 6;
 constexpr const char *kFaceNames[kFaces] = {"+x", "-x", "+y", "-y", "+z", "-z"};
-/// How tools name the files of faces; the longer ones first, as "posx" ends with "x" too.
+/// Names of faces that tools use; longer ones come first, as "posx" ends with "x" too.
 constexpr const char *kNamings[][kFaces] = {
     {"right", "left", "top", "bottom", "front", "back"},
     {"right", "left", "up", "down", "front", "back"},
@@ -86,7 +86,7 @@ CubeDialog::CubeDialog(Workbench &bench, int unit, QWidget *parent)
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   resize(460, sizeHint().height());
-  // What the unit has already.
+  // The fields start with the unit's present files.
   const QString text = bench.document().text();
   if (const auto clause = clauseOf(text, QStringLiteral("texture")); clause) {
     for (const Clause &each : clausesOf(text))
@@ -112,7 +112,7 @@ void CubeDialog::pick(std::size_t face) {
   setFace(face, QDir(m_bench.file().folder()).absoluteFilePath(name));
 }
 
-/// The faces that are still empty get what is named alike.
+/// Sets a face, and the empty faces by files with matching names.
 void CubeDialog::setFace(std::size_t face, const QString &path) {
   const auto files = facesLike(path);
   const QDir folder(m_bench.file().folder());

@@ -9,16 +9,16 @@ class QPushButton;
 
 namespace arbiter::builder {
 
-/// What a picker of images shows.
+/// Returns the filter of a dialog that opens images.
 [[nodiscard]] QString imageFilter();
 
-/// Picks the six images of a cube map. A file that is picked for one face fills the faces whose
-/// files are named alike beside it (px, nx, ...; posx, negx, ...; right, left, ...).
+/// Selects the six images of a cube map. A file for one face also sets the faces whose files beside
+/// it have matching names (px, nx, ...; posx, negx, ...; right, left, ...).
 class CubeDialog : public QDialog {
 public:
   CubeDialog(Workbench &bench, int unit, QWidget *parent = nullptr);
 
-  /// "cube px.png nx.png py.png ny.png pz.png nz.png"
+  /// Returns "cube px.png nx.png py.png ny.png pz.png nz.png".
   [[nodiscard]] QString source() const;
 
 private:
@@ -31,8 +31,8 @@ private:
   QPushButton *m_ok;
 };
 
-/// The files of the six faces (+x, -x, +y, -y, +z, -z) that are named as one of them is; empty
-/// where there is none. All are empty if the name says no face.
+/// Returns the files of the six faces (+x, -x, +y, -y, +z, -z) with names that match one of them;
+/// "" for a face without a file. All are empty if the name has no face.
 [[nodiscard]] std::array<QString, 6> facesLike(const QString &path);
 
 } // namespace arbiter::builder

@@ -44,7 +44,7 @@ DebugPanel::DebugPanel(Workbench &bench) : m_bench(bench) {
   m_registers->setAccessibleName(tr("Registers"));
   for (Table *table : {m_rows, m_registers}) {
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setMaximumSectionSize(300); // the rest is in the tool tip
+    table->horizontalHeader()->setMaximumSectionSize(300); // the tool tip has the rest
     table->setIconSize({28, 12});
   }
   m_registers->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);

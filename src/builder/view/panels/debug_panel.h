@@ -8,12 +8,12 @@ class QLabel;
 
 namespace arbiter::builder {
 
-/// The trace of a pixel: a row an instruction, with what it read and wrote as numbers and colour;
-/// beside it the registers after the row. F10 and Shift+F10 step, F7 finds the next NaN.
+/// Shows the trace of a pixel: a row for each instruction, with its inputs and outputs as numbers
+/// and color, and the registers after the row. F10 and Shift+F10 step, F7 finds the next NaN.
 class DebugPanel : public QWidget {
 public:
   explicit DebugPanel(Workbench &bench);
-  /// The trace is of this pixel of an application; nothing: of one of the document's.
+  /// Sets the application's pixel that the trace is of; nothing: it is a pixel of the document.
   void setApplicationPixel(std::optional<QPoint> pixel) {
     if (m_applicationPixel == pixel)
       return;

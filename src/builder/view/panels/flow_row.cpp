@@ -6,7 +6,7 @@
 namespace arbiter::builder {
 
 namespace {
-constexpr int kBetween = 10; ///< groups
+constexpr int kBetween = 10; ///< between groups
 constexpr int kLines = 4;
 } // namespace
 

@@ -3,12 +3,12 @@
 
 namespace arbiter::builder {
 
-/// Groups of small widgets side by side, on as many lines as the width asks for.
+/// Lays out groups of small widgets side by side, on as many lines as the width requires.
 class FlowRow : public QWidget {
 public:
   FlowRow();
 
-  /// Widgets that stay beside each other.
+  /// Adds widgets that stay side by side.
   void add(const QList<QWidget *> &group);
 
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }
@@ -20,7 +20,7 @@ protected:
   void resizeEvent(QResizeEvent *event) override;
 
 private:
-  /// \returns the height; \p move puts the groups there
+  /// Computes the layout; \p move applies it. \returns the height
   int place(int width, bool move) const;
 
   QList<QWidget *> m_groups;

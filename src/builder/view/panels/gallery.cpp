@@ -12,7 +12,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kSide = 88; ///< a row of pictures and names fits the panel as it is at first
+constexpr int kSide = 88; ///< a row of pictures and names fits the panel's initial size
 constexpr int kMaxDocuments = 200;
 constexpr int kPathRole = Qt::UserRole;
 
@@ -26,7 +26,7 @@ QString titleOf(const QString &path, const QString &text) {
   return title.isEmpty() ? QFileInfo(path).completeBaseName().replace(u'_', u' ') : title;
 }
 
-/// Documents are texts with a panel that no other text of their folder names.
+/// Returns the documents: texts with a panel that no other text in their folder names.
 QList<Entry> documentsIn(const QString &folder) {
   QList<Entry> all;
   if (folder.isEmpty())
@@ -44,7 +44,7 @@ QList<Entry> documentsIn(const QString &folder) {
   return all;
 }
 
-/// Where a document's picture is kept: by its path and time.
+/// Returns the cache file of a document's picture, named by its path and time.
 QString cacheOf(const QString &path) {
   const QFileInfo file(path);
   const QByteArray key = (path + file.lastModified().toString(Qt::ISODateWithMs)).toUtf8();

@@ -7,8 +7,8 @@
 
 namespace arbiter::builder {
 
-/// The documents that come with the builder, each with its picture, opened as copies. Pictures are
-/// drawn once, in a process, and kept in the user's cache.
+/// Lists the documents that come with the builder, each with a picture, and opens copies of them. A
+/// process draws each picture once, and the user's cache keeps it.
 class Gallery : public QListWidget {
 public:
   /// \param open is called with a document's path

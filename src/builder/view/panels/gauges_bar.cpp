@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kGap = 12, kBar = 34, kMargin = 4;
 
-/// Names that fit above a text; the whole title is in the tool tip.
+/// Shortens titles to fit above a text; the tool tip has the whole title.
 QString shortTitle(const Gauge &gauge) {
   static const QHash<QString, QString> kShort = {
       {QStringLiteral("instructions"), QStringLiteral("instr")},
@@ -70,7 +70,7 @@ QString GaugesBar::text(const Gauge &gauge) {
       .arg(gauge.nativeLimit);
 }
 
-/// In rows, as many as it takes.
+/// Lays out the gauges in as many rows as needed.
 QList<GaugesBar::Cell> GaugesBar::cells(int width) const {
   QList<Cell> all;
   const int height = fontMetrics().height() + 4;

@@ -5,8 +5,8 @@
 
 namespace arbiter::builder {
 
-/// A bar a resource: how much of the card's own limits the program takes, above the text. A tool
-/// tip has the limits of the API and the reasons.
+/// Shows a bar for each resource above the text: how much of the card's native limit the program
+/// uses. The tool tip has the API's limits and the reasons.
 class GaugesBar : public QWidget {
 public:
   explicit GaugesBar(Workbench &bench, QWidget *parent = nullptr);

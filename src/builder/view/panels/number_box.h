@@ -6,8 +6,8 @@
 
 namespace arbiter::builder {
 
-/// A number that is spelled as the text has it, not with a fixed count of digits. The wheel moves
-/// it only while it has the focus: a panel that is scrolled changes nothing.
+/// A number field that keeps the text's spelling instead of a fixed count of digits. The wheel
+/// changes it only while it has the focus, so that scrolling a panel changes nothing.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 

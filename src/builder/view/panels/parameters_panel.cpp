@@ -18,16 +18,16 @@ namespace arbiter::builder {
 
 namespace {
 
-/// Steps of a slider from its low end to its high one.
+/// The number of steps of a slider.
 constexpr int kSteps = 1000;
-constexpr double kWide = 1e6; ///< numbers may leave the slider's range
+constexpr double kWide = 1e6; ///< numbers may exceed the slider's range
 
 int stepOf(double value, const ParameterLine &line) {
   const double part = (value - line.low) / (line.high - line.low);
   return int(std::lround(std::clamp(part, 0.0, 1.0) * kSteps));
 }
 
-/// Rounded to what a step can tell apart, so that the text gets a short number.
+/// Returns the value of a step, rounded so that the text gets a short number.
 double valueOf(int step, const ParameterLine &line) {
   const double value = line.low + (line.high - line.low) * step / kSteps;
   const double digit = std::pow(10.0, std::floor(std::log10((line.high - line.low) / kSteps)));
@@ -63,7 +63,7 @@ QList<ParametersPanel::Shape> ParametersPanel::shapes() const {
   return all;
 }
 
-/// Widgets stay where only numbers changed: one that is used keeps the focus.
+/// Updates the panel. If only numbers changed, the widgets stay, so that the focus stays too.
 void ParametersPanel::read() {
   if (shapes() == m_shapes)
     showValues();
@@ -76,7 +76,7 @@ void ParametersPanel::showValues() {
     refresh();
 }
 
-/// The number stays: it is the text's, where the animation begins.
+/// Moves the sliders of animated parameters. The number stays, as it is the text's start value.
 void ParametersPanel::followTime() {
   if (!isVisible())
     return;
@@ -110,7 +110,7 @@ void ParametersPanel::build() {
   layout->addWidget(more, 0, Qt::AlignLeft);
   layout->addStretch();
   if (QWidget *old = takeWidget())
-    old->deleteLater(); // one of its signals may be what led here
+    old->deleteLater(); // one of its signals may have led here
   setWidget(inside);
   showValues();
 }
@@ -175,7 +175,7 @@ void ParametersPanel::addColour(int line, QBoxLayout *layout) {
   layout->addWidget(button);
 }
 
-/// Range, and how the value moves by itself: each change is an edit of the line.
+/// Makes the widgets for range and animation; each change is an edit of the line.
 QWidget *ParametersPanel::settingsRow(int line) {
   const QString label = m_bench.parameters().lines()[line].label;
   auto *row = new FlowRow;
@@ -205,7 +205,7 @@ QWidget *ParametersPanel::settingsRow(int line) {
     if (low->value() < high->value())
       m_bench.parameters().setRange(line, low->value(), high->value());
     else
-      showValues(); // back to what holds
+      showValues(); // restores the valid range
   };
   connect(low, &QDoubleSpinBox::valueChanged, this, range);
   connect(high, &QDoubleSpinBox::valueChanged, this, range);
@@ -259,7 +259,7 @@ QWidget *ParametersPanel::sliderRow(int line, int component) {
     all.drag(line, component, valueOf(step, all.lines()[line]));
     const QSignalBlocker block(number);
     number->setValue(all.value(line, component));
-    if (!slider->isSliderDown()) // by keys or the wheel: a step each
+    if (!slider->isSliderDown()) // keys and the wheel make a step each
       all.release();
   });
   connect(slider, &QSlider::sliderReleased, this, [this] { m_bench.parameters().release(); });
@@ -286,7 +286,7 @@ void ParametersPanel::addLine(int line, QVBoxLayout *layout) {
   layout->addWidget(settings);
 }
 
-/// A slider that the wheel passes over while the panel is scrolled stays.
+/// Ignores the wheel on a slider without the focus, so that scrolling the panel does not move it.
 bool ParametersPanel::eventFilter(QObject *watched, QEvent *event) {
   if (event->type() != QEvent::Wheel || static_cast<QWidget *>(watched)->hasFocus())
     return QScrollArea::eventFilter(watched, event);

@@ -10,8 +10,9 @@ class QVBoxLayout;
 
 namespace arbiter::builder {
 
-/// A slider a component of each `#@` parameter, with its number; a colour is picked. A row below
-/// has its range and its animation. What is dragged is drawn at once and written when it is let go.
+/// Shows a slider and a number for each component of each `#@` parameter, or a color picker. A row
+/// below has its range and animation. A dragged value is drawn at once, and written when it is
+/// released.
 class ParametersPanel : public QScrollArea {
 public:
   explicit ParametersPanel(Workbench &bench);
@@ -39,9 +40,9 @@ private:
 
   Workbench &m_bench;
   QList<Shape> m_shapes;
-  QList<std::function<void()>> m_refresh; ///< a widget's value, from the model
-  QList<std::function<void()>> m_follow;  ///< a slider to where the animation has it
-  QSet<QString> m_opened;                 ///< labels of parameters whose settings are shown
+  QList<std::function<void()>> m_refresh; ///< update a widget's value from the model
+  QList<std::function<void()>> m_follow;  ///< move a slider to the animated value
+  QSet<QString> m_opened;                 ///< labels of parameters whose settings are open
 };
 
 } // namespace arbiter::builder

@@ -6,10 +6,10 @@
 
 namespace arbiter::builder {
 
-/// The problems of the text, each with its place; Return or a click goes there.
+/// Lists the problems of the text, each with its place; Return or a click goes there.
 class ProblemsPanel : public Table {
 public:
-  /// \param goTo is called with an offset of the text
+  /// \param goTo called with an offset of the text
   ProblemsPanel(Workbench &bench, std::function<void(qsizetype)> goTo);
 
   [[nodiscard]] int errors() const;

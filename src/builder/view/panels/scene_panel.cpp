@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMaxSide = 8192;
 
-/// A shape that holds another needs one; where the old one stood stays.
+/// Returns a mesh clause for the new shape; a shape that needs another keeps the old one inside.
 QString meshWith(const QString &shape, const QString &before) {
   if (shape == u"shells" || shape == u"volume")
     return shape + QStringLiteral(" of ") +
@@ -48,7 +48,7 @@ ScenePanel::ScenePanel(Workbench &bench, std::function<void(const QString &)> op
   build();
 }
 
-/// Only numbers and words changed: the widgets stay, and one that is used keeps the focus.
+/// True if only numbers and words changed; the widgets then stay, and with them the focus.
 bool ScenePanel::sameWidgets(const SceneSettings &other) const {
   return m_settings.shape == other.shape && m_settings.camera == other.camera &&
          m_settings.cameraArguments.size() == other.cameraArguments.size() &&
@@ -70,7 +70,7 @@ void ScenePanel::showValues() {
     refresh();
 }
 
-/// The widget that has the focus has it again where it is made anew.
+/// Rebuilds the widgets, and gives the focus back to the one that had it.
 void ScenePanel::build() {
   const QWidget *focus = widget() ? widget()->focusWidget() : nullptr;
   const QString focused = focus && focus->hasFocus() ? focus->objectName() : QString();
@@ -87,7 +87,7 @@ void ScenePanel::build() {
   addState(form);
   addPasses(form);
   if (QWidget *old = takeWidget())
-    old->deleteLater(); // one of its signals may be what led here
+    old->deleteLater(); // one of its signals may have led here
   setWidget(inside);
   showValues();
   if (!focused.isEmpty())
@@ -136,7 +136,7 @@ void ScenePanel::addPicture(QFormLayout *form) {
   form->addRow(tr("Picture"), row);
 }
 
-/// The numbers behind a word, each with its name.
+/// Makes the fields of the numbers behind a word, each with its name.
 QWidget *ScenePanel::arguments(const QString &setting, const QList<ArgumentValue> &all) {
   auto *row = new FlowRow;
   for (qsizetype i = 0; i < all.size(); ++i) {
@@ -161,7 +161,7 @@ QWidget *ScenePanel::arguments(const QString &setting, const QList<ArgumentValue
   return row;
 }
 
-/// A word of a table; the first entry says that the document has none.
+/// Makes a choice of a table's words; the first entry stands for none.
 QComboBox *ScenePanel::choice(const QString &setting, const std::function<QString()> &now,
                               const std::function<void(const QString &)> &chosen) {
   auto *box = new QComboBox;

@@ -11,8 +11,8 @@ class QListWidget;
 
 namespace arbiter::builder {
 
-/// What a document is drawn with besides its textures and parameters: size, mesh, camera, state and
-/// passes. Each change writes the `#@` line, as one undo step.
+/// Edits how a document is drawn, besides its textures and parameters: size, mesh, camera, state
+/// and passes. Each change writes the `#@` line, as one undo step.
 class ScenePanel : public QScrollArea {
 public:
   /// \param open opens another file of the document
@@ -43,7 +43,7 @@ private:
   std::function<void(const QString &)> m_open;
   SceneSettings m_settings;
   QListWidget *m_passes = nullptr;
-  QList<std::function<void()>> m_refresh; ///< a widget's value, from m_settings
+  QList<std::function<void()>> m_refresh; ///< update a widget's value from m_settings
 };
 
 } // namespace arbiter::builder

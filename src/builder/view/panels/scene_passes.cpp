@@ -69,7 +69,7 @@ void ScenePanel::chooseFile(const QString &word) {
 
 namespace {
 
-/// The clause of a row of the list; none of the first row, which is the text itself.
+/// Returns the clause of a row of the list; none for the first row, which is the text itself.
 std::optional<Clause> clauseOfRow(const QString &text, int row) {
   QList<Clause> rows;
   if (const auto vertex = clauseOf(text, QStringLiteral("vertex")))

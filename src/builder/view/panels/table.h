@@ -4,7 +4,7 @@
 
 namespace arbiter::builder {
 
-/// A table that is read, row by row; the keys of a list.
+/// A read-only table with the keys of a list.
 class Table : public QTableWidget {
 public:
   explicit Table(const QStringList &columns, QWidget *parent = nullptr) : QTableWidget(parent) {

@@ -25,7 +25,7 @@ namespace {
 constexpr int kSide = 64;
 constexpr int kUnits = 16;
 
-/// A picture of nothing: a unit whose image cannot be shown flat, or is on its way.
+/// Returns a thumbnail; a blank one if the image cannot be shown flat, or has not come yet.
 QIcon iconOf(const QImage &image) {
   QPixmap pixmap(kSide, kSide);
   if (!image.isNull()) {
@@ -108,7 +108,8 @@ void TexturesPanel::read() {
   nextThumbnail();
 }
 
-/// Every generator that needs nothing, the cube maps, and those that begin from the unit's image.
+/// Adds the generators that need no input, the cube maps, and those that begin from the unit's
+/// image.
 void TexturesPanel::fillMenu(QMenu *menu) {
   const auto add = [&](const QString &title, const std::function<QString()> &source) {
     connect(menu->addAction(title), &QAction::triggered, this,
@@ -181,7 +182,7 @@ void TexturesPanel::nextThumbnail() {
                for (int i = 0; i < m_lines.size(); ++i)
                  if (m_lines[i].source == source && m_list->item(i))
                    m_list->item(i)->setIcon(iconOf(m_thumbnails[source]));
-               // Behind the run that ends here.
+               // This is queued, as the current run has not ended yet.
                QMetaObject::invokeMethod(
                    this, [this] { nextThumbnail(); }, Qt::QueuedConnection);
              });

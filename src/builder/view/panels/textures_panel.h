@@ -11,9 +11,9 @@ class QSpinBox;
 
 namespace arbiter::builder {
 
-/// The texture image units of the document, each with its image small, and where it comes from; a
-/// file, six for a cube, or a generator is given to one, and how it is filtered and wrapped. Each
-/// change is an edit of the `#@ texture` line. The images are drawn as documents are, in a process.
+/// Lists the document's texture units, each with a thumbnail and its source. A file, six files for
+/// a cube, or a generator can be assigned, and filter and wrap be set. Each change is an edit of
+/// the `#@ texture` line. A process draws the images like documents.
 class TexturesPanel : public QWidget {
 public:
   explicit TexturesPanel(Workbench &bench);
@@ -36,7 +36,7 @@ private:
   QSpinBox *m_unit;
   QComboBox *m_filter, *m_wrap;
   QList<TextureLine> m_lines;
-  QHash<QString, QImage> m_thumbnails; ///< by source; null: being drawn, or not to be drawn
+  QHash<QString, QImage> m_thumbnails; ///< by source; null: being drawn, or impossible to draw
   QStringList m_wanted;
 };
 

@@ -148,7 +148,7 @@ int AdvicePanel::take(const QJsonObject &json) {
   return int(m_proposals.size());
 }
 
-/// Advice is of one revision: of another its places are not where they were.
+/// Applies an advice. It belongs to one revision: in another its places may be wrong.
 void AdvicePanel::apply(int row) {
   if (row < 0 || row >= m_proposals.size() || m_revision != m_bench.document().revision())
     return;
@@ -174,7 +174,7 @@ BenchPanel::BenchPanel(Workbench &bench) : m_bench(bench) {
   connect(m_run, &QPushButton::clicked, this, [this] { run(); });
   m_run->setObjectName(QStringLiteral("bench-run"));
   connect(&bench.renderer(), &RendererSession::restarted, this,
-          [this] { m_run->setEnabled(true); }); // what ran went with the process
+          [this] { m_run->setEnabled(true); }); // the run ended with the process
   connect(&bench.renderer(), &RendererSession::benched, this,
           [this](int frames, double milliseconds, double median) {
             m_run->setEnabled(true);

@@ -11,8 +11,8 @@ class QPushButton;
 
 namespace arbiter::builder {
 
-/// What the compiler makes of the program on the profile's card, as `arbiter compile --emit native`
-/// says; or as another of its outputs.
+/// Shows the compiler's code for the profile's card (`arbiter compile --emit native`), or another
+/// output of the compiler.
 class NativePanel : public QWidget {
 public:
   explicit NativePanel(Workbench &bench);
@@ -29,14 +29,14 @@ private:
   QString m_emit = QStringLiteral("native");
 };
 
-/// What would make the program cheaper, as `arbiter check --advise --json` says: each with what it
-/// saves; Return applies it.
+/// Lists advice on making the program cheaper (`arbiter check --advise --json`), each with its
+/// saving; Return applies it.
 class AdvicePanel : public QWidget {
 public:
   explicit AdvicePanel(Workbench &bench);
 
   void refresh();
-  /// Takes the document of the command. \returns the number of proposals
+  /// Loads the command's document. \returns the number of proposals
   int take(const QJsonObject &json);
 
 protected:
@@ -46,7 +46,7 @@ private:
   struct Proposal {
     QString title, saves, why;
     int line = 1;
-    QList<Edit> edits; ///< the last first
+    QList<Edit> edits; ///< the last one first
   };
   void apply(int row);
 
@@ -55,10 +55,10 @@ private:
   QLabel *m_summary;
   Table *m_table;
   QList<Proposal> m_proposals;
-  qint64 m_revision = -1; ///< that the proposals are of
+  qint64 m_revision = -1; ///< the revision that the proposals are for
 };
 
-/// How fast the document is drawn.
+/// Measures how fast the document is drawn.
 class BenchPanel : public QWidget {
 public:
   explicit BenchPanel(Workbench &bench);

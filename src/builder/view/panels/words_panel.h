@@ -10,13 +10,13 @@ class QLineEdit;
 
 namespace arbiter::builder {
 
-/// The words of the languages, made of the compiler's tables: searched, read, and put into the
-/// text.
+/// Lists the words of the languages, from the compiler's tables; they can be searched and inserted
+/// into the text.
 class WordsPanel : public QWidget {
 public:
   explicit WordsPanel(std::function<void(const QString &)> insert);
 
-  /// Shows what is known of a word.
+  /// Shows the entry of a word.
   void lookUp(const QString &word);
 
 private:

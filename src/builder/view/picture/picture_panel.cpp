@@ -60,7 +60,7 @@ QWidget *PicturePanel::buildBar() {
   auto *layout = new QHBoxLayout(bar);
   layout->setContentsMargins(6, 2, 6, 2);
   m_facts = new QLabel;
-  m_facts->setMinimumWidth( // it changes with each frame, and moves nothing
+  m_facts->setMinimumWidth( // the label changes with each frame and must not move other widgets
       fontMetrics().horizontalAdvance(QStringLiteral("8192\u00d78192  1000.0 ms")));
   m_pixel = new QLabel;
   m_pixel->setObjectName(QStringLiteral("picture-pixel"));
@@ -121,9 +121,9 @@ void PicturePanel::hideEvent(QHideEvent *event) {
   applyPause();
 }
 
-/// Of a document that was just opened: one that would keep a core busy waits for Ctrl+P.
+/// Pauses a document that was just opened if it would keep a core busy; Ctrl+P continues.
 void PicturePanel::judgeSpeed(const Frame &frame) {
-  constexpr int kFrames = 3; // the first ones have more to do
+  constexpr int kFrames = 3; // the first ones have more work
   if (m_judged >= kFrames || frame.time <= 0 || m_pause->isChecked())
     return;
   if (++m_judged < kFrames || frame.milliseconds < m_slow)

@@ -11,8 +11,8 @@ namespace arbiter::builder {
 
 class PictureView;
 
-/// The picture with what rules it: zoom, pause, single steps; and above it what is said of a text
-/// that is held. What is not seen is paused.
+/// Shows the picture with its controls: zoom, pause, single steps; and above it the message about a
+/// held text. An invisible picture is paused.
 class PicturePanel : public QWidget {
 public:
   explicit PicturePanel(Workbench &bench);
@@ -20,7 +20,7 @@ public:
   [[nodiscard]] PictureView &view() { return *m_view; }
   void togglePause();
   void step();
-  /// A document that is opened, and whose frames take longer than this, begins paused.
+  /// Sets the frame time above which a document starts paused.
   void setSlow(double milliseconds) { m_slow = milliseconds; }
 
 protected:
@@ -40,9 +40,10 @@ private:
   QLabel *m_facts, *m_pixel, *m_heldWhy;
   QToolButton *m_pause;
   QWidget *m_banner;
-  bool m_seen = true; ///< what is hidden, behind a tab or in a minimised window, does not move
+  /// false if hidden behind a tab or in a minimised window; the animation then stops
+  bool m_seen = true;
   double m_slow = 250;
-  int m_judged = 0; ///< moving frames of the document that were quick or slow
+  int m_judged = 0; ///< number of animated frames that were judged as quick or slow
 };
 
 } // namespace arbiter::builder

@@ -14,7 +14,7 @@ namespace arbiter::builder {
 
 namespace {
 constexpr double kMaxZoom = 64;
-constexpr double kCloser = 0.9; ///< a turn of the wheel
+constexpr double kCloser = 0.9; ///< for each step of the wheel
 constexpr int kCheck = 8;       ///< side of the squares behind transparent pixels
 } // namespace
 
@@ -76,7 +76,7 @@ double PictureView::zoom() const {
   return target().width() * devicePixelRatioF() / m_image.width();
 }
 
-/// Whole factors, then their inverses: 1/2, 1, 2, 3, ...
+/// Zooms in whole factors and their inverses: 1/2, 1, 2, 3, ...
 void PictureView::zoomBy(int steps) {
   const double now = zoom();
   const double next =
@@ -94,7 +94,8 @@ void PictureView::setStale(bool stale) {
   update();
 }
 
-/// Where the picture lies. A zoom counts device pixels, so that 1:1 is sharp on any screen.
+/// Returns the picture's rectangle. The zoom is in device pixels, so that 1:1 is sharp on any
+/// screen.
 QRectF PictureView::target() const {
   const QSizeF size = m_image.size();
   if (size.isEmpty())
@@ -257,7 +258,7 @@ void PictureView::wheelEvent(QWheelEvent *event) {
     Q_EMIT dragEnded();
 }
 
-/// Shift and an arrow key turn the camera, Shift and page keys bring it closer or away.
+/// Turns the camera by Shift and an arrow key, and moves it closer or away by Shift and page keys.
 bool PictureView::turnByKey(int key) {
   constexpr double kStep = 1.0 / 36; // five degrees
   QPointF by;
@@ -289,7 +290,7 @@ bool PictureView::turnByKey(int key) {
   return true;
 }
 
-/// Arrow keys move the marked pixel; plus, minus and 0 zoom.
+/// Moves the marked pixel by arrow keys; zooms by plus, minus and 0.
 void PictureView::keyPressEvent(QKeyEvent *event) {
   if ((event->modifiers() & Qt::ShiftModifier) && turnByKey(event->key()))
     return;

@@ -5,9 +5,9 @@
 
 namespace arbiter::builder {
 
-/// Shows a picture, whole pixels at whole zooms. The one place that knows how pixels lie in the
-/// widget: everything else speaks of the picture's own pixels, from the left and, as GL counts,
-/// from the bottom.
+/// Shows a picture in whole pixels at whole zooms. Only this class knows the position of pixels in
+/// the widget. All others use the picture's own pixels, counted from the left and, as in GL, from
+/// the bottom.
 class PictureView : public QWidget {
   Q_OBJECT
 public:
@@ -15,29 +15,29 @@ public:
 
   void setPicture(const QImage &image);
   [[nodiscard]] const QImage &picture() const { return m_image; }
-  /// A second picture: left of the split is A, right of it the picture. Null: none.
+  /// Sets a second picture: A is left of the split, the first picture right of it. Null: none.
   void setOther(const QImage &image);
   void setSplit(double split);
   [[nodiscard]] double split() const { return m_split; }
-  /// Shows how A and the picture differ in place of both.
+  /// Shows the difference between A and the picture in place of both.
   void setDifference(bool on);
-  /// While held, A alone.
+  /// Shows only A while set.
   void setShowsOther(bool on);
 
-  /// Device pixels a picture's pixel; 0: as large as fits.
+  /// Sets the device pixels for each pixel of the picture; 0: as large as fits.
   void setZoom(double zoom);
   [[nodiscard]] double zoom() const;
   void zoomBy(int steps);
-  /// A mark at a pixel.
+  /// Marks a pixel.
   void setMark(std::optional<QPoint> pixel);
-  /// An amber frame: what is shown is not the newest.
+  /// Shows an amber frame if the picture is not the newest.
   void setStale(bool stale);
 
-  /// The pixel at a place of the widget; nothing outside the picture.
+  /// Returns the pixel at a place of the widget; nothing outside the picture.
   [[nodiscard]] std::optional<QPoint> pixelAt(QPointF place) const;
-  /// The rectangle of a pixel in the widget.
+  /// Returns the rectangle of a pixel in the widget.
   [[nodiscard]] QRectF rectOf(QPoint pixel) const;
-  /// Its colour; transparent outside.
+  /// Returns its color; transparent outside.
   [[nodiscard]] QColor colourAt(QPoint pixel) const;
 
   [[nodiscard]] QSize sizeHint() const override { return {520, 520}; }
@@ -45,12 +45,12 @@ public:
 
 Q_SIGNALS:
   void pixelPicked(QPoint pixel);
-  /// Under the mouse: when it moves, and when another picture comes.
+  /// Reports the pixel under the mouse when the mouse moves or another picture comes.
   void pixelHovered(QPoint pixel, QColor colour);
-  /// The mouse is over no pixel any more.
+  /// Reports that the mouse has left the picture.
   void pixelLeft();
-  /// For a camera: with the right button or Shift and an arrow key, in fractions of the widget; and
-  /// closer, by the wheel meanwhile or with Ctrl, by a factor of the distance.
+  /// Moves a camera: the right button or Shift and an arrow key turn it, in fractions of the
+  /// widget. The wheel with them, or with Ctrl, scales the distance by a factor.
   void dragged(QPointF delta, double distance);
   void dragEnded();
   void splitChanged(double split);
@@ -78,7 +78,7 @@ private:
   bool m_difference = false, m_showsOther = false, m_stale = false;
   std::optional<QPoint> m_mark;
   QPointF m_pan, m_last;
-  std::optional<QPointF> m_hover; ///< where the mouse is
+  std::optional<QPointF> m_hover; ///< the mouse position
   bool m_toldHovered = false;
 };
 

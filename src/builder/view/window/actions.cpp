@@ -187,14 +187,14 @@ void MainWindow::buildPanelMenu(QMenu *menu) {
             {QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")},
             [this](const QString &name) { setScheme(name); });
   add(menu, tr("Panels as at &first"), {}, [this] { arrangeAnew(); });
-  // Held, A is shown alone.
+  // While the key is held, only A is shown.
   auto *held = new QShortcut(QKeySequence(tr("Ctrl+B")), this);
   held->setAutoRepeat(false);
   connect(held, &QShortcut::activated, this, [this] { m_picture->view().setShowsOther(true); });
   qApp->installEventFilter(this);
 }
 
-/// A key that is let go ends what holding it shows.
+/// Ends a held view when its key is released.
 bool MainWindow::eventFilter(QObject *watched, QEvent *event) {
   if (event->type() == QEvent::KeyRelease) {
     const auto *key = static_cast<QKeyEvent *>(event);
@@ -204,7 +204,7 @@ bool MainWindow::eventFilter(QObject *watched, QEvent *event) {
   return QMainWindow::eventFilter(watched, event);
 }
 
-/// A list of every action, narrowed by what is typed.
+/// Lists every action, narrowed by what is typed.
 void MainWindow::anyAction() {
   QStringList names;
   for (const QAction *action : m_actions)
@@ -214,7 +214,7 @@ void MainWindow::anyAction() {
     m_actions[at]->trigger();
 }
 
-/// Those that the text declares, and where.
+/// Lists the names that the text declares, and goes to one.
 void MainWindow::goToName() {
   m_bench.language().request(
       QStringLiteral("textDocument/documentSymbol"), -1, {}, [this](const QJsonValue &result) {

@@ -1,4 +1,4 @@
-// What keys and menus do, with the language server and the renderer at work.
+// Tests keys and menus with the language server and the renderer.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
@@ -80,12 +80,12 @@ TEST_F(Window, ANameIsGoneToByTypingIt) {
   EXPECT_TRUE(waitFor([&] { return editor().textCursor().blockNumber() == 3; }));
 }
 
-/// Every widget that takes the focus by Tab is reached by Tab from the first one of its panel.
+/// Tab reaches every widget that takes the focus from the first one of its panel.
 TEST_F(Window, TabReachesAllOfAPanel) {
   open(kText);
   window->activateWindow();
   for (const QString &name : window->panelNames()) {
-    if (name == u"Program") // where Tab is a character; Escape, Shift+Tab and Alt+digits lead out
+    if (name == u"Program") // Tab is a character there; Escape, Shift+Tab and Alt+digits lead out
       continue;
     window->showPanel(name);
     auto *dock = window->findChild<QDockWidget *>(name);
@@ -118,7 +118,7 @@ TEST_F(Window, EveryWidgetThatIsUsedHasAName) {
       const auto *button = qobject_cast<QAbstractButton *>(each);
       const bool isInner = each->objectName().startsWith(QStringLiteral("qt_")) ||
                            each->focusPolicy() == Qt::NoFocus || each->focusProxy() ||
-                           each->window() != dock->window(); // a list that drops down
+                           each->window() != dock->window(); // a drop-down list
       if (isInner || (button && !button->text().isEmpty()))
         continue;
       const bool says = !each->accessibleName().isEmpty() || !each->toolTip().isEmpty() ||
@@ -174,7 +174,7 @@ TEST_F(Window, TheGaugesSayWhatTheProgramTakes) {
   EXPECT_TRUE(waitFor([&] { return instructions() > before; })) << before;
 }
 
-/// Values are the text's own: they are in the file, and there again when it is opened.
+/// Values are stored in the text: they are in the file, and there again when it is opened.
 TEST_F(Window, AValueIsKeptInTheFile) {
   QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("a.fp"));

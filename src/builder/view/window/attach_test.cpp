@@ -20,7 +20,7 @@ using testing::waitFor;
 
 namespace {
 
-/// The panel in its window, as a user has it before them.
+/// Tests the panel in its window.
 class AttachWindow : public ::testing::Test {
 protected:
   void open() {
@@ -47,7 +47,7 @@ protected:
       return it().isAttached() && !text().toPlainText().isEmpty() && !it().parameters().isEmpty();
     }));
   }
-  /// The middle of the application's frame, as the panel shows it.
+  /// Returns the middle of the application's frame, as the panel shows it.
   [[nodiscard]] QColor middle() {
     const QImage &image = window->attachPanel().picture().picture();
     return image.isNull() ? QColor() : image.pixelColor(image.width() / 2, image.height() / 2);
@@ -125,8 +125,8 @@ TEST_F(AttachWindow, DetachingLeavesNothing) {
   ASSERT_TRUE(waitFor([&] { return !it().isAttached(); })) << "an end is not noticed";
 }
 
-/// With a real client: the program of tests/control, which draws yellow. Its process is under
-/// `arbiter run --control` (testing/attach_on_display.py).
+/// Tests with a real client: the program of tests/control, which draws yellow. Its process runs
+/// under `arbiter run --control` (testing/attach_on_display.py).
 TEST_F(AttachWindow, ARealClientIsTypedIntoTracedAndLeftAsItWas) {
   if (!qEnvironmentVariableIsSet("ATTACH_TO"))
     GTEST_SKIP() << "ATTACH_TO names no process";

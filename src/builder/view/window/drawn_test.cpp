@@ -1,4 +1,4 @@
-// What is drawn, when, and what is said of its pixels.
+// Tests what is drawn, when, and the reports about pixels.
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -15,8 +15,8 @@ using testing::serve;
 using testing::waitFor;
 using testing::Window;
 
-/// A pixel is clicked, its instructions stepped through both ways; the verdict is the picture's
-/// own.
+/// The test clicks a pixel and steps through its instructions both ways; the verdict agrees with
+/// the picture.
 TEST_F(Window, APixelIsPickedAndStepped) {
   open(kText);
   QTest::mouseClick(&picture(), Qt::LeftButton, {}, picture().rectOf({10, 50}).center().toPoint());
@@ -51,7 +51,7 @@ TEST_F(Window, TheNextNaNIsFoundByF7) {
   runAction(*window, "Next NaN");
   EXPECT_TRUE(trace.rows()[trace.current()].flags.contains(QStringLiteral("nan")))
       << "at line " << trace.rows()[trace.current()].line;
-  // However a register is spelt, it is one, and its mask stands once.
+  // A register is listed once, with its mask, however it is spelled.
   trace.moveTo(int(trace.rows().size()) - 1);
   QStringList names;
   for (const auto &[name, value] : trace.registers())
@@ -94,7 +94,7 @@ TEST_F(Window, AnAnimationPausesAndGoesFrameByFrame) {
   open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 1s")));
   ASSERT_TRUE(waitFor([&] { return bench().frame().time > 0.1; })) << "it does not move";
   runAction(*window, "Pause");
-  serve(200); // what was under way
+  serve(200); // for draws in progress
   const double paused = bench().frame().time;
   serve(300);
   EXPECT_EQ(bench().frame().time, paused);
@@ -113,7 +113,7 @@ TEST_F(Window, TheSliderMovesWithItsAnimation) {
   auto &slider = find<QSlider>("slider-0-0");
   ASSERT_TRUE(waitFor([&] { return bench().frame().time > 0.4; }));
   runAction(*window, "Pause");
-  serve(200); // what was under way
+  serve(200); // for draws in progress
   EXPECT_GT(slider.value(), 340);
   EXPECT_NEAR(slider.value() * 255 / 1000.0, middle().red(), 1) << "not where the picture has it";
   EXPECT_EQ(find<QDoubleSpinBox>("number-0-0").value(), 0.25) << "it is where that begins";
@@ -156,7 +156,7 @@ TEST_F(Window, WhatStandsStillOrIsHiddenDrawsNothing) {
 }
 
 TEST_F(Window, ASlowDocumentBeginsPaused) {
-  window->picture().setSlow(0); // any is
+  window->picture().setSlow(0); // any frame is slow
   QString said;
   QObject::connect(&bench(), &Workbench::notice, [&](const QString &text) { said = text; });
   open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 1s")));
@@ -164,7 +164,7 @@ TEST_F(Window, ASlowDocumentBeginsPaused) {
   EXPECT_TRUE(said.contains(QStringLiteral("paused"))) << said.toStdString();
 }
 
-/// A stays while B is typed.
+/// A stays while B is edited.
 TEST_F(Window, ThePinnedPictureStaysWhileTheTextChanges) {
   open(kText);
   runAction(*window, "Pin the picture as A");
@@ -183,7 +183,7 @@ TEST_F(Window, ThePinnedPictureStaysWhileTheTextChanges) {
   })) << "A is drawn by another process, with each change";
 }
 
-/// Of an animation A is the frame that B is: with B's own settings there is no difference.
+/// In an animation A shows the same frame as B: with B's own settings there is no difference.
 TEST_F(Window, BothSidesOfAComparisonAreOfOneTime) {
   open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 2s")));
   RenderOptions host;
@@ -207,7 +207,7 @@ TEST_F(Window, BothSidesOfAComparisonAreOfOneTime) {
   EXPECT_EQ(bench().pinned(), kept) << "what drew A before draws it no more";
 }
 
-/// A picture that follows from those before has no time: A is that of as many frames as B.
+/// With feedback a picture has no time: A has as many steps as B.
 TEST_F(Window, BothSidesOfAComparisonFollowFromAsManyFrames) {
   open(QStringLiteral("!!ARBfp1.0\n#@ size 16 16\n"
                       "#@ texture 0 = feedback of constant r 0 g 0 b 0, nearest, edge\nTEMP t;\n"
@@ -257,7 +257,7 @@ TEST_F(Window, TheBenchSaysHowLongAFrameTakes) {
   EXPECT_TRUE(button.isEnabled());
 }
 
-/// What is missing is said, and is seen: the picture has the unit's number in white.
+/// A unit without an image is reported, and visible: the picture has its number in white.
 TEST_F(Window, AUnitWithoutAnImageIsSaid) {
   const QString sampling =
       QStringLiteral("!!ARBfp1.0\n#@ size 16 16\n# texture[7] is none\nTEMP t;\n"

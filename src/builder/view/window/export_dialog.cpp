@@ -143,7 +143,7 @@ void ExportDialog::setRunning(bool running) {
     m_close->setFocus();
 }
 
-/// Escape, too, stops what runs before it closes.
+/// Stops a running export before the dialog closes, also for Escape.
 void ExportDialog::reject() {
   if (m_export.isRunning())
     m_export.cancel();

@@ -13,11 +13,11 @@ class QSpinBox;
 
 namespace arbiter::builder {
 
-/// Exports frames of the document as PNG files: which, where to; then how far it is. Closing it
-/// stops what runs.
+/// Exports frames of the document as PNG files: asks which and where to, then shows the progress.
+/// Closing it stops the export.
 class ExportDialog : public QDialog {
 public:
-  /// \param folder that is proposed
+  /// \param folder the proposed folder
   ExportDialog(Workbench &bench, const QString &folder, QWidget *parent = nullptr);
 
 protected:
@@ -33,7 +33,7 @@ private:
 
   Workbench &m_bench;
   SequenceExport m_export;
-  double m_rate = 60; ///< frames a second, of the document
+  double m_rate = 60; ///< frames a second of the document
   QSpinBox *m_first, *m_frames;
   QDoubleSpinBox *m_seconds;
   QLineEdit *m_folder, *m_name;

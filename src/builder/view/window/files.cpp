@@ -1,4 +1,4 @@
-// Documents opened, saved and recovered.
+// Opens, saves and recovers documents.
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -24,7 +24,7 @@ QString filter() {
   return QObject::tr("Programs (*.fp *.vp *.atifs *.nvrc *.nvts);;All files (*)");
 }
 
-/// The document of a folder: the file of its name, else main.fp, else its first program.
+/// Returns the document of a folder: the file of its name, else main.fp, else its first program.
 QString documentOf(const QString &folder) {
   const QDir dir(folder);
   for (const QString &name : {dir.dirName() + QStringLiteral(".fp"), QStringLiteral("main.fp")})
@@ -41,15 +41,15 @@ bool isWritableFolder(const QString &folder) {
 
 const QString kFolderKey = QStringLiteral("folder");
 
-/// The folder of a file that the user chose is where the next dialog begins.
+/// Stores the folder of a file that the user chose, where the next dialog begins.
 void rememberFolderOf(const QString &file) {
   QSettings().setValue(kFolderKey, QFileInfo(file).absolutePath());
 }
 
 } // namespace
 
-/// The document's own folder, unless it is a copy of what is installed; then where the user was
-/// last, or is.
+/// Returns the document's own folder, unless it is a copy of an installed one; then the user's last
+/// or present folder.
 QString MainWindow::userFolder() {
   QStringList places;
   if (!m_bench.file().path().isEmpty())
@@ -98,7 +98,7 @@ void MainWindow::openFile() {
     rememberFolderOf(path);
 }
 
-/// A document of the gallery is opened as a text without a name, so that it stays as it is.
+/// Opens a document of the gallery as an untitled text, so that the original stays.
 bool MainWindow::openCopy(const QString &path) {
   if (!mayDiscard())
     return false;
@@ -134,8 +134,8 @@ bool MainWindow::saveAs() {
   return saved.ok();
 }
 
-/// In another folder the document needs the files beside it that it names. Before it is saved
-/// there, so that what looks at it then finds them. \returns what is to be said of it
+/// Copies the files that the document names to another folder. This comes before saving, so that
+/// programs that read the document there find them. \returns a message about it
 QString MainWindow::takeCompanions(const QString &folder) {
   OpenFile &file = m_bench.file();
   if (QDir(folder) == QDir(file.folder()))
@@ -201,7 +201,7 @@ void MainWindow::askConflict(const QString &theirs) {
   box.setDefaultButton(qobject_cast<QPushButton *>(mine));
   box.exec();
   if (box.clickedButton() == other)
-    m_bench.file().takeTheirs(theirs); // Ctrl+Z gives mine back
+    m_bench.file().takeTheirs(theirs); // Ctrl+Z restores mine
   else
     m_bench.file().keepMine(theirs);
 }
@@ -218,7 +218,7 @@ void MainWindow::offerRecovery() {
       continue;
     }
     m_bench.file().recover(recovered);
-    return; // the next one, when this window is closed and another opened
+    return; // recovers the next one after this window is closed and another opened
   }
 }
 

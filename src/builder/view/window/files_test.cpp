@@ -1,4 +1,4 @@
-// Documents and pictures saved: where, under which name, and what is said.
+// Tests the saving of documents and pictures: where, under which name, and the messages.
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
@@ -38,7 +38,8 @@ TEST_F(Window, ANoticeHidesNoError) {
       << "the notice took the room of the error";
 }
 
-/// A copy of what is installed is saved where its user is, under its name, with the files it needs.
+/// A copy of an installed document is saved in the user's folder, under its name, with the files it
+/// needs.
 TEST_F(Window, ACopyIsSavedWhereItsUserIs) {
   ASSERT_TRUE(window->openNamed(QStringLiteral("gallery:skinning")));
   ASSERT_TRUE(drawsNewest()) << bench().statusText().toStdString();

@@ -1,4 +1,4 @@
-// Processes that are killed or stopped while someone types.
+// Kills or stops processes while someone types.
 #include <QProcess>
 #include <algorithm>
 #include <csignal>
@@ -21,16 +21,16 @@ namespace {
 
 constexpr int kKeyMilliseconds = 15; ///< faster than anyone types
 
-/// How often the renderer is killed. docs/design/builder_answers.md has the figures of 50.
+/// Returns how often the renderer is killed. docs/design/builder_answers.md has the figures of 50.
 int kills() { return std::max(1, qEnvironmentVariableIntValue("ARBITER_TEST_KILLS")); }
 
-/// Milliseconds until a picture of a new process: 1 s is what is promised. A machine that runs
-/// other tests beside this one gets more, unless many kills were asked for.
+/// Returns the limit in milliseconds for a new process's picture: 1 s is promised. Unless many
+/// kills were requested, it is longer, as other tests may run on the machine.
 double limit() { return kills() >= 50 ? 1000 : 10000; }
 
 } // namespace
 
-/// Between two keys, at moments that differ: before the renderer draws, while it does, after.
+/// The renderer is killed between keys, at different moments: before, during and after drawing.
 TEST_F(Window, ARendererKilledWhileTypingLosesNoCharacterAndDrawsAgain) {
   open(kText);
   editor().setFocus();
@@ -72,8 +72,7 @@ TEST_F(Window, ARendererKilledWhileTypingLosesNoCharacterAndDrawsAgain) {
   EXPECT_LE(back.back(), limit());
 }
 
-/// A renderer that answers nothing: the window does not wait for it, and the next text is drawn by
-/// another.
+/// The window does not wait for a renderer that never answers, and another one draws the next text.
 TEST_F(Window, ARendererThatIsStoppedIsReplaced) {
   open(kText);
   bench().renderer().setPatience(1500);
@@ -97,7 +96,7 @@ TEST_F(Window, ARendererThatIsStoppedIsReplaced) {
   EXPECT_NE(::kill(pid_t(process), 0), 0) << "the stopped process is still there";
 }
 
-/// The editor itself is killed, at any key: what it had said to have typed is in its journal.
+/// The editor itself is killed at any key: the journal has everything that it reported as typed.
 TEST(Editor, KilledWhileTypingKeepsEveryCharacterInTheJournal) {
   for (int turn = 0; turn < 2; ++turn) {
     QTemporaryDir folder;
@@ -108,7 +107,7 @@ TEST(Editor, KilledWhileTypingKeepsEveryCharacterInTheJournal) {
     ASSERT_TRUE(child.waitForStarted(30000));
     qsizetype typed = 0;
     const qsizetype wanted = 20 + 31 * turn;
-    while (typed < wanted) { // a line a character, written when the key is through
+    while (typed < wanted) { // a line for each character, written when its key is handled
       ASSERT_TRUE(child.waitForReadyRead(60000)) << "the typist says nothing";
       typed += child.readAllStandardOutput().count('\n');
     }

@@ -1,4 +1,4 @@
-// Every dock is usable in small windows too, and stays as the user leaves it.
+// Every dock is usable in small windows too, and keeps the size that the user gave it.
 #include <QAbstractScrollArea>
 #include <QDockWidget>
 #include <QTableWidget>
@@ -23,7 +23,7 @@ protected:
   static QDockWidget &dock(MainWindow &window, const char *name) {
     return *window.findChild<QDockWidget *>(QString::fromLatin1(name));
   }
-  /// Heights of what lies in each corner of the window.
+  /// Returns the heights of the docks in the window's corners.
   static QList<int> heights(MainWindow &window) {
     QList<int> all;
     for (const char *name : {"Program", "Picture", "Parameters", "Problems"})
@@ -83,7 +83,7 @@ TEST_P(Layout, StaysAsItWasLeft) {
   serve(50);
   const QList<int> now = heights(again);
   for (int i = 0; i < left.size(); ++i)
-    EXPECT_NEAR(now[i], left[i], 14) << i; // a window as high as the screen is made a little lower
+    EXPECT_NEAR(now[i], left[i], 14) << i; // a window of the screen's height is made a little lower
   runAction(again, "Panels as at first");
   EXPECT_TRUE(holds(again, [&] { return heights(again)[3] <= left[3] - 30; }))
       << heights(again)[3] << " of " << left[3];

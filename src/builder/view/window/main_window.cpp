@@ -34,12 +34,13 @@ namespace arbiter::builder {
 
 namespace {
 
-// Heights in pixels of the device-independent kind.
+// These heights are in device-independent pixels.
 constexpr int kLeastInside = 60; ///< of a panel
-constexpr int kLeastBelow = 110; ///< of one below: a header, three rows and a slider
-constexpr int kBelow = 190;      ///< with its tab and title, at first: a row of the gallery
-constexpr int kAside = 150;      ///< likewise, under the picture
-constexpr int kPicture = 200;    ///< likewise, the picture
+constexpr int kLeastBelow = 110; ///< of a panel below: a header, three rows and a slider
+/// of a panel below, initially, with its tab and title: a row of the gallery
+constexpr int kBelow = 190;
+constexpr int kAside = 150;   ///< of a panel under the picture, initially
+constexpr int kPicture = 200; ///< of the picture, initially
 
 } // namespace
 
@@ -85,7 +86,7 @@ MainWindow::~MainWindow() {
 QDockWidget *MainWindow::addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area) {
   auto *dock = new QDockWidget(name, this);
   dock->setObjectName(name);
-  // A long label inside does not make the window wider.
+  // A long label inside must not widen the window.
   widget->setMinimumSize(120, area == Qt::BottomDockWidgetArea ? kLeastBelow : kLeastInside);
   dock->setWidget(widget);
   addDockWidget(area, dock);
@@ -146,7 +147,8 @@ QDockWidget *MainWindow::dock(const QString &name) const {
   return nullptr;
 }
 
-/// A pixel of an application is shown where one of the document's is, and marked in its own text.
+/// Builds the attach panel. A pixel of an application is shown like the document's, and marked in
+/// the application's text.
 void MainWindow::buildAttachment() {
   m_attach = new AttachPanel(*m_attachment);
   addPanel(tr("Attach"), m_attach, Qt::RightDockWidgetArea);
@@ -199,8 +201,8 @@ void MainWindow::arrange() {
   problems->raise();
 }
 
-/// Gives each dock, as they are at first, its part of the window: what is below and beside has
-/// enough to be read, and text and picture have the rest.
+/// Gives each dock its initial part of the window: panels below and beside get enough to be read,
+/// text and picture the rest.
 void MainWindow::share() {
   QDockWidget *const program = dock(tr("Program")), *const picture = dock(tr("Picture"));
   QDockWidget *const parameters = dock(tr("Parameters")), *const problems = dock(tr("Problems"));
@@ -218,7 +220,7 @@ void MainWindow::arrangeAnew() {
   share();
 }
 
-/// Now it has the size that it will have, and a layout that was kept is there.
+/// Shares the space: now the window has its final size, and a saved layout is restored.
 void MainWindow::showEvent(QShowEvent *event) {
   QMainWindow::showEvent(event);
   if (std::exchange(m_isShared, true))

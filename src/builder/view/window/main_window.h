@@ -17,12 +17,12 @@ class ProblemsPanel;
 class StatusLine;
 class WordsPanel;
 
-/// The window: every panel a dock, all actions in menus with keys.
+/// The window: every panel is a dock, and all actions are in menus with keys.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 public:
   explicit MainWindow(Places places);
-  /// Panels go before what they show.
+  /// Destroys the panels before the objects that they show.
   ~MainWindow() override;
 
   [[nodiscard]] Workbench &bench() { return m_bench; }
@@ -30,26 +30,26 @@ public:
   [[nodiscard]] PicturePanel &picture() { return *m_picture; }
   [[nodiscard]] AttachPanel &attachPanel() { return *m_attach; }
   [[nodiscard]] Attachment &attachment() { return *m_attachment; }
-  /// The trace of the workbench is of the application's program, not of the document.
+  /// True if the workbench's trace belongs to the application's program instead of the document.
   [[nodiscard]] bool tracesApplication() const { return m_tracesApplication; }
 
   /// Opens a program, or the document of a folder. \returns false after showing a complaint
   bool openPath(const QString &path);
-  /// The same, but for "gallery:NAME", of which a copy is opened.
+  /// Opens a path, or a copy of the gallery's document for "gallery:NAME".
   bool openNamed(const QString &name);
   void openText(const QString &text);
-  /// What processes that ended left behind is opened, or refused, as the user says.
+  /// Offers to open the documents that ended processes left unsaved.
   void offerRecovery();
   /// Brings a panel to the front by its name ("Debug") and gives it the focus.
   void showPanel(const QString &name);
-  /// Opens a file in the place of the document, when unsaved text is kept or given up.
+  /// Opens a file in place of the document, after unsaved text is saved or discarded.
   void openInstead(const QString &path);
   /// Returns the names of all panels, in the order of the menu.
   [[nodiscard]] static QStringList panelNames();
   void setScheme(const QString &name);
-  /// What was said last of what has just happened.
+  /// Returns the last notice.
   [[nodiscard]] QString lastNotice() const;
-  /// As it was when the window was closed last; else as it is made.
+  /// Restores the layout of the last session, or keeps the default.
   void restoreLayout();
 
 protected:
@@ -58,7 +58,7 @@ protected:
   bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-  static constexpr int kLayoutVersion = 3; ///< of the panels that there are
+  static constexpr int kLayoutVersion = 3; ///< identifies the set of panels
 
   void buildPanels();
   void buildAttachment();
@@ -119,7 +119,7 @@ private:
   QList<QAction *> m_actions;
   StatusLine *m_status = nullptr; ///< the status bar's
   QByteArray m_madeLayout;
-  bool m_isShared = false; ///< the docks have their parts of the window
+  bool m_isShared = false; ///< the docks have got their shares of the window
 };
 
 } // namespace arbiter::builder

@@ -11,7 +11,7 @@ namespace arbiter::builder {
 
 namespace {
 
-/// The field that is typed into gives the list the keys that move in it.
+/// A search field that passes the keys for moving to the list.
 class Search : public QLineEdit {
 public:
   explicit Search(QListWidget &list) : m_list(list) {}

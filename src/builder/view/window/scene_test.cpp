@@ -1,4 +1,4 @@
-// What is changed by mouse and widgets is a line of the text, one undo step each.
+// A change by mouse or widget is a line of the text, and one undo step.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -35,7 +35,7 @@ const QString kSphere = QStringLiteral("!!ARBfp1.0\n"
                                        "MOV result.color, fragment.texcoord[0];\n"
                                        "END\n");
 
-/// As a user sets it: types, then Return.
+/// Types a number and Return.
 void type(NumberBox &box, const char *number) {
   box.selectAll();
   QTest::keyClicks(&box, QString::fromLatin1(number));
@@ -303,7 +303,7 @@ TEST_F(Window, ASequenceIsExportedFrameByFrame) {
   EXPECT_TRUE(state->text().startsWith(QStringLiteral("3 of 3"))) << state->text().toStdString();
   EXPECT_EQ(QDir(target).entryList(QDir::Files).join(u' '),
             QStringLiteral("red-0010.png red-0011.png red-0012.png"));
-  // The same as a script's.
+  // A script gets the same pictures.
   QFile document(folder.filePath(QStringLiteral("red.fp")));
   ASSERT_TRUE(document.open(QIODevice::WriteOnly));
   document.write(moving.toLatin1());

@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kTickMilliseconds = 50;
 constexpr qint64 kPatience = 30000;
-constexpr qint64 kSettle = 700; ///< for what is asked when a picture is there: advice, thumbnails
+constexpr qint64 kSettle = 700; ///< for requests that follow a picture: advice, thumbnails
 
-/// 32 shades a channel, and no alpha: what is nearly flat becomes flat, and packs well.
+/// Reduces the picture to 32 shades a channel without alpha, so that it compresses well.
 QImage withFewColours(const QImage &image) {
   QImage few = image.convertToFormat(QImage::Format_RGB888);
   for (int y = 0; y < few.height(); ++y) {
@@ -30,7 +30,7 @@ QImage withFewColours(const QImage &image) {
   return few;
 }
 
-/// Does one thing after the other, each when the one before has come, then takes the picture.
+/// Does the steps one after the other, each when the one before is done, then takes the picture.
 class Photographer : public QObject {
 public:
   Photographer(MainWindow &window, Shot shot)
@@ -55,7 +55,7 @@ private:
     take(late);
   }
 
-  /// Asks for what is not asked for yet, where it can be asked for.
+  /// Starts the next step if possible. Returns true if all are done.
   bool isDone() {
     return isDrawn() && isEdited() && isAttached() && isTraced() && isWatched() && isTold();
   }
@@ -78,7 +78,7 @@ private:
     if (parts.size() == 2 && at >= 0)
       m_bench.document().replace(at, parts[0].size(), parts[1], Origin::Tool,
                                  QStringLiteral("edit"));
-    return false; // what it does is on its way
+    return false; // the step's result has not come yet
   }
 
   bool isAttached() {
@@ -119,7 +119,8 @@ private:
     QImage image = m_window.grab().toImage();
     if (m_shot.small)
       image = withFewColours(image);
-    const bool written = image.save(m_shot.png, "PNG", m_shot.small ? 0 : -1); // 0: packed best
+    // 0: the smallest file
+    const bool written = image.save(m_shot.png, "PNG", m_shot.small ? 0 : -1);
     if (!written)
       std::fprintf(stderr, "arbiter-builder: %s cannot be written\n",
                    m_shot.png.toLocal8Bit().constData());
@@ -133,7 +134,7 @@ private:
 
   MainWindow &m_window;
   Workbench &m_bench;
-  Shot m_shot; ///< what is done is taken out
+  Shot m_shot; ///< finished steps are removed
   bool m_isTraced = false, m_isWatched = false;
   QTimer m_timer;
   QElapsedTimer m_since, m_settled;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kNoticeMilliseconds = 8000;
 
-/// A label as narrow as it must be: what has no room ends in dots.
+/// A label that shortens text without room by dots.
 class Elided : public QLabel {
 public:
   explicit Elided(const char *name) {

@@ -9,14 +9,13 @@ class QStatusBar;
 
 namespace arbiter::builder {
 
-/// The line at the bottom: how the picture stands to the text, and beside it what has just happened
-/// (a notice, for some seconds), which never takes the first one's place; then what is drawn with,
-/// and where the cursor is. Texts that are too long end in dots, and are whole in their tool tips.
+/// The bottom line: the picture's state, a recent notice for some seconds beside it, the drawing
+/// options, and the cursor's place. Long texts end in dots, and are complete in their tool tips.
 class StatusLine : public QObject {
 public:
   StatusLine(QStatusBar &bar, Workbench &bench);
 
-  /// How the picture stands, as the workbench has it now.
+  /// Shows the picture's present state.
   void showState();
   void notice(const QString &text);
   [[nodiscard]] QString lastNotice() const { return m_lastNotice; }

@@ -14,8 +14,8 @@ using testing::kText;
 using testing::waitFor;
 using testing::Window;
 
-/// The whole way: type a mistake, see it marked and the picture stay, mend it, move the slider, see
-/// the pixels change, take it back.
+/// The test types a mistake, sees it marked while the picture stays, corrects it, moves the slider,
+/// sees the pixels change, and undoes it.
 TEST_F(Window, TypeBreakMendSlide) {
   open(kText);
   EXPECT_EQ(middle().red(), 64);
@@ -110,7 +110,7 @@ TEST(PictureView, APixelOfTheWidgetIsAPixelOfThePicture) {
   PictureView view;
   QImage image(8, 4, QImage::Format_RGBA8888);
   image.fill(Qt::black);
-  image.setPixelColor(5, 0, Qt::red); // GL's topmost row, y 3
+  image.setPixelColor(5, 0, Qt::red); // the top row, which is y 3 in GL
   view.setPicture(image);
   for (const QSize size : {QSize(100, 100), QSize(333, 217), QSize(41, 90)})
     for (const double zoom : {0.0, 1.0, 3.0}) {

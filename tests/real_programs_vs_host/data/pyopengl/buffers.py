@@ -1,4 +1,4 @@
-"""Buffer objects: vertices that a program bends by matrices it finds by address, indices, streams."""
+"""Buffer objects: vertices that a program bends by matrices from relative addressing, indices, streams."""
 
 from OpenGL.GL.ARB.vertex_buffer_object import *
 from stage import *
@@ -38,7 +38,7 @@ ROUND, TALL = 16, 24
 
 
 def tube():
-    """Position, texture coordinates, colour and (first bone's row, second's, weight)."""
+    """Returns position, texture coordinates, color and (first bone's row, second's, weight)."""
     out = []
     for j in range(TALL + 1):
         h = j / TALL
@@ -108,7 +108,7 @@ def draw(frame, prepared):
 
 
 def stream(frame, name):
-    """A wave of lines whose vertices are new in each frame, written over the old ones."""
+    """Draws a wave of lines, whose vertices overwrite the old ones in each frame."""
     points = []
     for i in range(60):
         x = i / 30 - 1

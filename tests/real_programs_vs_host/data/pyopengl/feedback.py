@@ -1,4 +1,4 @@
-"""A picture that is copied from the window to a texture and drawn again, as trails and blurs are."""
+"""Copies a picture from the window to a texture and draws it again, as trails and blurs do."""
 
 from stage import *
 
@@ -54,7 +54,7 @@ def draw(frame, prepared):
         square(x - 0.2, y - 0.4, x + 0.2, y + 0.4)
     glDisable(GL_BLEND)
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 256, 128)
-    # What is shown is drawn from the copy by fixed function, upside down.
+    # The shown picture is drawn from the copy by fixed function, upside down.
     use()
     glViewport(0, 0, *SIZE)
     glClear(GL_COLOR_BUFFER_BIT)

@@ -1,4 +1,4 @@
-"""Framebuffer objects: a scene drawn to two colour textures at once, blurred, and put together."""
+"""Framebuffer objects: a scene is drawn to two color textures at once, blurred, and composed."""
 
 from OpenGL.GL.ARB.draw_buffers import *
 from OpenGL.GL.EXT.framebuffer_object import *

@@ -84,7 +84,7 @@ def draw(frame, first):
     glCallList(first + 2)
     glTranslatef(0, -1.8, 0)
     glCallLists(2, GL_UNSIGNED_BYTE, bytes((first + 1, first + 2)))
-    # One box without a list, with what the lists left: draws within the host's lists have no count.
+    # One box is drawn without a list, with the lists' state: draws within the host's lists are not counted.
     glTranslatef(0, 0.9, 1.2)
     box(0.15)
     use()

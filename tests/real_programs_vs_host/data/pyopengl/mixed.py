@@ -1,4 +1,4 @@
-"""Fixed function, programs, signed textures and GLSL in one frame with one depth buffer."""
+"""Uses fixed function, programs, signed textures and GLSL in one frame with one depth buffer."""
 
 from OpenGL.GL.shaders import compileProgram, compileShader
 from stage import *
@@ -50,7 +50,7 @@ def draw(frame, prepared):
     set_view(frame)
     glColor3f(1, 1, 1)
     use(fogged)
-    ground(rough)  # signed: none of the rasterizer's formats
+    ground(rough)  # signed, a format that the rasterizer lacks
     ground(smooth, 1.6)
     use()
     glEnable(GL_LIGHTING)
@@ -68,7 +68,7 @@ def draw(frame, prepared):
 
 
 def over(frame, rough, shine):
-    """Blended, stencilled and through the alpha test, above the scene."""
+    """Draws above the scene with blending, stencil and alpha test."""
     use(shine)
     glEnable(GL_STENCIL_TEST)
     glStencilFunc(GL_ALWAYS, 1, 255)

@@ -1,5 +1,5 @@
-"""Textures whose level is chosen whole, looked up where heights of another one say: the level of each
-quad depends on which of its rows is asked. Drawn to the window, and to a framebuffer object.
+"""Samples textures at whole levels, at coordinates from another texture's heights: the level of each
+quad depends on which of its rows determines it. Draws to the window, and to a framebuffer object.
 """
 
 from OpenGL.GL.EXT.framebuffer_object import *
@@ -19,7 +19,7 @@ def prepare():
                                             0.5 + 0.5 * math.sin(0.7 * y - 0.4 * x), 0, 1))
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT)
-    # Each level has a colour of its own, so that another level is another picture.
+    # Each level has a color of its own, so that another level is another picture.
     colours = glGenTextures(1)
     glBindTexture(GL_TEXTURE_2D, colours)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST)

@@ -1,4 +1,4 @@
-"""What the PyOpenGL clients share: a window, a loop of a fixed number of frames, programs, textures.
+"""Shared parts of the PyOpenGL clients: a window, a loop of a fixed number of frames, programs, textures.
 
 The clients are recorded, so nothing in them depends on time, chance or the window manager.
 """
@@ -26,10 +26,10 @@ def window(title: str, size=SIZE, more: int = 0) -> int:
 
 
 def play(title: str, prepare, draw, frames: int = FRAMES) -> None:
-    """prepare() gives what draw(frame, prepared) is called with before each swap.
+    """Calls draw(frame, prepare()) before each swap.
 
-    An empty frame comes first: glretrace makes windows small and gives them their size when a
-    viewport is set, so that the first frame of a recording may be lost on any host.
+    An empty frame comes first: glretrace makes windows small and resizes them when a viewport is set,
+    so that the first frame of a recording may be lost on any host.
     """
     glutInit([])
     window(title)
@@ -48,7 +48,7 @@ def play(title: str, prepare, draw, frames: int = FRAMES) -> None:
 
 
 def program(target: int, text: str) -> int:
-    """A program object with the text; SystemExit with the host's message if it is refused."""
+    """Returns a program object with the text; SystemExit with the host's message if it is refused."""
     names = (GLuint * 1)()
     glGenProgramsARB(1, names)
     name = names[0]
@@ -81,7 +81,7 @@ def use(fragment_name: int = 0, vertex_name: int = 0) -> None:
 
 
 def texels(width: int, height: int, colour) -> bytes:
-    """RGBA bytes of a picture; colour(x, y) gives four numbers from 0 to 1."""
+    """Returns RGBA bytes of a picture; colour(x, y) returns four numbers from 0 to 1."""
     return bytes(min(255, max(0, int(255 * c + 0.5)))
                  for y in range(height) for x in range(width) for c in colour(x, y))
 
@@ -98,7 +98,7 @@ def texture(width: int, height: int, colour, filtering: int = GL_LINEAR,
 
 
 def mipmapped(size: int, colour, filtering: int = GL_LINEAR_MIPMAP_LINEAR, internal: int = GL_RGBA8) -> int:
-    """A 2D texture with all levels, each the mean of the one before."""
+    """Makes a 2D texture with all levels, each the mean of the one before."""
     name = texture(size, size, colour, filtering, internal=internal)
     above, side, level = texels(size, size, colour), size // 2, 1
     while side:
@@ -122,7 +122,7 @@ def rings(x: int, y: int):
 
 
 def square(left=-1.0, bottom=-1.0, right=1.0, top=1.0, depth=0.0, unit: int = GL_TEXTURE0) -> None:
-    """A quad with texture coordinates 0 to 1."""
+    """Draws a quad with texture coordinates 0 to 1."""
     glBegin(GL_QUADS)
     for s, t, x, y in ((0, 0, left, bottom), (1, 0, right, bottom), (1, 1, right, top),
                        (0, 1, left, top)):
@@ -132,7 +132,7 @@ def square(left=-1.0, bottom=-1.0, right=1.0, top=1.0, depth=0.0, unit: int = GL
 
 
 def set_view(frame: int, distance: float = 4.0) -> None:
-    """A perspective view that turns by a fixed step a frame."""
+    """Sets a perspective view that rotates by a fixed step a frame."""
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
     glFrustum(-0.667, 0.667, -0.5, 0.5, 1.0, 20.0)
@@ -144,7 +144,7 @@ def set_view(frame: int, distance: float = 4.0) -> None:
 
 
 def flat() -> None:
-    """Window coordinates from -1 to 1."""
+    """Sets window coordinates from -1 to 1."""
     for mode in (GL_PROJECTION, GL_MODELVIEW):
         glMatrixMode(mode)
         glLoadIdentity()

@@ -1,4 +1,4 @@
-"""Cube maps at coordinates that a program computes, 3D and rectangle textures, shadows, biases."""
+"""Cube maps at computed coordinates, 3D and rectangle textures, shadows, LOD biases."""
 
 from OpenGL.GL.ARB.texture_rectangle import *
 from stage import *
@@ -98,7 +98,7 @@ def bind(unit, target, name):
 
 
 def corners(frame, coordinates):
-    """A quad; coordinates(x, y) gives those of unit 0, unit 1 gets a direction that turns."""
+    """Draws a quad; coordinates(x, y) returns those of unit 0, unit 1 gets a rotating direction."""
     a = 0.2 * frame
     glBegin(GL_QUADS)
     for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
@@ -131,7 +131,7 @@ def draw(frame, prepared):
     bind(0, GL_TEXTURE_2D, shadow)
     glViewport(width, 0, width, height)
     use(shade)
-    # A little aside: no pixel's centre is on the border of two texels, where either is right.
+    # The offset keeps pixel centers off the borders of texels, where either texel is right.
     corners(frame, lambda x, y: (x + 0.003, y + 0.003, move, 1))
     use()
 

@@ -1,13 +1,13 @@
-"""A triangle a frame, each with another text: every opcode of both languages, results, and mistakes.
+"""Draws a triangle in each frame, each with another text: every opcode of both languages, results, and mistakes.
 
-A text that the host refuses leaves the one before it in its object; what the refused one draws is
-nothing, as a draw with an object that holds no program is an error.
+A text that the host refuses leaves the previous one in its object. An object without a program
+draws nothing, as that is an error.
 """
 
 from stage import *
 
 COLOUR = "fragment.color"
-# Body of a fragment program; R is a temporary, C the colour, T a coordinate from 0 to 1.
+# Bodies of fragment programs; R is a temporary, C the color, T a coordinate from 0 to 1.
 FRAGMENTS = (
     "ABS R, C; SUB R, R, 0.5; ABS result.color, R;",
     "ADD result.color, C, {0.25, 0.25}.x;",
@@ -56,7 +56,7 @@ OPTIONS = (
     "OPTION ARB_fog_linear;", "OPTION ARB_fog_exp;", "OPTION ARB_fog_exp2;",
     "OPTION ARB_precision_hint_nicest;", "OPTION ARB_precision_hint_fastest;",
 )
-# Body of a vertex program; position is written before, V is the position, C the colour.
+# Bodies of vertex programs; the position is written before, V is the position, C the color.
 VERTICES = (
     "ABS R, C; MOV result.color, R;",
     "ADD result.color, C, 0.2;",
@@ -127,7 +127,7 @@ def vertices():
 
 
 def refused(text: str) -> int:
-    """A program object whose text was refused; SystemExit if it was not."""
+    """Returns a program object whose text was refused; SystemExit if it was not."""
     names = (GLuint * 1)()
     glGenProgramsARB(1, names)
     glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, names[0])

@@ -1,4 +1,4 @@
-"""Two contexts that share textures and programs, in two windows, one of which changes its size."""
+"""Two contexts share textures and programs, in two windows, one of which is resized."""
 
 from OpenGL import GLX
 from stage import *
@@ -16,7 +16,7 @@ def main():
     first = window("windows-1")
     second = window("windows-2", (160, 200))
     glutMainLoopEvent()
-    # GLUT shares nothing between its windows; so one context more, which shares with the first.
+    # GLUT's windows share nothing, so that another context is made that shares with the first.
     glutSetWindow(first)
     display, drawable = GLX.glXGetCurrentDisplay(), GLX.glXGetCurrentDrawable()
     own = GLX.glXGetCurrentContext()
