@@ -78,8 +78,8 @@ def hides_from_host(table, name):
 
 
 def straight(command, symbol, dirty, call, handled):
-    """Returns the entry point of a command of `straight`: a jump to the host if state/handlers/entry/straight.h says so,
-    and the handler in a separate function."""
+    """Returns the entry point of a command of `straight`: a jump to the host if state/handlers/entry/straight.h says
+    so, and the handler in a separate function."""
     result = command.result
     give = "return " if result != "void" else ""
     lead = "  ContextHot *const t = t_current;\n"
