@@ -40,6 +40,8 @@ COMPARED = '''
 of menus, demonstrations and first scenes, as no one plays. [Real programs](../driver/real_programs.md) says how
 pictures are compared, what their tolerances are, and which programs were left out.
 
+![Twelve of these programs, as they look under Arbiter](../pictures/programs.png)
+
 | name | what is drawn | titles | packages |
 |---|---|---|---|'''
 
