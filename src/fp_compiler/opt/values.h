@@ -6,6 +6,7 @@
 
 #include "fp_compiler/ir/ir.h"
 
+/// Helpers of the passes: known constants, versions of registers, rows of constants.
 namespace arbiter::fp::opt {
 
 /// Returns the value of one operand component as an instruction reads it, if it is known. It is not
