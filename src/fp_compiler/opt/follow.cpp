@@ -18,7 +18,7 @@ using ir::Select;
 
 namespace {
 constexpr std::uint8_t kX = 1, kAll = 0xF;
-/// Maximum number of instructions of the rewritten program. The lower bound holds if values decide
+/// Maximum number of instructions that the loops may become. The lower limit holds if values decide
 /// some BRK: a real loop could then exit early, but the rewritten code cannot.
 constexpr std::size_t kMostDecided = 1024, kMostSelected = 192;
 /// Maximum number of steps. A loop that needs more is kept.

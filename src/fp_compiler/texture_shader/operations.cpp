@@ -186,8 +186,7 @@ State essential(const State &state) {
     if (info.target)
       key.textures[unit] = state.textures[unit];
     if (info.family != Family::Texture)
-      key.textures[unit].compares =
-          false; // only with its own coordinates does a texture have a reference value to compare
+      key.textures[unit].compares = false; // only own coordinates have a reference value
     if (info.family == Family::Cull)
       to.cullLess = from.cullLess;
     if (readsPrevious(info.family))

@@ -61,8 +61,7 @@ enum class Mapping : std::uint8_t { UnsignedIdentity, ExpandNormal, ForceBlueToO
 struct Stage {
   Operation operation = Operation::None;
   std::uint8_t previous = 0; ///< PREVIOUS_TEXTURE_INPUT_NV, the number of a unit
-  std::uint8_t cullLess =
-      0; ///< CULL_MODES_NV: bit i is set for LESS of component i, clear for GEQUAL
+  std::uint8_t cullLess = 0; ///< CULL_MODES_NV: bit i is set for LESS of component i, else GEQUAL
   Mapping mapping = Mapping::UnsignedIdentity;
   bool operator==(const Stage &) const = default;
 };

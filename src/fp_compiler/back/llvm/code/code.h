@@ -48,8 +48,7 @@ struct Code {
   [[nodiscard]] Value *min(Value *a, Value *b); ///< floats; b if a is NaN
   [[nodiscard]] Value *max(Value *a, Value *b); ///< floats; b if a is NaN
   [[nodiscard]] Value *floor(Value *a);
-  [[nodiscard]] Value *
-  toInt(Value *a); ///< toward zero; out of range gives any value, without a trap
+  [[nodiscard]] Value *toInt(Value *a);   ///< toward zero; any value if out of range, no trap
   [[nodiscard]] Value *toFloat(Value *a); ///< from i32
   /// Clamps to [0,1]; NaN gives 0.
   [[nodiscard]] Value *saturate(Value *a);
@@ -68,14 +67,14 @@ struct Code {
 struct SampleAt {
   Vec coordinate = {};   ///< s, t, r; already divided for TXP
   Value *bias = nullptr; ///< TXB's bias, or null
-  Value *lod =
-      nullptr; ///< TXL's level of detail before biases and clamps, or null; excludes derivatives
+  /// TXL's level of detail before biases and clamps, or null. There are no derivatives then.
+  Value *lod = nullptr;
   /// Derivatives of the coordinate. Lanes::Quad: differences within the quad. Lanes::Row: slopes of
   /// affine coordinates for a pixel step in x and in y, equal in all lanes. All are null if no
   /// level of detail is needed.
   std::array<Value *, 3> dx = {}, dy = {};
-  Value *mask =
-      nullptr; ///< lanes that are needed, or null for all; loads in other lanes are safe anyway
+  /// Lanes that are needed, or null for all. Loads in other lanes are safe anyway.
+  Value *mask = nullptr;
   /// Set by the fragment loop if the whole span reads consecutive texels 1:1, so that plain loads
   /// from `texels` work (fragment.cpp). Null otherwise.
   Value *texels = nullptr; ///< pointer to the texel of lane 0

@@ -185,8 +185,7 @@ public:
 
 private:
   static constexpr std::size_t kReserved = std::size_t(8ull << 30), kPage = 4096;
-  static constexpr std::size_t kMost =
-      4000; ///< limit for systems that give out addresses from below
+  static constexpr std::size_t kMost = 4000; ///< in case addresses are assigned upwards
 
   void *map(std::size_t bytes) {
     void *const begin =

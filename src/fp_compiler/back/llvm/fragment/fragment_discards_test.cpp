@@ -13,8 +13,8 @@ using ir::TexTarget;
 using llvm_back::discardProgramOf;
 
 constexpr int kLeast = 100; // greatest alpha, as a byte, that is discarded
-constexpr int kGone = 30,
-              kAll = 52; // columns before kGone are all discarded, those from kAll on none
+// All columns before kGone are discarded, and none from kAll on.
+constexpr int kGone = 30, kAll = 52;
 constexpr int kHiddenRows = 4;
 
 /// Returns a program with two samples. The alpha of the first decides about discard, by the alpha

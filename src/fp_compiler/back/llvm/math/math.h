@@ -23,9 +23,9 @@ namespace arbiter::fp::llvm_back {
 struct SineCosine {
   Value *sine = nullptr, *cosine = nullptr;
 };
-/// Returns sine and cosine. The error is within 2^-23 for angles up to 2^22 in magnitude. Up to 2^8
-/// the relative error is within 2^-22, and results are identical to llvmpipe's. Larger angles give
-/// a number of [-1, 1], and infinite ones NaN. An unused result costs nothing.
+/// Returns sine and cosine. The absolute error is within 2^-23 for angles up to 2^22 in magnitude.
+/// Up to 2^8 the relative error is within 2^-22, and results are identical to llvmpipe's. Larger
+/// angles give a number of [-1, 1], and infinite ones NaN. An unused result costs nothing.
 [[nodiscard]] SineCosine sineCosine(Code &code, Value *angle);
 
 /// Returns 1/x, correctly rounded.

@@ -77,8 +77,8 @@ private:
   std::vector<Value *> m_addresses;
   ProgramResults m_results;
   std::optional<Loops> m_loops; ///< set if the program has loops
-  std::vector<analysis::RegisterMasks>
-      m_kept;                ///< for each open loop: live values, including those of outer loops
+  /// For each open loop: live values, including those of outer loops.
+  std::vector<analysis::RegisterMasks> m_kept;
   Value *m_killed = nullptr; ///< set if the program has loops
 };
 

@@ -139,9 +139,10 @@ private:
       return m_ir.CreateAdd(element, m_code.splat(rows.empty() ? 0 : int(rows[0])));
     const std::vector<std::uint32_t> wide(rows.begin(), rows.end());
     llvm::Constant *const table = llvm::ConstantDataArray::get(m_code.context(), wide);
-    auto *const variable = new llvm::GlobalVariable(
-        *m_ir.GetInsertBlock()->getModule(), table->getType(), true,
-        llvm::GlobalValue::PrivateLinkage, table, "rows"); // owned by the module
+    // The module owns the variable.
+    auto *const variable =
+        new llvm::GlobalVariable(*m_ir.GetInsertBlock()->getModule(), table->getType(), true,
+                                 llvm::GlobalValue::PrivateLinkage, table, "rows");
     return gather(m_code.i32, variable, m_ir.CreateShl(element, m_code.splat(2)), inside);
   }
 

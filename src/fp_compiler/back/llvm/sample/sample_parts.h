@@ -56,8 +56,7 @@ struct AxisTexels {
 /// How a coordinate becomes texels in one dimension (OpenGL 1.4, 3.8.7 and 3.8.8).
 struct AxisKey {
   abi::Wrap wrap = abi::Wrap::Repeat;
-  bool normalized =
-      true; ///< true: the image spans [0,1]; false: the coordinate is in texels (rectangles)
+  bool normalized = true;  ///< the image spans [0,1]; else coordinates are in texels (rectangles)
   bool powerOfTwo = false; ///< the size is a power of two, so that indices wrap by a mask
 };
 /// Returns the texel of a nearest filter.
