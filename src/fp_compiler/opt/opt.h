@@ -1,7 +1,7 @@
 #pragma once
 #include "fp_compiler/ir/ir.h"
 
-/// Optimization passes. Each pass requires a program that ir::validate() accepts and leaves a valid
+/// Optimisation passes. Each pass requires a program that ir::validate() accepts and leaves a valid
 /// one. It preserves the program's meaning to the bit (ir/semantics.h; all NaNs are equal) in the
 /// given mode, or in every mode if it takes none. It runs in linear time. It returns true if it
 /// changed anything, and a second run changes nothing. Register numbers stay the same;
