@@ -23,7 +23,7 @@ Dependence product(Dependence a, Dependence b) {
     return std::max(a, b);
   return Dependence::Other;
 }
-/// Of any other function.
+/// Returns the dependence of the result of any non-linear function of \p a.
 Dependence function(Dependence a) {
   return a == Dependence::Uniform ? Dependence::Uniform : Dependence::Other;
 }
@@ -34,7 +34,8 @@ public:
       : m_program(program), m_straight(!ir::hasLoops(program)),
         m_temporaries(program.temporaries.size(), kUniform4) {}
 
-  /// Goes past the instruction. \returns true if it is a sample of a curved coordinate.
+  /// Updates the registers' dependences for \p instruction. Returns true if it samples a texture at
+  /// a curved coordinate.
   bool step(const Instruction &instruction) {
     const ir::OpInfo &row = ir::info(instruction.op);
     if (row.has(ir::Kills) || row.has(ir::Flow))
@@ -83,7 +84,7 @@ private:
 
   [[nodiscard]] bool isCurved(const Instruction &instruction) const {
     if (instruction.op == Opcode::Txl || instruction.op == Opcode::Txd)
-      return false; // the level of detail is given
+      return false; // the instruction gives the level of detail
     if (!m_straight)
       return true;
     if (instruction.target == ir::TexTarget::Cube)
@@ -91,7 +92,7 @@ private:
     const Operand &coordinate = instruction.src[0];
     std::uint8_t mask = ir::coordinateMask(instruction.target);
     if (ir::isShadow(instruction.target))
-      mask = std::uint8_t(mask & ~4); // the reference has no part in the level of detail
+      mask = std::uint8_t(mask & ~4); // the level of detail does not depend on the reference value
     if (instruction.op == Opcode::Txp && component(coordinate, 3) != Dependence::Uniform)
       return true;
     for (std::size_t i = 0; i < 3; ++i)
@@ -142,7 +143,7 @@ private:
   }
 
   const ir::Program &m_program;
-  const bool m_straight; ///< what is not is not followed
+  const bool m_straight; ///< false: the program has loops, and its registers are not tracked
   std::vector<Dependence4> m_temporaries;
 };
 } // namespace

@@ -6,13 +6,13 @@
 
 namespace arbiter::fp::analysis {
 
-/// How a register's component depends on the attributes: not at all, as an affine function of them
-/// (so that its derivatives in the window are the same everywhere on a plane), or in another way.
+/// How a register component depends on the attributes. The derivatives in the window of an affine
+/// function of the attributes are constant over a plane.
 enum class Dependence : std::uint8_t { Uniform, Affine, Other };
 
-/// For each instruction of the program: true where it samples a texture and the level of detail
-/// depends on a coordinate that is not affine in the attributes. A cube map's always does, one in a
-/// program with loops is taken to.
+/// Returns a flag for each instruction. A flag is true if the instruction samples a texture and its
+/// level of detail depends on a coordinate that is not affine in the attributes. Cube maps and
+/// programs with loops always count as such.
 [[nodiscard]] std::vector<bool> samplesCurved(const ir::Program &program);
 
 } // namespace arbiter::fp::analysis

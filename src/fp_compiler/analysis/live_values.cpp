@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  /// The instructions of [begin, end), from the last one on.
+  /// Visits the instructions of [begin, end) in reverse order.
   void block(std::size_t begin, std::size_t end) {
     for (std::size_t i = end; i-- > begin;) {
       const Instruction &instruction = m_program.code[i];
@@ -67,8 +67,9 @@ private:
     }
   }
 
-  /// Until an iteration's end finds what its beginning wants. Masks only grow, so that what an
-  /// earlier visit has found stays, and loops within loops are not gone through anew each time.
+  /// Repeats the body until the values live at its end include those live at its start. The masks
+  /// only grow. Results of earlier visits therefore stay valid, and nested loops do not start again
+  /// from nothing.
   void loop(std::size_t begin, std::size_t end) {
     m_behind.push_back(m_wanted);
     const auto [entry, isNew] = m_live.kept.try_emplace(begin, m_wanted);
@@ -109,7 +110,7 @@ private:
         read(instruction.src[std::size_t(i)], mask);
   }
 
-  /// The components of its destination that something reads later; nothing does any more.
+  /// Returns the destination components that later code reads, and marks them as no longer live.
   std::uint8_t take(const Instruction &instruction) {
     if (ir::info(instruction.op).has(ir::Kills))
       return 0xF;
@@ -152,7 +153,7 @@ private:
 
   const ir::Program &m_program;
   RegisterMasks m_wanted;
-  std::vector<RegisterMasks> m_behind; ///< of the loops that are open: what is wanted behind them
+  std::vector<RegisterMasks> m_behind; ///< for each open loop: the values live after it
   LiveValues m_live;
 };
 } // namespace

@@ -7,28 +7,30 @@
 
 namespace arbiter::fp::analysis {
 
-/// Components of registers, a mask each: of temporaries, outputs and address registers.
+/// Component masks of temporaries, outputs and address registers.
 struct RegisterMasks {
   std::vector<std::uint8_t> temporaries, outputs, addresses;
   bool operator==(const RegisterMasks &) const = default;
 };
-/// Those of both. Requires: both are of one program.
+/// Adds the bits of \p masks to \p to. Requires: both belong to one program.
 void add(RegisterMasks &to, const RegisterMasks &masks);
 
-/// What of a program reaches an output or a KIL, by component masks (bit 0 = x).
+/// The values of a program that reach an output or a KIL, as component masks (bit 0 = x).
 struct LiveValues {
-  std::vector<std::uint8_t> written;    ///< by instruction: its components that count; 0: leave out
+  std::vector<std::uint8_t> written;    ///< by instruction: live components; 0 means dead
   std::vector<std::uint8_t> attributes; ///< by attribute: components that are read
-  std::vector<std::uint8_t> parameters; ///< by row, relative reads not counted
+  std::vector<std::uint8_t> parameters; ///< by parameter; relative reads do not count
   std::vector<std::uint8_t> outputs;    ///< by output: components that are written
-  /// By REP's index: what is read after the loop or in an iteration that has not written it, so
-  /// that it must be kept when an iteration ends.
+  /// Values that must survive the end of an iteration, by the index of the loop's REP. Code after
+  /// the loop reads them, or a later iteration reads them before it writes them.
   std::map<std::size_t, RegisterMasks> kept;
 };
-/// The entry in `written` of KIL and of what begins, ends and leaves loops is all four.
+/// Returns the live values of \p program. In `written`, KIL, REP, BRK and ENDREP have all four
+/// bits.
 [[nodiscard]] LiveValues liveOf(const ir::Program &program);
 
-/// The instruction as if its mask were \p written: what it then reads is ir::operandMask's.
+/// Returns \p instruction with the write mask \p written. ir::operandMask() then gives what it
+/// reads.
 [[nodiscard]] ir::Instruction narrowed(const ir::Instruction &instruction, std::uint8_t written);
 
 } // namespace arbiter::fp::analysis

@@ -11,7 +11,8 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-/// Which factors have to be looked at: a zero matters where the other one may be no finite number.
+/// Returns the factors to compare with zero. A zero matters only if the other factor may be
+/// infinite or NaN.
 Guard guardOf(const ValueRange &a, const ValueRange &b) {
   const bool left = a.mayBeZero() && !b.finite();
   const bool right = b.mayBeZero() && !a.finite();

@@ -13,7 +13,7 @@ using ir::Opcode;
 
 namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-/// Beyond what a host's polynomials miss the true function by.
+/// Upper bound of the error of the host's polynomial approximations.
 constexpr float kSlack = 1e-3f;
 
 ValueRange between(float lo, float hi, bool number) { return {lo, hi, number}; }
@@ -22,7 +22,7 @@ ValueRange hull(const ValueRange &a, const ValueRange &b) {
   return {std::min(a.lo, b.lo), std::max(a.hi, b.hi), a.number && b.number};
 }
 
-/// Bounds are products of bounds; a zero and an infinity are met in the limit only.
+/// Multiplies two bounds. A bound of infinity is never reached, so zero times infinity is 0 here.
 float corner(float a, float b) { return a == 0.0f || b == 0.0f ? 0.0f : a * b; }
 
 ValueRange magnitude(const ValueRange &a) {
@@ -30,7 +30,7 @@ ValueRange magnitude(const ValueRange &a) {
   return {low, std::max(std::fabs(a.lo), std::fabs(a.hi)), a.number};
 }
 
-/// The larger one, or the number if one is NaN.
+/// Returns the range of the larger value, or of the other value if one is NaN.
 ValueRange larger(const ValueRange &a, const ValueRange &b) {
   if (a.number && b.number)
     return {std::max(a.lo, b.lo), std::max(a.hi, b.hi), true};
@@ -39,7 +39,7 @@ ValueRange larger(const ValueRange &a, const ValueRange &b) {
 }
 
 ValueRange reciprocal(const ValueRange &a) {
-  if (a.mayBeZero()) // of either sign
+  if (a.mayBeZero()) // the zero may have either sign
     return {-kInfinity, kInfinity, a.number};
   return {1.0f / a.hi, 1.0f / a.lo, a.number};
 }
@@ -54,13 +54,13 @@ ValueRange logarithm(const ValueRange &a) {
           a.hi > 0.0f ? std::log2(a.hi) + kSlack : kInfinity, number};
 }
 
-/// POW's rules let no NaN of the base through, and nothing below zero.
+/// Returns the range of POW. The result of POW is never below zero, and a NaN base gives no NaN.
 ValueRange power(const ValueRange &base, const ValueRange &exponent) {
   const bool small = base.hi <= 1.0f && exponent.number && exponent.lo >= 0.0f;
   return {0.0f, small ? 1.0f + kSlack : kInfinity, exponent.finite()};
 }
 
-/// The mode's single operations.
+/// Range arithmetic for single operations in one numerics mode.
 class Arithmetic {
 public:
   explicit Arithmetic(Numerics numerics) : m_numerics(numerics) {}
@@ -85,8 +85,8 @@ public:
     return held(total);
   }
 
-  /// A sum of products, which a host may fuse or take in another order: where it cancels it may
-  /// be zero as well.
+  /// Widens the range of a sum of products. A host may fuse or reorder it, so that cancellation may
+  /// give zero.
   ValueRange blurred(const ValueRange &a) const {
     const float slack = 1e-6f * std::max(std::fabs(a.lo), std::fabs(a.hi));
     ValueRange result = a;
@@ -104,7 +104,7 @@ public:
     return total;
   }
 
-  /// A host may do LRP as c + a * (b - c).
+  /// Returns the range of LRP. A host may compute it as c + a * (b - c).
   ValueRange blend(const ValueRange &a, const ValueRange &b, const ValueRange &c) const {
     const ValueRange rest = sum(rangeOfNumber(1.0f), negated(a));
     const ValueRange result = sum(product(a, b), product(rest, c));
@@ -115,7 +115,8 @@ public:
             result.number && (allFinite || m_numerics != Numerics::Host)};
   }
 
-  /// A result as a register holds it; rounding keeps the order of values.
+  /// Returns the range of a result as a register stores it. Rounding is monotonic, so bounds stay
+  /// bounds.
   ValueRange held(const ValueRange &a) const {
     if (m_numerics == Numerics::Fp24)
       return {fp24::rounded(a.lo), fp24::rounded(a.hi), a.number};
@@ -193,7 +194,7 @@ ValueRange rangeOfAttribute(const ir::Attribute &attribute, ir::Language languag
                                       : rangeBetween(-kLargest, kLargest);
   case AttributeKind::FogCoord:
     return component == 0 ? ValueRange{} : rangeOfNumber(component == 3 ? 1.0f : 0.0f);
-  case AttributeKind::Position: // z is within the depth range; w is 1/w of the clip coordinates
+  case AttributeKind::Position: // z is in the depth range; w is 1/w of the clip coordinates
     if (vertex || component == 3)
       return {};
     return component == 2 ? rangeBetween(0.0f, 1.0f) : rangeBetween(-kLargest, kLargest);
@@ -233,7 +234,7 @@ ValueRange4 rangeOfResult(const ir::Instruction &instruction,
     return all(unit.held(exponential(a[0])));
   case Opcode::Lg2:
     return all(unit.held(logarithm(a[0])));
-  case Opcode::Lit: { // its exponent is clamped
+  case Opcode::Lit: { // LIT clamps its exponent
     const ValueRange exponent = rangeBetween(a[3].notNegative() ? 0.0f : -128.0f, 128.0f);
     return {one, larger(a[0], zero), unit.held(power(a[1], exponent)), one};
   }

@@ -7,36 +7,37 @@
 
 namespace arbiter::fp::analysis {
 
-/// What is known of one component of a value, whatever the application does.
+/// Bounds on one component of a value. They hold for whatever data the application passes.
 struct ValueRange {
-  float lo = -std::numeric_limits<float>::infinity(); ///< a value that is a number is not below
-  float hi = std::numeric_limits<float>::infinity();  ///< nor above
-  bool number = false;                                ///< it is no NaN
+  float lo = -std::numeric_limits<float>::infinity(); ///< lower bound, unless NaN
+  float hi = std::numeric_limits<float>::infinity();  ///< upper bound, unless NaN
+  bool number = false;                                ///< the value is never NaN
 
   [[nodiscard]] bool notNegative() const { return number && lo >= 0.0f; }
-  /// Neither infinite nor NaN, with room for what a host gains by summing in another order.
+  /// True if the value is neither infinite nor NaN. The margin allows for a host that reorders
+  /// sums.
   [[nodiscard]] bool finite() const { return number && lo >= -0x1p126f && hi <= 0x1p126f; }
   [[nodiscard]] bool mayBeZero() const { return lo <= 0.0f && hi >= 0.0f; }
 };
 
 using ValueRange4 = std::array<ValueRange, 4>;
 
-/// Exactly \p value, or nothing of a NaN.
+/// Returns the range of exactly \p value. NaN gives the unbounded range.
 [[nodiscard]] ValueRange rangeOfNumber(float value);
-/// A number of [lo, hi].
+/// Returns the range of a number in [lo, hi].
 [[nodiscard]] ValueRange rangeBetween(float lo, float hi);
 [[nodiscard]] ValueRange negated(const ValueRange &value);
 [[nodiscard]] ValueRange saturated(const ValueRange &value);
 
-/// An attribute's component, as the mode's instructions read it. Texture coordinates, the fog
-/// coordinate and all attributes of vertices are the application's, infinities included. So, in
-/// principle, are the colours of an application that turns the clamp of vertices' colours off
-/// (ARB_color_buffer_float); of those it is taken that they are no larger than a half float can
-/// hold, the largest that a colour buffer beside single floats has.
+/// Returns the range of an attribute component, as the instructions of the mode read it. Texture
+/// coordinates, the fog coordinate and all vertex attributes come from the application. They may be
+/// infinite. Fragment colours may too, if the application disables vertex colour clamping
+/// (ARB_color_buffer_float). This function assumes that such colours do not exceed the range of a
+/// half float. Half float is the largest colour buffer format short of single floats.
 [[nodiscard]] ValueRange rangeOfAttribute(const ir::Attribute &attribute, ir::Language language,
                                           int component, Numerics numerics);
 
-/// The result of an instruction before _SAT.
+/// Returns the range of an instruction's result before _SAT.
 [[nodiscard]] ValueRange4 rangeOfResult(const ir::Instruction &instruction,
                                         const std::array<ValueRange4, 3> &operands,
                                         Numerics numerics);

@@ -12,7 +12,7 @@ using RegisterValues = std::array<Vec4, kRegisters>;
 
 float flush(float x) { return std::fabs(x) < FLT_MIN ? std::copysign(0.0f, x) : x; }
 
-/// Bounds as min(max(x, low), high) does, so that NaN becomes `low`.
+/// Clamps as min(max(x, low), high) does, so that NaN becomes `low`.
 float bound(float x, float low, float high) { return x > low ? (x < high ? x : high) : low; }
 
 float component(const Vec4 &v, Replicate replicate, std::size_t i) {
@@ -94,7 +94,7 @@ private:
     m_registers = after;
   }
 
-  /// Table 3.21: component i of the result.
+  /// Returns component i of an operation's result (table 3.21).
   float result(const Operation &op, std::size_t i) const {
     const auto a = [&](std::size_t argument, std::size_t at) {
       return this->argument(op.arguments[argument], at);
@@ -119,7 +119,7 @@ private:
       return a(2, i) < 0.0f ? a(1, i) : a(0, i);
     case Op::Dot2Add:
       return flush(flush(product(0) + product(1)) + a(2, 2));
-    case Op::Dot3: // in the order of ir/semantics.h
+    case Op::Dot3: // same order as in ir/semantics.h
       return flush(flush(product(2) + product(1)) + product(0));
     case Op::Dot4:
       return flush(flush(flush(product(3) + product(2)) + product(1)) + product(0));
@@ -127,7 +127,7 @@ private:
     return 0.0f;
   }
 
-  /// Table 3.22.
+  /// Applies the destination modifiers (table 3.22).
   float finished(const Operation &op, float d) const {
     switch (op.scale) {
     case Scale::None:
@@ -156,7 +156,7 @@ private:
 
   float inRange(float x) const { return m_range == 0.0f ? x : bound(x, -m_range, m_range); }
 
-  /// Tables 3.23 and 3.24.
+  /// Returns a component of an argument after its modifiers (tables 3.23 and 3.24).
   float argument(const Argument &argument, std::size_t i) const {
     float s = component(source(argument), argument.replicate, i);
     if (argument.complement)

@@ -4,12 +4,12 @@
 
 namespace arbiter::fp::ati {
 
-/// Limits of ATI's fragment shaders: fixed by their language (ATI_text_fragment_shader 3.10.1), but
-/// for the units, which are the fragment target's. What fits the language is native: the language
-/// is the card's.
+/// Returns the limits of ATI fragment shaders. Their language fixes all (ATI_text_fragment_shader
+/// 3.10.1) except the number of units. Native limits are the same, because the language matches the
+/// hardware.
 [[nodiscard]] inline Limits limitsOf(Limits fragment) {
   ResourceCounts counts;
-  counts.aluInstructions = kMaxPasses * kMaxPairs; // pairs
+  counts.aluInstructions = kMaxPasses * kMaxPairs; // instruction pairs
   counts.texInstructions = kMaxPasses * kRegisters;
   counts.instructions = counts.aluInstructions + counts.texInstructions;
   counts.texIndirections = kMaxPasses;

@@ -15,7 +15,7 @@ namespace {
 using ir::Opcode;
 using ir::Target;
 
-/// The components that operation `op`, writing `mask`, takes of its argument `at`.
+/// Returns the components that `op`, writing `mask`, reads of its argument `at`.
 std::uint8_t componentsOf(const Operation &op, std::uint8_t mask, int at) {
   switch (op.op) {
   case Op::Dot3:
@@ -37,7 +37,7 @@ std::uint8_t componentsOf(const Operation &op, std::uint8_t mask, int at) {
   return mask;
 }
 
-/// True if `op`, writing `mask`, reads a component of `written` of the register.
+/// True if `op`, writing `mask`, reads a component in `written` of the register.
 bool reads(const Operation &op, std::uint8_t mask, std::uint8_t reg, std::uint8_t written) {
   for (int i = 0; i < argumentCount(op.op); ++i) {
     const Argument &argument = op.arguments[std::size_t(i)];
@@ -76,8 +76,8 @@ public:
 private:
   using Registers = std::array<std::optional<Target>, kRegisters>;
 
-  /// Each pass has registers of its own: what no setup carries over is gone, and setups that
-  /// exchange registers need no order.
+  /// Emits one pass. Each pass has registers of its own, so that values not passed on by a setup
+  /// are lost. Setups that exchange registers then need no particular order.
   void pass(const Pass &pass, bool last) {
     m_before = std::exchange(m_registers, {});
     m_prefix = last ? "r" : "pre";
@@ -148,7 +148,7 @@ private:
         m_builder.op(Opcode::Mov, result, {from.swz(q ? "xyww" : "xyzw")});
         return;
       }
-      // (s, t, 1) * (1/r): s/r is s * (1/r).
+      // s/r is computed as s * (1/r): (s, t, 1) * (1/r).
       const Target inverse = scratch();
       m_builder.op(Opcode::Rcp, inverse.mask("x"), {from.swz(q ? "w" : "z")});
       m_builder.op(Opcode::Mul, result, {from.swz("xy11"), inverse.read().swz("x")});
@@ -227,13 +227,13 @@ private:
     case Op::Lerp:
       m_builder.op(Opcode::Lrp, to, {a[0], a[1], a[2]});
       return;
-    case Op::Cnd: { // a3 > 0.5 is 0.5 - a3 < 0: the difference of two floats has its exact sign
+    case Op::Cnd: { // a3 > 0.5 is 0.5 - a3 < 0: a float difference has the exact sign
       const Target difference = withMask(scratch(), to.Destination::mask);
       m_builder.op(Opcode::Sub, difference, {literal(0.5f), a[2]});
       m_builder.op(Opcode::Cmp, to, {difference.read(), a[0], a[1]});
       return;
     }
-    case Op::Cnd0: // a NaN is not below zero
+    case Op::Cnd0: // NaN is not below zero
       m_builder.op(Opcode::Cmp, to, {a[2], a[1], a[0]});
       return;
     case Op::Dot2Add: {
@@ -246,7 +246,7 @@ private:
     }
   }
 
-  /// The argument's value in the components of `mask`.
+  /// Returns the argument's value in the components of `mask`.
   ir::Source argument(const Argument &argument, std::uint8_t mask) {
     ir::Source value = source(argument);
     if (argument.replicate != Replicate::None) {
@@ -284,7 +284,8 @@ private:
     return m_builder.attribute(ir::AttributeKind::ColorSecondary);
   }
 
-  /// The constant, clamped to [0,1] if the options say so: once, where the code reads it first.
+  /// Returns a constant, clamped to [0,1] if the options say so. The clamp is emitted once, at the
+  /// first read.
   ir::Source constant(std::uint8_t index) {
     std::optional<ir::Source> &known = m_constants[index];
     if (known)
@@ -309,8 +310,8 @@ private:
     return *known;
   }
 
-  /// Has `emit` write its result and clamps it on the way to `to`: to [0,1], or to the registers'
-  /// range if they have one.
+  /// Calls `emit` with the register to write and clamps its result on the way to `to`. The clamp is
+  /// to [0,1], or to the register range if there is one.
   template <typename Emit> void clamped(const Target &to, bool saturate, Emit emit) {
     if (saturate || m_range == 0.0f)
       return emit(saturate ? to.sat() : to);
@@ -331,8 +332,8 @@ private:
   float m_range;
   bool m_clampConstants;
   ir::Builder m_builder;
-  Registers m_registers; ///< of the pass at hand, as far as it names them
-  Registers m_before;    ///< of the pass before
+  Registers m_registers; ///< of the current pass; empty until used
+  Registers m_before;    ///< of the previous pass
   const char *m_prefix = "r";
   std::vector<std::pair<float, ir::Source>> m_literals;
   std::array<std::optional<ir::Source>, kConstants> m_constants;

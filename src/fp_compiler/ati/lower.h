@@ -7,19 +7,20 @@
 namespace arbiter::fp::ati {
 
 struct LowerOptions {
-  /// Registers hold values of [-range, range], clamped as they are written; 0: of any size. The
-  /// specification allows 8 (ATFS:798, AFS:552). Limits::atiRegisterRange of the profile.
+  /// Registers are clamped to [-range, range] on writes; 0 means no limit. The specification allows
+  /// 8 (ATFS:798, AFS:552). Profiles set it as Limits::atiRegisterRange.
   std::uint32_t registerRange = 0;
-  /// Constants beyond [0,1], which both specifications leave undefined, are clamped to it where the
-  /// code reads them. Not so for the API form: applications give it what its hosts keep.
+  /// Clamps constants to [0,1] where the code reads them. Both specifications leave values outside
+  /// undefined. The API form does not clamp: applications expect what their hosts do.
   bool clampConstants = true;
 };
 
-/// The shader as straight-line IR of language AtiFragment, every modifier spelled out. Its one
-/// output is Color 0. Constants of kind Env and Local become parameters of those kinds, clamped to
-/// [0,1] by the code. Samples carry the target Tex2D: the textures enabled at a draw decide
-/// (AFS:353). Options are those of an empty program: fog and colour sum are the draw's too.
-/// Requires: the shader keeps the rules of its language (shader.h). Cannot fail.
+/// Returns the shader as straight-line IR of language AtiFragment, with explicit code for every
+/// modifier. Its one output is Color 0. Constants of kind Env and Local become parameters of those
+/// kinds, clamped to [0,1] by the code. Samples have the target Tex2D, but the textures enabled at
+/// a draw decide (AFS:353). Options are those of an empty program, because fog and colour sum also
+/// depend on the draw. Requires: the shader obeys the rules of its language (shader.h). Cannot
+/// fail.
 [[nodiscard]] ir::Program lower(const Shader &shader, const LowerOptions &options = {});
 
 } // namespace arbiter::fp::ati

@@ -14,7 +14,7 @@
 namespace arbiter::fp::ati {
 namespace {
 
-/// One made-up fragment, as either interpreter asks for it.
+/// A synthetic fragment, in the form of either interpreter.
 struct Fragment {
   Inputs inputs;
   std::array<ir::Vec4, kConstants> env;
@@ -65,7 +65,7 @@ struct Fragment {
   }
 };
 
-/// Lowered, with textures that use all three coordinates.
+/// Returns the lowered shader with textures that use all three coordinates.
 ir::Program lowered(const Shader &shader, const LowerOptions &options) {
   ir::Program program = lower(shader, options);
   for (ir::Instruction &instruction : program.code)
@@ -118,7 +118,7 @@ TEST(Lower, RandomShadersMeanWhatTheSpecificationSays) {
   }
 }
 
-/// Reads t0, t1, t2 into r1, r2, r3, all three components, and gives them an alpha.
+/// Returns a shader that reads three components of t0, t1, t2 into r1, r2, r3 and sets their alpha.
 Shader prepared() {
   Shader shader;
   shader.passCount = 1;
@@ -142,7 +142,7 @@ Operation reading(Op op) {
   return operation;
 }
 
-/// As both halves of a pair.
+/// Tests the operation alone and as both halves of a pair.
 void expectPair(const Operation &operation, const std::string &what) {
   for (const bool whole : {false, true}) {
     Shader shader = prepared();
@@ -187,8 +187,8 @@ TEST(Lower, EveryOpWithEveryDestinationModifier) {
         }
 }
 
-// What follows are numbers worked out by hand, so that the two interpreters cannot agree on the
-// same misreading.
+// The numbers below are computed by hand, so that the two interpreters cannot share the same
+// misreading.
 
 ir::Vec4 resultOf(const Shader &shader, const ir::Vec4 &t0, const LowerOptions &options = {}) {
   Fragment fragment(0);
@@ -199,7 +199,7 @@ ir::Vec4 resultOf(const Shader &shader, const ir::Vec4 &t0, const LowerOptions &
   return seen;
 }
 
-/// r0 = t0.str, and one pair.
+/// Returns a shader with r0 = t0.str and one pair.
 Shader single(const Pair &pair) {
   Shader shader;
   shader.passCount = 1;
@@ -213,7 +213,7 @@ TEST(Lower, ModifiersApplyInTheOrderOfTheSpecification) {
   Pair pair;
   pair.color = Operation();
   pair.color->arguments[0] = {Source::Register, 0, Replicate::None, true, true, true, true};
-  // -(2 * ((1 - s) - 0.5))
+  // All modifiers together give -(2 * ((1 - s) - 0.5)).
   EXPECT_TRUE(same(resultOf(single(pair), {0.25f, 0.5f, 1.0f, 9.0f}), {-0.5f, 0.0f, 1.0f, 0.0f}));
 }
 
@@ -224,7 +224,7 @@ TEST(Lower, AlphaReadsWhatWasThereBeforeTheColourWrite) {
   pair.alpha = Operation();
   pair.alpha->arguments[0] = {Source::Register, 0, Replicate::Red};
   EXPECT_TRUE(same(resultOf(single(pair), {0.25f, 0.5f, 0.75f, 0.0f}), {1.0f, 1.0f, 1.0f, 0.25f}));
-  // And the colour what was there before the alpha write: each reads what the other writes.
+  // The colour also reads the registers as they were before the alpha write.
   pair.color->arguments[0] = {Source::Register, 0, Replicate::Alpha};
   EXPECT_TRUE(same(resultOf(single(pair), {0.25f, 0.5f, 0.75f, 0.0f}), {0.0f, 0.0f, 0.0f, 0.25f}));
 }
@@ -292,7 +292,7 @@ TEST(Lower, RegistersCrossPassesOnlyThroughSetups) {
   }
   first.pairCount = 2;
   Pass &second = shader.passes[1];
-  // An exchange: both setups read the registers of the first pass.
+  // Both setups read the registers of the first pass, so that the registers are exchanged.
   second.setups[0] = {SetupKind::PassTexCoord, true, 1, Coordinates::Str, {}};
   second.setups[1] = {SetupKind::PassTexCoord, true, 0, Coordinates::Str, {}};
   const ir::Vec4 t0 = {0.25f, 0.5f, 0.75f, 9.0f};
@@ -302,7 +302,7 @@ TEST(Lower, RegistersCrossPassesOnlyThroughSetups) {
   second.pairs[0] = {move, move, {}};
   second.pairCount = 1;
   EXPECT_TRUE(same(resultOf(shader, t0), {0.25f, 0.5f, 0.75f, 0.0f}));
-  move.arguments[0] = {Source::Register, 2}; // no setup
+  move.arguments[0] = {Source::Register, 2}; // r2 has no setup
   second.pairs[0] = {move, move, {}};
   EXPECT_TRUE(same(resultOf(shader, t0), {0.0f, 0.0f, 0.0f, 0.0f}));
 }

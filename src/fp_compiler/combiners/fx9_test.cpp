@@ -10,7 +10,8 @@
 namespace arbiter::fp::combiners {
 namespace {
 
-/// What one number gives, in 255ths, of a primary color that is `red` of them and of constants.
+/// One case of a general combiner. Its red result, in 255ths, depends on a primary colour of `red`
+/// 255ths and on constants.
 struct Case {
   State state;
   Inputs inputs;
@@ -25,7 +26,8 @@ struct Case {
   }
   Portion &rgb() { return state.stages[0].rgb; }
 
-  /// By the IR that the mode makes, and by the second reading, which agree.
+  /// Returns the result of the IR for the mode. Checks that the independent evaluator gives the
+  /// same.
   [[nodiscard]] double red() const {
     Surroundings around;
     around.fx9 = true;
@@ -50,7 +52,7 @@ struct Case {
   }
 };
 
-/// 100.4 / 255 is held as 100, 100.5 as 101; what is out of range, as its end.
+/// 100.4 / 255 is stored as 100 and 100.5 as 101. Values out of range are clamped.
 TEST(Fx9, WhatIsGivenIsRounded) {
   EXPECT_NEAR(Case(100.4).red(), 100.0, 1e-3);
   EXPECT_NEAR(Case(100.6).red(), 101.0, 1e-3);
@@ -60,7 +62,8 @@ TEST(Fx9, WhatIsGivenIsRounded) {
   EXPECT_NEAR(negative.red(), 21.0, 1e-3);
 }
 
-/// 100 * 51 / 255 = 20; 100 * 50 / 255 = 19.608, which is 20; 100 * 49 / 255 = 19.216, which is 19.
+/// 100 * 51 / 255 = 20; 100 * 50 / 255 = 19.608, which gives 20; 100 * 49 / 255 = 19.216, which
+/// gives 19.
 TEST(Fx9, AProductIsRounded) {
   for (const auto &[factor, product] :
        {std::pair{51, 20}, {50, 20}, {49, 19}, {255, 100}, {1, 0}}) {
@@ -71,7 +74,7 @@ TEST(Fx9, AProductIsRounded) {
   }
 }
 
-/// What one is the other factor of is a whole number already, and is not rounded again.
+/// A product with one is a whole number already and needs no rounding.
 TEST(Fx9, AProductWithOneIsNotRounded) {
   const auto roundings = [](const Case &of) {
     Surroundings around;
@@ -100,7 +103,7 @@ TEST(Fx9, AProductWithOneIsNotRounded) {
   EXPECT_EQ(roundings(of), 3);
 }
 
-/// A sum is rounded once: 0.392 + 0.392 of 10 * 10 / 255 are 1, each by itself 0.
+/// A sum is rounded once: 10 * 10 / 255 = 0.392 gives 0 by itself, but 0.392 + 0.392 gives 1.
 TEST(Fx9, ASumOfProductsIsRoundedOnce) {
   Case of(10);
   of.inputs.constants[0][0] = 10 / 255.0;
@@ -112,21 +115,22 @@ TEST(Fx9, ASumOfProductsIsRoundedOnce) {
   EXPECT_NEAR(of.red(), 10.0, 1e-3); // (100 + 10 * 245) / 255
 }
 
-/// By one half: 101 gives 50.5, which is 51; -101 gives -50.5, which is -50: halves go upward.
+/// A scale of one half gives 50.5 for 101, which rounds to 51, and -50.5 for -101, which rounds to
+/// -50.
 TEST(Fx9, HalvesGoUpward) {
   Case of(101);
   of.rgb().scale = Scale::ByOneHalf;
   EXPECT_NEAR(of.red(), 51.0, 1e-3);
   of.rgb().inputs[0].mapping = Mapping::SignedNegate;
-  of.state.finals[3].mapping = Mapping::UnsignedInvert; // shows what is negative as one
+  of.state.finals[3].mapping = Mapping::UnsignedInvert; // shows a negative value as one
   EXPECT_NEAR(of.red(), 255.0, 1e-3);
-  of.state.count = 2; // and a stage that negates it again
+  of.state.count = 2; // the second stage negates it again
   of.state.stages[1].rgb.inputs[0] = {Register::Spare0, Mapping::SignedNegate, Usage::Rgb};
   of.state.finals[3].mapping = Mapping::UnsignedIdentity;
   EXPECT_NEAR(of.red(), 50.0, 1e-3);
 }
 
-/// One half is 128 of 255: what a byte of 128 is biased to is nothing, by either mapping.
+/// One half is 128 of 255. Either half-bias mapping maps a byte of 128 to zero.
 TEST(Fx9, OneHalfIsANumberToo) {
   for (const Mapping mapping : {Mapping::HalfBiasNormal, Mapping::HalfBiasNegate}) {
     Case of(128);
@@ -142,7 +146,7 @@ TEST(Fx9, OneHalfIsANumberToo) {
   EXPECT_NEAR(expanded.red(), 1.0, 1e-3);
 }
 
-/// A mux takes CD from 128 on.
+/// A mux selects CD from 128 on.
 TEST(Fx9, AMuxComparesNumbers) {
   for (const int chooser : {127, 128}) {
     Case of(200);

@@ -15,7 +15,7 @@ using ir::Source;
 using ir::Target;
 using ir::TexTarget;
 
-/// Both halves of a register.
+/// The RGB and the alpha half of a register.
 struct Contents {
   Value rgb, alpha;
 };
@@ -27,7 +27,8 @@ float factor(Scale scale) {
 
 class Lowering {
 public:
-  /// \param textures what makes the texture registers; none: samples of the units' targets
+  /// \param textures gives the initial texture registers. If empty, they are samples of the units'
+  /// targets.
   Lowering(ir::Builder &builder, const State &state, const Surroundings &surroundings,
            const InitialTexture &textures)
       : m_state(state), m_around(surroundings), m_textures(textures), m_builder(builder),
@@ -43,8 +44,8 @@ public:
 private:
   // --- Registers ---
 
-  /// What a half of the register holds before the stage at hand. Made when it is first read: a
-  /// texture that no stage reads is not sampled.
+  /// Returns one half of a register as it is before the current stage. The initial value is
+  /// computed on the first read, so that textures no stage reads are not sampled.
   const Value &read(Register name, Half half) {
     if (name == Register::Constant0 || name == Register::Constant1) {
       const Contents &color = constant(name == Register::Constant0 ? 0 : 1);
@@ -68,7 +69,7 @@ private:
     return *known;
   }
 
-  /// Table RC.1.
+  /// Returns the initial value of a register (table RC.1).
   Value initial(Register name, Half half) {
     const auto attribute = [&](ir::AttributeKind kind) {
       return m_values.registered(half, unknown(m_builder.attribute(kind)));
@@ -107,7 +108,8 @@ private:
             m_values.registered(Half::Alpha, unknown(texture->swz("w")))};
   }
 
-  /// Conventional texturing of the unit, and table RC.2.
+  /// Returns the initial value of a texture register: a sample with conventional texturing (table
+  /// RC.2).
   Contents sample(int unit) {
     const Texel texel = m_around.texels[std::size_t(unit)];
     if (texel == Texel::None)
@@ -134,8 +136,8 @@ private:
     return unknown(m_builder.state(color));
   }
 
-  /// OpenGL 1.4, section 3.10; one where fog is disabled. The state's parameters are the density,
-  /// start, end and 1 / (end - start).
+  /// Returns the fog factor (OpenGL 1.4, section 3.10), or one if fog is disabled. The state
+  /// parameters are the density, start, end and 1 / (end - start).
   Value fogFactor() {
     if (m_around.fog == ir::FogMode::None)
       return m_values.literal(1.0f);
@@ -161,7 +163,7 @@ private:
 
   // --- Inputs ---
 
-  /// The register's value as a variable gets it, before the mapping.
+  /// Returns the selected register half of a variable before the mapping.
   Value picked(const Input &input) {
     Value value = read(input.source, input.usage == Usage::Alpha ? Half::Alpha : Half::Rgb);
     if (input.usage != Usage::Rgb) {
@@ -187,16 +189,16 @@ private:
 
   void general(int i) {
     m_stage = i;
-    std::vector<Write> writes; // both portions read what was before the stage
+    std::vector<Write> writes; // both portions read the registers as they were before the stage
     portion(m_state.stages[std::size_t(i)].rgb, Half::Rgb, writes);
     portion(m_state.stages[std::size_t(i)].alpha, Half::Alpha, writes);
     for (const Write &write : writes)
       m_registers[std::size_t(write.to)][std::size_t(write.half)] = write.value;
   }
 
-  /// RC's equations have no sum of dot products; its issues do. What enters the sum or the mux is
-  /// clamped, and what is put out as a product is scaled first: so it is on NVIDIA's driver, in
-  /// each of 1,594 random states.
+  /// Computes one portion of a stage. RC's equations have no sum of dot products, but its issues
+  /// do. A dot product is clamped before it enters the sum or the mux, and scaled before it is
+  /// output as a product. NVIDIA's driver did this in each of 1,594 random states.
   void portion(const Portion &portion, Half half, std::vector<Write> &writes) {
     const auto write = [&](Register to, const Value &computed) {
       if (to != Register::Discard)
@@ -207,7 +209,7 @@ private:
     if (!sums && !needsAb && portion.cd == Register::Discard)
       return;
     const auto in = [&](std::size_t v) { return variable(half, portion.inputs[v]); };
-    if (sums && !needsAb && !portion.abDot && !portion.mux) { // the commonest: one MAD
+    if (sums && !needsAb && !portion.abDot && !portion.mux) { // the most common case: one MAD
       Value cd = product(half, in(2), in(3), portion.cdDot);
       write(portion.cd, cd);
       if (portion.cdDot)
@@ -234,7 +236,7 @@ private:
     return dot ? m_values.dot(a, b) : m_values.product(half, a, b);
   }
 
-  /// \param one of what the value is
+  /// \param one the representation of one at this point (Values::one() or Values::oneOfProduct())
   Value clamped(Half half, const Value &value, float one) {
     return m_values.clamped(half, value, -one, one);
   }
@@ -284,7 +286,8 @@ private:
     return m_state.sumClamp ? m_values.atMost(Half::Rgb, sum, m_values.one()) : sum;
   }
 
-  /// A to D, whose sources may be the pseudo-registers, with an alpha of zero.
+  /// Returns variable A to D. Their sources include the pseudo-registers, which have an alpha of
+  /// zero.
   Value finalVariable(std::size_t v) {
     const Input &input = m_state.finals[v];
     if (input.source != Register::ETimesF && input.source != Register::Spare0PlusSecondary)
@@ -303,7 +306,7 @@ private:
   std::array<std::array<std::optional<Value>, 2>, kRegisters> m_registers;
   std::array<std::optional<Contents>, kTextures> m_samples;
   std::array<std::optional<Contents>, kConstants> m_constants;
-  Value m_product, m_sum; ///< the final combiner's pseudo-registers
+  Value m_product, m_sum; ///< pseudo-registers of the final combiner
 };
 
 } // namespace

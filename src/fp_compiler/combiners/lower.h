@@ -8,16 +8,16 @@
 
 namespace arbiter::fp::combiners {
 
-/// The combiners as straight-line IR of an ARB fragment program, whose one output is Color 0 and
-/// whose options are those of an empty program: fog and colour sum are the final combiner's. Env
-/// parameters globalConstant() and stageConstant() are the constant colours. Registers that are
-/// undefined where they are read are zero. Cannot fail.
+/// Returns the combiners as straight-line IR of an ARB fragment program with the one output Color
+/// 0. Its options are those of an empty program, because the final combiner does fog and colour
+/// sum. The constant colours are env parameters globalConstant() and stageConstant(). Reads of
+/// undefined registers give zero. Cannot fail.
 [[nodiscard]] ir::Program lower(const State &state, const Surroundings &surroundings);
 
-/// What a texture register is initialised with; nothing: zeros.
+/// Returns the initial value of a texture register, or nothing for zeros.
 using InitialTexture = std::function<std::optional<ir::Source>(int unit)>;
-/// The same behind code that makes the texture registers (NV_texture_shader, 3.8.13): no unit is
-/// sampled, and of the surroundings the fog alone is read.
+/// Appends the combiners to code that computes the texture registers (NV_texture_shader, 3.8.13).
+/// It samples no unit, and uses only the fog of \p surroundings.
 void lower(ir::Builder &builder, const State &state, const Surroundings &surroundings,
            const InitialTexture &textures);
 

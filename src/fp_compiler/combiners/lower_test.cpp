@@ -17,12 +17,12 @@
 namespace arbiter::fp::combiners {
 namespace {
 
-constexpr double kTolerance = 1.0 / 2048; ///< of a colour
-constexpr double kUndetermined = 1e-4;    ///< distances of a mux from its other choice
+constexpr double kTolerance = 1.0 / 2048; ///< for a colour
+constexpr double kUndetermined = 1e-4;    ///< minimum distance of a mux from its threshold
 
 ir::Vec4 single(const Color &v) { return {float(v[0]), float(v[1]), float(v[2]), float(v[3])}; }
 
-/// A state, what is around it, and one fragment.
+/// A combiner state, the surrounding GL state, and one fragment.
 struct Fragment {
   State state;
   Surroundings around;
@@ -164,8 +164,8 @@ TEST(Combiners, RandomStatesGiveWhatTheEquationsGive) {
   EXPECT_GT(judged, 11000);
 }
 
-/// Every step is exact, so that the two readings agree to the number, before the passes and behind
-/// them.
+/// Every step is exact. The lowered program and the evaluator therefore agree exactly, before and
+/// after the passes.
 TEST(Combiners, RandomStatesGiveTheIntegersOfNineBits) {
   int judged = 0;
   for (std::uint64_t seed = 0; seed < 12000; ++seed) {
@@ -217,7 +217,7 @@ TEST(Combiners, TheInitialStateIsThePrimaryColorWithTheSecondarySummed) {
   EXPECT_EQ(countOf(program, ir::Opcode::Txp), 0u);
 }
 
-/// AB and CD are products in one MAD: what an ARB program of the same meaning has.
+/// The products AB and CD become one MAD, as in an ARB program of the same meaning.
 TEST(Combiners, ASumOfProductsIsOneInstruction) {
   State state;
   Portion &rgb = state.stages[0].rgb;
@@ -242,7 +242,7 @@ TEST(Combiners, ATextureOfAnUnreadRegisterIsNotSampled) {
   EXPECT_EQ(texturesRead(state) & 8u, 0u);
 }
 
-/// A dot product is clamped where it goes into a sum, and scaled whole where it is put out.
+/// A dot product is clamped before it enters a sum, but scaled unclamped when it is output.
 TEST(Combiners, DotProductsInSums) {
   State state;
   Portion &rgb = state.stages[0].rgb;

@@ -18,7 +18,7 @@ bool readsProduct(const State &state) {
                      [](const Input &input) { return input.source == Register::ETimesF; });
 }
 
-/// Goes along the stages and notes which registers are read before they are written.
+/// Walks the stages and records which texture registers are read before they are written.
 class FirstReads {
 public:
   explicit FirstReads(const State &state) : m_state(state) {}
@@ -51,7 +51,7 @@ private:
 
   void read(const Input &input) {
     if (input.source >= Register::TexturesEnd)
-      return; // neither begins as a texture's
+      return; // no other register starts with a texel
     const Written &written = m_written[std::size_t(input.source)];
     if (input.usage == Usage::Alpha ? written.alpha : written.rgb)
       return;

@@ -11,7 +11,7 @@ using ir::Target;
 
 namespace {
 
-/// Bounds beyond what a float can hold are no bounds.
+/// Clamps a bound to the range of floats; a bound beyond it means unbounded.
 float bounded(double value) {
   return float(std::clamp(value, double(-Value::kAny), double(Value::kAny)));
 }
@@ -166,8 +166,8 @@ Value Values::fromProduct(Half half, const Value &product, float scale, bool bia
     return scaled(half, registerOf(product), scale, bias);
   if (product.timesOne)
     return roundedDown(half, scaled(half, registerOf(product), scale, bias + 0.5f));
-  // What is rounded lies between two numbers in steps of 1 / 255, or half of those. A quarter of a
-  // step more decides nothing, but takes ties out of the reach of errors that the factor brings in.
+  // The exact value is a multiple of 1 / 255 of a number, or of half that. A quarter of this step
+  // does not change the result, but keeps ties clear of rounding errors of the factor.
   const float quarter = 0.25f * std::min(scale, 1.0f) / one();
   return roundedDown(half, scaled(half, product, scale / one(), bias + 0.5f + quarter));
 }
@@ -182,7 +182,7 @@ Value Values::chosen(Half half, const Value &chooser, const Value &below, const 
   if (below.timesOne && other.timesOne)
     return product(half, chosen(half, chooser, registerOf(below), registerOf(other)),
                    literal(one()));
-  // The difference of two floats has its exact sign.
+  // The difference of two floats has the exact sign.
   const Value distance =
       emit(Half::Alpha, Opcode::Sub, {chooser.source.swz("w"), literal(oneHalf()).source},
            -Value::kAny, Value::kAny);

@@ -7,23 +7,22 @@
 
 namespace arbiter::fp::combiners {
 
-/// What a portion computes: a vector in x, y and z, or a scalar in w.
+/// The part of a register that a portion computes: a vector in x, y and z, or a scalar in w.
 enum class Half : std::uint8_t { Rgb, Alpha };
 
-/// A computed value of one half, with what is known of its range: clamps that cannot do anything
-/// are not emitted.
+/// A computed value of one half and its known range. Clamps that cannot change it are not emitted.
 struct Value {
   static constexpr float kAny = 3e38f;
 
   ir::Source source;
   float low = -kAny;
   float high = kAny;
-  std::optional<float> literal; ///< of every component
-  /// By Numerics::Fx9, of a product: the register that one() is the other factor of. Nothing of it
-  /// is rounded where it becomes a register again.
+  std::optional<float> literal; ///< the value, if all components are a known constant
+  /// For a product with one() in Numerics::Fx9: the other factor. It becomes a register again
+  /// without rounding.
   std::optional<ir::Source> timesOne = {};
 
-  /// What it is a clamped copy of, to low and high: what is clamped again begins there.
+  /// The value before it was clamped to [low, high]. A second clamp starts from it.
   struct Beneath {
     ir::Source source;
     float low, high;
@@ -33,26 +32,27 @@ struct Value {
   [[nodiscard]] bool is(float number) const { return literal && *literal == number; }
 };
 
-/// The arithmetic of register combiners as instructions. Every result is a new temporary, so that
-/// values stay what they were; what is known while compiling is not computed.
+/// Emits the arithmetic of register combiners as instructions. Every result is a new temporary, so
+/// that values never change. Constants are folded.
 ///
-/// By Numerics::Fx9 a register's value n / 255 is the whole number n, and a product's the whole
-/// number of 255 * 255ths, so that every step is exact in singles, however a back end contracts or
-/// orders it, and the one rounding is where a register is written.
+/// In Numerics::Fx9 a register value n / 255 is held as the whole number n, and a product in units
+/// of 1 / (255 * 255). Every step is then exact in single precision, whether or not a back end
+/// contracts or reorders it. Only the write to a register rounds.
 class Values {
 public:
   Values(ir::Builder &builder, bool fx9) : m_builder(builder), m_fx9(fx9) {}
 
-  /// One, and one half, as a register holds them.
+  /// Return one and one half, as a register holds them.
   [[nodiscard]] float one() const { return m_fx9 ? 255.0f : 1.0f; }
   [[nodiscard]] float oneHalf() const { return m_fx9 ? 128.0f : 0.5f; }
-  /// One, as a product of registers.
+  /// Returns one, as a product of registers holds it.
   [[nodiscard]] float oneOfProduct() const { return one() * one(); }
-  /// What the rest of GL gives, as a register holds it.
+  /// Converts a value of other GL state to a register value.
   [[nodiscard]] Value registered(Half half, const Value &given);
-  /// (product - one half if `biased`) * scale as a register, which it may be out of the range of.
+  /// Returns (product - one half if `biased`) * scale as a register value, which may be out of
+  /// range.
   [[nodiscard]] Value fromProduct(Half half, const Value &product, float scale, bool biased);
-  /// The register as the rest of GL takes it.
+  /// Converts a register value to what other GL state expects.
   [[nodiscard]] Value given(Half half, const Value &value);
 
   [[nodiscard]] Value literal(float number);
@@ -60,20 +60,20 @@ public:
   [[nodiscard]] Value atMost(Half half, const Value &value, float bound);
   [[nodiscard]] Value clamped(Half half, const Value &value, float low, float high);
   [[nodiscard]] Value negated(const Value &value);
-  /// value * scale + bias
+  /// Returns value * scale + bias.
   [[nodiscard]] Value scaled(Half half, const Value &value, float scale, float bias);
   [[nodiscard]] Value product(Half half, const Value &a, const Value &b);
-  /// a * b + c
+  /// Returns a * b + c.
   [[nodiscard]] Value multiplyAdd(Half half, const Value &a, const Value &b, const Value &c);
-  /// Of x, y and z, in each component.
+  /// Returns the dot product of x, y and z in each component.
   [[nodiscard]] Value dot(const Value &a, const Value &b);
   [[nodiscard]] Value sum(Half half, const Value &a, const Value &b);
-  /// `below` where the chooser's w, a register, is less than one half, else `other`.
+  /// Returns `below` if the chooser's w, a register value, is less than one half, else `other`.
   [[nodiscard]] Value chosen(Half half, const Value &chooser, const Value &below,
                              const Value &other);
-  /// a * b + (1 - a) * c of registers, as a product
+  /// Returns a * b + (1 - a) * c of registers, as a product.
   [[nodiscard]] Value blended(Half half, const Value &a, const Value &b, const Value &c);
-  /// Table RC.4, of a register.
+  /// Applies a mapping of table RC.4 to a register value.
   [[nodiscard]] Value mapped(Half half, const Value &value, Mapping mapping);
 
 private:
@@ -81,7 +81,7 @@ private:
   [[nodiscard]] Value emit(Half half, ir::Opcode opcode, std::initializer_list<ir::Source> operands,
                            float low, float high);
 
-  /// The register whose product with one() the value is.
+  /// Returns the register whose product with one() is \p product.
   [[nodiscard]] Value registerOf(const Value &product) const;
   [[nodiscard]] Value roundedDown(Half half, const Value &value);
 

@@ -12,8 +12,8 @@ using ir::Instruction;
 using ir::Operand;
 
 namespace {
-/// The row that a relative operand reads at an address, as a plain operand; zero where there is
-/// none.
+/// Returns the row that a relative operand reads at a known address, as a plain operand. Out of
+/// range, the result reads zero.
 Operand rowOf(const ir::Program &program, const Operand &operand, float address) {
   const std::vector<std::uint16_t> &rows = program.arrays[operand.index].rows;
   const float at = address + float(operand.offset);
@@ -35,7 +35,7 @@ Operand rowOf(const ir::Program &program, const Operand &operand, float address)
 } // namespace
 
 bool resolveAddresses(ir::Program &program, Numerics numerics) {
-  // As numbers: those that a float has exactly.
+  // Addresses below this bound are exact as floats.
   constexpr float kFurthest = 1 << 20;
   std::vector<std::optional<float>> addresses(program.addresses.size(), 0.0f);
   bool changed = false;

@@ -22,7 +22,7 @@ HeldBits::HeldBits(const ir::Program &program, Numerics numerics)
   if (program.options.nv == ir::NvOption::None)
     return;
   m_temporaries.resize(program.temporaries.size(), false);
-  for (bool changed = true; changed;) { // a loop brings it back to where it began
+  for (bool changed = true; changed;) { // values may flow from the end of a loop to its start
     changed = false;
     for (const Instruction &instruction : program.code) {
       if (!ir::carriesBits(instruction.op) || instruction.dst.file != File::Temporary ||

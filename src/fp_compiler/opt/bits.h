@@ -5,20 +5,20 @@
 
 namespace arbiter::fp::opt {
 
-/// Which registers may hold bits that are no number of the mode: in programs under NVIDIA's options
-/// MOV, SWZ and CMP copy what PK*, UP* and parameters give, denormals and the NaNs of packing, and
-/// every other opcode reads and makes numbers (ir/semantics.h). There a copy is not what an
-/// arithmetic identity makes.
+/// Finds registers that may hold raw bits instead of numbers. Under NVIDIA's options MOV, SWZ and
+/// CMP copy bits unchanged: PK*, UP* and parameters produce denormals and NaN payloads. All other
+/// opcodes flush what they read (ir/semantics.h). In such programs a copy is not equivalent to an
+/// arithmetic identity.
 class HeldBits {
 public:
   HeldBits(const ir::Program &program, Numerics numerics);
-  /// False where a MOV of the operand gives what arithmetic reads of it.
+  /// True if a MOV of the operand may differ from what arithmetic reads. False if they are equal.
   [[nodiscard]] bool mayBeIn(const ir::Operand &operand) const;
 
 private:
   const ir::Program &m_program;
   const bool m_inParameters;
-  std::vector<bool> m_temporaries; ///< empty where the options are none of NVIDIA's
+  std::vector<bool> m_temporaries; ///< empty unless one of NVIDIA's options is set
 };
 
 } // namespace arbiter::fp::opt

@@ -12,14 +12,14 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-/// Where a component's value also stands. Zero and One have no register.
+/// The source that a component was copied from. Zero and One are no registers.
 struct Origin {
   bool known = false;
   File file = File::Temporary;
   std::uint16_t index = 0;
   Select select = Select::Zero;
   bool negate = false;
-  std::uint32_t version = 0; ///< of a temporary when it was copied
+  std::uint32_t version = 0; ///< version of the source temporary at the time of the copy
 };
 
 class Copies {
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  /// What a component of an operand reads, one copy back.
+  /// Returns the origin of an operand component, one copy back.
   Origin originOf(const Operand &operand, int position) const {
     const Select select = operand.swizzle[std::size_t(position)];
     const bool negate = operand.negate >> position & 1;
@@ -51,7 +51,7 @@ private:
     if (select > Select::W)
       return direct;
     if (operand.relative)
-      return {}; // stays where it is: a later read would need the address as it is now
+      return {}; // a later read would see a different address
     if (operand.file == File::Parameter)
       return constantOrigin(direct);
     if (operand.file != File::Temporary)
@@ -65,7 +65,7 @@ private:
     return copied;
   }
 
-  /// 0, 1, -0 and -1 need no register, so they join with any other.
+  /// Maps 0, 1, -0 and -1 to swizzle selectors, which combine with any register.
   Origin constantOrigin(const Origin &direct) const {
     const ir::Parameter &parameter = m_program.parameters[direct.index];
     if (parameter.kind != ir::ParameterKind::Constant)
@@ -94,7 +94,7 @@ private:
       if (origin.select > Select::W)
         continue;
       if (hasRegister && (result.file != origin.file || result.index != origin.index))
-        return false; // two registers do not fit one operand
+        return false; // an operand can read only one register
       hasRegister = true;
       result.file = origin.file;
       result.index = origin.index;

@@ -11,7 +11,7 @@ using ir::Opcode;
 
 std::string last(const ir::Program &program) { return ir::print(program.code.back()); }
 
-// MOV t, -c.wzyx;  ADD o, -t.yyxx, c;   composed operand: c.zzww
+// MOV t, -c.wzyx; ADD o, -t.yyxx, c: the composed operand is c.zzww.
 TEST(PropagateCopies, ComposesSwizzleAndNegate) {
   Builder b;
   const auto t = b.temporary();

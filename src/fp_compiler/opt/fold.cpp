@@ -12,7 +12,7 @@ using ir::Instruction;
 using ir::Opcode;
 
 namespace {
-/// A MOV of a constant is what folding makes.
+/// True if the instruction is a MOV of a constant already, which is what folding produces.
 bool isFolded(const Instruction &instruction) {
   if (instruction.op != Opcode::Mov || instruction.dst.saturate)
     return false;
@@ -23,10 +23,11 @@ bool isFolded(const Instruction &instruction) {
   return true;
 }
 
-/// PK* and UP* make bits that a row of constants, read as numbers, may lose.
+/// True for PK* and UP*. A constant row, read as numbers, may lose the bits they produce.
 bool packs(Opcode op) { return int(op) >= ir::kOpcodeCount && ir::carriesBits(op); }
 
-/// The operands' values where they matter, or nothing if one is not constant.
+/// Returns the values of the operands in the components that are read, or nothing if one is not
+/// constant.
 std::optional<ir::Operands> constantOperands(const ir::Program &program,
                                              const Instruction &instruction, Numerics numerics) {
   ir::Operands operands = {};
@@ -44,8 +45,9 @@ std::optional<ir::Operands> constantOperands(const ir::Program &program,
   return operands;
 }
 
-/// The result; components outside the mask repeat one inside, so that rows are shared. It is a
-/// number of the mode, so reading it as a constant gives it back.
+/// Returns the constant result, or nothing if it is infinite or NaN. Components outside the mask
+/// repeat one inside, so that rows can be shared. The value is a number of the mode, so loading it
+/// as a constant does not change it.
 std::optional<ir::Vec4> result(const Instruction &instruction, const ir::Operands &operands,
                                Numerics numerics, ir::Language language) {
   ir::Vec4 value = ir::apply(instruction.op, operands, numerics, language);

@@ -57,7 +57,7 @@ TEST(FoldConstants, LeavesMovesAlone) {
   EXPECT_FALSE(runChecked(foldConstants, program));
 }
 
-/// The color's row after folding `op` of the constants in a mode; nothing if it does not fold.
+/// Returns the value that `op` of the constants folds to in a mode, or nothing if it does not fold.
 std::optional<float> folded(Opcode op, std::initializer_list<float> values, Numerics numerics) {
   Builder b;
   ir::Source sources[3];
@@ -75,14 +75,15 @@ std::optional<float> folded(Opcode op, std::initializer_list<float> values, Nume
 }
 
 TEST(FoldConstants, ComputesInTheMode) {
-  // Truncated on load to 1 + 2^-16, whose square has 2^-32 to lose; as singles it is another.
+  // The constant truncates to 1 + 2^-16 on load, and its square loses 2^-32. In single precision
+  // the result differs.
   constexpr float kJustAbove = 0x1.0001FEp0f;
   EXPECT_EQ(folded(Opcode::Mul, {kJustAbove, kJustAbove}, Numerics::Fp24), 0x1.0002p0f);
   EXPECT_EQ(folded(Opcode::Mul, {kJustAbove, kJustAbove}, Numerics::Host), kJustAbove * kJustAbove);
-  // Each step is rounded: 2^17 + 1 is 2^17, and taking 2^17 away leaves nothing.
+  // Each step is rounded: 2^17 + 1 gives 2^17.
   EXPECT_EQ(folded(Opcode::Mad, {1, 0x1p17f, 1}, Numerics::Fp24), 0x1p17f);
   EXPECT_EQ(folded(Opcode::Mad, {1, 0x1p17f, 1}, Numerics::Legacy), 0x1p17f + 1);
-  // Beyond the format, though not beyond a single.
+  // The result overflows 24-bit floats, but not singles.
   EXPECT_EQ(folded(Opcode::Mul, {0x1p40f, 0x1p40f}, Numerics::Fp24), std::nullopt);
   EXPECT_EQ(folded(Opcode::Mul, {0x1p-40f, 0x1p-40f}, Numerics::Fp24), 0.0f);
   EXPECT_EQ(folded(Opcode::Mul, {0x1p40f, 0x1p40f}, Numerics::Host), 0x1p80f);

@@ -18,10 +18,10 @@ using ir::Select;
 
 namespace {
 constexpr std::uint8_t kX = 1, kAll = 0xF;
-/// What the loops of a program may become: where constants alone decide, and where values do, which
-/// a loop may leave early and this code does not.
+/// Maximum number of instructions that the loops may become. The lower limit holds if values decide
+/// some BRK: a real loop could then exit early, but the rewritten code cannot.
 constexpr std::size_t kMostDecided = 1024, kMostSelected = 192;
-/// Labels of rounds that do nothing are gone by then; more is a loop to keep.
+/// Maximum number of steps. A loop that needs more is kept.
 constexpr std::size_t kMostSteps = 8192;
 
 Operand temporary(std::uint16_t index) {
@@ -36,9 +36,9 @@ Operand firstOf(std::uint16_t index) {
   return operand;
 }
 
-/// Goes along a program as a run does, with those components that constants decide, and writes down
-/// what it passes. Behind a BRK that is not decided, each register that is written is another one,
-/// and where the loop ends each run keeps what it had when it left.
+/// Executes a program symbolically with its known constants, and records the instructions on the
+/// path. After a BRK that constants do not decide, writes go to fresh registers. At the end of the
+/// loop, selects restore the values of the invocations that left at the BRK.
 class Follower {
 public:
   Follower(ir::Program &program, Numerics numerics)
@@ -70,15 +70,15 @@ private:
     std::uint16_t index = 0;
     std::uint8_t mask = 0;
   };
-  /// What follows a BRK that some runs have left at.
+  /// The code after a BRK at which some invocations may have left the loop.
   struct Scope {
-    std::uint16_t goesOn = 0; ///< 1 where a run has not left, in x
+    std::uint16_t goesOn = 0; ///< register whose x is 1 for invocations still in the loop
     std::map<std::uint16_t, Aside> asides;
   };
   struct Loop {
-    std::size_t begin = 0, end = 0; ///< of its body; its ENDREP
+    std::size_t begin = 0, end = 0; ///< of its body; of its ENDREP
     std::uint64_t left = 0;         ///< iterations after this one
-    std::size_t scopes = 0;         ///< that are open around it
+    std::size_t scopes = 0;         ///< number of scopes open outside the loop
   };
 
   void findEnds() {
@@ -159,7 +159,7 @@ private:
     return true;
   }
 
-  /// Behind the innermost loop.
+  /// Closes the innermost loop and continues after it.
   void leave(std::size_t &at) {
     const Loop loop = m_loops.back();
     m_loops.pop_back();
@@ -178,7 +178,7 @@ private:
     }
   }
 
-  /// An instruction that changes nothing of what runs next.
+  /// Appends an instruction that is not flow control.
   bool pass(Instruction instruction) {
     if (!m_scopes.empty() && !mayStandInScope(instruction))
       return false;
@@ -197,8 +197,9 @@ private:
     return true;
   }
 
-  /// Not what asks its neighbours, which may have left, and not what only temporaries stand aside
-  /// for.
+  /// True if the instruction may stand in a scope. Instructions that read neighbours may not,
+  /// because those may have left the loop. Other writes than to temporaries may not, because they
+  /// have no fresh register.
   static bool mayStandInScope(const Instruction &instruction) {
     switch (instruction.op) {
     case Opcode::Tex:
@@ -221,7 +222,8 @@ private:
     return index;
   }
 
-  /// The register to write for another one: in a scope its own, which begins as a copy.
+  /// Returns the register to write in place of \p index. In a scope this is a fresh register that
+  /// starts as a copy.
   std::uint16_t targetOf(std::uint16_t index, std::uint8_t mask, const Instruction &at) {
     if (m_scopes.empty())
       return index;
@@ -255,7 +257,7 @@ private:
     note(instruction);
   }
 
-  /// What is known of the result.
+  /// Updates the known values with the result of the instruction.
   void note(const Instruction &instruction) {
     if (!ir::info(instruction.op).hasDestination() || instruction.dst.file != File::Temporary)
       return;
@@ -264,8 +266,8 @@ private:
     m_known.set(instruction.dst, result);
   }
 
-  /// What is known is a constant, and a choice that is made is a copy: else the passes behind would
-  /// find it link by link.
+  /// Turns a known result into a constant, and a CMP with known outcome into a copy. The later
+  /// passes would otherwise need one round for each link of a chain.
   void shorten(Instruction &made, const KnownValues::Components &result) {
     const std::uint8_t mask = made.dst.mask;
     ir::Vec4 value = {};
@@ -294,10 +296,10 @@ private:
 
   ir::Program &m_program;
   ConstantRows m_rows;
-  std::size_t m_outside = 0; ///< instructions that stand in no loop
+  std::size_t m_outside = 0; ///< number of instructions outside loops
   bool m_kills = false;
-  bool m_selected = false;                   ///< a BRK was met that constants do not decide
-  std::map<std::size_t, std::size_t> m_ends; ///< by REP: its ENDREP
+  bool m_selected = false;                   ///< a BRK occurred that constants do not decide
+  std::map<std::size_t, std::size_t> m_ends; ///< maps each REP to its ENDREP
   KnownValues m_known;
   std::vector<Loop> m_loops;
   std::vector<Scope> m_scopes;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr char kBegin[] = "TEMP r, s, t;\nMOV r, fragment.color;\n";
 
-/// What is left of one opcode; -1 if a loop is.
+/// Returns the number of instructions with one opcode that remain, or -1 if a loop remains.
 int left(ir::Opcode op, const std::string &statements) {
   ir::Program program = testing::nvFragmentProgram(kBegin + statements + "\nMOV result.color, r;");
   const bool followed = runChecked(followLoops, program, statements);
@@ -24,7 +24,7 @@ int additions(const std::string &statements) { return left(ir::Opcode::Add, stat
 
 TEST(FollowLoops, WhatConstantsDecide) {
   EXPECT_EQ(additions("REP 4; ADD r, r, r; ENDREP;"), 4);
-  // The count is computed of a condition, and the end of another one.
+  // The count comes from a condition, and so does the exit.
   EXPECT_EQ(additions("MOVC t.x, 2.0; IF GT.x; REP 4; ADD r, r, r; ENDREP; ENDIF;"), 4);
   EXPECT_EQ(additions("MOVC t.x, 2.0; IF LT.x; REP 4; ADD r, r, r; ENDREP; ENDIF;"), 0);
   EXPECT_EQ(additions("MOV t, 5.0; REP 255; ADD r, r, r; SUBC t.x, t.x, 1.0; BRK (LE.x); ENDREP;"),
@@ -38,7 +38,7 @@ TEST(FollowLoops, WhatValuesDecideIsSelected) {
   EXPECT_EQ(additions("REP 3; ADDC r, r, r; BRK (GT.y); REP 2; MULC s, r, 2.0; BRK (GT.z); "
                       "ADD r, s, 0.5; ENDREP; ENDREP;"),
             9);
-  // A sample that needs no neighbours may stand behind a BRK.
+  // A sample that needs no neighbours may follow a BRK.
   EXPECT_EQ(additions("REP 2; ADDC r, r, r; BRK (GT.x); TXL s, r, texture[0], 2D; ADD r, r, s; "
                       "ENDREP;"),
             4);
@@ -68,7 +68,7 @@ TEST(FollowLoops, ALoopOfJumpsBecomesStraight) {
   EXPECT_TRUE(runChecked(followLoops, program));
   run(program);
   ASSERT_FALSE(ir::hasLoops(program));
-  // Four rows and the result, none of them by address.
+  // Four rows and the result remain, none of them with relative addressing.
   EXPECT_LE(program.code.size(), 9u) << ir::print(program);
   for (const ir::Instruction &instruction : program.code)
     for (const ir::Operand &operand : instruction.src)

@@ -7,18 +7,18 @@
 
 namespace arbiter::fp::opt {
 
-/// Which components of temporaries hold numbers that constants decide, along straight code.
+/// Tracks which components of temporaries hold known constants, along straight-line code.
 class KnownValues {
 public:
   using Components = std::array<std::optional<float>, 4>;
 
-  /// Temporaries begin with zeros.
+  /// Sets all temporaries to zero, their initial value.
   KnownValues(const ir::Program &program, Numerics numerics);
   void addTemporary() { m_components.emplace_back().fill(0.0f); }
 
-  /// The number that one component of an operand is known to be, as an instruction reads it.
+  /// Returns the value of one operand component as an instruction reads it, if it is known.
   [[nodiscard]] std::optional<float> at(const ir::Operand &operand, int position) const;
-  /// What an instruction writes, where that is known.
+  /// Returns the known components of an instruction's result.
   [[nodiscard]] Components results(const ir::Instruction &instruction) const;
   void set(const ir::Destination &dst, const Components &values);
 

@@ -9,8 +9,8 @@ namespace arbiter::fp {
 namespace opt {
 
 namespace {
-/// Copies first, so that folding sees through them; sharing before dead code, which sweeps up what
-/// all of them leave.
+/// Runs one round of passes. Copy propagation comes first, so that folding sees through copies.
+/// Dead code removal comes last and cleans up after the others.
 bool round(ir::Program &program, Numerics numerics) {
   bool progress = false;
   const auto count = [&](bool changed) {
@@ -26,15 +26,15 @@ bool round(ir::Program &program, Numerics numerics) {
   return progress;
 }
 
-/// A chain of constants folds by one link a round. Programs within a card's limits are at rest
-/// long before; without a bound one of 10,000 additions takes 10,000 rounds over all of it.
+/// Maximum number of rounds. A chain of constants folds by one link a round. Programs within a
+/// card's limits need far fewer rounds. Without a bound, 10,000 additions would take 10,000 rounds.
 constexpr int kMaxRounds = 64;
 } // namespace
 
 void run(ir::Program &program, Numerics numerics) {
-  // The others go through straight-line code. A host's compiler has its own for loops.
+  // The other passes handle straight-line code only. The host's compiler optimises loops itself.
   (void)unrollLoops(program);
-  // Most of what it leaves is dead: the others need not look at it.
+  // Most of the resulting code is dead. Removing it first saves work in the other passes.
   if (followLoops(program, numerics) && propagateCopies(program))
     (void)removeDeadCode(program);
   if (ir::hasLoops(program))

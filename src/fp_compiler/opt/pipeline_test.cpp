@@ -32,7 +32,7 @@ TEST(Pipeline, PassesFeedEachOther) {
 
 TEST(Pipeline, RandomPrograms) { runOnRandomPrograms(runAll, 1200); }
 
-/// A few thousand instructions are a matter of milliseconds: four times the program must not take
+/// Optimising a few thousand instructions takes milliseconds. Four times the program must not take
 /// much more than four times as long.
 TEST(Pipeline, IsAboutLinear) {
   const auto seconds = [](int instructions) {
@@ -53,8 +53,8 @@ TEST(Pipeline, IsAboutLinear) {
   EXPECT_LT(small, 1.0) << "a few milliseconds unless under a sanitizer";
 }
 
-/// MOV r, 0 and additions of constants to r, as piglit's fp-long-alu has them: each round folds one
-/// more, so that rounds without a bound are the square of the length.
+/// MOV r, 0 and additions of constants to r, as in piglit's fp-long-alu. Each round folds one more,
+/// so that unbounded rounds would take quadratic time.
 TEST(Pipeline, ALongChainOfConstantsIsAboutLinear) {
   const auto seconds = [](int additions) {
     Builder b;

@@ -2,7 +2,7 @@
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/testing/pass_check.h"
 
-/// What passes owe to rows that are read by address.
+/// Tests of the passes on relative operands.
 namespace arbiter::fp::opt {
 namespace {
 
@@ -68,7 +68,7 @@ TEST(Relative, ACopyOfARowIsNotReadLaterByAnotherAddress) {
 
 TEST(Relative, AConstantRowIsNotAConstantOperand) {
   Rows b;
-  // Parameter number `array` is another register: nothing may be concluded from it.
+  // Parameter number `array` is a different register. The passes must not use its value.
   b.op(Opcode::Arl, b.a, {b.scalar("x")});
   b.op(Opcode::Mul, b.position, {b.row(), b.attribute(AttributeKind::Normal)});
   ir::Program program = b.take();
@@ -125,9 +125,9 @@ TEST(Relative, EveryVertexResultIsLive) {
 TEST(Relative, ARowAtAConstantAddressIsReadAsItIs) {
   Rows b;
   const auto one = b.temporary(), two = b.temporary();
-  b.op(Opcode::Mov, one, {b.row(1)}); // addresses begin with 0
+  b.op(Opcode::Mov, one, {b.row(1)}); // addresses start at 0
   b.op(Opcode::Arl, b.a, {b.constant(2.75f).swz("x")});
-  b.op(Opcode::Mul, two, {b.row(-1), b.row(2)}); // the second is behind the array
+  b.op(Opcode::Mul, two, {b.row(-1), b.row(2)}); // the second row is out of range
   b.op(Opcode::Arl, b.a, {b.scalar("x")});
   b.op(Opcode::Mad, b.position, {one.read(), two.read(), b.row(0)});
   ir::Program program = b.take();

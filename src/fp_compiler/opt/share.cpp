@@ -16,7 +16,7 @@ namespace {
 /// What an operand component reads: register, array row, version of the temporary or address.
 using Read = std::array<std::uint32_t, 3>;
 
-/// Everything a result depends on. Two instructions with equal keys compute the same.
+/// Everything that a result depends on. Instructions with equal keys compute the same value.
 struct Key {
   std::uint32_t head = 0; ///< opcode, _SAT, mask, unit, target
   std::array<Read, 12> reads = {};
@@ -33,7 +33,7 @@ struct KeyHash {
   }
 };
 
-/// Where a value was left: valid while the components keep their versions.
+/// A register that holds a value. It is valid while the components keep their versions.
 struct Holder {
   std::uint16_t temporary = 0;
   std::uint8_t mask = 0;
@@ -54,7 +54,7 @@ public:
 private:
   Key keyOf(const Instruction &instruction) const {
     const ir::OpInfo &row = ir::info(instruction.op);
-    // A scalar result is the same in whichever components it is wanted.
+    // A scalar result does not depend on the write mask.
     const std::uint32_t mask = row.has(ir::Replicates) ? 0u : instruction.dst.mask;
     const bool texture = row.has(ir::Texture);
     Key key;

@@ -50,8 +50,8 @@ TEST(ShareExpressions, MindsOverwrittenOperandsAndResults) {
   b.op(Opcode::Mul, s, {x, x});
   b.op(Opcode::Add, t, {s.read(), x});
   b.op(Opcode::Add, s.mask("w"), {x, x});
-  b.op(Opcode::Add, b.color().mask("w"), {s.read(), x}); // s.w is another
-  b.op(Opcode::Add, b.color().mask("x"), {s.read(), x}); // another mask, another key
+  b.op(Opcode::Add, b.color().mask("w"), {s.read(), x}); // s.w differs
+  b.op(Opcode::Add, b.color().mask("x"), {s.read(), x}); // a different mask gives a different key
   ir::Program program = b.take();
   EXPECT_FALSE(runChecked(shareExpressions, program));
   Builder c;
@@ -59,7 +59,7 @@ TEST(ShareExpressions, MindsOverwrittenOperandsAndResults) {
   const auto y = c.local(0);
   c.op(Opcode::Mul, u, {y, y});
   c.op(Opcode::Mov, u.mask("x"), {y});
-  c.op(Opcode::Mul, c.color(), {y, y}); // u.x is gone
+  c.op(Opcode::Mul, c.color(), {y, y}); // u.x is overwritten
   ir::Program overwritten = c.take();
   EXPECT_FALSE(runChecked(shareExpressions, overwritten));
 }
@@ -79,7 +79,7 @@ TEST(ShareExpressions, SamplesOfOneUnit) {
 }
 
 TEST(ShareExpressions, RandomPrograms) {
-  // Random programs seldom repeat themselves.
+  // Random programs seldom contain equal instructions.
   runOnRandomPrograms(shareExpressions, 300, [](ir::Program &program) {
     std::vector<ir::Instruction> twice;
     for (const ir::Instruction &instruction : program.code)

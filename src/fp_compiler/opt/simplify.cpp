@@ -67,7 +67,7 @@ private:
     return sameReads(operand(a), operand(b), ir::operandMask(m_instruction, a));
   }
 
-  /// Another opcode on some of the operands. Always true.
+  /// Changes the opcode and keeps only the given operands. Returns true.
   bool become(Opcode op, std::initializer_list<int> sources) {
     std::array<Operand, 3> kept = {};
     std::size_t count = 0;
@@ -78,7 +78,8 @@ private:
     return true;
   }
 
-  /// Of arithmetic: a copy, but where that would bring more than the number. False then.
+  /// Replaces an arithmetic instruction by a copy of one operand. Returns false if the operand may
+  /// hold raw bits, which a copy would not flush.
   bool becomeCopy(int source) {
     return !m_bits.mayBeIn(operand(source)) && become(Opcode::Mov, {source});
   }
@@ -152,7 +153,7 @@ private:
   const HeldBits &m_bits;
 };
 
-/// MOV t.xy, t: nothing moves.
+/// True for a MOV of a register to itself.
 bool isIdle(const Instruction &instruction) {
   const Operand &source = instruction.src[0];
   if (instruction.op != Opcode::Mov || instruction.dst.saturate ||
@@ -165,7 +166,7 @@ bool isIdle(const Instruction &instruction) {
   return true;
 }
 
-/// KIL of numbers that are not below zero.
+/// True for a KIL whose operand is known not to be negative.
 bool isHarmless(const ir::Program &program, const Instruction &instruction, Numerics numerics) {
   if (instruction.op != Opcode::Kil)
     return false;

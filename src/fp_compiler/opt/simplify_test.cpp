@@ -12,7 +12,7 @@ using ir::Builder;
 using ir::Opcode;
 using ir::Source;
 
-/// The instruction that the pass makes of `op color.xyz, sources`, "" if it makes none.
+/// Returns the instruction that the pass makes of `op color.xyz, sources`, or "" if none is left.
 std::string simplified(Opcode op, std::initializer_list<Source> sources, Builder b) {
   b.op(op, b.color().mask("xyz"), sources);
   ir::Program program = b.take();
@@ -23,7 +23,7 @@ std::string simplified(Opcode op, std::initializer_list<Source> sources, Builder
 TEST(Simplify, Identities) {
   Builder b;
   const Source x = b.local(0), y = b.local(1);
-  // Outside the mask a constant may be anything.
+  // Components of a constant outside the mask may have any value.
   const Source one = b.constant(1, 1, 1, 7), zero = b.constant(0), minusZero = b.constant(-0.0f);
   EXPECT_EQ(simplified(Opcode::Mul, {x, one}, b), "MOV o0.xyz, p0");
   EXPECT_EQ(simplified(Opcode::Mul, {-one, -x}, b), "MOV o0.xyz, p0");
@@ -63,7 +63,7 @@ TEST(Simplify, AConstantIsWhatTheModeReads) {
     runChecked(simplify, program, "", numerics);
     return ir::print(program.code[0]);
   };
-  // Below zero as a single; a zero as a 24-bit float.
+  // The value is negative as a single, but zero as a 24-bit float.
   EXPECT_EQ(after(Opcode::Cmp, -0x1p-63f, Numerics::Host), "MOV o0, p1");
   EXPECT_EQ(after(Opcode::Cmp, -0x1p-63f, Numerics::Fp24), "MOV o0, p2");
   EXPECT_EQ(after(Opcode::Cmp, -0x1p-62f, Numerics::Fp24), "MOV o0, p1");
@@ -94,7 +94,7 @@ TEST(Simplify, RemovesIdleMovesAndHarmlessKills) {
   EXPECT_EQ(program.code[1].op, Opcode::Kil);
 }
 
-/// What is left of the last multiplication by one under NVIDIA's options.
+/// Returns what the pass makes of a multiplication by one under NVIDIA's options.
 std::string product(const std::string &operand, Numerics numerics = Numerics::Host) {
   ir::Program program =
       testing::nvFragmentProgram("TEMP r, s;\nPK2H r, fragment.color;\nMOV s.y, r;\nMUL s.x, " +

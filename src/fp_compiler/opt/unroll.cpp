@@ -4,26 +4,27 @@
 namespace arbiter::fp::opt {
 
 namespace {
-/// A loop whose end has not come yet.
+/// A loop whose ENDREP has not been reached yet.
 struct Open {
-  std::size_t begin = 0; ///< of its REP in the code that is made
+  std::size_t begin = 0; ///< index of its REP in the new code
   bool breaks = false;
 };
 
-/// What a loop, and all of them together, may become: beyond it more code costs more than its
-/// loops.
+/// Maximum size of one unrolled loop, and of all together. Longer code costs more than the loop
+/// saves.
 constexpr std::uint64_t kMostInstructions = 1024;
 } // namespace
 
 bool unrollLoops(ir::Program &program) {
-  // A run that comes to the cap on iterations ends in the middle of them.
+  // An invocation that reaches the cap on iterations may stop in the middle of a loop.
   if (!ir::hasLoops(program) || !ir::endsByItself(program))
     return false;
-  // All that may be, or none: what a run leaves, another one would leave too.
+  // Either all loops that qualify are unrolled or none. A partial result would differ when the pass
+  // runs again.
   std::vector<ir::Instruction> made;
   std::vector<Open> open;
   bool changed = false;
-  std::uint64_t written = 0; // instructions that stood in loops
+  std::uint64_t written = 0; // number of instructions from loops
   for (const ir::Instruction &instruction : program.code) {
     if (instruction.op == ir::Opcode::Rep)
       open.push_back({made.size()});

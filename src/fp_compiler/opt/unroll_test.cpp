@@ -12,7 +12,7 @@ ir::Program programOf(const std::string &statements) {
                                     "\nMOV result.color, r;");
 }
 
-/// ADDs that are left, or -1 if a loop is.
+/// Returns the number of ADDs that remain, or -1 if a loop remains.
 int additions(const std::string &statements) {
   ir::Program program = programOf(statements);
   (void)runChecked(unrollLoops, program, statements);
@@ -40,7 +40,7 @@ TEST(UnrollLoops, WhatStays) {
   const std::string half = "REP 200; ADD r, r, 1.0; ADD r, r, r; ADD r, r, 1.0; ENDREP;";
   EXPECT_EQ(additions(half), 600);
   EXPECT_EQ(additions(half + half), -1) << "too much together";
-  // Together they come to the cap on iterations, in the middle of the second.
+  // Together the loops reach the cap on iterations, in the middle of the second one.
   EXPECT_EQ(additions("REP 250; REP 255; REP 2; ADD r, r, 1.0; ENDREP; ENDREP; ENDREP;"), -1);
 }
 

@@ -6,15 +6,15 @@
 
 #include "fp_compiler/ir/ir.h"
 
-/// What passes ask about values.
+/// Helpers of the passes: known constants, versions of registers, rows of constants.
 namespace arbiter::fp::opt {
 
-/// The number that one component of an operand is known to be, as an instruction reads it: none
-/// for a denormal where MOV, SWZ and CMP would read its bits (bits.h).
+/// Returns the value of one operand component as an instruction reads it, if it is known. It is not
+/// known for a denormal, where MOV, SWZ and CMP would copy its bits (bits.h).
 [[nodiscard]] std::optional<float>
 constantAt(const ir::Program &program, const ir::Operand &operand, int position, Numerics numerics);
 
-/// The number that every component in \p mask is, if it is one and the same to the bit.
+/// Returns the value that all components in \p mask have in common to the bit, if there is one.
 [[nodiscard]] std::optional<float> uniformConstant(const ir::Program &program,
                                                    const ir::Operand &operand, std::uint8_t mask,
                                                    Numerics numerics);
@@ -25,12 +25,12 @@ constantAt(const ir::Program &program, const ir::Operand &operand, int position,
 /// True if both operands of one instruction read the same values at the positions in \p mask.
 [[nodiscard]] bool sameReads(const ir::Operand &a, const ir::Operand &b, std::uint8_t mask);
 
-/// Sets the positions outside \p mask to what the first one in it reads, so that operands that
-/// read alike look alike; a scalar's all read its one component. Requires: mask is not 0.
+/// Sets the positions outside \p mask to the first selector inside, so that equal reads compare
+/// equal. A scalar's positions all read its one component. Requires: mask is not 0.
 void fillUnused(ir::Operand &operand, std::uint8_t mask);
 
-/// Numbers the successive values of each temporary's components and of each address register; 0 is
-/// the initial zero.
+/// Numbers the successive values of each temporary component and address register. 0 is the initial
+/// value, zero.
 class Versions {
 public:
   explicit Versions(const ir::Program &program)
@@ -40,7 +40,7 @@ public:
     return m_versions[temporary][std::size_t(component)];
   }
   [[nodiscard]] std::uint32_t ofAddress(std::uint8_t index) const { return m_addresses[index]; }
-  /// Goes past an instruction's write.
+  /// Updates the version of the register that an instruction writes.
   void write(const ir::Instruction &instruction);
 
 private:
@@ -48,13 +48,13 @@ private:
   std::vector<std::uint32_t> m_addresses;
 };
 
-/// Finds or appends rows of constants.
+/// Finds constant rows in the parameter table, or appends them.
 class ConstantRows {
 public:
   explicit ConstantRows(ir::Program &program);
-  /// An operand that reads \p value.
+  /// Returns an operand that reads \p value.
   [[nodiscard]] ir::Operand operand(const ir::Vec4 &value, const Span &span);
-  /// False if the table cannot take another row.
+  /// False if the table is full.
   [[nodiscard]] bool hasRoom() const;
 
 private:

@@ -7,11 +7,11 @@
 
 namespace arbiter::fp::texture_shader {
 
-/// Values of constant colours, matrices, scales and eye vectors, by their env parameter
+/// Values of constant colours, matrices, scales and eye vectors, indexed by their env parameter
 /// (combiners::globalConstant(), combiners::stageConstant(), parameter()).
 using Values = std::array<std::optional<ir::Vec4>, kParameters>;
 
-/// Env parameters that have a value become constants of the program.
+/// Replaces env parameters that have a value by constants.
 void bindValues(ir::Program &program, const Values &values);
 
 } // namespace arbiter::fp::texture_shader

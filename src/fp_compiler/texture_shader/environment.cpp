@@ -10,7 +10,7 @@ using ir::Target;
 
 constexpr int kArguments[] = {1, 2, 2, 2, 3, 2, 2, 2, 3, 3, 3, 4, 4, 0};
 
-/// The colour goes from unit to unit in a temporary.
+/// Emits the code of texture environments. A temporary holds the colour from unit to unit.
 class Writer {
 public:
   Writer(ir::Builder &builder, const UnitColor &texel) : m_builder(builder), m_texel(texel) {
@@ -70,7 +70,8 @@ private:
       m_builder.op(Opcode::Mul, m_color.mask("w"), {m_color.read(), texel});
   }
 
-  /// Of RGB and RGBA; the others are passed by (table 3.18 as amended).
+  /// Emits DECAL for RGB and RGBA. Other formats leave the colour unchanged (table 3.18 as
+  /// amended).
   void decal(Base base, const Source &texel) {
     if (base == Base::Rgb)
       m_builder.op(Opcode::Mov, m_color.mask("xyz"), {texel});
@@ -104,7 +105,7 @@ private:
       m_builder.op(Opcode::Mul, m_color.mask("w"), {m_color.read(), texel});
   }
 
-  /// Tables 3.21 and 3.22, inputs clamped as amended.
+  /// Returns an argument of COMBINE (tables 3.21 and 3.22), clamped as amended.
   Source argument(int unit, const CombineArgument &argument) {
     Source source;
     switch (argument.source) {
@@ -157,7 +158,7 @@ private:
     m_builder.op(Opcode::Mul, to, {left.read(), m_builder.constant(4.0f)});
   }
 
-  /// One half of COMBINE into the mask of a temporary, before the scale.
+  /// Emits one half of COMBINE before the scale.
   void function(int unit, const CombineHalf &half, const Target &to) {
     std::array<Source, 4> a;
     for (int i = 0; i < argumentsOf(half.function); ++i)
@@ -195,7 +196,7 @@ private:
     case CombineFunction::AddSignedProducts:
       return sum(to, a[0], a[1], a[2], a[3], true);
     case CombineFunction::BumpEnvmap:
-      return; // combine() passes it on
+      return; // combine() passes the colour on
     }
   }
 
@@ -212,9 +213,9 @@ private:
                    {result.read(), m_builder.constant(float(environment.alpha.scale))});
       return;
     }
-    // As NVIDIA, whose extensions these are beside. Fixed function alone is drawn as Mesa does,
-    // which applies ALPHA_SCALE here too: the text can be read in both ways (ARB_texture_env_dot3,
-    // issue 2).
+    // This follows NVIDIA's driver, because the extensions come from NVIDIA. Fixed function without
+    // them follows Mesa, which applies ALPHA_SCALE here too. The specification allows both
+    // (ARB_texture_env_dot3, issue 2).
     const float alpha = dotRgba ? rgb : float(environment.alpha.scale);
     m_builder.op(Opcode::Mul, m_color.sat(),
                  {result.read(), m_builder.constant(rgb, rgb, rgb, alpha)});

@@ -12,7 +12,7 @@ namespace arbiter::fp::texture_shader {
 
 enum class EnvironmentMode : std::uint8_t { None, Replace, Modulate, Decal, Blend, Add, Combine };
 
-/// COMBINE_RGB and COMBINE_ALPHA; those of products are COMBINE4_NV's.
+/// Functions of COMBINE_RGB and COMBINE_ALPHA. Those with four arguments are from COMBINE4_NV.
 enum class CombineFunction : std::uint8_t {
   Replace,
   Modulate,
@@ -27,11 +27,11 @@ enum class CombineFunction : std::uint8_t {
   ModulateSubtract,
   AddProducts,
   AddSignedProducts,
-  BumpEnvmap, ///< ATI_envmap_bumpmap, of COMBINE_RGB: the colour is passed on
+  BumpEnvmap, ///< ATI_envmap_bumpmap, COMBINE_RGB only: the colour is passed on
 };
 [[nodiscard]] int argumentsOf(CombineFunction function);
 
-/// Whose colour an argument is; from Unit0 on that of a unit.
+/// The source of an argument. Values from Unit0 on name the texture of a unit.
 enum class CombineSource : std::uint8_t { Texture, Constant, Primary, Previous, Zero, One, Unit0 };
 
 struct CombineArgument {
@@ -41,7 +41,7 @@ struct CombineArgument {
   bool operator==(const CombineArgument &) const = default;
 };
 
-/// One half of COMBINE.
+/// The RGB or alpha half of COMBINE.
 struct CombineHalf {
   CombineFunction function = CombineFunction::Modulate;
   std::uint8_t scale = 1; ///< 1, 2 or 4
@@ -56,11 +56,11 @@ struct Environment {
 };
 using Environments = std::array<Environment, kUnits>;
 
-/// A unit's texture unit RGBA result.
+/// Returns the texture unit RGBA result of a unit.
 using UnitColor = std::function<ir::Source(int unit)>;
 
-/// Writes the colour after all environments. Where a unit's base is None, or HILO or of a texture
-/// offset group without intensity, its environment is as NONE.
+/// Emits the colour after all environments. An environment counts as NONE if its unit's base is
+/// None, HILO, or a texture offset format without intensity.
 [[nodiscard]] ir::Source writeEnvironments(ir::Builder &builder, const Environments &environments,
                                            const std::array<Base, kUnits> &bases,
                                            const UnitColor &texel);

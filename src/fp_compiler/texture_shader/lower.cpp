@@ -25,7 +25,8 @@ Key essential(const Key &key) {
 
 namespace {
 
-/// Colour sum as amended (3.9): the secondary colour is added to one that is in [0,1]; then fog.
+/// Emits colour sum as amended (3.9) and sets the fog option. The secondary colour is added to the
+/// colour clamped to [0,1].
 void finishColor(ir::Builder &builder, const ir::Source &color, const Key &key) {
   builder.options().fog = key.fog;
   const ir::Target to = builder.color();
@@ -44,8 +45,8 @@ void finishColor(ir::Builder &builder, const ir::Source &color, const Key &key) 
   builder.op(ir::Opcode::Mov, to, {clamped.read()});
 }
 
-/// What register combiners have of a unit: of table RC.2's formats without a colour only the alpha,
-/// where table 3.E has a white one, and an environment the intensity.
+/// Returns the texture register of a unit for register combiners. For formats without a colour,
+/// table RC.2 has only the alpha. Table 3.E has a white colour, and environments use the intensity.
 std::optional<ir::Source> registerOf(Stages &stages, int unit) {
   const std::optional<ir::Source> color = stages.color(unit);
   const Base base = stages.environmentBase(unit);

@@ -5,26 +5,26 @@
 
 namespace arbiter::fp::texture_shader {
 
-/// All that decides what is computed of a fragment: the stages, and what their results go to. Bytes
-/// without holes.
+/// All state that decides how a fragment's colour is computed: the stages, and the combiners or
+/// environments after them. It has no padding.
 struct Key {
   State shaders;
-  bool combines = false; ///< by register combiners; else by texture environments
+  bool combines = false; ///< true: register combiners; false: texture environments
   combiners::State combiners;
   Environments environments;
-  ir::FogMode fog = ir::FogMode::None; ///< FOG's mode where it is enabled
+  ir::FogMode fog = ir::FogMode::None; ///< FOG_MODE, or None if fog is disabled
   bool colorSum = false;
-  bool fx9 = false; ///< the combiners' numbers are those of Numerics::Fx9
+  bool fx9 = false; ///< combiners use the numbers of Numerics::Fx9
   bool operator==(const Key &) const = default;
 };
 
-/// The key with what it does not depend on as it is initially.
+/// Returns the key with irrelevant parts reset to their initial values.
 [[nodiscard]] Key essential(const Key &key);
 
-/// The stages and what colours their fragments as straight-line IR of language ArbFragment. Its
-/// outputs are Color 0 and, with an operation that replaces depths, Depth. Parameters are env
-/// parameters (parameter(), combiners::globalConstant() and combiners::stageConstant()). Cannot
-/// fail. Requires an essential() key.
+/// Returns the stages and the colour computation as straight-line IR of language ArbFragment. Its
+/// outputs are Color 0 and, if an operation replaces depths, Depth. It has only env parameters:
+/// parameter(), combiners::globalConstant() and combiners::stageConstant(). Cannot fail. Requires:
+/// \p key is essential().
 [[nodiscard]] ir::Program lower(const Key &key);
 
 } // namespace arbiter::fp::texture_shader

@@ -15,10 +15,10 @@
 namespace arbiter::fp::texture_shader {
 namespace {
 
-constexpr double kTolerance = 1.0 / 1024; ///< of a colour
-constexpr double kUndetermined = 2e-3;    ///< margins below it are of quotients near infinity
+constexpr double kTolerance = 1.0 / 1024; ///< for a colour
+constexpr double kUndetermined = 2e-3;    ///< smaller margins come from quotients near infinity
 
-/// A texture without edges: near coordinates have near texels.
+/// Returns the texel of a smooth texture: near coordinates have near texels.
 Color texelAt(const Texture &texture, int unit, const std::array<double, 3> &at) {
   Color color;
   for (std::size_t c = 0; c < 4; ++c) {
@@ -115,7 +115,7 @@ struct Fragment {
   }
 };
 
-/// The oracle's accesses of flat targets have no third coordinate either.
+/// Drops the coordinates that flat targets ignore, so that the oracle ignores them too.
 void flatten(Fragment &fragment) {
   fragment.inputs.sample = [&fragment](int unit, const std::array<double, 3> &at) {
     std::array<double, 3> flat = at;

@@ -57,8 +57,7 @@ constexpr OperationInfo kInfos[kOperations] = {
     dots(Family::DotDepth, 1),
 };
 
-/// Whether a stage may take `previous` as the result that it reads, the stage that gives it being
-/// consistent.
+/// True if a stage may read `previous` as the result of an earlier consistent stage.
 bool accepts(Operation operation, const Texture &previous) {
   const OperationInfo &info = infoOf(operation);
   switch (info.family) {
@@ -72,7 +71,7 @@ bool accepts(Operation operation, const Texture &previous) {
       return previous.base == Base::Hilo && previous.signs == Signs::Unsigned;
     return isRgba(previous.base) &&
            (previous.signs == Signs::Unsigned || operation == Operation::DependentRgbCubeMap);
-  default: // dot products: of one signedness
+  default: // the components of dot products have one signedness
     return (isRgba(previous.base) || previous.base == Base::Hilo) &&
            previous.signs != Signs::SignedRgb;
   }
@@ -84,7 +83,7 @@ public:
 
   std::uint32_t run() {
     for (int unit = 0; unit < m_state.units; ++unit) {
-      // A diffuse stage and the one behind it stand and fall together.
+      // A diffuse stage is consistent only together with the stage after it.
       const bool behindDiffuse = unit > 0 && familyOf(unit - 1) == Family::Diffuse;
       if (behindDiffuse && familyOf(unit) != Family::Reflect)
         set(unit - 1, false);
@@ -125,8 +124,8 @@ private:
     const int previous = m_state.stages[std::size_t(unit)].previous;
     if (previous >= unit || !has(previous))
       return false;
-    // The stages whose products it composes have no result for it; of a diffuse one the result
-    // would depend on its own.
+    // The stages whose products a reflection combines have no result for it. The result of a
+    // diffuse stage would depend on itself.
     if (familyOf(unit) == Family::Reflect && previous >= unit - 2)
       return false;
     return accepts(operationOf(unit), resultOf(m_state, previous));
@@ -187,7 +186,7 @@ State essential(const State &state) {
     if (info.target)
       key.textures[unit] = state.textures[unit];
     if (info.family != Family::Texture)
-      key.textures[unit].compares = false; // the texture's own coordinates have what is compared
+      key.textures[unit].compares = false; // only own coordinates have a reference value
     if (info.family == Family::Cull)
       to.cullLess = from.cullLess;
     if (readsPrevious(info.family))

@@ -73,7 +73,7 @@ Source Stages::shade(int unit) {
   }
 }
 
-/// A filtered texel in its components' ranges, as table 3.E has it.
+/// Samples a texture and adjusts components to their ranges (table 3.E).
 Source Stages::sample(int unit, Opcode opcode, const Source &at) {
   const Texture &texture = m_state.textures[std::size_t(unit)];
   ir::TexTarget target = *info(unit).target;
@@ -92,7 +92,7 @@ Source Stages::sample(int unit, Opcode opcode, const Source &at) {
   return texel.read();
 }
 
-/// 3.8.13.1.8: (s', t').
+/// Returns the offset coordinates (s', t') (3.8.13.1.8).
 Source Stages::moved(int unit) {
   const Source previous = result(stage(unit).previous);
   const Source matrix = m_builder.env(parameter(unit, Row::Matrix));
@@ -109,8 +109,8 @@ Source Stages::moved(int unit) {
   return at.read().swz("xyxy");
 }
 
-/// The units whose texels are added to its coordinates. Of those that bump each has the offsets of
-/// the ones before it, any other all.
+/// Returns the units whose texels are added to the unit's coordinates. For a bumping unit these are
+/// units before it; for other units, all.
 std::uint32_t Stages::bumping(int unit) const {
   const bool bumps = m_state.bumps[std::size_t(unit)] != 0;
   std::uint32_t units = 0;
@@ -121,7 +121,8 @@ std::uint32_t Stages::bumping(int unit) const {
   return units;
 }
 
-/// Section 3.8.11 of ATI_envmap_bumpmap: u + du', v + dv', of coordinates that were divided.
+/// Returns the divided coordinates with offsets: u + du', v + dv' (ATI_envmap_bumpmap, section
+/// 3.8.11).
 Source Stages::bumped(int unit) {
   const Target at = m_builder.temporary();
   const Source from = coordinates(unit);
@@ -173,7 +174,7 @@ Source Stages::dot(int unit) {
   return *known;
 }
 
-/// 3.8.13.1.14, with the mapping of TS3.
+/// Computes the dot product of a stage (3.8.13.1.14), with the mapping of TS3.
 Source Stages::product(int unit) {
   const int read = stage(unit).previous;
   const Source previous = result(read), s = coordinates(unit);
@@ -186,7 +187,7 @@ Source Stages::product(int unit) {
   const Mapping mapping = type.signs == Signs::Signed ? Mapping::UnsignedIdentity //
                                                       : stage(unit).mapping;
   if (type.base == Base::Hilo && type.signs == Signs::Signed) {
-    // sqrt(max(0, x)) as x * rsq(x): no step of it may be 0 * infinity.
+    // sqrt(max(0, x)) is computed as x * rsq(x). The lower bound avoids 0 * infinity.
     const Target third = m_builder.temporary().mask("x");
     const Source x = third.read().swz("x");
     m_builder.op(Opcode::Mad, third,
@@ -211,7 +212,7 @@ Source Stages::product(int unit) {
   return to.read();
 }
 
-/// Of `count` stages from `first` on, as a vector.
+/// Returns the dot products of `count` stages from `first` on as a vector.
 Source Stages::products(int first, int count) {
   if (count == 1)
     return dot(first);
@@ -222,7 +223,7 @@ Source Stages::products(int first, int count) {
   return to.read().swz(count == 2 ? "xyyy" : "xyzz");
 }
 
-/// R = 2 (N . E) / (N . N) N - E (3.8.13.1.18 and 19).
+/// Returns R = 2 (N . E) / (N . N) N - E (3.8.13.1.18 and 19).
 Source Stages::reflected(int unit) {
   const Source normal = products(unit - 2, 3);
   Source eye;
@@ -245,7 +246,7 @@ Source Stages::reflected(int unit) {
   return to.read().swz("xyzz");
 }
 
-/// 3.8.13.1.9: the colour by the previous result's magnitude.
+/// Returns the colour scaled by the previous result's magnitude (3.8.13.1.9).
 Source Stages::scaled(int unit) {
   std::optional<Source> &known = m_scaled[std::size_t(unit)];
   if (known)
@@ -261,13 +262,14 @@ Source Stages::scaled(int unit) {
   return *known;
 }
 
-/// 3.8.13.1.7: a component below zero passes LESS, any other GEQUAL.
+/// Emits the culling of a stage: a component below zero passes LESS, any other passes GEQUAL
+/// (3.8.13.1.7).
 void Stages::cull(int unit) {
   const std::uint8_t less = stage(unit).cullLess & 15;
   const Source s = coordinates(unit);
   if (less == 0)
     return void(m_builder.kil(s));
-  const Target passes = m_builder.temporary(); // below zero: does not
+  const Target passes = m_builder.temporary(); // a component below zero fails
   for (int i = 0; i < 4; ++i) {
     const Target to = passes.mask(ir::kLetters[i]);
     if ((less >> i & 1) == 0) {
@@ -280,7 +282,8 @@ void Stages::cull(int unit) {
   m_builder.kil(passes.read());
 }
 
-/// 3.8.13.1.21 and 37: a depth out of the depth range rejects the fragment.
+/// Emits a depth replacement. A depth out of the depth range rejects the fragment (3.8.13.1.21 and
+/// 37).
 void Stages::replaceDepth(int unit) {
   const Target depth = m_builder.temporary("depth").mask("z");
   const Source z = depth.read().swz("z");

@@ -7,18 +7,18 @@
 
 namespace arbiter::fp::texture_shader {
 
-/// Writes the stages of a state that is essential() into a program: each unit's results when they
-/// are first asked for, what the stages do beside that (culling, depths) at finish().
+/// Emits the stages of an essential() state. Each unit's result is emitted on first use. finish()
+/// emits side effects: culling and depth replacement.
 class Stages {
 public:
   Stages(ir::Builder &builder, const State &state) : m_builder(builder), m_state(state) {}
 
-  /// The texture unit RGBA result (tables 3.D and 3.E); nothing where it is (0, 0, 0, 0).
+  /// Returns the texture unit RGBA result (tables 3.D and 3.E), or nothing if it is (0, 0, 0, 0).
   [[nodiscard]] std::optional<ir::Source> color(int unit);
-  /// The base internal format that the unit's texture environment takes its colour for; None where
-  /// it passes by.
+  /// Returns the base internal format of the unit's colour for texture environments. None means
+  /// that the environment does not apply.
   [[nodiscard]] Base environmentBase(int unit) const;
-  /// Every stage that discards fragments or replaces their depth, in their order.
+  /// Emits all stages that discard fragments or replace their depth, in order.
   void finish();
 
 private:
@@ -27,7 +27,7 @@ private:
   [[nodiscard]] ir::Source coordinates(int unit) {
     return m_builder.attribute(ir::AttributeKind::TexCoord, unit);
   }
-  /// The shader result: a colour, (HI, LO), or (ds, dt, magnitude, intensity).
+  /// Returns the shader result: a colour, (HI, LO), or (ds, dt, magnitude, intensity).
   ir::Source result(int unit);
   ir::Source shade(int unit);
   ir::Source sample(int unit, ir::Opcode opcode, const ir::Source &at);
@@ -35,7 +35,7 @@ private:
   [[nodiscard]] std::uint32_t bumping(int unit) const;
   ir::Source bumped(int unit);
   ir::Source dependent(int unit);
-  /// The scalar that the stage computes, in every component.
+  /// Returns the dot product of the stage in every component.
   ir::Source dot(int unit);
   ir::Source product(int unit);
   ir::Source products(int first, int count);

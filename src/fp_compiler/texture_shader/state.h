@@ -6,13 +6,13 @@
 #include "fp_compiler/ir/interface.h"
 
 /// The state of NV_texture_shader ("TS"), NV_texture_shader2 ("TS2") and NV_texture_shader3 ("TS3")
-/// that decides what is computed, as plain bytes: what resolve() and lower() read. Matrices,
-/// scales, biases and eye vectors are parameters and no part of it.
+/// that resolve() and lower() depend on, as plain bytes. Matrices, scales, biases and eye vectors
+/// are parameters and not part of it.
 namespace arbiter::fp::texture_shader {
 
 inline constexpr int kUnits = 8; ///< texture units, each with a stage
 
-/// SHADER_OPERATION_NV, in the order of the sections 3.8.13.1.1 to 3.8.13.1.37.
+/// SHADER_OPERATION_NV, in the order of sections 3.8.13.1.1 to 3.8.13.1.37.
 enum class Operation : std::uint8_t {
   None,
   Texture1D,
@@ -57,18 +57,18 @@ inline constexpr int kOperations = 37;
 /// RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV.
 enum class Mapping : std::uint8_t { UnsignedIdentity, ExpandNormal, ForceBlueToOne };
 
-/// One unit's stage.
+/// The stage of one unit.
 struct Stage {
   Operation operation = Operation::None;
   std::uint8_t previous = 0; ///< PREVIOUS_TEXTURE_INPUT_NV, the number of a unit
-  std::uint8_t cullLess = 0; ///< CULL_MODES_NV: bit i is LESS of component i, else GEQUAL
+  std::uint8_t cullLess = 0; ///< CULL_MODES_NV: bit i is set for LESS of component i, else GEQUAL
   Mapping mapping = Mapping::UnsignedIdentity;
   bool operator==(const Stage &) const = default;
 };
 
 /// The base internal format of a texture (table 3.15).
 enum class Base : std::uint8_t {
-  None, ///< the target is not consistent: no texture that may be sampled
+  None, ///< the target is not consistent, so that no texture can be sampled
   Alpha,
   Luminance,
   LuminanceAlpha,
@@ -79,42 +79,44 @@ enum class Base : std::uint8_t {
   Dsdt,
   DsdtMag,
   DsdtMagIntensity,
-  Dudv, ///< of ATI_envmap_bumpmap
+  Dudv, ///< from ATI_envmap_bumpmap
 };
-/// Its components' signedness.
+/// The signedness of a texture's components.
 enum class Signs : std::uint8_t { Unsigned, Signed, SignedRgb };
 
-/// What the texture of a stage's target is.
+/// The texture of a stage's target.
 struct Texture {
   Base base = Base::None;
   Signs signs = Signs::Unsigned;
-  bool compares = false; ///< a depth texture, with TEXTURE_COMPARE_MODE
+  bool compares = false; ///< a depth texture with TEXTURE_COMPARE_MODE
   bool operator==(const Texture &) const = default;
 };
-/// Format type RGBA in the rules of consistency: DSDT_MAG_INTENSITY does not count as one.
+/// True for format type RGBA in the consistency rules. DSDT_MAG_INTENSITY is not one.
 [[nodiscard]] constexpr bool isRgba(Base base) { return base >= Base::Alpha && base <= Base::Rgba; }
 
-/// The stages and the textures of their targets. Bytes without holes, to be compared and hashed.
+/// The stages and their textures. It has no padding, so that it can be compared and hashed as
+/// bytes.
 struct State {
   std::array<Stage, kUnits> stages;
   std::array<Texture, kUnits> textures;
-  /// ATI_envmap_bumpmap, of conventional texturing: of each unit one more than the number of the
-  /// unit whose coordinates its texel, rotated, is added to; 0: it does not bump.
+  /// ATI_envmap_bumpmap with conventional texturing. A unit's entry is 1 plus the unit whose
+  /// coordinates its rotated texel is added to. 0 means that it does not bump.
   std::array<std::uint8_t, kUnits> bumps{};
-  std::uint8_t units = kUnits; ///< that there are
-  /// Conventional texturing in the form of stages, TEXTURE_SHADER_NV being disabled: ALPHA textures
-  /// are then (0, 0, 0, A).
+  std::uint8_t units = kUnits; ///< number of units
+  /// True for conventional texturing (TEXTURE_SHADER_NV disabled) expressed as stages. ALPHA
+  /// textures are then (0, 0, 0, A).
   bool conventional = false;
   bool operator==(const State &) const = default;
 };
 
-/// The state with what it does not depend on as it is initially: stages that are not consistent are
-/// NONE, and what an operation does not read is at its default.
+/// Returns the state with irrelevant parts reset to their initial values. Inconsistent stages
+/// become NONE, and fields that an operation does not read get their default.
 [[nodiscard]] State essential(const State &state);
 
-/// The env parameters of a unit, behind those of register combiners: OFFSET_TEXTURE_MATRIX_NV (a1,
-/// a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV; and behind those
-/// of all units the rows of BUMP_ROT_MATRIX_ATI (r00, r01, r10, r11), which no text has.
+/// The env parameters of a unit. They follow those of register combiners: OFFSET_TEXTURE_MATRIX_NV
+/// (a1, a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV. After those
+/// of all units come the rows of BUMP_ROT_MATRIX_ATI (r00, r01, r10, r11), which program texts
+/// cannot set.
 enum class Row : std::uint8_t { Matrix, ScaleBias, Eye, Bump };
 inline constexpr int kRows = 4;
 [[nodiscard]] constexpr int parameter(int unit, Row row) {

@@ -86,7 +86,7 @@ private:
     return m_symbols.read(operation.arguments[at], row);
   }
 
-  /// A register for one operation's own use.
+  /// Returns a temporary for use within one operation.
   Target scratch() {
     if (m_scratchUsed == m_scratch.size())
       m_scratch.push_back(m_builder.temporary("t" + std::to_string(m_scratchUsed)));
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  /// The bounds are constants in their order.
+  /// True if both bounds are constants and in order.
   bool boundsAreInOrder(const Operation &operation) const {
     const Symbol &low = m_symbols[operation.arguments[1]],
                  &high = m_symbols[operation.arguments[2]];
@@ -186,7 +186,8 @@ private:
     return true;
   }
 
-  /// (a <= low) ? low : (a >= high) ? high : a, also where the bounds are not in their order.
+  /// Emits (a <= low) ? low : (a >= high) ? high : a, which also defines bounds that are not in
+  /// order.
   void clamp(const Operation &operation, const Target &to) {
     const Source value = argument(operation, 0), low = argument(operation, 1),
                  high = argument(operation, 2);
@@ -195,24 +196,24 @@ private:
       m_builder.op(Opcode::Min, to, {raised, high});
       return;
     }
-    // Products with 0 and 1 choose exactly, as long as the bounds are finite.
+    // Products with 0 and 1 select exactly, as long as the bounds are finite.
     const Source inside = step(Opcode::Min, {raised, high});
     const Source above = step(Opcode::Slt, {low, value});
     const Source least = step(Opcode::Mul, {step(Opcode::Sge, {low, value}), low});
     m_builder.op(Opcode::Mad, to, {above, inside, least});
   }
 
-  /// a1 ^ a2: of a negative number the power of its size, with the sign that a whole exponent
-  /// gives. POW itself takes no negative number.
+  /// Emits a1 ^ a2. A negative base gives the power of its absolute value, with the sign for a
+  /// whole exponent. POW itself does not take negative numbers.
   void power(const Operation &operation, const Target &to) {
     const Source base = argument(operation, 0), exponent = argument(operation, 1);
     const Source zero = m_symbols.literal(0.0f);
-    // x^0 is 1 of 0 too, where hosts that multiply with a logarithm have no number.
+    // 0^0 must be 1. Hosts that multiply with a logarithm would give NaN.
     const Source exponentIsZero = step(Opcode::Sge, {-step(Opcode::Abs, {exponent}), zero});
     const Source size = step(Opcode::Max, {step(Opcode::Abs, {base}), exponentIsZero});
     const Source negative = step(Opcode::Slt, {base, zero});
     const Source half = step(Opcode::Mul, {exponent, m_symbols.literal(0.5f)});
-    const Source odd = step(Opcode::Frc, {half}); // a half, if it is
+    const Source odd = step(Opcode::Frc, {half}); // 0.5 if the exponent is odd
     const Source turns = step(Opcode::Mul, {negative, odd});
     const Source sign =
         step(Opcode::Mad, {turns, m_symbols.literal(-4.0f), m_symbols.literal(1.0f)});
@@ -262,7 +263,7 @@ private:
 
   // --- OP_INDEX ---
 
-  /// The place in the block of the second argument that is meant, as a whole number.
+  /// Returns the index into the second argument's block, rounded toward zero.
   Source placeOf(const Operation &operation) {
     const std::uint32_t base = operation.arguments[1];
     const Source value = argument(operation, 0);
@@ -302,7 +303,7 @@ private:
     }
   }
 
-  /// One row of each symbol of a block.
+  /// Returns an array with one row of each symbol in a block.
   int arrayOf(const Symbol &symbol, int row) {
     const auto [entry, isNew] = m_arrays.try_emplace({symbol.blockFirst, row}, 0);
     if (isNew) {
@@ -314,7 +315,8 @@ private:
     return entry->second;
   }
 
-  /// Registers and attributes have no numbers at run time: each is multiplied with one or zero.
+  /// Emits OP_INDEX on registers and attributes. They cannot be addressed at run time, so each is
+  /// multiplied with one or zero.
   void indexRegisters(const Operation &operation, const Source &place) {
     const Symbol &symbol = m_symbols[operation.arguments[1]];
     const int rows = rowCount(symbol.type);

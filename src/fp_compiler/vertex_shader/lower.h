@@ -7,23 +7,24 @@
 
 namespace arbiter::fp::vertex_shader {
 
-/// What an env parameter of the program holds.
+/// The contents of one env parameter of the program.
 struct EnvRow {
-  std::uint32_t symbol; ///< an invariant, in Shader::symbols
-  std::uint8_t row;     ///< of its value
+  std::uint32_t symbol; ///< an invariant, index into Shader::symbols
+  std::uint8_t row;     ///< row of its value
 };
 
 struct Lowered {
   ir::Program program;
-  std::vector<EnvRow> env; ///< by the number of the env parameter
+  std::vector<EnvRow> env; ///< by env parameter
 };
 
-/// The shader as IR of a vertex program. Outputs that it does not write stay unwritten. What the
-/// specification leaves undefined: a local is zero before it is written; OP_INDEX outside of its
-/// block gives zero; constants that are not finite are the nearest number that is.
+/// Returns the shader as IR of a vertex program. Outputs that it does not write stay unwritten.
+/// This defines cases that the specification leaves undefined. A local is zero before it is
+/// written. OP_INDEX out of range gives zero. Constants that are not finite become the nearest
+/// finite number.
 ///
-/// Requires: symbols and arguments of each operation are in Shader::symbols and in the table; a
-/// local of matrix type is written by OP_INDEX and InsertComponent alone.
+/// Requires: the symbols and arguments of each operation are in Shader::symbols and in the table.
+/// Only OP_INDEX and InsertComponent write a local of matrix type.
 [[nodiscard]] Lowered lower(const Shader &shader);
 
 } // namespace arbiter::fp::vertex_shader

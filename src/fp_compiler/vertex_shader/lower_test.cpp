@@ -26,7 +26,7 @@ ir::Vec4 rowOf(const Symbol &symbol, const SymbolValue &value, std::size_t row) 
   return {float(value[0]), float(value[1]), float(value[2]), float(value[3])};
 }
 
-/// The values of a random shader's symbols as the IR's interpreter asks for them.
+/// The symbol values of a random shader, in the form that the IR's interpreter needs.
 struct Surroundings {
   const RandomVertexShader &made;
   const Lowered &lowered;
@@ -63,7 +63,7 @@ struct Surroundings {
             for (std::size_t c = 0; c < 4; ++c)
               value[c] = float(made.values[i][column * 4 + c]);
             if (symbol.isDirection)
-              value[3] = 1.0f; // as the attribute is
+              value[3] = 1.0f; // as the attribute's w is
             values.push_back(value);
           }
       }
@@ -71,7 +71,7 @@ struct Surroundings {
   }
 };
 
-/// What a program wrote, beside what the specification says.
+/// Compares a program's results with those of the specification.
 struct Judge {
   const VertexShaderResults &exact, &disturbed;
   int judged = 0, unjudged = 0;
@@ -140,7 +140,7 @@ TEST(VertexShaderLowering, MeansWhatTheTableSays) {
   RecordProperty("judged", judged);
 }
 
-/// One operation on constants, its result in a set of coordinates.
+/// Runs one operation on constants and returns its result from a texture coordinate.
 ir::Vec4 resultOf(Op op, std::initializer_list<ir::Vec4> arguments, DataType type) {
   Shader shader;
   Operation operation{.op = op, .result = {Place::TexCoord, 0}};

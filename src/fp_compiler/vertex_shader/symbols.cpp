@@ -14,7 +14,7 @@ using ir::Opcode;
 using ir::Source;
 using ir::Target;
 
-/// The nearest number that a text can say.
+/// Returns the nearest number that program text can express.
 float finite(float value) {
   constexpr float kMost = std::numeric_limits<float>::max();
   return std::isnan(value) ? 0.0f : std::clamp(value, -kMost, kMost);

@@ -8,8 +8,8 @@
 
 namespace arbiter::fp::vertex_shader {
 
-/// The symbols of a shader as registers of the program that is built: each gets what it needs when
-/// it is first named.
+/// Maps the symbols of a shader to registers of the program under construction. Each register is
+/// made on first use.
 class Symbols {
 public:
   Symbols(ir::Builder &builder, const Shader &shader)
@@ -18,11 +18,11 @@ public:
   [[nodiscard]] const Symbol &operator[](std::uint32_t symbol) const {
     return m_shader.symbols[symbol];
   }
-  /// A row of the symbol's value; of a scalar its one component, four times.
+  /// Returns a row of the symbol's value, or a scalar's component four times.
   [[nodiscard]] ir::Source read(std::uint32_t symbol, int row = 0);
-  /// The register of a row of a local.
+  /// Returns the register of a row of a local.
   [[nodiscard]] ir::Target local(std::uint32_t symbol, int row = 0);
-  /// A row as a parameter, of which arrays can be made: of constants, invariants and state alone.
+  /// Returns a row as a parameter, as arrays need. Only constants, invariants and state have one.
   [[nodiscard]] ir::Source parameter(std::uint32_t symbol, int row);
   [[nodiscard]] static bool isParameter(const Symbol &symbol) {
     return symbol.from != From::Local && symbol.from != From::Attribute;
@@ -33,13 +33,13 @@ public:
 private:
   struct Rows {
     std::array<std::optional<ir::Source>, 4> sources;
-    std::array<std::optional<ir::Target>, 4> registers; ///< of a local, or a direction
+    std::array<std::optional<ir::Target>, 4> registers; ///< of a local or a direction
   };
   [[nodiscard]] ir::Source whole(std::uint32_t symbol, int row);
-  /// Of a row of state without its fourth component.
+  /// Returns a row of state with its fourth component set to 0.
   [[nodiscard]] ir::Source direction(std::uint32_t symbol);
   [[nodiscard]] ir::Source attribute(const Symbol &symbol, int column);
-  /// Rows of a matrix that is given as columns.
+  /// Converts a matrix from columns to rows.
   void transpose(const Symbol &symbol, Rows &rows);
 
   ir::Builder &m_builder;

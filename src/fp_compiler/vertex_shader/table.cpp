@@ -9,9 +9,9 @@ namespace arbiter::fp::vertex_shader {
 
 namespace {
 
-/// One row of the table: the result's letter, then those of the arguments.
+/// A row of the table: the result's type letter, then those of the arguments.
 struct Row {
-  Op first, last; ///< operations that have the same rows
+  Op first, last; ///< range of operations with these types
   std::string_view types;
 };
 

@@ -1,4 +1,5 @@
-// Reads of rows by address as ARB_vertex_program defines them: within the array, by a number.
+// Rewrites relative addressing for ARB_vertex_program, which defines only reads within an array and
+// no NaN.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -16,11 +17,11 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-/// The grammar's bounds of what is added to an address (ARB_vertex_program 2.14.2).
+/// Range of the offset that the grammar allows beside an address (ARB_vertex_program 2.14.2).
 constexpr int kLeastOffset = -64, kMostOffset = 63;
-/// Of the project's own: zero, and what addresses are held to.
+/// Constants that the rewrite adds: zero, and the two bounds of addresses.
 constexpr int kConstants = 3;
-/// MAX and MIN: !!VP2.0 holds addresses to what their registers have.
+/// Number of clamps between value and address: !!VP2.0 clamps addresses with MAX and MIN.
 constexpr int kMostSteps = 2;
 
 Operand temporary(std::size_t index) {
@@ -35,7 +36,7 @@ public:
 
   bool run() {
     if (!measure())
-      return true; // nothing is read by an address
+      return true; // no operand is relative
     if (addresses() > m_most.addresses || !enlarge())
       return false;
     const std::vector<Instruction> code = std::move(m_program.code);
@@ -48,7 +49,7 @@ public:
   }
 
 private:
-  /// The offsets that are read at, and the longest array's size; false if there are none.
+  /// Finds the range of offsets and the longest array. Returns false if no operand is relative.
   bool measure() {
     bool any = false;
     for (const Instruction &instruction : m_program.code)
@@ -64,7 +65,7 @@ private:
     return any;
   }
 
-  /// How many are loaded or read.
+  /// Returns the number of address registers that are loaded or read.
   [[nodiscard]] int addresses() const {
     std::set<std::size_t> used;
     for (const Instruction &instruction : m_program.code) {
@@ -77,8 +78,8 @@ private:
     return int(used.size());
   }
 
-  /// Zeros before and behind each array, as many as an address that is held to m_low and m_high
-  /// reaches. False where the text cannot say so.
+  /// Pads each array with zeros on both sides, as far as an address clamped to [m_low, m_high] can
+  /// reach. Returns false if the text would exceed a limit.
   bool enlarge() {
     const int margin = m_last - m_first + 1, size = m_size + 2 * margin;
     if (m_first + margin < kLeastOffset || m_last + margin > kMostOffset ||
@@ -112,8 +113,8 @@ private:
     return operand;
   }
 
-  /// One of the temporaries that are added. What is in one is read by the instructions right behind
-  /// it alone, so that all addresses share them.
+  /// Returns one of the added temporaries. Only the instructions right after a write read it, so
+  /// that all addresses can share them.
   std::uint16_t scratch(std::size_t which) {
     std::optional<std::uint16_t> &known = m_scratch.at(which);
     if (!known) {
@@ -132,8 +133,8 @@ private:
     m_program.code.push_back(instruction);
   }
 
-  /// Into the range that the enlarged arrays have rows for: MAX gives its second operand beside
-  /// what is no number (2.14.5.17).
+  /// Clamps a value to the index range of the padded arrays. MAX returns its second operand if the
+  /// first is NaN (2.14.5.17).
   void hold(std::uint16_t to, std::uint8_t mask, const Operand &value) {
     add(Opcode::Max, to, mask, value, parameter(m_low));
     add(Opcode::Min, to, mask, temporary(to), parameter(m_high));
@@ -147,7 +148,7 @@ private:
       const Operand value = instruction.src[1];
       const std::uint8_t mask = instruction.dst.mask;
       const std::uint16_t held = scratch(0), number = scratch(1), other = scratch(2);
-      // One, but zero of what is no number.
+      // The number is 1, or 0 for NaN.
       add(Opcode::Slt, number, mask, value, parameter(m_zero));
       add(Opcode::Sge, other, mask, value, parameter(m_zero));
       add(Opcode::Add, number, mask, temporary(number), temporary(other));
@@ -164,8 +165,7 @@ private:
     m_program.code.push_back(instruction);
   }
 
-  /// The address is loaded from what write() makes of a zeroed NaN, which is held to the range
-  /// already, or 0.
+  /// True if the address is loaded from a value that write() has clamped already.
   bool isHeld(const std::vector<Instruction> &code, std::size_t at) const {
     const Operand &source = code[at].src[0];
     if (source.file != File::Temporary || source.negate != 0 || source.relative || m_last < -1 ||
@@ -193,8 +193,8 @@ private:
     return false;
   }
 
-  /// The instructions that read what the one at \p at writes to a temporary, up to where that is
-  /// written over: the temporary may be used again.
+  /// Returns the instructions that read the result of the one at \p at, until its temporary is
+  /// overwritten.
   static std::vector<std::size_t> readersOf(const std::vector<Instruction> &code, std::size_t at) {
     const std::uint16_t index = code[at].dst.index;
     std::uint8_t components = ir::writeMask(code[at]);
@@ -208,7 +208,7 @@ private:
     return readers;
   }
 
-  /// A SEQ that is read as isZeroedNan() has it, and nowhere else.
+  /// True for a SEQ that only a pattern of isZeroedNan() reads.
   bool isFlagOfZeroedNan(const std::vector<Instruction> &code, std::size_t at) const {
     if (code[at].op != Opcode::Seq || code[at].dst.file != File::Temporary)
       return false;
@@ -216,8 +216,8 @@ private:
     return readers.size() == 1 && isZeroedNan(code, readers[0]);
   }
 
-  /// `SEQ f, v, v; CMP r, -f, v, 0;`, as the front end has addresses of NVIDIA's languages, where r
-  /// is what addresses are loaded from and nothing else.
+  /// True for `SEQ f, v, v; CMP r, -f, v, 0;` where only address loads read r. The front end emits
+  /// this for addresses in NVIDIA's languages.
   bool isZeroedNan(const std::vector<Instruction> &code, std::size_t at) const {
     const Instruction &choice = code[at];
     if (choice.op != Opcode::Cmp || choice.dst.file != File::Temporary || choice.dst.saturate)
@@ -244,7 +244,7 @@ private:
     return loadsOnly(code, at, kMostSteps);
   }
 
-  /// `SEQ flag, value, value`
+  /// True for `SEQ flag, value, value`.
   static bool isCompared(const Instruction &instruction, const Operand &flag,
                          const Operand &value) {
     const Operand &source = instruction.src[0];
@@ -253,8 +253,8 @@ private:
            writes(instruction, flag.index);
   }
 
-  /// What the instruction writes is read by nothing but loads of addresses, straight or held to a
-  /// range first: where a value is held before that is all one.
+  /// True if only address loads read the result, either directly or after a clamp. An earlier clamp
+  /// gives the same address.
   bool loadsOnly(const std::vector<Instruction> &code, std::size_t at, int steps) const {
     const std::vector<std::size_t> readers = readersOf(code, at);
     return std::all_of(readers.begin(), readers.end(), [&](std::size_t reader) {

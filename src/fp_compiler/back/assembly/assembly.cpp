@@ -27,7 +27,8 @@ std::string options(const ir::Options &o, bool vertex) {
   };
   option(o.fog != ir::FogMode::None, kFog[std::size_t(o.fog)]);
   option(o.precision != ir::Precision::Unspecified, kHint[std::size_t(o.precision)]);
-  // NV_vertex_program3 has it for samples, and no text of the ARB's has samples of vertices.
+  // The ARB languages have no texture samples in vertex programs. Only NV_vertex_program3 has, and
+  // does not need the option.
   option(o.shadow && !vertex, "ARB_fragment_program_shadow");
   option(o.drawBuffers, "ARB_draw_buffers");
   option(o.originUpperLeft, "ARB_fragment_coord_origin_upper_left");
@@ -36,7 +37,7 @@ std::string options(const ir::Options &o, bool vertex) {
   return text;
 }
 
-/// True for an operand that only SWZ can spell: 0, 1, or signs that differ.
+/// True for an operand that only SWZ can express: 0, 1, or differing signs.
 bool isExtended(const Operand &operand) {
   return (operand.negate != 0 && operand.negate != 0xF) ||
          std::any_of(operand.swizzle.begin(), operand.swizzle.end(),
@@ -68,7 +69,7 @@ public:
            options(m_program.options, vertex) + m_names.declarations(m_scratch) + m_code + "END\n";
   }
 
-  /// Of the text that run() has written.
+  /// True if the text that run() wrote is within the limits.
   [[nodiscard]] bool isWithin(const AssemblyLimits &most) const {
     return m_instructions <= most.instructions &&
            m_names.temporaryCount() + m_scratch <= most.temporaries;
@@ -80,7 +81,7 @@ private:
     ++m_instructions;
   }
 
-  /// What the specification leaves undefined, and this project does not.
+  /// Emits initial values that the specification leaves undefined but this project defines.
   void zeros() {
     const std::vector<bool> temporaries = ir::readsUnwritten(m_program);
     for (std::size_t i = 0; i < temporaries.size(); ++i)
@@ -115,7 +116,7 @@ private:
     for (std::size_t i = 0; i < written.size(); ++i) {
       const std::uint8_t wanted = ir::resultMask(m_program.outputs[i].kind);
       const auto missing = std::uint8_t(wanted & ~written[i]);
-      // A result of which nothing is written is not there, and a depth is the fragment's own.
+      // A result without any write does not exist, and an unwritten depth is the fragment's own.
       if (missing == 0 || missing == wanted || m_program.outputs[i].kind == ir::OutputKind::Depth)
         continue;
       ir::Destination dst;
@@ -133,8 +134,8 @@ private:
     return text;
   }
 
-  /// An operand, by way of a SWZ into a scratch temporary where it has no spelling of its own.
-  /// \param scratch how many of them the instruction has
+  /// Returns the text of an operand. If it has none, a SWZ into a scratch temporary comes first.
+  /// \param scratch number of scratch temporaries of the instruction
   std::string source(const Operand &operand, bool scalar, int &scratch) {
     if (isExtended(operand)) {
       const std::string name = "s" + std::to_string(scratch++);
@@ -157,7 +158,7 @@ private:
 
   void statement(const Instruction &instruction) {
     const ir::OpInfo &row = ir::info(instruction.op);
-    // MOV's extended operand is what SWZ is for.
+    // A MOV of an extended operand is a SWZ.
     const bool swizzles = instruction.op == Opcode::Swz ||
                           (instruction.op == Opcode::Mov && isExtended(instruction.src[0]));
     std::string text = swizzles ? "SWZ" : row.mnemonic;

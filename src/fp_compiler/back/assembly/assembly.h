@@ -5,13 +5,13 @@
 
 namespace arbiter::fp {
 
-/// The components of a vertex result that nothing writes, where others are written.
+/// How to treat unwritten components of a vertex result that has written ones.
 enum class PartlyWritten {
-  Zero,  ///< written out, as the IR has them
-  Hosts, ///< left to the host, as they are in the application's own text
+  Zero,  ///< write zeros, as the IR defines
+  Hosts, ///< leave them to the host, as in the application's own text
 };
 
-/// What a host takes of a text.
+/// The limits of a host on a program text.
 struct AssemblyLimits {
   int instructions = 0;
   int temporaries = 0;
@@ -19,40 +19,39 @@ struct AssemblyLimits {
   int addresses = 0;  ///< address registers
 };
 
-/// The program as !!ARBvp1.0 or !!ARBfp1.0 text in one plain form, for a host's own parser: one
-/// list of temporaries, a PARAM a row, arrays as PARAM arrays with ranges, no aliases, no comments.
-/// Numbers are the shortest that give the same float. What this project defines and the
-/// specifications do not (registers that are read before they are written, results that are partly
-/// written) is written out, so that the host reads the text as the IR says; checkProgram() of it
-/// means the same program.
+/// Returns the program as !!ARBvp1.0 or !!ARBfp1.0 text for a host's parser. The form is plain: one
+/// list of temporaries, one PARAM for each row, arrays as PARAM arrays with ranges, no aliases, no
+/// comments. Numbers have the fewest digits that give the same float. The text writes out what the
+/// project defines but the specifications do not: registers that are read before they are written,
+/// and partly written results. checkProgram() of the text therefore gives the same program.
 ///
-/// \param parts what becomes of results of a vertex program that are partly written
+/// \param parts how to treat partly written results of a vertex program
 ///
-/// Requires: validate(program) finds nothing; the language is not AtiFragment, whose option of a
-/// colour sum no assembly language has; constants are finite; a vertex program has no _SAT.
+/// Requires: validate(program) finds nothing. The language is not AtiFragment, whose colour sum
+/// option no assembly language has. Constants are finite, and a vertex program has no _SAT.
 [[nodiscard]] std::string emitAssembly(const ir::Program &program,
                                        PartlyWritten parts = PartlyWritten::Zero);
 
-/// The same, and empty if it has more instructions or temporaries than a host takes: those of the
-/// program, and what the text needs beside them.
+/// Returns the text as above, or an empty string if it exceeds the host's limit on instructions or
+/// temporaries.
 [[nodiscard]] std::string emitAssembly(const ir::Program &program, PartlyWritten parts,
                                        const AssemblyLimits &most);
 
-/// True if the vertex program reads a conventional attribute and the generic one of its number,
-/// which no text may bind both.
+/// True if the vertex program reads a conventional attribute and the generic attribute of the same
+/// number. ARB text must not bind both.
 [[nodiscard]] bool bindsOneTwice(const ir::Program &program);
 
-/// True where the text of emitAssembly() is one of the ARB's language, whatever language the
-/// program was written in: it has no loops, and no opcodes, bindings or constants that only
-/// NVIDIA's have. Rows by address are none of them, as the ARB leaves undefined what lies beside an
-/// array.
-/// \param addresses they are, for defineAddresses() has been there
+/// True if emitAssembly() can write the program in an ARB language, whatever its original language.
+/// Loops are not allowed, nor opcodes, bindings or constants that only NVIDIA's languages have.
+/// Relative operands are not allowed either, because the ARB leaves reads outside an array
+/// undefined.
+/// \param addresses allow relative operands, because defineAddresses() has run
 [[nodiscard]] bool isOfArb(const ir::Program &program, bool addresses = false);
 
-/// Has rows read by address as the ARB defines them, and what NVIDIA's languages have beyond: zeros
-/// lie beside the arrays, addresses are held to these, and 0 is loaded of what is no number by
-/// comparisons that it fails. False, and nothing is changed, where no text can say so, or none with
-/// so few rows and address registers. Up to three temporaries are added.
+/// Rewrites relative addressing so that it works within the ARB's rules. NVIDIA's languages also
+/// define reads outside an array (zero) and addresses that are NaN (0). The rewrite pads arrays
+/// with zeros, clamps addresses, and detects NaN by comparisons. Returns false and changes nothing
+/// if no text can express this within the limits. Adds up to three temporaries.
 [[nodiscard]] bool defineAddresses(ir::Program &program, const AssemblyLimits &most);
 
 } // namespace arbiter::fp

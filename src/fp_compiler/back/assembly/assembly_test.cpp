@@ -36,7 +36,7 @@ Limits roomy() {
   return limits;
 }
 
-/// The text is a program of the same meaning.
+/// Checks that the text is a program of the same meaning.
 void expectRoundTrip(const ir::Program &program, const std::string &context) {
   const std::string text = emitAssembly(program);
   const CheckResult checked = checkProgram(program.language, text, {roomy(), LimitPolicy::Enforce});
@@ -48,7 +48,7 @@ void expectRoundTrip(const ir::Program &program, const std::string &context) {
         << text << ir::print(program) << ir::print(*checked.program);
 }
 
-/// No text spells an infinity.
+/// Replaces infinities, which text cannot express.
 void makeFinite(ir::Program &program) {
   for (ir::Parameter &row : program.parameters)
     for (float &value : row.constant)
@@ -157,7 +157,7 @@ TEST(Assembly, AddressesStartAtZero) {
   EXPECT_NE(text.find("ARL a0.x, {0, 0, 0, 0}.x;\nMOV result"), std::string::npos) << text;
 }
 
-/// A program under NVIDIA's options or in one of its languages, after the passes.
+/// Returns a program under NVIDIA's options or in one of its languages, after the passes.
 ir::Program optimised(const std::string &text) {
   CompileOptions options = {roomy(), LimitPolicy::Report};
   options.limits.nvOptions = 2;
@@ -209,7 +209,7 @@ TEST(Assembly, WhatOfNvidiasLanguagesIsOfTheArb) {
                                  "DDX result.color, fragment.texcoord[0];\nEND")));
 }
 
-/// What a vertex with \p x in texture coordinate 2 has of the colour.
+/// Returns the colour of a vertex with \p x in texture coordinate 2.
 ir::Vec4 colorAt(const ir::Program &program, float x) {
   std::vector<ir::Vec4> attributes;
   for (const ir::Attribute &attribute : program.attributes)
@@ -229,7 +229,7 @@ ir::Vec4 colorAt(const ir::Program &program, float x) {
   return {};
 }
 
-/// The text reads the same rows at every address.
+/// Checks that the assembly text reads the same rows at every address.
 void expectSameRows(const std::string &text) {
   const ir::Program program = optimised(text);
   ir::Program made = program;
@@ -271,10 +271,10 @@ TEST(Assembly, RowsByAddressAreReadAsNvidiasLanguagesHaveThem) {
   for (const char *const version : {"!!VP1.0\n", "!!VP1.1\n", "!!VP2.0\n"})
     expectSameRows(version + ("MOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x; MOV R0, " + rows) +
                    "MOV o[COL0], R0;\nEND\n");
-  // The row of address 0 lies before the array, so far that no row of the text stands for it.
+  // Address 0 reads a row so far before the array that the padding does not reach it.
   expectSameRows("!!VP1.1\nMOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x;\n"
                  "MOV R0, c[A0.x - 3]; ADD R0, R0, c[A0.x - 4]; MOV o[COL0], R0;\nEND\n");
-  // Several addresses, whose values go through the same temporaries.
+  // Several addresses use the same temporaries.
   for (const char *const version : {"!!VP1.1\n", "!!VP2.0\n"})
     expectSameRows(version + ("MOV o[HPOS], v[OPOS]; ARL A0.x, v[TEX2].x; MOV R0, " + rows) +
                    "ARL A0.x, v[TEX2].z; MUL R0, R0, c[A0.x + 9]; ADD R0, R0, " + rows +
@@ -317,7 +317,7 @@ TEST(Assembly, WhatNoTextReadsByAddress) {
 }
 
 TEST(Assembly, TextsKeepToWhatAHostTakes) {
-  // Beside its own it has temporaries that addresses are held in, and one for SWZ.
+  // Besides the program's temporaries, the text needs some for clamped addresses and one for SWZ.
   ir::Program program = optimised(
       "!!ARBvp1.0\nOPTION NV_vertex_program2;\nADDRESS A;\nTEMP r, s, q;\n"
       "PARAM c[4] = { program.env[0..3] };\nMOV result.position, vertex.position;\n"

@@ -24,8 +24,7 @@ std::string bindingOf(const ir::Parameter &row) {
   return text + "}";
 }
 
-/// How many of the rows from \p first on are parameters of the application's that follow each
-/// other.
+/// Returns the number of rows from \p first on that are consecutive env or local parameters.
 std::size_t runLength(const ir::Program &program, const std::vector<std::uint16_t> &rows,
                       std::size_t first) {
   const ir::Parameter &begin = program.parameters[rows[first]];
@@ -40,7 +39,8 @@ std::size_t runLength(const ir::Program &program, const std::vector<std::uint16_
   return length;
 }
 
-/// The rows of an array. A range is one binding to a host, which reads many of them in each load.
+/// Returns the bindings of an array's rows. Consecutive rows become a range, which a host can load
+/// faster.
 std::string bindingsOf(const ir::Program &program, const std::vector<std::uint16_t> &rows) {
   std::string text;
   for (std::size_t row = 0; row < rows.size();) {
@@ -55,7 +55,8 @@ std::string bindingsOf(const ir::Program &program, const std::vector<std::uint16
   return text;
 }
 
-/// "TEMP t0, t1;\n" of the marked ones.
+/// Returns a declaration of the used registers: "TEMP t0, t1;
+/// ".
 std::string list(const char *statement, const char *prefix, const std::vector<bool> &used) {
   std::string text;
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -67,7 +68,7 @@ std::string list(const char *statement, const char *prefix, const std::vector<bo
 
 std::string numeral(float value) {
   char digits[64];
-  // The locale of the application must not turn the point into a comma.
+  // The output must not depend on the application's locale.
   const auto end = std::to_chars(digits, digits + sizeof digits, value);
   return std::string(digits, end.ptr);
 }
@@ -154,7 +155,7 @@ std::string Names::source(const ir::Operand &operand) const {
                                              : m_elements[operand.index];
   case File::Output:
   case File::Address:
-    break; // written only
+    break; // never read
   }
   return "";
 }
@@ -165,7 +166,7 @@ std::string Names::destination(const ir::Destination &dst) const {
   if (dst.file == File::Address)
     return numbered("a", dst.index);
   const ir::Output &output = m_program.outputs[dst.index];
-  // An index is part of the grammar only under the option.
+  // The grammar allows an index only under this option.
   if (output.kind == ir::OutputKind::Color && !m_program.options.drawBuffers)
     return "result.color";
   return ir::bindingText(output);

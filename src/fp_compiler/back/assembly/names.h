@@ -6,22 +6,22 @@
 
 namespace arbiter::fp::assembly {
 
-/// The shortest decimal that rounds back to \p value. Requires: it is finite.
+/// Returns the shortest decimal that rounds back to \p value. Requires: it is finite.
 [[nodiscard]] std::string numeral(float value);
 
-/// The names of a program's registers in the text, and the declarations they need.
+/// Names a program's registers in the text, and writes their declarations.
 class Names {
 public:
   explicit Names(const ir::Program &program);
 
-  /// TEMP, ADDRESS and PARAM statements for what the code uses.
-  /// \param scratch temporaries to declare besides, "s0" and on
+  /// Returns the TEMP, ADDRESS and PARAM statements for what the code uses.
+  /// \param scratch number of extra temporaries to declare, "s0" and on
   [[nodiscard]] std::string declarations(int scratch) const;
-  /// How many temporaries the code uses, beside those.
+  /// Returns the number of temporaries that the code uses, without scratch ones.
   [[nodiscard]] int temporaryCount() const;
-  /// "t3", "vertex.normal", "p2", "c0[1]", "c0[a0.x+3]"
+  /// Returns the text of a source register: "t3", "vertex.normal", "p2", "c0[1]", "c0[a0.x+3]".
   [[nodiscard]] std::string source(const ir::Operand &operand) const;
-  /// "t3", "result.color", "a0"
+  /// Returns the text of a destination register: "t3", "result.color", "a0".
   [[nodiscard]] std::string destination(const ir::Destination &dst) const;
 
 private:
@@ -31,7 +31,7 @@ private:
 
   const ir::Program &m_program;
   std::vector<bool> m_temporaries, m_parameters, m_addresses, m_arrays;
-  /// Where a row of a used array is read by number: "c0[1]"; empty for other rows.
+  /// Names of rows of used arrays that are also read by number: "c0[1]"; empty for other rows.
   std::vector<std::string> m_elements;
 };
 

@@ -15,7 +15,8 @@ bool isFinite(const ir::Vec4 &value) {
   return std::all_of(value.begin(), value.end(), [](float each) { return std::isfinite(each); });
 }
 
-/// Components that the ARB leaves undefined, and this project does not.
+/// True if the instruction writes components that the ARB leaves undefined and this project
+/// defines.
 bool writesUndefined(const Instruction &instruction) {
   if (!ir::info(instruction.op).has(ir::FixedMask))
     return false;

@@ -17,7 +17,7 @@ bool readsRow(const Instruction &instruction, int operand) {
          ir::registerMask(instruction, operand) != 0;
 }
 
-/// A row that has a value without the layer.
+/// True if GLSL has a built-in variable for the row.
 bool isBuiltIn(const ir::Parameter &row) {
   return row.kind == ParameterKind::State && stateText(row.state).has_value();
 }
@@ -35,7 +35,7 @@ std::string nameOf(std::size_t index) { return "arb_array" + std::to_string(inde
 
 std::string bracket(const std::string &index) { return "[" + index + "]"; }
 
-/// The rows of one array, in order.
+/// Returns the rows of one array, in order.
 std::vector<const ir::Parameter *> rowsOf(const ir::Program &program, std::size_t index) {
   std::vector<const ir::Parameter *> rows;
   for (const std::uint16_t row : program.arrays[index].rows)
@@ -55,7 +55,7 @@ void hoistRelative(ir::Program &program) {
       ir::Operand &operand = instruction.src[std::size_t(i)];
       if (!operand.relative)
         continue;
-      if (!readsRow(instruction, i)) { // 0 and 1 alone need no row
+      if (!readsRow(instruction, i)) { // an operand of only 0 and 1 reads no row
         operand.relative = false;
         operand.index = 0;
         continue;

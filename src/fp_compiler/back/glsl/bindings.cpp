@@ -26,12 +26,13 @@ RegisterText fragmentAttribute(const ir::Attribute &attribute) {
     return {"", {"(gl_FrontFacing ? 1.0 : -1.0)", "0.0", "0.0", "1.0"}};
   case AttributeKind::Normal:
   case AttributeKind::Generic:
-    break; // of vertex programs
+    break; // only in vertex programs
   }
   return {};
 }
 
-/// Table X.2 of ARB_vertex_program. Attribute 0 is the position under both of its names.
+/// Returns the text of a vertex attribute (table X.2 of ARB_vertex_program). Attribute 0 and the
+/// position are the same.
 RegisterText vertexAttribute(const ir::Attribute &attribute) {
   switch (attribute.kind) {
   case AttributeKind::ColorPrimary:
@@ -49,7 +50,7 @@ RegisterText vertexAttribute(const ir::Attribute &attribute) {
   case AttributeKind::Generic:
     return variable(attribute.index == 0 ? "gl_Vertex" : genericName(attribute.index));
   case AttributeKind::Facing:
-    break; // of fragments
+    break; // only in fragment programs
   }
   return {};
 }
@@ -88,10 +89,10 @@ OutputText outputText(const ir::Program &program, const ir::Output &output) {
     return {"gl_PointSize", true};
   case OutputKind::TexCoord:
     return {indexed("gl_TexCoord", output.index)};
-  case OutputKind::ClipDistance: // a local: see clipDistances()
+  case OutputKind::ClipDistance: // a local; see clipDistances()
     return {"arb_clip" + std::to_string(output.index), true};
   case OutputKind::EnvParameter:
-    break; // of vertex state programs, which no vertex runs
+    break; // only in vertex state programs, which never become GLSL
   }
   return {};
 }

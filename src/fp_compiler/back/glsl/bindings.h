@@ -7,28 +7,28 @@
 
 namespace arbiter::fp::glsl {
 
-/// How a source register is spelled: as a variable that can be swizzled, or as four components.
+/// The GLSL text of a source register: a variable that can be swizzled, or four components.
 struct RegisterText {
-  std::string variable; ///< empty: only the components can be named
+  std::string variable; ///< empty if there is no variable
   std::array<std::string, 4> components;
 };
 
-/// The spelling of a vec4 variable: it and its components x, y, z, w.
+/// Returns the text of a vec4 variable and of its components x, y, z, w.
 [[nodiscard]] RegisterText variable(const std::string &name);
 
-/// The built-in that a fragment or vertex attribute is read from; what the built-in lacks of a vec4
-/// is 0, 0, 1 as the extensions say. Empty for an attribute that \p language does not have.
+/// Returns the built-in that holds a fragment or vertex attribute. Components that the built-in
+/// lacks are 0, 0, 1 as the extensions say. Empty if \p language does not have the attribute.
 [[nodiscard]] RegisterText attributeText(ir::Language language, const ir::Attribute &attribute);
 
-/// What a result is written to.
+/// The destination of a result.
 struct OutputText {
   std::string name;    ///< "gl_FragColor", "gl_TexCoord[3]"
-  bool scalar = false; ///< a float: the one component of ir::resultMask() stands without a suffix
+  bool scalar = false; ///< a float: the one component of ir::resultMask() has no suffix
 };
-/// The built-in that \p output of \p program is written to.
+/// Returns the built-in that \p output of \p program is written to.
 [[nodiscard]] OutputText outputText(const ir::Program &program, const ir::Output &output);
 
-/// "arb_attrib7": the vertex shader's attribute for vertex.attrib[n], n > 0.
+/// Returns the vertex shader's attribute for vertex.attrib[n], n > 0: "arb_attrib7".
 [[nodiscard]] std::string genericName(int index);
 
 } // namespace arbiter::fp::glsl

@@ -11,7 +11,7 @@ using ir::Opcode;
 using ir::Operand;
 
 namespace {
-/// One instruction's text; the operands are read where they stand, so one assignment latches them.
+/// Writes one instruction's expression. All operands are read before the one assignment writes.
 struct Writer {
   const Registers &registers;
   const Instruction &instruction;
@@ -34,14 +34,14 @@ struct Writer {
   }
   std::string infix(const char *symbol) const { return vec(0) + " " + symbol + " " + vec(1); }
 
-  /// One scalar in every component of the mask.
+  /// Replicates a scalar to every component of the mask.
   std::string replicate(const std::string &scalar) const {
     return compose(std::vector<std::string>(components.size(), scalar));
   }
   std::string function(const char *name) const {
     return replicate(rounded(std::string(name) + "(" + at(0, 0) + ")"));
   }
-  /// For the result components whose texts are given.
+  /// Selects the texts of the result components in the mask.
   std::string pick(const std::array<std::string, 4> &results) const {
     std::vector<std::string> parts;
     for (const int position : components)
@@ -49,7 +49,7 @@ struct Writer {
     return compose(parts);
   }
 
-  /// 0/1 by a comparison; the vector functions take no scalars.
+  /// Returns 0 or 1 by a comparison. GLSL's vector comparisons do not take scalars.
   std::string compare(const char *symbol, const char *function) const {
     if (components.size() == 1)
       return "float(" + infix(symbol) + ")";
@@ -62,7 +62,7 @@ struct Writer {
     return typeName(components.size()) + "(not(" + call2("equal") + "))";
   }
 
-  /// A helper of all four components, or of the first one or two, that gives one number.
+  /// Calls a helper that packs components \p reads of the operand into one number.
   std::string pack(const char *helper, const Components &reads) const {
     return replicate(std::string(helper) + "(" + vec(0, reads) + ")");
   }
@@ -71,11 +71,11 @@ struct Writer {
   }
 
   bool rounds() const { return numerics == Numerics::Fp24; }
-  /// A single operation's result as the mode's registers hold it.
+  /// Rounds the result of a single operation to the mode's registers.
   std::string rounded(const std::string &text) const {
     return rounds() ? "arb_round(" + text + ")" : text;
   }
-  /// The mode's product; binds as tightly as a multiplication.
+  /// Returns the mode's product. It binds as tightly as a multiplication.
   std::string product(const std::string &a, const std::string &b, Guard guard) const {
     return rounded(guard == Guard::Both    ? "arb_mul(" + a + ", " + b + ")"
                    : guard == Guard::Left  ? "arb_mulz(" + a + ", " + b + ")"
@@ -83,7 +83,7 @@ struct Writer {
                                            : a + " * " + b);
   }
   std::string product() const { return product(vec(0), vec(1), facts.first); }
-  /// True where the host's own dot(), mix() and cross() will do.
+  /// True if the host's own dot(), mix() and cross() can be used.
   bool plain() const {
     return !rounds() && facts.first == Guard::None && facts.second == Guard::None;
   }
@@ -97,14 +97,15 @@ struct Writer {
   std::string cross() const;
 };
 
-/// dot() is taken to sum in the order of ir/semantics.h for fragment programs, as llvmpipe's does.
+/// Returns a dot product. For fragment programs, dot() is assumed to sum in the order of
+/// ir/semantics.h, as it does in llvmpipe.
 std::string Writer::dot(const Components &at) const {
   if (plain() && !registers.ofVertices())
     return "dot(" + vec(0, at) + ", " + vec(1, at) + ")";
   return "arb_sum(" + product(vec(0, at), vec(1, at), facts.first) + ")";
 }
 
-/// As Mesa orders it for its own parser's DPH.
+/// Returns DPH, summed in the order of Mesa's own ARB parser.
 std::string Writer::dph() const {
   if (!plain() || registers.ofVertices())
     return "arb_sum(" + product(vec(0, {0, 1, 2}), vec(1, {0, 1, 2}), facts.first) + ", " +
@@ -120,7 +121,7 @@ std::string Writer::lrp() const {
   return rounded(product() + " + " + product(rest, vec(2), facts.second));
 }
 
-/// A ternary each, not mix(): mix() multiplies the branch that is not taken.
+/// Returns CMP with ternary operators. mix() would multiply the value that is not selected.
 std::string Writer::cmp() const {
   const Operand &condition = instruction.src[0];
   const bool alike = std::all_of(components.begin(), components.end(), [&](int position) {
@@ -135,9 +136,9 @@ std::string Writer::cmp() const {
   return compose(parts);
 }
 
-/// GLSL leaves pow() undefined for a base below zero, and for a base of zero with an exponent that
-/// is not above zero; hosts give NaN, infinity or zero. One to the power of an infinity, of which
-/// they make NaN, is a product with zero: log2(1).
+/// Returns a power. GLSL leaves pow() undefined for a negative base, and for a zero base with an
+/// exponent that is not positive. Hosts give NaN, infinity or zero. Hosts also give NaN for one to
+/// the power of infinity, where Legacy gives 1: the product with log2(1) is zero.
 std::string Writer::power(const std::string &base, const std::string &exponent) const {
   if (rounds())
     return "arb_pow(" + base + ", " + exponent + ")";
@@ -150,8 +151,9 @@ std::string Writer::power(const std::string &base, const std::string &exponent) 
   const std::string power = " ? pow(" + base + ", " + exponent + ") : ";
   if (facts.exponentNotZero)
     return "(" + base + " > 0.0" + power + "0.0)";
-  // One choice, and not one in another: NVIDIA's compiler makes a tenth more time of two at
-  // 4096x4096. The exponent first: Mesa branches to a second operand that holds a call.
+  // The test is one condition instead of nested ones, which take a tenth more time with NVIDIA's
+  // compiler at 4096x4096. The exponent comes first, because Mesa branches if the second operand
+  // contains a call.
   return "(" + exponent + " != 0.0 && " + base + " > 0.0" + power + "float(" + exponent +
          " == 0.0))";
 }
@@ -165,7 +167,7 @@ std::string Writer::lit() const {
 
 std::string Writer::cross() const {
   if (components.front() == 3)
-    return "0.0"; // reads nothing, so its registers may have no name
+    return "0.0"; // reads no operand, so that its registers may have no name
   const Components yzx = {1, 2, 0}, zxy = {2, 0, 1};
   const std::string result =
       plain() ? "cross(" + vec(0, {0, 1, 2}) + ", " + vec(1, {0, 1, 2}) + ")"
@@ -278,7 +280,7 @@ std::string expression(const Registers &registers, const Instruction &instructio
   case Opcode::Txd:
   case Opcode::Txl:
     return w.rounded(sample(registers, instruction) + suffix(components));
-  case Opcode::Kil: // has no result
+  case Opcode::Kil: // no result
   case Opcode::Rep:
   case Opcode::Endrep:
   case Opcode::Brk:

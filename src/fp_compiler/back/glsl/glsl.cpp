@@ -17,11 +17,11 @@ using ir::Instruction;
 using ir::Opcode;
 
 namespace {
-/// What a program's opcodes need of the host.
+/// GLSL extensions that a program's opcodes need.
 struct Needs {
   bool bits = false;      ///< PK*, UP*
   bool lod = false;       ///< TXD, and TXL of a fragment program
-  bool vertexLod = false; ///< samples of a vertex program, which GLSL 1.20 has by itself
+  bool vertexLod = false; ///< texture samples in a vertex program; GLSL 1.20 has them
 };
 
 Needs needsOf(const ir::Program &program) {
@@ -36,7 +36,8 @@ Needs needsOf(const ir::Program &program) {
   return needs;
 }
 
-/// Its results are distances from planes (NV_vertex_program2_option, section 2.11).
+/// True if the program's clip results are distances from planes (NV_vertex_program2_option, section
+/// 2.11).
 bool hasClipDistances(const ir::Program &program, const GlslHost &host) {
   return program.language == ir::Language::ArbVertex && program.options.clipsByDistances() &&
          host.clipPlanes && host.clipDistances != 0;
@@ -47,7 +48,7 @@ std::string preamble(const ir::Program &program, const Registers &registers, con
   const ir::Options &options = program.options;
   const Needs needs = needsOf(program);
   std::string text = hasClipDistances(program, host) ? "#version 130\n" : "#version 120\n";
-  // Not GLSL 1.30, under which hosts drop DEPTH_TEXTURE_MODE.
+  // This cannot be GLSL 1.30, because hosts then ignore DEPTH_TEXTURE_MODE.
   if (numerics == Numerics::Fp24 || needs.bits)
     text += "#extension GL_EXT_gpu_shader4 : require\n"
             "#extension GL_ARB_shader_bit_encoding : require\n";
@@ -69,13 +70,14 @@ std::string preamble(const ir::Program &program, const Registers &registers, con
   return text + ") varying vec4 gl_FragCoord;\n";
 }
 
-/// What fog is of: not of less than no distance where fixed function has them below 0.
+/// Returns the fog distance. It is the absolute value if the host's fixed function passes negative
+/// distances.
 std::string fogDistance(const GlslHost &host) {
   return host.negativeFogDistances ? "abs(gl_FogFragCoord)" : "gl_FogFragCoord";
 }
 
-/// The fog options of 3.11.4.5.1: the blend of section 3.10 on the clamped colour. FOG's
-/// enable and mode do not matter.
+/// Returns the fog factor of the fog options (3.11.4.5.1), which blend as in section 3.10 with the
+/// clamped colour. FOG's enable and mode do not matter.
 std::string fogFactor(ir::FogMode mode, Numerics numerics, const std::string &distance) {
   const bool host = numerics == Numerics::Host;
   switch (mode) {
@@ -91,15 +93,16 @@ std::string fogFactor(ir::FogMode mode, Numerics numerics, const std::string &di
                 : "exp2(" + product + " * " + product + " * -1.442695041)";
   }
   case ir::FogMode::Linear:
-    // (e - c) / (e - s) as one multiplication and one addition, without a division a fragment;
-    // hosts compute their own fog so, and where the form differs so does the last bit of the
-    // colour.
+    // This is (e - c) / (e - s) as one multiplication and one addition, without a division in each
+    // fragment. Hosts compute their own fog this way, and another form would differ in the last
+    // bit.
     return "gl_Fog.end * gl_Fog.scale - " + distance + " * gl_Fog.scale";
   }
   return "";
 }
 
-/// The same in the R300's steps (ir/semantics.h), of locals that come before it.
+/// Returns the fog factor in the R300's steps (ir/semantics.h). It reads the locals of
+/// fogLocals24().
 std::string fogFactor24(ir::FogMode mode) {
   const char *const factor =
       mode == ir::FogMode::Linear
@@ -117,7 +120,7 @@ std::string fogLocals24(ir::FogMode mode, const std::string &distance) {
          row + ")));\n  vec3 arb_fogcolor = arb_truncate(gl_Fog.color.rgb);\n";
 }
 
-/// Calls \p stage with the name of each colour that the program writes.
+/// Concatenates the results of \p stage for each colour that the program writes.
 template <typename Stage>
 std::string forEachColor(const ir::Program &program, const Registers &registers, Stage stage) {
   std::string text;
@@ -127,7 +130,7 @@ std::string forEachColor(const ir::Program &program, const Registers &registers,
   return text;
 }
 
-/// Section 3.9, for programs whose language leaves it to fixed function.
+/// Returns the colour sum (section 3.9), for languages that leave it to fixed function.
 std::string colorSum(const ir::Program &program, const Registers &registers, Numerics numerics) {
   if (!program.options.colorSum)
     return "";
@@ -161,13 +164,14 @@ std::string fog(const ir::Program &program, const Registers &registers, const Gl
          });
 }
 
-/// ARB_position_invariant: the position as fixed function computes it, to the bit.
+/// Returns the position of ARB_position_invariant, computed exactly as by fixed function.
 std::string invariantPosition(const ir::Program &program) {
   return program.options.positionInvariant ? "  gl_Position = ftransform();\n" : "";
 }
 
-/// Of the planes that are enabled. What the program does not write, and what lies before one that
-/// is enabled, passes: hosts clip by all elements up to the last that is written.
+/// Returns the clip distances of enabled planes. Distances that the program does not write are 0
+/// and never clip. So are those of disabled planes before an enabled one, because hosts clip by all
+/// elements up to the last written one.
 std::string clipDistances(const ir::Program &program, const GlslHost &host) {
   std::string text;
   for (unsigned plane = 0; host.clipDistances >> plane != 0; ++plane) {
@@ -181,9 +185,9 @@ std::string clipDistances(const ir::Program &program, const GlslHost &host) {
   return text;
 }
 
-/// User clip planes (2.11). A position-invariant program is clipped in eye space as fixed function
-/// is. For others the specification has no clipping, but hosts clip them in clip space, by planes
-/// taken through the projection, and programs have come to rely on it.
+/// Returns the code for user clip planes (2.11). A position-invariant program is clipped in eye
+/// space, as fixed function is. For other programs the specification has no clipping. Hosts clip
+/// them in clip space with planes transformed by the projection, and applications rely on it.
 std::string clipVertex(const ir::Program &program, const GlslHost &host) {
   if (program.language != ir::Language::ArbVertex || !host.clipPlanes)
     return "";

@@ -3,8 +3,8 @@
 
 namespace arbiter::fp::glsl {
 
-/// Writes a validated program as a GLSL shader of its stage, instruction by instruction; the
-/// meaning is that of ir/semantics.h. Does not optimise.
+/// Translates a validated program to a GLSL shader of its stage, instruction by instruction.
+/// ir/semantics.h defines the meaning. Does not optimise.
 [[nodiscard]] GlslShader emit(const ir::Program &program, const GlslHost &host,
                               Numerics numerics = Numerics::Host);
 

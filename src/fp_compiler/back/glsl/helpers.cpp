@@ -8,19 +8,20 @@ namespace arbiter::fp::glsl {
 using ir::Opcode;
 
 namespace {
-/// int() of a value that no int holds is undefined; such an index is one that no array has, with
-/// room for every offset.
+/// int() is undefined for values out of range. Such an address becomes an index outside every
+/// array, with room for all offsets.
 constexpr const char *kAddress =
     "int arb_address(float x) { return abs(x) < 1073741824.0 ? int(floor(x)) : -1073741824; }\n";
 
-/// One step of the search for LOG's exponent.
+/// Returns one step of the binary search for LOG's exponent.
 std::string step(const char *condition, const char *factor, int exponent) {
   return std::string("  if (") + condition + ") { m *= " + factor +
          "; e += " + std::to_string(exponent) + ".0; }\n";
 }
 
-/// The mantissa is exact: a host's log2() may round up to the next integer just below a power of
-/// two, and its exp2() of -127 is a denormal. Multiplications by powers of two lose nothing.
+/// Returns the helper for LOG. Its mantissa must be exact. A host's log2() may round up to the next
+/// integer just below a power of two, and its exp2() of -127 is a denormal. Multiplications by
+/// powers of two are exact.
 std::string logarithm() {
   return "vec4 arb_log(float x) {\n"
          "  float m = abs(x), l = log2(m), e = 0.0;\n"
@@ -36,7 +37,7 @@ std::string logarithm() {
          "  return vec4(e, m, l, 1.0);\n}\n";
 }
 
-/// A function of one or two float arguments for vectors as well, component by component.
+/// Returns overloads for vectors of a function with one or two float arguments.
 std::string forVectors(const std::string &name, int arguments) {
   std::string text;
   for (const std::string width : {"2", "3", "4"}) {
@@ -53,9 +54,9 @@ std::string forVectors(const std::string &name, int arguments) {
   return text;
 }
 
-/// Whether the sign of a zero shows in a result: by a division. Elsewhere it makes no difference
-/// whether -0 times a finite number is -0 or 0, and the shorter form will do; hosts that multiply
-/// so themselves know it.
+/// True if the sign of a zero can change a result, as a division can. Otherwise -0 times a finite
+/// number may be either zero, and a shorter form is enough. Some hosts recognise that form as their
+/// own multiplication.
 bool tellsZeros(const ir::Program &program) {
   return std::any_of(program.code.begin(), program.code.end(), [](const auto &instruction) {
     return instruction.op == Opcode::Rcp || instruction.op == Opcode::Txp;
@@ -70,8 +71,8 @@ std::string product(const char *arguments, const char *zero, const char *value, 
                      : " { return " + test + " ? 0.0 : " + value + "; }\n");
 }
 
-/// The bits of fp_compiler/numerics.h. 0x5F7FFFC0 is the least size that rounds to 2^64 and so to
-/// infinity, where a NaN stays; 0x20800000 is 2^-62.
+/// Rounds to 24-bit floats as fp_compiler/numerics.h does. 0x5F7FFFC0 is the smallest magnitude
+/// that rounds to 2^64 and so to infinity; NaN stays NaN. 0x20800000 is 2^-62.
 constexpr const char *kRound =
     "float arb_round(float x) {\n"
     "  int bits = floatBitsToInt(x), size = bits & 0x7FFFFFFF;\n"
@@ -85,7 +86,7 @@ constexpr const char *kTruncate =
     "  int less = size >= 0x5F800000 ? (size >= 0x7F800000 ? size : 0x5F7FFF80)\n"
     "                                : size < 0x20800000 ? 0 : size & -128;\n"
     "  return intBitsToFloat(bits ^ size | less);\n}\n";
-/// To the nearest multiple, ties to even.
+/// Rounds a colour to the nearest multiple of 1 / 4095, ties to even.
 constexpr const char *kColour =
     "float arb_colour(float x) {\n"
     "  float unit = (x > 0.0 ? min(x, 1.0) : 0.0) * 4095.0, low = floor(unit), over = unit - low;\n"
@@ -96,7 +97,7 @@ constexpr const char *kPower =
     "  float power = arb_round(exp2(arb_round(arb_mul(b, arb_round(log2(a))))));\n"
     "  return b == 0.0 ? 1.0 : a > 0.0 ? power : 0.0;\n}\n";
 
-/// fp_compiler/ir/packing.h's numbers.
+/// The helpers below implement the formats of fp_compiler/ir/packing.h.
 constexpr const char *kNearest =
     "float arb_nearest(float x) {\n"
     "  float low = floor(x), over = x - low;\n"
@@ -152,8 +153,8 @@ constexpr const char *kUp4ub = "vec4 arb_up4ub(float x) { return arb_bytes(x) / 
 constexpr char kSums[] = "float arb_sum(vec3 p) { return (p.z + p.y) + p.x; }\n"
                          "float arb_sum(vec4 p) { return ((p.w + p.z) + p.y) + p.x; }\n"
                          "float arb_sum(vec3 p, float w) { return (p.x + (p.z + w)) + p.y; }\n";
-/// A statement for each sum: Mesa balances the sums of one expression, whatever its parentheses
-/// say.
+/// Uses one statement for each sum, because Mesa rebalances the sums of one expression despite its
+/// parentheses.
 constexpr char kForwardSums[] =
     "float arb_sum(vec3 p) { float s = p.x + p.y; s += p.z; return s; }\n"
     "float arb_sum(vec3 p, float w) { float s = p.x + p.y; s += p.z; s += w; return s; }\n"
@@ -170,7 +171,7 @@ struct Helper {
 
 std::string helpers(const ir::Program &program, Numerics numerics, const std::string &code) {
   const bool exact = tellsZeros(program);
-  // A function calls those that stand before it.
+  // Helpers call only helpers before them.
   const Helper all[] = {
       {"arb_address", kAddress},
       {"arb_log", logarithm()},

@@ -11,7 +11,7 @@ std::string number(float value) {
   if (std::isinf(value))
     return value > 0 ? "(1.0 / 0.0)" : "(-1.0 / 0.0)";
   char digits[64];
-  // The locale of the application must not turn the point into a comma.
+  // The output must not depend on the application's locale.
   const auto end = std::to_chars(digits, digits + sizeof digits, value);
   std::string text(digits, end.ptr);
   if (text.find_first_of(".e") == std::string::npos)

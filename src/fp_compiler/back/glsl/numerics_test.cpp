@@ -1,6 +1,6 @@
-/// The modes of arithmetic in the emitted GLSL: where the guards stand, and that what the ranges
-/// claim holds for what the interpreter computes. That the text computes it is
-/// tests/back_ends_vs_interpreter's.
+/// Tests of the numerics modes in the emitted GLSL: where guards occur, and that the interpreter's
+/// results stay within the analysed ranges. tests/back_ends_vs_interpreter checks the values that
+/// the text computes.
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::string textOf(const Builder &builder, Numerics numerics) {
   return emitGlsl(builder.program(), {}, numerics).text;
 }
 
-/// The text after the declarations and helper functions.
+/// Returns the text after the declarations and helper functions.
 std::string bodyOf(const Builder &builder, Numerics numerics) {
   const std::string text = textOf(builder, numerics);
   return text.substr(text.find("void main()"));
@@ -116,7 +116,7 @@ TEST(Legacy, EveryTextIsAShader) {
   }
 }
 
-/// A value that an application may send for an attribute of fragments.
+/// Returns a value that an application may send for a fragment attribute.
 float sent(const ir::Attribute &attribute, int component, testing::Random &random) {
   const float value = testing::kSpecials[std::size_t(random.below(testing::kSpecials.size()))];
   switch (attribute.kind) {
@@ -132,7 +132,7 @@ float sent(const ir::Attribute &attribute, int component, testing::Random &rando
   }
 }
 
-/// Whether what the interpreter makes of a program stays within what the ranges claim.
+/// Checks that the interpreter's results of a program stay within the analysed ranges.
 void expectWithin(const ir::Program &program, Numerics numerics, std::uint64_t seed) {
   testing::Random random(seed);
   const auto special = [&] {

@@ -1,5 +1,5 @@
-// GLSL of programs under NVIDIA's options: the reference compiler takes it, and it asks for what it
-// needs and for nothing else.
+// GLSL of programs under NVIDIA's options: the reference compiler accepts it, and it requests
+// exactly the extensions that it needs.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/back/glsl/validator.h"
@@ -13,7 +13,8 @@ namespace {
 constexpr const char *kBits = "#extension GL_ARB_shader_bit_encoding : require";
 constexpr const char *kLod = "#extension GL_ARB_shader_texture_lod : require";
 
-/// The reference compiler has no EXT_gpu_shader4: a later version of the language has what it adds.
+/// Replaces EXT_gpu_shader4, which the reference compiler lacks, by a GLSL version that includes
+/// its features.
 std::string withIntegers(std::string glsl) {
   for (const std::string line : {"#extension GL_EXT_gpu_shader4 : require\n", "#version 120\n"})
     if (const std::size_t at = glsl.find(line); at != std::string::npos && contains(glsl, kBits))
@@ -85,7 +86,8 @@ TEST(NvGlsl, EveryTargetAtAGivenLevel) {
   }
 }
 
-// GLSL 1.20 has texture2DLod() in vertex shaders; the reference compiler wants it asked for.
+// GLSL 1.20 has texture2DLod() in vertex shaders, but the reference compiler needs the extension
+// enabled.
 TEST(NvGlsl, VertexTexturesNeedNoExtension) {
   for (const char *op : {"TEX", "TXP", "TXB", "TXL"}) {
     const std::string glsl =

@@ -16,7 +16,7 @@ Select selectOf(const Operand &operand, int position) {
 
 bool negated(const Operand &operand, int position) { return operand.negate >> position & 1; }
 
-/// A swizzled variable serves if every component comes from it, with one sign.
+/// True if a swizzled variable can express the components: no 0 or 1, and one common sign.
 bool isPlainSwizzle(const Operand &operand, const Components &components) {
   return std::all_of(components.begin(), components.end(), [&](int position) {
     return selectOf(operand, position) <= Select::W &&

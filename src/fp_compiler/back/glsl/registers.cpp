@@ -109,7 +109,7 @@ void Registers::nameAttribute(const ir::Program &program, std::size_t index) {
   if (!m_ofVertices && attribute.kind == ir::AttributeKind::TexCoord && attribute.index < 8 &&
       (m_spriteUnits >> attribute.index & 1u) != 0)
     m_attributes[index] = spriteText(attribute.index);
-  // Of these languages fog alone reads it. ARB's programs are given it as the host has it.
+  // In these languages only fog reads the coordinate. ARB programs get the host's own value.
   if (m_negativeFogDistances && ir::isNvparse(program.language) &&
       attribute.kind == ir::AttributeKind::FogCoord)
     m_attributes[index].components[0] = "abs(" + m_attributes[index].components[0] + ")";
@@ -121,7 +121,7 @@ void Registers::nameAttribute(const ir::Program &program, std::size_t index) {
   makeLocal(m_attributes[index], "i" + std::to_string(index), color ? "arb_colour" : "arb_round");
 }
 
-/// NV_point_sprite, 3.3, with a mode other than ZERO.
+/// Returns the coordinates of a point sprite (NV_point_sprite, 3.3), with a mode other than ZERO.
 RegisterText Registers::spriteText(int index) {
   const std::string number = std::to_string(index), local = "arb_sprite" + number,
                     vertex = "gl_TexCoord[" + number + "]";
@@ -130,7 +130,7 @@ RegisterText Registers::spriteText(int index) {
   return variable(local);
 }
 
-/// Under Fp24 only: what the name stands for, through \p function.
+/// Under Fp24, copies a register to a local that holds its value passed through \p function.
 void Registers::makeLocal(RegisterText &name, const std::string &local, const char *function) {
   if (m_numerics != Numerics::Fp24)
     return;
@@ -209,17 +209,17 @@ void Registers::nameAddresses(const ir::Program &program) {
       m_locals += "  int a" + std::to_string(i) + " = 0;\n";
 }
 
-/// Is clipped whatever x, y and z are written beside it.
+/// A position that is clipped whatever x, y and z the program writes.
 constexpr const char *kNowhere = "vec4(0.0, 0.0, 0.0, -1.0)";
 
-/// Results of which something is written, but not everything, start at zero. One that is bound and
-/// never written is left out, as one that is not bound.
+/// Names the outputs. A partly written output starts at zero. One that is bound but never written
+/// is left out.
 void Registers::nameOutputs(const ir::Program &program) {
   std::vector<std::uint8_t> written(program.outputs.size(), 0);
   for (const ir::Instruction &instruction : program.code)
     if (ir::writeMask(instruction) && instruction.dst.file == File::Output)
       written[instruction.dst.index] |= ir::writeMask(instruction);
-  bool main = false; // the result without which no host links: position, or a colour
+  bool main = false; // the output that hosts need to link: position, or a colour
   const bool vertex = program.language == ir::Language::ArbVertex;
   for (std::size_t i = 0; i < program.outputs.size(); ++i) {
     const ir::Output &output = program.outputs[i];
@@ -228,7 +228,7 @@ void Registers::nameOutputs(const ir::Program &program) {
     const std::uint8_t wanted = ir::resultMask(output.kind);
     const bool missing = (wanted & ~written[i]) != 0;
     if (output.kind == ir::OutputKind::Depth) {
-      if (missing) // the fragment keeps its own
+      if (missing) // the fragment keeps its own depth
         m_locals += "  gl_FragDepth = gl_FragCoord.z;\n";
       continue;
     }
@@ -239,8 +239,7 @@ void Registers::nameOutputs(const ir::Program &program) {
     if (vertex && (wanted & written[i]) == 0)
       continue;
     main |= !vertex || output.kind == ir::OutputKind::Position;
-    // A position without w: outside of every volume. With a w of zero hosts clip or draw as they
-    // like.
+    // Without w, a position is outside of every volume. Hosts treat a w of zero differently.
     const bool noPlace = output.kind == ir::OutputKind::Position && (written[i] & 8) == 0;
     if (missing)
       m_locals += "  " + text.name +
@@ -248,8 +247,8 @@ void Registers::nameOutputs(const ir::Program &program) {
                    : noPlace   ? " = " + std::string(kNowhere) + ";\n"
                                : " = vec4(0.0);\n");
   }
-  // Left undefined by the specification: zero, as everything undefined; and no position, nothing
-  // drawn.
+  // The specification leaves these outputs undefined. Colours become zero, and without a position
+  // nothing is drawn.
   if (main || (vertex && program.options.positionInvariant))
     return;
   if (vertex) {

@@ -11,35 +11,35 @@
 
 namespace arbiter::fp::glsl {
 
-/// The GLSL names of everything a program uses, and the declarations they need. Registers that no
-/// instruction reads are given no name and no declaration. Requires hoistRelative().
+/// Assigns GLSL names to everything that a program uses, and writes the declarations. Registers
+/// that no instruction reads get no name. Requires: hoistRelative() has run.
 class Registers {
 public:
-  /// \param numerics that the program follows: under Fp24 everything from outside is read into a
-  /// local of its own, rounded
+  /// \param numerics the arithmetic that the program follows. Under Fp24, each input is rounded
+  /// into a local of its own.
   explicit Registers(const ir::Program &program, Numerics numerics = Numerics::Host,
                      const GlslHost &host = {});
 
-  /// Requires: the operand is not relative.
+  /// Returns the text of a source register. Requires: the operand is not relative.
   [[nodiscard]] const RegisterText &source(ir::File file, std::uint16_t index) const;
-  /// "t3"
+  /// Returns the name of a temporary: "t3".
   [[nodiscard]] const std::string &temporary(std::uint16_t index) const;
   [[nodiscard]] const OutputText &output(std::uint16_t index) const { return m_outputs[index]; }
 
-  /// Uniforms, attributes, samplers and the arrays' functions.
+  /// Returns declarations of uniforms, attributes, samplers and the arrays' functions.
   [[nodiscard]] std::string declarations() const;
-  /// Local declarations, one a line, for the top of main().
+  /// Returns local declarations, one on each line, for the top of main().
   [[nodiscard]] const std::string &locals() const { return m_locals; }
   [[nodiscard]] const std::vector<GlslUniform> &uniforms() const { return m_uniforms; }
   [[nodiscard]] const std::vector<GlslSampler> &samplers() const { return m_samplers; }
   [[nodiscard]] const std::vector<GlslAttribute> &attributes() const { return m_generics; }
-  /// The registers are a vertex program's, else a fragment program's.
+  /// True for a vertex program, false for a fragment program.
   [[nodiscard]] bool ofVertices() const { return m_ofVertices; }
-  /// GlslHost::alphaDepths
+  /// Returns GlslHost::alphaDepths.
   [[nodiscard]] std::uint32_t alphaDepths() const { return m_alphaDepths; }
-  /// The program reads fragment.position.
+  /// True if the program reads fragment.position.
   [[nodiscard]] bool readsPosition() const { return m_readsPosition; }
-  /// The program samples a rectangle texture: the text needs GL_ARB_texture_rectangle.
+  /// True if the program samples a rectangle texture. The text then needs GL_ARB_texture_rectangle.
   [[nodiscard]] bool readsRectangle() const { return m_readsRectangle; }
 
 private:
@@ -63,7 +63,7 @@ private:
   bool m_ofVertices;
   std::string m_uniformArray; ///< "arb_param" or "arb_vparam"
   std::vector<GlslUniform> m_uniforms;
-  Arrays m_arrays; ///< first among the uniforms, so that rows read by number too share its elements
+  Arrays m_arrays; ///< adds its uniforms first, so that rows also read by number share them
   std::vector<RegisterText> m_temporaries, m_attributes, m_parameters;
   std::vector<OutputText> m_outputs;
   std::vector<GlslSampler> m_samplers;

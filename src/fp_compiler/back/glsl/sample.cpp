@@ -8,11 +8,11 @@ using ir::Opcode;
 using ir::TexTarget;
 
 namespace {
-/// How a target is sampled. `projective` takes the divisor as a last component; targets without
-/// one divide by hand. Shadow1D's second coordinate is a placeholder.
+/// The functions that sample a target. A `projective` one takes the divisor as the last component.
+/// Other targets need an explicit division. Shadow1D's second coordinate is unused.
 struct TargetText {
   const char *function;
-  const char *projective; ///< nullptr: divide by hand
+  const char *projective; ///< nullptr: needs an explicit division
   bool bias;
 };
 
@@ -38,9 +38,9 @@ TargetText targetText(TexTarget target) {
   return {"", nullptr, false};
 }
 
-/// A sample whose level of detail is not the fragment's own: TXD's derivatives, TXL's level, and in
-/// a vertex program the base level, but for TXB, whose bias is TXL's level (NV_vertex_program3
-/// 2.14.5.46).
+/// Returns a sample with an explicit level of detail. TXD gives derivatives, and TXL the level. In
+/// a vertex program others read the base level, except that TXB's bias is the level, as for TXL
+/// (NV_vertex_program3 2.14.5.46).
 std::string explicitSample(const Registers &registers, const Instruction &instruction,
                            const Components &coordinate) {
   const ir::Operand &operand = instruction.src[0];
@@ -55,7 +55,7 @@ std::string explicitSample(const Registers &registers, const Instruction &instru
            vector(registers, instruction.src[1], changes) + ", " +
            vector(registers, instruction.src[2], changes) + ")";
   }
-  if (!text.bias) // a rectangle has one level
+  if (!text.bias) // a rectangle texture has one level
     return text.function + at + ")";
   const bool given = instruction.op == Opcode::Txl || instruction.op == Opcode::Txb;
   return std::string(text.function) + "Lod" + at + ", " +

@@ -10,7 +10,7 @@ namespace {
 StateText stateVariable(std::string text) { return {std::move(text), true}; }
 StateText expression(std::string text) { return {std::move(text), false}; }
 
-/// ARB rows against GLSL columns: row r of M is column r of its transpose.
+/// Returns a matrix row. ARB has rows, but GLSL columns: row r of M is column r of its transpose.
 StateText matrixRow(const std::string &name, const StateRef &ref, const std::string &index) {
   const char *suffix = "";
   switch (ref.modifier) {
@@ -30,7 +30,7 @@ StateText matrixRow(const std::string &name, const StateRef &ref, const std::str
   return stateVariable(name + suffix + index + "[" + std::to_string(ref.row) + "]");
 }
 
-/// Table X.2.3: the product's rgb, the material's alpha.
+/// Returns a light product (table X.2.3): the product's rgb, the material's alpha.
 StateText lightProduct(const std::string &light, const std::string &material, const char *field) {
   const std::string color = material + "." + field;
   return expression("vec4(" + light + "." + field + ".rgb * " + color + ".rgb, " + color + ".a)");
@@ -87,7 +87,7 @@ std::optional<StateText> stateText(const StateRef &ref) {
   case StateItem::DepthRange:
     return expression("vec4(gl_DepthRange.near, gl_DepthRange.far, gl_DepthRange.diff, 1.0)");
   case StateItem::MatrixModelview:
-    // modelview[n > 0] is ARB_vertex_blend's; no built-in holds it.
+    // No built-in holds modelview[n > 0], which comes from ARB_vertex_blend.
     if (ref.index != 0)
       return std::nullopt;
     return matrixRow("gl_ModelViewMatrix", ref, "");

@@ -6,18 +6,18 @@
 
 namespace arbiter::fp::glsl {
 
-/// A GLSL 1.20 expression of type vec4 for a row of GL state.
+/// A row of GL state as a GLSL 1.20 expression of type vec4.
 struct StateText {
   std::string text;
-  /// A variable of the host's, which may be swizzled where it stands; else an expression that is
-  /// worth a local variable.
+  /// True for a built-in variable, which can be swizzled in place. False for an expression, which
+  /// should go into a local variable.
   bool isVariable = true;
 };
 
-/// The host's built-in for a row of state, composed by hand where hosts disagree about the
-/// built-in (light products' and scene colours' w, half-angle vectors, the fog scale). Empty for
-/// rows that no built-in covers (program and palette matrices, texture environment colours): the
-/// layer supplies those in arb_param.
+/// Returns the GLSL for a row of state, usually the host's built-in. It is an explicit expression
+/// where hosts disagree about the built-in: w of light products and scene colours, half-angle
+/// vectors, the fog scale. Rows without a built-in give nothing: program and palette matrices,
+/// texture environment colours. The layer supplies those in arb_param.
 [[nodiscard]] std::optional<StateText> stateText(const ir::StateRef &ref);
 
 } // namespace arbiter::fp::glsl

@@ -12,7 +12,7 @@ inline bool contains(const std::string &text, const std::string &part) {
   return text.find(part) != std::string::npos;
 }
 
-/// True if the reference compiler accepts the shader; its complaints otherwise.
+/// Succeeds if the reference compiler accepts the shader; fails with its messages otherwise.
 /// \param stage "frag" or "vert"
 inline testing::AssertionResult validates(const std::string &text, const char *stage = "frag") {
   static const bool present = std::system("glslangValidator -v >/dev/null 2>&1") == 0;

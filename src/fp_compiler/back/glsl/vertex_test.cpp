@@ -4,7 +4,7 @@
 #include "fp_compiler/back/glsl/validator.h"
 #include "fp_compiler/ir/builder.h"
 
-/// Vertex programs in GLSL: bindings, arrays by address, positions.
+/// Tests of vertex programs in GLSL: bindings, arrays with relative addressing, positions.
 namespace arbiter::fp::glsl {
 namespace {
 

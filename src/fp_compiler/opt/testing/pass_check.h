@@ -7,10 +7,10 @@
 #include "fp_compiler/testing/inputs.h"
 #include "fp_compiler/testing/random.h"
 
-/// What every pass owes, on programs made by hand and at random.
+/// Checks of the contract that every pass must fulfil, on handwritten and on random programs.
 namespace arbiter::fp::opt {
 
-/// A pass, whether it asks for the mode or holds in every one.
+/// Wraps a pass, whether it takes a numerics mode or not.
 class Pass {
 public:
   Pass(bool (*inEveryMode)(ir::Program &)) : m_inEveryMode(inEveryMode) {}
@@ -24,8 +24,9 @@ private:
   bool (*m_inMode)(ir::Program &, Numerics) = nullptr;
 };
 
-/// Runs a pass and checks its contract: the program stays valid, means the same to the bit, changes
-/// iff the pass says so, and a second run moves nothing. Returns what the pass returned.
+/// Runs a pass and checks its contract. The program stays valid and keeps its meaning to the bit.
+/// It changes if and only if the pass says so, and a second run changes nothing. Returns the pass's
+/// result.
 inline bool runChecked(Pass pass, ir::Program &program, const std::string &context = "",
                        Numerics numerics = Numerics::Host) {
   const ir::Program before = program;
@@ -52,9 +53,9 @@ inline bool runChecked(Pass pass, ir::Program &program, const std::string &conte
   return changed;
 }
 
-/// The contract on random programs in every mode, half of them with special values and half of them
-/// vertex programs; the pass must find work in both.
-/// \param prepare gives the pass something to do
+/// Checks the contract on random programs in every mode. Half of them have special values, and half
+/// are vertex programs. The pass must find work in both.
+/// \param prepare modifies each program so that the pass has something to do
 inline void runOnRandomPrograms(
     Pass pass, int count = 300, void (*prepare)(ir::Program &) = [](ir::Program &) {}) {
   int changed = 0, changedVertex = 0;

@@ -33,7 +33,7 @@ Value *Code::max(Value *a, Value *b) { return ir.CreateSelect(ir.CreateFCmpOGT(a
 Value *Code::floor(Value *a) { return ir.CreateUnaryIntrinsic(llvm::Intrinsic::floor, a); }
 
 Value *Code::toInt(Value *a) {
-  // An out-of-range fptosi is poison: freeze makes it any one value.
+  // An out-of-range fptosi is poison; freeze turns it into some fixed value.
   return ir.CreateFreeze(ir.CreateFPToSI(a, i32));
 }
 

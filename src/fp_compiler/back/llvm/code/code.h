@@ -6,15 +6,15 @@
 
 #include "fp_compiler/abi.h"
 
-/// A function of machine code while it is written: one value holds `lanes` pixels or vertices. The
-/// parts of the back end (arithmetic, sampling, pixel operations) are functions over this.
+/// The state of code generation for one function. A vector value holds `lanes` pixels or vertices.
+/// The parts of the back end (arithmetic, sampling, pixel operations) are functions on it.
 namespace arbiter::fp::llvm_back {
 
-/// What the processor offers; the lane count follows from it.
+/// The target processor. The lane count depends on its family.
 struct Cpu {
   enum class Family : std::uint8_t { Avx512, Avx2, Sse41, Neon } family = Family::Sse41;
-  std::string name;     ///< for LLVM: "skylake-avx512"
-  std::string features; ///< for LLVM: "+avx512f,..."
+  std::string name;     ///< LLVM's name: "skylake-avx512"
+  std::string features; ///< LLVM's features: "+avx512f,..."
   [[nodiscard]] int lanes() const {
     return family == Family::Avx512 ? 16 : family == Family::Avx2 ? 8 : 4;
   }
@@ -23,7 +23,7 @@ struct Cpu {
 };
 
 using Value = llvm::Value;
-/// One value a component. A component that nothing reads may be null.
+/// One value for each component. A component that nothing reads may be null.
 using Vec = std::array<Value *, 4>;
 
 struct Code {
@@ -44,61 +44,62 @@ struct Code {
   [[nodiscard]] Value *select(Value *mask, Value *yes, Value *no) {
     return ir.CreateSelect(mask, yes, no);
   }
-  /// Ordered comparisons give false for NaN.
-  [[nodiscard]] Value *min(Value *a, Value *b); ///< floats; b where a is NaN
-  [[nodiscard]] Value *max(Value *a, Value *b); ///< floats; b where a is NaN
+  /// The comparisons are ordered: they are false for NaN.
+  [[nodiscard]] Value *min(Value *a, Value *b); ///< floats; b if a is NaN
+  [[nodiscard]] Value *max(Value *a, Value *b); ///< floats; b if a is NaN
   [[nodiscard]] Value *floor(Value *a);
-  [[nodiscard]] Value *toInt(Value *a); ///< toward zero; what does not fit gives anything, no trap
-  [[nodiscard]] Value *toFloat(Value *a); ///< of i32
-  /// [0,1]; NaN gives 0.
+  [[nodiscard]] Value *toInt(Value *a);   ///< toward zero; any value if out of range, no trap
+  [[nodiscard]] Value *toFloat(Value *a); ///< from i32
+  /// Clamps to [0,1]; NaN gives 0.
   [[nodiscard]] Value *saturate(Value *a);
-  /// Asks for \p bytes from a pointer on, which need not be there, to be read or written soon.
+  /// Prefetches \p bytes from a pointer on, for reading or writing. The memory need not exist.
   void prefetch(Value *pointer, unsigned bytes, bool isWritten);
-  /// i32s of a table of `lanes` such, which lies aligned to its size: element \p index modulo
-  /// lanes.
+  /// Looks up element \p index modulo lanes in a table of `lanes` i32s, which is aligned to its
+  /// size.
   [[nodiscard]] Value *lookUp(Value *table, Value *index);
-  /// A scalar of a struct that `pointer` leads to: a load of `type` at `offset` bytes.
+  /// Loads a scalar of `type` at `offset` bytes of the struct at `pointer`.
   [[nodiscard]] Value *field(llvm::Type *type, Value *pointer, std::size_t offset);
 };
 
-// --- sample.cpp
-// ---------------------------------------------------------------------------------------
+// --- sample.cpp: texture samples ---
 
-/// Where a sample is taken and what is known of it.
+/// The operands of a texture sample.
 struct SampleAt {
-  Vec coordinate = {};   ///< s, t, r; TXP has divided
-  Value *bias = nullptr; ///< TXB's, or null
-  Value *lod = nullptr;  ///< TXL's level of detail, before biases and clamps; no derivatives then
-  /// Of Lanes::Quad: derivatives are differences in the quad. Of Lanes::Row: those of affine
-  /// coordinates, as splat values a pixel in x and in y; all null where no level of detail is
-  /// wanted.
+  Vec coordinate = {};   ///< s, t, r; already divided for TXP
+  Value *bias = nullptr; ///< TXB's bias, or null
+  /// TXL's level of detail before biases and clamps, or null. There are no derivatives then.
+  Value *lod = nullptr;
+  /// Derivatives of the coordinate. Lanes::Quad: differences within the quad. Lanes::Row: slopes of
+  /// affine coordinates for a pixel step in x and in y, equal in all lanes. All are null if no
+  /// level of detail is needed.
   std::array<Value *, 3> dx = {}, dy = {};
-  Value *mask = nullptr; ///< lanes that count, or null for all: loads of others are safe anyway
-  /// Set by the fragment loop where the whole span is known to read consecutive texels 1:1 (plain
-  /// loads from `texels`): see fragment.cpp. Null otherwise.
+  /// Lanes that are needed, or null for all. Loads in other lanes are safe anyway.
+  Value *mask = nullptr;
+  /// Set by the fragment loop if the whole span reads consecutive texels 1:1, so that plain loads
+  /// from `texels` work (fragment.cpp). Null otherwise.
   Value *texels = nullptr; ///< pointer to the texel of lane 0
 };
 
-/// The texel's four components as the program sees them, components outside `needed` null.
-/// \param unit the TextureView
+/// The result of sample(): the texel's components as the program sees them. Components outside
+/// `needed` are null.
 struct Texel {
   Vec rgba = {};
-  /// The 32 bits of a U8x4 texel as it lies in memory, where it is one or a filter made its bytes:
-  /// storing it unchanged needs no arithmetic. Else null.
+  /// The 32 bits of a U8x4 texel as in memory, if it is a single texel or the filter computed
+  /// bytes. It can be stored unchanged without arithmetic. Null otherwise.
   Value *packed = nullptr;
 };
-/// True if hosts filter bytes in bytes with the wrap mode: it needs neither a border nor a mirror.
+/// True if hosts use byte arithmetic for filtering with the wrap mode, which needs neither border
+/// nor mirror.
 [[nodiscard]] constexpr bool isSimple(abi::Wrap wrap) {
   return wrap == abi::Wrap::Repeat || wrap == abi::Wrap::ClampToEdge;
 }
 [[nodiscard]] Texel sample(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
                            const SampleAt &at, unsigned needed);
 
-// --- pixel.cpp: what happens to a fragment after the program
-// ------------------------------------------
+// --- sample_decode.cpp: stored pixels as floats ---
 
-/// A stored pixel's components as floats, shared by textures and targets.
-/// \param raw pixels as they lie in memory, an integer each: <lanes x i8>, i16, i32, i64 or i128
+/// Converts a stored pixel's components to floats, for textures and targets.
+/// \param raw pixels as in memory, one integer each: <lanes x i8>, i16, i32, i64 or i128
 [[nodiscard]] Vec decode(Code &code, const abi::Format &format, Value *raw, unsigned needed);
 
 } // namespace arbiter::fp::llvm_back

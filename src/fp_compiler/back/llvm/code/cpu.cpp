@@ -12,8 +12,8 @@ namespace {
 struct Row {
   Cpu::Family family;
   const char *name;
-  /// A processor of LLVM's that has the family's features and no others of note, for code that is
-  /// to run as on a lesser machine.
+  /// An LLVM processor model with the family's features and few others. It is used to generate code
+  /// for a lesser machine.
   const char *model;
   std::initializer_list<const char *> features;
 };
@@ -33,17 +33,17 @@ const Row kFamilies[] = {{Cpu::Family::Neon, "neon", "generic", {"neon"}}};
 const std::span<const Row> kFamilies;
 #endif
 
-/// What the operating system lets programs use.
+/// Returns the features that the operating system lets programs use.
 llvm::StringMap<bool> hostFeatures() {
   llvm::StringMap<bool> features = release::hostFeatures();
 #if defined(__aarch64__)
-  features["neon"] = true; // of every processor of the architecture that has an FPU
+  features["neon"] = true; // every processor of the architecture with an FPU has it
 #endif
   return features;
 }
 
-/// What instructions cost depends on the name. Virtual machines make one up, so that LLVM takes a
-/// Sapphire Rapids for a desktop's processor; but the features are the true ones.
+/// Returns the processor name, on which instruction costs depend. Virtual machines invent one, so
+/// that LLVM may mistake a Sapphire Rapids for a desktop processor. The features are correct.
 std::string hostName(const llvm::StringMap<bool> &features) {
   return features.lookup("avx512fp16") ? "sapphirerapids" : llvm::sys::getHostCPUName().str();
 }
@@ -74,7 +74,7 @@ std::optional<Cpu> chooseCpu(const std::string &name) {
       continue;
     Cpu cpu;
     cpu.family = row.family;
-    // A lesser one is that model with the features that it brings.
+    // For a lesser machine, the model's own features apply.
     cpu.name = name.empty() ? hostName(features) : row.model;
     if (name.empty())
       cpu.features = everyFeature(features);

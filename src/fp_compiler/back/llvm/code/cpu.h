@@ -6,12 +6,12 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The processor that code is made for: this one if \p name is empty, else a lesser one of the same
-/// architecture ("avx512", "avx2", "sse4.1", "neon"). Nothing if this one cannot run it, or if
-/// there is none of the families here at all.
+/// Returns the processor to generate code for: this one if \p name is empty, else a lesser one of
+/// the same architecture ("avx512", "avx2", "sse4.1", "neon"). Nothing if this processor cannot run
+/// it or belongs to no family.
 [[nodiscard]] std::optional<Cpu> chooseCpu(const std::string &name);
 
-/// The family's name, as chooseCpu() takes it.
+/// Returns the family's name as chooseCpu() takes it.
 [[nodiscard]] const char *familyName(Cpu::Family family);
 
 } // namespace arbiter::fp::llvm_back

@@ -17,7 +17,7 @@ namespace {
 thread_local int t_scopes = 0;
 std::atomic<bool> g_failed{false};
 
-/// As LLVM writes its last words (ErrorHandling.cpp): without anything that may fail again.
+/// Writes an error message as LLVM does (ErrorHandling.cpp), using nothing that may fail again.
 void say(const char *first, const char *message, const char *last) {
   for (const char *part : {first, message, last})
     if (::write(STDERR_FILENO, part, std::strlen(part)) < 0)
@@ -44,8 +44,8 @@ void onNoMemory(void *, const char *, bool) {
 } // namespace
 
 FailureScope::FailureScope() {
-  // For good: who installs handlers later, be it the application, replaces the layer's and keeps
-  // its own.
+  // The handlers are never removed. If the application installs its own later, those replace the
+  // layer's.
   static std::once_flag s_once;
   std::call_once(s_once, [] {
     llvm::install_fatal_error_handler(onFatalError);

@@ -3,13 +3,13 @@
 #include <memory>
 #include <stdexcept>
 
-/// LLVM ends the process where it cannot go on: an error that it has no other way to report, memory
-/// that is not there. The layer may not do that to an application, so on a thread of the layer's
-/// these are exceptions while a FailureScope lives. LLVM is shared with the host's driver: on any
-/// other thread, and outside such scopes, what happens is what LLVM does without this.
+/// Turns fatal LLVM errors into exceptions. LLVM ends the process on errors that it cannot report
+/// otherwise and when memory runs out. The layer must not do that to an application. On a thread
+/// with a live FailureScope, these errors are exceptions. The host's driver shares LLVM, so on
+/// other threads and outside scopes LLVM behaves as usual.
 namespace arbiter::fp::llvm_back {
 
-/// A fatal error of LLVM's; what() is its message. For memory it is std::bad_alloc.
+/// A fatal error of LLVM; what() returns its message. Out of memory is std::bad_alloc.
 struct LlvmFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -22,13 +22,13 @@ public:
   FailureScope &operator=(const FailureScope &) = delete;
 };
 
-/// Once LLVM failed in the middle of its work nothing is asked of it any more: locks and tables of
-/// its own may be as they were at that moment.
+/// True if LLVM failed in the middle of its work. It must not be used any more, because its locks
+/// and tables may be in an inconsistent state.
 [[nodiscard]] bool hasFailed();
 void noteFailure();
 
-/// Objects of LLVM's that an exception leaves where they are, never destroyed: code without
-/// exceptions may have been about to change them. It is noted as a failure.
+/// Owns an LLVM object, but leaks it if an exception passes. Code without exception support may
+/// have left it inconsistent, so that it must not be destroyed. This also counts as a failure.
 template <typename T> class Kept {
 public:
   template <typename... Arguments>

@@ -1,5 +1,5 @@
-// What LLVM cannot go on after: on a thread of the layer's an exception, on any other what LLVM
-// does.
+// Tests of fatal LLVM errors: on a thread of the layer they are exceptions, and on others LLVM
+// behaves as usual.
 #include "fp_compiler/back/llvm/code/failures.h"
 
 #include <csignal>
@@ -37,7 +37,7 @@ TEST(Failures, NoMemoryIsOneToo) {
   EXPECT_THROW(llvm::report_bad_alloc_error("a test"), std::bad_alloc);
 }
 
-// Through frames of LLVM's own, which are compiled without exceptions.
+// The exception passes through frames of LLVM, which are compiled without exceptions.
 TEST(Failures, AnExceptionPassesThroughLlvm) {
   const FailureScope scope;
   llvm::LLVMContext context;
@@ -51,7 +51,7 @@ TEST(Failures, AnExceptionPassesThroughLlvm) {
   EXPECT_THROW(context.emitError("a test"), LlvmFailure);
 }
 
-/// What a child that does this ends with, and what it says.
+/// Returns the exit status and the error output of a child process that runs \p work.
 template <typename Work> std::pair<int, std::string> childOf(Work work) {
   int ends[2];
   EXPECT_EQ(::pipe(ends), 0);
@@ -73,7 +73,7 @@ template <typename Work> std::pair<int, std::string> childOf(Work work) {
 }
 
 TEST(Failures, OtherThreadsHaveLlvmsOwnWay) {
-  // With a scope on this thread, and the handlers installed.
+  // This thread has a scope, and the handlers are installed.
   const FailureScope scope;
   const auto [exited, said] =
       childOf([] { std::thread([] { llvm::report_fatal_error("theirs", false); }).join(); });
@@ -115,7 +115,7 @@ TEST(Failures, WhatIsKeptOutlivesAnException) {
   EXPECT_EQ(status, 0) << said;
 }
 
-// Last, as nothing is compiled in this process from here on.
+// This test comes last, because nothing can be compiled in this process after it.
 TEST(FailuresLast, AnEngineMeetsOneAndThenAsksNoMore) {
   const auto engine = makeEngine({});
   ASSERT_NE(engine, nullptr);

@@ -4,8 +4,8 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The few passes that a program's code gains by: it comes in SSA form, its programs already
-/// optimised (opt/opt.h). No pass changes what is computed.
+/// Runs the few LLVM passes that improve a program's code. The code is in SSA form, and its program
+/// is optimised already (opt/opt.h). No pass changes results.
 void optimise(llvm::Function &function, llvm::TargetMachine &machine);
 
 } // namespace arbiter::fp::llvm_back

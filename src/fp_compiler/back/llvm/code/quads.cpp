@@ -3,8 +3,8 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// The value of another pixel of each lane's quad. \param to a pixel's place in the quad (bit 0 x,
-/// bit 1 y) to that of the one to read
+/// Returns the value of another pixel of each lane's quad.
+/// \param to maps a pixel's place in the quad (bit 0 x, bit 1 y) to the place to read
 template <typename F> Value *ofPixel(Code &code, Value *value, F to) {
   const int width = code.cpu.blockWidth();
   llvm::SmallVector<int, 16> from;

@@ -2,27 +2,28 @@
 
 #include "fp_compiler/back/llvm/code/code.h"
 
-/// Lanes that are 2x2 quads of pixels.
+/// Functions on lanes that are 2x2 quads of pixels.
 namespace arbiter::fp::llvm_back {
 
-/// In each lane the value of one pixel of its quad: dx, dy in {0, 1}, (0, 0) the first in x and y.
+/// Returns in each lane the value of one pixel of its quad: dx, dy in {0, 1}, where (0, 0) is the
+/// first in x and y.
 [[nodiscard]] Value *atCorner(Code &code, Value *value, int dx, int dy);
 
-/// Sets \p at's dx and dy of the first `count` coordinates: their changes a pixel in x and in y, as
-/// differences in the quad, along x in its lower row, which all four pixels share. \param upper an
-/// i1 that is the same for all: the upper row instead
+/// Sets the derivatives \p at.dx and \p at.dy of the first `count` coordinates. They are
+/// differences in the quad, shared by its four pixels. The one along x is from the lower row.
+/// \param upper a uniform i1, or null: true takes the upper row instead
 void addQuadDerivatives(Code &code, SampleAt &at, int count, Value *upper);
 
-/// A value's change from one pixel of the quad to the next, in each of its rows by itself, or, \p
-/// upwards, in each of its columns: the same in both pixels that are compared.
+/// Returns the difference between neighbouring pixels in each row of the quad, or with \p upwards
+/// in each column. Both pixels get the same difference.
 [[nodiscard]] Value *changeInQuad(Code &code, Value *value, bool upwards);
 
-/// The same by changeInQuad(): each row and each column of the quad has changes of its own. They
-/// are what software hosts take the levels of cube maps by, and the others those of all other
-/// textures.
+/// Sets the derivatives by changeInQuad(), so that each row and column of the quad has its own.
+/// Software hosts use these for the levels of cube maps, and those of addQuadDerivatives() for all
+/// other textures.
 void addPixelDerivatives(Code &code, SampleAt &at, int count);
 
-/// Of \p mask, an i1 a lane, the quads of which all four pixels are in it.
+/// Returns a mask (i1 lanes) of the quads whose four pixels are all in \p mask.
 [[nodiscard]] Value *wholeQuads(Code &code, Value *mask);
 
 } // namespace arbiter::fp::llvm_back

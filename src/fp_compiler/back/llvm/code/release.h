@@ -14,8 +14,8 @@
 #include <llvm/Support/Host.h>
 #endif
 
-/// What the releases of LLVM, 15 and newer, spell differently, in one spelling. Nothing else of the
-/// back end asks which release it is compiled for.
+/// Hides the API differences between LLVM releases, from 15 on. No other file of the back end
+/// depends on the release.
 namespace arbiter::fp::llvm_back::release {
 
 #if LLVM_VERSION_MAJOR >= 18
@@ -28,21 +28,21 @@ inline constexpr auto kObjectFile = llvm::CGFT_ObjectFile;
 inline constexpr auto kAssemblyFile = llvm::CGFT_AssemblyFile;
 #endif
 
-/// The alignment of sections, as the linker's memory manager is told it.
+/// The type of a section's alignment in the linker's memory manager.
 #if LLVM_VERSION_MAJOR >= 16
 using SectionAlignment = llvm::Align;
 #else
 using SectionAlignment = std::uint32_t;
 #endif
 
-/// What modules and targets take to be told of a processor and system.
+/// Returns the form of a target triple that modules and targets take.
 #if LLVM_VERSION_MAJOR >= 21
 inline const llvm::Triple &nameOf(const llvm::Triple &triple) { return triple; }
 #else
 inline const std::string &nameOf(const llvm::Triple &triple) { return triple.str(); }
 #endif
 
-/// This processor's features by name, each with whether programs may use it; none if it is unknown.
+/// Returns this processor's features by name, and whether programs may use each. Empty if unknown.
 inline llvm::StringMap<bool> hostFeatures() {
 #if LLVM_VERSION_MAJOR >= 19
   return llvm::sys::getHostCPUFeatures();
@@ -54,8 +54,8 @@ inline llvm::StringMap<bool> hostFeatures() {
 #endif
 }
 
-/// Denormal numbers are zeros to the code generator, as the functions' attribute says too: from 22
-/// on the attribute alone.
+/// Tells the code generator to treat denormals as zeros. The functions' attribute says the same,
+/// and from LLVM 22 on it is enough.
 inline void flushDenormals([[maybe_unused]] llvm::TargetOptions &options) {
 #if LLVM_VERSION_MAJOR < 22
   options.setFPDenormalMode(llvm::DenormalMode::getPreserveSign());

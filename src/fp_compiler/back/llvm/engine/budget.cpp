@@ -6,7 +6,8 @@ namespace arbiter::fp::llvm_back {
 
 namespace {
 
-/// Of one sample: much code of its own, which its neighbours do not make dearer.
+/// Returns the expected time for one sample. Its code is long, but does not interact with other
+/// code.
 double sampleMilliseconds(const abi::SamplerKey &sampler) {
   const double face =
       (sampler.dimension == abi::Dimension::Cube ? 1.2 : 1) * (sampler.format.srgb != 0 ? 1.4 : 1);
@@ -17,7 +18,7 @@ double sampleMilliseconds(const abi::SamplerKey &sampler) {
   return (filtered ? 8 : 5) * face;
 }
 
-/// Of one instruction, in instructions of a component: a vec4's ADD is 4.
+/// Returns the work of one instruction in scalar operations: a vec4's ADD is 4.
 double workOf(const ir::Instruction &instruction) {
   using ir::Opcode;
   const auto components = double(std::popcount(unsigned(instruction.dst.mask)));

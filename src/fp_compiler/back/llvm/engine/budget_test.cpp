@@ -1,4 +1,4 @@
-// What a program's machine code would cost is estimated before it is made.
+// Tests that the cost of a program's machine code is estimated before it is generated.
 #include "fp_compiler/back/llvm/engine/budget.h"
 
 #include <chrono>
@@ -30,7 +30,7 @@ ir::Program checked(const std::string &text) {
   return result.ok() ? std::move(*result.program) : ir::Program();
 }
 
-/// A chain of `count` of them, each of which needs the one before.
+/// Returns a chain of `count` instructions, each of which depends on the one before.
 ir::Program chainOf(const char *instruction, int count) {
   std::string text =
       "!!ARBfp1.0\nTEMP t, u;\nMOV t, fragment.texcoord[0];\nMOV u, fragment.color;\n";
@@ -39,7 +39,7 @@ ir::Program chainOf(const char *instruction, int count) {
   return checked(text + "ADD result.color, t, u;\nEND\n");
 }
 
-/// The dearest samplers that there are.
+/// Returns a key with the most expensive samplers.
 abi::FragmentKey dearKey() {
   abi::FragmentKey key;
   key.lanes = abi::Lanes::Quad;
@@ -88,14 +88,14 @@ TEST(Budget, WhatARadeonTakesIsWithinIt) {
   abi::FragmentKey key = dearKey();
   for (abi::SamplerKey &sampler : key.samplers)
     sampler.dimension = abi::Dimension::Cube;
-  // 64 ALU instructions and 32 samples, all of them trilinear and of cubes.
+  // This has 64 ALU instructions and 32 samples, all of them trilinear and of cube maps.
   std::string text =
       "!!ARBfp1.0\nTEMP t, u;\nMOV t, fragment.texcoord[0];\nMOV u, fragment.color;\n";
   for (int i = 0; i < 32; ++i)
     text += "TEX t, t, texture[0], CUBE;\nMAD u, t, u, u.yzwx;\nLRP t, t, u, u.yzwx;\n";
   EXPECT_LE(expectedMilliseconds(checked(text + "ADD result.color, t, u;\nEND\n"), &key.samplers),
             kMostMilliseconds);
-  // What took less than 300 ms of a busy processor.
+  // The following took less than 300 ms on a busy processor.
   EXPECT_LE(expectedMilliseconds(chainOf("POW t.x, u.y, t.x;\n", 100), &key.samplers),
             kMostMilliseconds);
   EXPECT_LE(expectedMilliseconds(chainOf("SIN t.x, t.x;\nADD t, t, u;\n", 100), &key.samplers),

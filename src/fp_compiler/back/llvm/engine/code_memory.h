@@ -10,9 +10,9 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The memory of one object that is linked: all its sections in one mapping. Code reaches its
-/// constants by distances of 32 bits, which the linker cuts off without a word, and two mappings of
-/// a process that has reserved much of its address space may lie further apart.
+/// The memory of one linked object: a single mapping for all sections. Code addresses its constants
+/// with 32-bit offsets, which the linker truncates silently. With two mappings they may be too far
+/// apart in a process that has reserved much address space.
 class CodeMemory final : public llvm::RTDyldMemoryManager {
 public:
   CodeMemory() = default;
@@ -31,15 +31,15 @@ public:
                                     llvm::StringRef name) override;
   std::uint8_t *allocateDataSection(std::uintptr_t bytes, unsigned alignment, unsigned id,
                                     llvm::StringRef name, bool readOnly) override;
-  /// Code becomes executable, and it and constants read only. True, with the reason, if there was
-  /// no memory, or the object has more than it announced: nothing of it may be run.
+  /// Makes the code executable, and code and constants read-only. Returns true, with the reason, if
+  /// memory ran out or the object has more than it announced. The object must not be used then.
   bool finalizeMemory(std::string *problem) override;
-  /// Nothing unwinds through this code.
+  /// No exceptions unwind through this code.
   void registerEHFrames(std::uint8_t *, std::uint64_t, std::size_t) override {}
   void deregisterEHFrames() override {}
 
 private:
-  /// Whole pages with the same rights.
+  /// Whole pages with the same access rights.
   struct Part {
     std::uint8_t *begin = nullptr;
     std::size_t bytes = 0, used = 0;
@@ -49,7 +49,8 @@ private:
   void *m_mapping = nullptr;
   std::size_t m_mapped = 0;
   Part m_code, m_constants, m_data;
-  /// The linker ends the process where it gets no memory: sections without a place lie here.
+  /// Sections for which there was no memory. LLVM's linker would end the process if allocation
+  /// failed.
   std::vector<std::unique_ptr<std::uint8_t[]>> m_astray;
 };
 

@@ -29,8 +29,8 @@ template <typename Function> struct LinkedCode final : jit::Code<Function> {
   std::unique_ptr<Linked> linked;
 };
 
-/// Nothing leaves the library as an exception; the layer's containers and LLVM's may run out of
-/// memory, and LLVM has errors that would end the process.
+/// Calls \p function and turns exceptions into a reason. No exception may leave the library: memory
+/// may run out, and LLVM has errors that would end the process.
 template <typename Result, typename F> Result guarded(std::string &reason, F function) {
   if (hasFailed()) {
     reason = "LLVM has failed before in this process";
@@ -51,8 +51,9 @@ template <typename Result, typename F> Result guarded(std::string &reason, F fun
   return {};
 }
 
-/// Which code makes objects: this library, and the LLVM that is mapped, of which a distribution may
-/// install a mended build while this library stays. Empty if either is unknown.
+/// Returns the identity of the code that makes objects: this library and the mapped LLVM. A
+/// distribution may install a fixed LLVM while this library stays the same. Empty if either is
+/// unknown.
 std::string makerOfObjects() {
   const auto *const inLlvm = reinterpret_cast<const void *>(&llvm::MemoryBuffer::getMemBufferCopy);
   const std::string own = buildId(), llvms = buildIdAt(inLlvm);
@@ -126,7 +127,7 @@ public:
 
 private:
   static constexpr int kFragmentPointers = 3; ///< parameters of abi::ShadeFunction before the count
-  static constexpr int kVertexPointers = 1;   ///< of abi::VertexFunction
+  static constexpr int kVertexPointers = 1; ///< parameters of abi::VertexFunction before the count
 
   static bool isWithinBudget(const ir::Program &program, const SamplerKeys *samplers,
                              std::string &reason) {
@@ -137,7 +138,7 @@ private:
              std::to_string(long(expected)) + " ms to compile";
     return false;
   }
-  /// What a program was optimised for is part of what it means.
+  /// Checks that the key has the numerics mode that the program was optimised for.
   static bool sameNumerics(const jit::FragmentProgram &program, const abi::FragmentKey &key,
                            std::string &reason) {
     const Numerics prepared = static_cast<const PreparedFragment &>(program).numerics();
@@ -171,7 +172,7 @@ private:
   std::unique_ptr<Prepared> prepare(const ir::Program &program, Numerics numerics) {
     std::string reason;
     return guarded<std::unique_ptr<Prepared>>(reason, [&]() -> std::unique_ptr<Prepared> {
-      // The passes too take their time; they may shorten a program, but not to so small a part.
+      // The passes take time too. They may shorten a program, but not by more than this factor.
       constexpr double kShortened = 8;
       if (expectedMilliseconds(program, nullptr) > kShortened * kMostMilliseconds ||
           !ir::validate(program).empty())
@@ -180,7 +181,7 @@ private:
     });
   }
 
-  /// All that decides what the object is.
+  /// Returns the cache key: everything that the object depends on.
   std::string cacheKey(const char *kind, const ir::Program &program, std::string_view key) const {
     const std::string code = ir::print(program);
     std::string text = m_build;
@@ -223,7 +224,7 @@ private:
   }
 
   static std::unique_ptr<Linked> link(std::string_view bytes, std::string &reason) {
-    // A string's bytes may lie at any address: ELF's structures may not.
+    // A string's bytes may be unaligned, but ELF structures must be aligned.
     const auto copy = llvm::MemoryBuffer::getMemBufferCopy({bytes.data(), bytes.size()}, "object");
     if (!copy)
       throw std::bad_alloc();
@@ -231,7 +232,7 @@ private:
   }
 
   const Cpu m_cpu;
-  std::optional<CacheStore> m_cache; ///< of object code
+  std::optional<CacheStore> m_cache; ///< cache of object code
   const std::string m_build;
 };
 } // namespace

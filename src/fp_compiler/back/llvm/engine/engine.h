@@ -7,8 +7,8 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The engine that compiles programs for this process (jit.h). Null if this processor is of none of
-/// the families, or cannot run the one that is asked for.
+/// Returns the engine that compiles programs for this process (jit.h). Null if this processor
+/// belongs to no supported family, or cannot run the requested one.
 [[nodiscard]] std::unique_ptr<jit::Engine> makeEngine(const jit::EngineOptions &options);
 
 } // namespace arbiter::fp::llvm_back

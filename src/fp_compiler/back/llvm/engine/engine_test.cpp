@@ -1,4 +1,5 @@
-// The engine as the layer has it: the library opened at run time, the cache, threads, lifetimes.
+// Tests of the engine as the layer uses it: the library opened at run time, the cache, threads,
+// lifetimes.
 
 #include <cfenv>
 #include <filesystem>
@@ -20,7 +21,7 @@ namespace {
 
 using ir::Opcode;
 
-/// texcoord[0] of attribute 1 times a row plus `offset`.
+/// Returns a program that writes texcoord[0]: attribute 1 times a row plus `offset`.
 ir::Program scaled(float offset) {
   ir::Builder b(ir::Language::ArbVertex);
   b.op(Opcode::Mad, b.result(ir::OutputKind::TexCoord),
@@ -44,7 +45,7 @@ std::unique_ptr<VertexCode> compiled(Engine &engine, const ir::Program &program)
   return code;
 }
 
-/// Runs code of scaled() on `count` vertices with x, y, z, w = i, 1, 2, 3 times 2.
+/// Runs the code of scaled() on `count` vertices with x, y, z, w = i, 1, 2, 3 times 2.
 std::vector<float> run(const VertexCode &code, std::uint32_t count) {
   constexpr std::size_t kRoom = 64;
   alignas(64) static thread_local float in[4][kRoom], out[4][kRoom], position[4][kRoom];
@@ -57,7 +58,7 @@ std::vector<float> run(const VertexCode &code, std::uint32_t count) {
   }
   const float parameters[2][4] = {{2, 2, 2, 2}, {}};
   const float *const inputs[] = {in[0], in[1], in[2], in[3]};
-  // The position, which the program does not write, is a result all the same.
+  // The position is a result even though the program does not write it.
   float *const outputs[] = {out[0],      out[1],      out[2],      out[3],
                             position[0], position[1], position[2], position[3]};
   abi::VertexData data;
@@ -90,7 +91,7 @@ TEST(Engine, RunsVertices) {
     const std::vector<float> x = run(*code, count);
     for (std::uint32_t i = 0; i < count; ++i)
       EXPECT_EQ(x[i], 2.0f * float(i) + 10) << i << " of " << count;
-    // The last vector may be written in full, but nothing behind it.
+    // The last vector may be written in full, but nothing beyond it.
     EXPECT_EQ(x[(count + lanes - 1) / lanes * lanes], -1.0f) << count;
   }
 }
@@ -164,8 +165,8 @@ TEST(Engine, CompilesOnSeveralThreads) {
   EXPECT_EQ(right, (std::array<int, 4>{8, 8, 8, 8}));
 }
 
-/// An address space in which the next page lies 8 GiB from the one after it: no room but one page
-/// above what is reserved.
+/// Fills the address space so that two new pages are 8 GiB apart: only one page above the reserved
+/// range is free.
 class Scattered {
 public:
   Scattered() {
@@ -184,7 +185,7 @@ public:
 
 private:
   static constexpr std::size_t kReserved = std::size_t(8ull << 30), kPage = 4096;
-  static constexpr std::size_t kMost = 4000; ///< where addresses are given from below
+  static constexpr std::size_t kMost = 4000; ///< in case addresses are assigned upwards
 
   void *map(std::size_t bytes) {
     void *const begin =
@@ -202,7 +203,7 @@ TEST(Engine, CodeLiesBesideItsConstants) {
     GTEST_SKIP() << "of 32 bits no two addresses are too far apart";
   const auto engine = engineFor({});
   ASSERT_NE(engine, nullptr);
-  const auto before = compiled(*engine, scaled(1)); // what LLVM itself maps once is mapped
+  const auto before = compiled(*engine, scaled(1)); // first maps what LLVM itself maps once
   const Scattered scattered;
   const auto code = compiled(*engine, scaled(12));
   ASSERT_NE(code, nullptr);
@@ -229,12 +230,13 @@ TEST_F(EngineCache, GivesBackWhatWasMade) {
     ASSERT_TRUE(one && two);
     EXPECT_EQ(run(*one, 2)[1], 3.0f);
     EXPECT_EQ(run(*two, 2)[1], 4.0f);
-    // The second round found what the first has left, and added nothing.
+    // The second round used the entries of the first, and added nothing.
     EXPECT_EQ(cacheUsage(m_folder + "/objects").files, 2u);
   }
 }
 
-// Object code is run: what is not to the last byte what was stored is made again.
+// Object code is executed. An entry that differs in any byte from what was stored must be compiled
+// again.
 TEST_F(EngineCache, MakesAnewWhatIsDamaged) {
   namespace fs = std::filesystem;
   const auto engine = engineFor({"", m_folder + "/objects", 1 << 24});
@@ -252,7 +254,7 @@ TEST_F(EngineCache, MakesAnewWhatIsDamaged) {
   };
   const std::string good = bytesOf(entries[0]);
   const auto meets = [&](const std::string &bad, std::size_t at) {
-    std::ofstream(entries[0], std::ios::binary) << bad; // keeps the file's rights
+    std::ofstream(entries[0], std::ios::binary) << bad; // keeps the file's access rights
     const auto code = compiled(*engine, scaled(1));
     ASSERT_NE(code, nullptr) << at;
     EXPECT_EQ(run(*code, 2)[1], 3.0f) << at;
@@ -269,8 +271,8 @@ TEST_F(EngineCache, MakesAnewWhatIsDamaged) {
   }
 }
 
-// The library's build says which LLVM is in it; where that is one that is mapped beside it, its own
-// build does. In either case its version is in the key.
+// The cache key must contain the LLVM version, whether LLVM is linked into the library or mapped
+// separately.
 TEST_F(EngineCache, KeepsVersionsOfLlvmApart) {
   const auto engine = engineFor({"", m_folder + "/objects", 1 << 24});
   ASSERT_NE(engine, nullptr);

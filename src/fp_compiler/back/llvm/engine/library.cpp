@@ -1,5 +1,5 @@
-// The library's side of jit_boundary.h: handles are the engine's own objects, and whatever leaves
-// goes as plain data. Nothing throws into the caller.
+// The library's side of jit_boundary.h. Handles own the engine's objects, and results are plain
+// data. No exception reaches the caller.
 
 #include <algorithm>
 #include <cstring>
@@ -41,7 +41,7 @@ std::string stringOf(Bytes bytes) {
   return bytes.size ? std::string(bytes.data, bytes.size) : std::string();
 }
 
-/// What `make` returns; null where it throws. `reason` may be null.
+/// Returns the result of `make`, or null if it throws. `reason` may be null.
 template <typename F> auto guarded(Reason *reason, F make) noexcept -> decltype(make()) {
   try {
     return make();
@@ -105,7 +105,7 @@ VertexHandle *prepareVertex(EngineHandle *engine, Bytes program, std::uint8_t nu
   });
 }
 
-/// Shape and program, as the client reads them.
+/// Returns shape and program as bytes, as the client reads them.
 template <typename Handle> BytesHandle *bytesOf(const Handle *handle) {
   return guarded(nullptr, [&]() -> BytesHandle * {
     ArchiveWriter archive;
@@ -114,7 +114,7 @@ template <typename Handle> BytesHandle *bytesOf(const Handle *handle) {
   });
 }
 
-/// Compiles, and leaves what came of it in `code`: a handle that keeps it, and its entry.
+/// Compiles, and stores the result in `code`: a handle that owns it, and its entry point.
 template <typename Kept, typename Compile>
 void compiled(Kept CodeHandle::*kept, Code *code, Reason *reason, Compile compile) {
   code->handle = guarded(reason, [&]() -> CodeHandle * {

@@ -1,6 +1,6 @@
-/// What all objects that are linked into this library, LLVM's and the C++ library's too, call for
-/// malloc and its kin (the linker's --wrap): the process's own, and the reserve where that has
-/// none.
+/// Replacements of malloc and related functions, for all objects linked into this library,
+/// including LLVM and the C++ library (the linker's --wrap). They call the process's functions, and
+/// use the reserve if those fail.
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -25,8 +25,8 @@ int __real_posix_memalign(void **out, std::size_t alignment, std::size_t bytes);
 }
 
 namespace {
-/// How many bytes of a block of the process's can be read; 0 where only its maker knows:
-/// malloc is not of the library that answers this question.
+/// Returns the readable size of a block of the process. Returns 0 if malloc and
+/// malloc_usable_size() come from different libraries.
 std::size_t sizeInProcess(void *block) {
   Dl_info maker, teller;
   if (!dladdr(reinterpret_cast<void *>(&__real_malloc), &maker) ||

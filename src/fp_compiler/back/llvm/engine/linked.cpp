@@ -11,8 +11,8 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// What a program's code may call: what LLVM makes of long copies. Nothing of the process is looked
-/// up by name.
+/// Resolves the functions that compiled code may call: those that LLVM uses for long copies. No
+/// symbol is looked up in the process.
 class Resolver final : public llvm::LegacyJITSymbolResolver {
 public:
   llvm::JITSymbol findSymbol(const std::string &name) override {

@@ -8,11 +8,11 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// An object file in memory, relocated and ready to run; unmapped when this dies.
+/// An object file in memory, relocated and ready to run. The destructor unmaps it.
 class Linked {
 public:
-  /// \return null, with a reason, for what is no whole object of this machine, asks for a symbol
-  ///         that programs' code does not use, or lacks \p symbol
+  /// \return null, with a reason, if this is no complete object for this machine, if it needs a
+  /// symbol that program code does not use, or if it lacks \p symbol
   static std::unique_ptr<Linked> link(llvm::MemoryBufferRef object, const char *symbol,
                                       std::string &reason);
 

@@ -13,22 +13,23 @@ namespace arbiter::fp::llvm_back::reserve {
 namespace {
 
 constexpr std::size_t kBytes = std::size_t(16) << 20;
-constexpr int kSmallest = 6; ///< the logarithm of the smallest block's bytes, its header included
+constexpr int kSmallest = 6; ///< log2 of the smallest block's size in bytes, with its header
 constexpr int kSizes = 25 - kSmallest;
 
-/// Before each block that is handed out.
+/// Precedes each allocated block.
 struct alignas(16) Header {
-  std::uint32_t size;   ///< the logarithm of the whole block's bytes
-  std::uint32_t offset; ///< from where the whole block begins to what was handed out
+  std::uint32_t size;   ///< log2 of the whole block's size in bytes
+  std::uint32_t offset; ///< from the start of the block to the returned address
 };
-/// A block that was given back.
+/// A block in a free list.
 struct Free {
   Free *next;
 };
 
 alignas(64) std::byte g_memory[kBytes];
 
-/// Held for some instructions; a mutex of libc's could not be had before static objects are made.
+/// A spin lock, held for a few instructions. A libc mutex would not be usable before static objects
+/// are constructed.
 class Lock {
 public:
   Lock() {
@@ -43,9 +44,9 @@ private:
   static inline std::atomic_flag s_held = ATOMIC_FLAG_INIT;
 };
 
-// All of them under the lock.
-std::size_t g_used = 0; ///< bytes from the start that blocks were made of
-std::size_t g_lent = 0; ///< bytes of blocks that are in use
+// The lock protects all of the following.
+std::size_t g_used = 0; ///< bytes from the start that were split into blocks
+std::size_t g_lent = 0; ///< bytes of blocks in use
 std::array<Free *, kSizes> g_free;
 
 const Header &headerOf(const void *block) { return static_cast<const Header *>(block)[-1]; }
@@ -71,7 +72,7 @@ void *allocate(std::size_t bytes, std::size_t alignment) {
     return nullptr;
   if (alignment < alignof(Header))
     alignment = alignof(Header);
-  // Blocks begin at multiples of 64.
+  // Blocks are aligned to 64 bytes.
   const std::size_t slack = alignment > 64 ? alignment : 0;
   const std::size_t whole =
       bytes + (alignment > sizeof(Header) ? alignment : sizeof(Header)) + slack;

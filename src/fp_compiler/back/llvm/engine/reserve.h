@@ -1,24 +1,25 @@
 #pragma once
 #include <cstddef>
 
-/// Memory for when there is none: LLVM is written for a process that ends then. Much of it may not
-/// be left by an exception (destructors, moves, functions of C), so it must rather be let finish.
-/// What this library allocates and cannot get from the process comes from here: 16 MiB that are
-/// mapped with the library and take no memory until they are written to. Only when they run out too
-/// is an allocation of LLVM's refused (failures.h).
+/// Reserve memory for out-of-memory situations, in which LLVM would end the process. Much of LLVM's
+/// code cannot be left by an exception (destructors, moves, C functions), so it must be able to
+/// finish. Allocations that the process cannot satisfy come from here. The reserve has 16 MiB,
+/// which are mapped with the library and take no memory until used. LLVM's allocations fail only
+/// when the reserve is exhausted too (failures.h).
 ///
-/// Safe on several threads. Blocks are of powers of two, kept by size when they are given back, and
-/// all is as at first when the last one is.
+/// Thread-safe. Block sizes are powers of two, with a free list for each size. When the last block
+/// is freed, the initial state is restored.
 namespace arbiter::fp::llvm_back::reserve {
 
-/// \param alignment in bytes, a power of two \return null where too little is left
+/// \param alignment in bytes, a power of two
+/// \return null if too little is left
 [[nodiscard]] void *allocate(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t));
 [[nodiscard]] bool has(const void *block);
 void release(void *block);
-/// How many bytes can be read from where `block` begins, at least as many as were asked for.
+/// Returns how many bytes of `block` are readable, at least as many as were requested.
 [[nodiscard]] std::size_t sizeOf(const void *block);
 
-/// So much of it is in use that a compilation should not be begun.
+/// True if so much is in use that no new compilation should start.
 [[nodiscard]] bool isLow();
 
 } // namespace arbiter::fp::llvm_back::reserve

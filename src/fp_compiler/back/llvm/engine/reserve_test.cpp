@@ -24,7 +24,7 @@ bool isWhole(const Block &block) {
   return true;
 }
 
-/// Random allocations and releases, each block full of a number of its own.
+/// Makes random allocations and releases. Each block is filled with a number of its own.
 void work(unsigned seed, bool &right) {
   std::mt19937 random(seed);
   std::vector<Block> blocks;
@@ -70,7 +70,7 @@ TEST(Reserve, EndsAndIsWholeAgain) {
     std::vector<void *> blocks;
     while (void *const block = reserve::allocate(100'000))
       blocks.push_back(block);
-    // Blocks are of powers of two: half of each may be lost.
+    // Block sizes are powers of two, so that up to half of each may be wasted.
     EXPECT_GE(blocks.size(), 100u);
     EXPECT_TRUE(reserve::isLow());
     EXPECT_EQ(reserve::allocate(100'000), nullptr);

@@ -10,8 +10,9 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// Writes one function. Its blocks: `entry` runs once a call, `group` once some spans, `item` once
-/// a span, block or vector of packed pixels; then the loop over the item's vectors.
+/// Writes one fragment function. Block `entry` runs once for each call, `group` once for each group
+/// of spans. `item` runs once for each span, block or vector of packed pixels. The loop over an
+/// item's vectors comes after it.
 class Writer {
 public:
   Writer(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
@@ -21,7 +22,8 @@ public:
         m_pixels(code, key, m_places, function->getArg(0)),
         m_depth(code, key, m_places, function->getArg(0), m_interpolator) {}
 
-  /// False where a row cannot give a derivative or a level of detail.
+  /// Writes the function. Returns false if the program needs a derivative or a level of detail that
+  /// a row cannot give.
   bool write() {
     m_places.entry = block("entry");
     m_places.item = block("item");
@@ -29,8 +31,8 @@ public:
     auto *const done = block("done");
     llvm::BasicBlock *const item = m_places.item;
     llvm::BasicBlock *const entry = m_places.entry;
-    // Small triangles have a block or two: what is the same for all blocks costs less as an operand
-    // in memory than kept.
+    // Small triangles have only a block or two. Values common to all blocks are cheaper as memory
+    // operands than hoisted into registers.
     if (m_key.lanes != abi::Lanes::Row)
       m_places.entry = item;
     m_ir.SetInsertPoint(entry);
@@ -55,7 +57,7 @@ public:
     const Item at = packed ? packedItem(m_code, m_function, number, m_interpolator)
                            : itemAt(m_code, m_function, number);
 
-    // What belongs to the item goes before this branch.
+    // Code that belongs to the item goes before this branch.
     auto *const start = block("start");
     m_ir.CreateBr(start);
     m_interpolator.setPixel(at.x, at.y);
@@ -95,7 +97,7 @@ private:
   llvm::BasicBlock *block(const char *name) {
     return llvm::BasicBlock::Create(m_code.context(), name, m_function);
   }
-  /// The loop over groups of spans, around that over spans.
+  /// Begins the loop over groups of spans, which encloses the loop over spans.
   void beginGroup() {
     llvm::BasicBlock *const before = m_ir.GetInsertBlock();
     m_places.group = block("group");
@@ -106,8 +108,9 @@ private:
     m_ir.CreateBr(m_places.item);
     m_spans.emplace(m_code, m_places, m_function->getArg(2), m_group, m_function->getArg(3));
   }
-  /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
-  /// none wraps, and the edges before and behind them. Else all as it comes.
+  /// Writes the loops over a span. If all affine samples read consecutive texels, one loop does the
+  /// pixels [begin, end) that do not wrap, and another the edges. Otherwise a general loop does all
+  /// pixels.
   void writeSpan(Value *count, Value *number, llvm::BasicBlock *next) {
     m_flow.emplace(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
                    *m_spans);
@@ -167,13 +170,14 @@ private:
                      });
   }
 
-  /// Pixels by the tables.
+  /// Writes pixels by the byte tables.
   void writeBytes(const ConsecutiveSamples &samples, const PixelPlace &place) {
     m_pixels.storePixels(place, m_tables->pixels(samples.texels(m_bytes.sample, place.column)),
                          m_bytes.target, nullptr);
   }
 
-  /// Vectors of [begin, end); the last may be incomplete only where the span ends.
+  /// Writes a loop over the vectors of [begin, end). Only at the end of the span may the last one
+  /// be incomplete.
   void writeLoop(SamplePath path, const ConsecutiveSamples *samples, Value *begin, Value *end,
                  Value *count) {
     llvm::BasicBlock *const before = m_ir.GetInsertBlock();
@@ -229,7 +233,7 @@ private:
   void writePixels(SamplePath path, const ConsecutiveSamples *samples, const PixelPlace &place) {
     if (path == SamplePath::Given)
       return writeBytes(*samples, place);
-    // A fragment that nothing after the tests may discard is tested before its program.
+    // If nothing after the depth test can discard the fragment, the test runs before the program.
     const jit::FragmentShape &shape = m_program.shape();
     const bool discards = shape.kills || m_key.coverage == abi::Coverage::Disc ||
                           m_key.alphaTest != abi::Compare::Always;
@@ -263,15 +267,16 @@ private:
     m_ir.SetInsertPoint(shaded);
   }
 
-  /// Fragments that are discarded leave no depth: the test comes last. But a vector of which none
-  /// can pass it, or none is kept by what discards, needs no colours. Nothing is written here, and
-  /// what is computed is found again by the passes.
+  /// Leaves early if all fragments of the vector will be discarded. Discarded fragments write no
+  /// depth, so the depth test comes last. But if none can pass it, or none survives KIL and the
+  /// alpha test, the colours are not needed. This code writes nothing, and later passes reuse the
+  /// values it computes.
   void leaveWhereDiscarded(SamplePath path, const PixelPlace &place, llvm::BasicBlock *rest) {
     Value *mask = m_depth.foresees() ? m_depth.mayPass(place, m_interpolator.depth()) : nullptr;
     if (mask)
       leaveIfNone(mask, rest);
     if (path != SamplePath::General)
-      return; // consecutive texels are counted by the whole program's samples
+      return; // the choice of path depends on the samples of the whole program
     const auto part = discardProgramOf(m_program, m_key);
     if (!part)
       return;
@@ -279,8 +284,8 @@ private:
     leaveIfNone(notDiscarded(place, fragment, mask), rest);
   }
 
-  /// The program over one vector of pixels, its options applied.
-  /// \param given of SamplePath::Given, the texels
+  /// Writes the program over one vector of pixels, and applies its options.
+  /// \param given the texels of SamplePath::Given
   FragmentColors colorsOf(const jit::FragmentProgram &source, SamplePath path,
                           const ConsecutiveSamples *samples, const PixelPlace &place,
                           Value *given) {
@@ -322,7 +327,7 @@ private:
   Interpolator m_interpolator;
   PixelWriter m_pixels;
   DepthStencil m_depth;
-  llvm::PHINode *m_group = nullptr; ///< Row: number of the group's first span
+  llvm::PHINode *m_group = nullptr; ///< Row: index of the group's first span
   std::optional<SpanGroup> m_spans;
   std::optional<AffineFlow> m_flow;
   bool m_refused = false;

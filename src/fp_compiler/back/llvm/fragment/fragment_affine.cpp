@@ -18,7 +18,7 @@ AffineFlow::AffineFlow(Code &code, const jit::FragmentProgram &program, const ab
       axis = uniform(number(0)); // registers are zero until written
   const std::vector<ir::Instruction> &instructions = program.program().code;
   if (ir::hasLoops(program.program()))
-    return; // it goes through straight-line code
+    return; // AffineFlow follows only straight-line code
   writeIn(code, places.group, [&] {
     for (std::size_t i = 0; i < instructions.size(); ++i) {
       const ir::Instruction &instruction = instructions[i];
@@ -129,7 +129,7 @@ std::optional<Affine> AffineFlow::dot(const ir::Instruction &instruction, int te
   const auto term = [&](int c) {
     return multiply(read(instruction.src[0], c), read(instruction.src[1], c));
   };
-  if (homogeneous) // the order of the sums is that of ir/semantics.h
+  if (homogeneous) // the sums are in the order of ir/semantics.h
     return add(add(term(0), add(term(2), read(instruction.src[1], 3))), term(1));
   std::optional<Affine> sum = term(terms - 1);
   for (int c = terms - 2; c >= 0; --c)
@@ -153,7 +153,7 @@ std::optional<Affine> AffineFlow::multiply(const std::optional<Affine> &a,
   const auto varies = [](const Affine &value) { return value.slope || value.slopeY; };
   if (!a || !b || (varies(*a) && varies(*b)))
     return std::nullopt;
-  // What a slope is multiplied by does not vary: slopes stay scalars.
+  // The factor of a slope does not vary, so that slopes stay scalars.
   const auto scaled = [&](Value *one, Value *other) -> Value * {
     return one ? product(one, b->base) : other ? product(other, a->base) : nullptr;
   };
@@ -215,7 +215,7 @@ std::optional<Affine> AffineFlow::attribute(int index, int component) {
   Value *const along = product(slope, wide(m_spans.x())), *const up = product(slopeY, y);
   Value *const row = sum(wide(m_interpolator.constant(plane)), along);
   Value *const base = sum(row, up);
-  // Each sum is rounded, and where the processor does not multiply and add in one each product.
+  // Each sum is rounded, and so is each product without fused multiply-add.
   Value *most = greater(magnitudeOf(row), magnitudeOf(base));
   const bool inOne = m_code.cpu.family != Cpu::Family::Sse41;
   if (!inOne)
@@ -228,7 +228,7 @@ std::optional<Affine> AffineFlow::attribute(int index, int component) {
 
 std::optional<Affine> AffineFlow::position(int component) {
   const ir::Options &options = m_program.program().options;
-  // Window coordinates are below 2^15: with their halves, exact.
+  // Window coordinates are below 2^15, so that they and their halves are exact.
   Value *const centre = number(options.pixelCenterInteger ? 0 : 0.5);
   if (component == 0) {
     Value *const x = wide(m_spans.x());

@@ -6,23 +6,23 @@
 #include "fp_compiler/back/llvm/fragment/fragment_spans.h"
 #include "fp_compiler/jit.h"
 
-/// Texture coordinates that are affine functions of a span's pixels: found by a walk over the
-/// program, tested once a span. Where every pixel of a span reads the texel next to its
-/// neighbour's, the loop loads texels as they lie.
+/// Finds texture coordinates that are affine functions of a span's pixels. It walks the program at
+/// compile time, and the code tests them once for each span. If neighbouring pixels read
+/// neighbouring texels, the loop uses plain vector loads.
 namespace arbiter::fp::llvm_back {
 
-/// A component of a register over a span, as doubles: the value of pixel i is `base + slope * i`,
-/// and what the lanes compute differs from it by at most `magnitude * rounds * 2^-24`. What is the
-/// same for all spans is a scalar of the entry's block, the rest a vector of the group's.
+/// A register component over a span, as doubles. The value of pixel i is `base + slope * i`. The
+/// value in a lane differs from it by at most `magnitude * rounds * 2^-24`. Values common to all
+/// spans are scalars in the entry block; the others are vectors of the group.
 struct Affine {
   Value *base = nullptr;
-  Value *slope = nullptr;     ///< null: the same for all pixels; a scalar
-  Value *slopeY = nullptr;    ///< from a row to the next; null: none; a scalar
-  Value *magnitude = nullptr; ///< of the value and of all it was made from, over the span
+  Value *slope = nullptr;     ///< scalar; null: equal for all pixels
+  Value *slopeY = nullptr;    ///< scalar, from a row to the next; null: none
+  Value *magnitude = nullptr; ///< of the value and all its inputs, over the span
   int rounds = 0;
 };
 
-/// The samples of a program whose coordinates are affine.
+/// Finds the samples of a program whose coordinates are affine.
 class AffineFlow {
 public:
   using Axes = std::array<std::optional<Affine>, 4>;
@@ -30,7 +30,7 @@ public:
   AffineFlow(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
              const Places &places, Interpolator &interpolator, Value *data, const SpanGroup &spans);
 
-  /// s, t, r, q of the texture instruction \p index of the code, where they are affine.
+  /// Returns s, t, r, q of the texture instruction at \p index, where they are affine.
   [[nodiscard]] const Axes *coordinate(std::size_t index) const;
   [[nodiscard]] Value *number(double value) const;
 
@@ -52,8 +52,9 @@ private:
   [[nodiscard]] Value *product(Value *a, Value *b);
   [[nodiscard]] Value *greater(Value *a, Value *b);
   [[nodiscard]] std::optional<Affine> negated(std::optional<Affine> value, bool negate);
-  [[nodiscard]] Value *wide(Value *number); ///< as double; of whole numbers too
-  /// What \p make makes of the operands: once a call if all are scalars, else once a group.
+  [[nodiscard]] Value *wide(Value *number); ///< converts floats and integers to double
+  /// Applies \p make to the operands: once for each call if all are scalars, else once for each
+  /// group.
   template <typename Make, typename... Values> Value *made(Make make, Values... operands) {
     if (!(operands->getType()->isVectorTy() || ...))
       return writeIn(m_code, m_places.entry, [&] { return make(operands...); });

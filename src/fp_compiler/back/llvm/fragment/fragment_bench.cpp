@@ -1,8 +1,8 @@
-/// The fragment functions of the demos' programs over pictures of 1024x1024 pixels, whole rows as
-/// spans, on one and on two threads, beside a plain copy of the image.
-///   fragment_bench [--size N] [program]     pictures of NxN pixels
-///   fragment_bench --asm|--ir program       the machine code or the IR instead of figures
-///   ARBITER_JIT_CPU=avx2                    another processor's code
+/// Measures the fragment functions of the demos' programs on images of 1024x1024 pixels. Whole rows
+/// are spans. It uses one and two threads, and compares with a plain copy of the image.
+///   fragment_bench [--size N] [program]     images of NxN pixels
+///   fragment_bench --asm|--ir program       prints machine code or IR instead of times
+///   ARBITER_JIT_CPU=avx2                    generates code for another processor
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -28,12 +28,12 @@ using namespace arbiter::fp;
 using namespace arbiter::fp::testing;
 
 namespace {
-int g_size = 1024; ///< of the pictures, a power of two
+int g_size = 1024; ///< size of the images, a power of two
 
 struct Sampled {
   abi::Filter filter = abi::Filter::Nearest;
   abi::Wrap wrap = abi::Wrap::ClampToEdge;
-  int width = 0, height = 0; ///< 0: the pictures'
+  int width = 0, height = 0; ///< 0: size of the images
   abi::Dimension dimension = abi::Dimension::Tex2D;
   abi::Layout layout = abi::Layout::U8x4;
 };
@@ -74,7 +74,7 @@ std::vector<Workload> makeWorkloads() {
   };
 }
 
-/// All that a workload's calls need.
+/// All data that a workload's calls need.
 struct Case {
   std::unique_ptr<jit::FragmentProgram> program;
   abi::FragmentKey key{};
@@ -93,7 +93,7 @@ std::string textOf(const std::string &name) {
   return text.str();
 }
 
-/// A displacement map like the demo's: smooth, its neighbours near each other.
+/// Fills a smooth displacement map, like the demo's.
 void makeSmooth(SceneTexture &texture) {
   auto *const texels = reinterpret_cast<std::uint16_t *>(texture.bytes.data() + 64);
   for (int y = 0; y < texture.height; ++y)
@@ -156,8 +156,8 @@ double milliseconds(clockid_t clock) {
   return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
 
-/// Milliseconds of the fastest of some runs: by the thread's own clock, which other programs do not
-/// slow, or by the wall's.
+/// Returns the time of the fastest of several runs in milliseconds. The clock is the thread's own,
+/// which other processes do not affect, or the wall clock.
 template <typename Work> double best(clockid_t clock, Work work) {
   double least = 1e9;
   for (int i = 0; i < 25; ++i) {
@@ -180,7 +180,8 @@ void print(const char *name, double one, double two, std::size_t bytes = 0, doub
               one, two, one * 1e6 * 16 / (g_size * g_size), bytes, compiled);
 }
 
-/// The mode that functions compute in, as the rasterizer sets it for many small calls.
+/// Sets flush mode, in which the functions compute. The rasterizer also sets it once for many small
+/// calls.
 class FlushMode {
 public:
 #if defined(__x86_64__) || defined(__i386__)
@@ -192,7 +193,7 @@ private:
 #endif
 };
 
-/// A demonstration's program in perspective.
+/// Prepares a demo's program with perspective interpolation.
 std::unique_ptr<Case> preparePerspective(jit::Engine &engine, const std::string &program,
                                          abi::Lanes lanes) {
   const std::vector<Workload> workloads = makeWorkloads();
@@ -207,7 +208,7 @@ std::unique_ptr<Case> preparePerspective(jit::Engine &engine, const std::string 
   return made;
 }
 
-/// Lighting by blocks, with a depth test that passes.
+/// Prepares lighting on blocks with a depth test that passes.
 std::unique_ptr<Case> prepareBlocks(jit::Engine &engine) {
   std::unique_ptr<Case> made = preparePerspective(engine, "lighting", abi::Lanes::Quad);
   if (!made)
@@ -219,7 +220,7 @@ std::unique_ptr<Case> prepareBlocks(jit::Engine &engine) {
   return made;
 }
 
-/// As small triangles are drawn: a few blocks a call.
+/// Measures blocks as small triangles have them: few in each call.
 int measureBlocks(jit::Engine &engine, const std::string &only) {
   if (!only.empty() && only != "blocks")
     return 0;
@@ -251,7 +252,8 @@ int measureBlocks(jit::Engine &engine, const std::string &only) {
   return 0;
 }
 
-/// Pixels packed, as of small triangles: a few vectors a call, from blocks of 8x8 pixels.
+/// Measures packed pixels of small triangles: a few vectors in each call, from blocks of 8x8
+/// pixels.
 int measurePacked(jit::Engine &engine, const std::string &only) {
   if (!only.empty() && only != "packed")
     return 0;
@@ -262,7 +264,7 @@ int measurePacked(jit::Engine &engine, const std::string &only) {
     std::printf("%-22s %s\n", "packed", reason.c_str());
     return 1;
   }
-  // Tiles of 8x8 pixels, which as many primitives as there are columns share.
+  // Each tile of 8x8 pixels is shared by as many primitives as there are columns.
   constexpr int kTile = 8, kPixels = kTile * kTile;
   std::array<abi::Pixel, kPixels> pixels;
   for (int i = 0; i < kPixels; ++i)

@@ -8,7 +8,7 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// What a register's component depends on: a texel's byte, or one of these.
+/// A component depends on one byte of a texel (0 to 3), or on one of these.
 constexpr int kUniform = -1, kOther = -2;
 
 int joined(int a, int b) { return a == kUniform ? b : b == kUniform || a == b ? a : kOther; }
@@ -20,7 +20,7 @@ public:
         m_temporaries(program.temporaries.size(), kAllUniform),
         m_outputs(program.outputs.size(), kAllUniform) {}
 
-  /// False if there is not just one sample, or a KIL or a loop.
+  /// Runs the analysis. Returns false unless there is exactly one sample, and no KIL or loop.
   bool run() {
     if (ir::hasLoops(m_program))
       return false;
@@ -47,9 +47,9 @@ public:
     return m_sample.has_value();
   }
   [[nodiscard]] std::size_t sample() const { return *m_sample; }
-  /// About how many vec4 operations it takes.
+  /// Returns the approximate cost in vec4 operations.
   [[nodiscard]] int work() const { return m_work; }
-  /// Of the component of output colour 0.
+  /// Returns the dependence of a component of output colour 0.
   [[nodiscard]] int color(int component) const {
     for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
       if (m_program.outputs[i] == ir::Output{ir::OutputKind::Color, 0})
@@ -118,7 +118,7 @@ private:
   int m_work = 0;
 };
 
-/// Nothing between the program's colour and the buffer but the write mask.
+/// True if only the write mask comes between the program's colour and the buffer.
 bool isPlain(const jit::FragmentProgram &program, const abi::FragmentKey &key) {
   const ir::Options &options = program.program().options;
   return key.lanes == abi::Lanes::Row && options.fog == ir::FogMode::None && !options.colorSum &&
@@ -126,16 +126,16 @@ bool isPlain(const jit::FragmentProgram &program, const abi::FragmentKey &key) {
          key.coverage == abi::Coverage::Whole && key.depthStencil.layout == abi::Layout::None &&
          !program.shape().writesDepth;
 }
-/// One instruction finds 64 bytes in tables of 256.
+/// True if one instruction looks up 64 bytes in tables of 256.
 bool permutesBytes(const Cpu &cpu) {
   return cpu.family == Cpu::Family::Avx512 && llvm::StringRef(cpu.features).contains("+avx512vbmi");
 }
 
-/// The operations on vec4 that cost as much as a pixel's look-ups. In memory these cost the same on
-/// every processor, operations less the wider its vectors are.
+/// Returns the cost of a pixel's look-ups in vec4 operations. Look-ups in memory cost the same on
+/// every processor, but operations cost less with wider vectors.
 int costOfLookUp(const Cpu &cpu) { return permutesBytes(cpu) ? 3 : cpu.lanes() / 2; }
 
-/// For each byte of a word 0xFF where the pixel's byte is made from byte `source` of the texel.
+/// Returns a mask with 0xFF for each byte of a pixel that comes from byte `source` of the texel.
 std::uint32_t maskOf(const ByteProgram &program, int source) {
   std::uint32_t mask = 0;
   for (unsigned k = 0; k < 4; ++k)
@@ -202,9 +202,9 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
   };
   auto *const fill = block("bytes.fill");
   auto *const done = block("bytes.done");
-  // The tables cost some hundreds of pixels.
+  // Making the tables costs as much as some hundreds of pixels.
   constexpr unsigned kLeastPixels = 4096;
-  // Any span of a rectangle is like the others, and the middle one of a triangle is.
+  // The middle span is typical of a rectangle, and about average for a triangle.
   Value *const half = ir.CreateZExt(ir.CreateLShr(itemCount, 1), ir.getInt64Ty());
   Value *const middle =
       ir.CreateGEP(ir.getInt8Ty(), items, ir.CreateMul(half, ir.getInt64(sizeof(abi::Span))));
@@ -241,7 +241,7 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
   ir.SetInsertPoint(done);
 }
 
-/// One table of 256 bytes for each byte of a pixel.
+/// Splits the pixel table into one table of 256 bytes for each byte of a pixel.
 void ByteTables::splitTable(Value *pixelTable) {
   llvm::IRBuilder<> &ir = m_code.ir;
   auto *const dwords = llvm::FixedVectorType::get(ir.getInt32Ty(), 64);
@@ -263,7 +263,7 @@ Value *ByteTables::ready() { return m_code.ir.CreateLoad(m_code.ir.getInt1Ty(), 
 
 void ByteTables::load() {
   if (!m_permutes)
-    return; // words are looked up where they lie
+    return; // words are looked up in memory
   llvm::IRBuilder<> &ir = m_code.ir;
   for (unsigned k = 0; k < 4; ++k)
     for (unsigned part = 0; part < 4; ++part)
@@ -276,7 +276,7 @@ Value *ByteTables::pixels(Value *texels) {
   return m_permutes ? permuted(texels) : lookedUp(texels);
 }
 
-/// Two pixels at a time, as the registers that addresses are made in hold so many.
+/// Looks up two pixels at a time, because a 64-bit address register holds two.
 Value *ByteTables::lookedUp(Value *texels) {
   llvm::IRBuilder<> &ir = m_code.ir;
   const auto pixel = [&](Value *pair, unsigned shift) {

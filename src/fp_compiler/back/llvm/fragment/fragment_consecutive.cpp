@@ -13,14 +13,14 @@ const abi::SamplerKey &samplerOf(const jit::FragmentProgram &program, const abi:
   return key.samplers[program.program().code[index].unit];
 }
 
-/// Texels of whole 32-bit words, colours.
+/// True for colour texels of whole 32-bit words.
 bool isWords(abi::Layout layout) {
   return layout != abi::Layout::None && layout < abi::Layout::Depth16 &&
          abi::bytesOf(layout) % 4 == 0;
 }
 
-/// True if the linear filter gives the texel alone near its centre: one of bytes does
-/// (sample_bytes.cpp), one of floats keeps the least part of a neighbour.
+/// True if the linear filter returns a texel unchanged near its centre. The byte filter does
+/// (sample_bytes.cpp); the float filter keeps a small part of a neighbour.
 bool isPlainLinear(const abi::SamplerKey &sampler) {
   return abi::isPlainWord(sampler.format) && isSimple(sampler.wrap[0]) && isSimple(sampler.wrap[1]);
 }
@@ -32,7 +32,7 @@ bool ConsecutiveSamples::isCandidate(const jit::FragmentProgram &program,
   const ir::Instruction &instruction = program.program().code[index];
   const abi::SamplerKey &sampler = samplerOf(program, key, index);
   const AffineFlow::Axes *const axes = flow.coordinate(index);
-  // TXP divides, which is not affine. The level of detail must not matter, TXB's neither.
+  // TXP divides, so that it is not affine. The level of detail, also TXB's, must not matter.
   return axes && instruction.op != ir::Opcode::Txp && !sampler.shadow &&
          isWords(sampler.format.layout) && sampler.magnify == sampler.minify &&
          (sampler.magnify == abi::Filter::Nearest || isPlainLinear(sampler)) &&
@@ -60,8 +60,9 @@ ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &p
         found[i] = find(i, *flow.coordinate(i));
     if (found.empty())
       return;
-    // Whole vectors: an incomplete one costs the edges' loop no more. Behind a row 64 bytes may be
-    // read, which are less than a vector of larger texels.
+    // The range is rounded to whole vectors, because the edge loop handles incomplete ones at the
+    // same cost. Up to 64 bytes may be read beyond a row, which is less than a vector of larger
+    // texels.
     bool large = false;
     for (const auto &[index, sample] : found)
       large |= abi::bytesOf(samplerOf(program, key, index).format.layout) > 4;
@@ -136,7 +137,7 @@ Value *ConsecutiveSamples::wrappedTexels(std::size_t index, const PixelPlace &pl
   };
   Value *const from = ir.CreateAdd(sample.first, place.column);
   Value *const pointer = beside(sample.texel, place.column);
-  // Few of a program's samples reach beyond the edge that others reach beyond.
+  // Usually only some of a program's samples cross an edge at the same place.
   llvm::Function *const function = m_places.entry->getParent();
   const auto block = [&](const char *name) {
     return llvm::BasicBlock::Create(m_code.context(), name, function);
@@ -158,7 +159,7 @@ Value *ConsecutiveSamples::wrappedTexels(std::size_t index, const PixelPlace &pl
       ir.CreateICmpULT(ir.CreateAdd(m_code.splat(from), m_code.iota()), m_code.splat(sample.width));
   Value *beyond = nullptr;
   if (sample.key->wrap[0] == abi::Wrap::Repeat) {
-    // Once around at most: a span is no longer than the row.
+    // It wraps at most once, because a span is no longer than the row.
     Value *const around = ir.CreateSelect(isLeft, sample.width, ir.CreateNeg(sample.width));
     beyond = texelsFrom(sample, beside(pointer, around),
                         ir.CreateAnd(place.covered, ir.CreateNot(isInside)), nullptr);
@@ -221,7 +222,8 @@ ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Valu
   Value *end = begin;
   if (coordinate.slope)
     end = ir.CreateFAdd(begin, ir.CreateFMul(scaled(coordinate.slope), m_last));
-  // Three more roundings: the scale by the size, the wrap, and a linear filter's half texel.
+  // There are three more roundings: the scale by the size, the wrap, and a linear filter's half
+  // texel.
   Value *const error = ir.CreateFMul(ir.CreateFAdd(scaled(coordinate.magnitude), number(1)),
                                      number(double(coordinate.rounds + 3) * 0x1p-24));
   Axis axis;
@@ -230,7 +232,7 @@ ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Valu
   Value *lastFraction = ir.CreateFSub(end, axis.first);
   if (advances)
     lastFraction = ir.CreateFSub(lastFraction, m_last);
-  // How far from the texel's edge, or centre, every pixel must stay.
+  // Every pixel must stay this far from the texel's edge, or this close to its centre.
   Value *low = error, *high = ir.CreateFSub(number(1), error);
   if (linear) {
     Value *const reach = ir.CreateFSub(number(kLinearReach), error);
@@ -242,7 +244,7 @@ ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Valu
     axis.good = both(axis.good, ir.CreateFCmpOGT(fraction, low));
     axis.good = both(axis.good, ir.CreateFCmpOLT(fraction, high));
   }
-  // So that indices are exact as i32; false for NaN.
+  // Indices must be exact as i32. The comparison is false for NaN.
   axis.good = both(axis.good, ir.CreateFCmpOLT(scaled(coordinate.magnitude), number(0x1p24)));
   return axis;
 }
@@ -270,15 +272,15 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
         m_code.field(ir.getInt32Ty(), level, offsetof(abi::TextureLevel, height)),
     };
   });
-  // `first` in that repetition of the image in which `at` lies.
+  // Shifts `first` by the repetition of the image that contains `at`.
   const auto repeated = [&](Value *first, Value *at, Value *inverse, Value *size) {
     Value *const times = ir.CreateUnaryIntrinsic(
         llvm::Intrinsic::floor,
         ir.CreateFMul(ir.CreateFAdd(at, number(0.5)), m_spans.inLanes(inverse)));
     return ir.CreateFSub(first, ir.CreateFMul(times, size));
   };
-  // Sizes as doubles, and one by them. Times around a texture are whole numbers below 2^24 times a
-  // size, looked for half a texel off: a product is near enough.
+  // Returns a size as double, and its reciprocal. A product with the reciprocal is exact enough.
+  // The number of repetitions is below 2^24 and is looked up half a texel from the edge.
   const auto sizeOf = [&](Value *size) {
     return writeIn(m_code, m_places.entry, [&] {
       Value *const one = ir.CreateSIToFP(size, ir.getDoubleTy());
@@ -293,8 +295,8 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
   Axis t = axis(*axes[1], height, normalised, linear, false);
   m_good = both(m_good, both(s.good, t.good));
 
-  // Along the row: the stretch of the span that needs no wrapping, in that repetition of the image
-  // in which the middle of the span lies.
+  // Along the row, this is the part of the span that needs no wrapping, in the repetition of the
+  // image that contains the middle of the span.
   if (key.wrap[0] == abi::Wrap::Repeat) {
     Value *const middle = ir.CreateFAdd(s.first, ir.CreateFMul(m_last, number(0.5)));
     s.first = repeated(s.first, middle, widthInverse, width);
@@ -302,8 +304,8 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
   Value *const first = toInt(s.first);
   m_begin = larger(m_begin, ir.CreateNeg(first));
   m_end = smaller(m_end, ir.CreateSub(columns, first));
-  // Beyond the edges: once around at most, any distance unless one vector reaches both edges, or
-  // not at all.
+  // Beyond the edges, Repeat may wrap at most once. ClampToEdge allows any distance unless one
+  // vector reaches both edges. Other modes allow none.
   Value *const startsInside = ir.CreateICmpSGE(first, integer(0));
   if (key.wrap[0] == abi::Wrap::Repeat)
     m_good = both(m_good, ir.CreateICmpSLE(m_spans.count(), columns));
@@ -315,7 +317,7 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
         both(m_good, ir.CreateAnd(startsInside,
                                   ir.CreateICmpSLE(m_spans.count(), ir.CreateSub(columns, first))));
 
-  // Across: one row, wrapped here.
+  // Across, the span reads one row, which is wrapped here.
   if (key.wrap[1] == abi::Wrap::Repeat)
     t.first = repeated(t.first, t.first, heightInverse, height);
   Value *row = toInt(t.first);

@@ -8,11 +8,11 @@ namespace arbiter::fp::llvm_back {
 
 namespace {
 
-/// The component that the alpha test reads, of the output that it reads.
+/// Write mask of the component that the alpha test reads.
 constexpr std::uint8_t kAlpha = 8;
 
-/// How many samples a program takes; `branches`: one of them by a level of detail or by the face of
-/// a cube, whose code is in several blocks.
+/// The samples that a program takes. `branches`: one of them selects a level of detail or a cube
+/// face, so that its code has several blocks.
 struct Samples {
   int count = 0;
   bool branches = false;
@@ -32,7 +32,7 @@ Samples samplesOf(const ir::Program &program, const abi::FragmentKey &key) {
   return samples;
 }
 
-/// The program without the outputs that discard nothing.
+/// Returns the program without outputs that cannot discard fragments.
 ir::Program withoutColors(ir::Program program, bool testsAlpha) {
   std::vector<std::uint8_t> kept(program.outputs.size(), 0);
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -47,7 +47,7 @@ ir::Program withoutColors(ir::Program program, bool testsAlpha) {
   std::erase_if(program.code, [&](const ir::Instruction &instruction) {
     return isOutput(instruction) && instruction.dst.mask == 0;
   });
-  program.options.fog = ir::FogMode::None; // of colours alone, as is the sum
+  program.options.fog = ir::FogMode::None; // fog and colour sum do not change alpha
   program.options.colorSum = false;
   return program;
 }
@@ -57,7 +57,7 @@ ir::Program withoutColors(ir::Program program, bool testsAlpha) {
 std::optional<DiscardProgram> discardProgramOf(const jit::FragmentProgram &program,
                                                const abi::FragmentKey &key) {
   const bool testsAlpha = key.alphaTest != abi::Compare::Always;
-  // Coverage is a part of alpha.
+  // Coverage changes alpha.
   if ((!testsAlpha && !program.shape().kills) || key.coverage != abi::Coverage::Whole ||
       ir::hasLoops(program.program()))
     return std::nullopt;

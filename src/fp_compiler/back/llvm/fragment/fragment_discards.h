@@ -6,8 +6,8 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// What of a program decides which of its fragments are discarded: its KILs, and the alpha that is
-/// tested. Its inputs are the whole program's.
+/// The part of a program that decides which fragments are discarded: its KILs, and the alpha that
+/// is tested. It has the inputs of the whole program.
 class DiscardProgram final : public jit::FragmentProgram {
 public:
   DiscardProgram(ir::Program program, const jit::FragmentShape &shape)
@@ -20,10 +20,10 @@ private:
   const jit::FragmentShape &m_shape;
 };
 
-/// Nothing where a vector of fragments that are all discarded had better be shaded as a whole: the
-/// part samples what the whole does, or so that its samples would be taken twice. Written before
-/// the whole program, the part costs nothing: the whole reads its values again.
-/// Requires: \p program lives as long as what is returned.
+/// Returns the part of the program that decides discards, or nothing if it does not pay. It does
+/// not if the part takes the same samples as the program, or if its samples would be taken twice.
+/// Otherwise the part costs nothing, because the whole program reuses its values. Requires: \p
+/// program outlives the result.
 [[nodiscard]] std::optional<DiscardProgram> discardProgramOf(const jit::FragmentProgram &program,
                                                              const abi::FragmentKey &key);
 

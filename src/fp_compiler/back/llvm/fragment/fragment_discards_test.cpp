@@ -2,8 +2,8 @@
 
 #include "fp_compiler/back/llvm/testing/fragment_window.h"
 
-/// Vectors of fragments that are all discarded, or all hidden, are left before their colours are
-/// computed: what is drawn is the same.
+/// Tests that vectors whose fragments are all discarded or hidden are skipped before their colours
+/// are computed, with the same result.
 namespace arbiter::fp::testing {
 namespace {
 
@@ -12,11 +12,13 @@ using ir::Opcode;
 using ir::TexTarget;
 using llvm_back::discardProgramOf;
 
-constexpr int kLeast = 100;          // alpha, as a byte, that is discarded at most
-constexpr int kGone = 30, kAll = 52; // columns before are all discarded, those from kAll on none
+constexpr int kLeast = 100; // greatest alpha, as a byte, that is discarded
+// All columns before kGone are discarded, and none from kAll on.
+constexpr int kGone = 30, kAll = 52;
 constexpr int kHiddenRows = 4;
 
-/// Two samples, of which the alpha of the first decides: by the alpha test, or by KIL.
+/// Returns a program with two samples. The alpha of the first decides about discard, by the alpha
+/// test or by KIL.
 ir::Program twoSamples(bool kills) {
   ir::Builder b;
   auto a = b.temporary(), c = b.temporary(), color = b.temporary();
@@ -36,7 +38,7 @@ std::uint8_t *alphaOf(SceneTexture &texture, int x, int y) {
   return texture.bytes.data() + at + 3;
 }
 
-/// A texel a pixel; depths that hide the lowest rows.
+/// A scene with a texel for each pixel, and depths that hide the lowest rows.
 struct Discarding : Scene {
   explicit Discarding(const std::string &cpu) : Scene(cpu) {
     addTexture(kWidth, kHeight, Wrap::ClampToEdge);

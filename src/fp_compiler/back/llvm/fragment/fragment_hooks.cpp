@@ -22,7 +22,7 @@ Vec FragmentHooks::input(ir::Attribute attribute, unsigned needed) {
 
 Vec FragmentHooks::attribute(int index, unsigned needed) {
   const ir::Program &program = m_program.program();
-  // Only the coordinate of the given sample asks.
+  // Only the coordinate of the given sample is read here.
   if (m_path == SamplePath::Given)
     return {m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f)};
   const ir::Attribute attribute = program.attributes[std::size_t(index)];
@@ -33,7 +33,7 @@ Vec FragmentHooks::attribute(int index, unsigned needed) {
   return input(attribute, needed);
 }
 
-/// (1, 0, 0, 1) of a primitive that is seen from ahead, (-1, 0, 0, 1) of others.
+/// Returns (1, 0, 0, 1) for a front-facing primitive, (-1, 0, 0, 1) for others.
 Vec FragmentHooks::facing(unsigned needed) {
   Value *const x =
       m_code.select(m_interpolator.backFacing(), m_code.splat(-1.0f), m_code.splat(1.0f));
@@ -66,16 +66,16 @@ std::size_t FragmentHooks::nextTexture() {
 
 namespace {
 
-/// How many coordinates say how much of a texture a pixel covers.
+/// Returns the number of coordinates that determine the level of detail.
 int coordinatesOf(abi::Dimension dimension) {
   if (dimension == abi::Dimension::Tex1D)
     return 1;
   return dimension == abi::Dimension::Tex3D || dimension == abi::Dimension::Cube ? 3 : 2;
 }
 
-/// Hosts take a quad's change along x from its first row in memory, and coordinates that a program
-/// computes change otherwise in each row. Memory begins with the upper one where rows go downwards,
-/// as those of windows do.
+/// True if quads take the derivative along x from their upper row. Hosts use the quad's first row
+/// in memory. Computed coordinates may differ between rows. If rows go downwards, as in windows,
+/// the upper row comes first.
 Value *takesUpperRow(Code &code, const Places &places, Value *data) {
   return writeIn(code, places.entry, [&] {
     Value *const stride =
@@ -117,7 +117,7 @@ void FragmentHooks::addDerivatives(SampleAt &at, const abi::SamplerKey &key) {
     addQuadDerivatives(m_code, at, dimensions, takesUpperRow(m_code, m_places, m_data));
   if (!running())
     return;
-  // In a quad of which some pixels have left the loop there is nothing to compare: the base level.
+  // If some pixels of a quad have left the loop, no derivative exists. The base level is used.
   Value *const whole = wholeQuads(m_code, running());
   for (std::size_t c = 0; c < std::size_t(dimensions); ++c) {
     at.dx[c] = m_code.select(whole, at.dx[c], m_code.splat(0.0f));
@@ -133,7 +133,7 @@ SampleAt FragmentHooks::sampleAt(const ir::Instruction &instruction,
   at.mask = m_place.covered;
   if (running())
     at.mask = m_code.ir.CreateAnd(at.mask, running());
-  if (instruction.op == ir::Opcode::Txp) { // as hosts divide: once
+  if (instruction.op == ir::Opcode::Txp) { // multiplies by the inverse, as hosts do
     Value *const inverse = m_code.ir.CreateFDiv(m_code.splat(1.0f), operand[3]);
     for (std::size_t c = 0; c < 3; ++c)
       if (operand[c])
@@ -181,7 +181,7 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const std::array<
   });
   const abi::Lanes lanes = m_place.lanes == abi::Lanes::Row ? abi::Lanes::Row : abi::Lanes::Quad;
   const Texel texel = sample(m_code, key, lanes, view, at, needed);
-  if (!running()) // a loop's are not there behind it
+  if (!running()) // values from a loop are not available after it
     m_texels.push_back({texel.rgba, texel.packed, key.format.swizzle});
   return texel.rgba;
 }
@@ -192,7 +192,7 @@ bool FragmentHooks::hasQuads() {
   return !row;
 }
 
-/// A quad's pixels are compared, covered or not.
+/// Returns null for quads, because derivatives also need pixels that are not covered.
 Value *FragmentHooks::wanted() {
   return m_place.lanes == abi::Lanes::Row ? m_place.covered : nullptr;
 }
@@ -203,7 +203,7 @@ void FragmentHooks::kill(Value *lanes) {
 }
 
 Vec FragmentHooks::relative(int, Value *, unsigned) {
-  // Of vertex programs alone: a row that is not there is zero.
+  // Only vertex programs have relative operands. A row that does not exist is zero.
   return {m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f)};
 }
 

@@ -4,13 +4,13 @@
 #include "fp_compiler/back/llvm/pixel/pixel.h"
 #include "fp_compiler/back/llvm/program/program.h"
 
-/// Where a fragment program's registers come from.
+/// Provides the registers of a fragment program.
 namespace arbiter::fp::llvm_back {
 
 class FragmentHooks final : public ProgramHooks {
 public:
-  /// \param flow of Lanes::Row; null for blocks
-  /// \param samples null where no sample is affine
+  /// \param flow for Lanes::Row; null for blocks
+  /// \param samples null if no sample is affine
   FragmentHooks(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
                 const Places &places, Interpolator &interpolator, Value *data, Value *primitive,
                 const AffineFlow *flow, const ConsecutiveSamples *samples, SamplePath path,
@@ -26,27 +26,29 @@ public:
                             unsigned needed) override;
   [[nodiscard]] bool hasQuads() override;
   [[nodiscard]] Value *wanted() override;
-  /// SamplePath::Given: the texels, as they lie in memory.
+  /// Sets the texels of SamplePath::Given, as they are in memory.
   void give(Value *texels) { m_given = texels; }
   void kill(Value *lanes) override;
   [[nodiscard]] Vec relative(int array, Value *index, unsigned needed) override;
 
-  /// The input of an attribute that an option wants, or nulls.
+  /// Returns the input of an attribute that an option reads, or nulls.
   [[nodiscard]] Vec input(ir::Attribute attribute, unsigned needed);
-  /// In a row: a derivative, or a level of detail that depends on more than an affine coordinate.
+  /// True if a row met a derivative, or a level of detail that depends on more than an affine
+  /// coordinate.
   [[nodiscard]] bool refused() const { return m_refused; }
   [[nodiscard]] Value *alive() const { return m_alive; }
   [[nodiscard]] std::vector<PackedTexel> takeTexels() { return std::move(m_texels); }
 
 private:
-  /// The walk passes instructions that it has narrowed, in order: the index of this one.
+  /// Returns the index of the current texture instruction. The walk passes narrowed copies in
+  /// order.
   [[nodiscard]] std::size_t nextTexture();
   [[nodiscard]] Vec facing(unsigned needed);
   [[nodiscard]] SampleAt sampleAt(const ir::Instruction &instruction,
                                   const std::array<Vec, 3> &operands);
-  /// What a coordinate changes by from a pixel to the next, of a row.
+  /// Sets the derivatives of a coordinate between neighbouring pixels in a row.
   void addRowDerivatives(SampleAt &at, std::size_t index, const abi::SamplerKey &key);
-  /// The same of quads.
+  /// Sets the derivatives of a coordinate in quads.
   void addDerivatives(SampleAt &at, const abi::SamplerKey &key);
 
   Code &m_code;
@@ -63,7 +65,7 @@ private:
   Value *m_alive = nullptr;
   Value *m_given = nullptr;
   analysis::LiveValues m_live;
-  std::size_t m_next = 0; ///< the walk has come to this instruction of the code
+  std::size_t m_next = 0; ///< next instruction of the code that the walk reaches
   std::vector<PackedTexel> m_texels;
 };
 

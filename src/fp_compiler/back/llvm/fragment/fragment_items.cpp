@@ -26,7 +26,7 @@ Item packedItem(Code &code, llvm::Function *function, Value *number, Interpolato
   Value *const raw =
       ir.CreateAlignedLoad(code.i32, itemPointer(code, function, number, sizeof(abi::Pixel)),
                            llvm::Align(sizeof(abi::Pixel)));
-  // Quads that follow each other, to the lanes of a block that their pixels have.
+  // This reorders pixels from consecutive quads to the lanes of a block.
   const int width = code.cpu.blockWidth();
   llvm::SmallVector<int, 16> from;
   for (int lane = 0; lane < code.lanes; ++lane) {

@@ -2,7 +2,7 @@
 #include "fp_compiler/back/llvm/testing/machine.h"
 #include "fp_compiler/testing/nv_program.h"
 
-/// What NVIDIA's options add to fragments, as functions over pixels.
+/// Tests of NVIDIA's options in fragment functions.
 namespace arbiter::fp::testing {
 namespace {
 
@@ -18,7 +18,7 @@ std::uint8_t byteOf(float value) {
   return std::uint8_t(std::lround(std::fmin(std::fmax(value, 0.0f), 1.0f) * 255.0f));
 }
 
-/// Every pixel of the last draw, within a step.
+/// Checks every pixel of the last draw, within one step.
 template <typename F> void expectPixels(Scene &scene, F value) {
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
@@ -68,7 +68,7 @@ TEST_P(NvFragmentTest, ARowHasNoDerivatives) {
   EXPECT_NE(reason.find("derivative"), std::string::npos) << reason;
 }
 
-/// Each pixel as often as its own coordinate says; some are discarded on the way.
+/// Each pixel iterates as often as its own coordinate says; some are discarded on the way.
 TEST_P(NvFragmentTest, LoopsEndForEachPixelByItself) {
   const ir::Program program =
       nvProgram("MOV r, 0.0; MUL s.x, c.x, 16.0; REP 20; ADDC s.x, s.x, -1.0; BRK (LT.x); "
@@ -91,7 +91,7 @@ TEST_P(NvFragmentTest, LoopsEndForEachPixelByItself) {
   EXPECT_GT(killed, 0);
 }
 
-/// A sample in a loop is taken by those pixels that are in it.
+/// Only pixels still in a loop take its samples.
 TEST_P(NvFragmentTest, SamplesInLoops) {
   const ir::Program program =
       nvProgram("MOV r, 0.0; MUL left.x, c.x, 3.0; FLR left.x, left.x; REP 3.0; "

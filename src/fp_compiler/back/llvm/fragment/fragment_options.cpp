@@ -11,7 +11,8 @@ public:
   Options(Code &code, const Places &places, Value *data, Numerics numerics)
       : m_code(code), m_places(places), m_data(data), m_numerics(numerics) {}
 
-  /// Added to the colour clamped, as the interpreter does; alpha stays as it is, unclamped too.
+  /// Adds the secondary colour to the clamped colour, as the interpreter does. Alpha is not changed
+  /// or clamped.
   void sum(Vec &color, const Vec &secondary) {
     for (std::size_t c = 0; c < 3; ++c)
       color[c] = m_code.ir.CreateFAdd(m_code.saturate(valueOr0(color[c])), valueOr0(secondary[c]));

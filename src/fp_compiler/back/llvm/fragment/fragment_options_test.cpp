@@ -1,6 +1,6 @@
 #include "fp_compiler/back/llvm/testing/fragment_window.h"
 
-/// What else a fragment function is made of: KIL, the window position, several targets, masks,
+/// Tests of further parts of a fragment function: KIL, the window position, several targets, masks,
 /// options.
 namespace arbiter::fp::testing {
 namespace {
@@ -95,7 +95,7 @@ TEST_P(FragmentTest, ASmoothLineCoversAPartOfAlpha) {
   scene.key.alphaTest = abi::Compare::Greater;
   scene.data.alphaReference = 0;
   abi::Plane *const line = scene.primitive.inputs[1];
-  line[0] = {-3.31f, 0.1f, 0.7f}; // never the reach itself
+  line[0] = {-3.31f, 0.1f, 0.7f}; // never exactly the reach
   line[1] = {-6.21f, 0.9f, -0.05f};
   line[2] = {2.25f, 0, 0};
   line[3] = {4.5f, 0, 0};
@@ -204,7 +204,7 @@ TEST_P(FragmentTest, ReadsTheWindowPosition) {
     }
 }
 
-/// A texture at the pixel's own place, whichever way up the window is.
+/// Samples a texture at the pixel's own place, for both window orientations.
 TEST_P(FragmentTest, SamplesAtTheWindowPosition) {
   for (const bool upper : {false, true}) {
     ir::Builder b;

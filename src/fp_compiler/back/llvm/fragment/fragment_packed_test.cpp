@@ -2,19 +2,19 @@
 
 #include "fp_compiler/back/llvm/testing/fragment_window.h"
 
-/// Packed quads of many primitives against each one's blocks, bit for bit, where derivatives decide
-/// about filters.
+/// Compares packed quads of many primitives bit for bit with the blocks of each primitive, where
+/// derivatives select filters.
 namespace arbiter::fp::testing {
 namespace {
 
 using ir::AttributeKind;
 using ir::Opcode;
 
-/// Whose a quad of the window is.
+/// Returns the column of the primitive that a quad of the window belongs to.
 int columnAt(int x, int y, int columns) { return (x / 2 * 7 + y / 2 * 5) % columns; }
 
-/// The window's quads in any order, each of its primitive; pixels beyond the window's right or
-/// upper side are helpers. The window begins at \p left of the base.
+/// Returns the window's quads in random order, each with its primitive. Pixels beyond the window's
+/// right or upper side are helpers. The window begins at \p left of the base.
 std::vector<abi::Pixel> shuffledQuads(int lanes, int left) {
   std::vector<std::pair<int, int>> quads;
   for (int y = 0; y < kHeight; y += 2)
@@ -37,7 +37,7 @@ std::vector<abi::Pixel> shuffledQuads(int lanes, int left) {
   return pixels;
 }
 
-/// The blocks of one primitive.
+/// Returns the blocks of one primitive.
 std::vector<abi::Block> blocksOf(int column, int lanes, int width, int height) {
   std::vector<abi::Block> blocks;
   for (int y = 0; y < kHeight; y += height)
@@ -54,7 +54,7 @@ std::vector<abi::Block> blocksOf(int column, int lanes, int width, int height) {
   return blocks;
 }
 
-/// Primitives of which no term is another's.
+/// Returns primitives that have no plane coefficient in common.
 std::vector<abi::Primitive> primitivesLike(const abi::Primitive &first, int count) {
   std::vector<abi::Primitive> all;
   for (int k = 0; k < count; ++k) {
@@ -73,8 +73,8 @@ std::vector<abi::Primitive> primitivesLike(const abi::Primitive &first, int coun
   return all;
 }
 
-/// A texture in perspective, which is magnified at one side and minified at the other, and the
-/// window's position.
+/// Returns a program with a texture in perspective, magnified at one side and minified at the
+/// other, and the window's position.
 ir::Program projected() {
   ir::Builder b;
   auto place = b.temporary(), texel = b.temporary();

@@ -10,7 +10,7 @@ SpanGroup::SpanGroup(Code &code, const Places &places, Value *items, Value *firs
   writeIn(code, places.group, [&] {
     auto *const words = llvm::FixedVectorType::get(ir.getInt64Ty(), size());
     auto *const numbers = llvm::FixedVectorType::get(ir.getInt32Ty(), size());
-    // Lanes after the last span are empty spans.
+    // Lanes after the last span get empty spans.
     llvm::SmallVector<llvm::Constant *, 8> lanes;
     for (unsigned i = 0; i < size(); ++i)
       lanes.push_back(ir.getInt32(i));

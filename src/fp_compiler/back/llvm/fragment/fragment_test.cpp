@@ -1,8 +1,8 @@
 #include "fp_compiler/back/llvm/testing/fragment_window.h"
 #include "fp_compiler/back/llvm/testing/machine.h"
 
-/// Samples of fragment functions over spans, against the interpreter with a nearest lookup of its
-/// own.
+/// Compares samples of fragment functions over spans with the interpreter, which has its own
+/// nearest lookup.
 namespace arbiter::fp::testing {
 namespace {
 
@@ -16,7 +16,7 @@ int wrapped(int index, int size, Wrap wrap) {
   return std::clamp(index, 0, size - 1);
 }
 
-/// Nearest texel of a U8x4 texture, as stored.
+/// Returns the nearest texel of a U8x4 texture, as stored.
 const std::uint8_t *texelAt(const SceneTexture &texture, const ir::Vec4 &coordinate) {
   const int x = int(std::floor(coordinate[0] * float(texture.width)));
   const int y = int(std::floor(coordinate[1] * float(texture.height)));
@@ -25,7 +25,7 @@ const std::uint8_t *texelAt(const SceneTexture &texture, const ir::Vec4 &coordin
          wrapped(x, texture.width, texture.key.wrap[0]) * 4;
 }
 
-/// What the interpreter makes of pixel (x, y), as bytes of an RGBA8 target.
+/// Returns the interpreter's result for pixel (x, y), as bytes of an RGBA8 target.
 std::array<std::uint8_t, 4> expected(const Scene &scene, const ir::Program &program, int x, int y,
                                      const std::vector<std::array<float, 4>> &locals = {}) {
   ir::Inputs inputs;
@@ -58,7 +58,8 @@ std::array<std::uint8_t, 4> expected(const Scene &scene, const ir::Program &prog
   return bytes;
 }
 
-/// Every pixel of the spans within one step of the interpreter's, every other byte as it was.
+/// Checks that every pixel of the spans is within one step of the interpreter's, and that no other
+/// byte changed.
 void check(Scene &scene, const ir::Program &program, const std::vector<abi::Span> &spans,
            const std::vector<std::array<float, 4>> &locals = {}) {
   SceneTarget before = makeTarget(scene.target.format, kWidth, kHeight, 1);
@@ -107,7 +108,7 @@ TEST_P(FragmentTest, PermutesBytesForTheTargetsFormat) {
     }
 }
 
-/// Shifts by whole texels in either direction, in both wrap modes; spans of all lengths.
+/// Shifts by whole texels in both directions and in both wrap modes, with spans of all lengths.
 TEST_P(FragmentTest, WrapsShiftedCoordinates) {
   for (const Wrap wrap : {Wrap::Repeat, Wrap::ClampToEdge})
     for (const float shift : {0.0f, 1.0f, -1.0f, 20.0f, -40.0f, 75.0f, 1000.0f, 0.5f, 0.3f}) {
@@ -136,7 +137,7 @@ TEST_P(FragmentTest, ClampsToBothEdgesOfANarrowTexture) {
     }
 }
 
-/// Rows read consecutive texels as loads, blocks read them like any others.
+/// Rows read consecutive texels as plain loads, but blocks sample them individually.
 TEST_P(FragmentTest, RowsAndBlocksAgree) {
   ir::Builder b;
   auto texel = b.temporary();
@@ -148,7 +149,7 @@ TEST_P(FragmentTest, RowsAndBlocksAgree) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::ClampToEdge, Wrap::MirroredRepeat, Wrap::Clamp})
       for (const Layout layout : {Layout::U8x4, Layout::U16x4, Layout::F32x4})
         for (const float shift : {0.0f, -3.0f, 40.0f}) {
-          // Other layouts than of bytes read consecutive texels with the nearest filter alone.
+          // Layouts other than bytes read consecutive texels only with the nearest filter.
           if ((layout != Layout::U8x4 && filter == abi::Filter::Linear) ||
               (layout == Layout::F32x4 && shift == 0.0f))
             continue;
@@ -159,7 +160,7 @@ TEST_P(FragmentTest, RowsAndBlocksAgree) {
           scene.addTexture(kWidth, kHeight, wrap, filter, layout);
           if (layout == Layout::F32x4)
             for (std::size_t i = 0; i < scene.textures[0]->bytes.size(); i += 4)
-              scene.textures[0]->bytes[i + 3] = 0x3E; // of numbers below 1
+              scene.textures[0]->bytes[i + 3] = 0x3E; // makes numbers below 1
           const float s = shift / kWidth, t = 2 * shift / kHeight;
           const std::vector<QuadInput> corners = {{s, t, 1 + s, 1 + t}};
           const ir::Program &program =
@@ -169,9 +170,9 @@ TEST_P(FragmentTest, RowsAndBlocksAgree) {
         }
 }
 
-/// A linear filter at 1:1 loads texels of large textures too, where coordinates are rounded more. A
-/// program that shows a 64th of a texel's step would show the weights that a filter gives
-/// neighbours.
+/// A linear filter at 1:1 loads texels of large textures too, where coordinates have larger
+/// rounding errors. The program amplifies differences of a 64th of a step, so that weights of
+/// neighbours would show.
 TEST_P(FragmentTest, LoadsTexelsOfLargeLinearTextures) {
   ir::Builder b;
   auto texel = b.temporary();
@@ -184,7 +185,7 @@ TEST_P(FragmentTest, LoadsTexelsOfLargeLinearTextures) {
     SCOPED_TRACE(width);
     Scene scene(GetParam());
     scene.addTexture(width, kHeight, Wrap::ClampToEdge, abi::Filter::Linear);
-    const float s = float(width - kWidth) / float(width); // the last columns
+    const float s = float(width - kWidth) / float(width); // samples the last columns
     scene.draw(program, {{s, 0, 1, 1}}, wholeRows());
     check(scene, program, wholeRows());
   }
@@ -219,8 +220,7 @@ TEST_P(FragmentTest, ScalesAndShiftsByParameters) {
   }
 }
 
-/// Many pixels in one call are looked up in tables (fragment_bytes.h); one row at a time they are
-/// computed.
+/// Many pixels in one call use tables (fragment_bytes.h). Single rows compute the same values.
 TEST_P(FragmentTest, LooksUpWhatItComputes) {
   ir::Builder b;
   auto texel = b.temporary();

@@ -1,4 +1,4 @@
-// Programs by the hundred, and all that the goldens have, against the interpreter to the bit.
+// Tests hundreds of generated programs and all golden programs against the interpreter, to the bit.
 
 #include <filesystem>
 #include <fstream>
@@ -41,7 +41,7 @@ TEST_P(ProgramsTest, GeneratedOnesAgree) {
   EXPECT_LT(comparison.edges, comparison.compared / 40) << "much of the test is left out";
 }
 
-/// Room for everything that the goldens use.
+/// Returns options with limits that allow everything in the goldens.
 CompileOptions roomy() {
   CompileOptions options;
   options.policy = LimitPolicy::Report;
@@ -56,14 +56,14 @@ CompileOptions roomy() {
   return options;
 }
 
-/// Programs under NVIDIA's options: loops, packing, derivatives, addresses.
+/// Tests programs under NVIDIA's options: loops, packing, derivatives, addresses.
 TEST_P(ProgramsTest, GeneratedOnesOfNvidiasOptionsAgree) {
   const auto &[cpu, numerics] = GetParam();
   Comparison comparison(numerics, cpu);
   CompileOptions limits = roomy();
   limits.limits.nvOptions = 2;
   limits.limits.api.addressRegisters = 2;
-  constexpr std::uint64_t kPrograms = 180; // of most of which no loop is left
+  constexpr std::uint64_t kPrograms = 180; // most of them have no loop left after the passes
   int loops = 0;
   for (std::uint64_t seed = 0; seed < kPrograms; ++seed) {
     const bool vertex = seed % 3 == 0, wild = seed % 2 == 1;
@@ -107,7 +107,7 @@ TEST_P(ProgramsTest, GoldenOnesAgree) {
     ASSERT_TRUE(language) << entry.path();
     const CheckResult checked = checkProgram(*language, text, roomy());
     if (!checked.ok())
-      continue; // it is valid under other limits: golden-check has it
+      continue; // valid under other limits; golden-check covers it
     ++programs;
     for (const bool wild : {false, true})
       ASSERT_EQ(comparison.run(*checked.program, std::uint64_t(programs), wild), "")

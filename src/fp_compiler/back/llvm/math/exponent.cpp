@@ -3,11 +3,11 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// (2^f - 1) / f for f in [0, 1], minimax for the relative error (Remez exchange), lowest power
-/// first; 1 + f * p is within 2^-28.8 of 2^f.
+/// Coefficients of (2^f - 1) / f for f in [0, 1], minimax for the relative error (Remez exchange),
+/// lowest power first. 1 + f * p is within 2^-28.8 of 2^f.
 constexpr float kExp2[] = {0x1.62e42cp-1f, 0x1.ebfd58p-3f,  0x1.c68912p-5f,
                            0x1.3d0b92p-7f, 0x1.46d64ep-10f, 0x1.c54170p-13f};
-/// 2^f as llvmpipe approximates it, within 2^-21.8.
+/// Coefficients of llvmpipe's approximation of 2^f, within 2^-21.8.
 constexpr float kHostExp2[] = {1.0f,           0x1.62e4f6p-1f, 0x1.ebd5a8p-3f,
                                0x1.c95446p-5f, 0x1.26900cp-7f, 0x1.ec320ap-10f};
 constexpr int kMantissaBits = 23, kBias = 127;
@@ -28,7 +28,7 @@ Mantissa mantissaOf(Code &code, Value *x) {
 Value *exp2OfFraction(Code &code, Value *f) { return evenAndOdd(code, f, kHostExp2); }
 
 Value *scaledByBits(Code &code, Value *mantissa, Value *whole) {
-  // Below the normal numbers this makes a zero, above them an infinity, of the exponent's bits.
+  // Below the normal numbers the exponent bits give zero, above them infinity.
   Value *const biased = code.ir.CreateAdd(code.toInt(whole), code.splat(kBias));
   return code.ir.CreateFMul(
       mantissa,

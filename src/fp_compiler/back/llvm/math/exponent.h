@@ -1,29 +1,30 @@
 #pragma once
 #include "fp_compiler/back/llvm/math/polynomial.h"
 
-/// Floats taken apart and put together by their bits, for processors without instructions for it.
+/// Splits floats into exponent and mantissa and joins them by their bits, for processors without
+/// instructions for it.
 namespace arbiter::fp::llvm_back {
 
-/// x as value * 2^exponent with the value in [sqrt(1/2), sqrt(2)); anything for what is no positive
-/// finite number.
+/// x as value * 2^exponent with the value in [sqrt(1/2), sqrt(2)). Undefined unless x is positive
+/// and finite.
 struct Mantissa {
   Value *exponent; ///< i32
   Value *value;
-  Value *offset; ///< i32: in its low 23 bits how far the value lies above sqrt(1/2)
+  Value *offset; ///< i32: the low 23 bits tell how far the value is above sqrt(1/2)
 };
 [[nodiscard]] Mantissa mantissaOf(Code &code, Value *x);
 
-/// 2^f for f in [0, 1], to the bit as llvmpipe has it.
+/// Returns 2^f for f in [0, 1], identical to llvmpipe's result.
 [[nodiscard]] Value *exp2OfFraction(Code &code, Value *f);
 
-/// \p mantissa * 2^whole for a whole number of [-127, 128]: zero at the lower end, infinity at the
-/// upper one.
+/// Returns \p mantissa * 2^whole for a whole number of [-127, 128]. The ends of the range give zero
+/// and infinity.
 [[nodiscard]] Value *scaledByBits(Code &code, Value *mantissa, Value *whole);
 
-/// The same of 2^f for f in [0, 1], for powers: closer than exp2OfFraction().
+/// Returns 2^(whole + f) for f in [0, 1]. For powers: it is more exact than exp2OfFraction().
 [[nodiscard]] Value *assembled(Code &code, Value *whole, Value *f);
 
-/// In the range that scaledByBits() takes; NaN stays NaN. Floats or doubles.
+/// Clamps \p x, of floats or doubles, to the range of scaledByBits(). NaN stays NaN.
 [[nodiscard]] Value *clampedExponent(Code &code, Value *x);
 
 } // namespace arbiter::fp::llvm_back

@@ -13,23 +13,23 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-// Minimax polynomials for the relative error (Remez exchange), lowest power first.
+// The polynomials are minimax for the relative error (Remez exchange), lowest power first.
 
-/// log2(1 + t) / t for 1 + t in [sqrt(1/2), sqrt(2)], within 2^-25.1.
+/// Coefficients of log2(1 + t) / t for 1 + t in [sqrt(1/2), sqrt(2)], within 2^-25.1.
 constexpr float kLog2[] = {0x1.715476p+0f,  -0x1.715470p-1f, 0x1.ec73d6p-2f,
                            -0x1.715c4ep-2f, 0x1.26d384p-2f,  -0x1.e95be4p-3f,
                            0x1.b9c91ap-3f,  -0x1.a87d18p-3f, 0x1.01b6e8p-3f};
-/// The same within 2^-33.2.
+/// Coefficients of log2(1 + t) / t on the same range, within 2^-33.2.
 constexpr double kLog2Long[] = {
     0x1.71547652ef963p+0, -0x1.7154767baea14p-1, 0x1.ec709c00ea859p-2, -0x1.715435ebca40dp-2,
     0x1.277732d075b21p-2, -0x1.ec8d73c7629d9p-3, 0x1.a615cad3b3dfcp-3, -0x1.6eb02b88c7707p-3,
     0x1.45a2992a1a9f1p-3, -0x1.417feceec5d4ep-3, 0x1.3d25d9cacb37bp-3, -0x1.61ac19a585028p-4};
-/// (sin(r)/r - 1) / r^2 and (cos(r) - 1 + r^2/2) / r^4 in r^2, for |r| up to pi/4, as llvmpipe has
-/// them.
+/// llvmpipe's coefficients of (sin(r)/r - 1) / r^2 and (cos(r) - 1 + r^2/2) / r^4 in r^2, for |r|
+/// up to pi/4.
 constexpr float kSine[] = {-0x1.555546p-3f, 0x1.11073cp-7f, -0x1.9943f2p-13f};
 constexpr float kCosine[] = {0x1.55554ap-5f, -0x1.6c0c34p-10f, 0x1.99eb9cp-16f};
 
-/// pi/4 in three parts of few bits, so that small multiples of the first two are exact.
+/// pi/4 as three parts with few bits, so that small multiples of the first two are exact.
 constexpr float kQuarterPi[] = {0x1.92p-1f, 0x1.fb4p-13f, 0x1.4442d2p-25f};
 constexpr float kFourOverPi = 0x1.45f306p+0f;
 
@@ -37,7 +37,7 @@ llvm::Type *doubles(Code &code) {
   return llvm::FixedVectorType::get(code.ir.getDoubleTy(), unsigned(code.lanes));
 }
 
-/// The number that all lanes of a constant have.
+/// Returns the number in all lanes of a constant, or null.
 const llvm::APFloat *constantOf(Value *value) {
   const auto *const vector = llvm::dyn_cast<llvm::Constant>(value);
   const auto *const number =
@@ -47,7 +47,7 @@ const llvm::APFloat *constantOf(Value *value) {
 
 constexpr int kSignBit = std::numeric_limits<int>::min();
 
-/// By Horner's rule.
+/// Evaluates a polynomial by Horner's rule.
 Value *byHorner(Code &code, Value *x, std::span<const float> coefficients) {
   Value *sum = code.splat(coefficients.back());
   for (std::size_t i = coefficients.size() - 1; i-- > 0;)
@@ -55,8 +55,8 @@ Value *byHorner(Code &code, Value *x, std::span<const float> coefficients) {
   return sum;
 }
 
-/// \p size less so many quarters of pi. The products are exact up to 2^22 of them if sums are
-/// fused, and else in doubles, in which one product does.
+/// Returns \p size - quarters * pi/4. With fused multiply-adds, the products are exact up to 2^22
+/// quarters. Otherwise one product in doubles is exact enough.
 Value *restOfQuarters(Code &code, Value *size, Value *quarters) {
   if (code.cpu.family == Cpu::Family::Sse41) {
     Value *const count = code.ir.CreateSIToFP(quarters, doubles(code));
@@ -71,8 +71,8 @@ Value *restOfQuarters(Code &code, Value *size, Value *quarters) {
   return size;
 }
 
-/// A sine or cosine of a finite angle clamped to [-1, 1], as the polynomials give anything for a
-/// huge one, NaN too, which counts as 1. NaN for an angle that is not finite.
+/// Returns a sine or cosine clamped to [-1, 1]. For huge angles the polynomials give any value, and
+/// NaN becomes 1. Infinite and NaN angles give NaN.
 Value *clampedUnit(Code &code, Value *x, Value *size) {
   Value *const low = code.splat(-1.0f), *const high = code.splat(1.0f);
   Value *const below = code.select(code.ir.CreateFCmpOLT(x, high), x, high);
@@ -85,7 +85,7 @@ Value *extremum(Code &code, Value *a, Value *b, bool larger) {
   if (constantOf(a))
     std::swap(a, b);
   if (const llvm::APFloat *const limit = constantOf(b)) {
-    // Of equal zeros the result is b's unless a's is beyond it.
+    // If both are zeros, the result is b unless the sign of a decides for a.
     const bool mayPass = limit->isZero() && limit->isNegative() == larger;
     const auto beyond = larger    ? mayPass ? llvm::CmpInst::FCMP_OGE : llvm::CmpInst::FCMP_OGT
                         : mayPass ? llvm::CmpInst::FCMP_OLE
@@ -94,7 +94,7 @@ Value *extremum(Code &code, Value *a, Value *b, bool larger) {
   }
   if (code.cpu.family == Cpu::Family::Avx512)
     return avx512::extremum(code, a, b, larger);
-  // Equal values have equal bits, but for zeros: of those the bits are joined.
+  // Equal values have equal bits, except for zeros. Joining the bits gives the right zero.
   Value *const left = code.ir.CreateBitCast(a, code.i32);
   Value *const right = code.ir.CreateBitCast(b, code.i32);
   Value *const joined = code.ir.CreateBitCast(
@@ -146,8 +146,8 @@ Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
     return avx512::power(code, base, exponent, oneStaysOne);
   if (code.cpu.family == Cpu::Family::Avx2)
     return avx2::power(code, base, exponent, oneStaysOne);
-  // The product of a logarithm and an exponent may be as large as 128, so that a single's last
-  // bits would be lost in it: doubles up to the fraction.
+  // The product of a logarithm and an exponent may be as large as 128 and would lose the last bits
+  // of a single float. It is therefore computed in doubles up to the fraction.
   llvm::Type *const wide = doubles(code);
   const Mantissa parts = mantissaOf(code, base);
   Value *const longT = code.ir.CreateFPExt(code.ir.CreateFSub(parts.value, code.splat(1.0f)), wide);
@@ -170,7 +170,7 @@ Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
 SineCosine sineCosine(Code &code, Value *angle) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *const size = absolute(code, angle);
-  // The nearest even number of quarters of pi; anything of an angle beyond 32 bits.
+  // This is the nearest even number of quarters of pi. It is undefined for angles beyond 32 bits.
   Value *const whole = code.toInt(ir.CreateFMul(size, code.splat(kFourOverPi)));
   Value *const quarters = ir.CreateAnd(ir.CreateAdd(whole, code.splat(1)), code.splat(~1));
   Value *const r = restOfQuarters(code, size, quarters);
@@ -182,7 +182,7 @@ SineCosine sineCosine(Code &code, Value *angle) {
       ir.CreateFAdd(ir.CreateFSub(tail, ir.CreateFMul(square, code.splat(0.5f))), code.splat(1.0f));
 
   Value *const odd = ir.CreateICmpNE(ir.CreateAnd(quarters, code.splat(2)), code.splat(0));
-  // Bit 2 of the quarters is the sign, where the size was; the angle's own is a sine's too.
+  // Bit 2 of the quarters is the sign for a positive angle. A sine also takes the angle's own sign.
   const auto negatedWhere = [&](Value *value, Value *bits) {
     Value *const sign = ir.CreateAnd(bits, code.splat(kSignBit));
     Value *const signedValue = ir.CreateXor(ir.CreateBitCast(value, code.i32), sign);

@@ -1,8 +1,8 @@
 #pragma once
 #include "fp_compiler/back/llvm/code/code.h"
 
-/// Functions of math.h in the instructions that AVX2 has for them: fused sums, a table in a
-/// register, an estimate of roots. The same special values.
+/// Functions of math.h for AVX2: fused multiply-adds, a table in a register, an estimate of roots.
+/// Special values are those of math.h.
 namespace arbiter::fp::llvm_back::avx2 {
 
 [[nodiscard]] Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne);

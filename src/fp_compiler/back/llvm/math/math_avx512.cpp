@@ -12,22 +12,24 @@ namespace arbiter::fp::llvm_back::avx512 {
 namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Minimax polynomials for the relative error (Remez exchange), lowest power first.
+// The polynomials are minimax for the relative error (Remez exchange), lowest power first.
 
-/// (2^f - 1) / f for f in [-1/2, 1/2]: 1 + f * p is within 2^-28.8 of 2^f.
+/// Coefficients of (2^f - 1) / f for f in [-1/2, 1/2]: 1 + f * p is within 2^-28.8 of 2^f.
 constexpr float kExp2Centred[] = {0x1.62e430p-1f, 0x1.ebfbdap-3f,  0x1.c6aed4p-5f,
                                   0x1.3b2dbcp-7f, 0x1.5f456ap-10f, 0x1.41d32ep-13f};
-/// log2(1 + t) / t for t in [-1/4, 1/2], within 2^-25.1.
+/// Coefficients of log2(1 + t) / t for t in [-1/4, 1/2], within 2^-25.1.
 constexpr float kLog2[] = {0x1.715476p+0f,  -0x1.715496p-1f, 0x1.ec7198p-2f,
                            -0x1.713ad0p-2f, 0x1.271bacp-2f,  -0x1.f11906p-3f,
                            0x1.bb088ep-3f,  -0x1.64d2e0p-3f, 0x1.3fc300p-4f};
-/// The same for t in [-1/32, 1/32], within 2^-31.5: the first coefficient in two parts, the rest.
+/// Coefficients of log2(1 + t) / t for t in [-1/32, 1/32], within 2^-31.5. The first coefficient is
+/// in two parts.
 constexpr float kLog2First = 0x1.715476p+0f, kLog2FirstRest = 0x1.4af6c2p-26f;
 constexpr float kLog2Tail[] = {-0x1.715474p-1f, 0x1.ec7096p-2f, -0x1.71a178p-2f, 0x1.27c3c8p-2f};
 
-/// For each 32nd part of [1, 2) a factor of 8 bits that takes it to within 1/32 of 1, and the
-/// factor's negated logarithm in two parts, the first a multiple of 2^-16. At the ends factor and
-/// logarithm are exact, so that a power of a base near 1 is as good as any.
+/// A factor and its logarithm for each 32nd part of [1, 2). The factor has 8 bits and brings the
+/// mantissa to within 1/32 of 1. The negated logarithm is in two parts, the first a multiple of
+/// 2^-16. At both ends factor and logarithm are exact, so that powers of a base near 1 keep full
+/// accuracy.
 constexpr int kParts = 32;
 using Table = std::array<float, kParts>;
 constexpr Table kFactor = {
@@ -53,7 +55,7 @@ constexpr Table kFactorLogRest = {
 
 enum class Interval : unsigned { FromOne = 0, FromThreeQuarters = 3 };
 
-/// One of the masked forms with all lanes wanted, rounded as the control word says.
+/// Calls a masked intrinsic with all lanes enabled, in the current rounding mode.
 template <typename... Arguments>
 Value *whole(Code &code, llvm::Intrinsic::ID id, Arguments... arguments) {
   constexpr unsigned kCurrentRounding = 4;
@@ -62,17 +64,17 @@ Value *whole(Code &code, llvm::Intrinsic::ID id, Arguments... arguments) {
                                   code.ir.getInt16(0xFFFF), code.ir.getInt32(kCurrentRounding)});
 }
 
-/// The mantissa in an interval; of zero and infinity 1, of what is below zero NaN.
+/// Returns the mantissa in an interval. Zero and infinity give 1; negative numbers give NaN.
 Value *mantissa(Code &code, Value *x, Interval interval) {
   constexpr unsigned kNanBelowZero = 0xC;
   return whole(code, llvm::Intrinsic::x86_avx512_mask_getmant_ps_512, x,
                code.ir.getInt32(unsigned(interval) | kNanBelowZero));
 }
-/// floor(log2 |x|) as a float; of zero and infinity the infinities.
+/// Returns floor(log2 |x|) as a float. Zero and infinity give -infinity and infinity.
 Value *exponentOf(Code &code, Value *x) {
   return whole(code, llvm::Intrinsic::x86_avx512_mask_getexp_ps_512, x);
 }
-/// x * 2^floor(n), with infinity and zero where that is out of range, and of infinite n.
+/// Returns x * 2^floor(n). Out of range, and for infinite n, it is infinity or zero.
 Value *scaled(Code &code, Value *x, Value *n) {
   return whole(code, llvm::Intrinsic::x86_avx512_mask_scalef_ps_512, x, n);
 }
@@ -81,7 +83,7 @@ Value *range(Code &code, Value *a, Value *b, unsigned what) {
   return whole(code, llvm::Intrinsic::x86_avx512_mask_range_ps_512, a, b, code.ir.getInt32(what));
 }
 
-/// Element `index` modulo kParts of a table that stays in two registers.
+/// Returns element `index` modulo kParts of a table that stays in two registers.
 Value *lookUp(Code &code, const Table &table, Value *index) {
   const auto half = [&](int from) {
     llvm::SmallVector<llvm::Constant *, 16> values;
@@ -94,11 +96,11 @@ Value *lookUp(Code &code, const Table &table, Value *index) {
                                  {half(0), index, half(kParts / 2)});
 }
 
-/// log2 x of a positive number to some 30 bits; of infinity (infinity, anything).
+/// Returns log2 x of a positive number to some 30 bits. For infinity only the high part is defined.
 Long longLog2(Code &code, Value *x) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *const m = mantissa(code, x, Interval::FromOne);
-  constexpr int kPartShift = 18; // the mantissa's five upper bits
+  constexpr int kPartShift = 18; // keeps the mantissa's five upper bits
   Value *const part = ir.CreateLShr(ir.CreateBitCast(m, code.i32), code.splat(kPartShift));
   Value *const r = multiplyAdd(code, m, lookUp(code, kFactor, part), code.splat(-1.0f));
   return llvm_back::longLog2(code,
@@ -114,7 +116,8 @@ Value *extremum(Code &code, Value *a, Value *b, bool larger) {
 }
 
 Value *exp2(Code &code, Value *x) {
-  // Rounded to nearest, as vreduceps down does not. An infinity has no fraction: any will do.
+  // The subtraction rounds to nearest, unlike vreduceps rounding down. An infinity has no fraction,
+  // so any value will do.
   Value *const fraction = code.ir.CreateFSub(x, code.floor(x));
   Value *const f =
       code.select(code.ir.CreateFCmpOLT(fraction, code.splat(1.0f)), fraction, code.splat(1.0f));
@@ -123,7 +126,7 @@ Value *exp2(Code &code, Value *x) {
 
 Value *log2(Code &code, Value *x) {
   Value *const m = mantissa(code, x, Interval::FromThreeQuarters);
-  // That interval takes the upper half of mantissas as of the next exponent.
+  // In that interval, the upper half of the mantissas belongs to the next exponent.
   Value *const below = code.ir.CreateFCmpOLT(m, code.splat(1.0f));
   Value *const floor = exponentOf(code, x);
   Value *const exponent = code.select(below, code.ir.CreateFAdd(floor, code.splat(1.0f)), floor);
@@ -139,7 +142,7 @@ Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
   Value *const tail = multiplyAdd(code, exponent, logarithm.low, error);
   Value *const whole = ir.CreateUnaryIntrinsic(llvm::Intrinsic::rint, product);
   Value *f = ir.CreateFAdd(ir.CreateFSub(product, whole), tail);
-  // A product that is infinite or too large has no fraction: any will do, but NaN.
+  // An infinite or too large product has no fraction. Any value but NaN will do.
   constexpr unsigned kSmallerMagnitude = 2;
   f = range(code, f, code.splat(1.0f), kSmallerMagnitude);
   Value *const fraction =
@@ -151,8 +154,8 @@ Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
 }
 
 Value *reciprocalRoot(Code &code, Value *magnitude) {
-  // An estimate of 14 bits and one step of Newton's, which has no answer for 0 and infinity: there
-  // the estimate is exact.
+  // This refines an estimate of 14 bits by one Newton step. The step fails for 0 and infinity,
+  // where the estimate is exact.
   Value *const estimate = code.ir.CreateIntrinsic(
       llvm::Intrinsic::x86_avx512_rsqrt14_ps_512, {},
       {magnitude, llvm::Constant::getNullValue(code.f32), code.ir.getInt16(0xFFFF)});

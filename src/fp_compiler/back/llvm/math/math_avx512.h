@@ -1,12 +1,12 @@
 #pragma once
 #include "fp_compiler/back/llvm/code/code.h"
 
-/// Functions of math.h in the instructions that AVX-512 has for them: parts of a float, scaling by
-/// a power of two, tables in registers. Half of the instructions that others need, and the same
-/// special values.
+/// Functions of math.h for AVX-512: float decomposition, scaling by a power of two, tables in
+/// registers. They need half of the instructions of other processors. Special values are those of
+/// math.h.
 namespace arbiter::fp::llvm_back::avx512 {
 
-/// vrangeps: minimum and maximum as ir/semantics.h has them.
+/// Returns the minimum or maximum as ir/semantics.h defines it (vrangeps).
 [[nodiscard]] Value *extremum(Code &code, Value *a, Value *b, bool larger);
 [[nodiscard]] Value *exp2(Code &code, Value *x);
 [[nodiscard]] Value *log2(Code &code, Value *x);

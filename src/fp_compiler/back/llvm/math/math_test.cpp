@@ -1,5 +1,5 @@
-// How far the functions are from the exact results: dense samples of their ranges, on every
-// processor that this machine can stand for.
+// Error bounds of the functions: dense samples of their ranges, for every processor type that this
+// machine can run.
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ using ir::Opcode;
 struct Case {
   const char *name;
   Opcode op;
-  /// The operands of a sample.
+  /// Returns the operands of a sample.
   std::function<std::array<float, 2>(testing::Random &)> operands;
   std::function<double(double, double)> exact;
   double bound;
   bool relative = true;
 };
 
-/// Of any exponent in [low, high], positive.
+/// Returns a positive number with any exponent in [low, high].
 float anySize(testing::Random &random, int low, int high) {
   return std::ldexp(random.real(1, 2) + random.real(0, 0x1p-10f), low + random.below(high - low));
 }
@@ -38,7 +38,7 @@ float signedAngle(testing::Random &random, int high) {
 }
 
 constexpr double kBound = 0x1p-22;
-constexpr double kExp2Bound = 0x1.2p-22; // llvmpipe's: 2^-21.8
+constexpr double kExp2Bound = 0x1.2p-22; // llvmpipe's is 2^-21.8
 
 std::vector<Case> cases() {
   return {

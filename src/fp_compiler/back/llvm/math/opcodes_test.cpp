@@ -1,4 +1,4 @@
-// Every opcode on every combination of special values, against the interpreter.
+// Tests of every opcode with every combination of special values, against the interpreter.
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using ir::Opcode;
 using ir::Vec4;
 
-/// The specials, and values where functions of an angle or an exponent turn.
+/// Returns the specials, and values near the limits of angle and exponent functions.
 std::vector<float> values() {
   std::vector<float> result(testing::kSpecials.begin(), testing::kSpecials.end());
   for (const float more : {3.14159265f, -1.5f, 0.3f, -0.75f, 10.25f, 127.5f, 128.0f, -126.0f,
@@ -25,10 +25,10 @@ std::vector<float> values() {
   return result;
 }
 
-/// How far, relative to its size, a result may be from the interpreter's; 0 is to the bit.
+/// Returns the allowed relative difference from the interpreter's result; 0 means to the bit.
 float relativeTolerance(Opcode op) { return approximates(op) ? 0x1.2p-22f : 0; }
 
-/// False where a result is one of the operands, 0 or 1, or a sign apart from them.
+/// False if a result is always an operand, 0 or 1, or a negation of these.
 bool rounds(Opcode op) {
   switch (op) {
   case Opcode::Abs:
@@ -46,7 +46,7 @@ bool rounds(Opcode op) {
   }
 }
 
-/// Beyond this sines and cosines are only held to [-1, 1].
+/// Sines and cosines of larger angles are only checked to be in [-1, 1].
 constexpr float kLargestAngle = 0x1p22f;
 
 bool isAngle(Opcode op) { return op == Opcode::Cos || op == Opcode::Sin || op == Opcode::Scs; }
@@ -58,8 +58,8 @@ bool agree(Opcode op, float expected, float actual) {
     return true;
   if (!rounds(op) || !std::isfinite(expected) || std::isnan(actual))
     return false;
-  // The processor finds a result too small before it is rounded to a denormal, the interpreter
-  // after: they differ by the least normal number. One that nearly overflows may do so.
+  // The processor detects underflow before rounding, the interpreter after. They may differ by the
+  // least normal number. Near overflow one may be infinite.
   constexpr float kLeast = 0x1p-126f, kLargest = 0x1.fffffep127f;
   const float tolerance = relativeTolerance(op);
   const float bounded = std::isinf(actual) ? std::copysign(kLargest, actual) : actual;
@@ -68,7 +68,7 @@ bool agree(Opcode op, float expected, float actual) {
   return std::fabs(expected - bounded) <= tolerance * std::fabs(expected) + kLeast;
 }
 
-/// The others are program_test.cpp's: samples, KIL and ARL.
+/// Returns the arithmetic opcodes. program_test.cpp tests the others: samples, KIL and ARL.
 std::vector<int> arithmetic() {
   std::vector<int> opcodes;
   for (int i = 0; i < ir::kOpcodeCount; ++i)
@@ -80,8 +80,7 @@ std::vector<int> arithmetic() {
 
 class OpcodeTest : public ::testing::TestWithParam<std::tuple<int, Numerics>> {};
 
-/// All values in all operands; the components of an operand are taken from further on in the list,
-/// so that a vector's components differ.
+/// Tests all values in all operands. Components of a vector use different values from the list.
 TEST_P(OpcodeTest, AgreesWithTheInterpreter) {
   const Opcode op = Opcode(std::get<0>(GetParam()));
   const Numerics numerics = std::get<1>(GetParam());

@@ -8,16 +8,16 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// A constant of the type of \p like, in all lanes.
+/// Returns a constant of the type of \p like, in all lanes.
 [[nodiscard]] inline Value *constantLike(Value *like, double value) {
   return llvm::ConstantFP::get(like->getType(), value);
 }
 
-/// The polynomial at \p x, all but its lowest powers by Estrin's scheme: neighbours are joined,
-/// then neighbours of these. Its longest chain has as many steps as the count has binary digits,
-/// where Horner's rule has one a coefficient; processors wait for chains more than they lack units.
-/// The lowest powers, which round the most, are joined one by one. The coefficient of the lowest
-/// power stands first. Requires at least one.
+/// Evaluates a polynomial at \p x, mostly by Estrin's scheme: it joins neighbouring terms, then
+/// neighbours of these. The longest dependency chain is the number of binary digits of the count,
+/// where Horner's rule needs one step for each coefficient. Latency costs more than the extra
+/// operations. The lowest powers dominate the rounding error and are added one by one. The
+/// coefficient of the lowest power comes first. Requires: there is at least one.
 template <typename Number>
 [[nodiscard]] Value *polynomial(Code &code, Value *x, std::span<const Number> coefficients) {
   constexpr std::size_t kByOne = 2;
@@ -38,9 +38,9 @@ template <typename Number>
   return sum;
 }
 
-/// The polynomial as its even powers and x times its odd ones, each by Horner's rule in x * x: the
-/// order in which llvmpipe evaluates, so that with its coefficients the bits are its own. Requires
-/// at least two.
+/// Evaluates a polynomial as its even powers plus x times its odd powers, each by Horner's rule in
+/// x * x. llvmpipe uses this order, so that with its coefficients the results are identical.
+/// Requires: there are at least two coefficients.
 [[nodiscard]] inline Value *evenAndOdd(Code &code, Value *x, std::span<const float> coefficients) {
   Value *const square = code.ir.CreateFMul(x, x);
   std::array<Value *, 2> sums = {};
@@ -52,8 +52,8 @@ template <typename Number>
   return multiplyAdd(code, sums[1], x, sums[0]);
 }
 
-/// An i1 a lane: where a power is 1 whatever the polynomials say: x^0 and, with \p oneStaysOne (in
-/// Numerics::Legacy), 1^x.
+/// Returns an i1 for each lane: true where a power is 1 by definition. This is x^0 and, with \p
+/// oneStaysOne (Numerics::Legacy), 1^x.
 [[nodiscard]] inline Value *isOne(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
   Value *const byExponent = code.ir.CreateFCmpOEQ(exponent, code.splat(0.0f));
   if (!oneStaysOne)

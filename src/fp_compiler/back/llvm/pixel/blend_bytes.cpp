@@ -8,14 +8,14 @@ namespace arbiter::fp::llvm_back {
 
 namespace {
 
-/// A factor of bytes, in 255ths: four bytes a lane.
+/// A blend factor as bytes in 255ths, four bytes in each lane.
 struct ByteFactor {
-  Value *bytes = nullptr; ///< null: by one, or by zero
+  Value *bytes = nullptr; ///< null for one or zero
   bool isZero = false;
-  bool isAlike = false; ///< the bytes of a pixel are the same
+  bool isAlike = false; ///< all bytes of a pixel are equal
 };
 
-/// One blend. Values are four bytes a lane, in the pixel's order.
+/// Computes one blend. Values have four bytes in each lane, in the pixel's order.
 class ByteBlend {
 public:
   ByteBlend(Code &code, const abi::Format &format, int sourceAlpha, const Vec &constant)
@@ -47,7 +47,7 @@ private:
   Value *ofBytes(Value *pixels) { return m_code.ir.CreateBitCast(pixels, bytes()); }
   Value *rest(Value *value) { return m_code.ir.CreateNot(value); }
 
-  /// For each byte of a pixel the one that `from` names.
+  /// Permutes the bytes of each pixel: byte k is replaced by byte `from(k)`.
   template <typename From> Value *shuffled(Value *value, From from) {
     std::vector<int> indices;
     indices.reserve(std::size_t(count()));
@@ -62,7 +62,7 @@ private:
     return key.sourceColor == abi::BlendFactor::SourceAlphaSaturate ||
            key.destColor == abi::BlendFactor::SourceAlphaSaturate;
   }
-  /// `color`, with the alpha of the other where the pixel's alpha is stored.
+  /// Returns `color`, but with the bytes of `alpha` where the pixel stores alpha.
   Value *withAlpha(Value *color, Value *alpha) {
     std::vector<int> indices;
     indices.reserve(std::size_t(count()));
@@ -70,7 +70,7 @@ private:
       indices.push_back(componentOf(m_format, i % 4) == 3 ? count() + i : i);
     return m_code.ir.CreateShuffleVector(color, alpha, indices);
   }
-  /// Bytes of the pixel that no component is stored in are 255.
+  /// Returns a mask of the pixel bytes that store no component. They are 255.
   Value *constantBits() {
     std::uint32_t bits = 0;
     for (int k = 0; k < 4; ++k)
@@ -78,7 +78,7 @@ private:
         bits |= 0xFFu << 8 * k;
     return m_code.splat(int(bits));
   }
-  /// The blend colour in the pixel's order, or its alpha alone.
+  /// Returns the blend colour in the pixel's order, or its alpha in all bytes.
   Value *constant(bool onlyAlpha) {
     Vec color = m_constant;
     if (onlyAlpha)
@@ -126,7 +126,7 @@ private:
     llvm_unreachable("a blend factor");
   }
 
-  /// The upper half of the product of words.
+  /// Returns the upper half of the product of words.
   Value *upperHalf(Value *a, Value *b) {
     static constexpr std::array<llvm::Intrinsic::ID, 3> kX86 = {
         llvm::Intrinsic::x86_avx512_pmulhu_w_512, llvm::Intrinsic::x86_avx2_pmulhu_w,
@@ -138,11 +138,11 @@ private:
     Value *const product = ir.CreateMul(ir.CreateZExt(a, wide), ir.CreateZExt(b, wide));
     return ir.CreateTrunc(ir.CreateLShr(product, 16), words());
   }
-  /// The same, and a half more of the upper byte.
+  /// Returns the upper half of the product, rounded at its upper byte.
   Value *upper(Value *a, Value *b) { return m_code.ir.CreateAdd(upperHalf(a, b), word(128)); }
 
-  /// A product of 255ths, as the nearest of them; null for zero. A byte b that is doubled in a word
-  /// is 257 * b there, and v * b / 255 is v * 257 * b / 65536 to the nearest.
+  /// Returns the product of bytes in 255ths, rounded to nearest; null for zero. A byte b repeated
+  /// in a word is 257 * b. The nearest integer to v * b / 255 is that to v * 257 * b / 65536.
   Value *product(Value *value, const ByteFactor &by) {
     llvm::IRBuilder<> &ir = m_code.ir;
     if (by.isZero || !by.bytes)

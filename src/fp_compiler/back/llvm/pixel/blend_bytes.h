@@ -1,15 +1,13 @@
 #pragma once
 #include "fp_compiler/back/llvm/pixel/pixel_pack.h"
 
-/// Blending of buffers of four bytes a pixel, in bytes.
+/// Blending of buffers with four bytes in each pixel, in byte arithmetic.
 namespace arbiter::fp::llvm_back {
 
-/// Returns the pixels that a blend makes of `source` and `dest`. Both are one i32 a lane in the
-/// format's order, and so is the result. Each factor is a byte, and so is each product: the number
-/// of 255ths that is nearest to it. So llvmpipe has it, and pictures of many faint layers are the
-/// same whoever draws them.
-/// \param sourceAlpha the place of alpha among the bytes of `source`, which has one even where
-///                    the format has none
+/// Returns the result of blending `source` with `dest`. All have one i32 in each lane in the
+/// format's order. Factors and products are bytes, rounded to the nearest 255th. llvmpipe does the
+/// same, so that images of many faint layers are identical to the host's.
+/// \param sourceAlpha the byte of `source` that holds alpha; it has one even if the format does not
 /// \param constant the blend colour
 [[nodiscard]] Value *blendBytes(Code &code, const abi::Format &format, const abi::BlendKey &key,
                                 Value *source, int sourceAlpha, Value *dest, const Vec &constant);

@@ -19,7 +19,7 @@ void Interpolator::setLanes(Value *dx, Value *dy) {
   m_w = nullptr;
 }
 
-/// The lanes' values in their columns, as i32.
+/// Returns the primitive's values for the lanes' columns, as i32.
 Value *Interpolator::inColumns(std::size_t offset) {
   return writeIn(m_code, m_places.item, [&]() -> Value * {
     llvm::IRBuilder<> &ir = m_code.ir;
@@ -116,8 +116,8 @@ Vec Interpolator::input(int index, unsigned needed) {
 
 Vec Interpolator::position(const ir::Options &options, unsigned needed) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  // ARB_fragment_coord_conventions: the centre of the pixel is at .5 unless the program wants it
-  // at the integer.
+  // ARB_fragment_coord_conventions: the pixel's centre is at .5 unless the program asks for
+  // integers.
   const float centre = options.pixelCenterInteger ? 0.0f : 0.5f;
   Vec values = {};
   if (needed & 1) {
@@ -134,7 +134,7 @@ Vec Interpolator::position(const ir::Options &options, unsigned needed) {
         return m_code.splat(
             m_code.field(ir.getFloatTy(), m_data, offsetof(abi::FragmentData, windowHeight)));
       });
-      // The lowest row's centre is height - 0.5, or height - 1 where centres are integers.
+      // The lowest row's centre is height - 0.5, or height - 1 with integer centres.
       Value *const top =
           options.pixelCenterInteger ? ir.CreateFSub(height, m_code.splat(1.0f)) : height;
       y = ir.CreateFSub(top, y);
@@ -158,7 +158,7 @@ Value *Interpolator::fused(Value *a, Value *b, Value *c) {
   llvm::IRBuilder<> &ir = m_code.ir;
   if (m_code.cpu.family != Cpu::Family::Sse41)
     return ir.CreateIntrinsic(llvm::Intrinsic::fma, {a->getType()}, {a, b, c});
-  // A call of the library, lane by lane; doubles hold the product whole.
+  // llvm.fma would call the library for each lane. Doubles hold the product exactly.
   llvm::Type *const wide = llvm::VectorType::get(
       ir.getDoubleTy(), llvm::cast<llvm::VectorType>(a->getType())->getElementCount());
   const auto widened = [&](Value *value) { return ir.CreateFPExt(value, wide); };

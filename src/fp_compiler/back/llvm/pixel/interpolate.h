@@ -4,22 +4,22 @@
 #include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/ir/ir.h"
 
-/// The planes of a primitive as values of the lanes, by the steps of hosts: dx * x is added to c,
-/// then dy * (y - originY), and each product and its sum are rounded once (abi::planeAt()) where
-/// the processor has an instruction for that, as hosts have it there. Elsewhere hosts round twice.
-/// The steps are the same for all lanes; those of Packed find each term in the column of their
-/// primitive.
+/// Evaluates the planes of a primitive in the lanes, with the same steps as hosts. It adds dx * x
+/// to c, then dy * (y - originY). Each product and its sum are rounded once if the processor has
+/// fused multiply-add (abi::planeAt()), else twice, as hosts do. The steps are the same for all
+/// kinds of lanes. Packed lanes look up each coefficient in the column of their primitive.
 namespace arbiter::fp::llvm_back {
 
-/// Where the code stands: blocks that run once a call, once a group of spans, once an item, and the
-/// loop that is written now. What an outer block can compute is put before its terminator.
+/// The blocks of the function under construction. They run once for each call, group of spans, or
+/// item; the loop is written after them. Loop-invariant code goes before the terminator of an outer
+/// block.
 struct Places {
   llvm::BasicBlock *entry = nullptr;
-  llvm::BasicBlock *group = nullptr; ///< null but for Lanes::Row
+  llvm::BasicBlock *group = nullptr; ///< only for Lanes::Row, else null
   llvm::BasicBlock *item = nullptr;
 };
 
-/// Writes what \p make makes before the terminator of \p block.
+/// Calls \p make with the insertion point before the terminator of \p block.
 template <typename Make> auto writeIn(Code &code, llvm::BasicBlock *block, Make make) {
   const llvm::IRBuilderBase::InsertPointGuard guard(code.ir);
   code.ir.SetInsertPoint(block->getTerminator());
@@ -28,28 +28,28 @@ template <typename Make> auto writeIn(Code &code, llvm::BasicBlock *block, Make 
 
 class Interpolator {
 public:
-  /// \param primitive the abi::Primitive, of Lanes::Packed the abi::PrimitiveColumns
+  /// \param primitive the abi::Primitive; for Lanes::Packed the abi::PrimitiveColumns
   Interpolator(Code &code, const abi::FragmentKey &key, const Places &places, Value *primitive,
                Value *data)
       : m_code(code), m_key(key), m_places(places), m_primitive(primitive), m_data(data) {}
 
-  /// In the item's block: the first pixel, as i32.
+  /// Sets the item's first pixel (i32), in the item's block.
   void setPixel(Value *x, Value *y);
-  /// In a loop, before anything else is asked for: each lane's pixel relative to the first one, as
-  /// i32; `dy` is null where all lanes are of the row.
+  /// Sets each lane's pixel relative to the first one (i32). It must come first in a loop. `dy` is
+  /// null if all lanes are in one row.
   void setLanes(Value *dx, Value *dy);
-  /// Packed, in the item's block: each lane's column, as i32.
+  /// Packed: sets each lane's column (i32), in the item's block.
   void setColumns(Value *columns) { m_columns = columns; }
 
   [[nodiscard]] Vec input(int index, unsigned needed);
   [[nodiscard]] Vec position(const ir::Options &options, unsigned needed);
-  /// Window depth, as the plane gives it: abi::depthAt().
+  /// Returns the window depth of the plane: abi::depthAt().
   [[nodiscard]] Value *depth();
-  /// Where the primitive's back is seen, a mask.
+  /// Returns a mask: true where the primitive is back-facing.
   [[nodiscard]] Value *backFacing();
 
-  // The parts of affine coordinates: scalars of the entry's block. The plane's constant,
-  // its dx or dy, the row where it begins as i32, and what Even inputs are multiplied with.
+  // The following return parts of affine coordinates, as scalars of the entry block: the plane's
+  // constant, its dx or dy, its origin row as i32, and the factor of Even inputs.
   [[nodiscard]] Value *constant(std::size_t planeOffset);
   [[nodiscard]] Value *slope(std::size_t planeOffset, bool ofY);
   [[nodiscard]] Value *originY();
@@ -62,14 +62,15 @@ public:
 private:
   [[nodiscard]] Value *scalarField(std::size_t offset);
   [[nodiscard]] Value *scalarInteger(std::size_t offset);
-  /// A number or an integer of the primitive, in all lanes, made in the entry's or item's block.
+  /// Return a number or an integer of the primitive in all lanes. Its code is in the entry or item
+  /// block.
   [[nodiscard]] Value *number(std::size_t offset);
   [[nodiscard]] Value *integer(std::size_t offset);
   [[nodiscard]] Value *inColumns(std::size_t offset);
   [[nodiscard]] Value *plane(std::size_t offset);
-  /// a * b + c, rounded once where the processor has an instruction for that, else twice.
+  /// Returns a * b + c, rounded once with fused multiply-add, else twice.
   [[nodiscard]] Value *multiplyAdd(Value *a, Value *b, Value *c);
-  /// The same, rounded once on any processor.
+  /// Returns a * b + c, rounded once on any processor.
   [[nodiscard]] Value *fused(Value *a, Value *b, Value *c);
   [[nodiscard]] Value *perspective();
   [[nodiscard]] Value *even();
@@ -80,9 +81,9 @@ private:
   Value *m_primitive, *m_data;
   Value *m_x = nullptr, *m_y = nullptr;
   Value *m_laneX = nullptr, *m_laneY = nullptr; ///< relative to the first pixel
-  Value *m_fx = nullptr, *m_fy = nullptr;       ///< relative to where planes begin, floats
-  Value *m_w = nullptr;                         ///< 1 / inverseW of this loop
-  Value *m_columns = nullptr;                   ///< null but for Packed
+  Value *m_fx = nullptr, *m_fy = nullptr;       ///< relative to the planes' origin, floats
+  Value *m_w = nullptr;                         ///< 1 / inverseW in this loop
+  Value *m_columns = nullptr;                   ///< only for Packed, else null
 };
 
 } // namespace arbiter::fp::llvm_back

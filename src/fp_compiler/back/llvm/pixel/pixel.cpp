@@ -96,8 +96,8 @@ Value *PixelWriter::alphaTested(const PixelPlace &place, const FragmentColors &f
   Value *alpha = fragment.colors[0][3] ? fragment.colors[0][3] : m_code.splat(0.0f);
   Value *reference = uniform(offsetof(abi::FragmentData, alphaReference));
   if (m_key.targets[0].format.layout == abi::Layout::U8x4) {
-    // Both are what a buffer of eight bits has of them (OpenGL 2.1, 4.1.4); of others hosts compare
-    // what was not rounded.
+    // With eight bits, both values are compared as the buffer stores them (OpenGL 2.1, 4.1.4). For
+    // other buffers hosts compare unrounded values.
     const auto rounded = [this](Value *value) {
       Value *const scaled = m_code.ir.CreateFMul(m_code.saturate(value), m_code.splat(255.0f));
       return m_code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::rint, scaled);
@@ -126,7 +126,7 @@ void PixelWriter::write(const PixelPlace &place, const FragmentColors &fragment,
       storePixels(place, blendedBytes(fragment, i, old), i, mask, old);
       continue;
     }
-    // Of a fixed-point buffer every operand is clamped, whatever fragment clamping says
+    // In fixed-point buffers every operand is clamped, regardless of fragment clamping
     // (ARB_color_buffer_float, changes to 4.1.7).
     const bool fixedPoint = !abi::isFloat(target.format.layout);
     Vec source = fragment.colors[i];
@@ -177,7 +177,7 @@ void PixelWriter::storePixels(const PixelPlace &place, Value *pixels, std::size_
 Value *PixelWriter::passedThrough(const FragmentColors &fragment, const Vec &color,
                                   const abi::ColorTargetKey &target) {
   for (const PackedTexel &texel : fragment.texels) {
-    // For each byte of the pixel the texel's byte that it is; 4 + 0 where it is 0xFF.
+    // For each byte of the pixel this is the byte of the texel, or 4 if the byte is 0xFF.
     std::array<int, 4> from = {};
     bool same = texel.packed != nullptr;
     for (int k = 0; same && k < 4; ++k) {

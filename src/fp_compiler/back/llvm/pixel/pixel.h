@@ -5,25 +5,26 @@
 #include "fp_compiler/back/llvm/pixel/pixel_pack.h"
 #include "fp_compiler/jit.h"
 
-/// What happens to a fragment after its program.
+/// Operations on a fragment after its program.
 namespace arbiter::fp::llvm_back {
 
-/// A texel as the program saw it, and as it lay in memory.
+/// A texel as the program saw it, and as it was in memory.
 struct PackedTexel {
   Vec rgba;
-  Value *packed = nullptr; ///< one i32 a lane, U8x4
+  Value *packed = nullptr; ///< one i32 in each lane, U8x4
   abi::Swizzle swizzle = abi::kRgba;
 };
 
-/// What the program made of the fragments.
+/// The program's results for the fragments.
 struct FragmentColors {
   std::array<Vec, abi::kMaxColorTargets> colors = {}; ///< by target; null components are zero
-  Value *depth = nullptr;                             ///< the program's; null: the fragment's own
-  Value *alive = nullptr;                             ///< lanes that no KIL discarded; null: all
+  Value *depth = nullptr; ///< the program's depth; null: interpolated depth
+  Value *alive = nullptr; ///< lanes that no KIL discarded; null: all
   std::vector<PackedTexel> texels;
 };
 
-/// a <comparison> b, of numbers or of signed integers. Ordered: false for NaN, but for NotEqual.
+/// Returns a <comparison> b for floats or signed integers. It is false for NaN, except for
+/// NotEqual.
 [[nodiscard]] Value *compared(Code &code, abi::Compare compare, Value *a, Value *b);
 
 /// Writes colours to the targets.
@@ -32,29 +33,30 @@ public:
   PixelWriter(Code &code, const abi::FragmentKey &key, const Places &places, Value *data)
       : m_code(code), m_key(key), m_places(places), m_data(data) {}
 
-  /// \return false, with a reason, for states that have no code
+  /// \return false, with a reason, for states that are not supported
   [[nodiscard]] static bool supports(const abi::FragmentKey &key, std::string &reason);
-  /// In the item's block: its first pixel.
+  /// Sets the item's first pixel, in the item's block.
   void setPixel(Value *x, Value *y);
-  /// Row: asks for the pixels that the row above will write.
+  /// Row: prefetches the pixels of the row above, which are written next.
   void prefetch(const PixelPlace &place);
-  /// Lanes that the alpha test discards taken away from \p mask, which may be null.
+  /// Returns \p mask, which may be null, without the lanes that the alpha test discards.
   [[nodiscard]] Value *alphaTested(const PixelPlace &place, const FragmentColors &fragment,
                                    Value *mask);
-  /// \param mask lanes that are written; null: all that are covered
+  /// \param mask lanes to write; null: all covered ones
   void write(const PixelPlace &place, const FragmentColors &fragment, Value *mask);
-  /// A target's pixels of colours without blending, its write mask not applied.
+  /// Returns the pixels of a target for colours without blending. The write mask is not applied.
   [[nodiscard]] Value *pixelsOf(const FragmentColors &fragment, std::size_t target);
-  /// Stores them under the write mask; \p mask and \p old, what was there, may be null.
+  /// Stores pixels under the write mask. \p mask and \p old, the previous pixels, may be null.
   void storePixels(const PixelPlace &place, Value *pixels, std::size_t target, Value *mask,
                    Value *old = nullptr);
 
 private:
-  /// The stored bits of texels that were sampled and not touched; null where it was another colour.
+  /// Returns the stored bits if the colour is a sampled texel that the program did not change; else
+  /// null.
   [[nodiscard]] Value *passedThrough(const FragmentColors &fragment, const Vec &color,
                                      const abi::ColorTargetKey &target);
-  /// Blends buffers of four bytes as hosts do: in bytes, each product rounded to one.
-  /// \param old what was there
+  /// Blends four-byte buffers as hosts do: in bytes, and each product is rounded to a byte.
+  /// \param old the previous pixels
   [[nodiscard]] Value *blendedBytes(const FragmentColors &fragment, std::size_t target, Value *old);
   [[nodiscard]] Vec blended(const Vec &source, const Vec &dest, const abi::BlendKey &key,
                             bool fixedPoint);
@@ -64,7 +66,7 @@ private:
   const abi::FragmentKey &m_key;
   const Places &m_places;
   Value *m_data;
-  std::vector<PixelMemory> m_targets; ///< by target; those with a layout
+  std::vector<PixelMemory> m_targets; ///< by target; only those with a layout
 };
 
 } // namespace arbiter::fp::llvm_back

@@ -1,8 +1,8 @@
 #include "fp_compiler/back/llvm/pixel/blend_bytes.h"
 #include "fp_compiler/back/llvm/pixel/pixel.h"
 
-/// Blending (4.1.7 of OpenGL 1.4): of buffers of four bytes in bytes, of others in floats, rounded
-/// once where the result is stored.
+/// Blending (4.1.7 of OpenGL 1.4). Buffers of four bytes use byte arithmetic. Others use floats,
+/// which are rounded once when the result is stored.
 namespace arbiter::fp::llvm_back {
 
 namespace {
@@ -11,7 +11,7 @@ struct Operands {
   Vec constant; ///< GL_BLEND_COLOR
 };
 
-/// What component \p c of a colour is multiplied by; null for one.
+/// Returns the factor of component \p c of a colour; null for one.
 Value *factor(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t c) {
   llvm::IRBuilder<> &ir = code.ir;
   const auto rest = [&](Value *value) { return ir.CreateFSub(code.splat(1.0f), value); };
@@ -50,7 +50,7 @@ Value *factor(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t
   llvm_unreachable("a blend factor");
 }
 
-/// A product that is nothing where the factor is zero, whatever the value is: null for zero.
+/// Returns the product with a factor; null for zero. A zero factor gives zero for any value.
 Value *scaled(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t c, Value *value) {
   if (kind == abi::BlendFactor::Zero)
     return nullptr;
@@ -68,7 +68,7 @@ Value *PixelWriter::blendedBytes(const FragmentColors &fragment, std::size_t tar
   if (alpha <= abi::From::C3)
     return blendBytes(m_code, key.format, key.blend, pixelsOf(fragment, target), int(alpha), old,
                       constant);
-  // The source's alpha takes a byte of the pixel that is not stored.
+  // The format has no alpha, so that the source's alpha uses an unused byte of the pixel.
   int spare = 0;
   while (spare < 3 && componentOf(key.format, spare) >= 0)
     ++spare;

@@ -26,7 +26,7 @@ Value *DepthStencil::quantised(Value *depth) {
         ir.CreateShl(m_code.toInt(ir.CreateFMul(clamped, m_code.splat(0x1p31f))), m_code.splat(1));
     return m_code.select(ir.CreateFCmpOLT(clamped, m_code.splat(1.0f)), bits, m_code.splat(-1));
   }
-  // Products of 24 bits are whole numbers from 2^23 on: rounding to even keeps those as they are.
+  // Products of 24 bits are whole numbers from 2^23 on, so rounding to even does not change them.
   const float most = m_key.layout == abi::Layout::Depth16 ? 65535.0f : 16777215.0f;
   Value *const scaled = ir.CreateFMul(clamped, m_code.splat(most));
   return m_code.toInt(ir.CreateUnaryIntrinsic(llvm::Intrinsic::rint, scaled));
@@ -35,7 +35,7 @@ Value *DepthStencil::quantised(Value *depth) {
 Value *DepthStencil::passes(Value *incoming, Value *stored) {
   if (m_key.layout != abi::Layout::Depth32)
     return compared(m_code, m_key.depthCompare, incoming, stored);
-  // Without a sign: the same order as signed ones with the highest bit turned over.
+  // Values are unsigned. Flipping the highest bit gives the same order as signed numbers.
   Value *const sign = m_code.splat(INT32_MIN);
   return compared(m_code, m_key.depthCompare, m_code.ir.CreateXor(incoming, sign),
                   m_code.ir.CreateXor(stored, sign));
@@ -123,7 +123,7 @@ Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {
   }
 
   Value *depthPass = yes;
-  Value *depthBits = nullptr; ///< of the buffer's whole pixel, its stencil left out
+  Value *depthBits = nullptr; ///< depth bits of the whole pixel, without stencil
   if (testsDepth()) {
     Value *const incoming = quantised(depth);
     depthPass = passesStored(incoming, old);

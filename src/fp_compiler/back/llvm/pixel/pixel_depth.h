@@ -5,8 +5,8 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The stencil and depth tests, and what they write (4.1.5 and 4.1.6 of OpenGL 1.4, two-sided as
-/// EXT_stencil_two_side has it).
+/// The stencil and depth tests and their writes (4.1.5 and 4.1.6 of OpenGL 1.4, two-sided as in
+/// EXT_stencil_two_side).
 class DepthStencil {
 public:
   DepthStencil(Code &code, const abi::FragmentKey &key, const Places &places, Value *data,
@@ -14,20 +14,20 @@ public:
       : m_code(code), m_key(key.depthStencil), m_places(places), m_data(data),
         m_interpolator(interpolator) {}
 
-  /// Whether there is anything to test or write.
+  /// True if there is anything to test or write.
   [[nodiscard]] bool active() const { return testsDepth() || testsStencil(); }
-  /// In the item's block: its first pixel.
+  /// Sets the item's first pixel, in the item's block.
   void setPixel(Value *x, Value *y);
-  /// \param depth the fragments', not clamped yet
-  /// \param mask lanes that have come here; null: all covered ones
+  /// \param depth the fragments' depth, not clamped yet
+  /// \param mask lanes still alive; null: all covered ones
   /// \return lanes that pass both tests
   [[nodiscard]] Value *test(const PixelPlace &place, Value *depth, Value *mask);
-  /// Whether a fragment that will not pass does nothing, and may be told before its program: there
-  /// is a test of depths, and stencil values do not change.
+  /// True if a failing fragment has no effect, so that mayPass() can be asked before its program.
+  /// The depth test must be enabled, and stencil values must not change.
   [[nodiscard]] bool foresees() const {
     return testsDepth() && !testsStencil() && m_key.depthCompare != abi::Compare::Always;
   }
-  /// Of the covered lanes those whose depth passes now. Nothing is written. Requires: foresees().
+  /// Returns the covered lanes whose depth currently passes. Writes nothing. Requires: foresees().
   [[nodiscard]] Value *mayPass(const PixelPlace &place, Value *depth);
 
 private:
@@ -37,19 +37,19 @@ private:
   [[nodiscard]] bool testsStencil() const {
     return m_key.layout == abi::Layout::Depth24Stencil8 && m_key.stencilTest;
   }
-  /// What the buffer has there, i32 a lane.
+  /// Returns the buffer's value, one i32 in each lane.
   [[nodiscard]] Value *stored(const PixelPlace &place);
-  /// The lanes whose depth, as quantised() has it, passes against what stored() gives.
+  /// Returns the lanes whose quantised() depth passes against the result of stored().
   [[nodiscard]] Value *passesStored(Value *incoming, Value *old);
-  /// Fragment depth as the buffer keeps it: i32, or floats of Depth32F.
+  /// Returns fragment depth as the buffer stores it: i32, or floats for Depth32F.
   [[nodiscard]] Value *quantised(Value *depth);
-  /// The lanes whose depth passes against the buffer's, both as quantised() has them.
+  /// Returns the lanes whose depth passes against the buffer's, both in the form of quantised().
   [[nodiscard]] Value *passes(Value *incoming, Value *stored);
-  /// Of each lane's side: a byte of a pair in FragmentData, in all lanes.
+  /// Returns a byte of a pair in FragmentData, selected by each lane's facing.
   [[nodiscard]] Value *ofSide(std::size_t offset);
-  /// What a face's operations make of a stencil value.
+  /// Returns the result of a stencil operation.
   [[nodiscard]] Value *operated(abi::StencilOp op, Value *stencil);
-  /// Of both sides' results that of each lane's.
+  /// Returns the result for each lane's facing, selected from the results of both faces.
   template <typename Make> Value *chosen(Make make);
 
   Code &m_code;

@@ -54,7 +54,7 @@ Value *PixelMemory::joined(Value *a, Value *b) {
   };
   std::vector<int> indices(std::size_t(length(a) + length(b)), 0);
   std::iota(indices.begin(), indices.end(), 0);
-  // Both operands of a shuffle are of one length.
+  // Both operands of a shuffle must have the same length.
   std::vector<int> pad(std::size_t(length(a)), -1);
   std::iota(pad.begin(), pad.begin() + length(b), 0);
   return m_code.ir.CreateShuffleVector(a, m_code.ir.CreateShuffleVector(b, pad), indices);
@@ -80,7 +80,7 @@ Value *PixelMemory::interleaved(Value *vector, Value *lanes, int part, int parts
 
 Value *PixelMemory::lanePointers(const PixelPlace &place, int part, int bytes) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  // From the first pixel 32 bits are enough, and one instruction then takes all lanes.
+  // Offsets from the first pixel fit 32 bits, so that one gather or scatter takes all lanes.
   Value *const stride = m_code.splat(ir.CreateTrunc(m_stride, ir.getInt32Ty()));
   Value *const offset = ir.CreateAdd(ir.CreateMul(place.dy, stride),
                                      ir.CreateMul(place.dx, m_code.splat(m_pixelBytes)));

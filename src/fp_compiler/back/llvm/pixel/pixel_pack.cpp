@@ -10,7 +10,7 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// Numbers that a sum with 2^23 rounds to integers, in the lowest byte of each lane.
+/// Returns bytes in the low bits of each lane, rounded by adding 2^23.
 Value *byteBySum(Code &code, Value *value) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *const scaled = ir.CreateFMul(code.saturate(value), code.splat(255.0f));
@@ -18,8 +18,9 @@ Value *byteBySum(Code &code, Value *value) {
   return ir.CreateAnd(bits, code.splat(255));
 }
 
-/// x86 packs integers with saturation: what is below 0 or above 255 needs no clamp, only what does
-/// not fit 32 bits. A conversion gives the least integer for that, and for NaN.
+/// Converts floats to bytes on x86, whose pack instructions saturate. Values below 0 or above 255
+/// need no clamp unless they exceed 32 bits. For those and for NaN, the conversion gives the
+/// smallest integer.
 class X86Packer {
 public:
   explicit X86Packer(Code &code) : m_code(code) {}
@@ -29,7 +30,7 @@ public:
     Value *scaled = ir.CreateFMul(value, m_code.splat(255.0f));
     const Range range = rangeOf(value);
     if (!(range.high <= 0x1p22f)) {
-      // The order keeps NaN.
+      // This operand order keeps NaN.
       Value *const most = m_code.splat(255.0f);
       scaled = m_code.select(ir.CreateFCmpOLT(most, scaled), most, scaled);
     }
@@ -45,7 +46,8 @@ public:
     }
   }
 
-  /// Per 128 bits: four pixels' bytes, component by component, brought together by pixel.
+  /// Packs component vectors to pixels. The x86 instructions work on 128 bits: they give four
+  /// pixels by component, which a shuffle reorders by pixel.
   Value *pack(const std::array<Value *, 4> &bytes) {
     llvm::IRBuilder<> &ir = m_code.ir;
     Value *const low = call(kPackWords, bytes[0], bytes[1]);
@@ -74,7 +76,7 @@ private:
 
   Code &m_code;
 };
-/// U8x4, as one i32 a pixel.
+/// Packs a U8x4 pixel into one i32.
 Value *packBytes(Code &code, const abi::Format &format, const Vec &color) {
   std::array<Value *, 4> bytes = {};
   X86Packer packer(code);
@@ -96,15 +98,16 @@ Value *packBytes(Code &code, const abi::Format &format, const Vec &color) {
   return pixels;
 }
 
-/// A number of `bits` bits, in an i32. Below 2^23 adding a half and cutting off rounds to nearest.
+/// Returns a normalised number of `bits` bits in an i32. Below 2^23, adding 0.5 and truncating
+/// rounds to nearest.
 Value *normalizedBits(Code &code, Value *value, int bits) {
   const auto most = float((1 << bits) - 1);
   Value *const scaled = code.ir.CreateFMul(code.saturate(value), code.splat(most));
   return code.toInt(code.ir.CreateFAdd(scaled, code.splat(0.5f)));
 }
 
-/// Half floats in the low bits of an i32: towards zero, as the software host makes them, so that
-/// what either draws is the same. What is too large becomes the largest number.
+/// Returns half floats in the low bits of an i32. They round towards zero as the software host's
+/// do, so that both draw the same. Too large values become the largest number.
 Value *halfBits(Code &code, Value *value) {
   llvm::IRBuilder<> &ir = code.ir;
   constexpr int kTowardsZero = 3;
@@ -126,7 +129,7 @@ Value *halfBits(Code &code, Value *value) {
   Value *half =
       ir.CreateLShr(ir.CreateSub(magnitude, code.splat((127 - 15) << 23)), code.splat(13));
   half = code.select(below(0x47800000), half, code.splat(0x7BFF)); // 65536
-  // Below the least normal number, 2^-14, in units of 2^-24.
+  // Values below the least normal number, 2^-14, are in units of 2^-24.
   Value *const units = ir.CreateFMul(ir.CreateBitCast(magnitude, code.f32), code.splat(0x1p24f));
   half = code.select(below(0x38800000),
                      code.toInt(code.select(below(0x38800000), units, code.splat(0.0f))), half);
@@ -135,7 +138,7 @@ Value *halfBits(Code &code, Value *value) {
   return ir.CreateOr(half, sign);
 }
 
-/// One stored component, as integers of the layout's width.
+/// Converts one component to integers of the layout's width.
 Value *storedBits(Code &code, abi::Layout layout, Value *value) {
   llvm::IRBuilder<> &ir = code.ir;
   const PixelType type = pixelType(code, layout);
@@ -148,7 +151,7 @@ Value *storedBits(Code &code, abi::Layout layout, Value *value) {
                         integers);
 }
 
-/// The word of a packed layout.
+/// Packs a colour into the word of a packed layout.
 Value *packedWord(Code &code, const abi::Format &format, const Vec &color) {
   Value *word = nullptr;
   for (int k = 0; k < abi::componentsOf(format.layout); ++k) {
@@ -165,7 +168,7 @@ Value *packedWord(Code &code, const abi::Format &format, const Vec &color) {
   return code.ir.CreateZExtOrTrunc(word, llvm::FixedVectorType::get(type, unsigned(code.lanes)));
 }
 
-/// a0 b0 .. a1 b1 ..
+/// Interleaves vectors: a0 b0 .. a1 b1 ..
 Value *interleaved(Code &code, const std::vector<Value *> &parts) {
   if (parts.size() == 1)
     return parts[0];
@@ -190,7 +193,7 @@ PixelType pixelType(Code &code, abi::Layout layout) {
   const int bytes = abi::bytesOf(layout);
   if (bytes == 0 || abi::isDepth(layout))
     return {};
-  // Four bytes are one word, as the parts of a word are.
+  // Four bytes are one word, as are the components of a packed layout.
   const int parts =
       abi::isPacked(layout) || layout == abi::Layout::U8x4 ? 1 : abi::componentsOf(layout);
   return {code.ir.getIntNTy(unsigned(8 * bytes / parts)), parts};

@@ -1,7 +1,7 @@
 #pragma once
 #include "fp_compiler/back/llvm/code/code.h"
 
-/// Colours as the bits of a buffer's pixels.
+/// Conversion of colours to the bits of a buffer's pixels.
 namespace arbiter::fp::llvm_back {
 
 /// A pixel in memory: `parts` integers of \p type. A vector of pixels has lanes * parts of them.
@@ -10,17 +10,17 @@ struct PixelType {
   int parts = 1;
 };
 [[nodiscard]] PixelType pixelType(Code &code, abi::Layout layout);
-/// Layouts of colour buffers.
+/// True for layouts of colour buffers.
 [[nodiscard]] bool isDrawable(abi::Layout layout);
 
-/// The component that stored component \p k holds; -1 for none.
+/// Returns the colour component in stored component \p k; -1 for none.
 [[nodiscard]] int componentOf(const abi::Format &format, int k);
 
-/// Values beyond [0,1] are clamped for normalised layouts, NaN gives 0, and c/255 gives c. A stored
-/// component that holds none is 1; a null component is 0.
+/// Returns pixels as stored. Normalised layouts clamp to [0,1], NaN gives 0, and c/255 gives
+/// exactly c. A stored component without a colour component is 1; a null component is 0.
 [[nodiscard]] Value *packPixels(Code &code, const abi::Format &format, const Vec &color);
 
-/// Of a vector of pixels: bits set where a write mask keeps what was there; null if it keeps none.
+/// Returns the bits of a pixel vector that a write mask preserves; null if there are none.
 [[nodiscard]] Value *keptBits(Code &code, const abi::Format &format, unsigned writeMask);
 
 } // namespace arbiter::fp::llvm_back

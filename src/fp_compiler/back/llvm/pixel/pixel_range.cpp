@@ -15,7 +15,7 @@ using namespace llvm::PatternMatch;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr Range kUnknown = {-kInfinity, kInfinity, true};
-constexpr int kDepth = 12; ///< of instructions looked at
+constexpr int kDepth = 12; ///< maximum depth of the search through instructions
 
 Range rangeAt(const Value *value, int depth);
 
@@ -23,7 +23,7 @@ Range joined(const Range &a, const Range &b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high), a.mayBeNan || b.mayBeNan};
 }
 
-/// Bounds of a rounded operation: rounding keeps order.
+/// Returns the range of a rounded product. Rounding is monotonic, so bounds stay bounds.
 Range product(const Range &a, const Range &b) {
   const float corners[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
   for (const float corner : corners)
@@ -41,7 +41,7 @@ Range sum(const Range &a, const Range &b) {
 
 Range negated(const Range &a) { return {-a.high, -a.low, a.mayBeNan}; }
 
-/// The integers that a conversion to float may be given.
+/// Returns the range of the integer operand of a conversion to float.
 Range integers(const Value *value) {
   const llvm::APInt *constant = nullptr;
   const auto upTo = [](std::uint64_t most) { return Range{0, float(most), false}; };
@@ -52,7 +52,7 @@ Range integers(const Value *value) {
   return {-0x1p31f, 0x1p31f, false};
 }
 
-/// a > b ? a : b, or with < for a minimum: b where one is NaN.
+/// Returns the range of a > b ? a : b, or with < of the minimum. The result is b if one is NaN.
 Range extremum(const Range &a, const Range &b, bool larger) {
   if (!larger)
     return negated(extremum(negated(a), negated(b), true));
@@ -86,7 +86,7 @@ Range called(const llvm::IntrinsicInst &call, int depth) {
     const bool crosses = a.low < 0 && a.high > 0;
     return {crosses ? 0 : std::min(std::fabs(a.low), std::fabs(a.high)), most, a.mayBeNan};
   }
-  // decode()'s: a number in the low bits of a mantissa, scaled.
+  // This matches decode(): a number in the low bits of a mantissa, scaled.
   llvm::Value *bits = nullptr;
   const llvm::APInt *kept = nullptr, *exponent = nullptr;
   const llvm::APFloat *scale = nullptr, *sum = nullptr;
@@ -101,7 +101,7 @@ Range called(const llvm::IntrinsicInst &call, int depth) {
     };
     return {at(0x1p23), at(0x1p23 + double(kept->getZExtValue())), false};
   }
-  // The other operand where one is NaN; bit 0 of the choice is maximum.
+  // The result is the other operand if one is NaN. Bit 0 of the immediate selects maximum.
   if (call.getIntrinsicID() == llvm::Intrinsic::x86_avx512_mask_range_ps_512) {
     const Range a = operand(0), b = operand(1);
     const bool larger = llvm::cast<llvm::ConstantInt>(call.getArgOperand(2))->getZExtValue() & 1;

@@ -3,9 +3,9 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// What is known of a float in every lane, from the instructions that make it.
+/// The range of a float over all lanes, derived from the instructions that compute it.
 struct Range {
-  float low, high; ///< infinities where nothing is known
+  float low, high; ///< infinities if unknown
   bool mayBeNan;
   [[nodiscard]] bool within(float least, float most) const {
     return !mayBeNan && low >= least && high <= most;

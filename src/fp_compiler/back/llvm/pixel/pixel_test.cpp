@@ -9,8 +9,8 @@
 #include "fp_compiler/back/llvm/testing/pixel_reference.h"
 #include "fp_compiler/ir/builder.h"
 
-/// Random states of everything behind the program, against the reference, in rows, in blocks and
-/// packed.
+/// Tests random states of all operations after the program against the reference, in rows, in
+/// blocks and packed.
 namespace arbiter::fp {
 namespace {
 
@@ -43,11 +43,11 @@ const abi::Format kFormats[] = {
     {Layout::Bits1010102, abi::kRgba},
 };
 
-/// What a stored component may be off by, of 1.
+/// Returns the allowed error of a stored component.
 double toleranceOf(const abi::Format &format, std::size_t c) {
   const Layout layout = format.layout;
   if (abi::isHalf(layout))
-    return 1.01 / 1024; // of numbers up to 2: one step, as they are cut off
+    return 1.01 / 1024; // one step for numbers up to 2, because they are truncated
   if (abi::isFloat(layout))
     return 4e-6;
   int bits = 8 * abi::bytesOf(layout) / abi::componentsOf(layout);
@@ -130,7 +130,7 @@ ir::Program programOf(const Draw &draw) {
   return b.take();
 }
 
-/// Colours a little beyond [0,1], depths that cross those that are there.
+/// Fills in colours slightly beyond [0,1], and depths around the stored ones.
 void fill(Draw &draw, Random &random) {
   abi::FragmentData &data = draw.data;
   data.alphaReference = random.unit();
@@ -193,14 +193,15 @@ testing::ReferenceFragment fragmentAt(const jit::Engine &engine, const Draw &dra
   return fragment;
 }
 
-/// Pixels that the items cover, some of them.
+/// Items that cover a random subset of the pixels.
 struct Items {
   std::vector<abi::Span> spans;
   std::vector<abi::Block> blocks;
   std::vector<abi::Pixel> pixels;
 };
 constexpr std::uint8_t kColumn = 2; ///< of the packed primitive, between others
-/// Half of all quads in any order, some of their pixels helpers, or single pixels.
+/// Adds half of all quads in random order. Some of their pixels are helpers, or only single pixels
+/// are covered.
 void addPacked(int lanes, Random &random, Items &items) {
   std::vector<std::pair<int, int>> quads;
   for (int y = 0; y < kHeight; y += 2)
@@ -244,7 +245,7 @@ std::uint32_t wordAt(testing::SceneTarget &target, int x, int y) {
   return word;
 }
 
-/// One pixel against the reference; \p before holds what was there.
+/// Checks one pixel against the reference; \p before holds the previous contents.
 void checkPixel(const jit::Engine &engine, Draw &draw, Draw &before, int x, int y) {
   const testing::ReferenceFragment fragment = fragmentAt(engine, draw, x, y);
   const bool killed = draw.kills && fragment.color[1] < 0;

@@ -13,7 +13,7 @@ using ir::Opcode;
 namespace {
 bool guards(Guard guard, Guard side) { return (int(guard) & int(side)) != 0; }
 
-/// One instruction's arithmetic.
+/// Emits the arithmetic of one instruction.
 class Unit {
 public:
   Unit(Code &code, const OperandValues &operands, unsigned needed,
@@ -41,7 +41,7 @@ private:
   Value *one() { return m_code.splat(1.0f); }
   Value *sum(Value *a, Value *b) { return m_ir.CreateFAdd(a, b); }
 
-  /// In Legacy a product of zero and what is no finite number is zero.
+  /// Returns the product. In Legacy, zero times infinity or NaN is zero.
   Value *product(Value *a, Value *b, Guard guard) {
     Value *const plain = m_ir.CreateFMul(a, b);
     if (!m_legacy || guard == Guard::None)
@@ -58,7 +58,7 @@ private:
   }
   Value *product(std::size_t i) { return product(m_a[i], m_b[i], m_facts.first); }
 
-  /// In the order of ir/semantics.h.
+  /// Returns a dot product, summed in the order of ir/semantics.h.
   Value *dot(std::size_t terms) {
     const auto term = [&](std::size_t i) { return product(m_forwards ? i : terms - 1 - i); };
     Value *all = term(0);
@@ -87,7 +87,7 @@ private:
                            product(m_a[j], m_b[i], m_facts.second));
   }
 
-  /// Components from functions that are called only for those that are wanted.
+  /// Computes components with functions that are called only if the component is needed.
   template <typename X, typename Y, typename Z, typename W> Vec of(X x, Y y, Z z, W w) {
     return {wants(0) ? x() : nullptr, wants(1) ? y() : nullptr, wants(2) ? z() : nullptr,
             wants(3) ? w() : nullptr};
@@ -103,7 +103,7 @@ private:
   unsigned m_needed;
   const analysis::OperandFacts &m_facts;
   bool m_legacy;
-  bool m_forwards; ///< how dot products are summed
+  bool m_forwards; ///< order in which dot products are summed
 };
 
 Vec Unit::light() {
@@ -128,7 +128,7 @@ Vec Unit::logarithm() {
   Value *const bits = m_ir.CreateBitCast(magnitude, m_code.i32);
   constexpr int kExponentBits = 0x7F800000;
   Value *const exponentBits = m_ir.CreateAnd(bits, m_code.splat(kExponentBits));
-  // Zeros (denormals too), infinities and NaN have no exponent of their own.
+  // Zeros (also denormals), infinities and NaN have no regular exponent.
   Value *const ordinary =
       m_ir.CreateAnd(m_ir.CreateICmpNE(exponentBits, m_code.splat(0)),
                      m_ir.CreateICmpNE(exponentBits, m_code.splat(kExponentBits)));
@@ -199,7 +199,7 @@ Vec Unit::compute(Opcode op) {
   case Opcode::Rsq:
     return all(reciprocalRoot(m_code, m_a[0]));
   case Opcode::Scs: {
-    // Without x and y nothing is read.
+    // If neither x nor y is needed, nothing is read.
     const SineCosine both = m_a[0] ? sineCosine(m_code, m_a[0]) : SineCosine{};
     return of([&] { return both.cosine; }, [&] { return both.sine; }, [&] { return zero(); },
               [&] { return zero(); });
@@ -239,7 +239,7 @@ Vec Unit::compute(Opcode op) {
     return unpacked(m_code, ir::Packing::Signed4, m_a[0], m_needed);
   case Opcode::Up4ub:
     return unpacked(m_code, ir::Packing::Unsigned4, m_a[0], m_needed);
-  case Opcode::Ddx: // of a fragment alone; of quads they are the walk's
+  case Opcode::Ddx: // of a single fragment; the walk handles quads
   case Opcode::Ddy:
     return each([&](std::size_t i) { return m_ir.CreateFSub(m_a[i], m_a[i]); });
   case Opcode::Arl:
@@ -252,10 +252,10 @@ Vec Unit::compute(Opcode op) {
   case Opcode::Rep:
   case Opcode::Endrep:
   case Opcode::Brk:
-    break; // the walk's
+    break; // handled by the walk
 #define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
 #include "fp_compiler/ir/ops.def"
-    break; // in no program's code
+    break; // never in a program's code
   }
   llvm_unreachable("not an arithmetic opcode");
 }

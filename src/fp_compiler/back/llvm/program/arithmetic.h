@@ -5,20 +5,20 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// Operands swizzled and negated; a scalar one stands in x. What nothing reads may be null.
+/// Operands after swizzle and negation; a scalar operand is in x. Unused components may be null.
 using OperandValues = std::array<Vec, 3>;
 
-/// The result of an arithmetic opcode as ir/semantics.h says, before _SAT, in the components of
-/// \p needed; others are null.
+/// Returns the result of an arithmetic opcode before _SAT, as ir/semantics.h defines it. Components
+/// outside \p needed are null.
 /// Requires: the opcode is neither Texture nor Kills nor Flow nor ARL; \p numerics is Host or
 /// Legacy.
-/// \param facts what need not be guarded in Legacy
-/// \param language the program's: of vertex programs the order of sums is another
+/// \param facts guards that are unnecessary in Legacy
+/// \param language the program's language: vertex programs have another order of sums
 [[nodiscard]] Vec apply(Code &code, ir::Opcode op, const OperandValues &operands, unsigned needed,
                         const analysis::OperandFacts &facts, Numerics numerics,
                         ir::Language language = ir::Language::ArbFragment);
 
-/// KIL's condition: one i1 a lane.
+/// Returns KIL's condition as i1 lanes.
 [[nodiscard]] Value *kills(Code &code, const Vec &operand);
 
 } // namespace arbiter::fp::llvm_back

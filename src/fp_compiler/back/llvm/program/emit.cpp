@@ -22,8 +22,8 @@ namespace arbiter::fp::llvm_back {
 namespace {
 using MachinePtr = std::unique_ptr<llvm::TargetMachine>;
 
-/// Code is linked where it stays. On 32-bit x86 it has no instruction relative to its own place,
-/// and what would do instead, a table of offsets, is nothing that RuntimeDyld knows.
+/// Code is linked at its final address. 32-bit x86 has no instructions relative to the program
+/// counter, and RuntimeDyld does not support the alternative, a table of offsets.
 #if defined(__i386__)
 constexpr llvm::Reloc::Model kRelocations = llvm::Reloc::Static;
 #else
@@ -52,7 +52,7 @@ MachinePtr makeMachine(const Cpu &cpu, std::string &reason) {
   return machine;
 }
 
-/// Without it LLVM ends the process at an error.
+/// Collects diagnostics. Without a handler, LLVM ends the process on an error.
 struct Listener final : llvm::DiagnosticHandler {
   explicit Listener(std::string &to) : text(to) {}
   bool handleDiagnostics(const llvm::DiagnosticInfo &info) override {
@@ -66,8 +66,8 @@ struct Listener final : llvm::DiagnosticHandler {
   std::string &text;
 };
 
-/// A program's code is called by address: where the processor checks that such calls arrive at a
-/// landing pad, and returns where they came from, it stands the check.
+/// Enables control-flow protection. Code is called by address, so that it must pass the processor's
+/// checks of indirect branches and returns.
 void setControlFlow(llvm::Module &module) {
 #if defined(__x86_64__) || defined(__i386__)
   module.addModuleFlag(llvm::Module::Override, "cf-protection-branch", 1);
@@ -88,7 +88,7 @@ void setAttributes(llvm::Function &function, const Cpu &cpu) {
   function.addFnAttr("no-trapping-math", "true");
 }
 
-/// The processor's floating-point control word: read, set.
+/// Reads and sets the processor's floating-point control word.
 class ControlWord {
 public:
   explicit ControlWord(llvm::IRBuilder<> &ir) : m_ir(ir) {
@@ -98,7 +98,7 @@ public:
   }
 
 #if defined(__x86_64__) || defined(__i386__)
-  static constexpr std::uint64_t kMode = 0x9FC0; ///< no traps, to nearest, FTZ and DAZ
+  static constexpr std::uint64_t kMode = 0x9FC0; ///< no traps, round to nearest, FTZ and DAZ
   Value *read() {
     m_ir.CreateIntrinsic(llvm::Intrinsic::x86_sse_stmxcsr, {}, {m_slot});
     return m_ir.CreateLoad(m_ir.getInt32Ty(), m_slot);
@@ -108,10 +108,10 @@ public:
     m_ir.CreateIntrinsic(llvm::Intrinsic::x86_sse_ldmxcsr, {}, {m_slot});
   }
   Value *mode() { return m_ir.getInt32(kMode); }
-  /// Without the flags of what has happened.
+  /// Returns the word without the exception flags.
   Value *modeOf(Value *word) { return m_ir.CreateAnd(word, m_ir.getInt32(~0x3Fu)); }
 #else
-  static constexpr std::uint64_t kMode = 1u << 24; ///< FPCR.FZ alone
+  static constexpr std::uint64_t kMode = 1u << 24; ///< only FPCR.FZ
   static constexpr llvm::ArrayRef<llvm::Type *> kNoTypes;
   Value *read() { return m_ir.CreateIntrinsic(llvm::Intrinsic::aarch64_get_fpcr, kNoTypes, {}); }
   void set(Value *word) { m_ir.CreateIntrinsic(llvm::Intrinsic::aarch64_set_fpcr, {}, {word}); }
@@ -137,7 +137,7 @@ void writeEntry(llvm::IRBuilder<> &ir, llvm::Function *entry, llvm::Function *bo
   ir.SetInsertPoint(start);
   ControlWord control(ir);
   Value *const callers = control.read();
-  // A change waits for all that is under way: a caller of many small calls has set the mode itself.
+  // Changing the mode serialises the pipeline. A caller with many small calls sets the mode itself.
   ir.CreateCondBr(ir.CreateICmpEQ(control.modeOf(callers), control.mode()), asIs, changed);
   ir.SetInsertPoint(asIs);
   ir.CreateCall(body, arguments);
@@ -149,7 +149,7 @@ void writeEntry(llvm::IRBuilder<> &ir, llvm::Function *entry, llvm::Function *bo
   ir.CreateRetVoid();
 }
 
-/// What LLVM works on. The last is destroyed first.
+/// The LLVM objects of one compilation. Members are destroyed in reverse order.
 struct Workspace {
   explicit Workspace(MachinePtr of) : machine(std::move(of)) {}
   MachinePtr machine;
@@ -161,7 +161,7 @@ struct Workspace {
   llvm::legacy::PassManager passes;
 };
 
-/// False where nothing can be written.
+/// Writes the requested output. Returns false if LLVM cannot.
 bool write(Workspace &space, Emit what, std::string &reason) {
   if (what == Emit::Ir) {
     space.module.print(space.stream, nullptr);
@@ -183,7 +183,7 @@ llvm::SmallVector<char, 0> emit(const Cpu &cpu, int pointers, const BodyWriter &
   try {
     machine = makeMachine(cpu, reason);
   } catch (...) {
-    noteFailure(); // in the middle of its tables of targets
+    noteFailure(); // it may have stopped in the middle of registering targets
     throw;
   }
   if (!machine)
@@ -207,7 +207,7 @@ llvm::SmallVector<char, 0> emit(const Cpu &cpu, int pointers, const BodyWriter &
       llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "body", module);
   setAttributes(*entry, cpu);
   setAttributes(*body, cpu);
-  // Inlined, arithmetic could move before the change of mode.
+  // If the body were inlined, arithmetic could move before the change of mode.
   body->addFnAttr(llvm::Attribute::NoInline);
   writeEntry(ir, entry, body);
 

@@ -7,19 +7,19 @@
 
 #include "fp_compiler/back/llvm/code/code.h"
 
-/// From functions of IR to an object file. Each call has an LLVM context of its own, so that any
-/// number of threads may compile.
+/// Compiles a function of LLVM IR to an object file. Each call has its own LLVM context, so that
+/// several threads may compile at once.
 namespace arbiter::fp::llvm_back {
 
 inline constexpr const char *kEntrySymbol = "arbiter_entry";
 
-/// Writes the body of an empty function. False, with a reason, if there is none to be had.
+/// Writes the body of an empty function. Returns false, with a reason, if that is impossible.
 using BodyWriter = std::function<bool(Code &, llvm::Function *, std::string &)>;
 
 enum class Emit { Object, Assembly, Ir };
 
-/// A function of the type of abi::ShadeFunction or abi::VertexFunction (pointers, then a u32) by
-/// the name kEntrySymbol: it computes rounded to nearest with denormals as zeros and no traps,
+/// Compiles a function with the type of abi::ShadeFunction or abi::VertexFunction (pointers, then a
+/// u32) and the name kEntrySymbol. It sets rounding to nearest, denormals as zeros and no traps,
 /// whatever the caller's mode is, and calls the body.
 /// \return the object's bytes, or text; empty, with a reason, on failure
 [[nodiscard]] llvm::SmallVector<char, 0> emit(const Cpu &cpu, int pointers, const BodyWriter &body,

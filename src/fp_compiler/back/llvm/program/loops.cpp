@@ -11,7 +11,7 @@ Loops::Loops(Code &code, const ir::Program &program, Value *lanes)
     m_begun = code.splat(0);
 }
 
-/// ir::iterations() of each lane that runs, 0 of the others.
+/// Returns ir::iterations() in each lane that runs, and 0 in the others.
 Value *Loops::iterations(Value *count) {
   llvm::IRBuilder<> &ir = m_code.ir;
   Value *const some = ir.CreateFCmpOGE(count, m_code.splat(1.0f));

@@ -4,37 +4,40 @@
 #include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/ir/ir.h"
 
-/// REP, BRK and ENDREP: a loop runs as long as any lane wants another iteration, and the lanes that
+/// Writes REP, BRK and ENDREP. A loop runs as long as any lane needs another iteration. Lanes that
 /// have left wait for the others.
 namespace arbiter::fp::llvm_back {
 
-/// A value that an iteration may find changed by the one before.
+/// A value that one iteration may change for the next.
 struct LoopSlot {
-  Value **value = nullptr;  ///< where the walk keeps it; null until something is written
-  Value *initial = nullptr; ///< what null stands for
+  Value **value = nullptr;  ///< the walk's variable; null until written
+  Value *initial = nullptr; ///< the value that null stands for
 };
 
 class Loops {
 public:
-  /// \param lanes an i1 each: those that run at all
+  /// \param lanes i1 lanes that run at all
   Loops(Code &code, const ir::Program &program, Value *lanes);
 
-  /// REP. \param count floats; \param slots the values that an iteration changes, and that the next
-  /// one, or what is behind the loop, reads
+  /// Writes REP.
+  /// \param count floats
+  /// \param slots the values that an iteration changes and that the next one, or code after the
+  /// loop, reads
   void begin(Value *count, std::vector<LoopSlot> slots);
-  /// BRK. \param condition lanes that leave the innermost loop
+  /// Writes BRK.
+  /// \param condition lanes that leave the innermost loop
   void leave(Value *condition);
-  /// ENDREP.
+  /// Writes ENDREP.
   void end();
-  /// The lanes that run what is written now; null, and all, outside of loops.
+  /// Returns the lanes that run the current code; null, meaning all, outside of loops.
   [[nodiscard]] Value *running() const { return m_loops.empty() ? nullptr : m_running; }
 
 private:
   struct Loop {
     llvm::BasicBlock *header = nullptr, *behind = nullptr;
-    Value *outer = nullptr; ///< what runs behind it
+    Value *outer = nullptr; ///< lanes that run after the loop
     llvm::PHINode *left = nullptr;
-    Value *nowLeft = nullptr; ///< iterations that have not begun, an i32 a lane
+    Value *nowLeft = nullptr; ///< iterations still to come, as i32 lanes
     std::vector<LoopSlot> slots;
     std::vector<llvm::PHINode *> phis; ///< of the slots
   };
@@ -42,8 +45,8 @@ private:
 
   Code &m_code;
   Value *m_running;
-  Value *m_begun = nullptr; ///< iterations of all loops, an i32 a lane
-  bool m_endsByItself;      ///< no run can come to the cap on iterations
+  Value *m_begun = nullptr; ///< number of iterations of all loops, as i32 lanes
+  bool m_endsByItself;      ///< no invocation can reach the cap on iterations
   std::vector<Loop> m_loops;
 };
 

@@ -9,7 +9,7 @@ namespace arbiter::fp::llvm_back {
 using ir::Packing;
 
 namespace {
-/// A number clamped and scaled to a whole one, an i32; a NaN is as the least.
+/// Clamps a number and scales it to an integer, as i32; NaN counts as the least value.
 Value *scaled(Code &code, Value *value, float least, float scale, float offset) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *const clamped = code.min(code.max(value, code.splat(least)), code.splat(1.0f));
@@ -17,7 +17,7 @@ Value *scaled(Code &code, Value *value, float least, float scale, float offset) 
   return code.toInt(ir.CreateUnaryIntrinsic(llvm::Intrinsic::nearbyint, exact));
 }
 
-/// The bits of a half, to the nearest, ties to even.
+/// Returns the bits of a half float, rounded to nearest, ties to even.
 Value *halfOf(Code &code, Value *value) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *const bits = ir.CreateBitCast(value, code.i32);
@@ -27,7 +27,8 @@ Value *halfOf(Code &code, Value *value) {
   Value *const odd = ir.CreateAnd(ir.CreateLShr(size, code.splat(13)), code.splat(1));
   Value *const near = ir.CreateAdd(ir.CreateAdd(size, code.splat(0xFFF)), odd);
   Value *half = ir.CreateLShr(ir.CreateSub(near, code.splat(0x38000000)), code.splat(13));
-  // Below 2^-14 the half's unit is 2^-24, as is that of the numbers from 1/2 on: a sum rounds.
+  // Below 2^-14 the unit of a half is 2^-24, as is that of floats from 1/2 on. Adding 1/2 therefore
+  // rounds.
   Value *const moved = ir.CreateFAdd(absolute(code, value), code.splat(0.5f));
   Value *const units = ir.CreateSub(ir.CreateBitCast(moved, code.i32), code.splat(0x3F000000));
   half = code.select(below(0x38800000), units, half);
@@ -36,7 +37,7 @@ Value *halfOf(Code &code, Value *value) {
   return code.select(below(0x7F800001), half, code.splat(0x7FFF));
 }
 
-/// The number of a half that stands in the low bits of an i32, all others being 0.
+/// Returns the value of a half float in the low bits of an i32. All other bits must be 0.
 Value *floatOf(Code &code, Value *half) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *const size = ir.CreateAnd(half, code.splat(0x7FFF));
@@ -51,7 +52,7 @@ Value *floatOf(Code &code, Value *half) {
   return ir.CreateBitCast(ir.CreateOr(magnitude, sign), code.f32);
 }
 
-/// Whole numbers side by side in the bits of a float, the first one lowest.
+/// Joins integers to the bits of a float, the first one lowest.
 Value *joined(Code &code, llvm::ArrayRef<Value *> parts, int bits) {
   Value *all = parts[0];
   for (std::size_t i = 1; i < parts.size(); ++i)
@@ -59,14 +60,14 @@ Value *joined(Code &code, llvm::ArrayRef<Value *> parts, int bits) {
   return code.ir.CreateBitCast(all, code.f32);
 }
 
-/// One of such parts, as an i32.
+/// Extracts one of the joined integers, as an i32.
 Value *part(Code &code, Value *value, int index, int bits) {
   Value *const all = code.ir.CreateBitCast(value, code.i32);
   Value *const low = code.ir.CreateLShr(all, code.splat(index * bits));
   return code.ir.CreateAnd(low, code.splat((1 << bits) - 1));
 }
 
-/// A component of what was packed.
+/// Returns a component of a packed value.
 Value *component(Code &code, Packing packing, Value *value, int index) {
   llvm::IRBuilder<> &ir = code.ir;
   const bool pair = packing == Packing::Half2 || packing == Packing::Unsigned2;

@@ -80,9 +80,8 @@ jit::FragmentShape shapeOf(const ir::Program &program) {
   return shape;
 }
 
-/// Every vertex has a position, as what follows takes it for granted: where the program writes none
-/// the function stores zeros, as it does for components that are not written. With a w of 0 nothing
-/// is drawn.
+/// Adds a position output if the program has none, because later stages need one. The function
+/// stores zeros for outputs and components that are not written. With a w of 0 nothing is drawn.
 ir::Program withPosition(ir::Program program) {
   const ir::Output position = {ir::OutputKind::Position, 0};
   auto &outputs = program.outputs;

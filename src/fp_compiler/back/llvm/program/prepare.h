@@ -4,8 +4,8 @@
 #include "fp_compiler/analysis/live_values.h"
 #include "fp_compiler/jit.h"
 
-/// Programs as they are before a key is known: optimised for the mode, and what they need of the
-/// draw.
+/// Programs prepared for compilation before a key is known: optimised for the mode, with their
+/// requirements on the draw.
 namespace arbiter::fp::llvm_back {
 
 /// True if a key has a place for each unit that the program samples.

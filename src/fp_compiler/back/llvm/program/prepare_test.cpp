@@ -1,4 +1,4 @@
-// What must be known of a fragment program before there is a key.
+// Tests the shape of a program, which must be known before there is a key.
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(Prepare, OptionsAddInputs) {
   EXPECT_TRUE(shape.kills);
 }
 
-/// needsQuads of a sample whose coordinate `write` makes of an attribute.
+/// Returns needsQuads for a sample whose coordinate `write` computes from an attribute.
 template <typename F> bool needsQuads(F write, TexTarget target, Opcode op = Opcode::Tex) {
   ir::Builder b;
   b.options().shadow = true;
@@ -120,11 +120,11 @@ TEST(Prepare, OfNvidiasOptions) {
     b.op(Opcode::Mov, b.color(), {t.read()});
     return shapeOf(b);
   };
-  EXPECT_EQ(shape(Opcode::Tex).needsQuads, 1u); // the face is no plane
-  EXPECT_EQ(shape(Opcode::Txl).needsQuads, 0u); // the level is given
+  EXPECT_EQ(shape(Opcode::Tex).needsQuads, 1u); // the facing is not a plane
+  EXPECT_EQ(shape(Opcode::Txl).needsQuads, 0u); // the instruction gives the level
   EXPECT_FALSE(shape(Opcode::Txl).derivatives);
   EXPECT_TRUE(shape(Opcode::Ddx).derivatives);
-  EXPECT_EQ(shape(Opcode::Ddx).inputs.size(), 1u); // the face is no input
+  EXPECT_EQ(shape(Opcode::Ddx).inputs.size(), 1u); // the facing is no input
 }
 
 } // namespace

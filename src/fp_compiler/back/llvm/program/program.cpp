@@ -54,9 +54,9 @@ private:
   void flow(std::size_t index, const Instruction &instruction, const Vec &operand);
   void beginLoop(std::size_t index, Value *count);
   std::vector<LoopSlot> changedIn(std::size_t begin);
-  /// Of a register's component: what it is where some lanes do not run.
+  /// Keeps the old value of a register's component in lanes that do not run.
   Value *masked(Value *value, Value *before, std::uint8_t kept, std::size_t component);
-  /// The operand's components at the positions of \p mask, swizzled and negated.
+  /// Returns the operand's components at the positions in \p mask, swizzled and negated.
   Vec fetch(const Operand &operand, unsigned mask, unsigned registerMask);
   Vec source(const Operand &operand, unsigned registerMask);
   Vec row(std::uint16_t index);
@@ -72,13 +72,14 @@ private:
   ProgramHooks &m_hooks;
   analysis::LiveValues m_live;
   analysis::RangeAnalysis m_ranges;
-  /// Null components have not been written, or not been asked for yet.
+  /// Null components have not been written or read yet.
   std::vector<Vec> m_temporaries, m_attributes, m_parameters;
   std::vector<Value *> m_addresses;
   ProgramResults m_results;
-  std::optional<Loops> m_loops;                ///< where the program has any
-  std::vector<analysis::RegisterMasks> m_kept; ///< of the loops that are open, outer ones' too
-  Value *m_killed = nullptr;                   ///< where the program has loops
+  std::optional<Loops> m_loops; ///< set if the program has loops
+  /// For each open loop: live values, including those of outer loops.
+  std::vector<analysis::RegisterMasks> m_kept;
+  Value *m_killed = nullptr; ///< set if the program has loops
 };
 
 bool isEmpty(const Vec &value) { return !value[0] && !value[1] && !value[2] && !value[3]; }
@@ -88,7 +89,7 @@ Vec Walk::row(std::uint16_t index) {
   Vec &value = m_parameters[index];
   if (!isEmpty(value))
     return value;
-  const bool bits = m_program.options.nv != ir::NvOption::None; // denormals too
+  const bool bits = m_program.options.nv != ir::NvOption::None; // keep denormals too
   if (parameter.kind == ir::ParameterKind::Constant)
     for (std::size_t i = 0; i < 4; ++i)
       value[i] = m_code.splat(bits ? parameter.constant[i]
@@ -98,7 +99,8 @@ Vec Walk::row(std::uint16_t index) {
   return value;
 }
 
-/// Where there is no such row is for the hook to know: only sums that wrap are kept away.
+/// Returns the row index of a relative operand. The hook checks its range; addressOf() only
+/// prevents overflow of the sum.
 Value *Walk::address(const Operand &operand) {
   Value *const base = m_addresses[operand.address];
   Value *const offset = m_code.splat(int(operand.offset));
@@ -127,7 +129,7 @@ Vec Walk::source(const Operand &operand, unsigned registerMask) {
                             : row(operand.index);
   case File::Output:
   case File::Address:
-    break; // write only
+    break; // never read
   }
   return {};
 }
@@ -201,7 +203,7 @@ void Walk::kill(Value *lanes) {
   m_killed = m_killed ? m_code.ir.CreateOr(m_killed, lanes) : lanes;
 }
 
-/// A fragment without neighbours has the change that apply() says.
+/// Returns DDX or DDY. Without quads, the result is that of apply().
 Vec Walk::derivative(const Instruction &instruction, const OperandValues &operands) {
   const unsigned needed = instruction.dst.mask;
   Value *const running = m_loops ? m_loops->running() : nullptr;
@@ -221,8 +223,8 @@ Vec Walk::derivative(const Instruction &instruction, const OperandValues &operan
   return value;
 }
 
-/// What is read from outside is read before the code: what an iteration has read first is not there
-/// behind the loop.
+/// Starts a program with loops. All inputs are read before the code, because a value first read
+/// inside a loop would not be available after it.
 void Walk::prepareLoops() {
   Value *const wanted = m_hooks.wanted();
   m_loops.emplace(m_code, m_program, wanted ? wanted : llvm::Constant::getAllOnesValue(m_code.i1));
@@ -259,9 +261,9 @@ void Walk::beginLoop(std::size_t index, Value *count) {
   m_ranges.forget();
 }
 
-/// What the loop that begins there writes of what must be kept, each component once.
+/// Returns the live values that the loop beginning there writes, each component once.
 std::vector<LoopSlot> Walk::changedIn(std::size_t begin) {
-  analysis::RegisterMasks open = m_kept.back(); // not among the slots yet
+  analysis::RegisterMasks open = m_kept.back(); // components that are not slots yet
   std::vector<LoopSlot> slots;
   const auto add = [&](Vec &target, std::uint8_t &left, std::uint8_t written) {
     for (std::size_t i = 0; i < 4; ++i)

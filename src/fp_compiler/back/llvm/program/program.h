@@ -4,32 +4,34 @@
 #include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/ir/ir.h"
 
-/// A program's instructions as values. Fragments and vertices differ in where registers come from,
-/// which is the hooks' business.
+/// Walks a program's instructions and emits their code. The hooks provide the registers, which
+/// differ between fragments and vertices.
 namespace arbiter::fp::llvm_back {
 
-/// What the program reads from outside, as the walk comes to it.
+/// Provides the inputs that a program reads during the walk.
 class ProgramHooks {
 public:
   virtual ~ProgramHooks() = default;
-  /// Attribute `index` of Program::attributes; asked once each, with all components that are read.
+  /// Returns attribute `index` of Program::attributes. It is called once for each, with all
+  /// components that are read.
   [[nodiscard]] virtual Vec attribute(int index, unsigned needed) = 0;
-  /// Row `index` of Program::parameters, broadcast (constants are literals and are not asked for).
+  /// Returns row `index` of Program::parameters in all lanes. Constants are literals and not read
+  /// here.
   [[nodiscard]] virtual Vec parameter(int index, unsigned needed) = 0;
-  /// A texture access with its operands swizzled, negated and, for TXP, not yet divided. What lies
-  /// in lanes that do not run (running()) does not matter.
+  /// Returns a texture access. The operands are swizzled and negated, but not yet divided for TXP.
+  /// Values in lanes that do not run (running()) do not matter.
   [[nodiscard]] virtual Vec texture(const ir::Instruction &instruction,
                                     const std::array<Vec, 3> &operands, unsigned needed) = 0;
-  /// Whether lanes are 2x2 quads, which DDX and DDY compare; asked where one is met.
+  /// True if lanes are 2x2 quads, which DDX and DDY compare. Called only for those opcodes.
   [[nodiscard]] virtual bool hasQuads() { return false; }
-  /// The lanes for which a loop may have to run, an i1 each; null for all.
+  /// Returns the lanes for which a loop may run, as i1 lanes; null for all.
   [[nodiscard]] virtual Value *wanted() { return nullptr; }
-  /// KIL: lanes in which any component is below zero are discarded.
+  /// Handles KIL: discards lanes in which any component is below zero.
   virtual void kill(Value *lanes) = 0;
-  /// A relative operand: row `index` (one i32 a lane; out of range gives zero) of Program::arrays.
+  /// Returns row `index` (i32 lanes; out of range gives zero) of an array in Program::arrays.
   [[nodiscard]] virtual Vec relative(int array, Value *index, unsigned needed) = 0;
 
-  /// Set by the walk: the lanes that run what is written now, in a loop; null for all.
+  /// Sets the lanes that run the current code in a loop; null for all. The walk calls it.
   void setRunning(Value *lanes) { m_running = lanes; }
 
 protected:
@@ -44,8 +46,8 @@ struct ProgramResults {
   std::vector<Vec> outputs;
 };
 
-/// Writes the code of the program. Only what reaches an output or a KIL is written. Fog and colour
-/// sum are left to the caller.
+/// Writes the code of the program, as far as it reaches an output or a KIL. Fog and colour sum are
+/// left to the caller.
 [[nodiscard]] ProgramResults writeProgram(Code &code, const ir::Program &program, Numerics numerics,
                                           ProgramHooks &hooks);
 

@@ -1,4 +1,4 @@
-// The walk's own rules, one by one.
+// Tests the rules of the walk one by one.
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -12,7 +12,7 @@ namespace {
 using ir::Opcode;
 using ir::Vec4;
 
-/// One lane of a program built here, on this processor.
+/// Runs one lane of a program on this processor.
 TestMachine::Result lane(const ir::Program &program, const TestMachine::Attributes &attributes,
                          const std::vector<Vec4> &parameters = {}) {
   const TestMachine machine(program, Numerics::Host, "");

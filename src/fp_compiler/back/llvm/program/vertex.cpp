@@ -10,10 +10,10 @@ namespace arbiter::fp::llvm_back {
 namespace {
 constexpr int kRowBytes = 4 * int(sizeof(float));
 
-/// Where the program's registers lie in memory.
+/// Provides a vertex program's registers from memory.
 class VertexHooks final : public ProgramHooks {
 public:
-  /// \param count the vertices, an i64
+  /// \param count the number of vertices, an i64
   VertexHooks(Code &code, const PreparedVertex &program, const abi::VertexKey &key, Value *data,
               Value *count)
       : m_code(code), m_ir(code.ir), m_program(program.program()), m_shape(program.shape()),
@@ -22,7 +22,7 @@ public:
         m_inputs(pointer(data, offsetof(abi::VertexData, inputs))),
         m_outputs(pointer(data, offsetof(abi::VertexData, outputs))) {}
 
-  /// The vertices from here on: \p first is an i64.
+  /// Sets the first vertex of the vector, an i64.
   void at(Value *first) { m_first = first; }
 
   Vec attribute(int index, unsigned needed) override {
@@ -48,14 +48,14 @@ public:
     return value;
   }
 
-  /// A vertex has no neighbours: what asks for no level of detail has 0, before biases and clamps,
-  /// and TXB is TXL (NV_vertex_program3).
+  /// Samples a texture. A vertex has no neighbours, so the level of detail is 0 before biases and
+  /// clamps if the instruction gives none. TXB is TXL (NV_vertex_program3).
   Vec texture(const ir::Instruction &instruction, const std::array<Vec, 3> &operands,
               unsigned needed) override {
     const Vec &operand = operands[0];
     const bool isGiven = instruction.op == ir::Opcode::Txl || instruction.op == ir::Opcode::Txb;
     SampleAt at;
-    at.lod = isGiven && operand[3] ? operand[3] : m_code.splat(0.0f); // a rectangle's has no w
+    at.lod = isGiven && operand[3] ? operand[3] : m_code.splat(0.0f); // a rectangle has no w
     for (std::size_t c = 0; c < 3; ++c)
       if (operand[c])
         at.coordinate[c] = instruction.op == ir::Opcode::Txp
@@ -69,7 +69,7 @@ public:
     return sample(m_code, m_key.samplers[instruction.unit], abi::Lanes::Row, view, at, needed).rgba;
   }
   void kill(Value *) override {}
-  /// Behind the last vertex anything may lie.
+  /// Returns the lanes of existing vertices. After the last one, memory may hold anything.
   Value *wanted() override {
     Value *const left = m_ir.CreateTrunc(m_ir.CreateSub(m_count, m_first), m_ir.getInt32Ty());
     return m_ir.CreateICmpULT(m_code.iota(), m_code.splat(left));
@@ -110,13 +110,13 @@ private:
   Value *pointer(Value *from, std::size_t offset) {
     return constant(m_code.field(m_ir.getPtrTy(), from, offset));
   }
-  /// A load from memory that stays as it is during the call.
+  /// Marks a load from memory that does not change during the call.
   Value *constant(Value *load) {
     llvm::cast<llvm::LoadInst>(load)->setMetadata(llvm::LLVMContext::MD_invariant_load,
                                                   llvm::MDNode::get(m_code.context(), {}));
     return load;
   }
-  /// Element `index` of a table of arrays, at the current vertices.
+  /// Returns the address of element `index` of a table of arrays, at the current vertices.
   Value *lane(Value *table, int index) {
     Value *const array = pointer(table, std::size_t(index) * sizeof(void *));
     return m_ir.CreateInBoundsGEP(m_ir.getFloatTy(), array, m_first);
@@ -131,7 +131,7 @@ private:
                                    llvm::Constant::getNullValue(type));
   }
 
-  /// Indexes into Program::parameters of elements of an array.
+  /// Returns indices into Program::parameters for elements of an array.
   Value *rowOf(const std::vector<std::uint16_t> &rows, Value *element, Value *inside) {
     const bool inOrder = std::adjacent_find(rows.begin(), rows.end(),
                                             [](int a, int b) { return b != a + 1; }) == rows.end();
@@ -139,9 +139,10 @@ private:
       return m_ir.CreateAdd(element, m_code.splat(rows.empty() ? 0 : int(rows[0])));
     const std::vector<std::uint32_t> wide(rows.begin(), rows.end());
     llvm::Constant *const table = llvm::ConstantDataArray::get(m_code.context(), wide);
+    // The module owns the variable.
     auto *const variable =
         new llvm::GlobalVariable(*m_ir.GetInsertBlock()->getModule(), table->getType(), true,
-                                 llvm::GlobalValue::PrivateLinkage, table, "rows"); // the module's
+                                 llvm::GlobalValue::PrivateLinkage, table, "rows");
     return gather(m_code.i32, variable, m_ir.CreateShl(element, m_code.splat(2)), inside);
   }
 

@@ -4,10 +4,9 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// Writes the body of \p function, an abi::VertexFunction that is empty yet. Of an input only the
-/// components that are read are asked for; of an output those that count (ir::resultMask) are
-/// written, with zeros where the program writes none. \p key has a sampler for each unit that the
-/// program samples.
+/// Writes the body of \p function, an empty abi::VertexFunction. It loads only input components
+/// that are read. It stores the output components that exist (ir::resultMask), with zeros if the
+/// program writes none. Requires: \p key has a sampler for each unit that the program samples.
 void writeVertex(Code &code, llvm::Function *function, const PreparedVertex &program,
                  const abi::VertexKey &key);
 

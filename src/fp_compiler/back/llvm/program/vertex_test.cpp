@@ -1,4 +1,4 @@
-// Vertex functions by the engine's own way: arrays in, arrays out, relative operands.
+// Tests vertex functions through the engine: arrays in, arrays out, relative operands.
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using ir::Vec4;
 
 constexpr std::size_t kVertices = 48;
 
-/// Arrays as a draw has them.
+/// Arrays in the form of a draw.
 class Arrays {
 public:
   explicit Arrays(std::size_t vectors) : m_floats(vectors * 4) {
@@ -47,7 +47,7 @@ private:
 
 class VertexTest : public ::testing::TestWithParam<std::string> {
 protected:
-  /// Compiles and runs on kVertices vertices.
+  /// Compiles a program and runs it on kVertices vertices.
   void run(const ir::Program &program, const Arrays &in, Arrays &out,
            const std::vector<Vec4> &rows) {
     const auto engine = makeEngine({GetParam()});
@@ -68,7 +68,7 @@ protected:
   jit::VertexShape m_shape;
 };
 
-/// Addresses inside, at the ends of, and far outside of an array.
+/// Addresses inside, at the ends of, and far outside an array.
 const float kAddresses[] = {0,     1,      2,    2.9f,  3,    -1,      -2,  -0.5f,
                             1e10f, -1e10f, 1e9f, -1e9f, 2e9f, 0x1p31f, NAN, INFINITY};
 
@@ -93,7 +93,7 @@ TEST_P(VertexTest, RelativeOperandsReadTheirRowsOrZero) {
     std::vector<Vec4> rows;
     for (std::size_t i = 0; i < program.parameters.size(); ++i)
       rows.push_back({float(i) + 1, float(i) + 10, float(i) + 100, float(i) + 1000});
-    Arrays in(1), out(4); // and the position
+    Arrays in(1), out(4); // three outputs and the position
     for (std::size_t i = 0; i < kVertices; ++i)
       in.component(0, 0)[i] = kAddresses[i % std::size(kAddresses)];
     run(program, in, out, rows);
@@ -132,7 +132,7 @@ TEST_P(VertexTest, ShapeListsWhatIsReadAndWritten) {
   EXPECT_EQ(m_shape.outputs[0].kind, ir::OutputKind::FogCoord);
   EXPECT_EQ(m_shape.outputs[1].kind, ir::OutputKind::TexCoord);
   EXPECT_EQ(m_shape.outputs[2].kind, ir::OutputKind::Position) << "every vertex has one";
-  EXPECT_EQ(out.at(0, 7), (Vec4{7, -99, -99, -99})); // only x counts
+  EXPECT_EQ(out.at(0, 7), (Vec4{7, -99, -99, -99})); // only x is stored
   EXPECT_EQ(out.at(1, 7), (Vec4{0, 7, 0, 0}));
   EXPECT_EQ(out.at(2, 7), (Vec4{}));
 }

@@ -1,4 +1,4 @@
-// Samples of vertex functions, against the interpreter with the reference sampler.
+// Compares samples of vertex functions with the interpreter and the reference sampler.
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using ir::Vec4;
 constexpr std::size_t kVertices = 45; ///< the last vector is not full
 constexpr std::size_t kRoom = 48;
 
-/// A vertex program under NV_vertex_program3. c is the coordinate.
+/// Returns a vertex program under NV_vertex_program3. c is the coordinate.
 ir::Program checked(const std::string &statements) {
   CompileOptions options;
   options.policy = LimitPolicy::Report;
@@ -42,7 +42,7 @@ struct Texture {
   testing::GuardedTexture memory;
 };
 
-/// As the specification has it: of a level that is given, or the base level.
+/// Samples as the specification says: the given level, or the base level.
 Vec4 reference(const Texture &texture, const ir::Sample &sample) {
   testing::ReferenceQuery query;
   for (std::size_t i = 0; i < 3; ++i)
@@ -84,8 +84,8 @@ protected:
   }
 
 private:
-  /// Coordinates within and beyond the image; w, a level or a divisor, is not near a step between
-  /// two levels.
+  /// Fills in coordinates inside and outside the image. w, a level or a divisor, is not near a step
+  /// between two levels.
   void fill(float scale) {
     std::uniform_real_distribution<float> place(-0.7f, 1.7f);
     constexpr float kLevels[] = {-1.25f, 0.25f, 0.75f, 1.25f, 1.75f, 2.25f, 9.0f};
@@ -183,7 +183,7 @@ TEST_P(VertexTextureTest, EveryTargetAtTheLevelThatIsAsked) {
     }
 }
 
-/// What is sampled is read as every other value is: swizzles, masks, samples of samples.
+/// Sampled values are read like all others: swizzles, masks, samples of samples.
 TEST_P(VertexTextureTest, SamplesLeadToOthers) {
   add(0, keyOf(abi::Dimension::Tex2D, abi::MipFilter::None, abi::Filter::Linear), {16, 16, 1});
   add(15, keyOf(abi::Dimension::Tex1D, abi::MipFilter::None, abi::Filter::Linear), {8, 1, 1});
@@ -191,7 +191,7 @@ TEST_P(VertexTextureTest, SamplesLeadToOthers) {
                       "MAD result.color, s, 0.5, r; MOV result.texcoord[0], r.wzyx;");
 }
 
-/// Lanes that have left a loop sample nothing more.
+/// Lanes that have left a loop do not sample any more.
 TEST_P(VertexTextureTest, SamplesInLoops) {
   add(1, keyOf(abi::Dimension::Tex2D, abi::MipFilter::Nearest, abi::Filter::Nearest), {16, 16, 1});
   expectAsInterpreted("MOV n, c; MOV r, 0; again: TXL s, n, texture[1], 2D; MAD r, s, 0.25, r; "

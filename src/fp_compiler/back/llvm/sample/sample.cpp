@@ -8,7 +8,7 @@
 namespace arbiter::fp::llvm_back {
 namespace {
 
-/// An incomplete texture (3.11.6 of ARB_fragment_program): (0, 0, 0, 1).
+/// Returns the texel of an incomplete texture (3.11.6 of ARB_fragment_program): (0, 0, 0, 1).
 Vec incomplete(Code &code, unsigned needed) {
   Vec rgba = {};
   for (std::size_t i = 0; i < 4; ++i)
@@ -17,7 +17,7 @@ Vec incomplete(Code &code, unsigned needed) {
   return rgba;
 }
 
-/// Texels that follow each other from `pointer` on.
+/// Returns consecutive texels, loaded from `pointer` on.
 Texel consecutive(Code &code, const abi::Format &format, Value *pointer, unsigned needed) {
   const unsigned bits = unsigned(abi::bytesOf(format.layout)) * 8;
   Value *const raw = code.ir.CreateAlignedLoad(
@@ -30,7 +30,7 @@ Texel consecutive(Code &code, const abi::Format &format, Value *pointer, unsigne
   return texel;
 }
 
-/// A lookup's way: which face, which levels, which filter.
+/// Writes one lookup: selects the face, the levels and the filter.
 class Sampling {
 public:
   Sampling(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
@@ -75,7 +75,7 @@ private:
         if (footprint.axis[i])
           moved[i] = multiplyAdd(m_code, place, footprint.axis[i], moved[i]);
       m_lookup.coordinate = moved;
-      if (m_cube) // a sample of its own may lie on another face
+      if (m_cube) // each sample may be on another face
         m_lookup.coordinate = m_cube.emplace(m_code, moved).coordinate();
       return byLevel(footprint.lambda);
     });
@@ -83,9 +83,9 @@ private:
 
   Texel byLevel(Value *lambda) {
     if (m_key.magnify == m_key.minify)
-      return minified(lambda); // the base level's share is the same either way
-    // Where magnification ends: 0 for all filters, as software hosts have it. OpenGL 2.1 (3.8.9)
-    // has 0.5 for some, and 4.1 (3.9.12) leaves either to who implements it.
+      return minified(lambda); // the base level has the same weight either way
+    // Magnification ends at 0 for all filters, as in software hosts. OpenGL 2.1 (3.8.9) has 0.5 for
+    // some filters, and 4.1 (3.9.12) leaves the choice to the implementation.
     Value *const magnified = m_code.ir.CreateFCmpOLE(lambda, m_code.splat(0.0f));
     return magnifiedOrMinified(magnified, lambda);
   }
@@ -102,7 +102,7 @@ private:
     return both;
   }
 
-  /// What is sampled if any lane wants it, else zeros. A row or block is mostly of one mind.
+  /// Returns the sample if any lane needs it, else zeros. Mostly all lanes of a row or block agree.
   Texel where(Value *wanted, const Sampled &sampled) {
     Texel zeros;
     return either(
@@ -140,7 +140,7 @@ private:
         [&] { return first; });
   }
 
-  /// \param level i32 a lane; null: the base level
+  /// \param level i32 lanes; null: the base level
   Texel atLevel(Value *level, abi::Filter filter) {
     Value *image = level;
     if (m_cube) {
@@ -166,7 +166,8 @@ private:
   Lookup m_lookup;
 };
 
-/// 3.8.14: the comparison's result stands where the depth would, in a format's components.
+/// Returns a shadow lookup (3.8.14). The comparison's result takes the place of the depth in the
+/// format's components.
 Texel shadowLookup(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
                    const SampleAt &at, unsigned needed) {
   int depthAt = -1;
@@ -179,7 +180,7 @@ Texel shadowLookup(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Val
   Texel texel;
   if (wanted) {
     Sampling sampling(code, key, lanes, view, at, needed);
-    // Depth of fixed point is compared with a reference in its own range.
+    // Fixed-point depth is compared with a reference clamped to its range.
     const bool fixed = key.format.layout != abi::Layout::Depth32F;
     sampling.setShadow(fixed ? code.saturate(at.coordinate[2]) : at.coordinate[2], depthAt);
     texel = sampling.texel();
@@ -213,7 +214,7 @@ ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *i
   Value *const at = code.ir.CreateMul(code.ir.CreateZExt(image, i64),
                                       code.ir.getInt64(sizeof(abi::TextureLevel)));
   Value *const level = code.ir.CreateGEP(code.ir.getInt8Ty(), levels, at);
-  // Sizes of texels are powers of two, strides multiples of them.
+  // Texel sizes are powers of two, and strides are multiples of them.
   const unsigned shift = llvm::Log2_32(unsigned(abi::bytesOf(format.layout)));
   const auto stride = [&](std::size_t offset) {
     return code.ir.CreateTrunc(code.ir.CreateAShr(constantField(code, i64, level, offset), shift),
@@ -243,7 +244,7 @@ Texel sample(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *vi
   if (key.shadow)
     return shadowLookup(code, key, lanes, view, at, needed);
   Texel texel = Sampling(code, key, lanes, view, at, needed).texel();
-  // A filter makes no more bytes than are needed.
+  // A filter computes only the bytes that are needed.
   const bool isFiltered = key.magnify == abi::Filter::Linear || key.minify == abi::Filter::Linear ||
                           key.mip == abi::MipFilter::Linear;
   if (!abi::isPlainWord(key.format) || (isFiltered && bytesNeeded(key.format, needed) != 3))

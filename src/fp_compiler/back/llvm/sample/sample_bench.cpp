@@ -9,16 +9,16 @@
 #include "fp_compiler/back/llvm/testing/guarded_texture.h"
 #include "fp_compiler/back/llvm/testing/sample_harness.h"
 
-/// What a lookup costs, in nanoseconds a pixel of one thread, stores of four floats included. With
-/// `--benchmark_filter=/avx2` and the like for lesser processors; SAMPLE_ASSEMBLY=name prints a
-/// case's code instead.
+/// Measures lookups in nanoseconds for a pixel on one thread, with stores of four floats.
+/// `--benchmark_filter=/avx2` and similar select lesser processors. SAMPLE_ASSEMBLY=name prints the
+/// machine code of a case instead.
 namespace arbiter::fp::llvm_back::testing {
 namespace {
 
 constexpr int kSize = 512;
-constexpr int kPixels = 1024; ///< of a call: results stay in the cache
+constexpr int kPixels = 1024; ///< per call: the results stay in the cache
 
-/// How coordinates go from pixel to pixel, in texels.
+/// The texel steps between neighbouring pixels.
 enum class Path { OneToOne, Magnified, Rotated, Minified, Scattered };
 
 struct Bench {
@@ -31,7 +31,8 @@ struct Bench {
   abi::Dimension dimension = abi::Dimension::Tex2D;
   abi::Lanes lanes = abi::Lanes::Row;
   abi::Wrap wrap = abi::Wrap::Repeat;
-  float longer = 0; ///< than wide, what a pixel covers, through an anisotropic filter; 0: none
+  float longer = 0; ///< anisotropic filter: ratio of the pixel footprint's length to its width; 0:
+                    ///< no such filter
 };
 
 using abi::Filter;
@@ -140,7 +141,7 @@ void run(benchmark::State &state, const Bench &bench, const char *cpuName) {
     best = std::min(best, time.count());
     benchmark::ClobberMemory();
   }
-  // The best of all calls: other programs on the machine do not count.
+  // This is the best of all calls, so that other programs on the machine do not count.
   state.counters["ns/pixel"] = best / kPixels;
 }
 

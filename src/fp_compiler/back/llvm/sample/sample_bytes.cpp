@@ -2,15 +2,16 @@
 
 #include <llvm/IR/IntrinsicsX86.h>
 
-/// The linear filter of texels of 8-bit components, by the host's steps: llvmpipe (Mesa 22.3.6)
-/// weighs with 8 bits, and rounds to a byte along each dimension. It is the same on every processor
-/// and whichever way the texels were read, and exactly the texel where that has all the weight.
+/// The linear filter for texels with 8-bit components, with the host's steps. llvmpipe (Mesa
+/// 22.3.6) uses weights of 8 bits, and rounds to a byte in each dimension. Results are the same on
+/// every processor and for every way of reading texels. If a texel has all the weight, the result
+/// is exactly that texel.
 namespace arbiter::fp::llvm_back {
 namespace {
 
 using abi::From;
 
-/// 16-bit halves: (a * b + 2^14) >> 15.
+/// Returns (a * b + 2^14) >> 15 in 16-bit lanes.
 Value *multiplyHigh(Code &code, Value *a, Value *b) {
   llvm::Intrinsic::ID id = llvm::Intrinsic::not_intrinsic;
   switch (code.cpu.family) {
@@ -38,7 +39,7 @@ llvm::VectorType *halves(Code &code) {
   return llvm::FixedVectorType::get(code.ir.getInt16Ty(), unsigned(code.lanes) * 2);
 }
 
-/// A weight in both halves, in units of 2^-15.
+/// Returns a weight in both 16-bit halves, in units of 2^-15.
 Value *weightOf(Code &code, Value *weight) {
   llvm::IRBuilder<> &ir = code.ir;
   constexpr int kUp = 15 - kWeightBits;
@@ -47,10 +48,11 @@ Value *weightOf(Code &code, Value *weight) {
                           halves(code));
 }
 
-/// Bytes 0 and 2 of a texel, or 1 and 3, as numbers of 16 bits; null where none is wanted.
+/// Bytes 0 and 2 of a texel, or 1 and 3, as 16-bit numbers; null if neither is needed.
 using Bytes = std::array<Value *, 2>;
 
-/// \param texel a packed one is bytes already
+/// Splits a texel into such pairs of bytes.
+/// \param texel its bytes in an i32
 Bytes split(Code &code, const Lookup &lookup, Value *texel) {
   llvm::IRBuilder<> &ir = code.ir;
   const unsigned needed = bytesNeeded(lookup.image.format, lookup.needed);
@@ -63,7 +65,7 @@ Bytes split(Code &code, const Lookup &lookup, Value *texel) {
   return bytes;
 }
 
-/// Bytes between two by a weight: bytes again.
+/// Interpolates between bytes and rounds to bytes.
 Bytes between(Code &code, const Bytes &first, const Bytes &second, Value *weight) {
   llvm::IRBuilder<> &ir = code.ir;
   Bytes bytes = {};
@@ -74,8 +76,8 @@ Bytes between(Code &code, const Bytes &first, const Bytes &second, Value *weight
   return bytes;
 }
 
-/// The filter along x and y, in one slice of a 3D texture.
-/// \param y null in one dimension
+/// Filters along x and y, in one slice of a 3D texture.
+/// \param y null for one dimension
 Bytes filterSlice(Code &code, const Lookup &lookup, const AxisTexels &texels, Value *row0,
                   Value *row1, Value *x, Value *y) {
   const auto rows = fetchFootprint(code, lookup.lanes, lookup.image, texels, row0, row1);
@@ -90,7 +92,7 @@ Bytes filterSlice(Code &code, const Lookup &lookup, const AxisTexels &texels, Va
   return y ? between(code, first, along(rows[1]), y) : first;
 }
 
-/// The bytes as the texel's components, and as it lies in memory.
+/// Converts bytes to the texel's components and to its form in memory.
 Texel texelOf(Code &code, const Lookup &lookup, const Bytes &bytes) {
   llvm::IRBuilder<> &ir = code.ir;
   std::array<Value *, 2> words = {};
@@ -111,7 +113,7 @@ Texel texelOf(Code &code, const Lookup &lookup, const Bytes &bytes) {
       Value *const word = words[at % 2];
       Value *const byte =
           at < 2 ? ir.CreateAnd(word, code.splat(0xFFFF)) : ir.CreateLShr(word, code.splat(16));
-      // decode()'s product, to the bit
+      // This is the same product as in decode().
       numbers[at] = ir.CreateFMul(code.toFloat(byte), code.splat(1.0f / 255.0f));
     }
     texel.rgba[i] = numbers[at];
@@ -138,9 +140,9 @@ Value *bytesOfPacked(Code &code, abi::Layout layout, Value *word) {
     const abi::BitField field = abi::bitsOf(layout, i);
     Value *const bits = ir.CreateAnd(ir.CreateLShr(word, code.splat(field.shift)),
                                      code.splat((1 << field.bits) - 1));
-    // Repeated until the byte is full, from its highest bit on.
+    // The bits are repeated from the highest on until the byte is full.
     for (int at = 8 * i + 8 - field.bits; at > 8 * i - field.bits; at -= field.bits) {
-      const int below = 8 * i - at; // bits that the byte has no room for
+      const int below = 8 * i - at; // number of bits that do not fit the byte
       Value *const kept = below > 0 ? ir.CreateLShr(bits, code.splat(below)) : bits;
       Value *const moved = ir.CreateShl(kept, code.splat(below > 0 ? 8 * i : at));
       bytes = bytes ? ir.CreateOr(bytes, moved) : moved;

@@ -8,7 +8,7 @@ CubeFace::CubeFace(Code &code, const Vec &direction) : m_code(code) {
   Value *const x = absolute(code, direction[0]);
   Value *const y = absolute(code, direction[1]);
   Value *const z = absolute(code, direction[2]);
-  // Table 3.21 leaves ties open. Hosts take z before y before x, and a zero's sign.
+  // Table 3.21 leaves ties open. Hosts prefer z to y to x, and use the sign of a zero.
   m_majorZ = ir.CreateAnd(ir.CreateFCmpOGE(z, x), ir.CreateFCmpOGE(z, y));
   m_majorX = ir.CreateAnd(ir.CreateNot(m_majorZ), ir.CreateFCmpOGT(x, y));
   Value *const major =
@@ -18,7 +18,7 @@ CubeFace::CubeFace(Code &code, const Vec &direction) : m_code(code) {
       code.select(m_majorZ, code.splat(4), code.select(m_majorX, code.splat(0), code.splat(2)));
   m_face = ir.CreateOr(axis, ir.CreateZExt(m_negative, code.i32));
   m_turned = turned(direction);
-  // A direction without a length leads to the middle of a face.
+  // A zero direction gives the middle of a face.
   m_inverse = code.select(ir.CreateFCmpOEQ(m_turned[2], code.splat(0.0f)), code.splat(0.0f),
                           ir.CreateFDiv(code.splat(1.0f), m_turned[2]));
 }

@@ -12,7 +12,7 @@ namespace {
 using abi::From;
 using abi::Layout;
 
-/// Bits [shift, shift + bits) of a word, as a number.
+/// Returns bits [shift, shift + bits) of a word as an integer.
 Value *bitsOf(Code &code, Value *word, int shift, int bits) {
   Value *value = word;
   if (shift > 0)
@@ -23,10 +23,10 @@ Value *bitsOf(Code &code, Value *word, int shift, int bits) {
 }
 
 Value *normalized(Code &code, Value *word, int shift, int bits) {
-  // The product with the rounded reciprocal gives 0 and 1 exactly.
+  // The product with the rounded reciprocal gives exactly 0 and 1.
   const float scale = 1.0f / float((1 << bits) - 1);
-  // As the low bits of a float's mantissa a number needs no conversion: (2^23 + n) * s - 2^23 * s
-  // is rounded once, to what n * s is rounded to. AVX-512 puts the bits there in one operation.
+  // A number in the low bits of a float's mantissa needs no conversion. (2^23 + n) * s - 2^23 * s
+  // is rounded once, to the same value as n * s. AVX-512 inserts the bits in one operation.
   const int room = shift + bits <= 23 ? shift : 8;
   if (code.cpu.family == Cpu::Family::Avx512 && shift + bits < 32 && room + bits <= 23) {
     Value *const moved = room < shift ? code.ir.CreateLShr(word, code.splat(shift - room)) : word;
@@ -44,7 +44,7 @@ bool convertsHalf(const Cpu &cpu) {
   return cpu.family == Cpu::Family::Avx512 || cpu.family == Cpu::Family::Avx2;
 }
 
-/// The half float in the low 16 bits of `half`, which are all that is set.
+/// Converts the half float in the low 16 bits of `half`. All other bits must be zero.
 Value *halfToFloat(Code &code, Value *half) {
   const unsigned lanes = unsigned(code.lanes);
   if (convertsHalf(code.cpu)) {
@@ -54,7 +54,7 @@ Value *halfToFloat(Code &code, Value *half) {
         code.ir.CreateBitCast(narrow, llvm::FixedVectorType::get(code.ir.getHalfTy(), lanes));
     return code.ir.CreateFPExt(real, code.f32);
   }
-  // Without an instruction LLVM would call a function for each lane.
+  // Without an instruction for it, LLVM would call a function for each lane.
   Value *const magnitude = code.ir.CreateAnd(half, code.splat(0x7FFF));
   Value *const sign =
       code.ir.CreateShl(code.ir.CreateAnd(half, code.splat(0x8000)), code.splat(16));
@@ -69,7 +69,7 @@ Value *halfToFloat(Code &code, Value *half) {
   return code.ir.CreateBitCast(code.ir.CreateOr(bits, sign), code.f32);
 }
 
-/// Where a stored component lies in a texel: its first bit, and how many. Depth layouts have one.
+/// Returns the position of a stored component in a texel. Depth layouts have one component.
 abi::BitField fieldOf(Layout layout, int component) {
   if (abi::isPacked(layout))
     return abi::bitsOf(layout, component);
@@ -80,11 +80,11 @@ abi::BitField fieldOf(Layout layout, int component) {
   return {component * bits, bits};
 }
 
-/// The linear value of an sRGB-encoded one that is a multiple of 1/255 (OpenGL 2.1, 3.8.15):
-/// of all those within 2e-6, and 0 and 1 exactly.
+/// Decodes an sRGB value that is a multiple of 1/255 (OpenGL 2.1, 3.8.15). The error is within 2e-6
+/// for all of them, and 0 and 1 are exact.
 Value *linearOf(Code &code, Value *encoded) {
-  // ((c + 0.055) / 1.055)^2.4 as 1 + (c - 1) * q(c): the polynomial whose largest distance is
-  // least.
+  // ((c + 0.055) / 1.055)^2.4 is approximated as 1 + (c - 1) * q(c), where q is a minimax
+  // polynomial.
   constexpr float kQ[] = {0.0585065502f, -0.206142312f, 0.319880653f, -0.330177785f,
                           0.46924716f,   0.964567677f,  0.999126239f};
   Value *q = code.splat(kQ[0]);
@@ -96,7 +96,7 @@ Value *linearOf(Code &code, Value *encoded) {
   return code.select(code.ir.CreateFCmpOLE(encoded, code.splat(0.04045f)), low, power);
 }
 
-/// All 32 bits as a number in [0,1]; those that a float has no room for are rounded once.
+/// Converts all 32 bits to a number in [0,1]. Bits that a float cannot hold are rounded once.
 Value *normalized32(Code &code, Value *word) {
   Value *const number = code.ir.CreateUIToFP(word, code.f32);
   return code.ir.CreateFMul(number, code.splat(1.0f / 4294967295.0f));

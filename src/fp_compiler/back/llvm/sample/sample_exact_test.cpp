@@ -7,7 +7,7 @@
 #include "fp_compiler/back/llvm/testing/guarded_texture.h"
 #include "fp_compiler/back/llvm/testing/sample_pixels.h"
 
-/// What generated sampling code owes to the bit, and single rules of the specification.
+/// Tests exact results of generated sampling code, and single rules of the specification.
 namespace arbiter::fp::llvm_back::testing {
 namespace {
 
@@ -21,7 +21,7 @@ protected:
   std::optional<Cpu> m_cpu;
 };
 
-/// A key of the simplest kind.
+/// Returns a key of the simplest kind.
 abi::SamplerKey plainKey(abi::Filter filter) {
   abi::SamplerKey key;
   key.format.layout = abi::Layout::U8x4;
@@ -29,8 +29,8 @@ abi::SamplerKey plainKey(abi::Filter filter) {
   return key;
 }
 
-// A map of texels to pixels gives the very texels: through a nearest filter, through a linear one
-// in rows and in quads, and loaded as consecutive ones.
+// A 1:1 mapping gives exactly the texels. This holds for a nearest filter, for a linear one in rows
+// and quads, and for consecutive loads.
 TEST_P(Sample, OneToOneIsExactWhicheverWay) {
   std::mt19937 random(7);
   for (const int width : {16, 64, 100, 333, 640, 1024}) {
@@ -67,7 +67,7 @@ TEST_P(Sample, OneToOneIsExactWhicheverWay) {
             const float want = loaded.result[c][std::size_t(i)];
             const float have = pixels.result[c][std::size_t(i)];
             const std::string where = describe({key, options, {width, level.height, 1}});
-            // A size that is no power of two makes coordinates that are a little off.
+            // With a size that is no power of two, coordinates have small errors.
             if (nearest.powerOfTwo || key.magnify == abi::Filter::Nearest) {
               ASSERT_EQ(have, want) << where << " pixel " << i;
             }
@@ -78,8 +78,8 @@ TEST_P(Sample, OneToOneIsExactWhicheverWay) {
   }
 }
 
-// Lanes that do not count neither change the others nor keep a loop going. Of a cube map's quads
-// each lane has derivatives that the others need.
+// Masked lanes neither change others nor prolong a loop. In a cube map's quads, each lane has
+// derivatives that the others need.
 TEST_P(Sample, MaskedLanesDoNotMatter) {
   for (const auto dimension : {abi::Dimension::Tex2D, abi::Dimension::Cube}) {
     std::mt19937 random(12);
@@ -107,7 +107,7 @@ TEST_P(Sample, MaskedLanesDoNotMatter) {
     for (int i = 0; i < holes.count; ++i) {
       const int lane = i % m_cpu->lanes(), width = m_cpu->blockWidth();
       const int x = lane % width, y = lane / width;
-      // The corner of a quad that its derivatives need stays, or the whole quad.
+      // Pixels that a quad's derivatives need stay unmasked. For cube maps that is the whole quad.
       if (dimension == abi::Dimension::Cube)
         counts.push_back((x / 2 + y / 2 + i / m_cpu->lanes()) % 2 == 0);
       else
@@ -134,7 +134,7 @@ TEST_P(Sample, RowsAndQuadsAgree) {
   for (const Case &any : pairwiseCases(random)) {
     Case test = any;
     if (test.key.mip != abi::MipFilter::None || test.key.magnify != test.key.minify)
-      continue; // derivatives of a row are others
+      continue; // a row's derivatives differ
     GuardedTexture texture(test.key, test.size, random);
     Pixels row(m_cpu->lanes()), quad(m_cpu->lanes());
     SampleCall call = row.call(texture.view);
@@ -153,7 +153,7 @@ TEST_P(Sample, RowsAndQuadsAgree) {
   }
 }
 
-// A filtered texel is bytes, and is stored as they are.
+// A filtered texel has byte components and is stored unchanged.
 TEST_P(Sample, FilteredTexelIsBytes) {
   std::mt19937 random(10);
   for (const abi::Wrap wrap : {abi::Wrap::Repeat, abi::Wrap::ClampToEdge}) {
@@ -180,7 +180,7 @@ TEST_P(Sample, FilteredTexelIsBytes) {
   }
 }
 
-// 3.8.8: the texture's, the unit's and the program's biases are summed, and the sum is clamped.
+// The biases of texture, unit and program are summed, and the sum is clamped (3.8.8).
 TEST_P(Sample, BiasIsClampedAsASum) {
   std::mt19937 random(11);
   abi::SamplerKey key = plainKey(abi::Filter::Nearest);
@@ -211,7 +211,7 @@ TEST_P(Sample, BiasIsClampedAsASum) {
   }
 }
 
-// Texels know their place: a big texture is addressed right to its last texel.
+// A big texture is addressed correctly up to its last texel.
 TEST_P(Sample, ReachesAllOfABigTexture) {
   constexpr int kSize = 4096;
   const std::size_t bytes = std::size_t(kSize) * kSize * 4;
@@ -239,8 +239,8 @@ TEST_P(Sample, ReachesAllOfABigTexture) {
   EXPECT_EQ(pixels.packed, want);
 }
 
-// Each byte that sRGB encodes, as a texel that is looked up and as one of a row that is loaded;
-// alpha is linear. White and black stay what they are.
+// Tests each sRGB byte in a sampled texel and in a row of consecutive texels. Alpha is linear.
+// White and black do not change.
 TEST_P(Sample, SrgbIsDecoded) {
   constexpr int kWidth = 256;
   const GuardedMemory memory(kWidth * 4, true);
@@ -276,9 +276,9 @@ TEST_P(Sample, SrgbIsDecoded) {
   }
 }
 
-// If components are of one size, z is the axis before y and y before x. The sign tells the side,
-// that of a zero too, and the texel is the middle one where all are zero. Pictures of all such
-// directions on Mesa 22.3.6 show this. Table 3.21 leaves it open.
+// If components are equal in size, z comes before y, and y before x. The sign, even of a zero,
+// selects the side. A zero direction gives the middle texel. Images of all such directions on Mesa
+// 22.3.6 show this; table 3.21 leaves it open.
 TEST_P(Sample, TiesOfACubeMapsAxes) {
   constexpr int kFaces = 6, kEdge = 3, kPad = 64;
   abi::SamplerKey key = plainKey(abi::Filter::Nearest);

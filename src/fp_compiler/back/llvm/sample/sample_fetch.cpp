@@ -2,29 +2,31 @@
 
 #include <llvm/IR/IntrinsicsX86.h>
 
-/// Reading texels. A gather is one load a lane, so where the lanes of a row turn out to read close
-/// to each other, one vector load and a permutation replace it; the words are the same either way.
+/// Reads texels. A gather is one load for each lane. If the lanes of a row read close to each
+/// other, one vector load and a permutation replace it. The words are the same either way.
 namespace arbiter::fp::llvm_back {
 namespace {
 
-/// A texel's address as a base and an index of a type of its size, which gathers can take as it is.
+/// Returns a texel's address as a base and an index of a type of its size. Gathers support this
+/// form directly.
 Value *texelPointer(Code &code, const ImageCode &image, Value *index) {
   llvm::Type *const type = code.ir.getIntNTy(unsigned(abi::bytesOf(image.format.layout)) * 8);
   return code.ir.CreateGEP(type, image.base, index);
 }
 
-/// \param type i32 or i64: what is read of each texel, from its word `word` on
+/// Gathers from each texel, from its word `word` on.
+/// \param type i32 or i64
 Value *gather(Code &code, const ImageCode &image, Value *index, int word, llvm::Type *type) {
   const int bytes = abi::bytesOf(image.format.layout);
   Value *base = image.base;
   int scale = bytes;
-  if (bytes == 16) { // no address has a scale of 16
+  if (bytes == 16) { // addresses have no scale of 16
     index = code.ir.CreateShl(index, code.splat(1));
     scale = 8;
   }
   if (word > 0)
     base = code.ir.CreateConstGEP1_64(code.ir.getInt32Ty(), base, std::uint64_t(word));
-  // Of a texel of less than 32 bits this reads some of what follows, which may be read.
+  // For texels under 32 bits this reads some bytes beyond them, which is allowed.
   Value *const pointers = code.ir.CreateGEP(code.ir.getIntNTy(unsigned(scale) * 8), base, index);
   return code.ir.CreateMaskedGather(llvm::FixedVectorType::get(type, unsigned(code.lanes)),
                                     pointers, llvm::Align(1));
@@ -34,7 +36,7 @@ Value *gatherWord(Code &code, const ImageCode &image, Value *index, int word) {
   return gather(code, image, index, word, code.ir.getInt32Ty());
 }
 
-/// The lower and the upper words of a lane's 64 bits.
+/// Splits 64-bit lanes into lower and upper words.
 std::array<Value *, 2> splitWords(Code &code, Value *both) {
   Value *const words = code.ir.CreateBitCast(
       both, llvm::FixedVectorType::get(code.ir.getInt32Ty(), unsigned(code.lanes) * 2));
@@ -46,14 +48,14 @@ std::array<Value *, 2> splitWords(Code &code, Value *both) {
   return {code.ir.CreateShuffleVector(words, low), code.ir.CreateShuffleVector(words, high)};
 }
 
-/// Words `word` and the next one: half as many loads as two gathers.
+/// Gathers words `word` and `word` + 1, with half as many loads as two gathers.
 void gatherPair(Code &code, const ImageCode &image, Value *index, int word, Words &words) {
   const auto [low, high] = splitWords(code, gather(code, image, index, word, code.ir.getInt64Ty()));
   words[std::size_t(word)] = low;
   words[std::size_t(word) + 1] = high;
 }
 
-/// Lane i of the result is lane index[i] of `values`.
+/// Permutes lanes: lane i of the result is lane index[i] of `values`.
 Value *permuted(Code &code, Value *values, Value *index) {
   const auto id = code.cpu.family == Cpu::Family::Avx512
                       ? llvm::Intrinsic::x86_avx512_permvar_si_512
@@ -61,23 +63,24 @@ Value *permuted(Code &code, Value *values, Value *index) {
   return code.ir.CreateIntrinsic(id, {}, {values, index});
 }
 
-/// Whether a gather costs hardly more than its loads, so that nothing is worth avoiding it: on
-/// Sapphire Rapids and later, which the feature identifies better than a name that a virtual
-/// machine made up. Intel's earlier ones are slow since they were mended against data sampling,
-/// AMD's always were, and for a processor that it does not know as quick LLVM makes single loads of
-/// a gather.
+/// True if a gather is hardly slower than its loads, so that avoiding it does not pay. That is so
+/// on Sapphire Rapids and later. The feature identifies them better than a name that a virtual
+/// machine invented. Earlier Intel processors have slow gathers since the mitigation of data
+/// sampling. AMD's were always slow. For a processor not known as fast, LLVM splits a gather into
+/// single loads.
 bool gathersQuickly(const Cpu &cpu) {
   return cpu.features.find("+avx512fp16") != std::string::npos;
 }
 
-/// Where the lanes' texels are within `lanes` texels of each other.
+/// Texels of the lanes within `lanes` texels of each other.
 struct Window {
   Value *base = nullptr; ///< i32: index of the first texel
-  Value *lane = nullptr; ///< which of the window's texels is the lane's
+  Value *lane = nullptr; ///< offset of the lane's texel in the window
   Value *fits = nullptr; ///< lanes whose texel is in the window
 };
 
-/// Coordinates of a row mostly rise or fall, so the window begins at the first or the last lane's.
+/// Returns the window of a row. Its coordinates are mostly monotonic, so the window starts at the
+/// first or the last lane's texel.
 Window windowOf(Code &code, Value *index) {
   Window window;
   Value *const first = code.ir.CreateExtractElement(index, std::uint64_t(0));
@@ -88,15 +91,15 @@ Window windowOf(Code &code, Value *index) {
   return window;
 }
 
-/// The window's texels, in the lanes' order. Reads `lanes` texels from the first one: at most 60
-/// bytes after the last row.
+/// Loads the window's texels, in the lanes' order. Reads `lanes` texels from the first one, at most
+/// 60 bytes beyond the last row.
 Value *loadWindow(Code &code, const ImageCode &image, Value *base, Value *lane) {
   Value *const pointer = texelPointer(code, image, base);
   Value *const texels = code.ir.CreateAlignedLoad(code.i32, pointer, llvm::Align(1));
   return permuted(code, texels, lane);
 }
 
-/// Whether the lanes of a row are looked at for texels within a window before they are gathered.
+/// True if the lanes of a row are checked for a common window before a gather.
 bool sharesWindows(Code &code, abi::Lanes lanes, const ImageCode &image) {
   const bool permutes =
       code.cpu.family == Cpu::Family::Avx512 || code.cpu.family == Cpu::Family::Avx2;
@@ -104,13 +107,14 @@ bool sharesWindows(Code &code, abi::Lanes lanes, const ImageCode &image) {
          abi::bytesOf(image.format.layout) == 4;
 }
 
-/// Lanes [4 i, 4 i + 2) of two registers' worth of pairs where `second` is not set, else the two
-/// behind: what shuffles within parts of 128 bits bring into order.
+/// Loads pairs of texels for lanes [4 i, 4 i + 2), or with `second` for the two lanes after those.
+/// Shuffles within 128-bit parts can then restore the order.
 Value *loadPairs(Code &code, const ImageCode &image, Value *first, bool second) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *pairs =
       llvm::PoisonValue::get(llvm::FixedVectorType::get(ir.getInt64Ty(), unsigned(code.lanes) / 2));
-  // All at once: an address takes a register of 64 bits, and the index may be negative.
+  // Extending all indices at once is faster, because an address needs a 64-bit register and an
+  // index may be negative.
   Value *const indices =
       ir.CreateSExt(first, llvm::FixedVectorType::get(ir.getInt64Ty(), unsigned(code.lanes)));
   for (int i = 0; i < code.lanes / 2; ++i) {
@@ -123,7 +127,7 @@ Value *loadPairs(Code &code, const ImageCode &image, Value *first, bool second) 
   return pairs;
 }
 
-/// Two neighbours of 32 bits with a load of 64, single loads.
+/// Loads two neighbouring 32-bit texels with one 64-bit load for each lane.
 TexelPair loadNeighbours(Code &code, const ImageCode &image, Value *first) {
   llvm::IRBuilder<> &ir = code.ir;
   std::array<Value *, 2> words;
@@ -140,7 +144,8 @@ TexelPair loadNeighbours(Code &code, const ImageCode &image, Value *first) {
           ir.CreateShuffleVector(words[0], words[1], seconds)};
 }
 
-/// Two neighbours of 32 bits with one load of 64. Reads one texel beyond the last at most.
+/// Returns two neighbouring 32-bit texels from one 64-bit load. Reads at most one texel beyond the
+/// last.
 TexelPair gatherNeighbours(Code &code, const ImageCode &image, Value *first) {
   if (code.cpu.family == Cpu::Family::Avx2 || code.cpu.family == Cpu::Family::Sse41)
     return loadNeighbours(code, image, first);
@@ -148,7 +153,7 @@ TexelPair gatherNeighbours(Code &code, const ImageCode &image, Value *first) {
   return {low, high};
 }
 
-/// A row's or two rows' values for control flow, and back.
+/// The texel pairs of one row or two, and their conversion for control flow.
 using Pairs = std::array<TexelPair, 2>;
 Values valuesOf(const Pairs &pairs) {
   return {pairs[0].first, pairs[0].second, pairs[1].first, pairs[1].second};
@@ -157,7 +162,7 @@ Pairs pairsOf(const Values &values) {
   return {TexelPair{values[0], values[1]}, TexelPair{values[2], values[3]}};
 }
 
-/// Where two texels of a row, or of two rows, are.
+/// The positions of two texels in one row or in two.
 struct Footprint {
   const AxisTexels &x;
   std::array<Value *, 2> row; ///< the second may be null
@@ -166,7 +171,7 @@ struct Footprint {
   }
 };
 
-/// Lanes whose second texel is in memory behind the first, or does not matter; null: all.
+/// Returns the lanes whose second texel follows the first in memory or has no weight; null: all.
 Value *neighbours(Code &code, const ImageCode &image, const AxisTexels &x) {
   if (x.next == AxisTexels::Next::Edge)
     return nullptr;
@@ -241,7 +246,8 @@ std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes, const Imag
   const auto near = [&] {
     Pairs pairs;
     for (std::size_t line = 0; line < 2 && footprint.row[line]; ++line) {
-      // The second texels' window is one further: it ends 64 bytes after the last row at most.
+      // The window of the second texels is one further, so that it ends at most 64 bytes beyond the
+      // last row.
       const Window &window = windows[line];
       Value *const secondBase = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
       pairs[line] = {loadWindow(code, image, window.base, window.lane),

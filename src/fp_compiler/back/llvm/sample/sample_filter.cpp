@@ -37,7 +37,7 @@ Vec borderColor(Code &code, const Lookup &lookup) {
   return color;
 }
 
-/// 1 or 0: 3.8.14.
+/// Returns the result of a shadow comparison, 1 or 0 (3.8.14).
 Value *compared(Code &code, abi::Compare compare, Value *reference, Value *depth) {
   using Predicate = llvm::CmpInst::Predicate;
   constexpr Predicate kPredicates[] = {
@@ -47,7 +47,7 @@ Value *compared(Code &code, abi::Compare compare, Value *reference, Value *depth
   return code.select(passes, code.splat(1.0f), code.splat(0.0f));
 }
 
-/// The texel at one choice of indices, of the border where a dimension is outside.
+/// Returns the texel at one combination of indices, or the border colour if a dimension is outside.
 Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> &axes,
               const Steps &steps, const std::array<int, 3> &which) {
   Value *index = nullptr, *outside = nullptr;
@@ -91,7 +91,7 @@ bool filtersBytes(const Lookup &lookup) {
 }
 
 Value *lerp(Code &code, Value *a, Value *b, Value *weight) {
-  return multiplyAdd(code, weight, code.ir.CreateFSub(b, a), a); // as hosts have it
+  return multiplyAdd(code, weight, code.ir.CreateFSub(b, a), a); // in the order of hosts
 }
 
 Steps stepsOf(Code &code, const ImageCode &image, const std::array<AxisTexels, 3> &axes,
@@ -106,7 +106,7 @@ Steps stepsOf(Code &code, const ImageCode &image, const std::array<AxisTexels, 3
     steps[at][0] = first;
     if (!axis.index[1])
       continue;
-    // A product of integers is slow; the second step follows from the first.
+    // Integer products are slow, so the second step is derived from the first.
     Value *const last =
         ir.CreateICmpEQ(axis.index[0], code.splat(ir.CreateSub(image.size[at], ir.getInt32(1))));
     Value *const second = ir.CreateAdd(first, stride);
@@ -133,7 +133,7 @@ Texel filterLinear(Code &code, const Lookup &lookup) {
     return filterBytes(code, lookup, linearAxes(code, lookup, true));
   const std::array<AxisTexels, 3> axes = linearAxes(code, lookup, false);
   const Steps steps = stepsOf(code, lookup.image, axes, lookup.dimensions);
-  // Corners are folded dimension by dimension: along x first.
+  // Corners are interpolated dimension by dimension, along x first.
   llvm::SmallVector<Vec, 8> corners;
   for (int i = 0; i < 1 << lookup.dimensions; ++i)
     corners.push_back(texelAt(code, lookup, axes, steps, {i & 1, i >> 1 & 1, i >> 2 & 1}).rgba);

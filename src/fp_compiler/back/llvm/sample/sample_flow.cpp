@@ -7,7 +7,7 @@ llvm::BasicBlock *block(Code &code, const char *name) {
   return llvm::BasicBlock::Create(code.context(), name, code.ir.GetInsertBlock()->getParent());
 }
 
-/// All values of a texel.
+/// Returns all values of a texel.
 Values valuesOf(const Texel &texel) {
   return {texel.rgba[0], texel.rgba[1], texel.rgba[2], texel.rgba[3], texel.packed};
 }
@@ -64,7 +64,7 @@ Texel forEachImage(Code &code, Value *image, Value *mask,
   ir.SetInsertPoint(loop);
   llvm::PHINode *const pending = ir.CreatePHI(code.i1, 2);
   llvm::PHINode *const scalar = ir.CreatePHI(ir.getInt32Ty(), 2);
-  // What lanes had so far; their values join once it is known which ones there are.
+  // These hold the merged values so far. Which values exist is known only after sampling.
   std::array<llvm::PHINode *, 5> soFar = {};
   for (llvm::PHINode *&phi : soFar)
     phi = ir.CreatePHI(&phi == &soFar.back() ? code.i32 : code.f32, 2);
@@ -116,7 +116,7 @@ Texel meanOf(Code &code, Value *count, Value *mask, const std::function<Texel(Va
     phi = ir.CreatePHI(code.f32, 2);
   Value *const lane = code.splat(ir.CreateSIToFP(number, ir.getFloatTy()));
   Value *const half = code.splat(0.5f);
-  // Of one sample exactly 0.
+  // A single sample is exactly at 0.
   Value *const place = ir.CreateFSub(ir.CreateFMul(ir.CreateFAdd(lane, half), share), half);
   const Texel texel = sampled(place);
   Value *const wanted = ir.CreateFCmpOLT(lane, count);

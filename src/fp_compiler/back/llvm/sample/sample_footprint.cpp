@@ -3,33 +3,35 @@
 
 #include <llvm/IR/Intrinsics.h>
 
-/// EXT_texture_filter_anisotropic: what a pixel covers of a texture, and the samples that stand for
-/// it.
+/// EXT_texture_filter_anisotropic: finds the footprint of a pixel in a texture, and the samples
+/// that cover it.
 ///
-/// The extension leaves the filter to the implementation and describes one: N = min(ceil(Pmax /
-/// Pmin), maxAniso) samples of the level log2(Pmax / N), i / (N + 1) of the way along Pmax. This
-/// one differs in three things, each nearer to a picture of many samples a pixel. Pmax and Pmin are
-/// the axes of the ellipse that a pixel becomes, where the extension takes its ways in x and in y:
-/// those are as long as each other where a plane is seen along a diagonal. Each sample lies in the
-/// middle of its own Nth of the longer axis; the example's leave the ends out. And the level is
-/// that of the shorter axis, where the example's is up to one level finer if Pmax / Pmin is no
-/// whole number. On the planes of tests/rasterizer_vs_host/run_anisotropy.py, upright, at 60, 30,
-/// 15, 7 and 4 degrees, the example to the letter is 9.1, 8.4, 6.9, 5.0 and 4.8 steps of 255 off,
-/// this 5.7, 4.9, 3.8, 3.2 and 3.9.
+/// The extension leaves the filter to the implementation and describes an example: N =
+/// min(ceil(Pmax / Pmin), maxAniso) samples of level log2(Pmax / N), at i / (N + 1) along Pmax.
+/// This filter differs in three points, each of which brings it closer to supersampling. First,
+/// Pmax and Pmin are the axes of the ellipse that a pixel becomes. The extension uses the
+/// derivatives in x and in y, which have equal length if a plane is seen along a diagonal. Second,
+/// each sample is in the middle of its own Nth of the longer axis; the example leaves out the ends.
+/// Third, the level is that of the shorter axis. The example's level is up to one level finer if
+/// Pmax / Pmin is no whole number.
+///
+/// tests/rasterizer_vs_host/run_anisotropy.py measures the error on planes seen upright, at 60, 30,
+/// 15, 7 and 4 degrees. The exact example is off by 9.1, 8.4, 6.9, 5.0 and 4.8 steps of 255; this
+/// filter is off by 5.7, 4.9, 3.8, 3.2 and 3.9.
 namespace arbiter::fp::llvm_back {
 namespace {
 
-/// How much longer than wide a pixel may be and have one sample: one that faces the viewer is
-/// hardly ever square to the last bit.
+/// Excess of length over width up to which one sample is enough. A surface that faces the viewer is
+/// hardly ever exactly square.
 constexpr float kNearlySquare = 0.125f;
-/// Keeps a division by what may be 0 from giving a NaN.
+/// Avoids NaN from a division by zero.
 constexpr float kTiny = 1e-30f;
 
 Value *squareRoot(Code &code, Value *x) {
   return code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, x);
 }
 
-/// The size of the parallelogram that two ways span.
+/// Returns the area of the parallelogram that two vectors span.
 Value *areaOf(Code &code, const Vec &a, const Vec &b) {
   const auto cross = [&](std::size_t i, std::size_t j) {
     return code.ir.CreateFSub(code.ir.CreateFMul(a[i], b[j]), code.ir.CreateFMul(a[j], b[i]));
@@ -42,11 +44,11 @@ Value *areaOf(Code &code, const Vec &a, const Vec &b) {
   return squareRoot(code, dot(code, product, product));
 }
 
-/// The axes of the ellipse that a pixel's circle becomes.
+/// The axes of the ellipse that a pixel's circle becomes in the texture.
 struct Ellipse {
   Value *length = nullptr; ///< of the longer axis, in texels
-  Value *width = nullptr;  ///< of the shorter one
-  Value *x = nullptr;      ///< the longer axis in the picture, as a direction of length 1
+  Value *width = nullptr;  ///< of the shorter axis
+  Value *x = nullptr;      ///< unit direction of the longer axis in the window
   Value *y = nullptr;
 };
 Ellipse ellipseOf(Code &code, const Vec &dx, const Vec &dy) {
@@ -60,9 +62,9 @@ Ellipse ellipseOf(Code &code, const Vec &dx, const Vec &dy) {
                code.splat(kTiny));
   Ellipse ellipse;
   ellipse.length = squareRoot(code, ir.CreateFAdd(mean, root));
-  // A difference of squares would leave few bits of the width of a long ellipse.
+  // A difference of squares would lose precision for a long ellipse.
   ellipse.width = ir.CreateFDiv(areaOf(code, dx, dy), code.max(ellipse.length, code.splat(kTiny)));
-  // Of the double angle the cosine is known.
+  // The cosine of the double angle is known.
   Value *const cosine = ir.CreateFMul(ir.CreateFDiv(difference, root), half);
   const auto part = [&](Value *square) {
     return squareRoot(code, code.max(square, code.splat(0.0f)));
@@ -83,10 +85,10 @@ PixelFootprint footprintOf(Code &code, const abi::SamplerKey &key, Value *view, 
   Value *const most = code.splat(
       constantField(code, ir.getFloatTy(), view, offsetof(abi::TextureView, maxAnisotropy)));
   PixelFootprint footprint;
-  // Longer ones than the limit are as if they were wider: 3.8.8 prefers blur to aliases.
+  // Footprints longer than the limit are treated as wider: 3.8.8 prefers blur to aliasing.
   Value *const width = code.max(ellipse.width, ir.CreateFDiv(ellipse.length, most));
   footprint.lambda = biasedLevel(code, key, view, at, quickLog2(code, width));
-  // There is nothing to be found between texels of the base level.
+  // Samples closer than a texel of the base level add nothing.
   Value *const apart = code.max(width, code.splat(1.0f));
   Value *const ratio =
       ir.CreateFSub(ir.CreateFDiv(ellipse.length, apart), code.splat(kNearlySquare));

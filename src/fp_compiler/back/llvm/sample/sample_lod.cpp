@@ -4,16 +4,16 @@
 
 #include <llvm/IR/Intrinsics.h>
 
-/// 3.8.8: from derivatives to levels.
+/// Computes levels of detail from derivatives (3.8.8).
 namespace arbiter::fp::llvm_back {
 
 namespace {
 
-/// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
+/// MAX_TEXTURE_LOD_BIAS, to which the sum of all biases is clamped.
 constexpr float kMaxBias = 16;
 
-/// The square of the scale factor: of the longer way in texels of the base level that a pixel in x
-/// or in y makes.
+/// Returns the square of the scale factor. It is the longer change for one pixel in x or in y, in
+/// texels of the base level.
 Value *scaleSquared(Code &code, const abi::SamplerKey &key, Value *view, const Derivatives &d,
                     const CubeFace *cube) {
   const auto [x, y] = inTexels(code, key, view, d, cube);
@@ -24,7 +24,8 @@ Value *viewField(Code &code, Value *view, std::size_t offset) {
   return code.splat(constantField(code, code.ir.getFloatTy(), view, offset));
 }
 
-/// [0, levelCount), also of NaN, as i32. \param level a whole number
+/// Clamps a level to [0, levelCount) and returns it as i32. NaN gives 0.
+/// \param level a whole number
 Value *clampedLevel(Code &code, Value *view, Value *level) {
   Value *const count =
       constantField(code, code.ir.getInt32Ty(), view, offsetof(abi::TextureView, levelCount));
@@ -75,7 +76,7 @@ Value *dot(Code &code, const Vec &a, const Vec &b) {
 }
 
 namespace {
-/// The exponent and the mantissa in [1, 2) of what is not negative, as floats.
+/// Exponent and mantissa in [1, 2) of a number that is not negative, as floats.
 struct ExponentAndMantissa {
   Value *exponent, *mantissa;
 };
@@ -97,7 +98,8 @@ Value *linearLog2(Code &code, Value *x) {
 Value *quickLog2(Code &code, Value *x) {
   const ExponentAndMantissa parts = takeApart(code, x);
   Value *const t = code.ir.CreateFSub(parts.mantissa, code.splat(1.0f));
-  // log2(1 + t) / t, interpolated at Chebyshev nodes and 1 at t = 1.
+  // The coefficients are of log2(1 + t) / t, interpolated at Chebyshev nodes and exactly 1 at t =
+  // 1.
   constexpr float kCoefficients[] = {0.0448739553f, -0.195407152f, 0.420111212f, -0.711996593f,
                                      1.44241858f};
   Value *sum = code.splat(kCoefficients[0]);
@@ -137,7 +139,7 @@ Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, V
 LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view, Value *lambda) {
   LevelChoice choice;
   if (key.mip == abi::MipFilter::Nearest) {
-    // ceil(lambda + 1/2) - 1
+    // The level is ceil(lambda + 1/2) - 1.
     Value *const up = code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::ceil,
                                                    code.ir.CreateFSub(lambda, code.splat(0.5f)));
     choice.first = clampedLevel(code, view, up);
@@ -146,7 +148,7 @@ LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view, Va
   Value *const whole = code.floor(lambda);
   choice.first = clampedLevel(code, view, whole);
   choice.second = clampedLevel(code, view, code.ir.CreateFAdd(whole, code.splat(1.0f)));
-  // Where both are the same level the weight does not matter, but 0 saves reading it again.
+  // If both levels are the same the weight does not matter, but 0 avoids reading it again.
   choice.fraction = code.select(code.ir.CreateICmpEQ(choice.first, choice.second), code.splat(0.0f),
                                 code.ir.CreateFSub(lambda, whole));
   return choice;

@@ -9,12 +9,12 @@
 #include "fp_compiler/back/llvm/testing/reference_sampler.h"
 #include "fp_compiler/back/llvm/testing/sample_pixels.h"
 
-/// Generated sampling code against the reference, over pairs of everything that a sampler has; and
-/// texture memory that ends where abi.h says it may.
+/// Compares generated sampling code with the reference, over pairs of all sampler properties. The
+/// texture memory ends where abi.h allows it.
 namespace arbiter::fp::llvm_back::testing {
 namespace {
 
-/// Lane of a quad's corner: of the block that `lane` is in.
+/// Returns the lane of a corner of the quad that contains `lane`.
 int corner(const Cpu &cpu, int lane, int dx, int dy) {
   const int width = cpu.blockWidth();
   const int x = lane % width / 2 * 2 + dx, y = lane / width / 2 * 2 + dy;
@@ -32,7 +32,7 @@ ReferenceQuery queryAt(const Case &test, const Cpu &cpu, const Pixels &pixels,
       const auto at = [&](int dx, int dy) {
         return double(plane[std::size_t(first + corner(cpu, pixel - first, dx, dy))]);
       };
-      // A cube map's are those of the pixel's own row and column.
+      // A cube map's derivatives are those of the pixel's own row and column.
       const bool own = test.key.dimension == abi::Dimension::Cube;
       const int lane = pixel - first, width = cpu.blockWidth();
       const int x = own ? lane % width % 2 : 0, y = own ? lane / width % 2 : 0;
@@ -53,14 +53,14 @@ ReferenceQuery queryAt(const Case &test, const Cpu &cpu, const Pixels &pixels,
 struct Range {
   Color low, high;
 };
-/// By how much machine code's coordinate may be off; of several samples each one's place is
-/// computed.
+/// Returns the allowed rounding error of machine code's coordinate. With several samples, each
+/// one's place is computed.
 double rounding(const ReferenceQuery &query, std::size_t i) {
   const double moved = query.scale ? std::fabs(query.dx[i]) + std::fabs(query.dy[i]) : 0;
   return (std::fabs(query.coordinate[i]) + 1 + moved) * 0x1p-21;
 }
 
-/// What results of one lookup can be had by roundings of the coordinates and of the level of
+/// Returns the range of results of one lookup under rounding errors of coordinates and level of
 /// detail.
 Range rangeOfLookup(const Case &test, const abi::TextureView &view, const ReferenceQuery &query) {
   Range range;
@@ -92,8 +92,8 @@ Range rangeOfLookup(const Case &test, const abi::TextureView &view, const Refere
   return range;
 }
 
-/// The same of a whole sample. An anisotropic filter's lookups are rounded each on its own, and
-/// their number may be another one too.
+/// Returns that range for a whole sample. An anisotropic filter's lookups round independently, and
+/// their number may differ too.
 Range rangeOf(const Case &test, const abi::TextureView &view, const ReferenceQuery &query) {
   Range whole;
   whole.low.fill(std::numeric_limits<double>::infinity());
@@ -176,7 +176,7 @@ private:
       }
     }
   }
-  /// No coordinate leads outside: the guard pages are the judges.
+  /// Checks that no coordinate reads outside; the guard pages detect it.
   void checkWild(const SampleFunction &function, Pixels &pixels, const SampleCall &call,
                  std::mt19937 &random) {
     const float kWild[] = {
@@ -203,7 +203,7 @@ TEST_P(SamplePairs, AgreeWithTheReference) {
   }
 }
 
-/// TXL's, in rows and quads: no derivative counts, and no sample is one of several.
+/// Tests TXL in rows and quads: derivatives have no effect, and there is only one sample.
 TEST_P(SamplePairs, TakeAGivenLevel) {
   std::mt19937 random(77);
   int cases = 0;

@@ -8,24 +8,23 @@ namespace {
 
 using abi::Wrap;
 
-constexpr unsigned kCurrentMode = 4; ///< of AVX-512's operand: rounding as MXCSR says
+constexpr unsigned kCurrentMode = 4; ///< AVX-512 operand: rounding mode of MXCSR
 
 Value *clamp(Code &code, Value *value, Value *low, Value *high) {
-  return code.min(code.max(value, low), high); // max first: a NaN becomes `low`
+  return code.min(code.max(value, low), high); // max first, so that NaN becomes `low`
 }
 
-/// [0,1]: up and down again (MIRRORED_REPEAT). Of a coordinate so large that it has no fraction,
-/// and of an infinite one, some value or NaN.
+/// Maps a coordinate to [0,1], rising and falling (MIRRORED_REPEAT). For an infinite coordinate, or
+/// one too large to have a fraction, the result may be any value or NaN.
 Value *mirror(Code &code, Value *coordinate) {
-  // The distance to the nearest even number.
+  // This is the distance to the nearest even number.
   Value *const half = code.ir.CreateFMul(coordinate, code.splat(0.5f));
   Value *const nearest = code.floor(code.ir.CreateFAdd(half, code.splat(0.5f)));
   return absolute(code,
                   code.ir.CreateFSub(coordinate, code.ir.CreateFMul(nearest, code.splat(2.0f))));
 }
 
-/// What repeats as it is, and what mirrors, brought to the range in which the rest of the wrap mode
-/// clamps.
+/// Applies the repeating or mirroring part of a wrap mode. Its clamping part follows.
 Value *folded(Code &code, Wrap wrap, Value *coordinate) {
   switch (wrap) {
   case Wrap::Repeat:
@@ -44,7 +43,7 @@ Value *folded(Code &code, Wrap wrap, Value *coordinate) {
   llvm_unreachable("a wrap mode");
 }
 
-/// An index into [0, size), and the lanes in which it was not there.
+/// Clamps an index to [0, size), and records the lanes in which it was outside.
 void bound(Code &code, Value *size, AxisTexels &axis, int which) {
   Value *const index = axis.index[std::size_t(which)];
   Value *const last = code.splat(code.ir.CreateSub(size, code.ir.getInt32(1)));
@@ -74,7 +73,7 @@ Value *mask(Code &code, const Size &size) {
   return code.splat(code.ir.CreateSub(size.scalar, code.ir.getInt32(1)));
 }
 
-/// To the nearest integer, and of two to the even one; what does not fit gives anything.
+/// Rounds to the nearest integer, ties to even. Out of range gives any value.
 Value *roundToInt(Code &code, Value *a) {
   llvm::IRBuilder<> &ir = code.ir;
   switch (code.cpu.family) {
@@ -114,7 +113,7 @@ AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate, Value
   const Size size = sizeOf(code, sizeValue);
   AxisTexels axis;
   if (key.wrap == Wrap::Repeat && key.powerOfTwo && key.normalized) {
-    // The mask keeps any number inside, also that of a coordinate which does not fit an integer.
+    // The mask keeps any number in range, also that of a coordinate which does not fit an integer.
     Value *const texel = code.toInt(code.floor(inTexels(code, key, coordinate, size)));
     axis.index[0] = code.ir.CreateAnd(texel, mask(code, size));
     return axis;
@@ -174,15 +173,15 @@ AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value
   texel = clamp(code, code.ir.CreateFSub(texel, half), code.splat(0.0f), size.last);
   axis.index[0] = code.toInt(texel);
   axis.fraction = code.ir.CreateFSub(texel, code.toFloat(axis.index[0]));
-  // At the last texel the fraction is 0: its neighbour has no weight.
+  // At the last texel the fraction is 0, so its neighbour has no weight.
   axis.index[1] = code.ir.CreateBinaryIntrinsic(
       llvm::Intrinsic::smin, code.ir.CreateAdd(axis.index[0], code.splat(1)), mask(code, size));
   axis.next = AxisTexels::Next::Edge;
   return axis;
 }
 
-/// Returns the texels of a wrap mode that repeats, by a coordinate in 256ths of a texel.
-/// \param folded the coordinate was in [0,1], or no number
+/// Returns the texels of a repeating wrap mode for a coordinate in 256ths of a texel.
+/// \param folded true if the coordinate was reduced to [0,1] or NaN
 static AxisTexels repeatedBytes(Code &code, Value *fixed, Value *last, bool folded) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *first = ir.CreateAShr(fixed, code.splat(kWeightBits));
@@ -203,7 +202,8 @@ static AxisTexels repeatedBytes(Code &code, Value *fixed, Value *last, bool fold
   return axis;
 }
 
-/// Returns those of one that clamps: beyond either end it is the last texel, without a weight.
+/// Returns the texels of a clamping wrap mode. Beyond either end it is the last texel, without
+/// weight.
 static AxisTexels clampedBytes(Code &code, Value *fixed, Value *last) {
   llvm::IRBuilder<> &ir = code.ir;
   fixed = ir.CreateBinaryIntrinsic(llvm::Intrinsic::smax, fixed, code.splat(0));
@@ -225,7 +225,7 @@ AxisTexels linearTexelsOfBytes(Code &code, const AxisKey &key, Value *coordinate
   const bool folds = key.wrap == Wrap::Repeat && !(key.powerOfTwo && key.normalized);
   if (folds)
     coordinate = folded(code, key.wrap, coordinate);
-  // A coordinate that does not fit an integer becomes some texel's.
+  // A coordinate that does not fit an integer gives some valid texel.
   Value *const scale = code.splat(float(1 << kWeightBits));
   Value *const scaled = key.normalized ? ir.CreateFMul(coordinate, ir.CreateFMul(size.real, scale))
                                        : ir.CreateFMul(coordinate, scale);

@@ -41,14 +41,14 @@ namespace {
 
 struct Expected {
   ir::Evaluation evaluation;
-  /// A result is the least normal number: the processor may have made a zero of it, as it finds
-  /// one too small before it is rounded to a denormal.
+  /// A result is the least normal number. The processor may flush it to zero, because it detects
+  /// underflow before rounding.
   bool edge = false;
 };
 
 using Function = std::function<Vec4(Opcode, const ir::Operands &)>;
 
-/// What the interpreter is given for one lane. It is kept where it is: the functions refer to it.
+/// The interpreter's inputs for one lane. It must not move, because the functions refer to it.
 struct Lane {
   Lane(const ir::Program &program, Numerics numerics, const TestMachine::Attributes &attributes,
        const std::vector<Vec4> &parameters, const Function &function) {
@@ -88,7 +88,7 @@ bool hasDerivatives(const ir::Program &program) {
   });
 }
 
-/// Of all lanes.
+/// Returns the expected results of all lanes.
 std::vector<Expected> expectedOf(const ir::Program &program, Numerics numerics,
                                  const std::string &cpu,
                                  const std::vector<TestMachine::Attributes> &attributes,
@@ -105,7 +105,7 @@ std::vector<Expected> expectedOf(const ir::Program &program, Numerics numerics,
     }
     const std::array<std::size_t, 4> quad = quadOf(cpu, lane);
     if (quad[0] != lane)
-      continue; // with its quad
+      continue; // already evaluated with its quad
     const std::array<ir::Evaluation, 4> values =
         ir::evaluateQuad(program, {lanes[quad[0]]->inputs, lanes[quad[1]]->inputs,
                                    lanes[quad[2]]->inputs, lanes[quad[3]]->inputs});
@@ -121,7 +121,7 @@ std::vector<Expected> expectedOf(const ir::Program &program, Numerics numerics,
   return expected;
 }
 
-/// Numbers for attributes and rows; of a wild program one in four is special.
+/// Returns numbers for attributes and rows; for a wild program one in four is special.
 std::vector<Vec4> numbers(testing::Random &random, std::size_t count, bool wild) {
   std::vector<Vec4> result(count);
   for (Vec4 &vector : result)
@@ -133,8 +133,7 @@ std::vector<Vec4> numbers(testing::Random &random, std::size_t count, bool wild)
   return result;
 }
 
-/// Keeps attributes to what is taken of them whatever the application does
-/// (analysis/value_range.h).
+/// Clamps attributes to the ranges that the compiler assumes (analysis/value_range.h).
 void keepToRanges(const ir::Program &program, Numerics numerics,
                   TestMachine::Attributes &attributes) {
   for (std::size_t i = 0; i < attributes.size(); ++i)
@@ -147,7 +146,7 @@ void keepToRanges(const ir::Program &program, Numerics numerics,
     }
 }
 
-/// Components of outputs that differ, as text; empty if none does.
+/// Returns the first output component that differs, as text; empty if none does.
 std::string difference(const ir::Program &program, const TestMachine::Result &actual,
                        const ir::Evaluation &expected, int &compared) {
   for (std::size_t o = 0; o < program.outputs.size(); ++o)
@@ -155,7 +154,7 @@ std::string difference(const ir::Program &program, const TestMachine::Result &ac
       if (!(ir::resultMask(program.outputs[o].kind) >> c & 1))
         continue;
       ++compared;
-      // What PK* has made may be the bits of a denormal.
+      // A result of PK* may have the bits of a denormal.
       const bool bits = ir::flushed(expected.outputs[o][c]) != expected.outputs[o][c];
       const float value = bits ? actual.outputs[o][c] : ir::flushed(actual.outputs[o][c]);
       if (!testing::sameBits(value, expected.outputs[o][c]))
@@ -166,7 +165,7 @@ std::string difference(const ir::Program &program, const TestMachine::Result &ac
 }
 } // namespace
 
-/// Single opcodes as machine code.
+/// Runs single opcodes as machine code.
 class Comparison::Functions {
 public:
   Functions(Numerics numerics, std::string cpu) : m_numerics(numerics), m_cpu(std::move(cpu)) {}

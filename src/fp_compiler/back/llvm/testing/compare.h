@@ -6,26 +6,25 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The opcodes whose machine code is within 2^-21.8 of the result, and not equal to it.
+/// True for opcodes whose machine code is approximate: within 2^-21.8 of the result.
 [[nodiscard]] bool approximates(ir::Opcode op);
 
-/// Runs programs as machine code and on the interpreter and compares to the bit. Where an opcode's
-/// result is an approximation, the interpreter is given the machine code's own value of that one
-/// opcode.
+/// Runs programs as machine code and in the interpreter, and compares the results to the bit. For
+/// approximate opcodes, the interpreter takes the result of the machine code for that opcode.
 class Comparison {
 public:
   Comparison(Numerics numerics, const std::string &cpu);
   ~Comparison();
 
-  /// Every component that counts, on attributes and rows made of \p seed: of a wild one, one in
-  /// four is special. What the options add to outputs is the caller's and left out.
-  /// \return what differs first; empty if nothing does
+  /// Compares every relevant component, with attributes and rows generated from \p seed. For a wild
+  /// program, one number in four is special. Effects of options on outputs are left to the caller.
+  /// \return the first difference; empty if there is none
   [[nodiscard]] std::string run(const ir::Program &program, std::uint64_t seed, bool wild);
 
-  int compared = 0; ///< components
-  int killed = 0;   ///< lanes
-  /// Lanes left out, as a result was the least normal number: the processor may have made a zero of
-  /// it, because it finds one too small before it is rounded to a denormal.
+  int compared = 0; ///< number of components
+  int killed = 0;   ///< number of lanes
+  /// Number of lanes left out because a result was the least normal number. The processor may flush
+  /// it to zero, because it detects underflow before rounding.
   int edges = 0;
 
 private:

@@ -61,7 +61,7 @@ void setQuadInput(abi::Primitive &primitive, int input, const QuadInput &corners
 
 float valueAt(const jit::Engine &engine, const abi::Plane &plane, int x, int y) {
 #if defined(__x86_64__) || defined(__i386__)
-  if (engine.lanes() == 4) { // SSE4.1 multiplies and adds in two
+  if (engine.lanes() == 4) { // SSE4.1 has no fused multiply-add
     volatile const float along = plane.dx * float(x), up = plane.dy * float(y);
     volatile const float row = plane.c + along;
     return row + up;

@@ -5,11 +5,11 @@
 
 #include "fp_compiler/jit.h"
 
-/// What the tests and the micro-benchmark of fragment functions draw: textures, targets and a
-/// screen-sized primitive, kept together with the data that point into them.
+/// The scene that tests and the micro-benchmark of fragment functions draw: textures, targets and a
+/// screen-sized primitive, together with the data that point into them.
 namespace arbiter::fp::testing {
 
-/// A texture of one level with 64 bytes before and behind it.
+/// A texture of one level with 64 bytes of padding on both sides.
 struct SceneTexture {
   abi::SamplerKey key;
   int width = 1, height = 1;
@@ -18,7 +18,7 @@ struct SceneTexture {
   abi::TextureView view;
 };
 
-/// A buffer with rows of guard bytes around its pixels, which stay as they are.
+/// A buffer with rows of guard bytes around its pixels, which must not change.
 struct SceneTarget {
   abi::Format format;
   int width = 1, height = 1;
@@ -34,18 +34,19 @@ struct SceneTarget {
 [[nodiscard]] SceneTarget makeTarget(const abi::Format &format, int width, int height,
                                      std::uint32_t seed);
 
-/// A quad over the window: input i of the primitive is (s, t, 0, 1) of a unit square, moved by
-/// \p offset and scaled.
+/// The corners of input i of a quad over the window. The input is (s, t, 0, 1), from (s0, t0) to
+/// (s1, t1).
 struct QuadInput {
   float s0 = 0, t0 = 0, s1 = 1, t1 = 1;
 };
 void setQuadInput(abi::Primitive &primitive, int input, const QuadInput &corners, int width,
                   int height);
 
-/// A plane's value at the centre of pixel (x, originY + y), as the engine's machine code has it.
+/// Returns a plane's value at the centre of pixel (x, originY + y), as the engine's machine code
+/// computes it.
 [[nodiscard]] float valueAt(const jit::Engine &engine, const abi::Plane &plane, int x, int y);
 
-/// Program::parameters' rows: constants, and program.local[i] from \p locals.
+/// Returns the rows of Program::parameters: constants, and program.local[i] from \p locals.
 [[nodiscard]] std::vector<std::array<float, 4>>
 parameterRows(const ir::Program &program, const std::vector<std::array<float, 4>> &locals);
 

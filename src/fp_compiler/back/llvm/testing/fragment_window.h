@@ -9,7 +9,7 @@
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/evaluate.h"
 
-/// What the tests of fragment functions share: a small window, and a program drawn into it.
+/// Shared parts of the tests of fragment functions: a small window, and a program drawn into it.
 namespace arbiter::fp::testing {
 
 using abi::Layout;
@@ -25,7 +25,7 @@ inline std::vector<std::string> cpus() {
   return names;
 }
 
-/// A program over a window whose first input is a texture coordinate.
+/// A program over a window. Its first input is a texture coordinate.
 struct Scene {
   explicit Scene(const std::string &cpu) : engine(llvm_back::makeEngine({cpu})) {
     key.targets[0].format.layout = Layout::U8x4;
@@ -50,7 +50,7 @@ struct Scene {
     return shade(program, corners, spans.data(), spans.size(), locals);
   }
 
-  /// The whole window by blocks.
+  /// Shades the whole window in blocks.
   std::vector<std::uint8_t> drawBlocks(const ir::Program &program,
                                        const std::vector<QuadInput> &corners,
                                        const std::vector<std::array<float, 4>> &locals = {}) {
@@ -75,7 +75,7 @@ struct Scene {
     return target.bytes;
   }
 
-  /// Machine code by the key, and a target and a primitive for it.
+  /// Compiles the program for the key, and prepares a target and a primitive.
   std::unique_ptr<jit::FragmentCode> begin(const ir::Program &program,
                                            const std::vector<QuadInput> &corners,
                                            const std::vector<std::array<float, 4>> &locals = {}) {
@@ -96,7 +96,7 @@ struct Scene {
     return code;
   }
 
-  /// An input's value as the function computes it.
+  /// Returns an input's value as the function computes it.
   float at(int input, int component, int x, int y) const {
     return valueAt(*engine, primitive.inputs[input][component], x, y - data.originY);
   }

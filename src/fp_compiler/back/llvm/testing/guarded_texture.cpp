@@ -13,7 +13,7 @@ namespace {
 
 using abi::Layout;
 
-/// A texel that is finite, and of depth often one of the ends, so that comparisons find equals.
+/// Fills in a finite texel. Depth is often one of the ends, so that comparisons find equal values.
 void fillTexel(Layout layout, std::uint8_t *texel, std::mt19937 &random) {
   const int bytes = abi::bytesOf(layout);
   const auto real = [&] { return std::uniform_real_distribution<float>(-2, 2)(random); };
@@ -35,7 +35,7 @@ void fillTexel(Layout layout, std::uint8_t *texel, std::mt19937 &random) {
   case Layout::F16x2:
   case Layout::F16x4:
     for (int i = 0; i < bytes; i += 2) {
-      // Denormals now and then, up to 1.999.
+      // This includes some denormals. The maximum is 1.999.
       const auto half = std::uint16_t(random() & 0x8000) | std::uint16_t(random() % 0x4000);
       std::memcpy(texel + i, &half, 2);
     }
@@ -76,7 +76,8 @@ GuardedTexture::GuardedTexture(const abi::SamplerKey &key, std::array<int, 3> si
       extent = std::max(extent / 2, 1);
   }
   view.levels = m_levels.data();
-  // As the contract has it: after the format, so that components of one origin are the same.
+  // The contract has the border colour after the format, so that components with the same source
+  // are equal.
   float stored[4];
   for (float &component : stored)
     component = std::uniform_real_distribution<float>(0, 1)(random);

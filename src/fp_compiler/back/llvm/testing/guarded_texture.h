@@ -7,11 +7,11 @@
 
 namespace arbiter::fp::llvm_back::testing {
 
-/// Memory with pages on either side that nothing may touch. What it holds begins, or ends, exactly
-/// `slack` bytes from such a page.
+/// Memory between inaccessible pages. Its data begin, or end, exactly `kSlack` bytes from such a
+/// page.
 class GuardedMemory {
 public:
-  static constexpr std::size_t kSlack = 64; ///< what abi.h allows to be read
+  static constexpr std::size_t kSlack = 64; ///< bytes that abi.h allows to be read
   GuardedMemory(std::size_t bytes, bool atEnd);
   ~GuardedMemory();
   GuardedMemory(const GuardedMemory &) = delete;
@@ -24,7 +24,7 @@ private:
   std::uint8_t *m_data = nullptr;
 };
 
-/// A texture of random texels with all its levels (faces too), each in guarded memory; some are
+/// A texture with random texels in all levels and faces, each in guarded memory. Some images are
 /// upside down.
 class GuardedTexture {
 public:

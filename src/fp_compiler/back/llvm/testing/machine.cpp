@@ -10,11 +10,11 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// What the code is called with: structures of arrays, `count` lanes each, a multiple of 16.
+/// The arguments of the code: structures of arrays with `count` lanes each, a multiple of 16.
 struct Arrays {
   const float *attributes; ///< [attribute][component][lane]
   const float *parameters; ///< [row][component]
-  float *outputs;          ///< [output][component][lane], then one of 1 where a lane is killed
+  float *outputs; ///< [output][component][lane], then an array with 1 where a lane is killed
 };
 using Function = void (*)(const Arrays *, std::uint32_t count);
 
@@ -62,7 +62,7 @@ public:
   bool hasQuads() override { return true; }
   void kill(Value *lanes) override { m_killed = m_code.ir.CreateOr(m_killed, lanes); }
 
-  /// One lane after the other: what vertex.cpp's gather is compared with.
+  /// Returns a relative operand by selects over all rows. vertex.cpp's gather is compared with it.
   Vec relative(int array, Value *index, unsigned needed) override {
     const auto &rows = m_program.arrays[std::size_t(array)].rows;
     return each(needed, [&](int c) {

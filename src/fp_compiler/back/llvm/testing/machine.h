@@ -10,29 +10,31 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// The processors that this machine can stand for: itself first, then each lesser family by name.
+/// Returns the processor types that this machine can run: itself first, then each lesser family by
+/// name.
 [[nodiscard]] std::vector<std::string> testedCpus();
-/// One of them in the name of a test: "host" for this machine, and nothing that no name may have.
+/// Returns a processor type in a form that test names allow; "host" for this machine.
 [[nodiscard]] std::string nameInTests(const std::string &cpu);
 
-/// The lanes that code for \p cpu takes for the 2x2 quad of a lane: lower left, lower right, upper
+/// Returns the lanes of the 2x2 quad of a lane in code for \p cpu: lower left, lower right, upper
 /// left, upper right.
 [[nodiscard]] std::array<std::size_t, 4> quadOf(const std::string &cpu, std::size_t lane);
 
 /// A program of any language as code that runs on arrays: attributes in, outputs out, and a mask of
-/// what KIL discarded. A texture answers the coordinates (TXP's divided) and TXB's bias or TXL's
-/// level, zero where the target takes none, of TXD the difference of the first coordinate's
-/// derivatives: so that what reaches a sample is seen.
+/// what KIL discarded. A texture returns its operands, so that tests see what reaches a sample.
+/// These are the coordinates (divided for TXP), and TXB's bias or TXL's level. Values that the
+/// target does not use are zero. For TXD it is the difference of the first coordinate's
+/// derivatives.
 class TestMachine {
 public:
-  /// What one lane is run on: a vec4 for each attribute.
+  /// The input of one lane: a vec4 for each attribute.
   using Attributes = std::vector<ir::Vec4>;
   struct Result {
-    std::vector<ir::Vec4> outputs; ///< zero where nothing is written
+    std::vector<ir::Vec4> outputs; ///< zero if nothing is written
     bool killed = false;
   };
 
-  /// The program is compiled as it is, without the passes. Check reason() before use.
+  /// Compiles the program without the passes. Check reason() before use.
   TestMachine(const ir::Program &program, Numerics numerics, const std::string &cpu);
   [[nodiscard]] const std::string &reason() const { return m_reason; }
 

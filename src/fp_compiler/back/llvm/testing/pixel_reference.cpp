@@ -105,8 +105,8 @@ double equated(abi::BlendEquation equation, double s, double d, double sf, doubl
   return 0;
 }
 
-/// The same of bytes, as hosts have it: operands and factors are rounded to 255ths, and so is each
-/// product. A 255th of v * f is 257 * v * f / 65536, to the nearest.
+/// Blends bytes as hosts do: operands, factors and each product are rounded to 255ths. The 255ths
+/// of v * f are 257 * v * f / 65536, rounded to nearest.
 double equatedBytes(abi::BlendEquation equation, double s, double d, double sf, double df) {
   const auto byteOf = [](double value) { return int(std::nearbyint(value * 255)); };
   const auto product = [&](double value, double by) {
@@ -117,7 +117,7 @@ double equatedBytes(abi::BlendEquation equation, double s, double d, double sf, 
   return std::clamp(equated(equation, product(s, sf), product(d, df), 1, 1), 0.0, 255.0) / 255;
 }
 
-/// Operands of a blend, each in 255ths.
+/// Rounds the operands of a blend to 255ths.
 std::array<double, 4> inBytes(const std::array<double, 4> &color) {
   std::array<double, 4> rounded = color;
   for (double &component : rounded)
@@ -132,7 +132,7 @@ std::uint32_t logic(abi::LogicOp op, std::uint32_t s, std::uint32_t d) {
   return results[int(op)];
 }
 
-/// Stencil and depth; true if the fragment passes.
+/// Applies the stencil and depth tests; returns true if the fragment passes.
 bool tested(const abi::DepthStencilKey &key, const abi::FragmentData &data, bool back, float depth,
             std::uint32_t &pixel) {
   if (key.layout == abi::Layout::None)
@@ -144,7 +144,7 @@ bool tested(const abi::DepthStencilKey &key, const abi::FragmentData &data, bool
   if (key.layout == abi::Layout::Depth32F) {
     near = compare(key.depthCompare, z, std::bit_cast<float>(pixel));
   } else if (key.layout == abi::Layout::Depth32) {
-    // 31 bits of the fraction, as a number of 32 bits of which 1 has all.
+    // The value has 31 bits of the fraction in 32 bits; 1 has all bits set.
     bits = z == 1.0f ? 0xFFFFFFFFu : 2 * std::uint32_t(std::floor(std::ldexp(double(z), 31)));
     near = compare(key.depthCompare, bits, old);
   } else {
@@ -229,7 +229,7 @@ ReferencePixel shadeReference(const abi::FragmentKey &key, const abi::FragmentDa
   }
   const float alpha =
       key.clampColors ? std::clamp(fragment.color[3], 0.0f, 1.0f) : fragment.color[3];
-  // As a buffer of eight bits has them (OpenGL 2.1, 4.1.4).
+  // These are the values that an eight-bit buffer would hold (OpenGL 2.1, 4.1.4).
   const auto compared = [&](float value) {
     return layout == abi::Layout::U8x4 ? std::nearbyint(std::clamp(value, 0.0f, 1.0f) * 255.0f)
                                        : value;

@@ -14,7 +14,7 @@ double clampTo(double value, double low, double high) {
   return std::min(std::max(value, low), high);
 }
 
-/// 3.8.7: the coordinate after the wrap mode, in [0,1] times `size` texels.
+/// Returns the coordinate after the wrap mode, in [0,1] times `size` texels (3.8.7).
 double wrapped(Wrap wrap, double s, int size, bool normalized) {
   const double n = size, edge = 0.5 / n;
   if (!normalized)
@@ -43,7 +43,7 @@ double wrapped(Wrap wrap, double s, int size, bool normalized) {
   return 0;
 }
 
-/// One or two texels of a dimension; -1 and `size` and beyond are the border.
+/// One or two texels in a dimension. -1, and `size` and beyond, are the border.
 struct Axis {
   int index[2] = {0, 0};
   double weight[2] = {1, 0};
@@ -54,7 +54,7 @@ Axis axisOf(Wrap wrap, double s, int size, bool normalized, abi::Filter filter) 
   Axis axis;
   if (filter == abi::Filter::Nearest) {
     axis.index[0] = int(std::floor(u));
-    // 3.8.8: "if s is 1 the index is w_s - 1", for what does not reach the border.
+    // 3.8.8: "if s is 1 the index is w_s - 1", for modes that do not reach the border.
     if (wrap != Wrap::ClampToBorder && wrap != Wrap::MirrorClampToBorder)
       axis.index[0] = std::min(axis.index[0], size - 1);
     return axis;
@@ -95,21 +95,21 @@ bool passes(abi::Compare compare, double r, double d) {
 struct Place {
   int image = 0;
   std::array<double, 3> coordinate = {};
-  double reference = 0; ///< of a shadow comparison
+  double reference = 0; ///< for a shadow comparison
 };
 
 int dimensions(Dimension dimension) {
   return dimension == Dimension::Tex1D ? 1 : dimension == Dimension::Tex3D ? 3 : 2;
 }
 
-/// Components of 8 bits or less that nothing decodes.
+/// True if the components have 8 bits or less and are not sRGB-encoded.
 bool fitsBytes(const abi::Format &format) {
   const bool isBytes = format.layout >= Layout::U8x1 && format.layout <= Layout::U8x4;
   const bool isPacked = abi::isPacked(format.layout) && format.layout != Layout::Bits1010102;
   return (isBytes || isPacked) && format.srgb == 0;
 }
 
-/// Whether the host filters bytes in bytes (sample_bytes.cpp).
+/// True if the host filters in byte arithmetic (sample_bytes.cpp).
 bool filtersBytes(const abi::SamplerKey &key) {
   bool isSimple = true;
   for (int i = 0; i < dimensions(key.dimension) && key.dimension != Dimension::Cube; ++i)
@@ -118,7 +118,7 @@ bool filtersBytes(const abi::SamplerKey &key) {
   return fitsBytes(key.format) && isSimple;
 }
 
-/// A component of `bits` bits as the byte that repeats them.
+/// Expands a component of `bits` bits to a byte by repeating its bits.
 double repeated(double component, int bits) {
   const auto value = int(std::lround(component * ((1 << bits) - 1)));
   int byte = 0;
@@ -127,7 +127,7 @@ double repeated(double component, int bits) {
   return byte / 255.0;
 }
 
-/// A texel, of a packed one whose components fit bytes these.
+/// Returns a texel; a packed one whose components fit bytes is expanded to these.
 Color texelOf(const abi::SamplerKey &key, const std::uint8_t *bytes) {
   abi::Format stored = key.format;
   stored.swizzle = abi::kRgba;
@@ -139,7 +139,7 @@ Color texelOf(const abi::SamplerKey &key, const std::uint8_t *bytes) {
   return swizzled(key.format.swizzle, color);
 }
 
-/// What a filter sees of a texel: the comparison's result where there is one (3.8.14).
+/// Returns a filter's input: a texel or the border colour, or the comparison's result (3.8.14).
 Color texelOrBorder(const abi::SamplerKey &key, const abi::TextureView &view,
                     const abi::TextureLevel &level, const int (&at)[3], double reference) {
   const int size[3] = {level.width, level.height, level.depth};
@@ -163,12 +163,13 @@ Color texelOrBorder(const abi::SamplerKey &key, const abi::TextureView &view,
   return swizzled(key.format.swizzle, {passes(key.compare, reference, depth) ? 1.0 : 0.0, 0, 0, 0});
 }
 
-/// A byte between two by a weight of 256ths.
+/// Interpolates between two bytes by a weight in 256ths.
 double between(double a, double b, double weight) {
   return std::floor((a * (256 - weight) + b * weight) / 256 + 0.5);
 }
 
-/// \param s of a linear filter, in 256ths of a texel, before half a texel is taken off
+/// Returns the texels of a linear filter on bytes.
+/// \param s in 256ths of a texel, before half a texel is subtracted
 Axis axisOfBytes(Wrap wrap, double s, int size) {
   const auto fixed = std::int64_t(std::nearbyint(s)) - 128;
   const auto floored =
@@ -182,7 +183,7 @@ Axis axisOfBytes(Wrap wrap, double s, int size) {
   return axis;
 }
 
-/// The same of a linear filter of bytes.
+/// Samples an image with a linear filter on bytes.
 Color sampleBytes(const abi::SamplerKey &key, const abi::TextureView &view, const Place &place) {
   const abi::TextureLevel &level = view.levels[place.image];
   const int size[3] = {level.width, level.height, level.depth};
@@ -243,7 +244,7 @@ Color sampleImage(const abi::SamplerKey &key, const abi::TextureView &view, cons
   return sum;
 }
 
-/// Table 3.21. What a face's s and t are made of, signs included, and which axis is the major one.
+/// Table 3.21: the major axis of each face, and the axes and signs of its s and t.
 struct Face {
   int major, s, t;
   double signS, signT;
@@ -269,13 +270,13 @@ OnFace projected(int face, const std::array<double, 3> &r) {
 
 using Way = std::array<double, 3>;
 
-/// A change of the coordinates in texels of the base level.
+/// Returns a change of the coordinates in texels of the base level.
 Way inTexels(const abi::SamplerKey &key, const abi::TextureLevel &base, const ReferenceQuery &query,
              const Way &derivative) {
   const double size[3] = {double(base.width), double(base.height), double(base.depth)};
   Way d = derivative;
   if (key.dimension == Dimension::Cube) {
-    // The face's projection, differentiated numerically.
+    // The face's projection is differentiated numerically.
     const int face = faceOf(query.coordinate);
     const double step = 1e-6;
     Way next = query.coordinate, last = query.coordinate;
@@ -294,7 +295,7 @@ Way inTexels(const abi::SamplerKey &key, const abi::TextureLevel &base, const Re
 
 double dot(const Way &a, const Way &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// How many texels of the base level a pixel in x or in y is, whichever is more.
+/// Returns the larger change for one pixel in x or in y, in texels of the base level.
 double scaleFactor(const abi::SamplerKey &key, const abi::TextureLevel &base,
                    const ReferenceQuery &query) {
   double rho = 0;
@@ -308,7 +309,7 @@ double scaleFactor(const abi::SamplerKey &key, const abi::TextureLevel &base,
 Color sampleLevel(const abi::SamplerKey &key, const abi::TextureView &view, Place place, int level,
                   abi::Filter filter) {
   if (key.dimension == Dimension::Cube)
-    place.image += 6 * level; // the face is there already
+    place.image += 6 * level; // the index has the face already
   else
     place.image = level;
   return sampleImage(key, view, place, filter);
@@ -323,7 +324,7 @@ std::vector<ReferenceQuery> referenceSamples(const abi::SamplerKey &key,
     return {query};
   const Way x = inTexels(key, view.levels[0], query, query.dx);
   const Way y = inTexels(key, view.levels[0], query, query.dy);
-  // Directions in the picture, turned until the way in the texture is the longest.
+  // A direction in the window is rotated until its image in the texture is longest.
   const double angle = 0.5 * std::atan2(2 * dot(x, y), dot(x, x) - dot(y, y));
   const auto along = [](const Way &a, const Way &b, double turn) {
     Way way;
@@ -351,7 +352,7 @@ std::vector<ReferenceQuery> referenceSamples(const abi::SamplerKey &key,
 }
 
 namespace {
-/// As machine code has it of the square (sample_parts.h).
+/// Computes the machine code's approximation for the square (sample_parts.h).
 double linearLog2(double scale) {
   int exponent = 0;
   const double mantissa = std::frexp(std::max(scale * scale, 0x1p-127), &exponent); // from 1/2 to 1
@@ -376,14 +377,14 @@ Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
     lambda = std::log2(*query.scale);
   else if (query.hasDerivatives)
     lambda = linearLog2(scaleFactor(key, view.levels[0], query));
-  // TXB of a rectangle ignores its bias (ir/semantics.h).
+  // TXB on a rectangle ignores its bias (ir/semantics.h).
   const double ofProgram = key.dimension == Dimension::Rect ? 0 : query.bias;
   const double bias = ofProgram + (key.hasBias ? double(view.lodBias) : 0);
   lambda += clampTo(bias, -16, 16);
   if (key.hasBias)
     lambda = clampTo(lambda, double(view.minLod), double(view.maxLod));
   lambda += query.lambdaOffset;
-  if (lambda <= 0) // OpenGL 4.1, 3.9.12: for all filters
+  if (lambda <= 0) // for all filters (OpenGL 4.1, 3.9.12)
     return sampleLevel(key, view, place, 0, key.magnify);
   const int last = view.levelCount - 1;
   if (key.mip == abi::MipFilter::None)

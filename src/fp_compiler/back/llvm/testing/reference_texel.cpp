@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-/// Texels as the reference sampler reads them.
+/// Reads texels for the reference sampler.
 namespace arbiter::fp::llvm_back::testing {
 namespace {
 
@@ -65,7 +65,7 @@ double component(Layout layout, const std::uint8_t *bytes, int index) {
   return 0;
 }
 
-/// OpenGL 2.1, 3.8.15.
+/// Decodes an sRGB component (OpenGL 2.1, 3.8.15).
 double linearOf(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }

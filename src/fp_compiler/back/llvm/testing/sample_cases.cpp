@@ -15,7 +15,7 @@ using abi::From;
 using abi::Layout;
 using abi::MipFilter;
 
-/// The properties, each a small number.
+/// The sampler properties, each with a small number of values.
 enum Property {
   Dim,
   Lay,
@@ -47,7 +47,7 @@ constexpr abi::Swizzle kSwizzles[] = {abi::kRgba,
 constexpr int kSizes[][3] = {{1, 1, 1},   {16, 8, 4}, {64, 64, 8},
                              {37, 21, 5}, {3, 40, 2}, {1, 32, 1}};
 
-/// Whether GL can ask for it: the rest of the pairs does not occur.
+/// True if GL allows the combination; other pairs are not tested.
 bool possible(const Choice &c) {
   const auto layout = Layout(c[Lay]);
   const auto dimension = Dimension(c[Dim]);
@@ -120,7 +120,7 @@ Choice randomChoice(std::mt19937 &random) {
     Choice c;
     for (std::size_t i = 0; i < kProperties; ++i)
       c[i] = int(random() % unsigned(kValues[i]));
-    if (random() % 3) // most comparisons would fall to `possible`
+    if (random() % 3) // `possible` would reject most comparisons
       c[Shadow] = 0;
     if (random() % 3)
       c[Srgb] = 0;
@@ -139,7 +139,7 @@ std::vector<Case> pairwiseCases(std::mt19937 &random) {
         for (int j = 0; j < kValues[b]; ++j)
           missing.insert({a, i, b, j});
   std::vector<Case> cases;
-  // Pairs that cannot be stay missing: it ends where many tries bring nothing new.
+  // Impossible pairs stay missing, so the loop ends when many tries find nothing new.
   for (;;) {
     Choice best = {};
     int most = 0;

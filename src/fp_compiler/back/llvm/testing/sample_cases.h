@@ -13,8 +13,8 @@ struct Case {
   std::array<int, 3> size = {1, 1, 1};
 };
 
-/// Cases in which every pair of values of two properties (dimension, layout, wrap modes, filters,
-/// comparison, size, lanes, bias ...) occurs that can.
+/// Returns cases that contain every possible pair of values of two properties (dimension, layout,
+/// wrap modes, filters, comparison, size, lanes, bias ...).
 [[nodiscard]] std::vector<Case> pairwiseCases(std::mt19937 &random);
 [[nodiscard]] std::string describe(const Case &test);
 

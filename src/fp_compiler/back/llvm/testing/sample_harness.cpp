@@ -5,7 +5,7 @@
 namespace arbiter::fp::llvm_back::testing {
 namespace {
 
-/// The loop over chunks.
+/// Writes the loop over chunks.
 class Body {
 public:
   Body(Code &code, llvm::Function *function, const abi::SamplerKey &key,
@@ -43,7 +43,8 @@ public:
   }
 
 private:
-  /// The test's arrays do not change while it runs, so their pointers leave the loop.
+  /// Loads a pointer. The test's arrays do not change while it runs, so that LLVM can hoist the
+  /// load.
   Value *constant(llvm::Type *type, std::size_t offset) {
     auto *const load = m_code.ir.CreateLoad(
         type, m_code.ir.CreateConstInBoundsGEP1_64(m_code.ir.getInt8Ty(), m_call, offset));

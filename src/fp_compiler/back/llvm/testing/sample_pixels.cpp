@@ -37,7 +37,7 @@ void fillCoordinates(const Case &test, int lanes, Pixels &pixels, std::mt19937 &
       r = random() % 4 == 0 ? float(random() % 2) : uniform(random, -0.2f, 1.2f);
   for (float &bias : pixels.bias)
     bias = uniform(random, -2, 3);
-  // A level of detail that is one of many, for all pixels of a row.
+  // All pixels of a row share one random level of detail.
   const float scale = std::exp2(uniform(random, -1.5f, 4.0f));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float texel = rect ? 1.0f : 1.0f / float(size[axis]);

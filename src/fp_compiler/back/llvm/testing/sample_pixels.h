@@ -8,7 +8,7 @@ namespace arbiter::fp::llvm_back::testing {
 
 inline constexpr std::uint32_t kChunks = 12;
 
-/// Pixels of a call and what came back.
+/// The pixels of a call and their results.
 struct Pixels {
   explicit Pixels(int lanes) : count(int(kChunks) * lanes) {
     for (auto &plane : coordinate)
@@ -38,8 +38,8 @@ struct Pixels {
 
 [[nodiscard]] float uniform(std::mt19937 &random, float low, float high);
 
-/// Chunks of lines of several steepnesses, of exact texel centres and of scattered points, and
-/// derivatives of some level of detail.
+/// Fills chunks with lines of several slopes, exact texel centres or scattered points, and sets
+/// derivatives of a random level of detail.
 void fillCoordinates(const Case &test, int lanes, Pixels &pixels, std::mt19937 &random,
                      SampleCall &call);
 
