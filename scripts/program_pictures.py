@@ -22,7 +22,7 @@ SHOWN = (
     ("games", ("games-etr", "games-armagetronad", "games-briquolo", "games-neverball", "games-chromium-bsu",
                "games-billard-gl")),
     ("savers", ("savers-hyperspace", "savers-euphoria", "savers-lattice")),
-    ("hacks", ("hacks-dangerball", "hacks-gears", "hacks-glplanet")),
+    ("hacks", ("hacks-dangerball", "hacks-gears", "hacks-molecule")),
 )
 TILE = (240, 180)
 COLUMNS = 4
