@@ -64,7 +64,7 @@ class Random {
 public:
   explicit Random(std::uint64_t seed) : m_state(seed) {}
   std::uint64_t bits();
-  /// Returns 0 to count - 1.
+  /// Returns a number from 0 to count - 1.
   int below(int count) { return int(bits() % std::uint64_t(count)); }
   int between(int low, int high) { return low + below(high - low + 1); }
   /// Returns a number from low on and below high, in a million steps.
