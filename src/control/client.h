@@ -89,7 +89,7 @@ private:
   Buffer m_buffer;
   std::optional<Frame> m_frame;
   std::shared_ptr<FrameView> m_frameView;        ///< of m_frame
-  std::deque<std::shared_ptr<FrameView>> m_lent; ///< of frames that the caller has
+  std::deque<std::shared_ptr<FrameView>> m_lent; ///< views of the frames that the caller holds
 };
 
 } // namespace arbiter::control

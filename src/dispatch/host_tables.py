@@ -1,4 +1,4 @@
-"""Writers of the tables of the host's functions."""
+"""Writes the tables of the host's functions."""
 from gl_commands import HEADING
 
 

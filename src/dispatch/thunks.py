@@ -71,7 +71,7 @@ def imaged(command):
 
 
 def hides_from_host(table, name):
-    """Returns the statement that runs before the host draws."""
+    """Returns the statement that notes a write of the host, "" for draws that the rasterizer tries first."""
     if name in table.draw_commands:
         return ""
     return f'  if (here().softwareListens)\n    software::hostWrites(here(), "gl{name}");\n'

@@ -41,7 +41,7 @@ Tables &tables() {
   return *s_tables;
 }
 
-/// Storage that is not used any more waits for the next image of its size.
+/// Keeps unused storage for the next image of its size.
 void release(void *user) {
   Tables &t = tables();
   std::vector<std::unique_ptr<Segment>> leaving;

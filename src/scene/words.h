@@ -67,7 +67,7 @@ enum class Coordinate : std::uint8_t {
          generator == Generator::Cube;
 }
 
-/// A number that is written with its name behind a word.
+/// An argument of a word: a number that is written with its name.
 struct ArgumentRow {
   std::string_view word;
   double fallback = 0, low = 0, high = 0;

@@ -1,5 +1,5 @@
-// Vertex programs beside the rest of GL: lists, feedback and selection, the application's GLSL,
-// share groups, and passes by fixed function over the same geometry.
+// Vertex programs with the rest of GL: lists, feedback and selection, the application's GLSL, share
+// groups, and fixed-function passes over the same geometry.
 #include <cmath>
 #include <vector>
 
@@ -157,7 +157,7 @@ TEST_F(VertexDraws, ShareGroups) {
   EXPECT_EQ(drawn(), kGreenPixel);
 }
 
-/// Several passes over the same geometry, some by fixed function and some by programs.
+/// There are several passes over the same geometry, some by fixed function and some by programs.
 TEST_F(VertexDraws, PositionInvarianceIsExact) {
   GLuint depth = 0;
   glGenRenderbuffers(1, &depth);

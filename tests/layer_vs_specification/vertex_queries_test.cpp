@@ -1,5 +1,5 @@
 // The vertex target of the program API: objects, parameters, counts, limits, errors, enables,
-// lists. What it shares with the fragment target is tested where they could be mixed up.
+// lists. State that it shares with the fragment target is tested if the two could be confused.
 #include <cstring>
 
 #include "fixture.h"
@@ -25,7 +25,7 @@ TEST_F(VertexQueries, AnObjectHasOneTarget) {
   EXPECT_FALSE(glIsProgramARB(vertex));
   EXPECT_EQ(programiv(GL_PROGRAM_BINDING_ARB, kVertex), 0);
   EXPECT_EQ(programiv(GL_PROGRAM_BINDING_ARB, kFragment), GLint(fragment));
-  glBindProgramARB(kFragment, vertex); // the name is free for either target
+  glBindProgramARB(kFragment, vertex); // either target may use the name
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 

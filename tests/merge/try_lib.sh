@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154  # folder, out and suite are of the scripts that read this
-# What try_ssh.sh and try_slurm.sh share: one machine's run first, then the same with an engine, nodes
-# that are killed in the middle, and the same command again; at the end both reports must be the same.
+# Shared parts of try_ssh.sh and try_slurm.sh. They run a suite on one machine, then with an engine whose
+# nodes are killed in the middle, then repeat the command; at the end both reports must be equal.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
@@ -11,7 +11,7 @@ fail() {
   exit 1
 }
 
-# Ends what a node runs and all its descendants, as a machine that loses its power does.
+# Kills all processes of a node with their descendants, as a loss of power would.
 kill_tree() {
   local child
   kill -STOP "$1" 2>/dev/null || return 0
@@ -37,7 +37,7 @@ serial_run() {
   cp "$out/$suite/report.json" "$folder/serial.json"
 }
 
-# usage: must_equal_serial   of the shards' results, whatever engine they are of
+# usage: must_equal_serial   checks the shards' results of any engine
 must_equal_serial() {
   say "the report of the shards against that of one machine"
   "$root/tests/merge/merge.py" --against "$folder/serial.json" "$out/$suite/shards"/shard-*.json |

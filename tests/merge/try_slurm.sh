@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A suite's shards as a Slurm job array, tried on one machine: a controller and two nodes on loopback, with a
-# munge of their own. One node is killed in the middle, whose shard Slurm gives to the other; one task is
-# cancelled, which the same command runs again. As root.
+# Tries a suite's shards as a Slurm job array on one machine, as root: a controller and two nodes on loopback,
+# with a munge of their own. One node is killed in the middle, and Slurm gives its shard to the other; one task
+# is cancelled, and the same command runs it again.
 # usage: try_slurm.sh FOLDER piglit|differential [OPTION of the suite...]
 set -euo pipefail
 # shellcheck source=tests/merge/try_lib.sh
@@ -20,7 +20,7 @@ write_configuration() {
   rm -rf "$folder/slurm"
   mkdir -p "$folder/slurm"/{state,one,other}
   local port=$((20000 + RANDOM % 20000))
-  # Nodes claim what they will: here one task a node at a time is wanted.
+  # Nodes may claim any resources; these allow one task at a time on each node.
   cat >"$folder/slurm/slurm.conf" <<TEXT
 ClusterName=trial
 SlurmctldHost=$(hostname -s)(127.0.0.1)
@@ -56,7 +56,7 @@ start_munge() {
     --pid-file "$folder/slurm/munge.pid" --log-file "$folder/slurm/munge.log" \
     --seed-file "$folder/slurm/munge.seed" 2>"$folder/slurm/munge.txt" &
   daemons[munge]=$!
-  disown # their ends are no news
+  disown # avoids messages about their ends
 }
 
 start_node() {
@@ -78,7 +78,7 @@ until_ready() {
 # usage: has_in_environment PID NAME=VALUE
 has_in_environment() { tr '\0' '\n' 2>/dev/null <"/proc/$1/environ" | grep -qxF "$2"; }
 
-# The daemon and what it runs, which belongs to step daemons that have left it.
+# Kills a node's daemon and the processes it runs, which belong to step daemons that have left it.
 end_node() {
   local step task
   kill_tree "${daemons[$1]}"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# A suite's shards with GNU parallel over ssh, tried on one machine: two nodes are two ssh servers on
-# loopback, with ports and keys of their own; the machine's own server is left alone.
+# Tries a suite's shards with GNU parallel over ssh on one machine: two nodes are two ssh servers on loopback,
+# with ports and keys of their own; the machine's own server is not touched.
 # usage: try_ssh.sh FOLDER one|all piglit|differential [OPTION of the suite...]
-#   one: a node is lost in the middle, and the other does what it had; all: both are lost, and come back
-# For root each node has its own processes, and its own folder of results, so that they come over ssh.
+#   one: a node is lost in the middle, and the other takes over its work; all: both are lost, and come back
+# As root, each node has its own processes and its own folder of results, so that results are copied over ssh.
 set -euo pipefail
 # shellcheck source=tests/merge/try_lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/try_lib.sh"
@@ -57,7 +57,7 @@ start_node() {
   local results=$out/$suite/shards
   mkdir -p "$results"
   if [[ $(id -u) == 0 ]]; then
-    # shellcheck disable=SC2016  # the shell in the node's own space has them as arguments
+    # shellcheck disable=SC2016  # they are arguments of the shell in the node's own namespace
     unshare --mount --pid --fork --kill-child --mount-proc bash -c \
       'mount -t tmpfs results "$0" && exec /usr/sbin/sshd -D -f "$1" -E "$2"' \
       "$results" "$folder/ssh/server-$1" "$folder/ssh/$1.log" &
@@ -65,7 +65,7 @@ start_node() {
     /usr/sbin/sshd -D -f "$folder/ssh/server-$1" -E "$folder/ssh/$1.log" &
   fi
   nodes[$1]=$!
-  disown # its end is no news
+  disown # avoids a message about its end
   local tries
   for ((tries = 0; tries < 50; tries++)); do
     ssh -F "$folder/ssh/client" "$1" true 2>/dev/null && return

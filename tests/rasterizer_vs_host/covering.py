@@ -1,13 +1,14 @@
-"""Pairwise covering arrays: rows that together hold every pair of values of every two factors."""
+"""Pairwise covering arrays: rows that together contain every pair of values of every two factors."""
 
 import itertools
 import random
 
 
 class Array:
-    """Greedy: each row starts from a pair that is not covered yet, and each further factor takes
-    the value that covers the most new pairs with those that are chosen. make_valid(row, names) makes a
-    row one that can be, if it can without touching the two factors that the row is for."""
+    """Chooses rows greedily: each starts from an uncovered pair, and each further factor takes the value that covers
+    the
+    most new pairs with the chosen values. make_valid(row, names) changes a row into a possible one, if it can without
+    changing the two factors that the row is for."""
 
     def __init__(self, factors, make_valid=lambda row, kept: row, seed=1):
         self.names = list(factors)
@@ -17,13 +18,13 @@ class Array:
         self.open = {frame for a, b in itertools.combinations(self.names, 2)
                      for frame in ((a, x, b, y) for x in self.values[a] for y in self.values[b])}
         self.all = len(self.open)
-        self.tried = set()  # pairs that make_valid() does not let through
+        self.tried = set()  # pairs that make_valid() rejected
 
     def pair(self, a, x, b, y):
         return (a, x, b, y) if self.place[a] < self.place[b] else (b, y, a, x)
 
     def row(self):
-        """The next one; None when every pair that can be is covered."""
+        """Returns the next row; None when every possible pair is covered."""
         while True:
             candidates = sorted(self.open - self.tried)
             if not candidates:
@@ -55,12 +56,12 @@ class Array:
             self.open.discard((a, row[a], b, row[b]))
 
     def covered(self):
-        """The fraction of all pairs."""
+        """Returns the fraction of all pairs."""
         return 1 - len(self.open) / self.all
 
 
 def rows(factors, make_valid, count, seed):
-    """(rows, the fraction of pairs that they hold); count 0: until no pair can be added."""
+    """Returns (rows, the fraction of pairs that they contain); count 0: until no pair can be added."""
     array, found = Array(factors, make_valid, seed), []
     while not count or len(found) < count:
         row = array.row()
@@ -78,7 +79,7 @@ def self_test():
               for x in small[a] for y in small[b]}
     assert held == wanted and part == 1, (wanted - held, part)
     assert 12 <= len(found) <= 18, len(found)
-    # What cannot be is given up, and the rest is still covered.
+    # Impossible pairs are given up, and the rest is still covered.
     forbidden, part = rows(small, lambda row, kept: {**row, "d": "0"}, 0, 1)
     assert part < 1 and all(row["d"] == "0" for row in forbidden)
     held = {(row["a"], row["c"]) for row in forbidden}

@@ -1,5 +1,5 @@
-"""The states whose pairs are drawn, by name and by what the client is given: GL's number, or a choice
-of the client's own (state_*.cpp). The first value of a factor is GL's default or the plainest."""
+"""The states whose pairs are drawn, by name and by the client's value: GL's number, or a choice of the client
+(state_*.cpp). The first value of a factor is GL's default or the simplest."""
 
 import zlib
 
@@ -106,25 +106,26 @@ FACTORS = {
     "wrap_s": enums(WRAPS),
     "wrap_t": enums(WRAPS),
     "wrap_r": enums("repeat clamp_to_edge clamp_to_border"),
-    "lod_bias": {"0": 0, "1": 1, "-0.6": -0.6},  # far from where another level is the nearer
+    "lod_bias": {"0": 0, "1": 1, "-0.6": -0.6},  # no other level is equally near
     "levels": choices("usual max_lod base min_lod"),
     "border": choices("black coloured"),
     "compare": {"off": 0, **enums("lequal gequal less greater")},
     "depth_mode": enums("luminance intensity alpha"),
 }
-# What the client reads beside them; run_formats.py gives other values.
+# The client also reads these; run_formats.py sets other values.
 FIXED = {"swizzle": 0, "anisotropy": 1, "attachment": 0, "srgb_decode": 0x8A49, "encode": 0}
 
 
-# What may leave nothing to be seen, and the value that does not.
+# States that may hide everything, and the value that does not.
 MASKS = {"alpha_test": "off", "stencil": "off", "depth_test": "off", "cull": "off",
          "scissor": "off", "viewport": "whole", "stipple": "off", "color_mask": "all"}
 MOST_MASKS = 2
 
 
 def make_valid(row, kept=()):
-    """The same scene in plain words: what GL forbids is made what it comes to, and of the masks so
-    many stay that something is seen; those of `kept` first. Values are names."""
+    """Makes a row valid. States that GL forbids are replaced by their effect, and only so many masks stay that
+    something is
+    visible; those of `kept` first. Values are names."""
     row = dict(row)
     active = [name for name in MASKS if row[name] != MASKS[name]]
     active.sort(key=lambda name: (name not in kept, zlib.crc32((name + row["format"] + row["primitive"]).encode())))
@@ -135,7 +136,7 @@ def make_valid(row, kept=()):
             if row[wrap] in ("repeat", "mirrored_repeat"):
                 row[wrap] = "clamp_to_edge"
         row["min_filter"] = "linear" if row["min_filter"].startswith("linear") else "nearest"
-        # The host takes coordinates in texels for ones in images, and magnifies no rectangle.
+        # The host takes coordinates in texels for ones in images, and does not magnify rectangles.
         row["mag_filter"] = row["min_filter"]
         row["levels"] = "usual"
     if row["format"] == "depth24":
@@ -146,29 +147,29 @@ def make_valid(row, kept=()):
     if row["format"] in ("dxt1", "dxt5") and row["texture"] != "2d":
         row["format"] = "rgba8"
     if row["logic_op"] != "off":
-        # A level more or less would become any distance.
+        # A logic operation amplifies a difference of a level to any size.
         row["program"] = "constant"
         row["target"] = "window" if row["target"] == "float32" else row["target"]
         row["blend"] = "off"
     if row["stencil"] == "two_sided" and (row["mode_front"], row["mode_back"]) != ("fill", "fill"):
-        # Polygons stay polygons however they are drawn (OpenGL 2.0, section 4.1.5); the host takes
-        # the front's stencil state for all lines and points. swrast/strokes/strokes_test.cpp holds to GL.
+        # Polygons stay polygons however they are drawn (OpenGL 2.0, section 4.1.5), but the host uses the front's
+        # stencil state for all lines and points. swrast/strokes/strokes_test.cpp tests GL's rule.
         row["stencil"] = "on"
     if row["stencil"] == "two_sided" and row["antialias"] == "on" and row["primitive"].startswith(("point", "line")):
-        # Lines and points have a front only (OpenGL 2.0, section 4.1.5); the host draws smooth ones
-        # as triangles, and takes the stencil state of the side that those show.
+        # Lines and points have only a front (OpenGL 2.0, section 4.1.5), but the host draws smooth ones as triangles,
+        # and uses the stencil state of their visible side.
         row["stencil"] = "on"
     if (row["antialias"] == "on" and row["mode_front"] != row["mode_back"]
             and not row["primitive"].startswith(("point", "line"))):
-        # Once the host has drawn one smooth line or point, it shades what follows in the draw as smooth
-        # too, with a coverage that no one wrote: bare frames differ by what malloc() left there.
+        # Once the host has drawn one smooth line or point, it shades the rest of the draw as smooth too, with a
+        # coverage that was never written: bare frames differ by malloc()'s memory.
         row["antialias"] = "off"
     points = row["primitive"] == "points" or "point" in (row["mode_front"], row["mode_back"])
     if row["vertices"] == "program_point" and points:
-        # The host cuts a point whose vertex says its size at the viewport's edges.
+        # The host clips a point with a per-vertex size at the viewport's edges.
         row["viewport"] = "whole"
     if row["stipple"] == "polygon" and (row["mode_front"] == "fill") != (row["mode_back"] == "fill"):
-        # Once it has filled one polygon the host stipples those too that are drawn as lines or points.
+        # Once it has filled one polygon, the host also stipples those that are drawn as lines or points.
         row["stipple"] = "off"
     if row["vertices"] == "texgen" and row["texture"] in ("3d", "cube"):
         row["vertices"] = "fixed"
@@ -176,10 +177,10 @@ def make_valid(row, kept=()):
 
 
 def line_of_numbers(row):
-    """What the client reads, of values that are GL's numbers already."""
+    """Returns a scene as the client reads it, if the values are GL's numbers already."""
     return " ".join(f"{name}={value}" for name, value in row.items())
 
 
 def line(row):
-    """What the client reads."""
+    """Returns a scene as the client reads it."""
     return line_of_numbers({name: FACTORS[name][value] for name, value in row.items()} | FIXED)

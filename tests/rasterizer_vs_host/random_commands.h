@@ -5,18 +5,18 @@
 
 #include "surface.h"
 
-/// How a random sequence chooses its commands: which one is number i depends on the seed and i
-/// alone, so that others can be left out.
+/// Chooses the commands of a random sequence. Command number i depends only on the seed and on i,
+/// so that others can be left out.
 namespace software {
 
-/// Of command `number` alone.
+/// Returns the random numbers of command `number` alone.
 inline Random randomOf(std::uint64_t seed, int number) {
   Random random(seed * 1000003u + std::uint64_t(number));
   random.bits();
   return random;
 }
 
-/// One of `all`, each as likely as its member `weight` says.
+/// Returns one of `all`, with a probability proportional to its member `weight`.
 template <typename Commands>
 const typename Commands::value_type &pickByWeight(const Commands &all, Random &random) {
   int sum = 0;
@@ -31,7 +31,7 @@ const typename Commands::value_type &pickByWeight(const Commands &all, Random &r
   return all.back();
 }
 
-/// The numbers of a list such as "3,17,20".
+/// Parses a list of numbers such as "3,17,20".
 inline std::set<int> numbersOf(const char *list) {
   std::set<int> numbers;
   for (const char *at = list; *at;) {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A detailed plane at steep angles through anisotropic filters of 2, 4, 8 and 16 to 1: how far the pictures
-of bare hosts and of the rasterizer are from a reference of 256 samples a pixel, and from each other.
+"""Draws a detailed plane at steep angles with anisotropic filters of 2, 4, 8 and 16 to 1, and compares the
+pictures of bare hosts and of the rasterizer with a reference of 256 samples a pixel, and with each other.
 
   run_anisotropy.py --build build
 
-Distances are root mean squares over the picture, of 255. Ends with "N passed, N failed, 0 skipped".
+Differences are root mean squares over the picture, in 255ths. Ends with "N passed, N failed, 0 skipped".
 """
 
 import argparse
@@ -15,22 +15,22 @@ import tempfile
 
 import sides
 
-# Of Mesa's two. One draws the same whatever the limit above 1, the other draws by it; so does the layer.
+# The two hosts of Mesa. llvmpipe draws the same for any limit above 1, softpipe and the layer depend on it.
 HOSTS = ("llvmpipe", "softpipe")
 MOST = (1, 2, 4, 8, 16)
-# Of equal pictures but for the rounding of weights and levels.
+# The difference of pictures that are equal except for the rounding of weights and levels.
 SAME = 1.5
-# Where the limit makes the blur, softpipe and the rasterizer may be as near as each other.
+# If the limit causes the blur, softpipe and the rasterizer may be equally near.
 NEARER = 1.05
 
 
 def distance(a, b):
-    """Of red, green and blue; alpha is 255 everywhere."""
+    """Returns the difference of red, green and blue; alpha is 255 everywhere."""
     return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / (len(a) * 3 // 4))
 
 
 def judge(view, host, bare, layer, apart):
-    """Lines of what is wrong; the lists have an element for each of MOST."""
+    """Returns complaints; the lists have an element for each of MOST."""
     wrong = []
     if host == "llvmpipe" and apart[0] > SAME:
         wrong.append("without anisotropy the two differ")
@@ -42,7 +42,7 @@ def judge(view, host, bare, layer, apart):
 
 
 def pictures(build, driver, stats):
-    """The records of the bare host and of the layer, by name."""
+    """Returns the records of the bare host and of the layer, by name."""
     command = [build / "tests/rasterizer_vs_host/rasterizer-anisotropy"]
     with tempfile.TemporaryDirectory(prefix="arbiter-anisotropy-") as scratch, \
             sides.XServer() as display:
@@ -53,7 +53,7 @@ def pictures(build, driver, stats):
 
 
 def compare(build, host):
-    """(views, lines of what is wrong); prints the figures."""
+    """Returns (views, complaints); prints the figures."""
     with tempfile.TemporaryDirectory(prefix="arbiter-anisotropy-") as scratch:
         stats = pathlib.Path(scratch) / "stats.json"
         bare, layer = pictures(build, host, stats)

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Bitmaps under random state, on the bare host and under the layer: pictures, depths, raster positions and
-errors are equal. What the specification says of their texture
-coordinates, fog and second colour, and of those of DrawPixels and CopyPixels, which hosts do not all do, is
-compared with colours worked out here. Bitmaps that a host keeps for later do not end a program, with any back end.
+"""Compares bitmaps under random state on the bare host and under the layer: pictures, depths, raster positions and
+errors
+must be equal. Hosts do not all implement the specification's texture coordinates, fog and second color of bitmaps,
+DrawPixels and CopyPixels; these are compared with colors computed here. Bitmaps that a host keeps for later must not
+crash a program, with any back end.
 
   run_bitmaps.py --build build [--first SEED] [--count N] [--backend auto]
 
-The scenes are drawn by one context each, then by two of a share group by turns.
+The scenes are drawn by one context each, then by two of a share group in turns.
 
 Ends with "N passed, N failed, 0 skipped".
 """
@@ -19,15 +20,15 @@ import tempfile
 import sides
 from x_server import XServer
 
-# Of the draws of the scenes, as many at least must be the rasterizer's.
+# The rasterizer must make at least this fraction of the scenes' draws.
 MOST_DRAWN = 0.8
-# RGBA of what OpenGL 2.1 (2.13, 3.7, 3.9, 3.10) makes of the values that rasterizer-bitmaps sets.
+# The RGBA that OpenGL 2.1 (2.13, 3.7, 3.9, 3.10) defines for the values of rasterizer-bitmaps.
 RULES = {
     "rule texture coordinates": (64, 191, 128, 255),
     "rule texture coordinates of another unit": (128, 32, 255, 255),
     "rule secondary colour": (96, 191, 207, 255),
     "rule colour sum": (96, 191, 207, 255),
-    "rule fog": (112, 96, 143, 255),  # (4 - 1) / 4 of the colour
+    "rule fog": (112, 96, 143, 255),  # (4 - 1) / 4 of the color
     "rule fog of a depth": (112, 96, 143, 255),
     "rule fog of a program": (112, 96, 143, 255),
     "rule a texture": (0, 0, 255, 255),
@@ -48,14 +49,14 @@ def judge_rules(client, env):
 
 
 def judge_frames(client, layer, extra):
-    """A bitmap and an image have their fog in every frame, whoever draws the rest of it."""
+    """Checks that a bitmap and an image have their fog in every frame, whoever draws the rest of it."""
     wanted = bytes(RULES["rule fog"] * 2)
     return [f"{what}: {tuple(found)}" for what, found in
             sides.run([client, "frames"], sides.environment(layer, "auto", extra))
             if sides.distances(found, wanted)[0]]
 
 
-# Bitmaps that sample, then what ends that, then a draw (the client's `letters`): the numbers of each.
+# Bitmaps that sample, followed by a change and a draw (the client's `letters`): the numbers of each.
 CHANGES, DRAWS = range(3), range(6)
 TRIANGLE = (255, 255, 0, 255)
 

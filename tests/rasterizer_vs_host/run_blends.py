@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Blending in buffers of bytes: each pair of factors, each equation, with and without alpha, and a stack of
-faint layers, on the bare host and drawn by the rasterizer. Both are equal to the last bit: llvmpipe rounds
-operands and each product to bytes, and so does the rasterizer.
+"""Tests blending in byte buffers: each pair of factors, each equation, with and without alpha, and a stack of faint
+layers, on the bare host and by the rasterizer. The two must be equal to the last bit: llvmpipe rounds operands and
+each product to bytes, and so does the rasterizer.
 
   run_blends.py --build build
 
@@ -15,9 +15,9 @@ import tempfile
 
 import sides
 
-# Of the pictures, one for each of: factors, equations, and the layers; the last record is of errors.
+# One picture for each of: factors, equations, and the layers; the last record has the errors.
 RECORDS = 2 * (15 * 15 + 5 * 5) + 1 + 1
-# Whoever fills the pictures, the blended squares are the rasterizer's.
+# Whoever fills the pictures, the rasterizer draws the blended squares.
 SQUARES = 64
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A second start of an application takes its machine code from the disk: the functions are the same
-ones, nothing is stored again, and they are there in a fraction of the time.
+"""Tests that a second start of an application reads its machine code from disk: the functions are the same,
+nothing is stored again, and they are ready in a fraction of the time.
 
   run_cache.py --build build
 
@@ -19,7 +19,7 @@ SCENE = "feedback"  # of rasterizer-presenter: two fragment programs
 
 
 def start(client, layer, folder, display):
-    """(the software part of the statistics, {object: which file})."""
+    """Returns (the software part of the statistics, {object: which file})."""
     stats = folder / "stats.json"
     sides.run([client, SCENE],
               sides.environment(layer, "swrast", {"DISPLAY": display, "XDG_CACHE_HOME": str(folder),
@@ -45,10 +45,10 @@ def main():
         "the second has as many functions": made.get("functions", 0) >= 3
         and made["functions"] == taken.get("functions"),
         "the second stores nothing": stored == kept,
-        # Some milliseconds a function against a fraction of one.
+        # Compiling a function takes some milliseconds, loading it a fraction of one.
         "the second does not compile": 0 < 3 * taken.get("compile_microseconds", 0)
         < made.get("compile_microseconds", 0),
-        # Draws wait here: under auto a busy machine may draw before the library is loaded.
+        # Draws wait here: under auto, on a busy machine, the host may draw before the library is loaded.
         "all draws of the second are the rasterizer's": second.get("drawn", 0) > 0
         and not second.get("given_to_host"),
     }

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""State that changes between two draws, one piece at a time, on the bare host and under the layer:
-pictures before, after, and after the change is taken back must be equal.
+"""Changes state between two draws, one piece at a time, on the bare host and under the layer: the pictures before,
+after,
+and after undoing the change must be equal.
 
   run_changes.py --build build [NAME...]
   run_changes.py --build build --backend auto
 
-A change that the bare host does not show in pixels fails too: nothing would be tested. Ends with
+A change that is invisible on the bare host fails too, as nothing would be tested. Ends with
 "N passed, N failed, N skipped".
 """
 
@@ -18,12 +19,12 @@ import tempfile
 
 import sides
 
-# Of the draws of all changes, as many at least must be the rasterizer's.
+# The rasterizer must make at least this fraction of all draws.
 MOST_DRAWN = 0.8
 
 
 def pictures(client, name, env):
-    """[(form and name, moment, bytes)], or what the client died of."""
+    """Returns [(form and name, moment, bytes)], or how the client died."""
     try:
         return [(*what.rsplit(": ", 1), data) for what, data in sides.run([client, name], env)]
     except (sides.Died, subprocess.TimeoutExpired) as death:
@@ -31,7 +32,7 @@ def pictures(client, name, env):
 
 
 def judge(bare, layer):
-    """Lines that say what is wrong."""
+    """Returns complaints, as lines."""
     for side, found in (("the bare host", bare), ("layer", layer)):
         if isinstance(found, str):
             return [f"{side}: {found}"]

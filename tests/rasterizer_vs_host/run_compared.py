@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Fixed function with textures whose depths are compared, on the bare host and under the layer, whose rasterizer
-draws them: each target, format of depths, TEXTURE_COMPARE_FUNC, DEPTH_TEXTURE_MODE and filter.
+"""Compares fixed function with depth comparison textures on the bare host and under the layer, whose rasterizer draws
+them: each target, depth format, TEXTURE_COMPARE_FUNC, DEPTH_TEXTURE_MODE and filter.
 
   run_compared.py --build build [--first SEED] [--count N] [--backend swrast]
 
@@ -11,7 +11,7 @@ import sys
 
 import sides
 
-OTHER = ", t is another"  # what no host says, but OpenGL: pictures are those without it
+OTHER = ", t is another"  # OpenGL's rule, which no host follows: the reference is the picture without it
 
 
 def judge(bare, layer):

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Depths of slanting surfaces and lines on the bare host and under the layer: the same to the last bit, so that of
-surfaces in one plane the same one is seen, whichever of the two draws them.
+"""Compares the depths of slanting surfaces and lines on the bare host and under the layer. They must be equal to the
+last
+bit, so that the same one of two coplanar surfaces is visible, whichever side draws them.
 
   run_depth_planes.py --build build [--first SEED] [--count N] [--backend auto]
 
-Debian's Mesa of 32-bit x86 cuts what leaves the view and sets lines up with x87's precision, in C, where that of
-64 bits has single precision. There (CUT_BY_X87=1) the host says what is right of other surfaces. Of the rest, what no
-matrix of the host's has moved must be what a rasterizer of 64 bits draws, whose depths are the host's: DIGEST.
+Debian's 32-bit x86 Mesa clips at the view and sets up lines in C with x87's precision, 64-bit Mesa with single
+precision. There (CUT_BY_X87=1) the host is the reference for other surfaces only. Of the rest, surfaces that no matrix
+of the host has moved must equal a 64-bit rasterizer's, whose depths are the host's: DIGEST.
 
 Ends with "N passed, N failed, 0 skipped".
 """
@@ -19,16 +20,16 @@ import sys
 
 import sides
 
-UNITS = 1 << 8  # of the last bit of 24, in what GL_UNSIGNED_INT reads
+UNITS = 1 << 8  # the last of 24 bits, in GL_UNSIGNED_INT
 CLEARED = (1 << 32) - 1
-# Of the rasterizer's untransformed depths from these seeds, on processors that multiply and add in one step. Smooth
-# lines are none of them: their corners are by sines, which C libraries of both widths may round apart.
+# The digest of the rasterizer's untransformed depths for these seeds, on processors with fused multiply-add. It
+# excludes smooth lines, whose corners depend on sines, which the C libraries of both word sizes may round differently.
 DIGEST_SEEDS = range(1, 13)
 DIGEST = "40c07d4bd5a1d357983945f4f972348b1499a4e5bc67619c8a22e82d5827f8fd"
 
 
 def uncut(what):
-    """Whether a record is of surfaces and nothing of it leaves the view; in perspective it may be behind the eye."""
+    """True if a record has only surfaces and nothing of it leaves the view; in perspective it may be behind the eye."""
     return " cut " not in what and "perspective" not in what and " line" not in what
 
 
@@ -50,7 +51,7 @@ def multiplies_and_adds_in_one():
 
 
 def differing(what, a, b):
-    """A line of what is wrong with a record's depths, or nothing."""
+    """Returns a line of what is wrong with a record's depths, or nothing."""
     bare, layer = array.array("I", a), array.array("I", b)
     covered = [(x, y) for x, y in zip(bare, layer) if CLEARED not in (x, y)]
     edges = sum((x == CLEARED) != (y == CLEARED) for x, y in zip(bare, layer))
@@ -62,7 +63,7 @@ def differing(what, a, b):
 
 
 def judge(bare, layer, cut_by_x87=False, seeds=()):
-    """`seeds`: those drawn, where a rasterizer drew them whose bits are known."""
+    """Returns complaints. `seeds`: those drawn, if a rasterizer whose bits are known drew them."""
     if [what for what, _ in bare] != [what for what, _ in layer]:
         return ["other records"]
     lines = (differing(what, a, b) for (what, a), (_, b) in zip(bare, layer) if uncut(what) or not cut_by_x87)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Depth buffers without stencil, which software hosts give 32 bits: random frames on the bare host and
-under the layer, in windows and framebuffer objects. All draws must be the rasterizer's, and depths are the
-same to the last bit.
+"""Compares depth buffers without stencil, to which software hosts give 32 bits: random frames on the bare host and
+under
+the layer, in windows and framebuffer objects. The rasterizer must make all draws, and depths must be equal to the
+last bit.
 
   run_depths.py --build build [--first SEED] [--count N] [--backend auto]
 
@@ -15,7 +16,7 @@ import sides
 
 
 def distances(what, a, b):
-    """(pixels that differ, by how much at most)."""
+    """Returns (pixels that differ, the largest difference)."""
     if what.endswith(" depth"):
         apart = [abs(x - y) for x, y in zip(array.array("I", a), array.array("I", b))]
         return sum(d > 0 for d in apart), max(apart, default=0)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Random draws through random fragment programs with nearest and linear filters, on the bare host and under the layer:
-the same to the last bit, of bytes and of floats. Inputs often lie on the edges of texels and on ties of cube maps'
-axes, where the last bit of an input is seen as another texel. Programs are of all instructions; in what the tables
-below list the two may differ.
+"""Draws random primitives with random fragment programs and nearest and linear filters, on the bare host and under the
+layer. Bytes and floats must be equal to the last bit. Inputs often lie on edges of texels and on ties of cube map axes,
+where the last bit of an input selects another texel. Programs use all instructions. Only the results in the tables
+below may differ.
 
   run_exact.py --build build [--first SEED] [--count N] [--backend swrast]
 
@@ -19,16 +19,16 @@ import sides
 
 @dataclasses.dataclass(frozen=True)
 class Row:
-    """A result that two right implementations may differ in."""
+    """A result in which two correct implementations may differ."""
     section: str
     why: str
-    relative: float = 0.0  # how far apart floats may be, as a part of their size
+    relative: float = 0.0  # allowed relative difference of floats
     absolute: float = 0.0
 
 
 STEP = 2.0 ** -23
-# The last instruction of a program "about" one of these is compared with the row's bounds, bytes with a
-# step of 255. OpenGL 2.1, 2.1.1, asks of a result to be "accurate to about 1 part in 10^5", and of no order.
+# The last instruction of a program "about" one of these is compared with the row's bounds, bytes with a step of 255.
+# OpenGL 2.1, 2.1.1, requires results to be "accurate to about 1 part in 10^5", and no order.
 ABOUT = {
     "RSQ": Row("2.1.1", "the host divides by a root, in more time than an estimate and a step", relative=2 * STEP),
     "LG2": Row("2.1.1", "the host divides, and loses the last bits below 1", relative=2 * STEP, absolute=2 * STEP),
@@ -55,7 +55,7 @@ UNDEFINED = {
 
 
 def about(what):
-    """The row that a picture is held to, None where each bit counts."""
+    """Returns the row for a picture, None if each bit counts."""
     return next((row for name, row in ABOUT.items() if f": about {name}:" in what), None)
 
 
@@ -67,7 +67,7 @@ def near(x, y, row):
 
 
 def differing(what, a, b):
-    """A line of what two pictures differ in, or nothing. Numbers that are none are alike."""
+    """Returns a line about the difference of two pictures, or nothing. NaNs are equal."""
     row = about(what)
     if a == b:
         return None

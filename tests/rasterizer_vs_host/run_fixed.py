@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Fixed function without any program: random scenes on the bare host and under the layer, whose rasterizer
-draws them; with ARBITER_FIXED_FUNCTION=programs it must not draw one.
+"""Compares fixed function without any program: random scenes on the bare host and under the layer, whose rasterizer
+draws
+them; with ARBITER_FIXED_FUNCTION=programs it must draw none.
 
   run_fixed.py --build build [--first SEED] [--count N] [--backend auto]
 
@@ -14,8 +15,8 @@ from x_server import XServer
 
 
 def of_whole_lists(args, bare):
-    """The bare host's records; where lists that set the normal that is current draw something else, theirs.
-    Mesa 25.0.7 gives the first vertices of a list the normal that a command behind them sets."""
+    """Returns the bare host's records, or those of whole lists if lists that set the current normal draw differently.
+    Mesa 25.0.7 gives the first vertices of a list the normal that a later command sets."""
     with XServer() as display:
         whole = sides.run([args.build.resolve() / "tests/rasterizer_vs_host/rasterizer-fixed", args.first, args.count],
                           sides.environment(extra={"DISPLAY": display, "LISTS_WHOLE": "1"}))
@@ -28,7 +29,7 @@ def main():
     passed = failed = 0
     count = args.count
     for mode in ("always", "programs"):
-        # Of the second it is asked alone that nothing is the rasterizer's.
+        # In the second mode it only checks that the rasterizer draws nothing.
         args.count = count if mode == "always" else max(count // 5, 1)
         bare, wrong, part = sides.compare(args, "rasterizer-fixed",
                                           lambda bare, layer: sides.differences(of_whole_lists(args, bare), layer),

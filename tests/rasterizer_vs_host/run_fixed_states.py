@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws of fixed function with every state of it by chance, on the bare host and under the layer, whose rasterizer
-draws them.
+"""Compares fixed-function draws with all state random, on the bare host and under the layer, whose rasterizer draws
+them.
 
   run_fixed_states.py --build build [--first SEED] [--count N] [--backend swrast]
 
@@ -12,7 +12,7 @@ import sys
 import sides
 
 ROUNDING = 1
-# Whose coordinate lies between two faces of a cube by its last bit.
+# Pixels whose coordinate is between two faces of a cube within its last bit.
 FEW_PIXELS = 2
 
 

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Every format of textures and colour buffers, on the bare host and drawn by the rasterizer.
+"""Compares every format of textures and color buffers on the bare host and by the rasterizer.
 
   run_formats.py --build build
   run_formats.py --build build --only rgb565
   run_formats.py --build build --sample 2/5
 
-Each texture format is sampled from each target that it can have, between mipmaps and with its
-components in another order; each format of a colour buffer is drawn to plainly, blended, under a
-colour mask, by a logic operation and by a program that goes beyond [0,1], some as slices, faces and
-renderbuffers too; and each kind of pbuffer is drawn to. All of it must be drawn by the rasterizer:
-the layer's statistics are asked. What is left to the host is listed with its reason, which the
-statistics must show. Ends with "N passed, N failed, N skipped".
+Each texture format is sampled from each possible target, between mipmaps and with its components in another order. Each
+color buffer format is drawn to plainly, blended, with a color mask, with a logic operation and by a program that
+exceeds
+[0,1]; some also as slices, faces and renderbuffers. Each kind of pbuffer is drawn to. The rasterizer must make all
+draws, as the layer's statistics tell. Exceptions are listed with their reasons, which the statistics must show. Ends
+with "N passed, N failed, N skipped".
 """
 
 import argparse
@@ -39,19 +39,19 @@ S3TC = {"rgb_dxt1": 0x83F0, "rgba_dxt1": 0x83F1, "rgba_dxt3": 0x83F2, "rgba_dxt5
         "srgb_dxt1": 0x8C4C, "srgba_dxt1": 0x8C4D, "srgba_dxt3": 0x8C4E, "srgba_dxt5": 0x8C4F}
 SRGB = {"srgb8": 0x8C41, "srgb8_alpha8": 0x8C43, "sl8": 0x8C47, "sla8": 0x8C45}
 DEPTHS = {"depth16": 0x81A5, "depth24": 0x81A6, "depth32": 0x81A7, "depth32f": 0x8CAC}
-# Steps of the components with less than 8 bits.
+# The steps of components with less than 8 bits.
 COARSE = {"rgb4": 15, "rgb5": 31, "rgb565": 31, "rgba2": 15, "rgba4": 15, "rgb5_a1": 31}
 COARSE_ALPHA = {"rgb5_a1": 1, "rgb10_a2": 3}
-# What the rasterizer has no code for, with the reason that the statistics give.
+# The rasterizer lacks these, with the reason in the statistics.
 LEFT_TEXTURES = {"r3_g3_b2": 0x2A10, "rgba8_snorm": 0x8F97,
                  "r11f_g11f_b10f": 0x8C3A, "rgb9_e5": 0x8C3D}
 LEFT_TARGETS = {name: LEFT_TEXTURES[name]
                 for name in ("r3_g3_b2", "rgba8_snorm", "r11f_g11f_b10f")}
-# Alpha and intensity: the host blends them by rules of its own, and is left to.
+# Alpha and intensity formats: the host blends them by rules of its own, so that they are left to it.
 ONE_VALUE = ("a8", "i8", "a16", "i16", "a16f", "i16f", "a32f", "i32f")
 SKIP_DECODE, ENCODES, CLEARS_ENCODED = 0x8A4A, 1, 2
-ATTACHED = ("rgba8", "srgb8_alpha8", "rgb565", "rgba16f", "rgba32f")  # to the other kinds of attachments too
-BATCH = 40  # scenes a process
+ATTACHED = ("rgba8", "srgb8_alpha8", "rgb565", "rgba16f", "rgba32f")  # also attached as other kinds of images
+BATCH = 40  # scenes for each process
 LEVEL = 1.01 / 255
 PLAIN = {"program": "texture", "primitive": "quads", "submit": "arrays", "depth_mask": "off",
          "coordinates": "whole"}
@@ -66,7 +66,7 @@ def scene(**changed):
 
 
 def texture_scenes(name, number, **more):
-    """The scenes of one format; `more`: of all of them."""
+    """Returns the scenes of one format; `more` applies to all."""
     targets = ["2d", "cube"] if number in S3TC.values() else ["2d", "1d", "3d", "cube", "rect"]
     if name in DEPTHS:
         targets = ["2d", "1d", "rect"]
@@ -88,7 +88,8 @@ def texture_scenes(name, number, **more):
 
 
 def srgb_scenes():
-    """Textures that are not decoded; buffers that nothing is encoded for but a clear, which the host does."""
+    """Returns scenes of textures that are not decoded, and of buffers with encoding only in a clear, which the host
+    does."""
     for name, number in SRGB.items():
         for label, numbers in texture_scenes(name, number, srgb_decode=SKIP_DECODE):
             yield label.replace(" ", " undecoded ", 1), numbers
@@ -99,8 +100,9 @@ def srgb_scenes():
 
 
 def anisotropic_scenes():
-    """A host's own filter looks otherwise (run_anisotropy.py): who draws is the matter here. Mesa 22.3.6
-    crashes where a 1D texture has such a filter."""
+    """Returns scenes of anisotropic filters. A host's filter looks different (run_anisotropy.py), so that only who
+    draws is
+    checked. Mesa 22.3.6 crashes if a 1D texture has such a filter."""
     for target in ("2d", "3d", "cube"):
         for number in (TEXTURES["rgba8"], TEXTURES["rgba16f"]):
             yield f"anisotropic {target}", scene(texture=target, format=number, anisotropy=8,
@@ -133,26 +135,28 @@ def blended_scenes(name, number):
 
 
 def clears_half_to_none(client, display):
-    """Whether the bare host makes 0 of an alpha of a half in one bit, as it clears a buffer to it."""
+    """True if the bare host stores an alpha of one half as 0 in one bit, when it clears a buffer to it."""
     untouched = scene(target=TEXTURES["rgb5_a1"], program="modulate", color_mask=0)
     [bare] = run_batch(client, [untouched], {**sides.environment(), "DISPLAY": display}, line_of_numbers)
     return array.array("f", bare["float"][1])[4 * EDGE * (EDGE - 1) + 3] == 0  # where nothing is drawn
 
 
 def tolerance(label, half_is_none):
-    """(what a component may be off by, the same of alpha, the part of them that may be off by more
-    than a level of 255).
+    """Returns (a component's tolerance, alpha's tolerance, the fraction of them that may exceed a level of 255).
 
-    A value that lies at the border of two steps of a coarse buffer may be rounded to either; of those of 5 and 6
-    bits the host rounds to 8 bits and cuts off, where the rasterizer rounds to the nearest step. `half_is_none`: of
-    an alpha of a half in one bit Mesa from 23.1 on and Debian's of 32-bit x86 make 0, where 1, as that of 64 bits
-    had it, makes the term vanish: what it takes from the buffer, multiplies and cuts off again is two steps off, 6
-    of 31 for 7.55, of which the rasterizer makes 8. The host blends buffers of 8 bits in integers, and rounds each
-    product; it filters texels as bytes with weights of 8 bits, which shows most where one bit of alpha makes
-    neighbours differ by all there is; and where a depth and its reference
-    are about the same a comparison may fall either way, the more so of 32 bits, of which the host samples the upper
-    23. Its sampler and its GetTexImage make bytes of S3TC blocks that differ by one here and there, which sRGB
-    decodes to two levels and more."""
+    A value at the border of two steps of a coarse buffer may be rounded to either. For 5 and 6 bits the host rounds to
+    8
+    bits and truncates, while the rasterizer rounds to the nearest step. `half_is_none`: Mesa from 23.1 on, and Debian's
+    32-bit x86 Mesa, store an alpha of one half in one bit as 0; with 1, as in 64-bit Mesa, the term vanishes. What the
+    host
+    then reads from the buffer, multiplies and truncates again is two steps off: 6 of 31 for 7.55, which the rasterizer
+    rounds to 8. The host blends 8-bit buffers in integers, and rounds each product. It filters texels as bytes with
+    8-bit
+    weights, which is most visible if one bit of alpha makes neighbors differ completely. If a depth nearly equals its
+    reference, a comparison may go either way, especially with 32 bits, of which the host samples the upper 23. Its
+    sampler
+    and its GetTexImage decode S3TC blocks to bytes that sometimes differ by one, which sRGB decodes to two levels
+    and more."""
     if label.startswith("anisotropic"):
         return 1, 1, 1
     to = label.split()[1] if label.startswith("to ") else ""
@@ -178,8 +182,8 @@ def tolerance(label, half_is_none):
 
 
 def apart(bare, layer):
-    """(how far two pictures of floats are in red, green and blue, how far in alpha, how many
-    components are beyond a level of 255)."""
+    """Returns (the difference of two float pictures in red, green and blue, that in alpha, how many components exceed
+    a level of 255)."""
     worst, beyond = [0, 0], 0
     for i, (x, y) in enumerate(zip(array.array("f", bare), array.array("f", layer))):
         if x == y or (math.isnan(x) and math.isnan(y)):
@@ -191,8 +195,7 @@ def apart(bare, layer):
 
 
 def pbuffer_faults(build):
-    """(kinds of pbuffers, lines of what is wrong): each is drawn to twice. Those of floats are left to
-    the host."""
+    """Returns (kinds of pbuffers, complaints): each is drawn to twice. Those of floats are left to the host."""
     with tempfile.TemporaryDirectory(prefix="arbiter-formats-") as scratch:
         stats = pathlib.Path(scratch) / "stats-%p.json"
         client = build / "tests/rasterizer_vs_host/rasterizer-pbuffers"
@@ -262,12 +265,12 @@ def main():
     with sides.Displays() as displays, concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
 
         def run(scenes):
-            """The records of both sides, draws of the rasterizer, reasons of the others."""
+            """Returns the records of both sides, draws of the rasterizer, reasons of the others."""
             with tempfile.TemporaryDirectory(prefix="arbiter-formats-") as scratch:
                 stats = pathlib.Path(scratch) / "stats-%p.json"
                 layer = sides.environment(sides.layer_of(args.build.resolve()), "swrast",
                                           {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats),
-                                           "ARBITER_FIXED_FUNCTION": "programs"})  # which are counted
+                                           "ARBITER_FIXED_FUNCTION": "programs"})  # programs are counted
                 both = [run_batch(client, scenes, {**env, "DISPLAY": displays.name()},
                                   line_of_numbers)
                         for env in (sides.environment(), layer)]

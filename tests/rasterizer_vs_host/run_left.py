@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Windows in which every draw is the host's, for several samples a pixel or for what each frame has that only the
-host draws: the context is left alone, and its pictures are the bare host's before and after. What it draws later
-that the rasterizer can, to a texture or in whole frames, is the rasterizer's again.
+"""Tests windows in which the host makes every draw, because of several samples a pixel or of draws that only the host
+supports. The layer stops inspecting the context, and its pictures are the bare host's before and after. Later draws
+that the rasterizer supports, to a texture or in whole frames, are the rasterizer's again.
 
   run_left.py --build build
 
@@ -16,11 +16,11 @@ import tempfile
 import sides
 from x_server import XServer
 
-FRAMES = 1300  # of which the last 300 have what is the rasterizer's
-DRAWS = 4  # of a frame
-# A context that is left alone has few draws that are refused, but for those of the last frames to the window of four
-# samples; another has all. A busy machine looks at it more often, as frames take another time, and leaves it later, as
-# a frame says nothing while machine code is made. Half of all draws tells one from the other.
+FRAMES = 1300  # the last 300 contain draws for the rasterizer
+DRAWS = 4  # in each frame
+# A context that the layer left has few refused draws, except in the last frames to the window with four samples; any
+# other context has all. A busy machine returns to it more often, as frame times vary, and leaves it later, as frames
+# count for nothing while machine code is made. Half of all draws separates the two.
 MOST = DRAWS * FRAMES // 2
 
 
@@ -41,8 +41,8 @@ def judge_mixed(bare, layer, part):
 
 
 def again(judged):
-    """The same of a start that finds its machine code: the frames that are the rasterizer's are over before a busy
-    machine has made it."""
+    """Judges a start that finds its machine code: the rasterizer's frames may be over before a busy machine has
+    loaded it."""
 
     def judge_again(bare, layer, part):
         wrong = judged(bare, layer, part)
@@ -61,7 +61,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
     build = parser.parse_args().build.resolve()
-    # While there is no machine code a frame says nothing, so that the first start has more that are mixed.
+    # Without machine code frames count for nothing, so that more frames of the first start are mixed.
     windows = (("a window of four samples", "samples", judge, judge),
                ("a window of mixed frames", "mixed", alike, judge_mixed))
     tally = sides.Tally()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Levels of detail on the bare host and under the layer: pixels are drawn from the same ones.
+"""Compares levels of detail on the bare host and under the layer: each pixel must use the same ones.
 
   run_levels.py --build build [--first SEED] [--count N] [--backend auto]
 
@@ -12,8 +12,8 @@ import sys
 
 import sides
 
-# Of the pixels of one target, one way to sample it and one projection: triangles and quads whose level of
-# detail is halfway between two levels but for the last bits of their coordinates.
+# The fraction of pixels, for one target, one way of sampling and one projection, that may differ: triangles and quads
+# whose level of detail is halfway between two levels within the last bits of their coordinates.
 HALFWAY = 0.003
 KIND = re.compile(r"seed \d+ (?P<kind>\w+ by (?:fixed function|\w+)(?: in perspective)?)")
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Vertex arrays and primitives in display lists, on the bare host and under the layer: pictures and errors
-are equal, and the rasterizer draws what it can.
+"""Compares vertex arrays and primitives in display lists on the bare host and under the layer: pictures and errors must
+be
+equal, and the rasterizer draws what it can.
 
   run_list_arrays.py --build build
 
@@ -15,29 +16,28 @@ import tempfile
 
 import sides
 
-# What the rasterizer draws at least: lists, and a triangle after each. Left to the host are lists that
-# restart primitives, hold mistakes or have no positions; of those from before the first program also what
-# holds any state.
+# The least number of draws of the rasterizer: lists, and a triangle after each. The host gets lists that restart
+# primitives, contain errors or lack positions, and, of lists from before the first program, also those with any state.
 ORDERS = {"programs-first": 209, "lists-first": 187, "no-programs": 209}
-# More where lists are executed too: the triangles after those.
+# There are more if lists are executed too: the triangles after those.
 EXECUTED = {"programs-first": 294, "lists-first": 187, "no-programs": 294}
-# After arrays with colours the current colour is undefined (OpenGL 2.1, 2.8). Mesa takes for it what the list that
-# was compiled before set, which is a list of its own only where the layer keeps none.
-# Quads that are not flat are drawn as the host likes, at once otherwise than in lists.
+# After arrays with colors the current color is undefined (OpenGL 2.1, 2.8). Mesa uses the value that the previously
+# compiled list set, which is a separate list only if the layer keeps none. Hosts split quads that are not flat freely,
+# and differently at once and in lists.
 UNDEFINED = ("no positions after", "client mode 7 arrays while compiled after",
              "buffer mode 7 arrays while compiled after")
 
 
-# How the client makes lists under the layer, and on the bare host. Mesa 22.3.6 refuses commands behind a primitive
-# of a list that it executes too, so there lists are called once they are compiled. It draws quads of arrays otherwise
-# in lists than at once, and so restarts: those pictures may be as of either.
+# How the client makes lists under the layer, and on the bare host. Mesa 22.3.6 refuses commands behind a primitive of a
+# list that it also executes, so that there lists are called after compilation. It draws quads of arrays differently in
+# lists, and therefore also restarts: those pictures may match either.
 MODES = {"compiled": ["compiled"], "executed": ["called", "executed"]}
 
 
 def as_at_once(rows):
-    """The bare host's rows; of a list that it draws otherwise than its commands at once, with every component
-    given, what those draw. Mesa 25.0.7 gives vertices of a list the coordinates of later ones that have more
-    components."""
+    """Returns the bare host's rows. If a list draws differently from its commands executed at once, with every
+    component
+    given, the latter count. Mesa 25.0.7 gives vertices of a list the coordinates of later ones with more components."""
     by_name = dict(rows)
     found = []
     for name, pixels in rows:
@@ -48,12 +48,12 @@ def as_at_once(rows):
 
 
 def name_in(line):
-    """Of a line of sides.differences, the picture's."""
+    """Returns the picture's name in a line of sides.differences."""
     return line.split("'")[1] if "'" in line else line
 
 
 def judge(client, order, mode, layer, scratch):
-    """(lines of what is wrong, how many draws were the rasterizer's)."""
+    """Returns (complaints, the number of the rasterizer's draws)."""
     wrong, least = [], (EXECUTED if mode == "executed" else ORDERS)[order]
     for bare_mode in MODES[mode]:
         try:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Passes that compare depths for equality: where two meet on the bare host they meet under the layer,
-whichever way they transform their vertices, and whichever draws the frame. What meets under the layer and not
-on the bare host is no fault: hosts differ in it.
+"""Tests passes that compare depths for equality. Passes that meet on the bare host must meet under the layer, however
+they
+transform their vertices, and whoever draws the frame. Passes that only meet under the layer are no fault, as hosts
+differ in that.
 
   run_meets.py --build build [--first SEED] [--count N]
 
@@ -18,25 +19,26 @@ import tempfile
 import sides
 from x_server import XServer
 
-# The host may draw a frame by the order of its own transformation, and the next be the rasterizer's; the
-# back end `host` must meet as the bare host does, to the pixel. Under the legacy numerics vertex programs are
-# GLSL on the host, which it clips by planes in eye space, and fixed function in clip space.
+# The host may draw a frame with its own order of operations in the transformation, and the rasterizer the next. The
+# back end `host` must meet as the bare host does, to the pixel. Under the legacy numerics vertex programs are GLSL on
+# the host, which clips them by planes in eye space, and fixed function in clip space.
 WAYS = {"auto": ("auto", {"ARBITER_DEBUG": "steady"}),
         "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
         "swrast": ("swrast", {}), "host": ("host", {}),
         "host, legacy numerics": ("host", {"ARBITER_NUMERICS": "legacy"})}
 HOSTS = ("llvmpipe", "softpipe")
-# Where the host has x87 softpipe has its vertices from there: where a sum of products is rounded depends on the
-# operations that it is made of, so that GLSL meets fixed function by luck.
+# With x87, softpipe's vertices are computed there. Where a sum of products is rounded depends on its operations, so
+# that GLSL meets fixed function only by chance.
 ALONE_BY_X87 = {"llvmpipe": set(), "softpipe": {"fixed", "invariant"}}
-# Of the pixels that met, what may be missing under the layer: at edges the two rasterizers may cover others.
+# The fraction of pixels that met which may be missing under the layer, as the two rasterizers may cover edges
+# differently.
 LOST = 0.01
-# So few pixels say nothing by their rate.
+# With so few pixels the fraction says nothing.
 FEW = 12
 
 
 def met(picture):
-    """The pixels of the second pass: it is white, the first one blue."""
+    """Returns the pixels of the second pass, which is white; the first one is blue."""
     return {i for i in range(0, len(picture), 4) if picture[i] > 127}
 
 
@@ -45,13 +47,13 @@ def covered(picture):
 
 
 def transforms(what):
-    """The names of the first pass's way and of the second's."""
+    """Returns the names of the first and second pass's transformation."""
     return [way.split(" by ")[0] for way in re.sub(r"^seed \d+: (clipped, )?", "", what).split(", then ")]
 
 
 def judge(bare, layer, exact, clips, alone):
-    """Lines of what is wrong. `exact`: what does not meet bare may not meet here either. `clips`: user clip
-    planes cut what every way transforms at the same places. `alone`: ways that meet no other."""
+    """Returns complaints. `exact`: passes that do not meet bare may not meet here either. `clips`: user clip planes
+    cut all ways' transformations at the same places. `alone`: ways that meet no other."""
     if [what for what, _ in bare] != [what for what, _ in layer]:
         return ["other records"]
     wrong = []
@@ -74,7 +76,7 @@ def judge(bare, layer, exact, clips, alone):
 
 
 def sanity(bare):
-    """Lines; empty where the comparison can tell anything: passes meet, and others do not."""
+    """Returns complaints if the comparison cannot show anything: some passes must meet, and others not."""
     counts = [(what, len(met(picture))) for what, picture in bare]
     if sum(count > 100 for _, count in counts) < len(counts) // 2:
         return ["too few passes meet on the bare host"]

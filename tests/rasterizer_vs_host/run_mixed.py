@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Frames that the rasterizer and the host draw together, in windows that change: random sequences, shown
-and read, on the bare host and under the layer, with the server's MIT-SHM and without. Fresh memory of the
-layer holds a pattern, so that what was never defined is seen.
+"""Compares frames that the rasterizer and the host draw together, in windows that change: random sequences are shown
+and
+read on the bare host and under the layer, with the server's MIT-SHM and without. The layer's fresh memory contains a
+pattern, so that undefined pixels are visible.
 
   run_mixed.py --build build [--first SEED] [--count N]
 
@@ -18,22 +19,23 @@ import sides
 from x_server import XServer
 
 SERVERS = {"MIT-SHM": (), "no MIT-SHM": ("-extension", "MIT-SHM")}
-# Machine code that is late: passes of one frame must meet all the same. It comes while frames pause.
+# Late machine code arrives while frames pause; the passes of a frame must meet nevertheless.
 PAUSE_MS = 40
 WAYS = {"auto": ("auto", {"ARBITER_DEBUG": "steady"}),
         "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
         "swrast": ("swrast", {}), "host": ("host", {})}
-POISON = (85, 170, 157)  # what fresh memory holds: of two bare runs, and of the layer's
+POISON = (85, 170, 157)  # patterns of fresh memory: of two bare runs, and of the layer's
 
 
 def defined(first, second):
-    """Of two bare runs what they agree on: a host without MIT-SHM shows memory that nothing wrote where a
-    window has grown since its buffers were made."""
+    """Returns what two bare runs agree on: a host without MIT-SHM shows uninitialised memory if a window has grown
+    since
+    its buffers were made."""
     return [a if a == b else None for a, b in zip(first, second)]
 
 
 def judge(bare, layer, backend, part):
-    """Lines of what is wrong."""
+    """Returns complaints, as lines."""
     if len(bare) != len(layer):
         return [f"{len(layer)} records for {len(bare)}"]
     kept = [(a, b) for a, b in zip(bare, layer) if a]
@@ -50,8 +52,8 @@ def judge(bare, layer, backend, part):
 
 
 def bare_run(command, options, poison, attempts=3):
-    """The bare host's records. Where it uses memory that nothing wrote it may die of it: seen once in
-    some twenty runs under AddressSanitizer, inside its driver."""
+    """Returns the bare host's records. It may crash from uninitialised memory: in one of twenty runs under
+    AddressSanitizer, inside its driver."""
     try:
         with XServer(options=options) as display:
             return sides.run(command, sides.environment(extra={"DISPLAY": display}, fresh=poison))

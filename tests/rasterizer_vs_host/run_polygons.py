@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Filled polygons of any corners on the bare host and under the layer, whose rasterizer draws them.
+"""Compares filled polygons of any shape on the bare host and under the layer, whose rasterizer draws them.
 
   run_polygons.py --build build [--first SEED] [--count N] [--backend swrast]
 

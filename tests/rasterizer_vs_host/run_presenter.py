@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Frames shown in windows, on the bare host and under the layer, each scene with an X server of its
-own: what the server shows after each swap is equal. With an MIT-SHM server the layer must have shown
-frames itself; without the extension the host shows them all.
+"""Compares frames shown in windows on the bare host and under the layer, each scene with an X server of its own: the
+server must show the same after each swap. With an MIT-SHM server the layer must have shown frames itself; without the
+extension the host shows them all.
 
   run_presenter.py --build build [NAME...]
 
@@ -18,7 +18,7 @@ import sides
 
 
 def judge(client, name, server_options, layer, scratch):
-    """(lines of what is wrong, draws of the rasterizer)."""
+    """Returns (complaints, draws of the rasterizer)."""
     try:
         bare, layered, statistics = sides.bare_and_layer([client, name], layer, scratch, server_options)
     except (sides.Died, subprocess.TimeoutExpired) as death:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A window whose context is released and made current again, on the bare host and under the layer: what it
-shows and holds is equal, and where nothing else can have drawn to it, nothing is asked of the host again.
+"""Tests a window whose context is released and made current again, on the bare host and under the layer. Its visible
+content and its buffers must be equal. If no one else can have drawn to it, nothing may be read from the host again.
 
   run_releases.py --build build [NAME...]
 
@@ -15,8 +15,8 @@ import tempfile
 
 import sides
 
-# How many images may be moved from the host and to it, of those scenes where that is the point. A scene's
-# first frame takes up what the host cleared; a context that leaves gives the host a frame's two images.
+# The allowed number of images moved from the host and to it, in the scenes that test it. A scene's first frame takes up
+# what the host cleared; a context that is released gives the host a frame's two images.
 MOST = {"cleared": (2, 48), "kept": (2, 48), "within-frames": (2, 96), "again": (2, 2),
         "shown-outside": (2, 48)}
 
@@ -29,7 +29,7 @@ def moved_too_much(name, statistics):
 
 
 def judge(client, name, layer, scratch):
-    """(lines of what is wrong, the rasterizer's statistics)."""
+    """Returns (complaints, the rasterizer's statistics)."""
     try:
         bare, layered, statistics = sides.bare_and_layer([client, name], layer, scratch)
     except (sides.Died, subprocess.TimeoutExpired) as death:

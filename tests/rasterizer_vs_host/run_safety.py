@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Scenes that no careful program draws, each in a process of its own, on the bare host and under
-the layer: nothing may crash, errors are equal, and so are the pictures that are defined.
+"""Runs scenes that no careful program draws, each in a process of its own, on the bare host and under the layer:
+nothing
+may crash, and errors and defined pictures must be equal.
 
   run_safety.py --build build [NAME...]
 
@@ -17,7 +18,7 @@ import tempfile
 import sides
 
 
-# Scenes of an extension that the bare host lacks: under the layer it must be there.
+# Scenes of an extension that the bare host lacks and that the layer must offer.
 OF_CARD = {"sampled-by-vertices": {"ARBITER_PROFILE": "nv40", "SAFETY_NEEDS": "GL_NV_vertex_program3"}}
 
 
@@ -29,7 +30,7 @@ def draw(client, name, env):
 
 
 def judge(bare, layer):
-    """(result, lines): pass, host (the bare host dies of it too) or FAIL."""
+    """Returns (result, lines): pass, host (the bare host crashes too) or FAIL."""
     if isinstance(layer, str):
         return ("host" if isinstance(bare, str) else "FAIL"), [f"layer: {layer}"]
     if isinstance(bare, str):

@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
-"""Random sequences of GL commands on the bare host and under the layer: what is read must be equal.
+"""Runs random sequences of GL commands on the bare host and under the layer: everything read must be equal.
 
   run_sequences.py --build build                       the quick set
   run_sequences.py --build build --count 500           that many seeds
   run_sequences.py --build build --first 41 --count 1  one of them
   run_sequences.py --build build --backend auto --commands 400
-  run_sequences.py --build build --planted             and is a command seen that one side leaves out?
+  run_sequences.py --build build --planted             also: is a command noticed that one side leaves out?
 
-Draws mix the layer's and the host's; all are exact in any arithmetic, so that no bit may differ. A
-sequence that differs is reduced: commands are left out as long as it still does. Ends with
-"N passed, N failed, N skipped".
+Draws of the layer and of the host are mixed; all are exact in any arithmetic, so that no bit may differ. A differing
+sequence is reduced: commands are removed as long as it still differs. Ends with "N passed, N failed, N skipped".
 """
 
 import argparse
@@ -23,7 +22,7 @@ import sides
 
 
 class Sequences:
-    """One way of running them, twice."""
+    """Runs sequences in one way, on both sides."""
 
     def __init__(self, args, displays, scratch):
         self.client = args.build / "tests/rasterizer_vs_host/rasterizer-sequence"
@@ -38,14 +37,14 @@ class Sequences:
         return [self.client, seed, self.commands, *kept]
 
     def drawn(self, seed):
-        """How many draws the rasterizer did; None without statistics."""
+        """Returns how many draws the rasterizer made; None without statistics."""
         path = self.scratch / f"stats-{seed}.json"
         sides.run(self.command(seed, None), {**self.layer, "ARBITER_STATS": str(path),
                                              "DISPLAY": self.displays.name()})
         return sides.software_statistics(path).get("drawn")
 
     def differences(self, seed, only=None):
-        """Lines of what differs, none if all is equal."""
+        """Returns the differences, as lines."""
         if only is None:
             only = self.start(seed)
         results = []
@@ -57,7 +56,7 @@ class Sequences:
                 results.append(str(death))
         bare, layer = results
         if isinstance(bare, str) and isinstance(layer, str):
-            return []  # the host's own trouble
+            return []  # a fault of the host
         if isinstance(bare, str) or isinstance(layer, str):
             return [f"{'bare host' if isinstance(bare, str) else 'layer'}: "
                     f"{bare if isinstance(bare, str) else layer}"]
@@ -79,14 +78,14 @@ class Sequences:
         return lines
 
     def start(self, seed):
-        """The commands without those of --skip; None for all."""
+        """Returns the commands without those of --skip; None for all."""
         if not self.skip:
             return None
         return [int(name.split(" ", 1)[0]) for name in self.names(seed, None)
                 if name.split(" ", 1)[1] not in self.skip]
 
     def names(self, seed, only):
-        """Of the commands `only`, or of all."""
+        """Returns the names of the commands `only`, or of all."""
         kept = [",".join(map(str, only))] if only is not None else []
         lines = subprocess.run([str(word) for word in (self.client, "--names", seed, self.commands,
                                                        *kept)],
@@ -94,8 +93,9 @@ class Sequences:
         return lines.splitlines()
 
     def planted(self, seed, most=10):
-        """(seen, planted): how many single commands on pixels, left out on one side, are seen. They are
-        the last ones: what is drawn before is mostly cleared or drawn over."""
+        """Returns (noticed, planted): how many single pixel commands, left out on one side, are noticed. They are the
+        last
+        ones, as earlier drawings are mostly cleared or drawn over."""
         kinds = ("program quad", "feedback", "fixed quad", "CopyTexSubImage", "TexSubImage")
         numbers = [int(name.split(" ", 1)[0]) for name in self.names(seed, None)
                    if name.split(" ", 1)[1] in kinds][-most:]
@@ -109,8 +109,8 @@ class Sequences:
 
 
 def minimise(differs, kept, attempts=300):
-    """The fewest of the commands `kept` that can be found for which differs(list) still holds: first what
-    comes after the first difference, then ever smaller pieces."""
+    """Reduces the commands `kept` while differs(list) still holds: first it removes the commands after the first
+    difference, then ever smaller pieces."""
     tried = 0
     piece = max(1, len(kept) // 2)
     while tried < attempts:

@@ -1,20 +1,18 @@
 #!/usr/bin/env python3
-"""Scenes under pairwise combinations of GL's state, on the bare host and under the layer.
+"""Draws scenes with pairwise combinations of GL's state on the bare host and under the layer.
 
   run_states.py --build build                      the quick set: the first rows of the array
-  run_states.py --build build --count 0            every pair of values that can be
+  run_states.py --build build --count 0            every possible pair of values
   run_states.py --build build --seed 7 --count 200
-  run_states.py --build build --only 17            that row of the array; says what it sets
+  run_states.py --build build --only 17            that row of the array; prints what it sets
   run_states.py --build build --out FOLDER         keeps the pictures that differ
 
-Under an assembly program the bare host forgets ShadeModel, and now and then takes a depth texture of
-mode ALPHA for one of INTENSITY: such scenes are compared with what it draws of the layer's GLSL
-(ARBITER_BACKEND=host).
+With an assembly program the bare host ignores ShadeModel, and sometimes takes a depth texture of mode ALPHA for one of
+INTENSITY: such scenes are compared with the host's picture of the layer's GLSL (ARBITER_BACKEND=host).
 
-The rows are a covering array (covering.py) of the states in factors.py, behind them those scenes
-that pairs alone do not make (AFTER_THE_ROWS). Colours may differ by 1 of
-255, depths by what 16 bits can tell; where judge() says so, a bounded number of pixels may differ by
-more. Ends with "N passed, N failed, N skipped".
+The rows are a covering array (covering.py) of the states in factors.py, followed by scenes that pairs alone do not make
+(AFTER_THE_ROWS). Colors may differ by 1 of 255, depths by the resolution of 16 bits; where judge() says so, a bounded
+number of pixels may differ by more. Ends with "N passed, N failed, N skipped".
 """
 
 import argparse
@@ -32,24 +30,24 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "real_pr
 from picture import Picture, write_png  # noqa: E402
 
 AFTER_THE_ROWS = [
-    # Which vertex of a quad provokes, and from which corner on it is cut and outlined.
+    # These test a quad's provoking vertex, and the corner from which it is split and outlined.
     "program=color shade=flat primitive=quads provoking=first",
     "program=color shade=smooth primitive=quads provoking=first",
     "program=color shade=flat primitive=quad_strip provoking=first",
     "program=color primitive=quad_strip provoking=first stipple=line mode_front=line mode_back=line",
     "program=color shade=flat primitive=quads provoking=first stipple=line mode_front=line "
     "mode_back=line vertices=clipped",
-    # Corners that several polygons share, each with its own offset.
+    # Several polygons share corners here, each with its own offset.
     "program=constant primitive=triangle_strip depths=perspective mode_back=point offset=on "
     "point_size=4 viewport=small depth_test=gequal logic_op=op10",
 ]
 EDGE = 48
-BATCH = 20  # scenes a process
+BATCH = 20  # scenes for each process
 DEPTH = 1 << 16  # of 2^32: the interpolation of a depth in single precision
 
 
 def run_batch(client, scenes, env, spell=line):
-    """[records of a scene or a text that says how the client died]."""
+    """Returns [records of a scene or a text that says how the client died]."""
     try:
         found = sides.run([client], env, "".join(spell(s) + "\n" for s in scenes).encode())
         # A record's name begins with the number of its scene in the batch.
@@ -63,7 +61,7 @@ def run_batch(client, scenes, env, spell=line):
 
 
 def far_colors(a, b, most):
-    """How many pixels have a channel that is further apart than `most`."""
+    """Returns how many pixels have a channel that differs by more than `most`."""
     if a == b:
         return 0
     apart = [abs(x - y) for x, y in zip(a, b)]
@@ -77,14 +75,17 @@ def far_depths(a, b):
 
 
 def allowance(scene):
-    """(levels that a channel may differ by, the fraction of pixels that may differ by more).
+    """Returns (levels that a channel may differ by, the fraction of pixels that may differ by more).
 
-    Stated exceptions: a blend reads what an earlier primitive may have left a level apart, and
-    scales the source's level; a test against a threshold, of alpha, by the program or of a
-    texture's depth, may fall either way in the pixels next to where the value crosses it, and so
-    may the choice between the filters of an image that is made larger and smaller; the ends of wide
-    and stippled lines are free; and polygons that are not filled draw the sides and corners that
-    they share once each, where the last bit of a sloped depth decides whether the second passes."""
+    The exceptions are these. A blend reads what an earlier primitive may have drawn a level apart, and scales the
+    source's
+    level. A test against a threshold, of alpha, by the program or of a texture's depth, may go either way in the pixels
+    next
+    to where the value crosses it. So may the choice between the filters of an image that is both magnified and
+    minified.
+    The ends of wide and stippled lines are free. Unfilled polygons draw their common sides and corners once each, so
+    that
+    the last bit of a sloped depth decides whether the second passes."""
     levels, part = (2 if scene["blend"] == "on" else 1), 0.0
     unfilled = (scene["mode_front"], scene["mode_back"]) != ("fill", "fill")
     if scene["alpha_test"] != "off" or scene["program"] == "kill":
@@ -102,7 +103,7 @@ def allowance(scene):
 
 
 def judge(scene, bare, layer):
-    """Lines of what is wrong."""
+    """Returns complaints, as lines."""
     if isinstance(layer, str):
         return [] if isinstance(bare, str) else [f"died under the layer: {layer}"]
     if isinstance(bare, str):
@@ -127,7 +128,7 @@ BACKGROUND = {bytes(color) for color in ((64, 128, 191, 128), (200, 40, 90, 180)
 
 
 def lively(bare):
-    """Whether the scene's own draws left anything: one in which nothing is seen tests little."""
+    """True if the scene's own draws are visible: otherwise it tests little."""
     if isinstance(bare, str):
         return False
     data = bare["color"][1]
@@ -147,19 +148,19 @@ def keep(folder, number, scene, bare, layer):
 
 
 def scene_of(words):
-    """The scene in which all but what the words name is at its first value."""
+    """Returns the scene with the words' values, and the first value of all other factors."""
     return make_valid({**{name: next(iter(values)) for name, values in FACTORS.items()},
                        **dict(word.split("=") for word in words.split())})
 
 
 def wants_glsl(scene):
-    """Whether the host is right in GLSL alone."""
+    """True if the host is only right in GLSL."""
     return (scene["shade"] == "flat"
             or (scene["format"] == "depth24" and scene["depth_mode"] == "alpha"))
 
 
 def reduce(scene, differs):
-    """The scene with as many factors as can be at their first value while it still differs."""
+    """Resets as many factors as possible to their first value while the scene still differs."""
     for name in FACTORS:
         plain = next(iter(FACTORS[name]))
         if scene[name] != plain:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Frames whose depths must meet, with a draw in the middle that the rasterizer lacks: under `auto` they
-settle on one rasterizer, and are not drawn by the two in turns; the pictures stay the bare host's. A program
-whose frames were the rasterizer's as a whole begins with it when it starts again.
+"""Tests frames whose depths must meet, with a draw in the middle that the rasterizer lacks: under `auto` they settle on
+one
+rasterizer instead of alternating, and the pictures stay the bare host's. If the rasterizer drew a program's frames
+completely, it draws from the start at the next run.
 
   run_steady.py --build build [--frames N]
 
@@ -15,10 +16,10 @@ import tempfile
 
 import sides
 
-DRAWS = 12  # a frame
+DRAWS = 12  # in a frame
 FIRST = 8  # frames until machine code is there
-STARTS = 4  # again: on a busy machine one may not wait long enough for the machine code on disk
-# How many draws of all frames may be the rasterizer's: (least, most).
+STARTS = 4  # more starts: on a busy machine one may not wait long enough for the machine code on disk
+# How many draws of all frames the rasterizer may make: (least, most).
 BOUNDS = {
     "whole": lambda frames: ((frames - FIRST) * DRAWS, frames * DRAWS),
     "formats": lambda frames: (0, FIRST * DRAWS),
@@ -27,14 +28,14 @@ BOUNDS = {
 
 
 def judge(kind, part, frames):
-    """What is wrong with the statistics, as text; nothing if they are as they should be."""
+    """Returns what is wrong with the statistics, as text; empty: nothing."""
     least, most = BOUNDS[kind](frames)
     drawn = part.get("drawn", 0)
     return "" if least <= drawn <= most else f"not {least} to {most}"
 
 
 def starts_again(command, environment, stats, bare, draws):
-    """What is wrong with the starts after the first one, as text."""
+    """Returns what is wrong with the starts after the first one, as text."""
     drawn = []
     for _ in range(STARTS):
         wrong = "; ".join(sides.differences(bare, sides.run(command, environment)))

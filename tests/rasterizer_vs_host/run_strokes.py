@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Points, lines and polygons that are not filled, on the bare host and under the layer, whose rasterizer draws them.
+"""Compares points, lines and unfilled polygons on the bare host and under the layer, whose rasterizer draws them.
 
   run_strokes.py --build build [--first SEED] [--count N] [--backend swrast]
 
@@ -10,10 +10,10 @@ import sys
 
 import sides
 
-ROUNDING = 4  # of 24 blended ones, whose alpha is a product of a width and a length
-FEW_PIXELS = 3  # at the corners of what was cut
-# A point that lies between two rows by its last bit, in one picture of forty; and the ends of a smooth line's
-# dashes, which Mesa 25 has a little otherwise than Mesa 22 and the rasterizer.
+ROUNDING = 4  # of 24 blended layers, whose alpha is a product of a width and a length
+FEW_PIXELS = 3  # at the corners of what was clipped
+# In one picture of forty a point is between two rows within its last bit. Also, the ends of a smooth line's dashes
+# differ slightly between Mesa 25 and both Mesa 22 and the rasterizer.
 A_ROW = 48
 
 

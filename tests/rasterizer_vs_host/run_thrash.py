@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""An application that makes images move between the rasterizer and the host in every frame: under `auto`
-the layer finds out by measurement who is to draw it, keeps to that, and the pictures stay the bare host's.
+"""Tests an application that moves images between the rasterizer and the host in every frame: under `auto` the layer
+measures which of them should draw it and keeps to that, and the pictures stay the bare host's.
 
   run_thrash.py --build build [--frames N]
 
-Prints the time of a frame beside the bare host's, which depends on the machine and is not judged.
+Prints the frame times of both, which depend on the machine and are not judged.
 """
 
 import argparse
@@ -15,12 +15,12 @@ import tempfile
 
 import sides
 
-# A frame is the host's in the trial alone (7 and the first), or in all but the trials.
+# The host draws only the trial frames (7 and the first), or all but those.
 TRIAL_FRAMES = 16
 
 
 def judge(kind, part, frames):
-    """What is wrong with the statistics, as text; nothing if they are as they should be."""
+    """Returns what is wrong with the statistics, as text; empty: nothing."""
     back_off = part.get("back_off", {})
     on_host = back_off.get("frames_on_host", 0)
     if not part.get("drawn"):

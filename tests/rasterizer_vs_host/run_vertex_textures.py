@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Textures in vertex programs: random sequences under the layer, drawn by the host and by the rasterizer,
-compared; a bare host has no such programs. The host waits for what it has drawn to a texture before a
-vertex program samples it: llvmpipe of Mesa 22.3.6 does not, and gives other pixels from run to run. The
-rasterizer must have drawn nearly all of its draws.
+"""Compares textures in vertex programs: random sequences under the layer, drawn by the host and by the rasterizer; a
+bare
+host has no such programs. The host waits for its draws to a texture before a vertex program samples it: Mesa 22.3.6's
+llvmpipe does not, and gives other pixels from run to run. The rasterizer must make nearly all of its draws.
 
   run_vertex_textures.py --build build [--first SEED] [--count N] [--backend auto]
 

@@ -1,4 +1,4 @@
-"""The two sides of a comparison: the bare host, and the layer in front with a back end named."""
+"""The two sides of a comparison: the bare host, and the layer in front with a named back end."""
 
 import argparse
 import collections
@@ -16,14 +16,16 @@ from plain_environment import sanitized  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 TIMEOUT = 300
-# Debian's Mesa of 32-bit x86 computes with x87 what it does in C: cutting, dividing, products of matrices.
+# In C code, Debian's 32-bit x86 Mesa computes with x87: clipping, dividing, products of matrices.
 HOST_HAS_X87 = os.environ.get("CUT_BY_X87") == "1"
 
 
 def environment(layer=None, backend=None, extra=None, fresh=None):
-    """`fresh`: 0 to 255 chooses the pattern that fresh memory holds. The C library's allocator reads one
-    variable, AddressSanitizer's, which takes its place in a tree of ./dev asan, the other (and fills no
-    more than 4 KiB unless it is told)."""
+    """Returns the environment of a side.
+
+    `fresh`: 0 to 255 selects the pattern of fresh memory. The C library's allocator reads one variable.
+    AddressSanitizer's
+    allocator, which replaces it in a tree of ./dev asan, reads the other (and fills no more than 4 KiB by default)."""
     env = sanitized(bool(layer))
     if layer:
         env.update(LD_PRELOAD=str(layer), ARBITER_BACKEND=backend, ARBITER_PROFILE="host")
@@ -35,7 +37,7 @@ def environment(layer=None, backend=None, extra=None, fresh=None):
 
 
 class Displays:
-    """An X server for each thread that asks: windows of one server hide one another."""
+    """Runs an X server for each thread, as windows on one server cover one another."""
 
     def __enter__(self):
         self.own, self.stack = threading.local(), contextlib.ExitStack()
@@ -55,11 +57,11 @@ class Displays:
 
 
 class Died(Exception):
-    """A client that ended with a status that is not 0."""
+    """A client ended with a nonzero status."""
 
 
 def run(command, env, text=None):
-    """The client's records: [(what, bytes)]."""
+    """Returns the client's records: [(what, bytes)]."""
     result = subprocess.run([str(word) for word in command], env=env, input=text,
                             capture_output=True, timeout=TIMEOUT)
     if result.returncode:
@@ -79,7 +81,7 @@ def records(data):
 
 
 def distances(a, b, rounding=1):
-    """(how many pixels of four bytes differ by more than `rounding`, the furthest distance)."""
+    """Returns (how many pixels of four bytes differ by more than `rounding`, the largest difference)."""
     if a == b:
         return 0, 0
     if len(a) != len(b):
@@ -92,8 +94,8 @@ def distances(a, b, rounding=1):
 
 
 def differences(bare, layer, rounding=1):
-    """What two clients' records differ in, a line each; nothing where they agree. `rounding`: of 255, how
-    far two may be apart that agree."""
+    """Returns the differences of two clients' records, a line each. `rounding`: the difference in 255ths that counts as
+    equal."""
     lines = []
     if [what for what, _ in bare] != [what for what, _ in layer]:
         pairs = [(x, y) for (x, _), (y, _) in zip(bare, layer) if x != y]
@@ -106,7 +108,7 @@ def differences(bare, layer, rounding=1):
 
 
 def far_pictures(bare, layer, rounding, few):
-    """differences(), where up to `few` pixels of a picture may be further apart than `rounding`."""
+    """Returns differences(), except that up to `few` pixels of a picture may differ by more than `rounding`."""
     lines = differences([(what, b"") for what, _ in bare], [(what, b"") for what, _ in layer])
     for (what, one), (_, other) in zip(bare, layer):
         far, worst = distances(one, other, rounding)
@@ -116,7 +118,7 @@ def far_pictures(bare, layer, rounding, few):
 
 
 def software_statistics(path):
-    """The part of the layer's statistics that is about the rasterizer; empty without one."""
+    """Returns the rasterizer's part of the layer's statistics; empty without a file."""
     try:
         return json.loads(pathlib.Path(path).read_text()).get("software") or {}
     except (OSError, ValueError):
@@ -124,9 +126,8 @@ def software_statistics(path):
 
 
 def bare_and_layer(command, layer, scratch, server_options=(), bare=None):
-    """(the bare host's records, those under the layer with the back end swrast, its statistics), on an X
-    server each. `scratch`: a folder for caches and statistics. `bare`: the command on the bare host, where it
-    is another."""
+    """Returns (the bare host's records, those under the layer with the back end swrast, its statistics), on an X server
+    each. `scratch`: a folder for caches and statistics. `bare`: the command on the bare host, if it differs."""
     stats = pathlib.Path(scratch) / "stats.json"
     stats.unlink(missing_ok=True)
     both = {"XDG_CACHE_HOME": str(scratch)}
@@ -139,7 +140,7 @@ def bare_and_layer(command, layer, scratch, server_options=(), bare=None):
 
 
 def software_totals(folder):
-    """(draws of the rasterizer, {reason: draws that it left to the host}) over the statistics there."""
+    """Returns (draws of the rasterizer, {reason: draws that it left to the host}) over the statistics there."""
     drawn, given = 0, collections.Counter()
     for path in pathlib.Path(folder).glob("stats-*"):
         part = software_statistics(path)
@@ -149,21 +150,22 @@ def software_totals(folder):
 
 
 def guarded(build, env, at):
-    """`env` of a layer whose memory lies between pages that nobody may touch: guarded_memory.cpp.
-    `at`: begin or end, where blocks lie next to such a page."""
+    """Returns `env` with the layer's memory between inaccessible pages: guarded_memory.cpp.
+
+    `at`: begin or end, whichever end of a block is next to such a page."""
     guard = build / "tests/rasterizer_vs_host/librasterizer_guard.so"
     if not guard.exists():
         sys.exit(f"not built: {guard}")
     return {**env, "LD_PRELOAD": f"{guard}:{env['LD_PRELOAD']}", "GUARD_AT": at}
 
 
-# What /proc/cpuinfo calls the processors of ARBITER_CPU.
+# The names of ARBITER_CPU's processors in /proc/cpuinfo.
 CPU_FLAGS = {"avx512": "avx512dq", "avx2": "avx2", "sse4.1": "sse4_1"}
 
 
 def cpu_setting(cpu):
-    """The variables that hold the rasterizer to a family of processors; ends with 77 where this one is
-    not of it."""
+    """Returns the variables that restrict the rasterizer to a family of processors; exits with 77 if this processor
+    does not belong to it."""
     if not cpu:
         return {}
     words = pathlib.Path("/proc/cpuinfo").read_text().split()
@@ -181,7 +183,7 @@ def layer_of(build):
 
 
 def seeded_arguments(doc, count):
-    """The command line of a runner of random scenes: --build, --first SEED, --count N, --backend."""
+    """Parses the command line of a runner of random scenes: --build, --first SEED, --count N, --backend."""
     parser = argparse.ArgumentParser(description=doc,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
@@ -192,9 +194,10 @@ def seeded_arguments(doc, count):
 
 
 def compare(args, client, judge, extra=None, host=None):
-    """(the other side's records, what judge(other, layer) finds wrong, the rasterizer's statistics) of a
-    client of tests/rasterizer_vs_host that draws args.count scenes from seed args.first on. The other side
-    is the bare host, or with `host`, further arguments of the client, the layer whose host draws all."""
+    """Runs a client of tests/rasterizer_vs_host that draws args.count scenes from seed args.first on.
+
+    Returns (the other side's records, judge(other, layer)'s complaints, the rasterizer's statistics). The other side
+    is the bare host. With `host`, further arguments of the client, it is the layer whose host draws everything."""
     build = args.build.resolve()
     command = [build / "tests/rasterizer_vs_host" / client, args.first, args.count]
     with tempfile.TemporaryDirectory(prefix="arbiter-sides-") as scratch, XServer() as display:
@@ -211,7 +214,7 @@ def compare(args, client, judge, extra=None, host=None):
 
 
 def conclude(args, what, records, wrong, part):
-    """Says how a comparison of compare() went; 1 where something is wrong."""
+    """Prints the result of compare(); returns 1 if anything is wrong."""
     print(f"{args.count} {what} from seed {args.first}, {len(records)} records; the rasterizer drew "
           f"{part.get('drawn', 0)}, the host {part.get('given_to_host', {})}")
     for line in wrong[:12]:
@@ -221,29 +224,29 @@ def conclude(args, what, records, wrong, part):
 
 
 def mostly_ours(args, part, least):
-    """Whether the rasterizer, where it must draw, drew more than `least` times what the host did."""
+    """True if the rasterizer, when it must draw, drew more than `least` times what the host did."""
     return args.backend != "swrast" or part.get("drawn", 0) > least * sum(part.get("given_to_host", {}).values())
 
 
 def all_ours(args, part):
-    """Whether the rasterizer, where it must draw, drew all that there was."""
+    """True if the rasterizer, when it must draw, drew everything."""
     return args.backend != "swrast" or (part.get("drawn", 0) > 0 and not part.get("given_to_host", {}))
 
 
 def empty_pictures(records):
-    """A line for each picture, of red and blue, in which nothing is drawn."""
+    """Returns a line for each empty picture, of those whose records have red and blue."""
     return [f"'{what}': nothing is drawn" for what, picture in records
             if picture and not any(picture[0::4]) and not any(picture[2::4])]
 
 
 class Tally:
-    """The rows of a comparison, a line each as they are known, and what is said at the end."""
+    """Prints the rows of a comparison, a line each as they are known, and the result at the end."""
 
     def __init__(self):
         self.passed = self.failed = self.skipped = 0
 
     def row(self, what, wrong, most=8):
-        """`wrong`: lines; none if the row passes."""
+        """Counts a row. `wrong`: lines; none if the row passes."""
         self.passed, self.failed = self.passed + (not wrong), self.failed + bool(wrong)
         print(f"{'FAIL' if wrong else 'pass'} {what}", flush=True)
         for line in wrong[:most]:
@@ -254,6 +257,6 @@ class Tally:
         print(f"skip {what}: {why}", flush=True)
 
     def end(self):
-        """The status for the process."""
+        """Prints the result and returns the process's exit status."""
         print(f"{self.passed} passed, {self.failed} failed, {self.skipped} skipped")
         return 1 if self.failed else 0

@@ -39,8 +39,8 @@ class Case:
     ways_left_out: tuple[str, ...] = ()  # ways in which its recording is not compared; any needs a reason
     step: int = 8  # in 255ths, replaces those 3 %; more needs a reason too
     frames: int = 0  # the number of first frames that its recording keeps; 0: the runner's option
-    maximum: int = 0  # tolerance: largest difference of a channel, of 255
-    mean: float = 0.0  # tolerance: mean difference of all channels, of 255
+    maximum: int = 0  # tolerance: largest difference of a channel, in 255ths
+    mean: float = 0.0  # tolerance: mean difference of all channels, in 255ths
     # It exceeds a Radeon 9700: under a profile with enforced limits the program would be refused, as by that card's
     # driver, so that this case only asks for a report (ARBITER_LIMITS).
     over_limits: bool = False

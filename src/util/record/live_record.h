@@ -48,7 +48,7 @@ public:
   /// Makes the report of a record whose process has ended or executes another program. It ignores a
   /// file that is no record, belongs to another user, or names another path than its own.
   static bool complete(const std::string &recordPath);
-  /// When its process began it, ns of the wall clock; 0 of a file that is no record.
+  /// Returns when the process began the record, in ns of the wall clock; 0 for other files.
   static std::int64_t beganAt(const std::string &recordPath);
 
 private:

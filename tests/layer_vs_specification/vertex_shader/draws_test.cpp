@@ -1,5 +1,5 @@
-// EXT_vertex_shader: what shaders draw, and what is around them: lists, sharing, fixed function,
-// vertex programs, clip planes, the raster position.
+// EXT_vertex_shader: draws of shaders, and related state: lists, sharing, fixed function, vertex
+// programs, clip planes, the raster position.
 #include "vertex_shaders.h"
 
 namespace api::vertex_shaders {
@@ -112,7 +112,7 @@ TEST_F(EraVertexShaders, TheColorMatrixWhereThereIsOne) {
   EXPECT_EQ(invariant(matrix)[2], 1);
   clear();
   drawQuad();
-  glMatrixMode(GL_COLOR); // pixels that are read go through it too
+  glMatrixMode(GL_COLOR); // it applies to pixels that are read too
   glLoadIdentity();
   glMatrixMode(GL_MODELVIEW);
   EXPECT_EQ(readPixel(), kRedPixel);

@@ -1,4 +1,4 @@
-// EXT_vertex_shader: what is an error, and that an error changes nothing.
+// EXT_vertex_shader: the errors; an error changes nothing.
 #include <vector>
 
 #include "vertex_shaders.h"
@@ -93,7 +93,8 @@ TEST_F(EraVertexShaders, ValuesOfOtherStorage) {
   EXPECT_GL_ERROR(GL_INVALID_OPERATION, glSetLocalConstantEXT(constant, GL_FLOAT, value));
   glEndVertexShaderEXT();
   glBeginVertexShaderEXT();
-  EXPECT_NO_GL_ERROR(glSetLocalConstantEXT(constant, GL_FLOAT, value)); // of another definition
+  // it belongs to another definition
+  EXPECT_NO_GL_ERROR(glSetLocalConstantEXT(constant, GL_FLOAT, value));
   glEndVertexShaderEXT();
 }
 

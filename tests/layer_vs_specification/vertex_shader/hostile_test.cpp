@@ -1,5 +1,5 @@
-// EXT_vertex_shader: commands at random, most of them errors, with draws between them. Nothing may
-// crash, and what is drawn afterwards is as ever.
+// EXT_vertex_shader: random commands, most of them errors, with draws between them. Nothing may
+// crash, and later draws are unaffected.
 #include <array>
 #include <random>
 
@@ -8,7 +8,7 @@
 namespace api::vertex_shaders {
 namespace {
 
-/// Names and enumerants, right and wrong ones.
+/// Returns valid and invalid names and enumerants.
 class Commands {
 public:
   explicit Commands(unsigned seed) : m_engine(seed) {}
@@ -61,7 +61,8 @@ private:
 
   GLuint below(std::size_t count) { return GLuint(m_engine() % count); }
   void keep(GLuint name) { m_names[m_next++ % m_names.size()] = name; }
-  /// Of one of the last symbols, or of one after it in its block; or of none.
+  /// Returns the name of one of the last symbols, or a following one in its block, which may not
+  /// exist.
   GLuint name() { return m_names[below(m_names.size())] + below(3); }
   GLuint result() { return below(3) ? name() : GL_OUTPUT_VERTEX_EXT + below(36); }
   GLenum type() { return GL_BYTE + below(12); }

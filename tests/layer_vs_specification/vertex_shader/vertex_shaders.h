@@ -3,10 +3,10 @@
 
 #include "fixture.h"
 
-/// What the tests of EXT_vertex_shader share.
+/// Shared parts of the tests of EXT_vertex_shader.
 namespace api::vertex_shaders {
 
-/// Skips where the extension is not offered: the bare host's, and other profiles.
+/// Skips tests if the extension is not offered, as on the bare host and under other profiles.
 class EraVertexShaders : public ApiTest {
 protected:
   void SetUp() override {
@@ -24,7 +24,7 @@ inline GLuint vertex() { return glBindParameterEXT(GL_CURRENT_VERTEX_EXT); }
 inline GLuint color() { return glBindParameterEXT(GL_CURRENT_COLOR); }
 inline void move(GLuint to, GLuint from) { glShaderOp1EXT(GL_OP_MOV_EXT, to, from); }
 
-/// A new shader, bound: the position is the vertex's, and `rest` says what else is.
+/// Makes and binds a shader: the position is the vertex's, and `rest` adds operations.
 template <typename Rest> GLuint shader(Rest rest) {
   const GLuint name = glGenVertexShadersEXT(1);
   glBindVertexShaderEXT(name);
@@ -34,7 +34,7 @@ template <typename Rest> GLuint shader(Rest rest) {
   glEndVertexShaderEXT();
   return name;
 }
-/// One whose colour is that of a symbol.
+/// Makes a shader whose color is a symbol's value.
 inline GLuint colored(GLuint from) {
   return shader([&] { move(GL_OUTPUT_COLOR0_EXT, from); });
 }

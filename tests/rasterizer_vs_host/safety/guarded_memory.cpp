@@ -1,7 +1,7 @@
-/// Preloaded before the layer: the memory that the layer asks for, pixels and vertices above all,
-/// lies between pages that nobody may touch, so that machine code, which no sanitizer has
-/// instrumented, dies of the first step outside. Freed memory cannot be touched again.
-/// GUARD_AT=begin puts blocks right behind such a page, anything else right before one.
+/// Puts the layer's memory, mainly pixels and vertices, between inaccessible pages; it is preloaded
+/// before the layer. Machine code, which no sanitizer instruments, then crashes at the first access
+/// outside. Freed memory is inaccessible too. GUARD_AT=begin puts blocks directly after such a
+/// page, anything else directly before one.
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -15,7 +15,7 @@
 #include <sys/shm.h>
 #include <unistd.h>
 
-// glibc's own functions beneath those that are replaced here; in no header.
+// These are glibc's own functions beneath the ones replaced here; no header declares them.
 extern "C" void *__libc_malloc(std::size_t);
 extern "C" void *__libc_memalign(std::size_t, std::size_t);
 extern "C" void *__libc_realloc(void *, std::size_t);
@@ -24,17 +24,17 @@ extern "C" void __libc_free(void *);
 namespace {
 
 constexpr std::size_t kPage = 4096;
-constexpr std::size_t kAlignment = 64; ///< of all blocks; more is for speed alone
+constexpr std::size_t kAlignment = 64; ///< of all blocks; a larger one only serves speed
 constexpr std::size_t kSmallest = 1024;
 constexpr std::size_t kArena = std::size_t(1) << 40;
-/// What images may be read, and not written, beyond their pixels: swrast::Storage says so.
+/// Images may be read, but not written, this far beyond their pixels (swrast::Storage).
 constexpr std::size_t kReadable = 64;
-/// Images are aligned to that at least, and nothing else is (storage.cpp): libstdc++ asks for
-/// objects with an alignment of their own by posix_memalign too, from GCC 14 on.
+/// Only images have at least this alignment (storage.cpp): from GCC 14 on, libstdc++ also allocates
+/// aligned objects by posix_memalign.
 constexpr std::size_t kOfImages = 128;
 constexpr std::uint8_t kPattern = 0xA7;
 
-/// In a page of its own before each block: [header][guard][pages of the block][guard].
+/// A page before each block has the header: [header][guard][pages of the block][guard].
 struct Header {
   std::uint8_t *block;
   std::size_t bytes;
@@ -52,9 +52,9 @@ std::uint8_t *arena() {
   }();
   return s_arena;
 }
-/// Addresses are never used again.
+/// Addresses are never reused.
 std::atomic<std::size_t> g_used{0};
-std::atomic<std::size_t> g_images{0}; ///< that ever were
+std::atomic<std::size_t> g_images{0}; ///< number of images so far
 const char *g_layer = "libGLX_arbiter.so";
 
 bool isGuardedBlock(const void *address) {
@@ -77,7 +77,7 @@ Header &headerOf(void *block) {
   const std::size_t page = std::size_t(static_cast<std::uint8_t *>(block) - arena()) / kPage;
   auto &header = *reinterpret_cast<Header *>(arena() + (page - 2) * kPage);
   if (header.block != block)
-    std::abort(); // freed twice, or not a block's begin
+    std::abort(); // freed twice, or not a block's start
   return header;
 }
 
@@ -119,7 +119,7 @@ void check(const Header &header) {
   std::abort();
 }
 
-/// What still lives at the end; and whether images were told from other blocks at all.
+/// Checks at the end what is still allocated, and whether images were recognized at all.
 struct AtEnd {
   ~AtEnd() {
     if (g_used.load() > 0 && g_images.load() == 0) {
@@ -188,8 +188,8 @@ __attribute__((visibility("default"))) void free(void *block) noexcept {
   (void)mprotect(first, header.pages * kPage, PROT_NONE);
 }
 
-/// Memory that is shared with the X server cannot be guarded to the byte: images go to where others
-/// are.
+/// Refuses memory shared with the X server, which cannot be guarded exactly, so that images go to
+/// normal memory.
 __attribute__((visibility("default"))) int shmget(key_t key, std::size_t bytes,
                                                   int flags) noexcept {
   if (isLayer(__builtin_return_address(0))) {

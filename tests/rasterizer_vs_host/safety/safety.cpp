@@ -1,4 +1,4 @@
-// One scene of what no careful program does: rasterizer-safety NAME, or --list.
+// Runs one scene of what no careful program does: rasterizer-safety NAME, or --list.
 #include "safety.h"
 
 #include <cstdio>
@@ -73,7 +73,7 @@ int main(int argc, char **argv) {
     glClearColor(0.1f, 0.2f, 0.3f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     hazard.run();
-    // Whatever came before, a plain picture is still a plain picture.
+    // After any hazard a simple picture must still be right.
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, kSide, kSide);
     glDisable(GL_DEPTH_TEST);

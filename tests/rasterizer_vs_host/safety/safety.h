@@ -1,8 +1,8 @@
 #pragma once
 #include "surface.h"
 
-/// Scenes that no careful program draws: nothing may crash, GL's errors are the bare host's, and so
-/// are the pictures where they are defined.
+/// Scenes that no careful program draws: nothing may crash, and GL's errors and defined pictures
+/// must equal the bare host's.
 namespace software {
 
 inline constexpr int kSide = 64; ///< of the window
@@ -13,15 +13,15 @@ struct Hazard {
 };
 extern const std::vector<Hazard> kVertexHazards, kTextureHazards, kCommandHazards;
 
-/// Errors since the last note, and that the scene came so far.
+/// Records the errors since the last note, and that the scene got this far.
 void note(const std::string &what);
-/// A picture that is defined.
+/// Records a defined picture.
 void picture(const std::string &what);
-/// A fragment program, bound and enabled; `body` without header and END.
+/// Makes, binds and enables a fragment program; `body` has no header and END.
 void useFragments(const std::string &body);
-/// Over the whole window, with the coordinates s0..s1 and t0..t1 of set 0.
+/// Draws a quad over the whole window, with the coordinates s0..s1 and t0..t1 of set 0.
 void wholeQuad(float s0 = 0, float t0 = 0, float s1 = 1, float t1 = 1);
-/// A 2D texture of width x height that differs from texel to texel, bound.
+/// Makes and binds a 2D texture of width x height different texels.
 GLuint smoothTexture(int width, int height, GLenum minFilter = GL_NEAREST);
 
 } // namespace software

@@ -68,7 +68,7 @@ void readsOutOfRange() {
   note("no such level");
 }
 
-/// Commands where they may not be, and with what they may not have.
+/// Issues commands at invalid times and with invalid arguments.
 void errors() {
   useFragments(kColor);
   glBegin(GL_TRIANGLES);
@@ -172,7 +172,7 @@ void oddViewports() {
   note("depth ranges");
 }
 
-/// Objects that are deleted while they are bound.
+/// Deletes objects while they are bound.
 void deleted() {
   const GLuint texture = smoothTexture(16, 16);
   const GLuint program =

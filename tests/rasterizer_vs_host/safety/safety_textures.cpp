@@ -18,7 +18,7 @@ void fetch(const char *instruction, const char *target) {
                target + ";\n");
 }
 
-/// A small mipmapped texture of `target` with the texels of one byte each way.
+/// Makes a small mipmapped texture of `target`.
 void makeTexture(GLenum target, int side) {
   GLuint name = 0;
   const std::vector<unsigned char> texels(std::size_t(side) * std::size_t(side) * 8 * 4, 90);
@@ -49,7 +49,7 @@ constexpr std::array<Kind, 5> kKinds = {{{GL_TEXTURE_1D, "1D"},
                                          {GL_TEXTURE_CUBE_MAP, "CUBE"},
                                          {GL_TEXTURE_RECTANGLE_ARB, "RECT"}}};
 
-/// NaN, infinite and huge coordinates: every target, wrap and filter.
+/// Uses NaN, infinite and huge coordinates with every target, wrap and filter.
 void oddCoordinates() {
   static constexpr float kInf = std::numeric_limits<float>::infinity();
   for (const Kind &kind : kKinds) {
@@ -76,7 +76,7 @@ void oddCoordinates() {
   }
 }
 
-/// What one texel may be asked for; then sizes that are no powers of two.
+/// Samples one texel in all ways, then textures whose sizes are not powers of two.
 void sizes() {
   fetch("TEX", "2D");
   for (const auto &[width, height] : {std::pair(1, 1), {1, 64}, {3, 5}, {63, 65}, {130, 1}}) {
@@ -93,14 +93,14 @@ void sizes() {
 void large() {
   fetch("TEX", "2D");
   smoothTexture(4096, 4096);
-  // One texel a pixel, at the corners and in the middle.
+  // Each pixel shows one texel, at the corners and in the middle.
   for (const float from : {0.0f, 0.5f, 1.0f - kSide / 4096.0f}) {
     wholeQuad(from, from, from + kSide / 4096.0f, from + kSide / 4096.0f);
     picture("4096x4096");
   }
 }
 
-/// A frame buffer that is much larger than the window.
+/// Draws to a framebuffer that is much larger than the window.
 void largeTarget() {
   constexpr int kLarge = 4096;
   GLuint framebuffer = 0;
@@ -121,10 +121,10 @@ void incomplete() {
   fetch("TEX", "2D");
   GLuint name = 0;
   glGenTextures(1, &name);
-  glBindTexture(GL_TEXTURE_2D, name); // has no image
+  glBindTexture(GL_TEXTURE_2D, name); // it has no image
   wholeQuad();
   picture("no image");
-  smoothTexture(16, 16, GL_LINEAR_MIPMAP_LINEAR); // has one level of five
+  smoothTexture(16, 16, GL_LINEAR_MIPMAP_LINEAR); // it has one level of five
   wholeQuad();
   picture("one level");
   smoothTexture(16, 16);
@@ -135,7 +135,7 @@ void incomplete() {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   wholeQuad();
   picture("no size");
-  fetch("TEX", "CUBE"); // one face is another size
+  fetch("TEX", "CUBE"); // one face has another size
   makeTexture(GL_TEXTURE_CUBE_MAP, 8);
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_GENERATE_MIPMAP, GL_FALSE);
   glTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -144,8 +144,8 @@ void incomplete() {
   picture("unequal faces");
 }
 
-/// A vertex program that moves vertices by what it samples; false where there is no such language,
-/// as on the bare host, which then has as few errors.
+/// Uses a vertex program that moves vertices by a sample. Returns false if the language is missing,
+/// as on the bare host, which then raises no errors either.
 bool useSamplingVertices(const char *instruction, const char *target) {
   const auto *const extensions = reinterpret_cast<const char *>(glGetString(GL_EXTENSIONS));
   if (!extensions || !std::strstr(extensions, "GL_NV_vertex_program3 ")) {
@@ -162,8 +162,8 @@ bool useSamplingVertices(const char *instruction, const char *target) {
   return true;
 }
 
-/// Coordinates and levels of any kind, images that are not there, deleted ones, and one that is
-/// drawn to, sampled by a vertex program.
+/// Samples in a vertex program with arbitrary coordinates and levels, missing and deleted images,
+/// and one that is drawn to.
 void sampledByVertices() {
   static constexpr float kInf = std::numeric_limits<float>::infinity();
   useFragments("MOV result.color, fragment.color;\n");
@@ -205,7 +205,7 @@ void sampledByVertices() {
   note("vertices, deleted");
 }
 
-/// Undefined what is drawn; it is the process that must live.
+/// Draws undefined pictures: only the process must survive.
 void feedbackOntoItself() {
   GLuint framebuffer = 0;
   const GLuint texture = smoothTexture(kSide, kSide);

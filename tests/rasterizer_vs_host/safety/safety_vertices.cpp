@@ -15,7 +15,7 @@ constexpr std::array<GLenum, 10> kModes = {
     GL_POINTS,         GL_LINES,        GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
     GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,     GL_QUAD_STRIP, GL_POLYGON};
 
-/// Any of x, y, z and w is odd, in every kind of primitive.
+/// Draws every kind of primitive with odd values of x, y, z or w.
 void oddPositions() {
   useFragments("MUL result.color, fragment.color, fragment.texcoord[0];\n");
   for (const GLenum mode : kModes) {
@@ -38,7 +38,7 @@ void oddPositions() {
   note("odd positions");
 }
 
-/// The same from arrays, with depth and a window far from the usual.
+/// Draws odd positions from arrays, with depth and an unusual viewport.
 void oddArrays() {
   useFragments("MOV result.color, fragment.texcoord[0];\n");
   glEnable(GL_DEPTH_TEST);
@@ -55,7 +55,7 @@ void oddArrays() {
   note("odd arrays");
 }
 
-/// Far beyond any guard band, and yet the picture is plain.
+/// Draws far beyond any guard band; the picture is still well defined.
 void hugeTriangle() {
   useFragments("MOV result.color, fragment.color;\n");
   for (const float far : {1e3f, 1e5f, 1e7f}) {
@@ -119,7 +119,7 @@ void hugePointsAndLines() {
   note("sizes");
 }
 
-/// A register index that the address makes anything.
+/// Uses arbitrary address registers.
 void oddAddresses() {
   (void)makeProgram(GL_VERTEX_PROGRAM_ARB,
                     "!!ARBvp1.0\nADDRESS A;\nPARAM array[8] = { program.env[0..7] };\n"
@@ -132,7 +132,7 @@ void oddAddresses() {
   note("addresses");
 }
 
-/// Colours and depths that are no numbers.
+/// Draws colors and depths that are NaN.
 void oddResults() {
   GLuint framebuffer = 0, color = 0;
   for (const bool floats : {false, true}) {

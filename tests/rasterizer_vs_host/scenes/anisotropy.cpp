@@ -1,6 +1,6 @@
-// A plane with a detailed texture, seen at steep angles: rasterizer-anisotropy. Each view is drawn
-// with no anisotropy and with 2, 4, 8 and 16 to 1, and is computed besides as the mean of 16 times
-// 16 samples of the texture a pixel. Writes all pictures as records; run_anisotropy.py judges them.
+// Draws a plane with a detailed texture at steep angles: rasterizer-anisotropy. Each view is drawn
+// without anisotropy and with 2, 4, 8 and 16 to 1, and also computed as the mean of 16 times 16
+// samples of the texture a pixel. Writes all pictures as records, which run_anisotropy.py judges.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,12 +15,12 @@ namespace {
 constexpr int kEdge = 128;      // of the pictures
 constexpr int kTexels = 512;    // of the texture
 constexpr int kSamples = 16;    // of the reference, in x and in y
-constexpr double kFinest = 1.6; // texels that a pixel in the middle of a picture is wide
+constexpr double kFinest = 1.6; // width of a pixel in the middle of a picture, in texels
 
 /// One level of RGB texels, alpha 255.
 using Texels = std::vector<unsigned char>;
 
-/// Squares of several sizes, lines, and a grain of single texels.
+/// Makes squares of several sizes, lines, and a grain of single texels.
 Texels makeTexels(Random &random) {
   Texels texels;
   for (int y = 0; y < kTexels; ++y)
@@ -52,19 +52,19 @@ Texels halved(const Texels &from, int size) {
 /// A camera above a plane. Points of the picture are (x, y) in [-1, 1].
 class View {
 public:
-  /// In degrees: \param elevation of the middle ray over the plane; \param turn of the texture on
-  /// the plane; \param roll of the camera about the middle ray
+  /// Makes a view by angles in degrees: \param elevation of the middle ray over the plane
+  /// \param turn of the texture on the plane \param roll of the camera about the middle ray
   View(double elevation, double turn, double roll)
       : m_sin(std::sin(radians(elevation))), m_cos(std::cos(radians(elevation))),
         m_zoom(0.5 * std::min(m_sin / m_cos, 2.0)), m_turn(radians(turn)), m_roll(radians(roll)) {
-    // At the middle of the picture a pixel is 2 * zoom / edge of its distance 1 / sin wide.
+    // At the middle of the picture a pixel's width is 2 * zoom / edge of its distance 1 / sin.
     m_texelsPerUnit = kFinest / (2 * m_zoom / kEdge / m_sin);
   }
-  /// 1 / w of the vertex there.
+  /// Returns 1 / w of the vertex there.
   [[nodiscard]] double depth(double x, double y) const {
     return m_sin - rolled(x, y)[1] * m_zoom * m_cos;
   }
-  /// Texture coordinates.
+  /// Returns the texture coordinates there.
   [[nodiscard]] std::array<double, 2> coordinate(double x, double y) const {
     const double scale = m_texelsPerUnit / kTexels / depth(x, y);
     const auto [across, up] = rolled(x, y);
@@ -82,7 +82,7 @@ private:
   double m_sin, m_cos, m_zoom, m_turn, m_roll, m_texelsPerUnit = 1;
 };
 
-/// The linear filter of the base level, repeated.
+/// Samples the base level with a linear filter, repeated.
 std::array<double, 3> linear(const Texels &texels, const std::array<double, 2> &at) {
   const double u = at[0] * kTexels - 0.5, v = at[1] * kTexels - 0.5;
   const double x = std::floor(u), y = std::floor(v);
@@ -165,7 +165,7 @@ void drawView(const Texels &texels, int elevation, int turn, int roll) {
 
 int main() {
   using namespace software;
-  software::Screen screen; // X11 has one too
+  software::Screen screen; // X11 has a Screen too
   if (!screen.open())
     return 1;
   const GLXContext context = screen.makeContext();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char *kColorText = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n";
 
-/// Clears a pixel to the colour of the rules, for CopyPixels.
+/// Clears a pixel to the rules' color, for CopyPixels.
 void clearSource(int x, int y) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(x, y, 1, 1);
@@ -20,8 +20,8 @@ void clearSource(int x, int y) {
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// One pixel of a bitmap, one of DrawPixels and one of CopyPixels. The raster position was set with
-/// the values below.
+/// Draws one pixel each by Bitmap, DrawPixels and CopyPixels. The raster position was set with the
+/// values below.
 void rule(const char *name, const char *text, void (*state)()) {
   constexpr int kAt = kEdge * 5 / 8;
   constexpr float kColor[4] = {0.25f, 0.5f, 0.75f, 1};
@@ -118,7 +118,7 @@ void frames(const std::function<void()> &swap) {
   for (int frame = 0; frame < 40; ++frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    glEnable(GL_POINT_SMOOTH); // smooth sprites are the host's
+    glEnable(GL_POINT_SMOOTH); // the host draws smooth sprites
     glEnable(GL_POINT_SPRITE);
     glBegin(GL_POINTS);
     glVertex2f(-0.5f, -0.5f);

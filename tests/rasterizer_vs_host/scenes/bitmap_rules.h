@@ -1,17 +1,18 @@
 #pragma once
 #include <functional>
 
-/// Single bitmaps and images of rasterizer-bitmaps, in a context that is current.
+/// Single bitmaps and images of rasterizer-bitmaps, in the current context.
 namespace software {
 
 constexpr int kEdge = 64; ///< of the target, in pixels
 
-/// Draws what the specification says and hosts do not all do: run_bitmaps.py knows the colours.
+/// Draws what the specification defines but not all hosts implement; run_bitmaps.py knows the
+/// colors.
 void rules();
-/// Draws a bitmap and an image in fog, in frames that are the host's for another draw.
+/// Draws a bitmap and an image in fog, in frames that are the host's because of another draw.
 void frames(const std::function<void()> &swap);
-/// Draws bitmaps of a program that samples. It is current no more, or there is none, when `draw`
-/// comes.
+/// Draws bitmaps with a program that samples. It is no longer current, or deleted, at the time of
+/// `draw`.
 void letters(int change, int draw);
 
 } // namespace software

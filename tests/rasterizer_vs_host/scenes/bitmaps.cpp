@@ -1,16 +1,17 @@
-// Bitmaps under random state: rasterizer-bitmaps [shared] SEED COUNT [COMMANDS], or
+// Draws bitmaps under random state: rasterizer-bitmaps [shared] SEED COUNT [COMMANDS], or
 // rasterizer-bitmaps rules, frames, fonts or letters CHANGE DRAW.
-//   SEED COUNT  scenes of so many commands, each in a context of its own: the picture, the depths,
-//               where the raster position is left, GL's errors
-//   shared      each scene is drawn by two contexts of a share group, by turns: they have
-//               programs, lists and buffers of bits in common, and the window
-//   rules       what the specification says and hosts do not all do: run_bitmaps.py knows the
-//               colours
-//   frames      the fog of the rules in frames that are the host's
-//   fonts       texts by glXUseXFont
-//   letters     bitmaps whose fragments sample, then what ends that, then a draw: by number
-// Programs of the scenes read no texture coordinates, fog coordinate or secondary colour: a host
-// that draws bitmaps as textured rectangles has its own of those.
+//   SEED COUNT  scenes of that many commands, each in a context of its own; records the picture,
+// the
+//               depths, the final raster position, and GL's errors
+//   shared      two contexts of a share group draw each scene in turns; they share programs, lists,
+//               buffers of bits, and the window
+//   rules       draws what the specification defines but not all hosts implement; run_bitmaps.py
+//               knows the colors
+//   frames      draws the fog of the rules in frames that are the host's
+//   fonts       draws texts by glXUseXFont
+//   letters     draws bitmaps whose fragments sample, a change, and a draw, by number
+// Programs of the scenes read no texture coordinates, fog coordinate or secondary color: a host
+// that draws bitmaps as textured rectangles has other values.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -42,7 +43,8 @@ constexpr const char *kVertexText =
 /// A random scene, drawn by one context, or by two.
 class Scene {
 public:
-  /// \param turn makes the other context current; none: there is no other. True the first time.
+  /// \param turn makes the other context current, and returns true the first time; none: there is
+  /// no other
   explicit Scene(std::uint64_t seed, std::function<bool()> turn = {})
       : m_random(seed), m_turn(std::move(turn)) {
     m_random.bits();
@@ -53,7 +55,7 @@ public:
     glClearColor(0.2f, 0.3f, 0.1f, 0.5f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     programs();
-    triangle(); // the target is the rasterizer's, and has depths
+    triangle(); // the rasterizer has the target, with depths
     for (int i = 0; i < commands; ++i) {
       if (m_turn && m_random.once(3))
         takeTurns();
@@ -71,11 +73,11 @@ private:
   void takeTurns() {
     if (m_turn()) {
       prepare();
-      // RasterPos and Begin are errors where vertex programs are enabled and the current one has no
-      // text (ARB_vertex_program, 2.14.4): Mesa 22.3.6 looks only at Begin.
+      // RasterPos and Begin are errors if vertex programs are enabled and the current one has no
+      // text (ARB_vertex_program, 2.14.4). Mesa 22.3.6 checks only Begin.
       glBindProgramARB(GL_VERTEX_PROGRAM_ARB, m_vertices);
     }
-    // Mesa 22.3.6 draws with parameters as they were until one is set in this context.
+    // Mesa 22.3.6 draws with old parameters until one is set in this context.
     chooseProgram(true);
     if (!m_lists.empty() && m_random.once(3)) {
       glCallList(m_random.pick(m_lists));
@@ -84,7 +86,7 @@ private:
   }
 
   float unit() { return float(m_random.below(17)) / 16.0f; }
-  /// Eighths of a pixel, so that no host rounds to another pixel.
+  /// Returns eighths of a pixel, so that no host rounds to another pixel.
   float clip() { return float(m_random.between(-kEdge * 5, kEdge * 5)) / float(kEdge * 4); }
 
   void programs() {
@@ -121,7 +123,7 @@ private:
     glPixelStorei(GL_UNPACK_SKIP_ROWS, m_random.once(2) ? 0 : m_random.between(0, 3));
     glPixelStorei(GL_UNPACK_SWAP_BYTES, m_random.once(5));
     if (m_random.once(6))
-      glPixelStorei(GL_UNPACK_ALIGNMENT, 3); // an error, and nothing else
+      glPixelStorei(GL_UNPACK_ALIGNMENT, 3); // an error without other effect
     if (m_random.once(6))
       glPixelStoref(GL_UNPACK_SKIP_PIXELS, float(m_random.below(5)));
   }
@@ -156,12 +158,11 @@ private:
     case 1:
       return glRasterPos4f(clip() * 2, clip() * 2, clip() * 0.5f, 2);
     default:
-      return glRasterPos3f(clip(), clip(), clip() * 0.5f); // may be outside: not valid then
+      return glRasterPos3f(clip(), clip(), clip() * 0.5f); // it may be outside, and is then invalid
     }
   }
 
-  /// Mesa gathers bitmaps, one over the other, and draws them by the state that it finds when it
-  /// ends.
+  /// Mesa collects bitmaps, one over the other, and draws them by the state at the end.
   void drawGathered() const {
     if (!m_listing)
       glFlush();
@@ -171,7 +172,7 @@ private:
     unsigned char bits[4096];
     for (unsigned char &byte : bits)
       byte = m_random.once(3) ? 0xFF : static_cast<unsigned char>(m_random.bits());
-    // Mesa 22.3.6 loses its way where a list has a size that is an error.
+    // Mesa 22.3.6 fails if a list contains an invalid size.
     const bool wrong = !m_listing && m_random.once(12);
     const int width = wrong ? -1 : m_random.below(m_random.once(5) ? 60 : 14);
     const int height = m_random.below(m_random.once(5) ? 40 : 16);
@@ -254,7 +255,7 @@ private:
   const std::function<bool()> m_turn;
   bool m_listing = false;
   GLuint m_fragments[5] = {}, m_vertices = 0;
-  GLuint m_buffer = 0; ///< that bits came from last
+  GLuint m_buffer = 0; ///< the last source of bits
   std::vector<GLuint> m_lists;
 };
 
@@ -277,9 +278,9 @@ void writeAll(const std::string &name) {
   record(name + " errors" + takeErrors(), {});
 }
 
-/// Texts by glXUseXFont, whose lists the host compiles past GL's commands: in names of GenLists,
-/// over a list that there was, in names that nobody asked for, and by two contexts of a share
-/// group.
+/// Draws texts by glXUseXFont, whose lists the host compiles without GL commands: in names of
+/// GenLists, over an existing list, in names that were never generated, and in two contexts of a
+/// share group.
 void fonts(Screen &screen, GLXDrawable window) {
   const GLXContext context = screen.makeContext(), other = screen.makeContext(context);
   screen.makeCurrent(window, context);
@@ -335,7 +336,7 @@ void drawShared(Screen &screen, GLXDrawable window, int seed, int commands) {
   contexts[1] = screen.makeContext(contexts[0]);
   screen.makeCurrent(window, contexts[0]);
   int now = 0;
-  bool known = false; // the second one was current before
+  bool known = false; // whether the second one was current before
   Scene(std::uint64_t(seed), [&] {
     now = 1 - now;
     screen.makeCurrent(window, contexts[now]);
@@ -357,7 +358,7 @@ int main(int argc, char **argv) {
   const bool shared = argc > 1 && std::strcmp(argv[1], "shared") == 0;
   if (shared)
     --argc, ++argv;
-  software::Screen screen; // Xlib has one, too
+  software::Screen screen; // Xlib has a Screen too
   if (!screen.open())
     return 1;
   const GLXDrawable window = screen.makeWindow(kEdge, kEdge);

@@ -1,6 +1,6 @@
-// Blended pictures: rasterizer-blends. Each pair of factors, each equation, factors of their own
-// for alpha, in a window and in a texture without alpha; colours and what is there are by chance.
-// Last a stack of many faint layers.
+// Draws blended pictures: rasterizer-blends. It tests each pair of factors, each equation, and
+// separate factors for alpha, in a window and in a texture without alpha, with random colors. The
+// last picture is a stack of many faint layers.
 #include <cstdlib>
 #include <initializer_list>
 
@@ -31,7 +31,7 @@ constexpr GLenum kFactors[] = {
 constexpr GLenum kEquations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN,
                                  GL_MAX};
 
-/// Pixels of chance, a colour each.
+/// Fills the target with random pixels.
 void fillByChance(Random &random) {
   glDisable(GL_BLEND);
   std::vector<unsigned char> pixels(std::size_t(kEdge) * kEdge * 4);
@@ -41,7 +41,7 @@ void fillByChance(Random &random) {
   glDrawPixels(kEdge, kEdge, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
 }
 
-/// Squares of 8 pixels, each of one colour by chance.
+/// Blends squares of 8 pixels, each of one random color.
 void blendByChance(Random &random) {
   glEnable(GL_BLEND);
   for (int y = 0; y < 8; ++y)
@@ -77,7 +77,7 @@ void pictures(const std::string &target) {
     }
 }
 
-/// As many programs' glows are: what each layer adds is less than a step of the buffer.
+/// Draws layers like many programs' glows: each adds less than a step of the buffer.
 void layers() {
   glDisable(GL_BLEND);
   glClearColor(0, 0.9f, 0.25f, 0.5f);
@@ -97,7 +97,7 @@ void layers() {
 
 int main() {
   using namespace software;
-  software::Screen screen; // Xlib has one, too
+  software::Screen screen; // Xlib has a Screen too
   if (!screen.open())
     return 1;
   screen.makeCurrent(screen.makeWindow(kEdge, kEdge), screen.makeContext());

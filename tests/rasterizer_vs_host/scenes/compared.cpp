@@ -1,8 +1,8 @@
-// Fixed function with textures whose depths are compared: rasterizer-compared SEED COUNT. A picture
-// of each target and format of depths has a cell for each TEXTURE_COMPARE_FUNC and filter; modes of
-// depth textures and environments go round. The references of a cell go from below 0 to above 1.
-// Writes pictures as records; run_compared.py compares them. Of one dimension there are two
-// pictures, one whose t is r, the other's is not: OpenGL compares r (1.4, 3.8.14), Mesa 22.3.6 t.
+// Draws fixed function with depth comparison textures: rasterizer-compared SEED COUNT. There is a
+// picture for each target and depth format, with a cell for each TEXTURE_COMPARE_FUNC and filter;
+// depth texture modes and environments alternate. The references of a cell go from below 0 to above
+// 1. Writes pictures as records, which run_compared.py compares. There are two pictures for 1D
+// textures, one with t equal to r: OpenGL compares r (1.4, 3.8.14), Mesa 22.3.6 t.
 #include <cstdlib>
 
 #include "surface.h"
@@ -31,7 +31,7 @@ constexpr Named kFormats[] = {{GL_DEPTH_COMPONENT16, "16"},
 constexpr GLint kEnvironments[] = {GL_REPLACE, GL_MODULATE, GL_BLEND, GL_ADD};
 constexpr GLint kModes[] = {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED};
 
-/// Of 32 bits by chance; a third is 0 or 1, which a reference equals that is clamped.
+/// Sets random 32-bit depths. A third are 0 or 1, which a clamped reference equals.
 void setImage(Random &random, GLenum target, GLenum format) {
   std::vector<std::uint32_t> texels(std::size_t(kCell) * kCell);
   for (std::uint32_t &texel : texels)
@@ -46,7 +46,7 @@ void setImage(Random &random, GLenum target, GLenum format) {
     glTexImage2D(target, 0, GLint(format), kCell, kCell, 0, order, type, texels.data());
 }
 
-/// A texel a pixel; with linear filters some way off, so that two texels or four count.
+/// Draws a texel for each pixel; with linear filters off center, so that two or four texels count.
 void drawCell(const Named &target, int function, bool linear, bool projected) {
   const float x = float(kCell * function), y = linear ? kCell : 0;
   const float size = target.value == GL_TEXTURE_RECTANGLE ? kCell : 1;

@@ -1,7 +1,7 @@
-// Texture 0 of each target, among textures with names: rasterizer-default-textures SEED COUNT. Each
-// seed is a random sequence of definitions, texels, feedback, draws and reads in one context, two
-// of a share group by turns for some; writes what is left as records. run_default_textures.py
-// compares.
+// Tests texture 0 of each target among named textures: rasterizer-default-textures SEED COUNT. Each
+// seed is a random sequence of definitions, texels, feedback, draws and reads in one context, for
+// some seeds in two of a share group in turns. Writes the results as records, which
+// run_default_textures.py compares.
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -64,7 +64,7 @@ private:
     }
   }
 
-  /// The target's named texture, or its texture 0.
+  /// Binds the target's named texture, or its texture 0.
   void bind(std::size_t target, bool zero) {
     glBindTexture(kTargets[target], zero ? 0 : m_named[target]);
   }
@@ -137,7 +137,7 @@ private:
     glColor4f(1, float(m_random.below(9)) / 8, 1, 1);
     glBegin(GL_TRIANGLE_STRIP);
     for (int i = 0; i < 4; ++i) {
-      // No pixel's centre lies between two texels.
+      // No pixel center is between two texels.
       const float x = float(i % 2), y = float(i / 2), s = 0.0131f + 0.967f * x,
                   t = 0.0117f + 0.971f * y;
       glTexCoord3f(target == 3 ? 0.6f * s - 0.3123f : s * scale,
@@ -172,7 +172,7 @@ private:
       return;
     case 7:
       if (m_random.once(3)) {
-        glDeleteTextures(1, &m_named[target]); // the target has texture 0 then
+        glDeleteTextures(1, &m_named[target]); // the target then has texture 0
         glGenTextures(1, &m_named[target]);
       } else if (m_two) {
         enter(1 - m_now);

@@ -1,8 +1,8 @@
-// Depths of slanting surfaces and lines: rasterizer-depth_planes SEED COUNT. Each seed is one
-// primitive after another of each kind, at random corners and by random transforms, in the window
-// and in a framebuffer object, each with and without polygon offset and by either provoking vertex,
-// lines of random widths. Writes
-// the depths of each as records, all 24 bits of them. run_depth_planes.py compares.
+// Draws slanting surfaces and lines: rasterizer-depth_planes SEED COUNT. Each seed draws primitives
+// of each kind one after another, with random corners and transforms, in the window and in a
+// framebuffer object. Each is drawn with and without polygon offset and with either provoking
+// vertex; lines have random widths. Writes all 24 bits of the depths as records, which
+// run_depth_planes.py compares.
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -37,7 +37,7 @@ class Scene {
 public:
   Scene(std::uint64_t seed, bool cut) : m_random(seed), m_reach(cut ? 2.5f : 1.0f) {}
 
-  /// Smooth ones alone, or the others alone.
+  /// Draws only smooth ones, or only the others.
   void draw(const std::string &name, bool smooth) {
     glViewport(0, 0, kWidth, kHeight);
     glEnable(GL_DEPTH_TEST);
@@ -111,7 +111,7 @@ private:
     glEnd();
   }
 
-  /// Convex and in one plane, as quads and polygons have to be.
+  /// Makes corners convex and coplanar, as quads and polygons must be.
   void flatten(std::vector<std::array<float, 3>> &corners) {
     const float slopeX = real(-0.5f, 0.5f), slopeY = real(-0.5f, 0.5f);
     constexpr float kX[] = {-1, 0.3f, 1, 0.6f, -0.7f}, kY[] = {-0.6f, -1, 0.1f, 1, 0.5f};
@@ -131,7 +131,7 @@ private:
   float m_reach, m_size = 1;
 };
 
-/// The window, or a framebuffer object of 24 bits of depth and 8 of stencil, as it has them.
+/// Selects the window, or a framebuffer object with 24 bits of depth and 8 of stencil like it.
 void useTarget(const std::string &name) {
   static GLuint s_framebuffer = 0;
   if (name == "window")
@@ -158,12 +158,13 @@ int main(int argc, char **argv) {
   using namespace software;
   if (argc != 3)
     return 2;
-  software::Screen screen; // X11 has one too
+  software::Screen screen; // X11 has a Screen too
   if (!screen.open())
     return 1;
   screen.makeCurrent(screen.makeWindow(kWidth, kHeight), screen.makeContext());
   const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
-  // Mesa 22.3.6 has other polygon offsets once a context has drawn smooth lines, and raises these.
+  // Mesa 22.3.6 changes polygon offsets once a context has drawn smooth lines, and raises errors
+  // for them.
   for (const bool smooth : {false, true})
     for (const char *const target : {"window", "object"}) {
       useTarget(target);

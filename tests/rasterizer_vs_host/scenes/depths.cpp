@@ -1,7 +1,7 @@
-// Depth buffers without stencil, as most applications ask for them: rasterizer-depths SEED COUNT.
-// Each seed is a random frame in a window of 1 to 24 bits of depth or more and in framebuffer
-// objects with DEPTH_COMPONENT32; depths that were drawn are sampled and compared too. Writes
-// colours and depths as records, all 32 bits of them. run_depths.py compares.
+// Draws to depth buffers without stencil, as most applications request: rasterizer-depths SEED
+// COUNT. Each seed is a random frame in a window with at least 1 to 24 bits of depth, and in
+// framebuffer objects with DEPTH_COMPONENT32. The drawn depths are also sampled and compared.
+// Writes colors and all 32 bits of depths as records, which run_depths.py compares.
 #include <cstdio>
 #include <cstdlib>
 
@@ -19,11 +19,11 @@ struct Window {
   GLXContext context = nullptr;
 };
 
-/// Bits of depth that every host has for a window; newer Mesa has no more.
+/// Every host has this many bits of depth for a window; newer Mesa has no more.
 constexpr int kMostPromised = 24;
 
-/// As glxgears and GLUT choose theirs: the least depth that is asked for, and no stencil. No
-/// context where more is asked than every host has.
+/// Opens a window as glxgears and GLUT do, with a least depth and no stencil. Makes no context if
+/// more depth is requested than every host has.
 Window open(int depthBits) {
   Window made;
   made.display = XOpenDisplay(nullptr);
@@ -106,8 +106,8 @@ private:
     glPolygonOffset(0, float(m_random.between(-4000, 4000)));
   }
 
-  /// Rectangles that face the viewer have one depth; triangles, small and large, have slopes of
-  /// eighths, so that two rasterizers are of one mind about most pixels.
+  /// Draws rectangles that face the viewer, with one depth, and triangles, small and large, with
+  /// slopes of eighths, so that two rasterizers agree on most pixels.
   void layer() {
     state(true);
     const int count = m_random.once(3) ? 150 : m_random.between(1, 3);
@@ -129,7 +129,7 @@ private:
   Random m_random;
 };
 
-/// A framebuffer object whose depths are a renderbuffer's or a texture's.
+/// Makes a framebuffer object whose depths are a renderbuffer or a texture.
 GLuint attach(bool texture, GLuint &depth) {
   GLuint framebuffer = 0, color = 0;
   glGenFramebuffers(1, &framebuffer);
@@ -155,7 +155,7 @@ GLuint attach(bool texture, GLuint &depth) {
   return framebuffer;
 }
 
-/// What was drawn to a depth texture, over the window as a program samples it.
+/// Draws a depth texture over the window, sampled by a program.
 void sample(GLuint depth, const std::string &name) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glClearDepth(1);

@@ -1,8 +1,9 @@
-// Random draws whose every bit is compared: rasterizer-exact SEED COUNT. Each seed is a primitive
-// of each kind by a random transform, whole or cut by the view volume, with random inputs, many of
-// them on the edges of texels, through a random fragment program with nearest and linear filters,
-// into the window or into a buffer of floats. One in eight programs ends with a result that the
-// host rounds in its own way, and says so. Writes the pixels as records; run_exact.py compares.
+// Makes random draws whose every bit is compared: rasterizer-exact SEED COUNT. Each seed is a
+// primitive of each kind with a random transform, whole or clipped by the view volume, with random
+// inputs, many of them on edges of texels. It uses a random fragment program with nearest and
+// linear filters, and draws to the window or to a float buffer. One in eight programs ends with an
+// implementation-dependent result, and says so. Writes the pixels as records, which run_exact.py
+// compares.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -144,7 +145,7 @@ private:
     }
   }
 
-  /// A coordinate that often lies on an edge of texels.
+  /// Returns a coordinate that is often on an edge of texels.
   float coordinate() {
     switch (m_random.below(4)) {
     case 0:
@@ -181,7 +182,7 @@ private:
     std::vector<Corner> corners(std::size_t(kind.corners));
     const bool pixels = m_reach == 0;
     if (kind.name == std::string("many")) {
-      for (std::size_t i = 0; i < corners.size(); ++i) { // small ones, here and there
+      for (std::size_t i = 0; i < corners.size(); ++i) { // small ones, at several places
         const bool first = i % 3 == 0;
         const float size = pixels ? 12 : 0.2f * m_reach;
         for (int c = 0; c < 2; ++c)
@@ -230,7 +231,7 @@ private:
   float m_w = 1;     ///< 0: each vertex has its own
 };
 
-/// The window, or a framebuffer object of floats.
+/// Selects the window, or a float framebuffer object.
 void useTarget(bool floats) {
   static GLuint s_framebuffer = 0;
   if (!floats)
@@ -253,7 +254,7 @@ int main(int argc, char **argv) {
   using namespace software;
   if (argc != 3)
     return 2;
-  software::Screen screen; // X11 has one too
+  software::Screen screen; // X11 has a Screen too
   if (!screen.open())
     return 1;
   screen.makeCurrent(screen.makeWindow(kWidth, kHeight), screen.makeContext());

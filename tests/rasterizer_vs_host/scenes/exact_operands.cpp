@@ -8,7 +8,7 @@ constexpr const char *kInputs[] = {"fragment.color",       "fragment.color.secon
                                    "fragment.texcoord[2]", "fragment.fogcoord.x"};
 constexpr int kFog = int(std::size(kInputs)) - 1;
 
-/// Four leaves in a row, those of texels behind those of inputs.
+/// Returns four consecutive leaves; those of texels follow those of inputs.
 std::array<Leaves, 4> leavesOf(int place) {
   std::array<Leaves, 4> result = {};
   for (std::size_t i = 0; i < 4; ++i)
@@ -47,7 +47,7 @@ ExactOperand ExactRegisters::input() {
   return fog;
 }
 
-/// Often the last one, so that most instructions are seen in the result.
+/// Returns a temporary, often the last one, so that most instructions affect the result.
 int ExactRegisters::temporary() {
   return m_random.once(2) ? m_last : m_random.below(kExactTemporaries);
 }

@@ -7,14 +7,14 @@
 
 namespace software {
 
-/// A set of the numbers that a component is computed from, a bit each: inputs' components, units'
-/// texels. Hosts cancel, and take factors out of, terms that have one in common, before they round;
-/// terms that have none they can only add up.
+/// The set of numbers that a component is computed from, one bit each: components of inputs, texels
+/// of units. Before rounding, hosts cancel terms with a common factor, or factor it out. Terms
+/// without one can only be added.
 using Leaves = std::uint64_t;
-/// Flags beside them: a constant, as hosts add and multiply those of several instructions up
-/// beforehand; a product, by one factor of which hosts multiply a constant first; a sum of two
-/// products, to the first of which they add a third term; a function's result, as they make one
-/// function of several; a number that may be huge, at which a lookup goes wrong.
+/// Flags beside them. kConstant: hosts precompute sums and products of constants of several
+/// instructions. kProduct: hosts first multiply a constant by one factor of a product. kProducts: a
+/// sum of two products, to the first of which hosts add a third term. kFunction: hosts merge
+/// several functions into one. kHuge: the number may be too large for a lookup.
 inline constexpr Leaves kConstant = Leaves(1) << 59, kProduct = Leaves(1) << 60,
                         kProducts = Leaves(1) << 61, kFunction = Leaves(1) << 62,
                         kHuge = Leaves(1) << 63;
@@ -25,29 +25,30 @@ struct ExactOperand {
   std::array<Leaves, 4> leaves = {};
 };
 
-/// Each unit has a texture of another target.
+/// The number of units, each with a texture of another target.
 inline constexpr int kExactUnits = 5;
 inline constexpr int kExactTemporaries = 4;
 
-/// The temporaries of a random program while it is written: the leaves of each component.
+/// Tracks the temporaries of a random program while it is written: the leaves of each component.
 class ExactRegisters {
 public:
   explicit ExactRegisters(Random &random) : m_random(random) {}
 
-  /// An input in any order. The fog coordinate is its number, as hosts do without products by its
-  /// zeros, whose sign is a side of a cube map.
+  /// Returns an input in any order. The fog coordinate is used as a scalar, as hosts omit products
+  /// with its zeros, whose sign selects a side of a cube map.
   [[nodiscard]] ExactOperand input();
-  /// A temporary or an input, in any order, maybe negated.
+  /// Returns a temporary or an input, in any order, possibly negated.
   [[nodiscard]] ExactOperand operand();
-  /// The same, or constants.
+  /// Returns an operand, or constants.
   [[nodiscard]] ExactOperand operandOrConstants();
-  /// A component of a temporary or an input.
+  /// Returns a component of a temporary or an input.
   [[nodiscard]] ExactOperand scalar();
-  /// SWZ's: components of a temporary or an input, zeros and ones, each with its sign.
+  /// Returns an operand for SWZ: components of a temporary or an input, zeros and ones, each with a
+  /// sign.
   [[nodiscard]] ExactOperand selection();
   [[nodiscard]] static ExactOperand texel(int unit);
 
-  /// The temporary that was written last.
+  /// Returns the last written temporary.
   [[nodiscard]] int last() const { return m_last; }
   void write(int temporary, unsigned mask, const std::array<Leaves, 4> &leaves);
 

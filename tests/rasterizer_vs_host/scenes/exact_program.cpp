@@ -14,11 +14,11 @@ Leaves all(const std::array<Leaves, 4> &leaves) {
   return leaves[0] | leaves[1] | leaves[2] | leaves[3];
 }
 
-/// Whether component i of the result is one that the host does not simplify before it rounds.
+/// True if component i of the result is one that hosts do not simplify before rounding.
 using Holds = bool (*)(const Operands &of, std::size_t i);
 
 bool always(const Operands &, std::size_t) { return true; }
-/// Terms without a constant, of which none is a sum of products, and with nothing in common.
+/// True if no term is constant or a sum of products, and no two have anything in common.
 bool termsApart(std::initializer_list<Leaves> terms) {
   Leaves before = kConstant;
   for (const Leaves term : terms) {
@@ -38,7 +38,7 @@ bool product(const Operands &of, std::size_t i) {
   const Leaves a = of[0].leaves[i], b = of[1].leaves[i];
   return !has(a & b, kFunction) && !(has(a | b, kConstant) && has(a | b, kProduct));
 }
-/// The factors of a product, which may be any.
+/// Returns the leaves of a product's factors, which may be any.
 Leaves pair(const Operands &of, std::size_t i) {
   return (of[0].leaves[i] | of[1].leaves[i]) & ~kFlags;
 }
@@ -63,8 +63,7 @@ bool cross(const Operands &of, std::size_t i) {
 bool function(const Operands &of, std::size_t i) {
   return !has(of[0].leaves[i], kFunction | kConstant);
 }
-/// LRP of a constant, which the host computes as the specification says: it takes another way for
-/// others.
+/// True if LRP is computed as the specification says, which the host only does for constants.
 bool blend(const Operands &of, std::size_t i) {
   return termsApart({of[1].leaves[i], of[2].leaves[i]}) &&
          !has(of[1].leaves[i] | of[2].leaves[i], kProduct);
@@ -72,7 +71,7 @@ bool blend(const Operands &of, std::size_t i) {
 
 constexpr const char *kFactors[] = {"{0.3, 0.1, 0.75, 0.9}", "{0.6, 0.25, 0.01, 0.4}"};
 
-/// How the result's components come of the operands'.
+/// How the components of the result depend on those of the operands.
 enum class Shape {
   Each,
   Sum,
@@ -91,7 +90,7 @@ struct Operation {
   const char *name;
   int operands;
   Holds holds;
-  bool constants = false; ///< its operands may be some
+  bool constants = false; ///< operands may be constants
   Shape shape = Shape::Each;
   unsigned mask = kAll; ///< the components that the specification defines
 };
@@ -146,7 +145,7 @@ Leaves leavesAfter(Shape shape, const Operands &of, std::size_t i) {
     return any | kProduct | kConstant | kHuge; // its x is 1
   case Shape::Function:
     return any | kFunction | kHuge;
-  case Shape::Bound: // no constant, but of constants alone
+  case Shape::Bound: // no constant, except of constants only
     return a == kConstant ? b : b == kConstant ? a : any;
   default:
     return any;
@@ -188,8 +187,8 @@ public:
     return text;
   }
 
-  /// \param to with the suffix of saturation before it
-  /// \param at where, but for a lookup that divides: what divides is never near zero
+  /// \param to includes the suffix of saturation
+  /// \param at the coordinate; a projected lookup's divisor is never near zero
   std::string lookUpTo(const std::string &to, const std::string &at) {
     m_unit = m_random.below(kExactUnits);
     const bool projected = kExactTargets[m_unit] != GL_TEXTURE_CUBE_MAP && m_random.once(4);
@@ -221,7 +220,7 @@ private:
     return name;
   }
 
-  /// Tries operands until some hold; those of dot products seldom do.
+  /// Tries operands until some are suitable; those of dot products seldom are.
   std::string arithmetic() {
     constexpr int kTries = 40;
     Operation operation = {};
@@ -270,8 +269,8 @@ private:
   int m_unit = 0;
 };
 
-/// An instruction that the host rounds in its own way, behind such as keep its operands A, B and C
-/// where the specification defines it.
+/// An instruction whose rounding is implementation-dependent, after ones that keep its operands A,
+/// B and C in the range that the specification defines.
 struct Near {
   const char *name, *text;
 };

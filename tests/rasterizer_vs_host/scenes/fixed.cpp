@@ -1,8 +1,8 @@
-// Frames of an application that never loads a program: rasterizer-fixed SEED COUNT. Each seed is a
-// few frames in a window: lights and materials, texture environments on two units, generated
-// coordinates, fog, depth, stencil, blending, alpha, scissors, clip planes, primitives between
-// Begin and End, from arrays and from display lists. Pictures are written as records; run_fixed.py
-// compares them. With LISTS_WHOLE in the environment lists leave nothing to what is current.
+// Draws frames of an application that never loads a program: rasterizer-fixed SEED COUNT. Each seed
+// is a few frames in a window: lights and materials, texture environments on two units, generated
+// coordinates, fog, depth, stencil, blending, alpha, scissors, clip planes; primitives between
+// Begin and End, from arrays and from display lists. Writes pictures as records, which run_fixed.py
+// compares. With LISTS_WHOLE in the environment, lists do not depend on the current state.
 #include <algorithm>
 #include <cstdlib>
 
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  /// A multiple of 1/8 from 0 to 1.
+  /// Returns a multiple of 1/8 from 0 to 1.
   [[nodiscard]] float unit() { return float(m_random.below(9)) / 8; }
   void color() { glColor4f(unit(), unit(), unit(), unit()); }
 
@@ -68,12 +68,13 @@ private:
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
-    glEnable(GL_TEXTURE_2D); // of unit 1: what the other one reads of it must be enabled
+    glEnable(GL_TEXTURE_2D); // for unit 1: a unit whose texture the other one reads must be enabled
     m_list = glGenLists(1);
     compileList(nullptr);
   }
 
-  /// \param normal of the first vertices; null: what is current at the call, as their colour is
+  /// Compiles a list. \param normal of the first vertices; null: the current one at the call, as
+  /// for their color
   void compileList(const float *normal) const {
     glNewList(m_list, GL_COMPILE);
     glBegin(GL_QUAD_STRIP);
@@ -160,8 +161,8 @@ private:
     shininess(GL_FRONT_AND_BACK, m_random);
   }
 
-  /// Never 0: Mesa 22.3.6 attenuates such a highlight by too much, where n^0 is 1
-  /// (OpenGL 1.4, 2.13.1).
+  /// Sets a shininess that is never 0: Mesa 22.3.6 attenuates such a highlight too much, although
+  /// n^0 is 1 (OpenGL 1.4, 2.13.1).
   static void shininess(GLenum face, Random &random) {
     glMateriali(face, GL_SHININESS, std::max(random.below(16), 1));
   }
@@ -171,7 +172,7 @@ private:
     glActiveTexture(GL_TEXTURE0 + GLenum(which));
     if (which == 0)
       set(GL_TEXTURE_2D, !m_random.once(4));
-    // DECAL is defined for two formats alone (OpenGL 1.4, table 3.21).
+    // DECAL is only defined for two formats (OpenGL 1.4, table 3.21).
     const bool decal = m_formats[which] == GL_RGB || m_formats[which] == GL_RGBA;
     constexpr GLint kModes[] = {GL_MODULATE, GL_REPLACE, GL_BLEND, GL_ADD, GL_COMBINE, GL_DECAL};
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, kModes[m_random.below(decal ? 6 : 5)]);
@@ -194,7 +195,7 @@ private:
     const bool on = m_random.once(2);
     set(GL_TEXTURE_GEN_S, on);
     set(GL_TEXTURE_GEN_T, on);
-    // No pixel's centre lies between two texels.
+    // No pixel center is between two texels.
     const float s[4] = {1.0f / 64, 0, 0, 0.0031f}, t[4] = {0, 1.0f / 64, 0, 0.0027f};
     const GLint mode = m_random.once(2) ? GL_OBJECT_LINEAR : GL_EYE_LINEAR;
     glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, mode);
@@ -203,7 +204,7 @@ private:
     glTexGenfv(GL_T, mode == GL_OBJECT_LINEAR ? GL_OBJECT_PLANE : GL_EYE_PLANE, t);
   }
 
-  /// A rectangle, its corners on pixels' corners.
+  /// Draws a rectangle with corners on pixel corners.
   int shape() {
     const int which = m_random.below(5);
     shape(which);
@@ -239,13 +240,14 @@ private:
       }
       return glCallList(m_list);
     case 2:
-      // Mesa 22.3.6 draws QUADS, whose flat colour is the last corner's: section 2.10 says POLYGON.
+      // Mesa 22.3.6 draws it as QUADS, whose flat color is the last corner's; section 2.10 says
+      // POLYGON.
       glShadeModel(GL_SMOOTH);
       return glRecti(x, y, x + wide, y + high);
     default:
       const bool isQuads = m_random.once(2);
       glBegin(isQuads ? GL_QUADS : GL_POLYGON);
-      // Legal between Begin and End: before a vertex, and where one quadrilateral is whole.
+      // This is legal between Begin and End: before a vertex, and after a complete quadrilateral.
       material();
       quadrilateral(corners, z);
       if (isQuads && m_materials.once(2)) {
@@ -278,7 +280,7 @@ private:
   }
 
   Random m_random;
-  Random m_materials; ///< of its own: scenes of a seed stay what they were
+  Random m_materials; ///< separate, so that the other scenes of a seed do not change
   Screen &m_screen;
   GLXDrawable m_window;
   GLXContext m_context;

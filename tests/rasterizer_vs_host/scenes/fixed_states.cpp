@@ -1,8 +1,8 @@
-// Single draws of fixed function with every state of it by chance: rasterizer-fixed-states SEED
-// COUNT. Each seed is a few draws, each by state of its own: matrices, lights and materials, four
-// texture units of every target, of colours and of depths, compared or not, with generated
-// coordinates and every environment, fog, colour sum. Pictures are written as records;
-// run_fixed_states.py compares them.
+// Makes single fixed-function draws with all state random: rasterizer-fixed-states SEED COUNT. Each
+// seed is a few draws, each with its own state: matrices, lights and materials, fog, color sum, and
+// four texture units of every target with generated coordinates and every environment. Textures
+// have colors or depths, compared or not. Writes pictures as records, which run_fixed_states.py
+// compares.
 #include <cstdlib>
 
 #include "fixed_textures.h"
@@ -40,11 +40,11 @@ public:
     for (int draw = 0; draw < kDraws; ++draw) {
       glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
       glPushAttrib(GL_ALL_ATTRIB_BITS);
-      // With a sum of colours there is none: Mesa 22.3.6 fogs the sum before it is clamped, which
-      // comes first (OpenGL 1.4, 3.9).
+      // Fog is off with a color sum: Mesa 22.3.6 applies fog to the sum before clamping it,
+      // although clamping comes first (OpenGL 1.4, 3.9).
       m_fog = once(2);
-      // Without textures, all of which may be multiplied by 0: hosts cut quads by whether a colour
-      // is read that the last vertex provokes.
+      // Flat shading has no textures, all of which may be multiplied by 0: hosts split quads
+      // depending on whether a color of the provoking last vertex is read.
       m_isFlat = once(4);
       for (bool &on : m_isOn)
         on = !once(3) && !m_isFlat;
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  /// A multiple of 1/8.
+  /// Returns a multiple of 1/8.
   [[nodiscard]] float part(int low = 0, int high = 8) {
     return float(m_random.between(low, high)) / 8;
   }
@@ -77,8 +77,8 @@ private:
   Four color() { return {{part(), part(), part(), part()}}; }
   Four around() { return {{part(-8), part(-8), part(-8), part(-8)}}; }
 
-  /// Window coordinates are those of the vertices, whatever the matrices are: pixels' borders are
-  /// the same on both sides.
+  /// Sets matrices that leave the vertices in window coordinates, so that pixel borders are equal
+  /// on both sides.
   void matrices() {
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -125,21 +125,22 @@ private:
       glLightfv(light, GL_POSITION, position);
       const float towards[4] = {part(-8), part(-8), -1, 0};
       glLightfv(light, GL_SPOT_DIRECTION, towards);
-      // Wide ones: at the edge of a cone the last bit decides.
+      // The cones are wide, as at the edge of a cone the last bit decides.
       glLightf(light, GL_SPOT_CUTOFF, once(3) ? 90.0f : 180.0f);
       glLightf(light, GL_SPOT_EXPONENT, float(m_random.below(6)));
       glLightf(light, GL_CONSTANT_ATTENUATION, 0.5f + part());
       glLightf(light, GL_LINEAR_ATTENUATION, once(2) ? 0 : part() / 32);
       glLightf(light, GL_QUADRATIC_ATTENUATION, once(2) ? 0 : part() / 1024);
     }
-    // Not of BACK alone: Mesa 22.3.6 gives green and blue of 1 then, whatever the materials are.
+    // BACK alone is not used: Mesa 22.3.6 then has green and blue of 1, for any materials.
     constexpr GLenum kFaces[] = {GL_FRONT, GL_FRONT_AND_BACK};
     for (const GLenum face : {GL_FRONT, GL_BACK}) {
       glMaterialfv(face, GL_AMBIENT, color());
       glMaterialfv(face, GL_DIFFUSE, color());
       glMaterialfv(face, GL_SPECULAR, color());
       glMaterialfv(face, GL_EMISSION, color());
-      // Never 0: Mesa 22.3.6 attenuates such a highlight by too much, where n^0 is 1.
+      // The shininess is never 0: Mesa 22.3.6 attenuates such a highlight too much, although n^0 is
+      // 1.
       glMaterialf(face, GL_SHININESS, float(m_random.between(1, 40)));
     }
     constexpr GLenum kParts[] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION,
@@ -175,7 +176,7 @@ private:
     glTexEnvf(GL_TEXTURE_ENV, GL_ALPHA_SCALE, once(4) && !m_hasLevels ? 4.0f : 1.0f);
     generated();
   }
-  /// What a unit that is off has as a texture is undefined.
+  /// Returns an argument's source; the texture of a disabled unit is undefined.
   GLint source() {
     constexpr GLint kSources[] = {GL_TEXTURE,       GL_PREVIOUS, GL_CONSTANT,
                                   GL_PRIMARY_COLOR, GL_TEXTURE0, GL_TEXTURE0};
@@ -191,7 +192,7 @@ private:
     for (const GLenum coordinate : kCoordinates) {
       const int kinds = coordinate == GL_Q ? 2 : coordinate == GL_R ? 4 : 5;
       glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, kModes[m_random.below(kinds)]);
-      // Never at a border between two texels.
+      // The coordinate is never at a border between two texels.
       const float last = coordinate == GL_Q ? 1.0f : part() + 0.01f;
       const float plane[4] = {part(-8) / 64, part(-8) / 64, part(-8) / 64, last};
       glTexGenfv(coordinate, GL_OBJECT_PLANE, plane);
@@ -211,8 +212,8 @@ private:
     glFogf(GL_FOG_END, 1.5f + part());
     glFogf(GL_FOG_DENSITY, part() / 2);
     glFogfv(GL_FOG_COLOR, color());
-    // Nothing is added to what is lit by a single colour; but Mesa cuts quads by whether colours
-    // are read.
+    // Nothing is added to lit primitives of a single color; but Mesa splits quads depending on
+    // whether colors are read.
     set(GL_COLOR_SUM, once(2) && !m_fog && !m_isLit);
   }
 
@@ -232,14 +233,14 @@ private:
     glFogCoordf(part(-8, 16));
     glNormal3f(part(-8), part(-8), once(4) ? -1.0f : 1.0f);
     for (int unit = 0; unit < kUnits; ++unit) {
-      // Rectangles have texels as coordinates.
+      // Rectangles have coordinates in texels.
       const float size = m_textures[unit].target == GL_TEXTURE_RECTANGLE ? 8.0f : 1.0f;
-      // No two of one size, between which a cube's face would be chosen by chance.
+      // No two are equal, as a cube's face would be chosen by chance.
       glMultiTexCoord4f(GL_TEXTURE0 + GLenum(unit), size * part(-8, 16) + 0.01f,
                         size * part(-8, 16) + 0.02f, size * part(-8, 16) + 0.03f,
                         once(2) ? 1.0f : 0.5f + part());
     }
-    // Where a perspective is, it moves no vertex in the window.
+    // Perspective does not move vertices in the window.
     const float w = m_perspective ? 0.5f + part() : 1.0f;
     glVertex4f(float(x) * w, float(y) * w, part(-8) * w, w);
   }
@@ -272,7 +273,7 @@ private:
   Screen &m_screen;
   GLXDrawable m_window;
   GLXContext m_context;
-  /// Textures have levels of detail, and environments multiply nothing by more than 1.
+  /// textures have levels of detail, and environments multiply by at most 1
   bool m_hasLevels;
   FixedTexture m_textures[kUnits];
   bool m_isOn[kUnits] = {}, m_isLit = false, m_isFlat = false;

@@ -14,8 +14,8 @@ constexpr GLint kColors[] = {GL_RGBA,  GL_RGB,       GL_LUMINANCE,
 constexpr GLint kDepths[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32,
                              GL_DEPTH_COMPONENT32F, GL_DEPTH24_STENCIL8};
 
-/// Of colours random bytes; of depths any of 32 bits, with some of the least and the greatest,
-/// which a reference that is clamped equals.
+/// Returns random bytes for colors, and random 32-bit depths, some of them least and greatest,
+/// which a clamped reference equals.
 std::vector<std::uint32_t> texelsOf(Random &random, const FixedTexture &texture) {
   std::vector<std::uint32_t> texels(std::size_t(kSide) * kSide * kSide);
   for (std::uint32_t &texel : texels) {
@@ -71,11 +71,11 @@ FixedTexture makeFixedTexture(Random &random, bool levels) {
     else
       image(target, level, texture, texels.data());
     if (!texture.isDepth())
-      break; // of colours the levels are made
+      break; // levels of colors are generated
   }
   if (hasLevels && !texture.isDepth())
     glGenerateMipmap(target);
-  // Linear, as what lies next to a border between two texels is then nearly the same.
+  // The filter is linear, as it is then continuous at a border between two texels.
   setFilters(target, hasLevels, GL_LINEAR);
   constexpr GLint kWraps[] = {GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_REPEAT, GL_MIRRORED_REPEAT};
   const int wraps = target == GL_TEXTURE_RECTANGLE ? 2 : 4;
@@ -92,15 +92,15 @@ void chooseComparison(Random &random, const FixedTexture &texture, bool levels) 
   if (!texture.isDepth())
     return;
   const GLenum target = texture.target;
-  // A cube map has no component left for a reference, and with one dimension Mesa 22.3.6 takes t
-  // for it (compared.cpp).
+  // A cube map has no component left for a reference, and for 1D textures Mesa 22.3.6 uses t
+  // (compared.cpp).
   const bool compares =
       (target == GL_TEXTURE_2D || target == GL_TEXTURE_RECTANGLE) && !random.once(4);
   glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, compares ? GL_COMPARE_R_TO_TEXTURE : GL_NONE);
   glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_NEVER + random.below(8));
   constexpr GLint kModes[] = {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED};
-  // glPopAttrib of Mesa 22.3.6 brings back the mode and not what comes of it, and a mode that is
-  // set already changes nothing: each in turn changes it in any case.
+  // glPopAttrib of Mesa 22.3.6 restores the mode but not its effect, and setting the same mode
+  // changes nothing, so that each mode is set in turn.
   for (const GLint mode : kModes)
     glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, mode);
   glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, random.pick(kModes));

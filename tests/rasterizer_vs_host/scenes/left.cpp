@@ -1,7 +1,7 @@
-// Windows in which nothing is the rasterizer's: rasterizer-left FRAMES samples|mixed. Lists, Begin
-// and End, arrays and a program draw in each frame. The one has four samples a pixel, and in the
-// last 300 frames a texture is drawn to as well. In the other pixels that only the host draws
-// are in all frames but the last 300.
+// Draws windows that the rasterizer cannot serve: rasterizer-left FRAMES samples|mixed. Lists,
+// Begin and End, arrays and a program draw in each frame. With `samples` the window has four
+// samples a pixel, and the last 300 frames also draw to a texture. With `mixed` all frames but the
+// last 300 contain pixels that only the host draws.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace software {
 namespace {
 
 constexpr int kEdge = 64;
-constexpr int kLast = 300; ///< frames that are the rasterizer's too
+constexpr int kLast = 300; ///< frames with draws for the rasterizer
 
 GLXFBConfig choose(Display *display, int samples) {
   const int wanted[] = {GLX_RENDER_TYPE,
@@ -89,7 +89,7 @@ GLuint makeFramebuffer() {
   return framebuffer;
 }
 
-/// Pixels whose components are scaled are the host's.
+/// Draws pixels whose components are scaled, which the host does.
 void drawPixels() {
   constexpr unsigned char kPixels[16] = {255, 128, 64, 255, 10,  20, 30, 255,
                                          200, 0,   0,  255, 255, 1,  2,  255};

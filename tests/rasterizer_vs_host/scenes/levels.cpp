@@ -1,7 +1,7 @@
-// Which level of a texture each pixel is drawn from: rasterizer-levels SEED COUNT. Levels have a
-// colour each, and the faces of a cube map too; triangles with random coordinates, in perspective
-// or not, minify them by all that there are. Fixed function and programs sample, with a bias, by a
-// quotient or at computed coordinates. Writes the pictures as records. run_levels.py compares.
+// Shows which level of a texture each pixel uses: rasterizer-levels SEED COUNT. Each level has a
+// color, and so have the faces of a cube map. Triangles with random coordinates, in perspective or
+// not, minify them to all levels. Fixed function and programs sample, with a bias, by a quotient or
+// at computed coordinates. Writes the pictures as records, which run_levels.py compares.
 #include <array>
 #include <cmath>
 #include <string>
@@ -13,18 +13,18 @@ namespace software {
 namespace {
 
 constexpr int kEdge = 128; ///< of the window, in pixels
-constexpr int kCells = 8;  ///< squares of two triangles in a row of it
+constexpr int kCells = 8;  ///< squares of two triangles in a row of the window
 
 struct Target {
   const char *name;
   GLenum target;
-  int size; ///< of an edge of level 0, in texels
+  int size; ///< edge of level 0, in texels
 };
 constexpr Target kTargets[] = {{"1D", GL_TEXTURE_1D, 256},
                                {"2D", GL_TEXTURE_2D, 256},
                                {"3D", GL_TEXTURE_3D, 32},
                                {"CUBE", GL_TEXTURE_CUBE_MAP, 256}};
-/// How texels are asked for; null: by fixed function.
+/// The ways of sampling; null: by fixed function.
 constexpr const char *kWays[] = {nullptr, "TEX", "TXP", "TXB", "computed"};
 
 class Levels {
@@ -68,7 +68,7 @@ public:
 private:
   float real(float low, float high) { return m_random.real(low, high); }
 
-  /// Level n is 25 n red, face n 40 n green.
+  /// Defines the levels: level n is 25 n red, face n 40 n green.
   void define() const {
     const bool cube = m_target.target == GL_TEXTURE_CUBE_MAP;
     for (int level = 0, size = m_target.size; size != 0; ++level, size /= 2)
@@ -93,7 +93,7 @@ private:
       }
   }
 
-  /// Biases and bounds of the level, each of them in one state of three.
+  /// Sets biases and limits of the level, each of them in one state of three.
   std::string setSampler() {
     std::string name;
     const auto some = [&](const char *what, float value, float other) {
@@ -123,7 +123,8 @@ private:
     return makeProgram(GL_FRAGMENT_PROGRAM_ARB, text.c_str());
   }
 
-  /// Coordinates around a place of each square's own, further apart from square to square.
+  /// Draws squares whose coordinates are around a place each, and spread further from square to
+  /// square.
   void mesh(bool biased, bool perspective) {
     constexpr int kOrder[] = {0, 1, 2, 2, 1, 3};
     glBegin(GL_TRIANGLES);

@@ -1,7 +1,7 @@
-// Vertex arrays and primitives in display lists: rasterizer-list-arrays programs-first |
+// Tests vertex arrays and primitives in display lists: rasterizer-list-arrays programs-first |
 // lists-first | no-programs. Each list is compiled, its arrays are overwritten, and it is called
-// under a fragment program that was made before the lists, after them, or under none; pixels and
-// errors are written out, to be compared between two sides.
+// with a fragment program that was made before the lists, after them, or with none. Writes pixels
+// and errors, which are compared between two sides.
 #include <cstring>
 #include <utility>
 
@@ -163,7 +163,7 @@ void compileCommands(Scene &scene) {
   });
 }
 
-/// Called together, with a base.
+/// Calls lists together, with a base.
 void callTogether(const Scene &scene) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   std::vector<GLushort> names;
@@ -208,7 +208,7 @@ int run(Order order, Executed executed) {
   if (order == Order::ProgramsFirst)
     makeTheProgram();
   Scene first, scene;
-  compileAll(first); // libepoxy asks about the host where a function is first called, in a list too
+  compileAll(first); // libepoxy queries the host at a function's first call, even in a list
   scene.executed = executed;
   if (executed != Executed::No)
     setState(order);

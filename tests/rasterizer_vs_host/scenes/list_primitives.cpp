@@ -4,7 +4,7 @@
 namespace software::list_scene {
 
 void compilePrimitives(Scene &scene) {
-  // `whole`: with the components that the commands leave to be their defaults.
+  // With `whole` the commands also set the components that otherwise have defaults.
   const auto triangle = [](float x, float y, bool whole) {
     whole ? glTexCoord4f(0.2f, 0.9f, 0, 1) : glTexCoord2f(0.2f, 0.9f);
     whole ? glVertex4f(x, y, 0, 1) : glVertex2f(x, y);

@@ -6,14 +6,14 @@
 
 #include "surface.h"
 
-/// What the scenes of rasterizer-list-arrays share.
+/// Shared parts of the scenes of rasterizer-list-arrays.
 namespace software::list_scene {
 
 inline constexpr int kSize = 64; ///< of the window, in pixels
 
 inline constexpr int kVertices = 24;
 
-/// One vertex in all types.
+/// A vertex in all types.
 struct Vertex {
   GLfloat position[3];
   GLshort shorts[2];
@@ -44,13 +44,13 @@ inline std::vector<Vertex> makeVertices(Random &random) {
   return vertices;
 }
 
-/// What happens to lists as they are compiled.
+/// How lists are executed in addition to being compiled.
 enum class Executed {
   No,
   AtOnce, ///< GL_COMPILE_AND_EXECUTE
-  After, ///< called when they are compiled: what AtOnce should draw. Mesa 22.3.6 takes itself to be
-         ///< inside Begin/End behind a primitive of a list that it executes too, and refuses the
-         ///< rest.
+  /// called when they are compiled, which draws what AtOnce should. Mesa 22.3.6 believes to be
+  /// inside Begin/End behind a primitive of a list that it also executes, and refuses the rest.
+  After,
 };
 
 /// Display lists, and the arrays that they are compiled from.
@@ -60,7 +60,7 @@ struct Scene {
   std::vector<Vertex> vertices = makeVertices(random);
   std::vector<GLushort> indices;
   GLuint buffers[2] = {};
-  GLuint part = 0; ///< of callParts()
+  GLuint part = 0; ///< for callParts()
 
   Scene() {
     for (int i = 0; i < kVertices; ++i)
@@ -68,7 +68,7 @@ struct Scene {
     glGenBuffers(2, buffers);
     part = glGenLists(2);
   }
-  /// What arrays are pointed at: client memory, or the buffer.
+  /// The arrays' data: client memory, or the buffer.
   const Vertex *source = nullptr;
   void place(bool inBuffer) {
     glBindBuffer(GL_ARRAY_BUFFER, inBuffer ? buffers[0] : 0);
@@ -108,10 +108,11 @@ struct Scene {
   struct List {
     std::string name;
     GLuint list;
-    std::function<void()> commands; ///< what the list must draw, where it is drawn directly too
+    /// draws what the list must draw, if that is also drawn directly
+    std::function<void()> commands;
   };
   std::vector<List> lists;
-  /// Compiles what `commands` do; client memory is another after.
+  /// Compiles the commands of `commands`; client memory changes afterwards.
   void compile(const std::string &name, const std::function<void()> &commands) {
     const std::vector<Vertex> before = vertices;
     const GLuint list = glGenLists(1);
@@ -130,9 +131,9 @@ struct Scene {
     none();
     lists.push_back({name + errors, list, {}});
   }
-  /// The same of commands that need nothing but what begin() sets, and are given all components or
-  /// as few as the defaults allow: the list is of few. A call is followed by what all of them draw
-  /// at once, which it must draw too (OpenGL 2.1, 2.7 and 5.4).
+  /// Compiles commands that only depend on the state of begin(). They set all components, or as few
+  /// as the defaults allow, of which the list gets the few. After a call all are drawn at once too,
+  /// and must look equal (OpenGL 2.1, 2.7 and 5.4).
   void compileDrawn(const std::string &name, const std::function<void(bool whole)> &commands) {
     compile(name, [&] { commands(false); });
     lists.back().commands = [commands] { commands(true); };
@@ -147,7 +148,7 @@ struct Scene {
     list.commands();
     look(list.name + " directly" + takeErrors());
   }
-  /// What lists that set no attributes find.
+  /// Sets the state for lists that set no attributes.
   static void begin() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glColor4f(0.3f, 0.9f, 0.5f, 1);
@@ -156,7 +157,7 @@ struct Scene {
     glNormal3f(0, 0, 1);
     glEdgeFlag(GL_TRUE);
   }
-  /// What a list drew, and what it leaves behind.
+  /// Records what a list drew, and its effect on later draws.
   static void look(const std::string &name) {
     record(name, readRgba(0, 0, kSize, kSize));
     glBegin(GL_TRIANGLES);
@@ -166,22 +167,23 @@ struct Scene {
   }
 };
 
-// In list_primitives.cpp.
+// These are in list_primitives.cpp.
 
-/// Begin and End, and attributes outside of them.
+/// Compiles Begin and End, and attributes outside of them.
 void compilePrimitives(Scene &scene);
-/// The name of a list is another's: of a few commands, none of which may be left of the first.
+/// Compiles a list under the name of another: it has few commands, and nothing of the first may be
+/// left.
 void compileAgain(Scene &scene);
-/// Those that are called although they are no more; behind the last that is compiled, which could
-/// be given their names.
+/// Deletes lists that are called afterwards; called after the last compilation, which could get
+/// their names.
 void deleteLists(const Scene &scene);
-/// Vertices without Begin and End.
+/// Compiles vertices without Begin and End.
 void compileParts(Scene &scene);
-/// What has a list watched by the layer, and all that call others from then on.
+/// Compiles commands that make the layer watch a list, and all lists that call others from then on.
 void compileWatched(Scene &scene);
-/// The last one that is compiled: Mesa 22.3.6 loses vertices of lists after it.
+/// Compiles the last list: Mesa 22.3.6 loses vertices of lists after it.
 void compileOpen(Scene &scene);
-/// Parts of primitives that several lists make, or lists and the application.
+/// Calls lists that each have a part of a primitive, with parts from the application.
 void callParts(Scene &scene);
 
 } // namespace software::list_scene

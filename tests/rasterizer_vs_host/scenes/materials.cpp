@@ -1,7 +1,7 @@
-// Lit primitives whose materials are given between Begin and End (OpenGL 2.1, 2.14.2):
-// rasterizer-materials SEED COUNT. Each seed is a few draws of several primitives each, by lights
-// of its own; materials change by chance with any vertex, on one side or both. Pictures are written
-// as records, and what the materials are at last; run_materials.py compares them.
+// Draws lit primitives whose materials are set between Begin and End (OpenGL 2.1, 2.14.2):
+// rasterizer-materials SEED COUNT. Each seed is a few draws of several primitives each, with its
+// own lights. Materials change randomly at any vertex, on one side or both. Writes pictures and the
+// final materials as records, which run_materials.py compares.
 #include <array>
 #include <string>
 
@@ -50,13 +50,13 @@ public:
 
 private:
   using Four = std::array<float, 4>;
-  /// A multiple of 1/8.
+  /// Returns a multiple of 1/8.
   [[nodiscard]] float part(int low = 0, int high = 8) {
     return float(m_random.between(low, high)) / 8;
   }
   [[nodiscard]] bool once(int of) { return m_random.once(of); }
   void set(GLenum capability, bool on) { (on ? glEnable : glDisable)(capability); }
-  /// Few, so that some are given again.
+  /// Returns one of few colors, so that some are set again.
   Four color() { return {part(0, 2), part(0, 2), part(0, 2), part(4, 6)}; }
   Four around() { return {part(-8), part(-8), part(-8), part(-8)}; }
 
@@ -79,7 +79,7 @@ private:
                              float(m_random.between(8, 60)), float(m_random.below(2))};
       glLightfv(light, GL_POSITION, position.data());
       glLightfv(light, GL_SPOT_DIRECTION, Four{part(-8), part(-8), -1, 0}.data());
-      // Wide ones: at the edge of a cone the last bit decides.
+      // The cones are wide, as at the edge of a cone the last bit decides.
       glLightf(light, GL_SPOT_CUTOFF, once(3) ? 90.0f : 180.0f);
       glLightf(light, GL_SPOT_EXPONENT, float(m_random.below(6)));
       glLightf(light, GL_CONSTANT_ATTENUATION, 0.5f + part());
@@ -88,7 +88,7 @@ private:
     for (const GLenum face : {GL_FRONT, GL_BACK})
       for (const GLenum name : kParts)
         give(face, name);
-    // Not of BACK alone: Mesa 22.3.6 gives green and blue of 1 then, whatever the materials are.
+    // BACK alone is not used: Mesa 22.3.6 then has green and blue of 1, for any materials.
     constexpr GLenum kFaces[] = {GL_FRONT, GL_FRONT_AND_BACK};
     constexpr GLenum kTracked[] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION,
                                    GL_AMBIENT_AND_DIFFUSE};
@@ -100,7 +100,7 @@ private:
     glShadeModel(once(4) ? GL_FLAT : GL_SMOOTH);
     set(GL_BLEND, once(4));
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    set(GL_DEPTH_TEST, once(2)); // what must meet depths waits for code
+    set(GL_DEPTH_TEST, once(2)); // draws that must meet depths wait for code
     glDepthFunc(GL_ALWAYS);
     set(GL_POLYGON_OFFSET_FILL, once(2));
     glPolygonOffset(1, 1);
@@ -115,7 +115,7 @@ private:
   }
 
   void give(GLenum face, GLenum name) {
-    if (name == GL_SHININESS) // never 0: Mesa 22.3.6 attenuates such a highlight by too much
+    if (name == GL_SHININESS) // never 0: Mesa 22.3.6 attenuates such a highlight too much
       return glMaterialf(face, name, float(m_random.between(1, 12)));
     glMaterialfv(face, name, color().data());
   }
@@ -124,7 +124,7 @@ private:
     constexpr GLenum kFaces[] = {GL_FRONT, GL_FRONT_AND_BACK, GL_BACK};
     const GLenum face = m_sides == 0 ? GL_FRONT_AND_BACK : m_random.pick(kFaces);
     const GLenum name = m_random.pick(kParts);
-    const bool isOdd = !m_isTwoSided && once(20); // what the host may have to draw
+    const bool isOdd = !m_isTwoSided && once(20); // the host may have to draw it
     if (isOdd && once(3)) {
       const GLint values[4] = {1 << 30, 0, 1 << 29, 1 << 30};
       return glMaterialiv(face, GL_DIFFUSE, values);
@@ -136,7 +136,7 @@ private:
     give(face, name);
   }
 
-  /// Between Begin and End.
+  /// Sets a material between Begin and End.
   void materialWithin() {
     const bool cut = m_cut && m_mode == GL_POINTS;
     if (cut)
@@ -152,15 +152,15 @@ private:
     if (once(2))
       glColor4fv(color().data());
     glNormal3f(part(-8), part(-8), once(4) ? -1.0f : 1.0f);
-    if (!m_isTwoSided && once(80)) { // an error between Begin and End, which says nothing
+    if (!m_isTwoSided && once(80)) { // an error between Begin and End without effect
       float value[4] = {};
       glGetMaterialfv(GL_FRONT, GL_DIFFUSE, value);
     }
     glVertex3f(x, y, part(-8));
   }
 
-  /// What a primitive has from its first vertex on. Mesa 22.3.6 draws some of those wrong that get
-  /// a part only later.
+  /// Sets what a primitive has from its first vertex on. Mesa 22.3.6 draws some primitives wrong
+  /// that get a part only later.
   void ahead() {
     glColor4fv(color().data());
     if (m_grows)
@@ -194,9 +194,9 @@ private:
     glEnd();
   }
 
-  /// One of so many vertices that it is drawn before its End, in parts.
+  /// Draws a primitive with so many vertices that it is drawn in parts before its End.
   void large(GLenum mode) {
-    constexpr int kVertices = 270'000; // of which 4, and 3, and 2 make a whole number of primitives
+    constexpr int kVertices = 270'000; // 4, 3 and 2 divide the number
     glBegin(mode);
     glColor4fv(color().data());
     for (int i = 0; i < kVertices; ++i) {
@@ -219,7 +219,7 @@ private:
       m_mode = once(2) ? GL_POINTS : GL_LINES;
       return large(m_mode);
     }
-    set(GL_LINE_SMOOTH, m_mode != GL_LINES && once(2)); // hosts cut quads by that
+    set(GL_LINE_SMOOTH, m_mode != GL_LINES && once(2)); // hosts split quads depending on that
     for (int count = m_random.between(1, 6); count > 0; --count) {
       primitive(m_mode);
       if (once(4))
@@ -227,7 +227,7 @@ private:
     }
   }
 
-  /// What the draw was made with.
+  /// Returns the draw's state as text.
   [[nodiscard]] std::string state() const {
     std::string text = ": mode " + std::to_string(m_mode) + (m_grows ? ", grows" : "");
     GLint separate = 0;
@@ -243,7 +243,7 @@ private:
     }
     return text;
   }
-  /// All of them, as text.
+  /// Returns all materials as text.
   static std::string materials() {
     std::string text;
     for (const GLenum face : {GL_FRONT, GL_BACK})
@@ -263,9 +263,9 @@ private:
   GLenum m_mode = GL_POINTS;
   bool m_cut;
   bool m_isTwoSided = false;
-  bool m_isAhead = false; ///< materials change ahead of a primitive's first vertex alone
-  bool m_grows = false;   ///< some parts are given further on for the first time
-  int m_rarely = 2;       ///< materials change with one in so many vertices; 0: none
+  bool m_isAhead = false; ///< materials only change before a primitive's first vertex
+  bool m_grows = false;   ///< some parts are set for the first time later
+  int m_rarely = 2;       ///< materials change at one of this many vertices; 0: none
   int m_sides = 0;        ///< 0: both at once
 };
 

@@ -1,9 +1,9 @@
-// Passes that meet at equal depths: rasterizer-meets SEED COUNT. Each seed is a scene of random
-// triangles and matrices, drawn twice: once to fill the depths, and once more, white, where depths
-// are equal. The two passes transform in ways of their own (fixed function, a vertex program with
-// the invariant option, by DP4, by DPH, by MUL and MAD) and give their vertices in ways of their
-// own, and half of the second passes are under a scissor. Whether they meet is the host's to say:
-// the records are the second pass's pixels. run_meets.py compares.
+// Draws passes that meet at equal depths: rasterizer-meets SEED COUNT. Each seed is a scene of
+// random triangles and matrices, drawn twice: first to fill the depths, then in white where depths
+// are equal. The two passes transform in different ways (fixed function, a vertex program with the
+// invariant option, by DP4, by DPH, by MUL and MAD) and submit their vertices in different ways.
+// Half of the second passes have a scissor. Whether they meet depends on the host. The records are
+// the second pass's pixels, which run_meets.py compares.
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -84,7 +84,7 @@ public:
     m_list = glGenLists(1);
   }
 
-  /// A scene's geometry, matrices and state; what it leaves is the state of the next one.
+  /// Makes a scene's geometry, matrices and state; the next one starts from its state.
   void make(std::uint64_t seed) {
     m_random = Random(seed);
     m_random.bits();
@@ -107,7 +107,7 @@ public:
     glEndList();
   }
 
-  /// The pixels that `second` met of `first`.
+  /// Draws two passes and records the pixels in which they met.
   void draw(const Pass &first, const Pass &second, const std::string &name) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDepthFunc(GL_LESS);
@@ -134,7 +134,7 @@ private:
                                       GL_TRIANGLE_FAN, GL_QUADS,     GL_LINES,
                                       GL_POINTS};
 
-  /// More than a quarter of the picture.
+  /// Sets a scissor of more than a quarter of the picture.
   void scissor() {
     const int left = m_boxes.between(0, kEdge / 2), bottom = m_boxes.between(0, kEdge / 2);
     glScissor(left, bottom, m_boxes.between(kEdge / 2, kEdge - left),
@@ -156,7 +156,7 @@ private:
     glTranslatef(unit() / 3, unit() / 3, -4.1F);
     glRotatef(180 * unit(), unit(), unit(), unit() + 2);
     glScalef(1 + unit() / 4, 1 + unit() / 4, 1 + unit() / 4);
-    // The rows that a program by parameters reads are what the host multiplies.
+    // Programs read these rows by parameters; the host multiplies the same matrices.
     float model[16], product[16];
     glGetFloatv(GL_MODELVIEW_MATRIX, model);
     glMatrixMode(GL_PROJECTION);
@@ -224,11 +224,11 @@ private:
   }
 
   Random m_random{0};
-  Random m_boxes = m_random; ///< of scissors: the rest of a scene is the same without them
+  Random m_boxes = m_random; ///< for scissors: the rest of a scene does not depend on them
   std::array<GLuint, kTransformCount> m_programs{};
   GLuint m_shading = 0, m_buffer = 0, m_list = 0;
   GLenum m_mode = GL_TRIANGLES;
-  std::vector<float> m_corners; ///< x, y, z each
+  std::vector<float> m_corners; ///< x, y, z of each
   std::vector<GLushort> m_indices;
   bool m_clipped = false;
   std::array<float, 16> m_rows{}; ///< of the product of the matrices
@@ -239,7 +239,7 @@ private:
 
 int main(int argc, char **argv) {
   using namespace software;
-  software::Screen screen; // X11 has one too
+  software::Screen screen; // X11 has a Screen too
   if (argc != 3 || !screen.open())
     return 1;
   const GLXContext context = screen.makeContext();
@@ -249,7 +249,7 @@ int main(int argc, char **argv) {
   glDisable(GL_DITHER);
   glEnable(GL_DEPTH_TEST);
   const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
-  // The first draws of a program may be the host's, and fixed function before any program is.
+  // The host may make the first draws with a program, and fixed function before any program.
   scene.make(std::uint64_t(first));
   for (int i = 0; i < kTransformCount; ++i)
     scene.draw({i, Route::Arrays, true}, {i, Route::Arrays, false}, "once: ");

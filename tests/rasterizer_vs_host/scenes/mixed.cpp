@@ -1,10 +1,10 @@
-// Frames that the rasterizer and the host draw together: rasterizer-mixed SEED COUNT [PAUSE]. Each
-// seed is a sequence of frames in two windows, in which draws that the host must make and draws of
-// programs meet at every position, while windows are resized, mapped late, shown twice or not at
-// all, and programs are new in the middle of a frame, and passes over one shape meet at equal
-// depths. What is shown and what is read is written out, to be compared between two sides. Every
-// frame begins with something that covers all of it, since a window's pixels are undefined after it
-// was resized. PAUSE, in milliseconds, is between frames: what is compiled aside comes into them.
+// Draws frames that the rasterizer and the host draw together: rasterizer-mixed SEED COUNT [PAUSE].
+// Each seed is a sequence of frames in two windows, in which draws that the host must make and
+// draws with programs alternate at every position. Meanwhile windows are resized, mapped late,
+// shown twice or never, programs are new in the middle of a frame, and passes over one shape meet
+// at equal depths. Writes what is shown and read, which is compared between two sides. Every frame
+// begins by covering the whole window, whose pixels are undefined after a resize. PAUSE is in
+// milliseconds between frames, in which compiled code arrives.
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -26,7 +26,7 @@ constexpr int kFrames = 14, kReadWide = 300, kReadHigh = 220;
 
 struct Place {
   Window window = 0;
-  int width = 0, height = 0; ///< as last asked for
+  int width = 0, height = 0; ///< as last requested
   bool mapped = false;
 };
 
@@ -39,7 +39,7 @@ public:
       fail("no GLX configuration");
     m_context = glXCreateNewContext(m_display, m_config, GLX_RGBA_TYPE, nullptr, True);
     m_places[0] = make(0, true);
-    // Apart, and within the screen at any size: what is outside of it cannot be read.
+    // The windows are apart, and within the screen at any size, as parts outside cannot be read.
     m_places[1] = make(300, m_random.once(2));
     use(0);
     setUp();
@@ -112,9 +112,9 @@ MOV result.color, vertex.color;
 END
 )");
   }
-  /// A text of its own, so that its machine code is made while a frame is drawn.
+  /// Makes a program with a new text, so that its machine code is made while a frame is drawn.
   void newProgram() {
-    // Of numbers above 1 llvmpipe does not calculate with bytes.
+    // llvmpipe does not compute with bytes if there are numbers above 1.
     char text[200];
     std::snprintf(text, sizeof text,
                   "!!ARBfp1.0\nTEMP t;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n"
@@ -124,7 +124,7 @@ END
   }
   [[nodiscard]] Place &place() { return m_places[m_place]; }
 
-  /// Between frames, and within them.
+  /// Changes windows and state, between frames and within them.
   void change() {
     if (m_random.once(3))
       resize(m_random.once(2) ? m_display : m_other);
@@ -159,7 +159,7 @@ END
     glTexCoord2f(0.25F, 0.25F), glVertex3f(left, top, m_depth);
     glEnd();
   }
-  /// \param foreign the host draws it
+  /// Draws a quad. \param foreign the host draws it
   void draw(bool foreign, bool whole) {
     glBindTexture(GL_TEXTURE_2D, m_textures[foreign]);
     glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
@@ -172,7 +172,7 @@ END
       quad(left, bottom, left + 0.75F, bottom + 0.75F);
     glDisable(GL_FRAGMENT_PROGRAM_ARB);
   }
-  /// Everything that was undefined is defined.
+  /// Defines everything that was undefined.
   void cover() {
     glClearColor(float(m_random.below(16)) / 15, float(m_random.below(16)) / 15, 0.25F, 1);
     m_depth = 0;
@@ -188,8 +188,8 @@ END
   }
   /// How a pass over a shape is drawn, with the fragment program.
   struct Pass {
-    int vertex;   ///< of m_vertexPrograms; -1: fixed function
-    bool foreign; ///< which the host draws
+    int vertex;   ///< index of m_vertexPrograms; -1: fixed function
+    bool foreign; ///< the host draws it
   };
   void draw(const Pass &pass, const std::array<float, 9> &corners) {
     glBindTexture(GL_TEXTURE_2D, m_textures[pass.foreign]);
@@ -208,9 +208,9 @@ END
     glDisable(GL_VERTEX_PROGRAM_ARB);
     glDisable(GL_FRAGMENT_PROGRAM_ARB);
   }
-  /// A triangle, and the same again where its depths are met, by programs whose positions are
-  /// equal. All passes are the rasterizer's or all the host's: depths of the two are not equal to
-  /// the bit. Before each there may be a new program, whose machine code is not there yet.
+  /// Draws a triangle, and again where its depths are met, by programs with equal positions. Either
+  /// the rasterizer or the host makes all passes, as their depths are not equal to the bit. Before
+  /// each pass there may be a new program without machine code.
   void passes() {
     std::array<float, 9> corners{};
     for (float &corner : corners)
@@ -218,7 +218,7 @@ END
     const bool foreign = m_random.once(4), explicitly = m_random.once(2);
     const auto angle = [&] { return float(m_random.below(3600)) / 10; };
     glPushAttrib(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT | GL_TRANSFORM_BIT);
-    // Not a power of two anywhere, so that each sum is rounded.
+    // No entry is a power of two, so that each sum is rounded.
     glMatrixMode(GL_PROJECTION);
     glPushMatrix();
     glFrustum(-0.31, 0.29, -0.33, 0.27, 0.9, 7.3);
@@ -228,7 +228,7 @@ END
     glRotatef(angle(), 0.3F, 0.9F, 0.1F);
     glRotatef(angle(), 0.8F, -0.2F, 0.5F);
     glEnable(GL_DEPTH_TEST);
-    glClear(GL_DEPTH_BUFFER_BIT); // where other draws' depths are met depends on the last bit
+    glClear(GL_DEPTH_BUFFER_BIT); // whether other draws' depths are met depends on the last bit
     for (int i = m_random.between(2, 3); i > 0; --i) {
       if (m_random.once(2))
         newProgram();
@@ -273,7 +273,7 @@ END
       return read();
     }
   }
-  /// More than there is: what lies beyond the window's buffers stays as it was.
+  /// Reads more than the window's buffers contain; the rest of the memory must stay.
   void read() {
     std::vector<unsigned char> bytes(std::size_t(kReadWide) * kReadHigh * 4, 0x5A);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

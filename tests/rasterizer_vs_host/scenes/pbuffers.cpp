@@ -1,5 +1,5 @@
-// Draws to a pbuffer of each kind that the display has, by format of its colours, and writes what
-// is left as records: run_formats.py compares.
+// Draws to a pbuffer of each kind that the display has, by color format, and writes the results as
+// records, which run_formats.py compares.
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -16,7 +16,7 @@ constexpr const char *kProgram = "!!ARBfp1.0\n"
                                  "MAD result.color, fragment.color, {1.5, 1.25, 1, 0.75}, "
                                  "{-0.25, 0.125, 0, 0.25};\nEND\n";
 
-/// Two quads, the second one blended.
+/// Draws two quads, the second one blended.
 void draw() {
   GLuint program = 0;
   glGenProgramsARB(1, &program);

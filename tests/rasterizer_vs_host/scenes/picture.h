@@ -5,13 +5,13 @@
 
 namespace software {
 
-/// A picture of one kind of primitive that is made by chance, and is called by what it has.
+/// A random picture of one kind of primitive, named by its properties.
 class PictureByChance {
 protected:
   explicit PictureByChance(std::uint64_t seed) : m_random(seed) {}
 
   float real(float low, float high) { return m_random.real(low, high); }
-  /// True in one of two, which say so in their name.
+  /// Returns true in one of two cases, and adds the word to the name.
   bool some(const char *what) {
     const bool is = m_random.once(2);
     m_name += is ? std::string(" ") + what : "";
@@ -23,8 +23,8 @@ protected:
   std::string m_name;
 };
 
-/// In a context of its own: `draw(seed's name, kind, index of the kind)` for each kind, and then
-/// what errors there were.
+/// Calls `draw(seed's name, kind, index of the kind)` for each kind, in a context of its own, and
+/// records the errors.
 template <typename Kinds, typename Draw>
 void drawKinds(int seed, Screen &screen, GLXDrawable window, int edge, const Kinds &kinds,
                Draw draw) {

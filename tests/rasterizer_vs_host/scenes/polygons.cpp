@@ -1,9 +1,8 @@
-// Filled polygons of any corners: rasterizer-polygons SEED COUNT. Each seed is a picture of each
-// kind, of quads that are not flat and cross themselves too, by either provoking vertex, from Begin
-// and End, arrays, elements and lists, with one colour or many, in fog, lit on both sides, culled,
-// stippled, cut by the view or by planes of the application. What overlaps tells which half of a
-// quad is drawn first, and colours and fog how it is cut. Writes the pictures as records.
-// run_polygons.py compares.
+// Draws filled polygons of any shape: rasterizer-polygons SEED COUNT. Each seed is a picture of
+// each kind, including quads that are not flat or cross themselves. They vary in provoking vertex,
+// colors, fog, two-sided light, culling, stipple and clipping, and come from Begin and End, arrays,
+// elements and lists. Overlaps show which half of a quad is drawn first, colors and fog how it is
+// split. Writes the pictures as records, which run_polygons.py compares.
 #include <array>
 #include <string>
 
@@ -31,7 +30,7 @@ class Picture : PictureByChance {
 public:
   explicit Picture(std::uint64_t seed) : PictureByChance(seed) {}
 
-  /// All ways to give quads in fog, and what decides how they are cut.
+  /// Draws quads in fog in all ways, with the state that decides how they are split.
   void drawWays(const std::string &seed, const Kind &kind) {
     for (const GLenum shade : {GL_FLAT, GL_SMOOTH})
       for (const GLenum provoking : {GL_FIRST_VERTEX_CONVENTION, GL_LAST_VERTEX_CONVENTION})
@@ -44,7 +43,7 @@ public:
             m_way = way;
             m_oneColor = oneColor;
             for (int i = 0; i < kPrimitives; ++i) {
-              glFlush(); // Mesa takes a colour behind vertices that wait for one of theirs
+              glFlush(); // Mesa applies a color to waiting vertices before it
               primitive(kind, 0.95f);
             }
             record(seed + " " + kind.name + (shade == GL_FLAT ? " flat" : "") +
@@ -87,7 +86,7 @@ public:
   }
 
 private:
-  /// Front faces shine in the vertices' colours, back faces in one.
+  /// Lights front faces in the vertices' colors, back faces in one.
   static void light(bool on) {
     constexpr GLfloat kBlack[] = {0, 0, 0, 1}, kBlue[] = {0, 0.3f, 1, 1};
     set(GL_LIGHTING, on);

@@ -1,5 +1,5 @@
-// Frames shown in windows, one scene a process: rasterizer-presenter NAME, or --list. What
-// the server shows is read back after each swap and written out, to be compared between two sides.
+// Shows frames in windows, one scene for each process: rasterizer-presenter NAME, or --list. Reads
+// what the server shows after each swap and writes it, for comparison between two sides.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -56,7 +56,7 @@ public:
       glDisable(GL_DITHER);
     }
   }
-  /// A picture of its own for each number.
+  /// Draws a different picture for each number.
   void draw(int number, float left = -1) {
     const auto part = [&](int factor) { return float(number * factor % 32) / 31; };
     glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, part(5), part(3), part(11), 1);
@@ -70,7 +70,7 @@ public:
   }
   void swap(GLXDrawable drawable) { glXSwapBuffers(m_display, drawable); }
 
-  /// What the window shows now; no request before it but those that the scene made.
+  /// Records the window's visible content, without other requests than the scene's before it.
   void grab(const char *what, int number, Window window, int width = kWide, int height = kHigh) {
     record(std::string(what) + " " + std::to_string(number) + takeErrors(),
            grabWindow(m_display, window, width, height));
@@ -78,7 +78,7 @@ public:
   void resize(Window window, int width, int height) {
     XResizeWindow(m_display, window, unsigned(width), unsigned(height));
   }
-  /// The context goes with the display. It is not current: Mesa does not survive that.
+  /// Closes the display with its context. It is not current, which Mesa would not survive.
   void closeWithContext() {
     use(0);
     XCloseDisplay(m_display);
@@ -98,7 +98,7 @@ private:
 };
 
 int g_xErrors = 0;
-/// Errors of requests that are not the application's must not come here.
+/// Reports X errors; none may come from requests that are not the application's.
 int count(Display *, XErrorEvent *event) {
   if (event->request_code < 128 || event->error_code == BadDrawable)
     std::fprintf(stderr, "presenter: X error %d of request %d\n", event->error_code,
@@ -120,7 +120,7 @@ void frames() {
   scene.close();
 }
 
-/// Frames that nobody reads: the server may be some behind, and the last one counts.
+/// Shows frames that nobody reads: the server may lag behind, and the last one counts.
 void unread() {
   Scene scene;
   const Window window = scene.makeWindow(0, kWide, kHigh);
@@ -139,7 +139,7 @@ void unread() {
   scene.close();
 }
 
-/// What is drawn over the frame before, which the host keeps in its back buffer.
+/// Draws over the previous frame, which the host keeps in its back buffer.
 void kept() {
   Scene scene;
   const Window window = scene.makeWindow(0, kWide, kHigh);
@@ -154,7 +154,7 @@ void kept() {
   scene.close();
 }
 
-/// A feedback copy holds on to the memory that the server reads, and a later draw reuses it.
+/// Makes a feedback copy that keeps the memory which the server reads; a later draw reuses it.
 void feedback() {
   Scene scene;
   const Window window = scene.makeWindow(0, kWide, kHigh);
@@ -195,7 +195,7 @@ void twoWindows() {
   scene.close();
 }
 
-/// By the application's own requests, with and without glViewport.
+/// Resizes windows by the application's own requests, with and without glViewport.
 void resized() {
   Scene scene;
   const Window window = scene.makeWindow(0, kWide, kHigh);
@@ -207,7 +207,7 @@ void resized() {
       scene.resize(window, width, height);
     if (i < 20)
       glViewport(0, 0, width, height);
-    // What no draw covers of a window that grew is undefined.
+    // The undrawn part of a window that grew is undefined.
     glClear(GL_COLOR_BUFFER_BIT);
     scene.draw(i);
     scene.swap(window);
@@ -216,7 +216,8 @@ void resized() {
   scene.close();
 }
 
-/// By another client, of which the application hears by an event or over a way of its own.
+/// Resizes a window by another client, of which the application learns by an event or in its own
+/// way.
 void resizedByAnother() {
   Scene scene;
   const Window window = scene.makeWindow(0, kWide, kHigh);
@@ -252,7 +253,7 @@ void resizedByAnother() {
   scene.close();
 }
 
-/// Frames of a window that is gone: errors, if any, are the host's own.
+/// Shows frames of a destroyed window: errors, if any, are the host's own.
 void destroyed() {
   Scene scene;
   XSetErrorHandler(count);
@@ -265,7 +266,7 @@ void destroyed() {
       scene.swap(window);
     }
     scene.grab("before", round, window);
-    // Right behind a frame that may be under way, which is no error.
+    // The window is destroyed while a frame may be under way, which is no error.
     scene.draw(7);
     scene.swap(window);
     XDestroyWindow(scene.display(), window);
@@ -279,7 +280,7 @@ void destroyed() {
   scene.close();
 }
 
-/// A display is closed with a frame under way, and another opened.
+/// Closes a display with a frame under way, and opens another.
 void closed() {
   for (int round = 0; round < 4; ++round) {
     Scene scene;
@@ -299,7 +300,7 @@ void closed() {
   }
 }
 
-/// One thread swaps while another speaks to the server over the same display.
+/// Swaps in one thread while another uses the same display.
 void threads() {
   XInitThreads();
   Scene scene;

@@ -1,6 +1,6 @@
-// A window whose context is released, or made current once more, as toolkits do in each frame:
-// rasterizer-releases NAME, or --list. What the window shows, and what its back buffer and depths
-// hold, is written out, to be compared between two sides.
+// Tests a window whose context is released, or made current again, as toolkits do in each frame:
+// rasterizer-releases NAME, or --list. Writes the window's visible content, its back buffer and its
+// depths, for comparison between two sides.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -62,7 +62,7 @@ public:
       fail("the context does not become current");
   }
   void release() { makeCurrent(0, nullptr); }
-  /// The scene's own context.
+  /// Makes the scene's own context current.
   void use(GLXDrawable drawable) {
     makeCurrent(drawable, m_context);
     if (m_program == 0) {
@@ -94,8 +94,8 @@ private:
   GLuint m_program = 0;
 };
 
-/// A tilted quad of its own for each number, which meets the depths of those before: they show
-/// whether depths were kept.
+/// Draws a different tilted quad for each number, which intersects those before: that shows whether
+/// depths were kept.
 void draw(int number) {
   const auto part = [&](int factor) { return float(number * factor % 32) / 31; };
   glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, part(5), part(3), part(11), 1);
@@ -110,7 +110,7 @@ void draw(int number) {
   glEnd();
 }
 
-/// What the context's buffers hold.
+/// Records the content of the context's buffers.
 void read(int number) {
   record("back " + std::to_string(number) + takeErrors(), readRgba(0, 0, kWide, kHigh));
   std::vector<unsigned short> depths(std::size_t(kWide) * kHigh);
@@ -121,7 +121,7 @@ void read(int number) {
   record("depths " + std::to_string(number), bytes);
 }
 
-/// A part of the window, in a colour and at a depth.
+/// Clears a part of the window, to a color and a depth.
 void clearPart(int number) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(number % 5 * 8, number % 3 * 8, 40, 30);
@@ -131,7 +131,7 @@ void clearPart(int number) {
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// Cleared, drawn, shown, released.
+/// Clears, draws, shows and releases each frame.
 void cleared() {
   Scene scene;
   for (int i = 0; i < kFrames; ++i) {
@@ -146,7 +146,7 @@ void cleared() {
   }
 }
 
-/// Each frame goes on from colours and depths of the one before.
+/// Continues each frame from the colors and depths of the previous one.
 void kept() {
   Scene scene;
   for (int i = 0; i < kFrames; ++i) {
@@ -160,7 +160,7 @@ void kept() {
   read(kFrames);
 }
 
-/// Released between two draws of a frame.
+/// Releases the context between two draws of a frame.
 void withinFrames() {
   Scene scene;
   for (int i = 0; i < kFrames; ++i) {
@@ -177,7 +177,7 @@ void withinFrames() {
   read(kFrames);
 }
 
-/// Made current once more, never released.
+/// Makes the context current again without releasing it.
 void again() {
   Scene scene;
   for (int i = 0; i < kFrames; ++i) {
@@ -191,7 +191,7 @@ void again() {
   read(kFrames);
 }
 
-/// Shown while no context is current.
+/// Shows frames while no context is current.
 void shownOutside() {
   Scene scene;
   for (int i = 0; i < kFrames; ++i) {
@@ -205,7 +205,7 @@ void shownOutside() {
   read(kFrames);
 }
 
-/// Another context draws to the window in between.
+/// Draws to the window with another context in between.
 void alternate(Scene &scene, GLXContext other, bool onThread) {
   for (int i = 0; i < kFrames; ++i) {
     scene.use();
@@ -242,13 +242,13 @@ void anotherThread() {
   Scene scene;
   alternate(scene, scene.makeContext(), true);
 }
-/// One that the layer has no part in.
+/// Uses a context that bypasses the layer.
 void coreContext() {
   Scene scene;
   alternate(scene, scene.makeCoreContext(), false);
 }
 
-/// One context goes from window to window.
+/// Moves one context from window to window.
 void twoWindows() {
   Scene scene;
   const Window windows[] = {scene.window, scene.makeWindow(200)};
@@ -267,7 +267,7 @@ void twoWindows() {
   read(kFrames);
 }
 
-/// It has another size when the context comes back; or had one meanwhile.
+/// Resizes the window while it has no context, with and without restoring the size.
 void resized() {
   Scene scene;
   const int sizes[][2] = {{kWide, kHigh}, {70, 50}, {120, 40}, {kWide, kHigh}};
@@ -287,7 +287,7 @@ void resized() {
   }
 }
 
-/// A GLX window goes, and another one is made of the same X window.
+/// Destroys a GLX window, and makes another of the same X window.
 void madeAnew() {
   Scene scene;
   for (int i = 0; i < 8; ++i) {

@@ -1,7 +1,7 @@
-// Frames whose depths must meet, with a draw in the middle that the rasterizer may lack:
-// rasterizer-steady KIND FRAMES. `whole` has none that it lacks; `formats` samples a texture of a
-// signed format, which state says; `indices` restarts a primitive, which only the draw's arrays
-// say. Records the last pictures.
+// Draws frames whose depths must meet, with a draw in the middle that the rasterizer may lack:
+// rasterizer-steady KIND FRAMES. With `whole` the rasterizer supports everything. With `formats` a
+// draw samples a signed format, which is known from state. With `indices` a draw restarts a
+// primitive, which only its arrays tell. Records the last pictures.
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -25,7 +25,7 @@ struct Name {
 constexpr Name kNames[] = {
     {"whole", Kind::Whole}, {"formats", Kind::Formats}, {"indices", Kind::Indices}};
 
-/// Two triangles, so that a restart has something to begin again.
+/// Two triangles, so that a restart begins a second one.
 struct Shape {
   std::array<float, 6 * 3> corners;
 };
@@ -63,7 +63,8 @@ public:
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
     pass();
-    // Each shape once more where its depths are met: they are only if one rasterizer made both.
+    // Each shape is drawn again where its depths are met, which only happens if one rasterizer made
+    // both.
     glDepthFunc(GL_EQUAL);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -103,7 +104,7 @@ int main(int argc, char **argv) {
   for (const Name &known : kNames)
     if (argc == 3 && !std::strcmp(argv[1], known.name))
       chosen = &known;
-  software::Screen screen; // X11 has one too
+  software::Screen screen; // X11 has a Screen too
   if (!chosen || !screen.open())
     return 1;
   const GLXContext context = screen.makeContext();

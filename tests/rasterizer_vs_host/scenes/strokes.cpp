@@ -1,6 +1,6 @@
-// Points, lines and polygons that are not filled: rasterizer-strokes SEED COUNT. Each seed is a
-// picture of each kind, of random sizes, widths, stipples and colours, smooth or not, in the view
-// or leaving it. Writes the pictures as records. run_strokes.py compares.
+// Draws points, lines and unfilled polygons: rasterizer-strokes SEED COUNT. Each seed is a picture
+// of each kind, with random sizes, widths, stipples and colors, smooth or not, inside the view or
+// leaving it. Writes the pictures as records, which run_strokes.py compares.
 #include <array>
 #include <string>
 
@@ -31,7 +31,7 @@ public:
     const bool isPolygon = kind.mode >= GL_TRIANGLES, isPoints = kind.mode == GL_POINTS;
     m_name = seed + " " + kind.name;
     const bool smooth = some("smooth");
-    // Of lines whose ends differ in w hosts interpolate between dashes without it.
+    // If the ends of a line differ in w, hosts interpolate between dashes without w.
     const bool stippled = !isPoints && some("stippled"), perspective = !stippled && some("deep");
     const bool wide = some("wide"), leaving = some("leaving");
     set(GL_LINE_SMOOTH, smooth);
@@ -54,8 +54,8 @@ public:
   }
 
 private:
-  /// The first corner is in the view: of a strip whose first line is beyond it, Mesa's stipple does
-  /// not begin anew.
+  /// Emits a primitive whose first corner is in the view: if a strip's first line is outside, Mesa
+  /// does not restart its stipple.
   void primitive(const Kind &kind, float reach, bool perspective) {
     glBegin(kind.mode);
     for (int i = 0; i < kind.corners; ++i) {

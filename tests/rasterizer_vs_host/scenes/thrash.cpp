@@ -1,6 +1,6 @@
-// An application that mixes draws of the rasterizer with draws that only the host can do, on the
-// same images in every frame: rasterizer-thrash cheap|dear FRAMES. Records the last picture, and
-// the time of each frame in microseconds.
+// Mixes draws of the rasterizer with draws that only the host supports, on the same images in every
+// frame: rasterizer-thrash cheap|dear FRAMES. Records the last picture, and the time of each frame
+// in microseconds.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -14,9 +14,10 @@ namespace software {
 
 namespace {
 
-/// \param side pixels of each edge  \param passes of a fragment program in a frame, each followed
-/// by a draw of GLSL where `mixed`; else one draw of GLSL ends the frame  \param scissor pixels of
-/// a pass
+/// A kind of frame. \param side width and height in pixels
+/// \param passes draws of a fragment program in a frame, each followed by a GLSL draw if `mixed`;
+/// otherwise one GLSL draw ends the frame
+/// \param scissor width and height of a pass in pixels
 struct Kind {
   const char *name;
   int side, passes;
@@ -24,13 +25,13 @@ struct Kind {
   int scissor;
 };
 constexpr Kind kKinds[] = {
-    // A few pixels between two moves of sixteen megabytes: the host is to do it all.
+    // It draws a few pixels between two moves of sixteen megabytes: the host should do it all.
     {"cheap", 2048, 4, true, 8},
-    // Millions of pixels for one move: the rasterizer is to keep it.
+    // It draws millions of pixels for one move: the rasterizer should keep it.
     {"dear", 1024, 6, false, 1024},
 };
 
-/// An application's own shader, which is the host's to draw.
+/// Makes an application's own shader, which the host draws.
 GLuint makeGlsl() {
   const char *const text = "uniform sampler2D source;\n"
                            "void main() { gl_FragColor = texture2D(source, vec2(0.5)).bgra; }\n";

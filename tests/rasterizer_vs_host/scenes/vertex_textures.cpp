@@ -1,8 +1,8 @@
-// Meshes that a vertex program displaces and colours by a texture: rasterizer-vertex-textures SEED
-// COUNT. Each seed is a random sequence of definitions, texels, feedback, draws to the texture,
-// changed levels and samplers, deletions, and of draws by arrays, by Begin and End, from display
-// lists and of many vertices; writes what is left as records. With a third argument, "finish", it
-// waits for what it draws to textures. run_vertex_textures.py compares.
+// Draws meshes that a vertex program displaces and colors by a texture: rasterizer-vertex-textures
+// SEED COUNT. Each seed is a random sequence of definitions, texels, feedback, draws to the
+// texture, changed levels and samplers, and deletions. It draws by arrays, by Begin and End, from
+// display lists and with many vertices. Writes the results as records, which run_vertex_textures.py
+// compares. With a third argument, "finish", it waits for its draws to textures.
 #include <cstdio>
 #include <cstdlib>
 
@@ -24,9 +24,9 @@ struct Vertex {
   float texcoord[4];
 };
 
-/// `cells` by `cells` squares around the middle. Positions are whole pixels, or quarters, so that
-/// all rasterizers cover the same. Texture coordinates are the middles of texels of an image of
-/// `edge` texels; q is what the opcode wants.
+/// Makes `cells` by `cells` squares around the middle. Positions are whole pixels, or quarters, so
+/// that all rasterizers cover the same. Texture coordinates are the middles of texels of an image
+/// of `edge` texels; q depends on the opcode.
 std::vector<Vertex> meshOf(std::size_t target, int cells, int edge, float q) {
   std::vector<Vertex> vertices;
   for (int y = 0; y <= cells; ++y)
@@ -65,7 +65,7 @@ public:
     screen.makeCurrent(window, m_context);
     glViewport(0, 0, kEdge, kEdge);
     glDisable(GL_DITHER);
-    glShadeModel(GL_FLAT); // what is copied to textures is the same bytes
+    glShadeModel(GL_FLAT); // so that copies to textures have the same bytes
     glEnable(GL_VERTEX_PROGRAM_ARB);
     glEnable(GL_FRAGMENT_PROGRAM_ARB);
     m_plain = makeProgram(GL_FRAGMENT_PROGRAM_ARB, "!!ARBfp1.0\nMOV result.color, fragment.color;"
@@ -118,7 +118,7 @@ private:
     const GLenum name = kTargets[target];
     const int edge = m_edge[target] = 8 << m_random.below(2);
     m_mipmaps[target] = target != kRect && m_random.once(2);
-    // What draws to it takes a format that every host draws to.
+    // Draws to it need a format that every host can draw to.
     const GLint internal = target == k2d && m_random.once(2) ? GL_RGBA8 : m_random.pick(kFormats);
     for (int level = 0, size = edge; level == 0 || (m_mipmaps[target] && size > 0);
          ++level, size /= 2) {
@@ -178,7 +178,7 @@ private:
       glCopyTexSubImage2D(image, 0, 0, 0, x, y, 8, 8);
   }
 
-  /// Draws to the 2D texture, or clears it, at once before it is sampled.
+  /// Draws to the 2D texture, or clears it, directly before it is sampled.
   void drawTo() {
     const GLint level = m_mipmaps[k2d] ? m_random.below(2) : 0;
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
@@ -250,8 +250,8 @@ private:
 
   void draw(std::size_t target) {
     const auto opcode = std::size_t(m_random.below(4)), unit = std::size_t(m_random.below(2));
-    // What fragments sample is the middle of a texel of 8 too, so that hosts weigh nothing.
-    // A divisor, a level, or what the opcode does not read.
+    // Fragments also sample the middle of a texel of 8, so that hosts do not interpolate.
+    // q is a divisor, a level, or unused by the opcode.
     const float q = opcode == 1 ? 1 : float(m_random.below(4) - 1);
     const bool large = m_random.once(12);
     const int cells = large ? 150 : m_random.between(2, 9);

@@ -1,10 +1,10 @@
-// Draws, changes one piece of state, draws again, takes the change back and draws a third time; all
-// in one context, so that what is kept between draws has every chance to be old.
+// Draws, changes one piece of state, draws again, undoes the change and draws a third time, all in
+// one context, so that stale cached state is noticed.
 //   rasterizer-changes           all changes
 //   rasterizer-changes list      their names
 //   rasterizer-changes NAME ..   some of them
-// Records "<form> <name>: before", "after", "undone", and "popped" where an attribute group takes
-// it back.
+// Records "<form> <name>: before", "after", "undone", and "popped" if an attribute group restores
+// it.
 #include <cstdio>
 #include <cstring>
 
@@ -66,7 +66,7 @@ std::vector<StageVertex> stageVertices(float move, float tint) {
                           {0.0f, 0.6f, 0.8f},
                           {0.3f + 0.04f * float(i) * tint, 0.8f - 0.03f * float(i), 0.5f, 0.75f},
                           {0.9f * corner, 0.4f * column + 0.2f * corner}};
-    // Some of them the other way round, to be culled or lit from behind.
+    // Some are wound the other way, to be culled or lit from behind.
     vertices.push_back(vertex);
     if (i % 9 == 8)
       std::swap(vertices[std::size_t(i)], vertices[std::size_t(i - 1)]);
@@ -140,7 +140,7 @@ public:
   }
 
   void all() {
-    // More than once: what a draw keeps is used by those after it.
+    // There are several draws, as later ones use what a draw caches.
     for (int i = 0; i < 3; ++i)
       m_stage.draw();
     draw("before");
@@ -182,7 +182,7 @@ private:
   std::string m_name;
 };
 
-/// A context of its own for each change, so that none depends on those before it.
+/// Makes a context for each change, so that none depends on earlier ones.
 void run(Screen &screen, GLXDrawable window, const Change &change, Form form) {
   Stage stage;
   stage.screen = &screen;

@@ -3,23 +3,23 @@
 
 #include "surface.h"
 
-/// One piece of state changed between two draws that are alike otherwise: what a draw keeps of the
-/// one before must notice it.
+/// Changes of one piece of state between two otherwise equal draws: what a draw caches from the
+/// previous one must be updated.
 namespace software {
 
 inline constexpr int kSide = 64; ///< edge of the target, in pixels
 
-/// What draws: programs for both, for fragments alone, or for none.
+/// The programs of draws: for both stages, for fragments only, or none.
 enum class Form : unsigned { Programs = 1, FixedVertices = 2, Fixed = 4 };
 inline constexpr unsigned kAllForms = 7;
 inline constexpr unsigned kFixedVertexForms = 6;
 inline constexpr unsigned kFragmentProgramForms = 3;
 
-/// The objects that changes work on; made anew for each of them.
+/// The objects that changes use; made anew for each of them.
 struct Stage {
   Screen *screen = nullptr;
   GLXDrawable window = 0;
-  GLXContext context = nullptr, other = nullptr; ///< that share objects
+  GLXContext context = nullptr, other = nullptr; ///< which share objects
   Form form = Form::Programs;
   GLuint fragments[2] = {}, vertices[2] = {}; ///< programs
   GLuint textures[2] = {};
@@ -28,7 +28,7 @@ struct Stage {
   GLuint query = 0, list = 0;
 
   void make(Form of);
-  /// Six triangles from the arrays as they are.
+  /// Draws six triangles from the arrays.
   void draw() const;
 };
 
@@ -36,11 +36,11 @@ struct Stage {
 struct StageVertex {
   float position[4], normal[3], color[4], coordinates[2];
 };
-/// The vertices of Stage::draw(), moved and tinted.
+/// Returns the vertices of Stage::draw(), moved and tinted.
 [[nodiscard]] std::vector<StageVertex> stageVertices(float move, float tint);
 void pointArrays(GLuint buffer);
 
-/// A change and the way back. `group` is the attribute group of PushAttrib that holds it, 0 where
+/// A change and its reversal. `group` is the attribute group of PushAttrib that contains it, 0 if
 /// none does.
 struct Change {
   const char *name;

@@ -1,5 +1,4 @@
-// Changes of what objects hold: arrays, buffers, programs; and by lists, queries and other
-// contexts.
+// Changes of objects' content: arrays, buffers, programs; and by lists, queries and other contexts.
 #include <cstring>
 
 #include "changes.h"
@@ -8,7 +7,7 @@ namespace software {
 
 namespace {
 
-/// All vertices of the buffer, bound to `target`.
+/// Writes all vertices of the buffer, bound to `target`.
 void fill(GLenum target, GLuint buffer, float move, bool anew) {
   const auto data = stageVertices(move, 1.0f);
   const auto bytes = GLsizeiptr(data.size() * sizeof data[0]);
@@ -28,8 +27,8 @@ void mapAndMove(Stage &stage, float move) {
   }
 }
 
-/// A buffer that stays mapped while it is drawn from, and changes without a command. Where the host
-/// has no such buffers, the stage's own.
+/// Writes to a persistently mapped buffer that is drawn from, without a command; on a host without
+/// such buffers, to the stage's own.
 void writeMapped(Stage &stage, float move) {
   if (!epoxy_has_gl_extension("GL_ARB_buffer_storage"))
     return fill(GL_ARRAY_BUFFER, stage.buffer, move, false);
@@ -43,11 +42,11 @@ void writeMapped(Stage &stage, float move) {
   void *const memory = glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, kFlags);
   pointArrays(buffer);
   stage.draw();
-  stage.draw(); // what is drawn from twice may be kept
+  stage.draw(); // vertices that are drawn twice may be cached
   std::memcpy(memory, after.data(), std::size_t(bytes));
 }
 
-/// Memory of the application's own, which changes without a command.
+/// Returns the application's memory, which changes without a command.
 std::vector<StageVertex> &clientMemory() {
   static std::vector<StageVertex> s_memory = stageVertices(0.0f, 1.0f);
   return s_memory;
@@ -60,12 +59,12 @@ void pointAtClient(float move) {
   glVertexPointer(4, GL_FLOAT, sizeof(StageVertex), clientMemory()[0].position);
 }
 
-/// Pixels become vertices: packed into the buffer that positions are read from.
+/// Packs pixels into the buffer of positions, so that they become vertices.
 void packPixels(Stage &stage, bool packed) {
   fill(GL_ARRAY_BUFFER, stage.buffer, 0.0f, false);
   if (!packed)
     return;
-  glDrawArrays(GL_TRIANGLES, 0, 18); // it is drawn from between the two, so that it is known
+  glDrawArrays(GL_TRIANGLES, 0, 18); // the layer has drawn from it in between
   glDrawArrays(GL_TRIANGLES, 0, 18);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, stage.buffer);
   glReadPixels(20, 20, 1, 1, GL_RGBA, GL_FLOAT, nullptr);
@@ -78,7 +77,7 @@ void copyBuffer(Stage &stage, GLuint from) {
   glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, 18 * sizeof(StageVertex));
 }
 
-/// In a context of the group, and back.
+/// Runs `what` in another context of the group, and returns.
 void elsewhere(Stage &stage, void (*what)(Stage &)) {
   if (!stage.other)
     stage.other = stage.screen->makeContext(stage.context);
@@ -161,11 +160,11 @@ const std::vector<Change> kObjectChanges = {
      [](Stage &s) {
        s.draw();
        glBeginQuery(GL_SAMPLES_PASSED, s.query);
-       glEndQuery(GL_SAMPLES_PASSED); // none did
+       glEndQuery(GL_SAMPLES_PASSED); // no sample passed
        glClearColor(1.0f, 0.5f, 0.0f, 1.0f);
        glEnable(GL_SCISSOR_TEST);
        glScissor(0, 0, 8, 8);
-       glClear(GL_COLOR_BUFFER_BIT); // this one is seen
+       glClear(GL_COLOR_BUFFER_BIT); // this one is visible
        glDisable(GL_SCISSOR_TEST);
        glBeginConditionalRender(s.query, GL_QUERY_WAIT);
        glClear(GL_COLOR_BUFFER_BIT);

@@ -1,4 +1,4 @@
-// Changes of what happens to fragments, and of where they go.
+// Changes of fragment operations, and of their target.
 #include "changes.h"
 
 namespace software {
@@ -29,13 +29,13 @@ void texels(Stage &stage, int level, unsigned char value) {
   glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
-/// Level 0 as it is, with other texels.
+/// Redefines level 0 with other texels.
 void define(GLint internalFormat, unsigned char value) {
   const std::vector<unsigned char> bytes(std::size_t(4 * 64), value);
   glTexImage2D(GL_TEXTURE_2D, 0, internalFormat, 8, 8, 0, GL_BGRA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
-/// Defined with the same until it is known as such.
+/// Redefines it repeatedly with the same format and size, until the layer recognizes that.
 void redefine(Stage &stage, GLint last) {
   glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
   for (const int value : {60, 130, 220, 90}) {
@@ -58,7 +58,7 @@ void toWindow(Stage &) {
   glViewport(0, 0, kSide, kSide);
 }
 
-/// Level 1 is sampled, of a texture that makes it of level 0 by itself; then level 0 is replaced.
+/// Samples level 1 of a texture that generates it from level 0; then replaces level 0.
 void remakeMipmaps(Stage &stage, void (*replace)()) {
   glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
@@ -72,7 +72,7 @@ void remakeMipmaps(Stage &stage, void (*replace)()) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
 }
 
-/// To draw to a texture makes no mipmaps of it, nor does what moves the pixels.
+/// Draws to a texture, which must not generate its mipmaps; moving its pixels must not either.
 void drawToMipmapped(Stage &stage) {
   const std::vector<unsigned char> bytes(std::size_t(4 * kSide * kSide), 200);
   glBindTexture(GL_TEXTURE_2D, stage.target);
@@ -83,7 +83,8 @@ void drawToMipmapped(Stage &stage) {
   toTarget(stage);
   stage.draw();
   toWindow(stage);
-  glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data()); // the host's: it gets all pixels
+  // the host draws it, and gets all pixels
+  glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
   glBindTexture(GL_TEXTURE_2D, stage.target);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
 }
@@ -100,7 +101,7 @@ void size(Stage &stage, int edge) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, edge, edge, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
-/// The target's texels, which draws sample from here on, by Clear alone.
+/// Clears the target's texels, which later draws sample.
 void clearSampled(Stage &stage, float red) {
   glBindTexture(GL_TEXTURE_2D, stage.target);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -168,7 +169,7 @@ const std::vector<Change> kPixelChanges = {
     {"DepthRange", kAllForms, GL_VIEWPORT_BIT | GL_DEPTH_BUFFER_BIT,
      [](Stage &) {
        glEnable(GL_DEPTH_TEST);
-       glDepthRange(1.0, 1.0); // nothing is nearer than what was cleared
+       glDepthRange(1.0, 1.0); // nothing is nearer than the cleared depth
      },
      [](Stage &) {
        glDisable(GL_DEPTH_TEST);
@@ -216,7 +217,7 @@ const std::vector<Change> kPixelChanges = {
      [](Stage &) { glDisable(GL_DEPTH_TEST); }},
     {"StencilFunc", kAllForms, GL_STENCIL_BUFFER_BIT, [](Stage &) { stencils(true); },
      [](Stage &) { stencils(false); }},
-    // Fixed function of the bare host writes what was never set after it.
+    // After it, the bare host's fixed function writes uninitialised values.
     {"DrawBuffer", kFragmentProgramForms, GL_COLOR_BUFFER_BIT,
      [](Stage &) { glDrawBuffer(GL_NONE); }, [](Stage &) { glDrawBuffer(GL_BACK); }},
     {"BindFramebuffer", kAllForms, 0, toTarget, toWindow},

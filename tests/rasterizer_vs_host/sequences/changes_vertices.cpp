@@ -1,4 +1,4 @@
-// Changes of what happens to vertices, and of how primitives are drawn.
+// Changes of vertex processing, and of the way primitives are drawn.
 #include "changes.h"
 
 namespace software {
@@ -151,7 +151,7 @@ const std::vector<Change> kVertexChanges = {
        glEnable(GL_POLYGON_STIPPLE);
      },
      [](Stage &) { glDisable(GL_POLYGON_STIPPLE); }},
-    // Under an assembly program the bare host shades smoothly whatever the model.
+    // With an assembly program the bare host shades smoothly whatever the model.
     {"ShadeModel", unsigned(Form::Fixed), GL_LIGHTING_BIT,
      [](Stage &) {
        glEnableClientState(GL_COLOR_ARRAY);

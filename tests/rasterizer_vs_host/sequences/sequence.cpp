@@ -1,8 +1,8 @@
-// Random sequences of GL commands, the same for the same seed wherever they run.
+// Issues random sequences of GL commands; a seed gives the same sequence everywhere.
 //   rasterizer-sequence SEED COUNT            the first COUNT commands
 //   rasterizer-sequence SEED COUNT 3,17,20    only those of them
-//   rasterizer-sequence --names SEED COUNT    what they are
-// What was read comes out as records: a line "what TAB bytes", then the bytes.
+//   rasterizer-sequence --names SEED COUNT    prints their names
+// Writes everything read as records: a line "what TAB bytes", then the bytes.
 #include "random_commands.h"
 #include "world.h"
 
@@ -46,7 +46,7 @@ int main(int argc, char **argv) {
   World world;
   if (!names && !world.open())
     return 1;
-  // Asking for errors after each command is a habit of some programs, and not of others.
+  // Some programs ask for errors after each command, others never.
   const bool checks = Random(seed).once(2);
   for (int number = 0; number < count; ++number) {
     if (!all && !only.contains(number))

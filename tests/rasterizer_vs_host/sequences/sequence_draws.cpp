@@ -18,13 +18,13 @@ Place randomPlace(int width, int height, Random &random) {
   const int x = random.between(-4, width - 2), y = random.between(-4, height - 2);
   const int w = random.once(4) ? width : random.between(1, width / 2 + 1);
   const int h = random.once(4) ? height : random.between(1, height / 2 + 1);
-  if (random.once(3)) // all of it: feedback's usual quad
+  if (random.once(3)) // all of it, as feedback's usual quad
     return {0, 0, float(width), float(height), 0};
   return {float(x), float(y), float(x + w), float(y + h), float(random.between(-4, 4)) / 4.0f};
 }
 
-/// Coordinates in texels such that no sample lies near a texel's border: a step of a half, one or
-/// two texels a pixel, never nearer than an eighth.
+/// Coordinates in texels that keep samples away from texel borders: a step of a half, one or two
+/// texels a pixel, never nearer than an eighth.
 struct Mapping {
   float u0, v0, u1, v1;
 };
@@ -41,8 +41,8 @@ Mapping randomMapping(const Place &place, const Texture &image, bool normalised,
           (v + step * (place.y1 - place.y0)) / height};
 }
 
-/// Whether the coordinates of a mapping for `first` lie no nearer to the texels' borders of
-/// `second`: a texel of `second` is half a one of `first`, or that times a power of two.
+/// True if a mapping's coordinates for `first` are equally far from texel borders of `second`: a
+/// texel of `second` is half of one of `first`, or that times a power of two.
 bool fitsToo(const Texture &first, const Texture &second) {
   const auto fits = [](int a, int b) {
     return 2 * a % b == 0 && std::has_single_bit(unsigned(2 * a / b));
@@ -57,7 +57,7 @@ void randomColor(Random &random, bool extremes) {
   glColor4ubv(color.data());
 }
 
-/// The four corners, by one of GL's ways; both coordinate sets alike.
+/// Draws the four corners in one of GL's ways; both coordinate sets are equal.
 void submit(World &world, const Place &p, const Mapping &m, int way) {
   const float corners[4][8] = {{p.x0, p.y0, p.z, 1, m.u0, m.v0, 0, 1},
                                {p.x1, p.y0, p.z, 1, m.u1, m.v0, 0, 1},
@@ -115,9 +115,9 @@ void bind(World &world, GLenum unit, int texture) {
   glBindTexture(World::targetOf(texture), world.texture(texture).name);
 }
 
-/// Also of programs that have rows' numbers: where Clear came between BindFramebuffer and the draw,
-/// Mesa 22.3.6 goes on to count rows from the end that it was last told of, until it hands a
-/// program new parameters.
+/// Sets a local parameter. Programs that use row numbers need it too: if Clear came between
+/// BindFramebuffer and the draw, Mesa 22.3.6 counts rows from the previous end until it passes new
+/// parameters to a program.
 void setLocal(Random &random) {
   std::array<float, 4> value{};
   for (float &component : value)
@@ -125,7 +125,7 @@ void setLocal(Random &random) {
   glProgramLocalParameter4fvARB(kFragment, 0, value.data());
 }
 
-/// A draw of one of the programs; `program` is by number.
+/// Draws with one of the programs; `program` is its number.
 void drawProgram(World &world, Random &random, int program, int way) {
   int width = 0, height = 0;
   if (!world.size(width, height))
@@ -155,7 +155,7 @@ void programQuad(World &world, Random &random, const std::string &) {
   drawProgram(world, random, program, random.below(7));
 }
 
-/// Life's frame: a quad of the whole target from a texture, and the copy back into it.
+/// Draws a frame of Life: a quad of the whole target from a texture, and the copy back into it.
 void feedback(World &world, Random &random, const std::string &) {
   int width = 0, height = 0;
   const int texture = random.below(kRectangle);
@@ -171,7 +171,7 @@ void feedback(World &world, Random &random, const std::string &) {
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, image.width[0], image.height[0]);
 }
 
-/// The host's: no fragment program.
+/// Draws without a fragment program, by the host.
 void fixedQuad(World &world, Random &random, const std::string &) {
   int width = 0, height = 0;
   if (!world.size(width, height))
@@ -192,8 +192,8 @@ void fixedQuad(World &world, Random &random, const std::string &) {
   glDisable(World::targetOf(texture));
 }
 
-/// A triangle of one colour, with corners at eighths of a pixel: both rasterizers must agree on
-/// which pixels are inside.
+/// Draws a triangle of one color, with corners at eighths of a pixel: both rasterizers must agree
+/// on which pixels are inside.
 void triangle(World &world, Random &random, const std::string &) {
   int width = 0, height = 0;
   if (!world.size(width, height))

@@ -1,5 +1,5 @@
-// Display lists of everything that may be in one: primitives with state between them, attributes
-// set late, nested calls, redefinition, commands that are no part of a list.
+// Display lists of all possible content: primitives with state between them, attributes set late,
+// nested calls, redefinition, commands that are not compiled.
 #include "world.h"
 
 namespace software {
@@ -14,8 +14,8 @@ void color(Random &random) {
 
 float coordinate(Random &random) { return float(random.between(-2, 60)); }
 
-/// A rectangle as one of GL's primitives, of one colour: what is between corners is exact. The
-/// colour may be set only within it, behind its first vertex, or before it.
+/// Draws a rectangle of one color by one of GL's primitives; values between corners are exact. The
+/// color may be set within it, after its first vertex, or before it.
 void primitive(Random &random) {
   static constexpr GLenum kModes[] = {GL_QUADS,          GL_QUADS,   GL_TRIANGLES,  GL_TRIANGLE_FAN,
                                       GL_TRIANGLE_STRIP, GL_POLYGON, GL_QUAD_STRIP, GL_POINTS};
@@ -54,8 +54,8 @@ void primitive(Random &random) {
     }
   }
   glEnd();
-  // Mesa 22.3.6 gives the first vertex of the next primitive of a list the colour before that one,
-  // if it has none of its own.
+  // Mesa 22.3.6 gives the first vertex of a list's next primitive the earlier color, unless it sets
+  // its own.
   if (when == 1)
     color(random);
 }
@@ -92,7 +92,8 @@ void state(World &world, Random &random) {
   }
 }
 
-/// What draws alone does not bind a texture by name: these lists are called at any time.
+/// Emits a list's content. Draws do not bind a texture by name, as the lists are called at any
+/// time.
 void content(World &world, Random &random, int depth) {
   for (int i = random.between(1, 6); i > 0; --i) {
     switch (random.below(8)) {
@@ -125,7 +126,7 @@ void content(World &world, Random &random, int depth) {
   }
 }
 
-/// Without endless recursion: a list calls others only if no other does.
+/// Compiles a list without endless recursion: it calls others only if no other does.
 void compile(World &world, Random &random, const std::string &) {
   Context &context = world.context();
   const int list = random.below(kLists);
@@ -138,8 +139,8 @@ void compile(World &world, Random &random, const std::string &) {
   glPopMatrix();
   glPopAttrib();
   glEndList();
-  // Mesa 22.3.6 raises errors for legal commands behind primitives of a list that it executes too:
-  // it takes itself to be inside Begin/End.
+  // Mesa 22.3.6 raises errors for legal commands behind primitives of a list that it also executes,
+  // as it believes to be inside Begin/End.
   while (executes && glGetError() != GL_NO_ERROR) {
   }
   context.lists[std::size_t(list)] = true;
@@ -155,7 +156,7 @@ void call(World &world, Random &random, const std::string &) {
   world.fit();
 }
 
-/// Vertices and attributes alone: a part of a primitive.
+/// Calls a list of only vertices and attributes, as part of a primitive.
 void callInPrimitive(World &world, Random &random, const std::string &) {
   int width = 0, height = 0;
   if (!world.size(width, height))

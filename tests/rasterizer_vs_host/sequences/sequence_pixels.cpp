@@ -10,7 +10,7 @@ struct Rectangle {
   int x, y, width, height;
 };
 
-/// Inside width x height, all of it now and then.
+/// Returns a rectangle inside width x height, sometimes all of it.
 Rectangle randomRectangle(int width, int height, Random &random) {
   if (random.once(3))
     return {0, 0, width, height};
@@ -30,7 +30,7 @@ void bind(World &world, int texture) {
   glBindTexture(World::targetOf(texture), world.texture(texture).name);
 }
 
-/// Whole or in part, level 0 or 1; the source may start anywhere.
+/// Copies to level 0 or 1, whole or in part; the source may start anywhere.
 void copySubImage(World &world, Random &random, const std::string &) {
   int width = 0, height = 0;
   const int texture = random.below(kTextures);
@@ -66,7 +66,7 @@ void copyImage(World &world, Random &random, const std::string &) {
   world.fit(); // another framebuffer may have it
 }
 
-/// What an application's pixels can be, and the bytes of one.
+/// A format of an application's pixels, and the bytes of one pixel.
 struct PixelKind {
   GLenum format, type;
   int bytes;
@@ -90,8 +90,7 @@ constexpr PixelKind kPixelKinds[] = {
     {GL_RGBA, GL_UNSIGNED_SHORT, 8},
 };
 
-/// By any state of unpacking: rows that are longer than the image, parts that are skipped, scales,
-/// a buffer.
+/// Uploads with random unpack state: rows longer than the image, skipped parts, scales, a buffer.
 void subImageAnyhow(World &world, Random &random, const std::string &) {
   const int texture = random.below(kTextures);
   const auto level = std::size_t(random.once(5) ? 1 : 0);
@@ -110,7 +109,7 @@ void subImageAnyhow(World &world, Random &random, const std::string &) {
   glPixelStorei(GL_UNPACK_SKIP_ROWS, skipRows);
   glPixelStorei(GL_UNPACK_SKIP_PIXELS, skipPixels);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1 << random.below(4));
-  // Mesa 22.3.6 swaps the bytes of as much as it would read if nothing were skipped.
+  // Mesa 22.3.6 swaps as many bytes as it would read if nothing were skipped.
   const bool swaps = random.once(4) && rowLength == 0 && skipRows == 0 && skipPixels == 0;
   glPixelStorei(GL_UNPACK_SWAP_BYTES, swaps ? GL_TRUE : GL_FALSE);
   const bool scaled = random.once(10), fromBuffer = random.once(8);
@@ -122,7 +121,7 @@ void subImageAnyhow(World &world, Random &random, const std::string &) {
     glBufferData(GL_PIXEL_UNPACK_BUFFER, GLsizeiptr(bytes.size()), from, GL_STREAM_DRAW);
     from = nullptr;
   }
-  // Now and then outside: an error that changes nothing.
+  // Sometimes it is outside: an error that changes nothing.
   const int x = random.once(10) ? to.x + 40 : to.x;
   glTexSubImage2D(World::targetOf(texture), GLint(level), x, to.y, to.width, to.height, kind.format,
                   kind.type, from);
@@ -167,8 +166,7 @@ void generateMipmap(World &world, Random &random, const std::string &) {
   Texture &image = world.texture(texture);
   bind(world, texture);
   glGenerateMipmap(GL_TEXTURE_2D);
-  // Mesa 22.3.6 gives it other storage and goes on drawing to the old one until it is attached
-  // anew.
+  // Mesa 22.3.6 gives it new storage and keeps drawing to the old one until it is attached again.
   world.orphan(texture);
   const bool smallest = image.width[0] == 1 && image.height[0] == 1;
   image.width[1] = smallest ? 0 : std::max(1, image.width[0] / 2);
@@ -192,7 +190,7 @@ void readPixels(World &world, Random &random, const std::string &what) {
   record(what, bytes);
 }
 
-/// Sixteen bits of the depth: the last of 24 is rounding's.
+/// Reads sixteen bits of the depth, as the last of 24 are subject to rounding.
 void readDepth(World &world, Random &random, const std::string &what) {
   int width = 0, height = 0;
   if (!world.size(width, height))

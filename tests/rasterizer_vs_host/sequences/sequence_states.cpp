@@ -24,7 +24,7 @@ void colorMask(World &, Random &random, const std::string &) {
   glColorMask(r, g, b, a);
 }
 
-/// Only what is exact: sums that saturate, and bits.
+/// Sets only exact blending: saturating sums, and bits.
 void blend(World &, Random &random, const std::string &) {
   enable(GL_BLEND, random.once(3));
   enable(GL_COLOR_LOGIC_OP, random.once(6));

@@ -6,7 +6,8 @@ namespace software {
 
 namespace {
 
-/// Exact in any arithmetic: what is stored is a texel's value, its complement, or a parameter's.
+/// The programs are exact in any arithmetic: they store a texel's value, its complement, or a
+/// parameter's.
 const std::array<const char *, kPrograms> kTexts = {
     "!!ARBfp1.0\nMOV result.color, program.local[0];\nEND\n",
     "!!ARBfp1.0\nTEX result.color, fragment.texcoord[0], texture[0], 2D;\nEND\n",
@@ -20,7 +21,7 @@ const std::array<const char *, kPrograms> kTexts = {
     "!!ARBfp1.0\nTEX result.color, fragment.texcoord[0], texture[0], RECT;\nEND\n",
     "!!ARBfp1.0\nTEMP t;\nTEX t, fragment.texcoord[0], texture[0], 2D;\nSUB t.x, t.x, 0.5;\n"
     "KIL t.x;\nMOV result.color, fragment.color;\nEND\n",
-    // A pattern of the window's rows and columns: tells upside down from upright.
+    // This has a pattern of the window's rows and columns, which tells upside down from upright.
     "!!ARBfp1.0\nTEMP t;\nMUL t, fragment.position, {0.5, 0.25, 0, 0};\nFRC t, t;\n"
     "SLT t.xy, t, {0.5, 0.5, 0.5, 0.5};\nMUL result.color, fragment.color, t.xyxy;\nEND\n",
 };
@@ -220,7 +221,7 @@ GLuint World::newTexture() {
 void World::deleteTexture(int texture, Random &random) {
   Texture &image = this->texture(texture);
   orphan(texture);
-  // A list would bind the name, and whether that is given out again is the host's affair.
+  // A list would bind the name, and the host decides whether names are reused.
   if (texture == kRectangle)
     for (Context &other : m_contexts)
       other.lists = {};
@@ -248,7 +249,7 @@ void World::swap(const std::string &what) {
   m_screen.swap(m_drawables[0]);
   record(what + " shown", m_screen.grab(kWindow, kWindow));
   bindFramebuffer(-1);
-  clearAll(); // what the back buffer holds now is undefined
+  clearAll(); // the back buffer's content is undefined now
   bindFramebuffer(before);
 }
 

@@ -3,16 +3,16 @@
 
 #include "surface.h"
 
-/// The objects that a random sequence of commands works on. Which command is number i depends on
-/// the seed and i alone, so that a sequence keeps its meaning when others are left out; what the
-/// commands need to know (sizes, attachments) is kept here as they are carried out.
+/// The objects that a random sequence of commands uses. Command number i depends only on the seed
+/// and on i, so that a sequence keeps its meaning when commands are left out. State that commands
+/// need (sizes, attachments) is tracked here while they are executed.
 namespace software {
 
 inline constexpr int kTextures = 5; ///< the last is a rectangle, and never attached
 inline constexpr int kRectangle = 4;
 inline constexpr int kPrograms = 9;
 inline constexpr int kLists = 3;
-inline constexpr int kWindow = 64; ///< edge of the window and of renderbuffers
+inline constexpr int kWindow = 64; ///< width and height of the window and of renderbuffers
 inline constexpr int kPbufferWidth = 48, kPbufferHeight = 40;
 
 struct Texture {
@@ -21,19 +21,19 @@ struct Texture {
   GLenum internal = 0;                  ///< of both levels
 };
 
-/// What contexts share.
+/// The objects that contexts share.
 struct Group {
   bool made = false;
   std::array<Texture, kTextures> textures;
-  GLuint lastName = 0; ///< the highest that a texture ever had
+  GLuint lastName = 0; ///< the highest texture name so far
   std::array<GLuint, kPrograms> programs{};
 };
 
 struct Framebuffer {
   GLuint name = 0, color = 0, depthStencil = 0; ///< the renderbuffers
-  int texture = -1;                             ///< attached in place of `color`; -1: none
+  int texture = -1;                             ///< attached instead of `color`; -1: none
   int level = 0;
-  bool orphan = false; ///< its texture is gone, or has other storage: not to be used
+  bool orphan = false; ///< unusable, as its texture is deleted or has new storage
 };
 
 struct Context {
@@ -41,7 +41,7 @@ struct Context {
   int group = 0;
   bool made = false;
   std::array<Framebuffer, 2> framebuffers;
-  int bound = -1; ///< of `framebuffers`; -1: the window's
+  int bound = -1; ///< index of `framebuffers`; -1: the window's
   std::array<bool, kLists> lists{};
   GLuint firstList = 0, vertexBuffer = 0, indexBuffer = 0, query = 0;
 };
@@ -56,36 +56,35 @@ public:
   /// Makes context `context` current on the window (0) or the pbuffer (1).
   void switchTo(int context, int drawable);
   void bindFramebuffer(int which);
-  /// Size of the bound framebuffer; false where nothing may be drawn or read there.
+  /// Returns the size of the bound framebuffer; false if nothing may be drawn or read there.
   [[nodiscard]] bool size(int &width, int &height);
-  /// Viewport and projection: a unit is a pixel of the bound framebuffer.
+  /// Sets viewport and projection so that a unit is a pixel of the bound framebuffer.
   void fit();
-  /// Reading that texture while drawing to the bound framebuffer would be undefined.
+  /// True if the bound framebuffer has the texture: reading it while drawing would be undefined.
   [[nodiscard]] bool attached(int texture);
   /// Defines a level from `random`.
   void define(int texture, int level, int width, int height, GLenum internal, Random &random);
   void redefine(int texture, Random &random);
-  /// Level 1 of the size that it has in a mipmap, if there can be one. It has level 0's format, a
-  /// sized one: Mesa 22.3.6 loses the texels of a level of another format when it draws with the
-  /// texture.
+  /// Defines level 1 with its mipmap size, if there can be one. It has level 0's sized format: Mesa
+  /// 22.3.6 loses the texels of a level of another format when it draws with the texture.
   [[nodiscard]] bool defineLevel1(int texture, Random &random);
-  /// Level 0 is given anew, of another size. Mesa 22.3.6 tells level 1 wrong from then on, until it
-  /// draws with the texture: there is none any more.
+  /// Forgets level 1 after level 0 was redefined with another size. Mesa 22.3.6 then handles level
+  /// 1 wrong until it draws with the texture.
   void dropLevel1(int texture);
   void attach(int framebuffer, int texture, int level);
-  /// Framebuffers that have the texture are not used until something is attached to them anew.
+  /// Marks framebuffers with the texture as unusable until something is attached to them again.
   void orphan(int texture);
   void deleteTexture(int texture, Random &random);
   /// Clears all of the bound framebuffer, whatever the masks.
   void clearAll();
-  /// Shows the window, records what it shows, clears the back buffer.
+  /// Shows the window, records its visible content, clears the back buffer.
   void swap(const std::string &what);
   /// Reads everything that can be read.
   void recordAll();
 
 private:
-  /// Whether names of deleted textures are given out again is the host's affair, and PopAttrib
-  /// would tell, which finds by name what it saved.
+  /// Returns a new texture name. Hosts decide whether names of deleted textures are reused, which
+  /// PopAttrib would reveal, as it finds saved bindings by name.
   [[nodiscard]] GLuint newTexture();
   void makeContextObjects();
   void makeGroupObjects();
@@ -97,7 +96,7 @@ private:
   int m_current = 0, m_drawable = 0;
 };
 
-/// One kind of command.
+/// A kind of command.
 struct Command {
   const char *name;
   int weight;
@@ -105,7 +104,7 @@ struct Command {
 };
 extern const std::vector<Command> kDrawCommands, kPixelCommands, kStateCommands, kListCommands;
 
-/// A draw that may be compiled into a list: it samples nothing that can be attached.
+/// Makes a draw that may be compiled into a list: it samples no texture that can be attached.
 void drawForList(World &world, Random &random);
 
 } // namespace software

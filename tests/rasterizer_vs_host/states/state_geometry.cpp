@@ -20,7 +20,7 @@ struct Vertex {
 
 using Points = std::vector<std::array<float, 2>>;
 
-/// Some of each kind face the one way and some the other; some leave the view.
+/// Returns places: some of each kind face one way and some the other; some leave the view.
 Points placesOf(GLenum primitive) {
   switch (primitive) {
   case GL_POINTS:
@@ -47,14 +47,15 @@ Points placesOf(GLenum primitive) {
   }
 }
 
-/// Which of the primitives that stand alone the vertex is of: where two of them overlap in one
-/// sloped plane, a depth test would fall as the last bit of an interpolation does.
+/// Returns the number of a vertex's separate primitive. If two of them overlapped in one sloped
+/// plane, the last bit of an interpolation would decide the depth test.
 int primitiveOf(GLenum mode, int vertex) {
   return mode == GL_TRIANGLES ? vertex / 3 : mode == GL_QUADS ? vertex / 4 : 0;
 }
 
 void place(const Scene &scene, float x, float y, float (&coordinate)[4]) {
-  // Not quite the whole: 48 pixels of 32 texels would have every third sample on a border.
+  // The range is slightly less than the whole: 48 pixels of 32 texels would have every third sample
+  // on a border.
   float s = 0.49f * x + 0.507f, t = 0.49f * y + 0.504f;
   switch (scene.choice("coordinates")) {
   case 1:

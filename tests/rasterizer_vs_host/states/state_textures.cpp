@@ -7,8 +7,8 @@ namespace software {
 
 namespace {
 
-/// Texels change gently from one to the next, so that a sample that falls on the other side of a
-/// texel's border is not far off; and differ in all components, levels and layers.
+/// Returns texels that change gradually, so that a sample on the other side of a texel's border
+/// differs little. They differ in all components, levels and layers.
 std::vector<float> texels(int width, int height, int layer, int level) {
   std::vector<float> values;
   for (int y = 0; y < height; ++y) {
@@ -88,7 +88,8 @@ void setParameters(GLenum target, const Scene &scene) {
   case 2:
     return set(GL_TEXTURE_BASE_LEVEL, 1.0);
   case 3:
-    // No half: GL takes the lower of two levels that are as near (3.8.8), the host the higher.
+    // This is not a half: GL takes the lower of two equally near levels (3.8.8), the host the
+    // higher.
     return set(GL_TEXTURE_MIN_LOD, 1.6);
   default:
     return;

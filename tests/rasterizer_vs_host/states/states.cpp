@@ -1,5 +1,5 @@
-// Draws a scene for each line of its input, each in a context of its own, and writes what is left:
-// colours, depths, stencil values and GL's errors, as records. run_states.py compares.
+// Draws a scene for each line of its input, each in a context of its own, and writes the resulting
+// colors, depths, stencil values and GL errors as records, which run_states.py compares.
 #include "states.h"
 
 #include <cstdio>
@@ -28,8 +28,8 @@ double Scene::number(const std::string &name) const {
 
 namespace {
 
-/// The colour buffer of the framebuffer that is bound: a 2D texture, a slice of a 3D one, a face of
-/// a cube map, or a renderbuffer.
+/// Attaches the bound framebuffer's color buffer: a 2D texture, a slice of a 3D one, a face of a
+/// cube map, or a renderbuffer.
 void attachColor(const Scene &scene) {
   const GLint internal = scene.choice("target");
   GLuint name = 0;
@@ -73,7 +73,7 @@ void makeTarget(const Scene &scene) {
                             depthStencil);
 }
 
-/// A part of what was drawn is cleared, and all is read, as sRGB is encoded.
+/// Clears a part of the drawing, and reads everything, with sRGB encoding.
 void clearEncoded() {
   glEnable(GL_FRAMEBUFFER_SRGB);
   glEnable(GL_SCISSOR_TEST);
@@ -92,7 +92,7 @@ void draw(const Scene &scene) {
   setRasterState(scene);
   const GLenum test = scene.token("depth_test");
   if (test == GL_EQUAL || test == GL_LEQUAL || test == GL_GEQUAL || test == GL_NOTEQUAL) {
-    // Depths that are the same to the last bit, from the same primitives.
+    // The same primitives give depths that are equal to the last bit.
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     drawPrimitives(scene, 0);

@@ -3,17 +3,17 @@
 
 #include "surface.h"
 
-/// One scene of a state test: a background, then a few primitives with a fragment program under the
-/// states that a line of run_states.py names (factors.py).
+/// A scene of a state test: a background, then a few primitives with a fragment program under the
+/// states in a line of run_states.py (factors.py).
 namespace software {
 
 inline constexpr int kEdge = 48; ///< of the target, in pixels
 
 class Scene {
 public:
-  /// "name=number name=number ...".
+  /// Parses "name=number name=number ...".
   explicit Scene(const std::string &line);
-  /// Aborts for a name that the line lacks: a scene is never half a scene.
+  /// Returns a value; aborts if the line lacks the name, as a scene must be complete.
   [[nodiscard]] double number(const std::string &name) const;
   [[nodiscard]] GLenum token(const std::string &name) const { return GLenum(number(name)); }
   [[nodiscard]] int choice(const std::string &name) const { return int(number(name)); }
@@ -22,15 +22,15 @@ private:
   std::map<std::string, double> m_values;
 };
 
-/// Defines the texture that the scene names and binds it to unit 0.
+/// Defines the scene's texture and binds it to unit 0.
 void makeSceneTexture(const Scene &scene);
-/// Depth, colour and stencil in zones, by the host's fixed function.
+/// Draws depth, color and stencil in zones, by the host's fixed function.
 void drawBackground();
 void setRasterState(const Scene &scene);
 void setPixelState(const Scene &scene);
-/// The programs, vertices' state and matrices.
+/// Sets the programs, vertex state and matrices.
 void setProgramState(const Scene &scene);
-/// A few primitives of the scene's kind; `pass` moves their colours.
+/// Draws a few primitives of the scene's kind; `pass` changes their colors.
 void drawPrimitives(const Scene &scene, int pass);
 
 } // namespace software

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Still pictures, each of one feature of the rasterizer, frame after frame under `auto`: none changes, from the
+"""Draws still pictures, each of one feature of the rasterizer, frame after frame under `auto`: none may change, from
+the
 first frame on, whoever draws.
 
   run_still.py --build build [--frames N] [SCENE...]
 
-Each scene is a process of its own, without machine code on disk; then it starts again with what is there.
+Each scene is a process of its own, without machine code on disk; then it starts again with the stored code.
 Ends with "N passed, N failed, 0 skipped".
 """
 
@@ -19,17 +20,17 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import sides  # noqa: E402
 
-# The scenes that the two sides round otherwise, and by how many steps of 255: one of a thousand lit vertices.
+# Scenes that the two sides round differently, and by how many steps of 255: one of a thousand lit vertices.
 ROUNDED = {"lit-apart": 1, "materials": 1}
-# A scene that changes once: the first frame shows only behind the draw that it is a mixed one.
+# A scene that changes once: only after its draw does the first frame turn out to be a mixed one.
 ONCE = ("anisotropy-mixed",)
-START = 100  # frames of other runs than the first
-# Drawn by two contexts by turns too, of which the second one begins with what is known of the first.
+START = 100  # frames of runs after the first
+# Two contexts also draw these in turns; the second one starts with the results about the first.
 TWO = ("anisotropy", "anisotropy-by-program", "color-sum-late", "letters-in-fog", "stipple-in-perspective")
 
 
 def changes(scene, found):
-    """Returns lines about the pictures that are not the first one."""
+    """Returns lines about the pictures that differ from the first one."""
     pictures = [(what, picture) for what, picture in found if picture]
     lines = [f"'{what}'" for what, picture in found if not picture and what != "errors"]
     if scene in ONCE and len(pictures) > 1:

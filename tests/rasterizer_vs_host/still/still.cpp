@@ -1,7 +1,7 @@
-// A still picture, shown again and again: rasterizer-still SCENE FRAMES [two]. Records the first
-// picture, and each picture that is not the one before, as the window shows them: an application
-// that reads its pixels may be treated otherwise. `two`: frames are drawn by two contexts by turns.
-// rasterizer-still list names the scenes.
+// Shows a still picture repeatedly: rasterizer-still SCENE FRAMES [two]. Records the first picture,
+// and each picture that differs from the previous one, as the window shows them, because an
+// application that reads its pixels may be treated differently. With `two`, two contexts draw
+// frames in turns. rasterizer-still list prints the names of the scenes.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -12,7 +12,7 @@
 namespace software {
 namespace {
 
-constexpr int kMostRecords = 8; // a picture that flickers is told by its first changes
+constexpr int kMostRecords = 8; // the first changes prove that a picture flickers
 
 void drawFrame(const StillScene &scene) {
   glPushAttrib(GL_ALL_ATTRIB_BITS);

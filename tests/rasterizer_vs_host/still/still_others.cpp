@@ -1,4 +1,4 @@
-// Still pictures of programs, of where vertices come from, of images and of framebuffers.
+// Still pictures of programs, vertex sources, images and framebuffers.
 #include <array>
 #include <cstddef>
 
@@ -101,7 +101,7 @@ void shadow() {
   flatQuad(-0.8F, -0.8F, 1.6F, 1.6F, 0);
 }
 
-/// A buffer of few bits a component is drawn to, and drawn from.
+/// Draws to a buffer of few bits a component, and from it.
 void makePacked() {
   makeTexture();
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_FALSE);
@@ -131,7 +131,7 @@ void packed() {
   flatQuad(-0.9F, -0.9F, 1.5F, 1.8F, 0);
 }
 
-/// The picture so far is a texture of what is drawn next.
+/// Uses the picture so far as a texture of the next draw.
 void makeCopy() {
   GLuint texture = 0;
   glGenTextures(1, &texture);
@@ -149,7 +149,7 @@ void copied() {
   flatQuad(-0.5F, -0.5F, 1.4F, 1.3F, 0);
 }
 
-/// The same with a filter that samples by the longer axis.
+/// Makes a copy with a filter that samples along the longer axis.
 void makeAnisotropicCopy() {
   makeTexture();
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
@@ -224,7 +224,7 @@ void arrays() {
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 8);
 }
 
-/// Each vertex of a primitive has its material.
+/// Sets a material for each vertex of a primitive.
 void materials() {
   floorView();
   enableLight();

@@ -40,7 +40,7 @@ void programFloor() {
   floorQuads();
 }
 
-/// Surfaces of no look of their own first, whose depths the floor is compared with.
+/// Draws plain surfaces first, against whose depths the floor is tested.
 void lateFloor() {
   for (int i = 0; i < 12; ++i) {
     glEnable(GL_DEPTH_TEST);
@@ -50,7 +50,7 @@ void lateFloor() {
   filteredFloor<GL_LINEAR_MIPMAP_LINEAR>();
 }
 
-/// A texture whose limit changes from frame to frame, and which each frame draws both ways.
+/// Draws with a texture whose limit changes within each frame.
 void changingFloor() {
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 1);
   glScissor(0, 0, kStillEdge, kStillEdge / 3);
@@ -61,7 +61,7 @@ void changingFloor() {
   filteredFloor<GL_LINEAR_MIPMAP_LINEAR>();
 }
 
-/// Beside a draw that is the host's: its texture has a signed format.
+/// Adds a draw that is the host's, as its texture has a signed format.
 void makeMixed() {
   GLuint other = 0;
   glGenTextures(1, &other);
@@ -136,7 +136,7 @@ void colorSumInFog() {
   colorSum();
 }
 
-/// Other surfaces first; the sum is tested against their depths.
+/// Draws other surfaces first, against whose depths the color sum is tested.
 void lateColorSumInFog() {
   glEnable(GL_DEPTH_TEST);
   plainQuads();
@@ -194,7 +194,7 @@ void texturedLetters() {
   glEnable(GL_TEXTURE_2D);
   glTexCoord2f(0.3F, 0.6F);
   letters();
-  glFlush(); // Mesa 22.3.6 draws letters that wait with the textures of the next draw
+  glFlush(); // Mesa 22.3.6 draws waiting letters with the next draw's textures
 }
 
 void makeLetterProgram() {
@@ -225,7 +225,7 @@ void stippledLines() {
   strokes(GL_LINES);
 }
 
-/// Its first line is out of view.
+/// Draws a strip whose first line is out of view.
 void stippledStrip() {
   glEnable(GL_LINE_STIPPLE);
   glLineStipple(7, 0x00ff);
@@ -237,7 +237,7 @@ void stippledStrip() {
   glEnd();
 }
 
-/// The ends' colours differ, and so do their distances.
+/// Draws lines whose ends differ in color and distance.
 void stippledInPerspective() {
   floorView();
   glEnable(GL_LINE_STIPPLE);
@@ -272,7 +272,7 @@ void smoothPoints() {
   strokes(GL_POINTS);
 }
 
-/// Points have a front alone, whose stencil test passes here.
+/// Draws points, which only have a front, with a stencil test that passes for it.
 void smoothPointsByStencil() {
   glEnable(GL_STENCIL_TEST);
   glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, 0, 255);

@@ -9,12 +9,13 @@ constexpr int kStillEdge = 96; ///< of the window, in pixels
 /// A still picture, and how it is drawn.
 struct StillScene {
   const char *name;
-  void (*prepare)(); ///< once, before the first frame; may be null
-  void (*draw)();    ///< each frame, behind a clear of all of it, with state as a context begins
+  void (*prepare)(); ///< called once, before the first frame; may be null
+  /// called in each frame, after a clear of the whole window, with a context's initial state
+  void (*draw)();
 };
 
 [[nodiscard]] const std::vector<StillScene> &stillScenes();
-/// The part of stillScenes() that is about programs, images and framebuffers.
+/// Returns the part of stillScenes() about programs, images and framebuffers.
 [[nodiscard]] const std::vector<StillScene> &otherStillScenes();
 
 } // namespace software

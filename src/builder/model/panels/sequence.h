@@ -29,7 +29,6 @@ public:
   void cancel();
   [[nodiscard]] bool isRunning() const { return m_session != nullptr; }
   [[nodiscard]] int written() const { return m_written; }
-  /// Returns the file of a frame.
   [[nodiscard]] static QString fileOf(const SequenceRequest &request, int frame);
   void setPatience(int milliseconds) { m_patience.setInterval(milliseconds); }
 

@@ -47,7 +47,6 @@ public:
   /// Returns the names of all panels, in the order of the menu.
   [[nodiscard]] static QStringList panelNames();
   void setScheme(const QString &name);
-  /// Returns the last notice.
   [[nodiscard]] QString lastNotice() const;
   /// Restores the layout of the last session, or keeps the default.
   void restoreLayout();
