@@ -5,10 +5,10 @@
 
 namespace arbiter::tools::debug {
 
-/// Formats a number with at most \p digits significant digits and no trailing zeros: "0.25",
+/// Returns a number with at most \p digits significant digits and no trailing zeros: "0.25",
 /// "1.5e-09", "nan", "-inf".
 [[nodiscard]] std::string numberText(float value, int digits = 6);
-/// Formats a vector as "(0.25, 1, -, -)". Components outside the mask are a dash; a single
+/// Returns a vector as "(0.25, 1, -, -)". Components outside the mask are a dash; a single
 /// component has no brackets.
 [[nodiscard]] std::string vectorText(const std::array<float, 4> &value, std::uint8_t mask = 0xF,
                                      int digits = 6);
