@@ -11,7 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the command, as installed; or where a build tree has it.
+/// Returns the path of the window's executable: beside this command if installed, or in the build
+/// tree.
 std::string findWindow() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);

@@ -14,9 +14,9 @@ namespace arbiter::tools {
 
 namespace {
 
-constexpr int kSchema = 1; ///< of --json
+constexpr int kSchema = 1; ///< version of the --json output
 
-/// One kind of what is kept, each in a folder with a limit of its own.
+/// One kind of cached data; each has its own folder and limit.
 struct Kept {
   const char *kind;
   std::string folder;
@@ -62,7 +62,7 @@ int cache(const CacheArguments &arguments) {
     return kExitUsage;
   }
   std::vector<Kept> all;
-  bool left = false; // of what was to go
+  bool left = false; // true if clearing left files behind
   for (const char *const kind : {"programs", "code"}) {
     const std::string folder = cache + '/' + kind;
     all.push_back({kind, folder, arguments.clear ? clearCache(folder) : cacheUsage(folder)});

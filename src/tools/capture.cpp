@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// COMMAND.capture, or the first of COMMAND.capture-2, -3, ... that is free.
+/// Returns the first unused name of COMMAND.capture, COMMAND.capture-2, COMMAND.capture-3, ...
 std::string freeFolder(const std::string &command) {
   const std::string base = fs::path(command).filename().string() + ".capture";
   std::error_code error;
@@ -29,13 +29,13 @@ std::string freeFolder(const std::string &command) {
   return name;
 }
 
-/// \returns an empty string, or why texts cannot be captured there.
+/// Creates or checks the folder. \returns an empty string, or why texts cannot be captured there.
 std::string prepareFolder(const std::string &folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     if (!fs::create_directory(folder, error))
       return folder + ": " + (error ? error.message() : std::string("exists and is no folder"));
-    // Texts and command lines are their owner's business.
+    // Texts and command lines are private to their owner.
     fs::permissions(folder, fs::perms::owner_all, error);
     return {};
   }
@@ -57,7 +57,7 @@ bool write(const std::string &path, const std::string &text) {
   return false;
 }
 
-/// Makes the index of what the folder holds. \returns false if a file cannot be written.
+/// Writes the index of the folder's content. \returns false if a file cannot be written.
 bool assemble(const std::string &folder) {
   const CaptureIndex index = readCapture(folder);
   for (const std::string &fault : index.faults)
@@ -112,7 +112,7 @@ int capture(const CaptureArguments &arguments) {
   if (status < 0)
     return kExitInternal;
   const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  if (fs::remove(layer.capture, error)) { // it was empty
+  if (fs::remove(layer.capture, error)) { // only an empty folder can be removed
     complain("nothing was captured: no process made a GL context that the layer saw");
     return code;
   }

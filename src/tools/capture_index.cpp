@@ -28,7 +28,7 @@ constexpr CaptureTarget kTargets[] = {
     {"ati-fragment-api", ".atifs", fp::ir::Language::AtiFragment},
     {"combiners", ".nvrc", fp::ir::Language::Combiners},
     {"texture-shaders", ".nvts", fp::ir::Language::TextureShaders},
-    {"vertex-state", ".vsp", fp::ir::Language::ArbVertex}, // by its header
+    {"vertex-state", ".vsp", fp::ir::Language::ArbVertex}, // the header decides
 };
 
 using Programs = std::map<std::string, CapturedProgram>; ///< by file name
@@ -40,7 +40,7 @@ fp::ResourceCounts readCounts(const Json &json) {
   return counts;
 }
 
-/// Null is what a NaN or an infinity is written as.
+/// Returns a number. NaN and infinity are written as null, and are read as 0.
 double readNumber(const Json &json) { return json.is_number() ? json.get<double>() : 0.0; }
 
 void readUse(const Json &json, CapturedProgram &program) {
@@ -65,7 +65,7 @@ void readUse(const Json &json, CapturedProgram &program) {
   }
 }
 
-/// A record of an earlier version has one path for all draws.
+/// Adds the draws by path. A record of an earlier version has one path for all draws.
 void addPaths(const Json &json, CapturedProgram &program) {
   const auto draws = json.at("draws").get<std::uint64_t>();
   if (!json.contains("draws_by") && draws != 0)
@@ -75,15 +75,15 @@ void addPaths(const Json &json, CapturedProgram &program) {
       program.drawsBy[path] += count.get<std::uint64_t>();
 }
 
-/// Adds what one process says of a program to what others said.
+/// Adds one process's record of a program to the data of other processes.
 void mergeProgram(const Json &json, std::uint64_t process, Programs &programs) {
   const CaptureTarget *const target = findCaptureTarget(json.at("target").get<std::string>());
   const auto hash = json.at("hash").get<std::string>();
   const auto it = target ? programs.find(hash + target->extension) : programs.end();
   if (it == programs.end())
-    return; // its text was removed: so be it
+    return; // the user removed its text
   CapturedProgram &program = it->second;
-  program.target = target; // of those that have files of that name
+  program.target = target; // the record decides among targets with the same extension
   program.recorded = true;
   program.loads += json.at("loads").get<std::uint64_t>();
   program.frames += json.at("frames").get<std::uint64_t>();
@@ -129,7 +129,7 @@ void mergeRecord(const Json &json, CaptureIndex &index, Programs &programs) {
   index.processes.push_back(std::move(process));
 }
 
-/// What the layer would have said of a text.
+/// Compiles a text that has no record, as the layer would have done.
 void compileHere(CapturedProgram &program, const fp::hw::Profile &profile) {
   fp::CompileOptions options;
   options.limits = limitsOf(profile, program.target->language);

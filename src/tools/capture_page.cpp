@@ -34,7 +34,7 @@ const char *verdict(const CapturedProgram &program) {
   return program.underNativeLimits ? "native" : "over native limits";
 }
 
-/// One row of the table of programs.
+/// Returns one row of the table of programs.
 std::string summaryRow(const CapturedProgram &program) {
   const bool good = program.error.empty();
   std::string marks = program.edited ? " edited" : "";
@@ -49,13 +49,13 @@ std::string summaryRow(const CapturedProgram &program) {
          (good ? "<td>" : "<td class=bad>") + verdict(program) + "</td></tr>\n";
 }
 
-/// The source, a line a row; the line of the error has a caret under its column.
+/// Returns the source, one line per row; a caret marks the column of the error.
 std::string source(const CapturedProgram &program) {
   const bool marked = !program.error.empty() && program.errorPosition >= 0 && !program.edited;
   const fp::LineColumn place =
       marked ? fp::locate(program.text, std::uint32_t(program.errorPosition)) : fp::LineColumn{};
   std::vector<std::string_view> lines = linesOf(program.text);
-  if (marked) // an error of the whole program may be after the last line's end
+  if (marked) // an error of the whole program may lie after the last line
     lines.resize(std::max<std::size_t>(lines.size(), place.line));
   std::string html = "<pre class=source>";
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -3,12 +3,12 @@
 
 #include "tools/capture_index.h"
 
-/// What a captured program was drawn with, as HTML for any page.
+/// Formats the parameters and textures of a captured program as HTML.
 namespace arbiter::tools {
 
-/// The values of env, local and state parameters at its last use.
+/// Returns the values of env, local and state parameters at the program's last use.
 [[nodiscard]] std::string parameterTable(const CapturedProgram &program);
-/// The textures of the units that it samples.
+/// Returns the textures of the units from which the program samples.
 [[nodiscard]] std::string textureTable(const CapturedProgram &program);
 
 } // namespace arbiter::tools

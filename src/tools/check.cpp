@@ -15,7 +15,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// More files than this are a list of what is wrong and a summary, not a table for each.
+/// With more files, list problems and print a summary instead of a table for each file.
 constexpr std::size_t kFew = 8;
 
 std::vector<CheckedFile> checkOne(const std::string &path, const CheckArguments &arguments,
@@ -30,7 +30,7 @@ std::vector<CheckedFile> checkOne(const std::string &path, const CheckArguments 
 
 void print(const std::string &text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
-/// One document for all files.
+/// Writes one JSON document about all files.
 class JsonReport {
 public:
   explicit JsonReport(const fp::hw::Profile &profile) : m_profile(profile) {
@@ -52,7 +52,7 @@ private:
   JsonWriter m_json;
 };
 
-/// Lines, or tables, as they come; then the summary.
+/// Prints lines or tables for each file, then the summary.
 class TextReport {
 public:
   TextReport(const CheckArguments &arguments, const FoundFiles &found,
@@ -118,7 +118,7 @@ int checkAll(const CheckArguments &arguments, ProfileChoice &profiles) {
   return summary.exitCode();
 }
 
-/// Every file under every card.
+/// Checks each file under every card's profile.
 int checkCards(const CheckArguments &arguments) {
   if (arguments.profiles.size() != 1 || arguments.compare || arguments.gauges != "auto" ||
       arguments.advise || (arguments.json && arguments.brief) ||
@@ -150,7 +150,7 @@ int checkCards(const CheckArguments &arguments) {
   return matrix.exitCode();
 }
 
-/// 1 and a complaint if what was printed did not arrive, else the code.
+/// Returns `code`, or kExitUsage after a complaint if standard output could not be written.
 int afterPrinting(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
     return code;
@@ -158,7 +158,7 @@ int afterPrinting(int code) {
   return kExitUsage;
 }
 
-/// Two files under one profile each, or one under two.
+/// Compares two files, each under its profile, or one file under two profiles.
 int compareTwo(const CheckArguments &arguments, std::vector<ProfileChoice> &profiles) {
   if (arguments.files.size() + profiles.size() != 3) {
     complain("--compare takes two files, or one file and --profile twice");

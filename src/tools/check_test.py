@@ -42,9 +42,9 @@ def check(*words, cwd=None, text=None, **changes):
 
 
 def on_terminal(*words, cwd=None, stdin=None, **changes):
-    """What a terminal gets that is standard output and standard error, without its CR before LF.
+    """Returns the output of `arbiter check` on a terminal, both streams, without the CR before each LF.
 
-    stdin: (seconds, text), given after that time.
+    stdin: (seconds, text): the text to send, and the delay before it.
     """
     terminal, client = pty.openpty()
     with subprocess.Popen([ARBITER, 'check', *map(str, words)], stdin=subprocess.PIPE,
@@ -59,7 +59,7 @@ def on_terminal(*words, cwd=None, stdin=None, **changes):
         while select.select([terminal], [], [], 30)[0]:
             try:
                 piece = os.read(terminal, 65536)
-            except OSError:  # Linux: the other side is closed
+            except OSError:  # Linux reports a closed other side as an error
                 break
             if not piece:
                 break
@@ -116,7 +116,7 @@ class Terminal(Temporary):
         self.assertEqual(self.row(on_terminal(path)), f'{bar} {bar}')
 
     def test_diagnostics_have_colours_on_a_terminal(self):
-        """As GCC has them: the place, the kind, the carets and the hint."""
+        """Colors the place, the kind, the carets and the hint as GCC does."""
         path = self.path('bad.fp', '!!ARBfp1.0\nTEMP colour;\nMOV result.color, color;\nEND\n')
         lines = check(path).stdout.splitlines()
         self.assertEqual([lines[0].split(': ')[1], lines[2].strip(), lines[3].split(':')[0]],
@@ -136,7 +136,7 @@ class Terminal(Temporary):
     def test_progress_of_a_long_run_leaves_nothing_behind(self):
         for i in range(9):
             self.path(f'{i}.fp', GOOD)
-        for delay in (0.5, 3, 12):  # a busy machine may start the command later than its input comes
+        for delay in (0.5, 3, 12):  # a busy machine may start the command after its input arrives
             seen = on_terminal('-', self.folder, stdin=(delay, GOOD), NO_COLOR='1')
             if '1 of 10 files' in seen:
                 break
@@ -214,7 +214,7 @@ arbiter check: none.fp: No such file or directory
                          ['0123.fp', '45.vp', '67.atifs'])
 
     def test_a_full_disk_is_no_success(self):
-        for i in range(200):  # more than a buffer holds
+        for i in range(200):  # more output than a buffer holds
             self.path(f'{i}.fp', GOOD)
         with open('/dev/full', 'w') as full:
             for words in (('--json', self.folder), (self.folder,)):
@@ -317,7 +317,7 @@ class Json(Temporary):
 
 
 class Life(Temporary):
-    """The two demonstrations on the modelled Radeon 9700: what they cost, and why."""
+    """Checks the two Life demos on the modelled Radeon 9700: their costs, and the reasons."""
 
     def test_the_packed_program_says_why_each_node(self):
         path = PROGRAMS / 'life_packed.fp'

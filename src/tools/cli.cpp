@@ -1,5 +1,4 @@
-// With options/ all that knows CLI11: the command line becomes the structures of
-// commands.h.
+// Parses the command line into the structures of commands.h. Only this file and options/ use CLI11.
 #include <CLI/CLI.hpp>
 #include <GL/arbiter.h>
 #include <algorithm>
@@ -11,7 +10,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// The verbs that take another's command line.
+/// The verbs that run or examine another command line.
 constexpr std::string_view kWithCommand[] = {"run", "capture", "defaults", "doctor"};
 
 bool takesCommand(const std::vector<std::string> &words) {
@@ -19,7 +18,7 @@ bool takesCommand(const std::vector<std::string> &words) {
                                std::end(kWithCommand);
 }
 
-/// What stands behind the first "--" of those is the command, whatever it looks like.
+/// Cuts off and returns the words after the first "--", which belong to the other command.
 std::vector<std::string> cutCommand(std::vector<std::string> &words) {
   if (!takesCommand(words))
     return {};
@@ -31,7 +30,7 @@ std::vector<std::string> cutCommand(std::vector<std::string> &words) {
   return command;
 }
 
-/// The command of such a verb: what stood behind "--", or the words that no option took.
+/// Takes the command of such a verb: the words after "--", or the words that no option took.
 /// \returns false after a complaint.
 bool takeCommand(const CLI::App &subcommand, bool optional, std::vector<std::string> &command) {
   const std::vector<std::string> rest = subcommand.remaining();
@@ -126,7 +125,7 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
   return runCommand(app, arguments.run, std::move(command));
 }
 
-/// `help VERB` is `VERB --help`.
+/// Replaces `help VERB` by `VERB --help`.
 void replaceHelp(std::vector<std::string> &words) {
   if (words.empty() || words.size() > 2 || words[0] != kHelpVerb ||
       (words.size() == 2 && words[1].starts_with("-")))
@@ -163,17 +162,17 @@ int interpret(int argc, char **argv) {
   }
   replaceHelp(words);
   if (!words[0].starts_with("-")) {
-    // CLI11 takes an unknown subcommand for a missing one.
+    // CLI11 would report an unknown subcommand as a missing one.
     if (const std::string fault = unknownVerb(app, words[0]); !fault.empty())
       return refuse(fault, "");
     speakAs(words[0]);
   }
   const std::string name = words[0].starts_with("-") ? std::string() : words[0];
   std::vector<std::string> command = cutCommand(words);
-  std::reverse(words.begin(), words.end()); // as CLI11 wants them
+  std::reverse(words.begin(), words.end()); // CLI11 expects reversed order
   try {
     app.parse(words);
-  } catch (const CLI::Success &asked) { // help, or the version
+  } catch (const CLI::Success &asked) { // thrown for help and for the version
     return app.exit(asked);
   } catch (const CLI::ParseError &error) {
     return refuse(faultOf(app, error), name);

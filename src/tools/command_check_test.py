@@ -69,7 +69,7 @@ class Check(Temporary):
             result = arbiter('check', '--brief', path)
             self.assertEqual((result.returncode, result.stdout), (2, said))
             self.assertTrue(arbiter('compile', path).stderr.startswith(said))
-        # A program whose header is wrong is a program.
+        # A program with a wrong header still counts as a program.
         for text in (GOOD.replace('!!', '!'), GOOD.replace('fp1.0', 'fp2.0'), GOOD[GOOD.index('MOV'):]):
             self.assertIn('the header !!ARBfp1.0 is missing', arbiter('check', '--brief', '-', text=text).stdout)
 
@@ -109,7 +109,7 @@ class Check(Temporary):
         result = arbiter('check', '--brief', '-', text=alu(65))
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stdout, r'error: .* \[limit-alu-instructions\]\n')
-        # The chip reads both moves through, so that what the API refuses fits it.
+        # The compiler merges both moves away, so that a program above the API limit fits the chip.
         result = arbiter('check', '--limits', 'report', '-', text=alu(65))
         self.assertEqual(result.returncode, 0)
         self.assertEqual(arbiter('check', '--limits', 'report', '-', text=alu(67)).returncode, 3)
@@ -118,7 +118,7 @@ class Check(Temporary):
         self.assertEqual(arbiter('check', '--profile', 'host', '-', text=alu(65)).returncode, 0)
 
     def test_the_panel_names_the_profile(self):
-        """In the order of `arbiter draw`: what was asked for, the panel, the environment."""
+        """The order is that of `arbiter draw`: the option, the panel, the environment."""
         long_one = alu(70).replace('\n', '\n#@ profile nv30\n', 1)
         path = self.path('long.fp', long_one)
         short = self.path('short.fp', GOOD)

@@ -18,7 +18,7 @@ SIMPLE = ('!!ARBfp1.0\n' + PANEL + '#@ local[0] = 0.5 0.25 0.125 1\n'
 
 
 def sixty(seed, wrong=None):
-    """Sixty instructions, each with a constant of its own; line n + 5 has instruction n."""
+    """Returns a program of 60 instructions, each with its own constant; instruction n is on line n + 5."""
     numbers = random.Random(seed)
     lines = ['MOV a, fragment.color;']
     for n in range(1, 59):
@@ -33,8 +33,8 @@ def sixty(seed, wrong=None):
             'TEMP a, b;\n' + '\n'.join(lines) + '\nADD result.color, a, b;\nEND\n')
 
 
-# Programs, and their instruction with another constant: where it makes a difference, which that of a
-# MAX need not.
+# (seed of a program, its instruction with a changed constant). Each change alters the result; a changed constant of a
+# MAX might not.
 PLANTED = ((1, 4), (2, 34), (3, 32), (4, 27), (5, 31), (6, 23), (7, 55), (8, 34), (9, 32), (10, 43), (11, 24),
            (12, 22), (13, 58), (14, 33), (15, 7), (16, 24), (17, 41), (18, 26), (19, 22), (20, 8))
 
@@ -56,7 +56,7 @@ class Debug(Temporary):
         self.assertEqual(trace['parameters'][0]['value'], [0.5, 0.25, 0.125, 1])
         texel = trace['rows'][0]['texel']
         self.assertEqual(texel['coordinate'][:2], [5.5 / 16, 3.5 / 8])
-        self.assertAlmostEqual(texel['lod'], 3, places=4)  # 8 texels a pixel upwards
+        self.assertAlmostEqual(texel['lod'], 3, places=4)  # 8 texels per pixel upwards
         self.assertEqual(trace['rows'][1]['operands'][0]['value'], texel['value'])
         self.assertTrue(trace['verdict']['equal'])
         self.assertTrue(trace['verdict']['bits_equal'])
@@ -73,7 +73,7 @@ class Debug(Temporary):
         self.assertEqual(self.trace(document, '--from-top', pixel='5,4')['pixel'], [5, 3])
 
     def test_planted_constants_are_found(self):
-        host = ('--profile', 'host')  # the r300 has 32 parameters
+        host = ('--profile', 'host')  # the r300 profile allows only 32 parameters
         for seed, wrong in PLANTED:
             right = self.path('right.fp', sixty(seed))
             mistaken = self.path('wrong.fp', sixty(seed, wrong))
@@ -91,7 +91,7 @@ class Debug(Temporary):
         for against, name in (('swrast', 'swrast'), ('host', 'host'), ('bare', 'bare host')):
             text = self.debug(document, '--against', against)
             self.assertRegex(text.splitlines()[-1], f'^{name} drew [0-9a-f]{{8}}: equal')
-        # A component of another pixel may lie halfway between two bytes.
+        # At another pixel a component may lie halfway between two byte values.
         self.assertIn('fp24: equal in 8 bits', self.debug(document, '--against', 'fp24', pixel='6,3'))
 
     def test_fp24_beside_host(self):
@@ -154,14 +154,14 @@ class Debug(Temporary):
             self.assertTrue(trace['verdict']['equal'], trace['summary'])
 
     def covered(self, document, *options, watch, pixel):
-        """The pixels that a pass has a value in, as (x, y) from the top."""
+        """Returns the pixels that a pass covers, as (x, y) from the top."""
         picture = self.path('watch.png')
         self.debug(document, '--watch', watch, '-o', picture, *options, pixel=pixel)
         width, height, rows = read_png(picture)
         return {(x, y) for x in range(width) for y in range(height) if rows[y][4 * x + 3]}
 
     def test_depths_that_must_be_equal(self):
-        """The passes before one that compares depths are drawn to the same kind of framebuffer."""
+        """Passes before one that compares depths are drawn into the same kind of framebuffer."""
         scene = '#@ mesh torus parts 24 at 0.1 0.2 0 and plane at 0 -0.3 0 scale 2\n'
         document = self.path('first.fp', '!!ARBfp1.0\n#@ size 97 83, clear 0 0 0 1, camera orbit yaw 25 pitch 35 '
                              'distance 3, then second.fp\n' + scene + 'MOV result.color, {1, 0, 0, 1};\nEND\n')
@@ -178,7 +178,7 @@ class Debug(Temporary):
             self.assertEqual(found, drawn, against)
 
     def test_a_shadow_volume(self):
-        """Where the third pass adds light its fragment is found; where the stencil shuts it out, none is."""
+        """Each pixel lit by the third pass has a fragment of it; no pixel shut out by the stencil has one."""
         document, picture = GALLERY / 'shadow_volume.fp', self.path('out.png')
         self.assertEqual(arbiter('draw', document, '-o', picture).returncode, 0)
         width, height, rows = read_png(picture)
@@ -188,8 +188,8 @@ class Debug(Temporary):
             found = self.covered(document, '--pass', '3', '--against', against, watch='result.color@17',
                                  pixel='400,111')
             lost = [place for place in places if place[2] not in (unlit, sky) and place[:2] not in found]
-            # The picture is a window's, whose depths begin at its top: where the volume touches what it hides
-            # the last bit decides, and those of a framebuffer object are other ones.
+            # `arbiter draw` draws into a window, whose y axis is flipped against a framebuffer object's. Their depths
+            # can differ in the last bit, which decides where the volume touches a surface.
             self.assertLessEqual(len(lost), 4, (against, lost))
             self.assertEqual([place for place in places if place[2] == sky and place[:2] in found], [], against)
         self.assertIn('covers this pixel', self.debug(document, '--pass', '3', pixel='90,181', status=1))

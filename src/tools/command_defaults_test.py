@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of `arbiter defaults` from outside. What the layer does by them is in tests/defaults.
+"""Tests of `arbiter defaults` from outside. tests/defaults covers how the layer applies them.
 
 usage: command_defaults_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
 """

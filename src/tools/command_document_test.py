@@ -18,7 +18,7 @@ SAMPLE = '!!ARBfp1.0\n{}\nTEX result.color, fragment.texcoord[0], texture[0], 2D
 
 
 class Bare(Temporary):
-    """On the bare host; the same through the layer is Layered."""
+    """Draws on the bare host; Layered repeats the tests through the layer."""
     words = ('--bare',)
 
     def draw(self, document, *options):
@@ -74,7 +74,7 @@ class Bare(Temporary):
         self.assertEqual(self.pixel(document), [51, 153, 153, 255])
 
     def test_smaller_levels_are_the_files(self):
-        # Red of 8x8 texels, and below it a green and two blue levels.
+        # The file has 8x8 red texels, then a green and two blue levels.
         header = bytearray(128)
         header[0:4] = b'DDS '
         for at, value in ((4, 124), (12, 8), (16, 8), (28, 4), (76, 32), (80, 0x41), (88, 32),
@@ -100,7 +100,7 @@ class Bare(Temporary):
         bare = self.path('b.fp', text.format(''))
         self.assertEqual(self.pixel(bare, '--texture', f"0={self.path('slices.png')}", '--local',
                                     '0=0.125'), list(slices[0]))
-        # What is no stack of squares is one slice; what is drawn is none.
+        # An image that is no stack of squares becomes one slice.
         write_png(self.path('wide.png'), 2, 1, [b'\xff\0\0\xff\0\0\xff\xff'])
         document = self.path('c.fp', text.format(', texture 0 = wide.png, nearest'))
         self.assertEqual(self.pixel(document, '--local', '0=0.9'), list(slices[0]))
@@ -109,7 +109,7 @@ class Bare(Temporary):
         self.assertIn('samples texture[0] as 3D, and this is a 2D image', result.stderr)
 
     def test_a_mesh_from_a_file(self):
-        # A triangle of the left lower half; its texture coordinates are red and green.
+        # The triangle covers the lower left half; its texture coordinates give red.
         mesh = self.path('a.obj', 'v 3 3 0\nv 5 3 0\nv 3 5 0\nvt 1 0\nvt 1 0\nvt 1 0\nf 1/1 2/2 3/3\n')
         text = '!!ARBfp1.0\n#@ size 8 8, {}\nMOV result.color, fragment.texcoord[0];\nEND\n'
         for document, options in ((self.path('a.fp', text.format('mesh a.obj fit 1')), ()),
@@ -225,7 +225,7 @@ class Layered(Bare):
         self.assertIn('d.fp:2:22: warning: this profile is unknown', result.stderr)
 
     def test_late_machine_code_changes_no_picture(self):
-        # The host's twirl and the rasterizer's differ by a level here and there.
+        # The host's twirl and the rasterizer's may differ by one level, so that both pictures must be the rasterizer's.
         small = ('gallery:twirl', '--size', '16x16')
         self.assertEqual(self.pixels(*small, '--debug', 'late-code'), self.pixels(*small))
 
@@ -262,7 +262,7 @@ class Check(Temporary):
         alone = arbiter('check', part)
         self.assertEqual(alone.returncode, 2)
         self.assertIn("no pass draws into a target 'drawn'", alone.stdout)
-        # Another document, which names it and has no such target, is not the one.
+        # A document that names the part, but has no such target, does not supply it.
         other = self.path('a.fp', SHOW.format('#@ then part.fp'))
         self.assertEqual(arbiter('check', part).returncode, 2)
         main = self.path('main.fp', SHOW.format('#@ target drawn 4 4, then part.fp'))

@@ -13,7 +13,7 @@ from command_session import BAD, GOOD, PROGRAMS, ROOT, Temporary, alu, arbiter
 
 
 def read_png(path):
-    """Width, height and RGBA rows from the top, of what libpng writes (8-bit RGBA)."""
+    """Returns width, height and RGBA rows from the top of an 8-bit RGBA file of libpng."""
     data = pathlib.Path(path).read_bytes()
     assert data[:8] == b'\x89PNG\r\n\x1a\n'
     at, packed, size = 8, b'', None
@@ -52,7 +52,7 @@ def write_png(path, width, height, rows):
 
 
 class Draw(Temporary):
-    """On the bare host; the same through the layer is Layered."""
+    """Draws on the bare host; Layered repeats the tests through the layer."""
     words = ('--bare',)
 
     def draw(self, text, *options, size='8x4'):
@@ -88,7 +88,7 @@ class Draw(Temporary):
         self.assertEqual(rows, [colours[0] + colours[1], colours[2] + colours[3]])
 
     def test_feedback(self):
-        # Each frame adds 10/255 to what the last one drew; it starts from black.
+        # The picture starts black, and each frame adds 10/255 to the last.
         text = ('!!ARBfp1.0\nTEMP a;\nTEX a, fragment.texcoord, texture[0], 2D;\n'
                 'ADD result.color, a, {0.0392156862745, 0, 0, 1};\nEND')
         _, _, rows = self.pixels(text, '--feedback', '0', '--frames', '5')
@@ -159,7 +159,7 @@ class Draw(Temporary):
                                         'checker with its number stands in for one\n')
 
     def test_the_number_of_a_unit_without_an_image_is_drawn(self):
-        """The checker, a texel a pixel: 7 is a bar, and a stroke from its right end down."""
+        """The checker shows the number at one texel per pixel: 7 is a bar with a stroke down from its right end."""
         white, purple, grey = b'\xff' * 4, bytes((128, 26, 128, 255)), bytes((51, 51, 51, 255))
         for target, coordinate in (('2D', 'texcoord[0]'), ('RECT', 'position'), ('3D', 'texcoord[0]')):
             result = self.draw(f'!!ARBfp1.0\nTEX result.color, fragment.{coordinate}, texture[7], '
@@ -168,7 +168,7 @@ class Draw(Temporary):
             rows = read_png(self.output)[2][::-1]
             pixels = [[row[at:at + 4] for at in range(0, 256, 4)] for row in rows]  # from the bottom
             self.assertEqual({each for row in pixels for each in row}, {white, purple, grey}, target)
-            # Five texels a dot, five by seven dots about the middle.
+            # A dot has five texels, and the digit has five by seven dots about the middle.
             self.assertEqual([x for x in range(64) if pixels[46][x] == white], list(range(19, 44)), target)
             self.assertEqual([x for x in range(64) if pixels[31][x] == white], list(range(29, 34)), target)
             self.assertNotIn(white, pixels[12] + pixels[50], target)
@@ -231,7 +231,7 @@ class Layered(Draw):
             loaded = seen['programs'][0]
             self.assertEqual(loaded['hash'], checked['hash'])
             counts = dict(loaded['counts'])
-            # The statistics' row is every language's; a fragment program has no such register.
+            # The statistics have one row for all languages; a fragment program has no such register.
             self.assertEqual(counts.pop('address_registers'), 0)
             self.assertEqual(list(counts.values()),
                              [row['used'] for row in checked['counts'].values()], program)

@@ -14,14 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFirstLine = 256; // what the kernel reads of it
+constexpr std::size_t kFirstLine = 256; // the kernel reads at most this much of a script
 
 bool isExecutable(const fs::path &path) {
   std::error_code error;
   return fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// As execvp() finds it; where nothing can be executed, a file of that name that is there.
+/// Finds a command as execvp() does. If no executable file has that name, returns another file of
+/// that name.
 std::string lookUp(const std::string &word) {
   if (word.find('/') != std::string::npos)
     return word;
@@ -87,7 +88,7 @@ defaults::Facts factsOf(const CommandFile &command) {
   facts.executable = command.path;
   const std::string &known = command.found.empty() ? command.words.front() : command.found;
   if (defaults::isLoader(fs::path(known).filename().native())) {
-    facts.executable = known; // the name that the user knows; a link of Debian's leads on
+    facts.executable = known; // the name that the user knows; Debian links it to another
     return facts;
   }
   if (command.interpreter.empty())

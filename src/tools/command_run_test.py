@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of `arbiter run` and `arbiter capture` from outside: what the command is started with.
+"""Tests of `arbiter run` and `arbiter capture` from outside: the environment in which they start commands.
 
 usage: command_run_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
 """
@@ -14,7 +14,7 @@ from command_session import ARBITER, FAKE, Temporary, arbiter, plain
 
 class Run(Temporary):
     def run_env(self, *options, **environment):
-        """The environment that a command sees under `arbiter run`."""
+        """Returns the environment of a command under `arbiter run`."""
         result = arbiter('run', '--library', FAKE, *options, '--', 'env', '-0', **environment)
         self.assertEqual(result.returncode, 0, result.stderr)
         return dict(entry.split('=', 1) for entry in result.stdout.split('\0') if entry)
@@ -69,11 +69,11 @@ class Run(Temporary):
         self.assertEqual(chosen(), '')
         by_name.write_text('{"library_path": "libGLX_arbiter.so.0"}')
         self.assertEqual(chosen(), str(by_name))
-        by_path.write_text('{"library_path": "/elsewhere/libGLX_arbiter.so.0"}')  # it was moved
+        by_path.write_text('{"library_path": "/elsewhere/libGLX_arbiter.so.0"}')  # the library was moved
         self.assertEqual(chosen(), str(by_name))
         by_path.write_text(f'{{"library_path": "{library}"}}')
         self.assertEqual(chosen(), str(by_path))
-        # What was selected before is the layer's host.
+        # A vendor selected earlier becomes the layer's host.
         before = {'__EGL_VENDOR_LIBRARY_FILENAMES': '/theirs'}
         self.assertEqual(chosen(**before), str(by_path))
         self.assertEqual(chosen('ARBITER_SAVED_EGL_VENDORS', **before), '/theirs')
@@ -84,7 +84,7 @@ class Run(Temporary):
         shell = 'printf "%s|" "$@"; exit 7'
         result = run('--', 'sh', '-c', shell, 'sh', '--profile', '-x', '--', 'a b')
         self.assertEqual((result.returncode, result.stdout), (7, '--profile|-x|--|a b|'))
-        result = run('sh', '-c', shell, 'sh', '--json', 'c')  # without the mark
+        result = run('sh', '-c', shell, 'sh', '--json', 'c')  # without the "--"
         self.assertEqual((result.returncode, result.stdout), (7, '--json|c|'))
         self.assertEqual(run('--', 'no-such-command').returncode, 127)
         self.assertEqual(run('--', self.path('not-executable', 'x')).returncode, 126)
@@ -151,7 +151,7 @@ class Run(Temporary):
 class Capture(Temporary):
     def capture(self, *words):
         library = () if '--index-only' in words else ('--library', FAKE)
-        # AddressSanitizer, which a layer built with it brings, would end a command in its own way.
+        # A layer built with AddressSanitizer would make a crashing command end with another status.
         env = plain(ASAN_OPTIONS=os.environ.get('ASAN_OPTIONS', '') + ':handle_segv=0')
         return subprocess.run([os.path.abspath(ARBITER), 'capture', *library, *map(str, words)],
                               capture_output=True, text=True, timeout=60, env=env,
@@ -174,7 +174,7 @@ class Capture(Temporary):
     def test_signals(self):
         result = self.capture('--', 'sh', '-c', 'kill -SEGV $$')
         self.assertEqual(result.returncode, 128 + 11)
-        for _ in range(20):  # the command's first act races with the parent's after the fork
+        for _ in range(20):  # repeated: the command's first act races with the parent's after the fork
             result = self.capture('--', 'sh', '-c', 'kill -TERM $PPID; exec sleep 30')
             self.assertEqual(result.returncode, 128 + 15, 'TERM was not passed on')
 

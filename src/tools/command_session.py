@@ -1,7 +1,7 @@
-"""What the tests of the `arbiter` command share: its command line, the programs, a folder a test.
+"""The command line, programs and temporary folders that the tests of the `arbiter` command share.
 
-A test is called as TEST ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]; FAKE_LAYER is a shared
-library that can be preloaded and does nothing.
+A test is called as TEST ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]; FAKE_LAYER is a shared library that
+does nothing when it is preloaded.
 """
 import os
 import pathlib

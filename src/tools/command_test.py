@@ -95,7 +95,7 @@ class Compile(Temporary):
             rounded = arbiter('compile', '--emit', *emit, '--profile', 'nv20', '--numerics', 'fx9', '-', text=text)
             self.assertEqual((rounded.returncode, rounded.stderr), (0, ''))
             self.assertIn(word, rounded.stdout)
-        for numerics, given in (('legacy', text), ('fp24', text), ('fx9', GOOD)):  # nothing but the passes asks
+        for numerics, given in (('legacy', text), ('fp24', text), ('fx9', GOOD)):  # only the passes use numerics
             refused = arbiter('compile', '--emit', 'ir', '--profile', 'nv20', '--numerics', numerics, '-', text=given)
             self.assertEqual((refused.returncode, refused.stdout), (1, ''))
             self.assertIn('--numerics has no effect with --emit ir but beside --optimise', refused.stderr)
@@ -236,7 +236,7 @@ class Whole(unittest.TestCase):
                          'arbiter: no verb chek; did you mean check? (arbiter --help)\n')
 
     def test_one_voice(self):
-        """Who speaks, what is wrong, what was expected, how to get help."""
+        """A complaint names the command, the fault, what was expected, and how to get help."""
         rows = {
             'chek a.fp': 'arbiter: no verb chek; did you mean check? (arbiter --help)',
             '--jsn check': 'arbiter: no option --jsn; did you mean --json? (arbiter --help)',

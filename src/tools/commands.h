@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-/// One function a subcommand of `arbiter`. The command line is read in cli.cpp alone; what stands
-/// here is its result. Each function returns the process's exit code.
+/// One function for each subcommand of `arbiter`. cli.cpp alone parses the command line and fills
+/// these structures. Each function returns the process's exit code.
 namespace arbiter::tools {
 
-/// What scripts and editors may rely on; arbiter(1) lists them.
+/// Stable exit codes for scripts and editors; arbiter(1) documents them.
 enum ExitCode : int {
   kExitOk = 0,
   kExitUsage = 1,      ///< usage, or a file that cannot be read or written
@@ -21,14 +21,14 @@ struct CheckArguments {
   std::vector<std::string> profiles; ///< one; two only to compare one file under both
   std::string limits = "enforce";    ///< or "report"
   std::string language = "auto";     ///< by the header; or a name of languageRows()
-  std::string gauges = "auto";       ///< "always", "never": styleOf() of check/terminal.h
+  std::string gauges = "auto";       ///< or "always", "never": styleOf() of check/terminal.h
   bool json = false;
   bool brief = false; ///< first lines of diagnostics only, no counts
   bool why = false;   ///< every reason, for every file
   bool compare = false;
-  bool advise = false;            ///< what would make the counts fall
-  bool fix = false;               ///< and do it, in the files
-  std::vector<std::string> files; ///< and folders
+  bool advise = false;            ///< show changes that lower the counts
+  bool fix = false;               ///< apply them to the files
+  std::vector<std::string> files; ///< files and folders
 };
 [[nodiscard]] int check(const CheckArguments &arguments);
 
@@ -38,16 +38,16 @@ struct CompileArguments {
   std::string language = "auto"; ///< by the header; or a name of languageRows()
   std::string numerics = "host"; ///< glsl, and the passes; a name of fp::kNumericsNames
   bool optimise = false;         ///< ir: after the passes
-  bool json = false;             ///< what is emitted, and the diagnostics, as one document
+  bool json = false;             ///< print the output and the diagnostics as one JSON document
   std::string output = "-";
   std::string file;
 };
 [[nodiscard]] int compile(const CompileArguments &arguments);
 
-/// The layer's part of an environment, common to `run` and `draw`.
+/// Options that set the layer's environment, common to `run` and `draw`.
 struct LayerArguments {
   std::string library; ///< empty: found beside the executable or in the installation
-  std::string profile; ///< empty: as the environment has it
+  std::string profile; ///< empty: from the environment
   std::string limits;
   std::string identity;
   std::string numerics;
@@ -61,52 +61,52 @@ struct LayerArguments {
   std::string log;
   std::string debug;
   std::string hostVendor;
-  std::string capture; ///< a folder that exists when the command starts
-  std::string replace; ///< likewise
+  std::string capture; ///< a folder, existing when the command starts
+  std::string replace; ///< a folder, existing when the command starts
   bool control = false;
   std::string hud; ///< "true", or a value of ARBITER_HUD; empty: none
 };
 
 struct RunArguments {
   LayerArguments layer;
-  bool printEnvironment = false; ///< print the assignments in place of running
+  bool printEnvironment = false; ///< print the assignments instead of running the command
   std::vector<std::string> command;
 };
 [[nodiscard]] int run(const RunArguments &arguments);
 
 struct DefaultsArguments {
-  std::string check; ///< a file to test in place of those that are followed
+  std::string check; ///< a file to test instead of the installed ones
   bool json = false;
   std::vector<std::string> command; ///< empty: list all
 };
-/// Defaults of single programs: all, or those of a command, or a file's.
+/// Shows the defaults of programs: all of them, those of a command, or those of a file.
 [[nodiscard]] int showDefaults(const DefaultsArguments &arguments);
 
 struct DoctorArguments {
-  std::string library; ///< the layer's; empty: found as for `run`
-  std::string root;    ///< of the system whose files are looked at; empty: this one's
-  bool run = false;    ///< run the command too
-  double seconds = 5;  ///< for so long
+  std::string library; ///< the layer; empty: found as for `run`
+  std::string root;    ///< root of the file system to examine; empty: this system's
+  bool run = false;    ///< also run the command
+  double seconds = 5;  ///< how long to run it
   bool json = false;
   std::vector<std::string> command;
 };
-/// Why the layer does not reach a command.
+/// Explains why the layer does not reach a command.
 [[nodiscard]] int diagnose(const DoctorArguments &arguments);
 
 struct StatsArguments {
-  std::string file; ///< as ARBITER_STATS had it, %p and all
+  std::string file; ///< the value of ARBITER_STATS, with %p
   bool json = false;
 };
-/// Makes the statistics of processes that were killed where no other process did.
+/// Completes the statistics of processes that were killed, unless another process already has.
 [[nodiscard]] int stats(const StatsArguments &arguments);
 
 struct CaptureArguments {
   LayerArguments layer;
-  std::string folder;     ///< empty: named for the command
-  bool indexOnly = false; ///< make the index of a folder anew, run nothing
+  std::string folder;     ///< empty: named after the command
+  bool indexOnly = false; ///< rebuild the index of a folder and run nothing
   std::vector<std::string> command;
 };
-/// Runs the command and makes an index of the programs that it loaded.
+/// Runs the command and writes an index of the programs that it loaded.
 [[nodiscard]] int capture(const CaptureArguments &arguments);
 
 struct ReportArguments {
@@ -120,22 +120,23 @@ struct ReportArguments {
 
 struct DrawArguments {
   LayerArguments layer;
-  std::vector<std::string> files;    ///< a document, or a program of vertices and one of fragments
+  std::vector<std::string> files;    ///< a document, or a vertex program and a fragment program
   std::string size;                  ///< empty: the document's
   std::string mesh;                  ///< a shape's word; empty: the document's
   std::vector<std::string> textures; ///< "N=IMG.png|checker|noise"
   std::vector<std::string> locals;   ///< "[vp:|fp:]N=x,y,z,w"
   std::vector<std::string> envs;
   std::vector<std::string> attribs; ///< "N=x,y,z,w"
-  int frames = 1;                   ///< drawn one after another, from the first one
-  int frame = -1;                   ///< or the number of one, from 0
-  int feedback = -1;                ///< a texture unit that gets each frame's picture, or -1
+  int frames = 1;                   ///< number of frames, drawn from frame 0
+  int frame = -1;                   ///< the only frame to draw, from 0; -1: all
+  int feedback = -1;                ///< texture unit that receives each frame's picture, or -1
   std::string output;               ///< empty: the document's name with the ending .png
   bool json = false;
-  bool bare = false;    ///< without the layer: the host's own implementation
-  bool inLayer = false; ///< this is the process that the layer was preloaded into
+  bool bare = false;    ///< without the layer, on the host's implementation
+  bool inLayer = false; ///< true in the process with the preloaded layer
 };
-/// \param argv the whole command line, to be executed again under the layer
+/// Draws a scene or programs into a PNG file. \param argv the whole command line, which is executed
+/// again under the layer
 [[nodiscard]] int draw(const DrawArguments &arguments, const std::vector<std::string> &argv);
 
 struct DebugArguments {
@@ -156,34 +157,34 @@ struct DebugArguments {
   std::string numerics; ///< empty: the document's, or host
   std::string library;
 };
-/// Shows what a program does for one pixel.
+/// Shows how a program computes one pixel.
 [[nodiscard]] int debugPixel(const DebugArguments &arguments);
-/// The verb, shown in no help, of drawForDebugger().
+/// The hidden verb that runs drawForDebugger(); no help shows it.
 inline constexpr const char *kDrawsVerb = "debug-draws";
-/// The process that draws for debugPixel(): draws/server.h on descriptor 0.
+/// Runs the process that draws for debugPixel(), as a server (draws/server.h) on descriptor 0.
 [[nodiscard]] int drawForDebugger();
 struct RenderArguments {
   LayerArguments layer;
-  std::string folder = "."; ///< that names in documents begin from
-  int descriptor = -1;      ///< of a connected socket; -1: listen
+  std::string folder = "."; ///< base folder of file names in documents
+  int descriptor = -1;      ///< a connected socket; -1: listen
   bool bare = false;        ///< without the layer
-  bool inLayer = false;     ///< this is the process that the layer was preloaded into
+  bool inLayer = false;     ///< true in the process with the preloaded layer
 };
 /// Draws documents for the process at the other end of a socket (docs/write/control.md).
-/// \param argv the whole command line, to be executed again under the layer
+/// \param argv the whole command line, which is executed again under the layer
 [[nodiscard]] int render(const RenderArguments &arguments, const std::vector<std::string> &argv);
 
 struct CtlArguments {
   int process = 0; ///< 0: the only one that listens
   bool json = false;
   std::string output;
-  double timeout = 5;             ///< seconds that an answer may take
+  double timeout = 5;             ///< seconds to wait for an answer
   double holdSeconds = 0;         ///< 0: until this process is ended
   std::vector<std::string> words; ///< the action and its operands
 };
-/// Talks to a process that was started under control.
+/// Controls a process that was started under control.
 [[nodiscard]] int controlProcess(const CtlArguments &arguments);
-/// The actions, a line each, for the help.
+/// Returns the actions, one per line, for the help text.
 [[nodiscard]] std::string ctlActions();
 
 struct CacheArguments {
@@ -195,15 +196,16 @@ struct CacheArguments {
 struct LspArguments {
   std::string profile;
 };
-/// A language server on standard input and output (lsp/server.h).
+/// Runs a language server on standard input and output (lsp/server.h).
 [[nodiscard]] int serve(const LspArguments &arguments);
 
 struct BuilderArguments {
   std::string document;   ///< a program or a folder; empty: none
-  std::string screenshot; ///< the PNG of a picture of the window, which then ends; empty: it stays
-  std::string size;       ///< "WxH" of it; empty: 1280x800
+  std::string screenshot; ///< PNG file for a picture of the window, which then exits; empty: none
+  std::string size;       ///< "WxH" of the picture; empty: 1280x800
 };
-/// Becomes the window's process, `arbiter-builder`, which is beside this command.
+/// Replaces this process with `arbiter-builder`, the window, which is installed beside this
+/// command.
 [[nodiscard]] int builder(const BuilderArguments &arguments);
 
 struct ProfilesArguments {

@@ -20,7 +20,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// One line a token: "line:column  kind  text".
+/// Lists the tokens, one per line: "line:column  kind  text".
 std::string tokenListing(std::string_view file, const fp::FileProgram &program) {
   const std::string_view text = file.substr(0, program.span.end);
   const std::string_view own = program.in(file);
@@ -54,9 +54,9 @@ std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
   return arguments.emit == "assembly" ? fp::emitAssembly(program) : fp::ir::print(program);
 }
 
-constexpr int kSchema = 1; ///< of --json
+constexpr int kSchema = 1; ///< version of the --json output
 
-/// One program of the file, and what became of it.
+/// One program of the file, with its diagnostics and its output.
 struct Emitted {
   fp::FileProgram program;
   std::vector<fp::Diagnostic> diagnostics;
@@ -64,7 +64,7 @@ struct Emitted {
   int code = kExitOk;
 };
 
-/// Writes the checked program in the form asked for into `into`.
+/// Writes the checked program in the requested form into `into`.
 /// \returns an exit code, after a complaint unless it is kExitOk.
 int emitProgram(std::string_view text, const CompileArguments &arguments,
                 const fp::hw::Profile &profile, Emitted &into) {
@@ -130,7 +130,7 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
   return kExitUsage;
 }
 
-/// A line above each program of a file that has several, as a comment of what is emitted.
+/// Returns a title line for a program, as a comment in the output's language.
 std::string heading(std::string_view text, const fp::FileProgram &program,
                     const CompileArguments &arguments) {
   const std::string mark = arguments.emit == "glsl" ? "//" : arguments.emit == "llvm" ? ";" : "#";
@@ -138,7 +138,7 @@ std::string heading(std::string_view text, const fp::FileProgram &program,
          "\n";
 }
 
-/// The programs of the file that are meant, one after the other.
+/// Compiles the selected programs of the file, one after the other.
 std::vector<Emitted> emitAll(std::string_view text, const CompileArguments &arguments,
                              const fp::hw::Profile &profile) {
   std::vector<Emitted> all;

@@ -25,7 +25,7 @@ using defaults::Value;
 
 const char *environment(const char *name) { return std::getenv(name); }
 
-/// Those of the build tree, else of the installation, as the layer finds them.
+/// Returns the shipped defaults of the build tree, or else of the installation, as the layer does.
 std::string shippedFolder() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
@@ -71,7 +71,7 @@ void print(const Entry &entry) {
   std::printf("  %-9s%s:%u\n", "from", entry.file.c_str(), entry.line);
 }
 
-/// What the layer says when it reads the profile.
+/// Reports the same errors as the layer does when it loads the profile.
 void checkProfiles(File &file) {
   for (const Entry &entry : file.entries)
     for (const Value &value : entry.values)
@@ -181,7 +181,7 @@ int showDefaults(const DefaultsArguments &arguments) {
     defaults::Program program = defaults::programOf(factsOf(command));
     if (command.found.empty()) {
       complain(command.problem);
-      // A program that a missing loader would run is known by its name all the same.
+      // Without its loader, a Windows program is still identified by its own name.
       if (program.windows.empty())
         return kExitUsage;
     }

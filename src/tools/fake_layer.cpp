@@ -1,2 +1,2 @@
-// Something to preload that does nothing: the tests of `arbiter run` look at the environment only.
+// An empty library to preload: the tests of `arbiter run` examine only the environment.
 extern "C" int arbiterFakeLayer() { return 0; }

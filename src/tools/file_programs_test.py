@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of files that hold a program behind comments, or several programs, with every verb.
+"""Tests of files with one program after comments, or with several programs, for every verb.
 
 usage: file_programs_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
 """
@@ -51,7 +51,7 @@ class Verbs(Temporary):
         self.assertEqual([(file['language'], file['line'], file['status']) for file in files],
                          [('ARBvp1.0', 4, 'valid'), ('ARBfp1.0', 11, 'invalid')])
         self.assertEqual(files[1]['diagnostics'][0]['range']['line'], 16)
-        # As GL counts that is given the half alone.
+        # The position counts from the start of this half, as GL does when it is given the half alone.
         self.assertEqual(files[1]['error_position'], FRAGMENT.index('color, t') + 7)
         alone = json.loads(arbiter('check', '--json', '-', text=VERTEX.rstrip()).stdout)['files'][0]
         self.assertEqual(files[0]['hash'], alone['hash'])
@@ -138,7 +138,7 @@ class Verbs(Temporary):
 
 
 class Draw(Temporary):
-    """A pair is one pass: both halves draw it, each with the lines of its own panel."""
+    """Draws a pair as one pass; each half uses the lines of its own panel."""
     words = ('--bare',)
 
     def draw(self, text, *options):

@@ -10,29 +10,30 @@ struct FileError {
   std::string message; ///< "name: reason"
 };
 
-/// The bytes of a file, or of standard input for "-". At most 64 MiB: a program string over the
-/// compiler's own limit of 1 MiB is the compiler's to report.
+/// Returns the bytes of a file, or of standard input for "-". Accepts at most 64 MiB, so that the
+/// compiler itself reports a program over its limit of 1 MiB.
 [[nodiscard]] Result<std::string, FileError> readInput(const std::string &name);
 
 /// Writes to a file, or to standard output for "-".
 /// \returns an empty string, or "name: reason".
 [[nodiscard]] std::string writeOutput(const std::string &name, std::string_view bytes);
 
-/// Gives a file that exists new content in one step: who reads it meanwhile, or is interrupted, has
-/// the old bytes or the new ones. The file behind a symbolic link is meant; its mode stays.
+/// Replaces the content of an existing file atomically: readers see the old or the new bytes, even
+/// after an interruption. Follows symbolic links and keeps the file's mode.
 /// \returns an empty string, or "name: reason".
 [[nodiscard]] std::string replaceFile(const std::string &name, std::string_view bytes);
 
-/// Both name one file, or one path where there is none yet; "-" is only itself.
+/// True if both names mean the same file, or the same path if no file exists yet. "-" equals only
+/// itself.
 [[nodiscard]] bool isSameFile(const std::string &a, const std::string &b);
 
-/// Why a file cannot be written there, as "name: reason", found out without making it; empty if it
-/// can. For what another process writes when it is too late to say so.
+/// Returns why a file cannot be written at a path, as "name: reason", or "". Does not create the
+/// file. Reports the problem early if another process will write the file.
 [[nodiscard]] std::string whyNotWritable(const std::string &path);
 
-/// "arbiter VERB: text" on standard error, "arbiter: text" before speakAs().
+/// Prints "arbiter VERB: text" on standard error; "arbiter: text" before speakAs().
 void complain(const std::string &text);
-/// Names the verb that this process runs, so that the output of many commands says who spoke.
+/// Sets the verb that complain() names, so that mixed output of several commands shows its origin.
 void speakAs(const std::string &verb);
 
 } // namespace arbiter::tools

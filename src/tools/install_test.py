@@ -68,7 +68,7 @@ class Installed(unittest.TestCase):
         self.run_it(arbiter, 'debug', 'gallery:twirl', '--pixel', '9,9')
 
     def test_defaults_of_programs_are_found_by_both(self):
-        """By the command, and by the layer in a process."""
+        """The command finds them, and so does the layer in a process."""
         folder = (self.prefix / 'share/arbiter/defaults.d').resolve()
         listed = json.loads(self.run_it(self.prefix / 'bin/arbiter', 'defaults', '--json'))
         self.assertEqual({pathlib.Path(each['file']).resolve().parent for each in listed['entries']}, {folder})

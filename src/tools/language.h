@@ -8,7 +8,7 @@
 #include "fp_compiler/file_programs.h"
 #include "fp_compiler/hw/profile.h"
 
-/// The languages of programs, as the command line names them.
+/// Maps the language names of the command line to program languages.
 namespace arbiter::tools {
 
 struct LanguageRow {
@@ -16,37 +16,38 @@ struct LanguageRow {
   const char *header;
   fp::ir::Language language;
 };
-/// How many there are; an fp::ir::Language is below it.
+/// The number of languages; every fp::ir::Language is below it.
 inline constexpr std::size_t kLanguageCount = 5;
 [[nodiscard]] std::span<const LanguageRow> languageRows();
 [[nodiscard]] const LanguageRow &languageRow(fp::ir::Language language);
 
-/// "auto" and the names of languageRows().
+/// Returns "auto" and the names of languageRows().
 [[nodiscard]] std::vector<std::string> languageNames();
 
-/// The language of that name; for "auto" the one that the text's header names, or ARBfp1.0 where it
-/// names none, so that the header is what is reported.
+/// Returns the language with that name. For "auto" the text's header decides. Without a known
+/// header it is ARBfp1.0, so that the compiler reports the header.
 [[nodiscard]] fp::ir::Language chooseLanguage(std::string_view name, std::string_view text);
 
-/// The programs of a file that are meant: for "auto" all of them, else those of the language; where
-/// there is none of it, the whole file as a text of that language.
+/// Returns a file's programs of the named language; "auto" means all of them. If the file has none
+/// of that language, returns the whole file as one program of it.
 [[nodiscard]] std::vector<fp::FileProgram> choosePrograms(std::string_view name,
                                                           std::string_view file);
 
-/// The one that is meant where a file stands for one program: of several the first fragment
-/// program, without one the first.
+/// Returns the program to use if a file stands for one program: the first fragment program, or the
+/// first program if there is none.
 [[nodiscard]] fp::FileProgram chooseProgram(std::string_view name, std::string_view file);
 
-/// "ARBvp1.0", or the "VP2.0" of a text that is in one of NVIDIA's own languages.
+/// Returns the language's title, such as "ARBvp1.0"; for NVIDIA's languages the header's, such as
+/// "VP2.0".
 [[nodiscard]] std::string languageTitle(fp::ir::Language language, std::string_view text);
 
-/// The file's name; where the file has several programs, with the program's language and line:
+/// Returns the file's name. If the file has several programs, adds the program's language and line:
 /// "bump.vfp, ARBfp1.0 of line 15".
 [[nodiscard]] std::string titleOf(const std::string &name, std::string_view file,
                                   const fp::FileProgram &program);
 
-/// The limits of the language's target; for ATI's those of the language itself, for nvparse's those
-/// of the card's combiners and texture shaders.
+/// Returns the limits of the language's target. ATI's language has its own limits. nvparse's
+/// languages have the limits of the card's combiners and texture shaders.
 [[nodiscard]] fp::Limits limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
 
 } // namespace arbiter::tools

@@ -11,9 +11,10 @@ struct MachineCodeError {
   std::string message;
 };
 
-/// The code that the rasterizer's engine makes of a program on this processor. A fragment program's
-/// is for rows of an RGBA8 target; its units hold RGBA8 textures, unfiltered, clamped to the edge.
-/// Errors: no engine, arithmetic or a program that it has no code for.
+/// Returns a listing of the rasterizer's machine code for a program on this processor. A fragment
+/// program is compiled for rows of an RGBA8 target. Its units hold unfiltered RGBA8 textures,
+/// clamped to the edge. Fails if the machine has no code generator, or if that supports neither the
+/// arithmetic nor the program.
 [[nodiscard]] Result<std::string, MachineCodeError>
 machineCode(const fp::ir::Program &program, fp::Numerics numerics, fp::jit::Listing what);
 

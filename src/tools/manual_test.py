@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The manual pages are those of the command that was built, and man formats them without a warning.
+"""Tests that the manual pages match the built command, and that man formats them without a warning.
 
 usage: manual_test.py ARBITER SOURCE_ROOT
 """

@@ -3,14 +3,13 @@
 
 usage: options_test.py ARBITER FAKE_LAYER [--valgrind] [--draw LAYER] [--sample N/M] [--verb VERB]
 
-The verbs and their options are read from `arbiter --help`, so that a new one is covered by itself;
-a new option with a value of its own kind fails the test until VALUES has one for it.
+The verbs and their options are read from `arbiter --help`, so that new ones are covered without a change here. If a new
+option has its own kind of value, the test fails until VALUES has a row for it.
 
-Every run must end with a status that the verb's help documents (never 4, an internal error, and
-never a signal), say why on standard error where it is no success, write something where it is, and
-give JSON that parses. An option that is taken must have an effect: for `check`, `compile` and
-`report` some file's output must differ from what it is without. --valgrind also wants no error of
-memory; --sample runs one of M runs, the Nth.
+Every run must end with a status that the verb's help documents, never 4 (an internal error) or a signal. A run that
+fails must say why on standard error; one that succeeds must write something. JSON must parse. An accepted option
+must have an effect: for `check`, `compile` and `report` it must change the output for some file. --valgrind also
+requires that there are no memory errors. --sample N/M runs the Nth of every M runs.
 """
 
 import argparse
@@ -61,7 +60,7 @@ FILES = {
     'start.sh': '#!/bin/sh\n',
     'defaults.toml': '[[program]]\ntitle = "t"\nmatch.name = "true"\nset.threads = 1\n',
 }
-# Two of each that are not the default; options whose help lists their values need no row.
+# Two values that are not the default for each option. An option whose help lists its values needs no row.
 VALUES = {
     ('*', '--profile'): ['nv30', 'r300-catalyst-2004'],
     ('*', '--output'): ['@out'],
@@ -102,15 +101,15 @@ VALUES = {
     ('debug', '--frame'): ['1'],
     ('debug', '--against'): ['host', 'good.fp'],
 }
-DRAWING = ('draw', 'debug')  # verbs that need the layer itself
+DRAWING = ('draw', 'debug')  # verbs that need the real layer
 EFFECTS = ('check', 'compile', 'report')
-# Taken though they change nothing, and why.
+# Options that are accepted but change nothing, with the reason.
 NO_EFFECT = {
     ('check', '--limits', '--language=atifs'): 'a shader that loads fits: the language has no limits',
     ('compile', '--profile', '--language=atifs'): 'likewise',
     ('compile', '--profile', '--language=arbvp'): 'two profiles may have the same limits of vertices',
 }
-# What the verbs are run on: words after the options.
+# The words after the options that each verb is run with.
 OPERANDS = {
     'check': [['good.fp'], ['dependent.fp'], ['long.fp'], ['bad.fp'], ['good.vp'], ['good.atifs'],
               ['huge.fp'], ['huge.vp'], ['.'], ['none.fp'], ['good.fp', 'dependent.fp'],
@@ -129,12 +128,12 @@ OPERANDS = {
     'cache': [[]],
     'lsp': [[]],
     'ctl': [['list'], ['programs'], ['nothing'], ['get'], ['-']],
-    # A descriptor that is none: a renderer that listens runs on.
+    # An invalid descriptor, because a renderer that listens would not end.
     'render': [['--fd', '1001']],
     'help': [[], ['check'], ['chek']],
-    'builder': [['good.fp', 'bad.fp']],  # too many: what is taken opens a window
+    'builder': [['good.fp', 'bad.fp']],  # too many: an accepted document would open a window
 }
-# Statuses of the command that is run beside those of the verb.
+# Exit statuses of the command that the verb runs, besides the verb's own.
 BESIDE = {'run': {126, 127}, 'capture': {126, 127}}
 
 
@@ -192,7 +191,7 @@ def verbs_of(arbiter):
 
 
 class Place:
-    """A folder of its own for one run."""
+    """A separate folder for one run."""
 
     def __init__(self, root, number):
         self.folder = pathlib.Path(root) / str(number)
@@ -202,7 +201,7 @@ class Place:
         self.before = set(self.folder.iterdir())
 
     def written(self):
-        """What the run wrote, by name; the page of a report has no times in it."""
+        """Returns the files that the run wrote, by name. A report's page contains no times."""
         return {path.name: path.read_bytes() for path in sorted(self.folder.iterdir())
                 if path not in self.before and path.is_file()}
 
@@ -213,7 +212,7 @@ class Runner:
         self.count = itertools.count()
 
     def run(self, verb, options, operands):
-        """(status, standard output, standard error, files written)"""
+        """Returns (status, standard output, standard error, files written)."""
         place = Place(self.root, next(self.count))
         at = {'@library': os.path.abspath(self.library(verb)), '@texts': 'texts', '@out': 'out',
               '@json': 'out.json', '@stats.json': 'stats.json'}
@@ -264,7 +263,7 @@ def faults_of(verb, options, operands, result):
 
 
 def combinations(verb):
-    """No option, each option, each pair of two different ones."""
+    """Yields no option, each option, and each pair of two different options."""
     yield ()
     for option in verb.options:
         yield (option,)
@@ -274,7 +273,7 @@ def combinations(verb):
 
 
 def without_effect(verb, results):
-    """Pairs and single options whose outputs are, on every file, those without one of them."""
+    """Yields pairs and single options that can lose one option without a change of any file's output."""
     by_options = {}
     for options, operands, result in results:
         by_options.setdefault(options, {})[tuple(operands)] = result

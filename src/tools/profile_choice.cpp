@@ -19,10 +19,10 @@ const fp::hw::Profile &ProfileChoice::of(const std::string &path, std::string_vi
   const std::string name = scene::profileOf(scene::parsePanel(text), folder);
   if (const fp::hw::Profile *builtin = fp::hw::findBuiltin(name))
     return *builtin;
-  // A text that is in no file has no folder where a file could lie.
+  // A relative profile path needs a folder, and a text that is in no file has none.
   if (name.empty() || path.empty())
     return m_common;
-  auto read = fp::hw::loadProfile(name); // anew: the file may have changed
+  auto read = fp::hw::loadProfile(name); // read again: the file may have changed
   if (!read)
     return m_common;
   return m_files.insert_or_assign(name, std::move(read).value()).first->second;

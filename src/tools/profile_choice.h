@@ -6,23 +6,24 @@
 #include "scene/document.h"
 #include "util/result.h"
 
-/// Which profile a program is judged by.
+/// Chooses the hardware profile by which a program is judged.
 namespace arbiter::tools {
 
-/// The profile that was asked for; else the one that the text's panel names; else
-/// ARBITER_PROFILE's, or the default. `draw`, `debug` and the window choose in the same order.
+/// Takes the first of: the requested profile, the profile in the text's panel, ARBITER_PROFILE, the
+/// default. `draw`, `debug` and the window use the same order.
 class ProfileChoice {
 public:
-  /// \param asked a name or a file, of the command line or of an editor's settings; empty: none
+  /// \param asked a name or a file, from the command line or an editor's settings; empty: none
   [[nodiscard]] static Result<ProfileChoice, fp::hw::ProfileError> make(const std::string &asked);
 
-  /// Of the text of the file of that path; an empty path: of a text that is in no file. Of a panel
-  /// whose profile does not load: common(), as the panel's diagnostics say so.
-  /// Valid as long as this object.
+  /// Returns the profile for a text. If the panel's profile does not load, returns common(); the
+  /// panel's diagnostics report that.
+  /// The reference is valid as long as this object. \param path of the text's file; empty: in no
+  /// file
   [[nodiscard]] const fp::hw::Profile &of(const std::string &path, std::string_view text);
-  /// Of a text without a panel.
+  /// Returns the profile for a text without a panel.
   [[nodiscard]] const fp::hw::Profile &common() const { return m_common; }
-  /// As it was given; empty: none.
+  /// Returns the requested profile as it was given; empty: none.
   [[nodiscard]] const std::string &asked() const { return m_asked; }
 
 private:
@@ -31,10 +32,10 @@ private:
 
   fp::hw::Profile m_common;
   std::string m_asked;
-  std::map<std::string, fp::hw::Profile> m_files; ///< by path, as they were when last read
+  std::map<std::string, fp::hw::Profile> m_files; ///< by path, as last read
 };
 
-/// The name of a document's profile, for loadProfile(), in the same order.
+/// Returns the name of a document's profile for loadProfile(), chosen in the same order.
 [[nodiscard]] std::string profileName(const std::string &asked, const scene::Document &document);
 
 } // namespace arbiter::tools

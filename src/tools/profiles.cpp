@@ -10,7 +10,7 @@ namespace arbiter::tools {
 
 namespace {
 
-constexpr int kSchema = 1; ///< of --json
+constexpr int kSchema = 1; ///< version of the --json output
 
 void list() {
   for (const std::string_view name : fp::hw::builtinNames()) {
@@ -41,7 +41,7 @@ void listAsJson() {
   std::fputs(json.endArray().endObject().take().c_str(), stdout);
 }
 
-/// A table for each of the profile's, a value and its source for each key.
+/// Prints one object for each table of the profile, with value and source of each key.
 void printAsJson(const fp::hw::Profile &profile) {
   JsonWriter json;
   writeHead(json.beginObject().key("schema").value(kSchema), profile);
@@ -96,7 +96,8 @@ void printTable(const fp::hw::Profile &profile, std::string_view table) {
              profile.choiceSources[std::size_t(choice.choice)]);
 }
 
-/// As a TOML file that `arbiter check --profile` reads, so that it can be the start of a new one.
+/// Prints the profile as a TOML file that `arbiter check --profile` reads, as a start for a new
+/// one.
 void print(const fp::hw::Profile &profile) {
   std::printf("name = %s\ndescription = %s\n", quoted(profile.name).c_str(),
               quoted(profile.description).c_str());

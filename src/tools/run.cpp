@@ -12,7 +12,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// For a POSIX shell: 'text' with each ' written '\''.
+/// Quotes a text for a POSIX shell: 'text', with each ' written as '\''.
 std::string shellQuoted(const std::string &text) {
   std::string quoted = "'";
   for (const char c : text)
@@ -20,7 +20,7 @@ std::string shellQuoted(const std::string &text) {
   return quoted + "'";
 }
 
-/// Where processes of the command write statistics, %p for their numbers; empty: nowhere.
+/// Returns the file pattern for statistics, with %p for process numbers; empty: no statistics.
 std::string recordPattern(const std::vector<Assignment> &environment) {
   for (const Assignment &assignment : environment)
     if (assignment.name == ARBITER_ENV_STATS)
@@ -54,7 +54,7 @@ int run(const RunArguments &arguments) {
   const std::string records = recordPattern(environment.value());
   if (records.empty())
     return execute(environment.value(), arguments.command);
-  // Statistics of processes that were killed are made by who outlives them.
+  // A killed process cannot complete its own statistics, so that this process outlives it.
   const int status = supervise(environment.value(), arguments.command,
                                [&] { static_cast<void>(completeRecords(records)); });
   if (status < 0)

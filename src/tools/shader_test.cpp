@@ -13,10 +13,11 @@ namespace {
 using fp::ir::AttributeKind;
 using fp::ir::Language;
 
-/// The largest texture that a test makes; an application's own size says nothing about a program.
+/// The largest texture that a test makes. An application's own size has no effect on a program's
+/// test.
 constexpr unsigned kMaxTexture = 256;
 
-/// Each line's text, with a space before a "[" that would begin a section of the test.
+/// Puts a space before each "[" at the start of a line, where it would begin a section of the test.
 std::string asSection(std::string_view text) {
   std::string section;
   bool lineBegins = true;
@@ -29,7 +30,7 @@ std::string asSection(std::string_view text) {
   return section.empty() || section.back() == '\n' ? section : section + "\n";
 }
 
-/// A vertex program that gives the fragment program something to read on each attribute it has.
+/// Returns a vertex program that writes a value to each attribute that the fragment program reads.
 std::string feeder(const CapturedProgram &program) {
   std::string text = "!!ARBvp1.0\nMOV result.position, vertex.position;\n"
                      "MOV result.color, vertex.texcoord[0];\n";
@@ -51,7 +52,8 @@ std::string feeder(const CapturedProgram &program) {
   return text + "END\n";
 }
 
-/// "program.env[3]" -> "env_fp 3"; nothing for other rows.
+/// Returns the shader_runner word: "program.env[3]" becomes "env_fp 3". Returns nothing for other
+/// rows.
 std::string parameterWord(const std::string &name, const char *suffix) {
   for (const char *kind : {"env", "local"}) {
     const std::string head = std::string("program.") + kind + "[";

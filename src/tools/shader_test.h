@@ -5,12 +5,13 @@
 
 namespace arbiter::tools {
 
-/// A test for piglit's shader_runner that loads the program, sets the parameters and makes textures
-/// of the kinds and sizes of its last use, and draws it on a rectangle that fills the window, where
-/// every texture coordinate set runs from 0 to 1 and the primary colour is (s, t, 0, 1). It passes
-/// where the program loads and draws; a probe is for its reader to add. What it cannot say
-/// (matrices and other state rows, cube maps) is in comments. \returns nothing where shader_runner
-/// has no such target or cannot hold the text (a NUL byte); `reason` says why.
+/// Returns a test for piglit's shader_runner that loads the program. It sets the parameters of the
+/// program's last use, and makes textures of the same kinds and sizes. It draws a rectangle over
+/// the whole window, where each texture coordinate set runs from 0 to 1. The primary color is (s,
+/// t, 0, 1). The test passes if the program loads and draws; its reader can add a probe. Comments
+/// list what the test cannot express: matrices and other state rows, cube maps.
+/// \returns nothing if shader_runner has no such target or cannot hold the text (a NUL byte);
+/// `reason` says why.
 [[nodiscard]] std::string shaderTest(const CapturedProgram &program, std::string &reason);
 
 } // namespace arbiter::tools

@@ -9,12 +9,12 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-/// Work that is spent on one program, in instructions run, about 60 to a microsecond. A long
-/// program's proposals beyond are not tried.
+/// Limits of work for one program and for all of applyAll(), in executed instructions (about 60 per
+/// microsecond). Further proposals are not tested.
 constexpr std::uint64_t kMostSteps = 80'000'000, kMostStepsOfAll = 240'000'000;
 
-/// What compiling a program is worth for each of its instructions; the R300's schedule grows with
-/// the square.
+/// Returns the estimated cost of compiling for each instruction. Scheduling for the R300 takes
+/// quadratic time.
 std::uint64_t compileSteps(const Subject &subject) {
   constexpr std::uint64_t kEach = 640, kDoubling = 36;
   const bool schedules = subject.setting().limits.nativeModel == fp::NativeModel::R300 &&
@@ -22,19 +22,19 @@ std::uint64_t compileSteps(const Subject &subject) {
   return schedules ? kEach * (1 + subject.size() / kDoubling) : kEach;
 }
 
-/// Edits with the text that they make.
+/// Edits, and the resulting text.
 struct Rewrite {
   Edits edits;
   std::string text;
   fp::CheckResult check;
 };
 
-/// Compiles proposals and runs them.
+/// Compiles and tests proposals.
 class Judge {
 public:
   Judge(const Subject &subject, std::uint64_t &steps) : m_subject(subject), m_steps(steps) {}
 
-  /// The advice, if the proposal gains and is equal.
+  /// Returns the suggestion if the proposal lowers the cost and keeps the results.
   std::optional<Advice> judge(const Proposal &proposal) {
     if (!spend(compileSteps(m_subject)))
       return std::nullopt;
@@ -61,13 +61,14 @@ public:
   }
 
 private:
-  /// A condition is the author's to know: it is not asked of made-up inputs.
+  /// True if the results are equal. Generated inputs cannot test a condition that only the author
+  /// knows.
   bool holds(const Proposal &proposal, const fp::ir::Program &program) const {
     return !proposal.condition.empty() ||
            equal(m_subject.program(), program, proposal.derived, proposal.nearness);
   }
 
-  /// Takes what each instruction costs from what is left.
+  /// Subtracts a cost for each instruction from the remaining steps; false if they do not suffice.
   bool spend(std::uint64_t each) {
     const std::uint64_t all = each * m_subject.size();
     const bool enough = all <= m_steps;
@@ -87,7 +88,7 @@ private:
     return Rewrite{std::move(edits), std::move(*text), std::move(check)};
   }
 
-  /// The edits, and what they leave without a reader goes too.
+  /// Applies the edits, and removes statements that then have no reader.
   [[nodiscard]] std::optional<Rewrite> rewritten(const Edits &proposed) const {
     std::optional<Rewrite> rewrite = checked(proposed);
     if (!rewrite)
@@ -101,7 +102,7 @@ private:
     return checked(std::move(edits));
   }
 
-  /// Removals of statements that were live and are so no more.
+  /// Returns edits that remove statements which the rewrite made dead.
   [[nodiscard]] Edits leftOver(const Rewrite &rewrite) const {
     const fp::ir::Program &program = *rewrite.check.program;
     const std::vector<std::uint8_t> written = fp::analysis::liveOf(program).written;
@@ -125,11 +126,11 @@ private:
   }
 
   const Subject &m_subject;
-  std::uint64_t &m_steps; ///< left
+  std::uint64_t &m_steps; ///< remaining steps
 };
 
-/// Two ways to change one place: the cheaper one stays, of equals the first. What the application
-/// would have to do is said once of a place, whatever the rule.
+/// Adds a suggestion. For the same rule and span only the cheaper one is kept, or the first of
+/// equals. Suggestions for the application are kept once per span, for any rules.
 void add(std::vector<Advice> &all, Advice &&advice) {
   const auto same = std::find_if(all.begin(), all.end(), [&](const Advice &each) {
     const bool rule = std::string_view(each.rule) == advice.rule;
@@ -193,16 +194,16 @@ Fixed applyAll(std::string_view text, const Setting &setting) {
     return fixed;
   fixed.before = fixed.after = original->cost();
   std::uint64_t left = kMostStepsOfAll;
-  // Each fix makes a count smaller and none larger, so this ends.
+  // The loop ends because each fix lowers a count and raises none.
   while (const std::unique_ptr<Subject> now = Subject::read(fixed.text, setting)) {
     std::uint64_t steps = std::min(left, kMostSteps);
     left -= steps;
     const std::vector<Advice> all = adviceFor(*now, steps);
-    left += steps; // what was not needed
+    left += steps; // give back the unused steps
     const Advice *best = bestFix(all);
     std::optional<std::string> made = best ? applied(fixed.text, best->edits) : std::nullopt;
     const std::unique_ptr<Subject> next = made ? Subject::read(*made, setting) : nullptr;
-    // Roundings add up: the whole way must be equal too.
+    // Rounding errors add up, so that the total change is tested too.
     if (!next || !equal(original->program(), next->program(), {}, Nearness::Rounding))
       break;
     fixed.applied.push_back(*best);

@@ -6,12 +6,11 @@
 #include "tools/advise/proposal.h"
 #include "tools/advise/subject.h"
 
-/// What a person who knows the card would say about a program. Nothing is said that does not make
-/// the profile's count fall, and no change is offered whose results in the interpreter are not
-/// those of the program as it is.
+/// Suggests improvements to a program, as an expert on the card would. Each suggestion lowers the
+/// profile's counts. Each offered change gives the same results in the interpreter.
 namespace arbiter::tools::advise {
 
-/// A rule, as documentation and editors list them.
+/// A rule's identifier and title, for documentation and editors.
 struct RuleInfo {
   const char *id;
   const char *title;
@@ -23,29 +22,30 @@ struct Advice {
   fp::Span span;
   std::string message; ///< one line, no full stop
   Cost before, after;  ///< of the whole program
-  /// Of a fix: the change. Of advice empty, as only the application can do its part.
+  /// The change of a fix. Empty for advice, because only the application can make its part.
   Edits edits;
-  /// Of advice: what the program would be then, as edits; they do not stand by themselves.
+  /// For advice: edits that show the changed program; they do not work without the application.
   Edits sketch;
-  std::string application; ///< of advice: what the application would do
-  std::string condition;   ///< of advice: what must hold for the sketch to be equal
+  std::string application; ///< for advice: the application's part
+  std::string condition;   ///< for advice: the condition under which the results are equal
   Nearness nearness = Nearness::Exact;
 
   [[nodiscard]] bool isFix() const { return !edits.empty(); }
 };
 
-/// Every place becomes one of a longer text, which has the program from byte \p by on.
+/// Moves all spans by \p by bytes, from a program's text to the file that contains it.
 void move(Advice &advice, std::uint32_t by);
 
-/// In text order; of several ways to say one thing, the one that gains most. Empty for a text that
-/// does not load, for ATI's language, and beyond kMaxInstructions. Deterministic.
+/// Returns all suggestions in text order. Of alternatives for one place, keeps the one with the
+/// largest gain. Empty for a text that does not load, for ATI's and nvparse's languages, and beyond
+/// kMaxInstructions. Deterministic.
 [[nodiscard]] std::vector<Advice> advise(std::string_view text, const Setting &setting);
 
-/// One fix after the other, the one that gains most first, each looked for and tried anew in the
-/// text that the one before left.
+/// The result of applying fixes one after the other, starting with the largest gain. After each fix
+/// the new text is analyzed again.
 struct Fixed {
   std::string text;
-  std::vector<Advice> applied; ///< spans and edits are of the text that each met
+  std::vector<Advice> applied; ///< spans and edits refer to the text that each was applied to
   Cost before, after;
 };
 [[nodiscard]] Fixed applyAll(std::string_view text, const Setting &setting);

@@ -7,7 +7,7 @@ namespace arbiter::tools::advise {
 
 Cost costOf(const fp::CheckResult &check) {
   const fp::ResourceCounts &counts = check.nativeCounts;
-  // Over a limit of the API a program is let pass here with a warning.
+  // Under LimitPolicy::Report a program over a limit of the API only gets a warning.
   const bool over = std::any_of(
       check.diagnostics.begin(), check.diagnostics.end(),
       [](const fp::Diagnostic &each) { return std::string_view(each.id).starts_with("limit-"); });

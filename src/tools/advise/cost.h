@@ -3,34 +3,34 @@
 
 #include "fp_compiler/compiler.h"
 
-/// What a program takes of a card: what advice is measured by.
+/// Measures a program's use of a card's resources, to compare suggestions.
 namespace arbiter::tools::advise {
 
-/// The counts of the profile's model, or those of the API where a profile has none.
+/// The counts of the profile's model, or the API's if the profile has no model.
 struct Cost {
   std::uint32_t alu = 0;   ///< ALU slots
   std::uint32_t tex = 0;   ///< TEX slots
-  std::uint32_t nodes = 0; ///< texture nodes (indirections)
+  std::uint32_t nodes = 0; ///< true if within the native limits
   bool fits = false;       ///< within the native limits
   bool operator==(const Cost &) const = default;
 
   [[nodiscard]] std::uint32_t slots() const { return alu + tex; }
 };
 
-/// Requires: check.ok().
+/// Returns a program's cost. Requires: check.ok().
 [[nodiscard]] Cost costOf(const fp::CheckResult &check);
 
-/// One of the counts is smaller, none is larger, and what fitted still fits.
+/// True if a count falls, none rises, and a program that fitted still fits.
 [[nodiscard]] bool falls(const Cost &from, const Cost &to);
 
-/// Fewer slots in all, whatever becomes of one kind, within the limits if it was: what advice that
-/// moves work into a texture must gain.
+/// True if the sum of the slots falls, and a program that fitted still fits. Advice that moves work
+/// into a texture must pass this test.
 [[nodiscard]] bool fewerSlots(const Cost &from, const Cost &to);
 
-/// The order of what is worth more: fewer slots, then fewer nodes.
+/// Orders by gain: fewer slots first, then fewer nodes.
 [[nodiscard]] bool cheaper(const Cost &a, const Cost &b);
 
-/// "ALU 4 -> 1, nodes 2 -> 1": the counts that change.
+/// Returns the counts that change: "ALU 4 -> 1, nodes 2 -> 1".
 [[nodiscard]] std::string changeText(const Cost &from, const Cost &to);
 
 } // namespace arbiter::tools::advise

@@ -76,7 +76,7 @@ void readInstead(const Subject &subject, std::uint32_t index, const std::string 
   bool all = instruction.dst.file == fp::ir::File::Temporary && flow.readAlone(index);
   for (const Use &use : flow.uses(index)) {
     const fp::ir::Instruction &reader = subject.at(use.reader);
-    const bool extended = reader.op == fp::ir::Opcode::Swz; // its suffix stands elsewhere
+    const bool extended = reader.op == fp::ir::Opcode::Swz; // SWZ has its suffix elsewhere
     const bool scalar = fp::ir::info(reader.op).shapes[use.operand] == 'S';
     const auto text = extended ? std::optional(name)
                                : Subject::spelled(name, reader.src[std::size_t(use.operand)],

@@ -7,24 +7,24 @@
 
 namespace arbiter::tools::advise {
 
-/// Edits of a program in terms of its statements, which rules build proposals of.
+/// Builds the edits of a proposal from changes of statements.
 class Draft {
 public:
   explicit Draft(const Subject &subject) : m_subject(subject) {}
 
-  /// The statement's text, without the semicolon, becomes another.
+  /// Replaces a statement's text, without the semicolon.
   Draft &replace(std::uint32_t index, const std::string &statement);
-  /// One operand's text becomes another.
+  /// Replaces the text of one operand.
   Draft &replaceOperand(std::uint32_t index, int operand, const std::string &text);
-  /// The statement goes.
+  /// Removes a statement.
   Draft &remove(std::uint32_t index);
-  /// Statements that come before it.
+  /// Inserts statements before a statement.
   Draft &insert(std::uint32_t index, const std::vector<std::string> &statements);
 
-  /// A proposal about the statement.
+  /// Returns a proposal about one statement.
   [[nodiscard]] Proposal about(std::uint32_t index, const char *rule, std::string message,
                                Nearness nearness = Nearness::Exact) const;
-  /// A proposal about the statements from one to another.
+  /// Returns a proposal about the statements from `first` to `last`.
   [[nodiscard]] Proposal about(std::uint32_t first, std::uint32_t last, const char *rule,
                                std::string message, Nearness nearness = Nearness::Exact) const;
 
@@ -33,17 +33,17 @@ private:
   Edits m_edits;
 };
 
-/// The rest of an opcode's name and operands after a change of the destination: "RCP_SAT d, a.x".
+/// Returns an instruction's statement with another destination: "RCP_SAT d, a.x".
 [[nodiscard]] std::string restated(const Subject &subject, std::uint32_t index,
                                    const std::string &destination, bool saturate);
 
-/// An operand that reads through: position i of \p outer reads what \p inner reads at the component
-/// of its destination. Requires: the instruction of \p inner is per component.
+/// Returns the operand of an instruction that reads \p inner directly instead of through \p outer.
+/// Requires: the instruction of \p inner is per component.
 [[nodiscard]] fp::ir::Operand composed(const fp::ir::Operand &outer, const fp::ir::Operand &inner);
 
-/// Makes reads of an instruction's result reads of the register \p name, and the instruction go; or
-/// a copy of that register, where a reader mixes it with what others wrote, or the result is no
-/// temporary.
+/// Makes readers of an instruction's result read the register \p name, and removes the instruction.
+/// If a reader also reads values of other instructions, or the result is no temporary, the
+/// instruction becomes a copy of the register instead.
 void readInstead(const Subject &subject, std::uint32_t index, const std::string &name,
                  Draft &draft);
 

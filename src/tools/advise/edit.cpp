@@ -9,7 +9,7 @@ namespace {
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
-/// Where the blanks before \p at begin.
+/// Returns the start of the blanks before \p at.
 std::size_t skipBlanksBack(std::string_view text, std::size_t at) {
   while (at > 0 && isBlank(text[at - 1]))
     --at;
@@ -22,7 +22,7 @@ std::size_t skipBlanks(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Behind the line's end that stands at \p at.
+/// Returns the position after the line end at \p at.
 std::size_t skipLineEnd(std::string_view text, std::size_t at) {
   const bool two = text.substr(at, 2) == "\r\n";
   return std::min(text.size(), at + (two ? 2 : 1));
@@ -32,7 +32,7 @@ bool beginsLine(std::string_view text, std::size_t at) {
   return at == 0 || isLineEnd(text[at - 1]);
 }
 
-/// How the text ends its lines.
+/// Returns the line end that the text uses.
 std::string_view lineEnd(std::string_view text) {
   const std::size_t first = text.find_first_of("\r\n");
   if (first == std::string_view::npos)
@@ -63,7 +63,7 @@ std::optional<std::string> applied(std::string_view text, const Edits &edits) {
 }
 
 std::optional<std::uint32_t> before(const Edits &edits, std::uint32_t offset) {
-  std::int64_t old = offset; // if none of the edits yet to come is before it
+  std::int64_t old = offset; // correct if no remaining edit lies before it
   for (const Edit &edit : edits) {
     if (old < std::int64_t(edit.span.begin))
       break;
@@ -77,7 +77,7 @@ std::optional<std::uint32_t> before(const Edits &edits, std::uint32_t offset) {
 
 fp::Span wholeStatement(std::string_view text, fp::Span statement) {
   std::size_t end = statement.end;
-  // White space and comments may stand before the semicolon.
+  // White space and comments may come before the semicolon.
   while (end < text.size() && text[end] != ';')
     end = text[end] == '#' ? std::min(text.find_first_of("\r\n", end), text.size()) : end + 1;
   end = std::min(end + 1, text.size());

@@ -6,10 +6,10 @@
 
 #include "fp_compiler/span.h"
 
-/// Changes of a text, as editors take them.
+/// Represents changes of a text as editors do.
 namespace arbiter::tools::advise {
 
-/// The bytes of `span` become `text`. An empty span inserts.
+/// Replaces the bytes of `span` by `text`. An empty span inserts.
 struct Edit {
   fp::Span span;
   std::string text;
@@ -17,23 +17,24 @@ struct Edit {
 };
 using Edits = std::vector<Edit>;
 
-/// By their places; those of one place keep their order.
+/// Sorts edits by position; edits at one position keep their order.
 void sort(Edits &edits);
 
-/// The text with all of the edits made. Nothing if two of them overlap or one leaves the text.
-/// Requires: sort() came before.
+/// Returns the text after all edits. Returns nothing if two edits overlap or one lies outside the
+/// text.
+/// Requires: edits are sorted by sort().
 [[nodiscard]] std::optional<std::string> applied(std::string_view text, const Edits &edits);
 
-/// The byte of the old text that byte \p offset of the new one was; nothing for one that an edit
-/// wrote. Requires: sort() came before.
+/// Returns the old position of byte \p offset in the new text, or nothing if an edit wrote it.
+/// Requires: edits are sorted by sort().
 [[nodiscard]] std::optional<std::uint32_t> before(const Edits &edits, std::uint32_t offset);
 
-/// What has to go so that a statement goes: it and its semicolon, and the line if nothing else is
-/// on it.
+/// Returns the span to delete for removing a statement: it and its semicolon, or the whole line if
+/// nothing else is on it.
 [[nodiscard]] fp::Span wholeStatement(std::string_view text, fp::Span statement);
 
-/// An edit that puts statements before the one that begins at \p begin: on lines of their own, as
-/// far to the right, if it begins its line.
+/// Returns an edit that inserts statements before the one at \p begin. If that begins its line, the
+/// new statements get their own lines with the same indentation.
 [[nodiscard]] Edit insertedBefore(std::string_view text, std::uint32_t begin,
                                   const std::vector<std::string> &statements);
 

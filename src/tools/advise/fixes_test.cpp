@@ -1,5 +1,5 @@
-// Every fix that is offered, made: it costs less, and the results are those that they were, on
-// inputs that the offer was not tried on and, where it is to be exact, by a second maker of inputs.
+// Tests that every offered fix lowers the cost and keeps the results. The inputs differ from those
+// of the adviser's own test. Exact fixes are also tested with a second generator of inputs.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -46,7 +46,7 @@ std::vector<std::string> programs() {
   return texts;
 }
 
-/// Programs as people write them: naive, so that there is something to say.
+/// Returns random programs, which leave much to improve.
 std::vector<std::string> generated(std::uint64_t first, std::uint64_t count) {
   std::vector<std::string> texts;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
@@ -73,7 +73,7 @@ void expectKept(const Subject &before, const Advice &advice, const Setting &sett
       << advice.rule << " changes\n"
       << before.text() << "into\n"
       << *text;
-  // The second maker's fog coordinates and comparisons are not what GL's are.
+  // The second generator's fog coordinates and comparisons differ from GL's.
   const bool foreign = before.text().find("fogcoord") != std::string_view::npos ||
                        before.text().find("SHADOW") != std::string_view::npos;
   if (advice.nearness != Nearness::Exact || foreign)
@@ -120,7 +120,7 @@ TEST(Fixes, KeepWhatTheRepositorysProgramsGive) {
 }
 
 TEST(Fixes, KeepWhatGeneratedProgramsGive) {
-  // The R300's model does most by itself; of a card without a model every line counts.
+  // The R300's model optimizes most programs itself; without a model every line counts.
   struct Row {
     const char *profile;
     std::uint64_t programs;
@@ -150,7 +150,7 @@ TEST(Fixes, OneAfterTheOtherKeepTheProgram) {
   }
 }
 
-// The talk's naive form: 36 instructions, which the R300 takes in 24 slots and 9 samples.
+// The naive form in the talk has 36 instructions, which take 24 slots and 9 samples on the R300.
 TEST(Fixes, OfTheNaiveLife) {
   const std::string text = read(fs::path(ARBITER_SOURCE_ROOT) / "demos/programs/life_naive.fp");
   const Setting setting = settingOf(text, "r300");

@@ -18,7 +18,7 @@ int operandsOf(const Instruction &instruction) {
   return fp::ir::info(instruction.op).operandCount();
 }
 
-/// The result as a function of two operands that are each affine at most.
+/// Returns the kind of a product of two values that are at most affine.
 Depends product(Depends a, Depends b) {
   const bool scaled = std::min(a, b) <= Depends::Parameter;
   return scaled ? std::max(a, b) : Depends::Pixel;
@@ -108,7 +108,7 @@ Depends Flow::ofOperand(std::uint32_t index, int operand) const {
   case File::Address:
     return Depends::Pixel;
   }
-  Depends all = Depends::Constant; // what was not written is zero
+  Depends all = Depends::Constant; // registers without a value are zero
   for (const std::uint32_t writer : m_dataflow.writers[index][std::size_t(operand)])
     if (writer != kNoInstruction)
       all = std::max(all, m_depends[writer]);
@@ -170,7 +170,7 @@ bool Flow::holds(const Operand &operand, std::uint8_t mask, std::uint32_t from,
   if (operand.file == File::Attribute)
     return true;
   if (operand.file == File::Parameter)
-    return !operand.relative; // an address register would have to be followed too
+    return !operand.relative; // a relative operand also depends on an address register
   const std::uint8_t read = componentsRead(operand, mask);
   for (std::uint32_t i = from; i < to; ++i) {
     const fp::ir::Destination &dst = m_program.code[i].dst;

@@ -7,11 +7,12 @@
 #include "fp_compiler/hw/dataflow.h"
 #include "fp_compiler/ir/ir.h"
 
-/// Who computes what from what in a straight-line program: what rules ask.
+/// Analyzes the data flow of a program without branches, for rules.
 namespace arbiter::tools::advise {
 
-/// What a value depends on, the largest of its parts. Affine: a sum of products of texture
-/// coordinates with numbers and parameters, which interpolation keeps.
+/// The kinds of inputs on which a value depends, as the largest one among its parts. Affine values
+/// are sums of texture coordinates multiplied by numbers and parameters; interpolation preserves
+/// them.
 enum class Depends : std::uint8_t { Constant, Parameter, Affine, Pixel };
 
 /// A read of an instruction's result.
@@ -24,37 +25,39 @@ class Flow {
 public:
   explicit Flow(const fp::ir::Program &program);
 
-  /// The one instruction that wrote all that operand \p operand of \p reader reads; nothing if
-  /// there are several, or if the operand is no temporary.
+  /// Returns the only instruction that wrote the components that an operand reads. Returns nothing
+  /// if there are several, or if the operand is no temporary.
   [[nodiscard]] std::optional<std::uint32_t> writer(std::uint32_t reader, int operand) const;
-  /// The reads of what an instruction writes, by readers that are live.
+  /// Returns the reads of an instruction's result by live readers.
   [[nodiscard]] const std::vector<Use> &uses(std::uint32_t index) const { return m_uses[index]; }
-  /// The read, if it is the only one.
+  /// Returns the read if there is exactly one.
   [[nodiscard]] std::optional<Use> onlyUse(std::uint32_t index) const;
-  /// All that the reads of \p index read was written by it.
+  /// True if readers of the result read no values of other instructions with it.
   [[nodiscard]] bool readAlone(std::uint32_t index) const;
-  /// Something of it reaches a result or a KIL.
+  /// True if a part of the result reaches a program result or a KIL.
   [[nodiscard]] bool live(std::uint32_t index) const { return m_live.written[index] != 0; }
-  /// Components that count.
+  /// Returns the written components that are live.
   [[nodiscard]] std::uint8_t written(std::uint32_t index) const { return m_live.written[index]; }
 
-  /// What an instruction's result depends on.
+  /// Returns the kind of inputs on which an instruction's result depends.
   [[nodiscard]] Depends depends(std::uint32_t index) const { return m_depends[index]; }
-  /// Something that depends on more reads it, or it is a result: work of its kind ends here.
+  /// True if it is a program result, or if a reader depends on more inputs: it ends a chain of work
+  /// of its kind.
   [[nodiscard]] bool endsKind(std::uint32_t index) const;
-  /// What an operand depends on.
+  /// Returns the kind of inputs on which an operand depends.
   [[nodiscard]] Depends depends(std::uint32_t index, int operand) const;
-  /// The attributes that an instruction's result depends on: bits by index of Program::attributes.
+  /// Returns the attributes on which an instruction's result depends, as bits by index of
+  /// Program::attributes.
   [[nodiscard]] const std::vector<bool> &attributes(std::uint32_t index) const {
     return m_attributes[index];
   }
 
-  /// The operand of \p from read by an instruction that stands at \p to (later, or the same) gives
-  /// the same: no component in \p mask of its register was written meanwhile, \p from itself
-  /// included.
+  /// True if the operand has the same value at \p from and at \p to, which comes later or is the
+  /// same. That is so if no instruction from \p from on writes the components of its register in \p
+  /// mask.
   [[nodiscard]] bool holds(const fp::ir::Operand &operand, std::uint8_t mask, std::uint32_t from,
                            std::uint32_t to) const;
-  /// No instruction of [first, last) reads or writes any of the components of the temporary.
+  /// True if no instruction in [first, last) reads or writes these components of the temporary.
   [[nodiscard]] bool untouched(std::uint16_t temporary, std::uint8_t mask, std::uint32_t first,
                                std::uint32_t last) const;
 
@@ -72,7 +75,7 @@ private:
   std::vector<std::vector<bool>> m_attributes;
 };
 
-/// Register components that an operand of an instruction reads at the positions of \p mask.
+/// Returns the register components that an operand reads at the positions of \p mask.
 [[nodiscard]] std::uint8_t componentsRead(const fp::ir::Operand &operand, std::uint8_t mask);
 
 } // namespace arbiter::tools::advise

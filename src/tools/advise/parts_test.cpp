@@ -1,4 +1,4 @@
-// Edits, costs and the trial itself.
+// Tests of edits, costs and trials.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/hw/profile.h"
@@ -77,7 +77,7 @@ bool equalTexts(const std::string &one, const std::string &other, Nearness nearn
   return x && y && equal(x->program(), y->program(), {}, nearness);
 }
 
-// What separates each pair is met only at particular inputs.
+// Each pair differs only at particular inputs, which the trial must find.
 TEST(Trial, FindsDifferences) {
   constexpr Nearness kExact = Nearness::Exact, kRounding = Nearness::Rounding;
   const std::string sge = "SGE result.color, fragment.texcoord[0], program.local[0];";

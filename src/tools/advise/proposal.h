@@ -5,20 +5,20 @@
 #include "fp_compiler/ir/ir.h"
 #include "tools/advise/edit.h"
 
-/// What rules say: a change of the text that is still to be measured and tried.
+/// A change of the text that a rule proposes, before it is measured and tested.
 namespace arbiter::tools::advise {
 
-/// How near the results of a rewritten program must be. Rounding: sums and products may be taken in
-/// another order, functions may be computed in another way; see near() of trial.h.
+/// The required equality of a rewritten program's results. Rounding allows another order of sums
+/// and products, and other approximations of functions; see near() of trial.h.
 enum class Nearness : std::uint8_t { Exact, Rounding };
 
-/// An input that the rewritten program has and the original has not: what the application would
-/// have to give. Its value is what the original has in a register.
+/// An input that the rewritten program has in addition, and that the application must provide. Its
+/// value is a register's value in the original program.
 struct Derived {
   enum class Kind : std::uint8_t { Local, TexCoord, Texture };
   Kind kind = Kind::Local;
-  std::uint8_t index = 0; ///< of the local parameter, texture coordinate set or image unit
-  /// The result of this instruction; or, of one that is read and not computed, this operand of it.
+  std::uint8_t index = 0; ///< number of the local parameter, texture coordinate set or image unit
+  /// The value is the result of this instruction, or its operand `operand`.
   std::uint32_t instruction = 0;
   int operand = kResult;
   static constexpr int kResult = -1;
@@ -26,17 +26,17 @@ struct Derived {
 
 struct Proposal {
   const char *rule = ""; ///< stable, kebab-case: "select-by-cmp"; listed in docs/write/advice.md
-  fp::Span span;         ///< what it is about
+  fp::Span span;         ///< the place in the text
   std::string message;   ///< one line, no full stop
-  Edits edits;           ///< sorted; empty: nothing can be measured, advice alone
+  Edits edits;           ///< sorted; empty for advice that cannot be measured
   Nearness nearness = Nearness::Exact;
-  /// Not empty: advice. The edits are then a sketch, by which it is measured.
+  /// Set for advice; the edits are then a sketch, for measuring.
   std::vector<Derived> derived;
-  /// Of advice: what the application does, "set program.local[1] to ...".
+  /// For advice: the application's part, "set program.local[1] to ...".
   std::string application;
-  /// Of advice whose edits hold under a condition that only the author knows.
+  /// For advice: a condition for the edits that only the author can judge.
   std::string condition;
-  /// A texture takes the work over: it is enough that there are fewer slots in all.
+  /// True if work moves into a texture; a smaller sum of slots is then enough.
   bool texture = false;
 };
 using Proposals = std::vector<Proposal>;

@@ -11,7 +11,7 @@ namespace {
 using fp::analysis::ValueRange;
 using fp::ir::File;
 
-/// Of a register's component, as the instruction finds it.
+/// Returns the range of a register's component before the instruction.
 ValueRange ofComponent(const Subject &subject, const fp::analysis::RangeAnalysis &analysis,
                        const fp::ir::Operand &operand, std::size_t component) {
   const fp::ir::Program &program = subject.program();

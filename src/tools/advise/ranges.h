@@ -4,8 +4,8 @@
 
 namespace arbiter::tools::advise {
 
-/// What is known of what an operand reads at the positions of \p mask, whatever the application
-/// does: the hull of them.
+/// Returns the range of all values that an operand can have at the positions of \p mask, for any
+/// input.
 [[nodiscard]] fp::analysis::ValueRange rangeOf(const Subject &subject, std::uint32_t index,
                                                int operand, std::uint8_t mask);
 

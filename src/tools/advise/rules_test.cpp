@@ -29,13 +29,13 @@ const Advice *find(const std::vector<Advice> &all, const char *rule) {
 
 struct Row {
   const char *rule;
-  bool fix;            ///< or advice
-  const char *profile; ///< under which it gains
+  bool fix;            ///< false: advice
+  const char *profile; ///< the profile under which the rule lowers the cost
   const char *body;
-  const char *silent; ///< the nearest program of which it must not be said
+  const char *silent; ///< a similar program to which the rule must not apply
 };
 
-// Each silent program differs from the other one in what the rule depends on.
+// Each silent program differs from the other one in the rule's condition.
 constexpr Row kRows[] = {
     {"constant-work", true, "r300", "PARAM k = {4, 0, 0, 0};\nRSQ a.x, k.x;\nMUL o, v, a.x;",
      "PARAM k = {0, 0, 0, 0};\nRSQ a.x, k.x;\nMUL o, v, a.x;"},
@@ -143,14 +143,14 @@ TEST(Rules, AreInTheDocumentation) {
     EXPECT_NE(page.find("| `" + std::string(rule.id) + "` |"), std::string::npos) << rule.id;
 }
 
-/// A program, a rule, and the slots and nodes before and after.
+/// A program, a rule, and its slots and nodes before and after the rule.
 struct Gain {
   const char *rule;
   const char *body;
   std::uint32_t slots, nodes, slotsAfter, nodesAfter;
 };
 
-// What the rules were made for, on the R300: texture slots and ALU slots together.
+// The gains for which the rules were made, on the R300. Slots include ALU and texture slots.
 constexpr Gain kGains[] = {
     {"parameter-work", "DP3 a.w, p, p;\nRSQ a.w, a.w;\nMUL a.xyz, p, a.w;\nDP3 o, a, v;", 4, 1, 1,
      1},
@@ -175,7 +175,7 @@ TEST(Rules, GainWhatTheyWereMadeFor) {
   }
 }
 
-// What the model does by itself is no advice: shader authors would rewrite for nothing.
+// An improvement that the model makes itself must not be suggested, because it would gain nothing.
 TEST(Rules, SayNothingThatTheModelDoes) {
   for (const char *body :
        {"MUL a, t, p;\nADD o, a, u;", "MOV a, t;\nMUL o, a, p;", "MUL a, t, p;\nMOV o, v;",

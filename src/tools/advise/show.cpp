@@ -8,7 +8,7 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-/// A program may be one line of a megabyte.
+/// The longest line shown, because a program may be a single line of a megabyte.
 constexpr std::size_t kMostShown = 160;
 
 bool endsLine(char c) { return c == '\n' || c == '\r'; }
@@ -25,7 +25,7 @@ std::size_t lineEnd(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// The lines of a piece of text, without what is not to be printed.
+/// Splits text into lines and replaces unprintable characters.
 std::vector<std::string> linesOf(std::string_view piece) {
   std::vector<std::string> lines;
   std::string line;
@@ -48,7 +48,7 @@ fp::Diagnostic noteOf(const Advice &advice) {
   return {fp::Severity::Note, advice.rule, advice.span, advice.message, ""};
 }
 
-/// Whole lines from the first to the last edit that share them.
+/// The whole lines of one or more edits that share lines.
 struct Block {
   std::size_t begin, end;
   Edits edits;
@@ -58,7 +58,7 @@ std::vector<Block> blocksOf(std::string_view text, const Edits &edits) {
   std::vector<Block> blocks;
   for (const Edit &edit : edits) {
     const std::size_t begin = lineBegin(text, edit.span.begin);
-    // An edit that ends with a line's end leaves the next line alone.
+    // An edit that ends with a line end does not change the next line.
     const bool whole = edit.span.end > edit.span.begin && endsLine(text[edit.span.end - 1]);
     const std::size_t end = whole ? edit.span.end - 1 : lineEnd(text, edit.span.end);
     if (!blocks.empty() && begin <= blocks.back().end) {
@@ -88,7 +88,7 @@ void writeCost(JsonWriter &json, const char *key, const Cost &cost) {
   json.key("fits").value(cost.fits).endObject();
 }
 
-/// Members of an open object.
+/// Writes a span as members of the open object.
 void writeSpan(JsonWriter &json, std::string_view text, fp::Span span) {
   const fp::LineColumn begin = fp::locate(text, span.begin), end = fp::locate(text, span.end);
   json.key("begin").value(span.begin).key("end").value(span.end);
@@ -115,7 +115,7 @@ std::vector<Change> changesOf(std::string_view text, const Edits &edits) {
     change.line = fp::locate(text, std::uint32_t(block.begin)).line;
     change.old = linesOf(text.substr(block.begin, block.end - block.begin));
     change.now = linesOf(newText(text, block));
-    // What an insertion only stands beside is not shown.
+    // Remove unchanged lines beside an insertion.
     while (!change.old.empty() && !change.now.empty() && change.old.back() == change.now.back()) {
       change.old.pop_back();
       change.now.pop_back();

@@ -6,27 +6,27 @@
 #include "tools/advise/advise.h"
 #include "util/json.h"
 
-/// Advice as text and as JSON.
+/// Prints suggestions as text and as JSON.
 namespace arbiter::tools::advise {
 
-/// Lines that edits change: what stands there, and what will.
+/// A group of changed lines, before and after.
 struct Change {
-  std::uint32_t line = 1; ///< the first, from 1
+  std::uint32_t line = 1; ///< number of the first line, from 1
   std::vector<std::string> old, now;
 };
 [[nodiscard]] std::vector<Change> changesOf(std::string_view text, const Edits &edits);
 
-/// "file:line:column: note: message [rule]: ALU 4 -> 1"
+/// Returns "file:line:column: note: message [rule]: ALU 4 -> 1".
 [[nodiscard]] std::string lineText(std::string_view file, std::string_view text,
                                    const Advice &advice);
-/// That line, the source line with a caret, then the changed lines with - and +; of advice what the
-/// application would do, and what must hold.
+/// Returns lineText(), the source line with a caret, and the changed lines with - and +. For
+/// advice, adds the application's part and the condition.
 [[nodiscard]] std::string fullText(std::string_view file, std::string_view text,
                                    const Advice &advice);
 
-/// The value of "advice": an array, described in arbiter(1).
+/// Writes the value of "advice": an array, described in arbiter(1).
 void writeAdvice(JsonWriter &json, std::string_view text, const std::vector<Advice> &advice);
-/// The value of "fixed".
+/// Writes the value of "fixed".
 void writeFixed(JsonWriter &json, const Fixed &fixed);
 
 } // namespace arbiter::tools::advise

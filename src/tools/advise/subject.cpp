@@ -27,7 +27,7 @@ bool isNumeral(const fp::Token &token) {
   return token.kind == fp::TokenKind::Integer || token.kind == fp::TokenKind::Float;
 }
 
-/// Two words that stand side by side need a blank between them; nothing else does.
+/// Joins tokens, with a blank after each comma.
 std::string joined(std::string_view text, const std::vector<fp::Token> &tokens, std::size_t first,
                    std::size_t last) {
   std::string result;
@@ -42,7 +42,8 @@ std::string joined(std::string_view text, const std::vector<fp::Token> &tokens, 
 
 bool isWholeSuffix(std::string_view word) { return word == "xyzw" || word == "rgba"; }
 
-/// The letters of an operand at the positions that count; what does not count follows them.
+/// Returns the suffix of an operand that reads as `like` at the positions of the mask. Other
+/// positions repeat a neighbor's letter.
 std::optional<std::string> letters(const Operand &like, std::uint8_t mask, bool scalar) {
   std::string word;
   bool identity = true, same = true;
@@ -79,7 +80,7 @@ std::unique_ptr<Subject> Subject::read(std::string_view text, const Setting &set
     return nullptr;
   fp::CheckResult check =
       fp::checkProgram(setting.language, text, {setting.limits, fp::LimitPolicy::Report});
-  // Under NVIDIA's options an instruction of the text is not one of the code.
+  // Under NVIDIA's options one instruction of the text can become several of the code.
   if (!check.ok() || check.program->code.size() > kMaxInstructions ||
       check.program->options.nv != fp::ir::NvOption::None)
     return nullptr;
@@ -98,7 +99,7 @@ std::string Subject::base(std::uint32_t index, int operand) const {
   while (first < last &&
          (all[first].kind == fp::TokenKind::Minus || all[first].kind == fp::TokenKind::Plus))
     ++first;
-  if (last - first == 1 && isNumeral(all[first])) // a suffix needs braces before it
+  if (last - first == 1 && isNumeral(all[first])) // a plain number cannot have a suffix
     return vectorText(program().parameters[source.index].constant);
   const bool suffixed =
       at(index).op != fp::ir::Opcode::Swz && last - first > 2 &&

@@ -20,7 +20,7 @@ struct Range {
   float lo, hi;
 };
 
-/// A well mixed number of a key (the finaliser of SplitMix64).
+/// Returns a pseudorandom number for a key (the finalizer of SplitMix64).
 std::uint64_t mixed(std::uint64_t key) {
   key += 0x9E3779B97F4A7C15u;
   key = (key ^ key >> 30) * 0xBF58476D1CE4E5B9u;
@@ -28,8 +28,8 @@ std::uint64_t mixed(std::uint64_t key) {
   return key ^ key >> 31;
 }
 
-/// A number of the range; half of them on a grid, so that equal numbers come up, half with all the
-/// bits of a single's fraction, so that sums round.
+/// Returns a number in the range. Half of them are on a grid, so that equal numbers occur. The
+/// other half use all bits of a float's fraction, so that sums round.
 float valueIn(Range range, std::uint64_t key) {
   constexpr float kSpecials[] = {0.0f, 0.5f, 1.0f, 2.0f, -1.0f};
   const std::uint64_t bits = mixed(key);
@@ -61,7 +61,7 @@ Range rangeOf(const Attribute &attribute, fp::ir::Language language, int compone
 }
 
 std::uint64_t keyOf(const Attribute &attribute) {
-  // vertex.attrib[0] and on may be other names of the same arrays; they are taken for their own.
+  // vertex.attrib[n] can alias conventional attributes, but is treated as a separate array.
   return 1 + (std::uint64_t(attribute.kind) << 8 | std::uint64_t(attribute.index) << 16);
 }
 
@@ -73,7 +73,7 @@ std::uint64_t keyOf(const Parameter &parameter) {
               std::uint64_t(state.row) << 46);
 }
 
-/// The inputs of one number.
+/// The generated inputs of one number.
 class Trial {
 public:
   explicit Trial(std::uint64_t number) : m_seed(mixed(number)) {}
@@ -91,7 +91,7 @@ public:
       value[c] = valueIn({-2.0f, 2.0f}, key(keyOf(parameter), c));
     return value;
   }
-  /// Flat at 0 and at 1, where comparisons meet equal numbers.
+  /// Returns a texel that is often exactly 0 or 1, so that comparisons find equal numbers.
   [[nodiscard]] Vec4 of(const fp::ir::Sample &sample) const {
     const std::uint64_t unit = std::uint64_t(sample.unit) << 8 | std::uint64_t(sample.target) << 16;
     Vec4 texel;
@@ -113,7 +113,7 @@ private:
   std::uint64_t m_seed;
 };
 
-/// What the rewritten program is given beside its own inputs.
+/// An additional input of the rewritten program, with its value.
 struct Given {
   Derived derived;
   Vec4 value = {};
@@ -129,7 +129,7 @@ public:
     m_inputs.fogCoordinate = trial.of(Attribute{AttributeKind::FogCoord, 0}, program.language)[0];
   }
 
-  /// Runs and notes what the registers are that the other program is given.
+  /// Runs the program and records the register values that become the other program's inputs.
   fp::ir::Evaluation run(std::vector<Given> &given) {
     for (Given &each : given)
       if (each.derived.operand != Derived::kResult)
@@ -177,7 +177,7 @@ private:
     return m_trial.of(sample);
   }
 
-  /// Of an operand that is an attribute or a parameter.
+  /// Returns the value of an operand that is an attribute or a parameter.
   [[nodiscard]] Vec4 operandOf(const fp::ir::Instruction &instruction, int number) const {
     const fp::ir::Operand &operand = instruction.src[std::size_t(number)];
     const Vec4 source = operand.file == fp::ir::File::Attribute
@@ -204,7 +204,7 @@ bool nearAt(const Vec4 &a, const Vec4 &b, std::uint8_t mask, Nearness nearness) 
   return true;
 }
 
-/// Outputs by their bindings: the tables of the two programs may differ.
+/// Compares outputs by their bindings, because the programs' tables may differ.
 bool sameResults(const Program &a, const fp::ir::Evaluation &x, const Program &b,
                  const fp::ir::Evaluation &y, Nearness nearness) {
   if (x.killed != y.killed || x.depth.has_value() != y.depth.has_value())
@@ -241,7 +241,7 @@ bool equal(const Program &original, const Program &rewritten, const std::vector<
   std::vector<Given> given;
   for (const Derived &each : derived)
     given.push_back({each, {}});
-  // A fragment that is discarded shows nothing: others are tried in its place.
+  // A discarded fragment shows no result, so that further inputs are tested in its place.
   constexpr std::uint32_t kMostDiscarded = 8, kLeastSeen = 16;
   std::uint32_t seen = 0;
   for (std::uint32_t i = 0; i < count * kMostDiscarded && seen < count; ++i) {

@@ -4,23 +4,23 @@
 #include "fp_compiler/ir/evaluate.h"
 #include "tools/advise/proposal.h"
 
-/// Runs a program and its rewritten form in the interpreter on the same inputs.
+/// Tests whether a program and its rewritten form give the same results in the interpreter.
 namespace arbiter::tools::advise {
 
-/// Inputs that a rewrite is tried on before it is offered.
+/// The number of inputs on which a rewrite is tested before it is offered.
 inline constexpr std::uint32_t kTrials = 256;
 
-/// Results that count as equal. Exact: the same numbers, zeros of either sign being one and NaNs
-/// too. Rounding: within 2^-14 of the larger of 1 and the numbers.
+/// True if two results count as equal. Exact requires equal numbers; zeros of both signs are equal,
+/// and so are NaNs. Rounding allows a difference of 2^-14, relative to the larger of 1 and the
+/// numbers.
 [[nodiscard]] bool near(float a, float b, Nearness nearness);
 
-/// Whether both programs give equal results on the inputs number \p first and on: attributes,
-/// parameters and texels made up from the number, the binding and nothing else, in the ranges that
-/// programs of the time work in: colours and texels of [0,1], texture coordinates of [-1.5,2.5]
-/// (q of [0.5,2]), window positions of [0,1024], parameters of [-2,2]. One component in eight is
-/// 0, 1/2, 1, 2 or -1, where its range has them. Textures are continuous functions of the
-/// coordinate. Inputs whose fragment is discarded do not count; if hardly one is not, the answer is
-/// no.
+/// True if both programs give equal results on generated inputs, from number \p first on.
+/// Attributes, parameters and texels depend only on that number and the binding. Their ranges are
+/// typical of the time's programs: [0,1] for colors and texels, [-1.5,2.5] for texture coordinates
+/// ([0.5,2] for q), [0,1024] for window positions, [-2,2] for parameters. One component in eight is
+/// 0, 1/2, 1, 2 or -1 if its range allows it. Textures are continuous functions of the coordinate.
+/// Inputs with a discarded fragment do not count; if nearly all are discarded, the result is false.
 /// \param derived inputs of the rewritten program that are registers of the original
 [[nodiscard]] bool equal(const fp::ir::Program &original, const fp::ir::Program &rewritten,
                          const std::vector<Derived> &derived, Nearness nearness,

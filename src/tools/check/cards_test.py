@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`arbiter check --profile all` says of each card what --profile says of that card alone.
+"""Tests that `arbiter check --profile all` reports the same about each card as --profile with that card.
 
 usage: cards_test.py ARBITER SOURCE_ROOT
 """
@@ -18,7 +18,7 @@ SIMPLE = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
 FOURTH_BUFFER = '!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[3], 1;\nEND\n'
 FIFTH_BUFFER = FOURTH_BUFFER.replace('[3]', '[4]')
 WRONG = '!!ARBfp1.0\nMOV result.colour, 1;\nEND\n'
-# Five reads, each of where the one before led to: one more than the R300 runs.
+# Five reads, each dependent on the previous one: one more than the R300 supports.
 DEEP = ('!!ARBfp1.0\nTEMP a;\nTEX a, fragment.texcoord, texture[0], 2D;\n' +
         'TEX a, a, texture[0], 2D;\n' * 4 + 'MOV result.color, a;\nEND\n')
 
@@ -48,7 +48,7 @@ class Cards(unittest.TestCase):
                 for row in document['files']}, document
 
     def test_each_card_is_as_it_is_alone(self):
-        """Every program of the compiler's tests under every card; the exit code is of the worst."""
+        """Checks all programs of the compiler's tests for every card; the worst program decides the exit code."""
         data = ROOT / 'src' / 'fp_compiler' / 'testdata'
         files = [path for sub in ('valid', 'invalid') for ending in ('fp', 'vp', 'atifs')
                  for path in sorted((data / sub).glob('*.' + ending))]
@@ -88,7 +88,7 @@ class Cards(unittest.TestCase):
         self.assertEqual(head.split(), CARDS)
         self.assertEqual(first.split(), [str(deep)] + ['over', 'over', 'over', 'over', 'over', 'no', 'no', 'no',
                                                        'fits', 'fits', 'fits', 'over'])
-        # No fragment program is run by the cards that have none.
+        # These cards run no fragment programs.
         self.assertEqual(second.split()[1:], ['fits'] * 5 + ['no'] * 3 + ['fits'] * 4)
         self.assertTrue(any(reason.endswith('simple.fp: nv10: the card has no fragment programs')
                             for reason in reasons), reasons)
@@ -113,7 +113,7 @@ class Cards(unittest.TestCase):
         self.assertEqual(run('--profile', 'all', self.folder / 'none.fp').returncode, 1)
         self.assertEqual(run('--profile', 'all', self.folder / 'a.fp', self.folder / 'none.fp')
                          .returncode, 1)
-        # More than any card's instructions of its own, and no card's limit of the API is asked.
+        # The program exceeds every card's native instructions, while the API's limits are ignored.
         long = '!!ARBfp1.0\nTEMP a;\n' + 'ADD a, a, fragment.color;\n' * 5000 + \
                'MOV result.color, a;\nEND\n'
         answers, _ = self.statuses('--limits', 'report', self.write('c.fp', long), code=3)

@@ -25,7 +25,7 @@ const char *name(FileStatus status) {
 
 namespace {
 
-/// The lines of a text's panel are checked with it: they are comments to GL, and what `draw` draws.
+/// Checks the lines of the panel. They are comments for GL, but `draw` uses them.
 void addPanel(const std::string &path, CheckedFile &file) {
   auto &all = file.result.diagnostics;
   const auto panel = scene::checkPanel(path == "-" ? std::string() : path, file.text);
@@ -69,7 +69,7 @@ std::vector<CheckedFile> checkText(const std::string &path, const std::string &t
   return programs;
 }
 
-/// The file's text, or an element that says why there is none.
+/// Returns the file's text, or an element with the error.
 Result<std::string, CheckedFile> readFile(const std::string &path) {
   auto input = readInput(path);
   if (input)
@@ -85,7 +85,7 @@ Result<std::string, CheckedFile> readFile(const std::string &path) {
 void fixAll(std::vector<CheckedFile> &programs, const std::string &path, fp::LimitPolicy policy) {
   std::string text = programs.front().text;
   const std::string old = text;
-  // From the last one on: the places of those before stay.
+  // Replacing from the last program on keeps the positions of the others.
   for (auto file = programs.rbegin(); file != programs.rend(); ++file) {
     if (!file->counted())
       continue;

@@ -13,7 +13,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// One line of the comparison. A side without the number (no model) has an empty cell.
+/// One line of the comparison. A side without a model has an empty cell.
 struct Line {
   const char *key;
   const char *title;
@@ -32,7 +32,7 @@ std::optional<double> delta(const Numbers &numbers) {
   return *numbers[1] - *numbers[0];
 }
 
-/// What a model says beyond the counts; nothing where it has no such notion.
+/// A number from the model other than a count; none if the model does not have it.
 struct ModelRow {
   const char *key;
   const char *title;
@@ -81,7 +81,7 @@ std::vector<Line> linesOf(const Side &a, const Side &b) {
   return lines;
 }
 
-/// "70/64", right-aligned; "-" where there is no number.
+/// Returns a cell such as "70/64", aligned right; "-" if there is no number.
 std::string cell(const std::optional<double> &used, std::uint32_t limit, bool limited,
                  const Style &style) {
   const std::string text =
@@ -126,7 +126,7 @@ void writeNumber(JsonWriter &json, const std::optional<double> &number) {
   number ? json.value(*number) : json.null();
 }
 
-/// {"a": .., "b": .., "delta": ..}
+/// Writes {"a": .., "b": .., "delta": ..}.
 void writeNumbers(JsonWriter &json, const Numbers &numbers) {
   json.beginObject().key("a");
   writeNumber(json, numbers[0]);

@@ -11,15 +11,16 @@ struct Side {
   const fp::hw::Profile *profile = nullptr;
 };
 
-/// Two programs under one profile, or one under two: counts side by side, and B less A. Both sides
-/// must outlive it.
+/// Compares two programs under one profile, or one under two: the counts side by side, and B minus
+/// A. Both sides must outlive the object.
 class Comparison {
 public:
   Comparison(const Side &a, const Side &b) : m_a(a), m_b(b) {}
 
-  /// Both verdicts, then a table; diagnostics in its place where a side has no counts.
+  /// Returns both verdicts and a table. If a side has no counts, returns diagnostics in place of
+  /// the table.
   [[nodiscard]] std::string text(const Style &style) const;
-  /// As for files checked one by one, and "compare".
+  /// Returns the JSON of both files and "compare".
   [[nodiscard]] std::string json() const;
 
 private:

@@ -15,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A text of such a name that has no header is one that lost it. The first ones are names of GLSL
-/// and Cg texts, too.
+/// A text with such a name and without a header has lost its header. The first names are also used
+/// for GLSL and Cg.
 constexpr std::string_view kShared[] = {".fp", ".vp", ".vfp"};
 constexpr std::string_view kOwn[] = {".atifs", ".arbfp", ".arbvp", ".nvrc", ".nvts"};
 
-/// A header stands behind comments of this size, or it is not found.
+/// A header is searched for only in this many bytes, which may begin with comments.
 constexpr std::size_t kMostHead = 64u << 10;
 
 bool isOneOf(std::string_view extension, std::span<const std::string_view> extensions) {
@@ -39,8 +39,8 @@ bool hasHeader(std::string_view head) {
   return fp::languageOfText(fp::programsOf(head).front().in(head)).has_value();
 }
 
-/// A text of GLSL, Cg or HLSL has functions. Assembly has parentheses in comments and in NVIDIA's
-/// conditions only.
+/// True if the text has function calls, as GLSL, Cg and HLSL do. Assembly has parentheses only in
+/// comments and in NVIDIA's conditions.
 bool isOfFunctions(std::string_view head) {
   fp::Lexer lexer(head, 0, fp::Words::Calls);
   for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
@@ -54,7 +54,7 @@ bool isProgram(const fs::directory_entry &entry) {
   const std::string extension = entry.path().extension().string();
   const bool own = isOneOf(extension, kOwn);
   const bool named = own || isOneOf(extension, kShared);
-  // A link that leads nowhere is by its name a program that cannot be read, and is reported so.
+  // A broken link with a program's name is reported as a program that cannot be read.
   if (!entry.is_regular_file(error))
     return named && entry.is_symlink(error) && !entry.exists(error);
   if (own)
@@ -84,9 +84,8 @@ void search(const fs::path &folder, FoundFiles &found) {
     found.faults.push_back(folder.native() + ": " + error.message());
 }
 
-/// Leaves out, with a fault each, the paths that name a file a second time: by another operand, or
-/// by a folder that holds it. What is read twice would be counted twice, and standard input is
-/// empty the second time.
+/// Removes paths that name a file again, directly or in a folder, and adds a fault for each.
+/// Otherwise a file would count twice, and standard input would be empty the second time.
 void leaveOutRepeated(FoundFiles &found) {
   std::set<fs::path> seen;
   std::vector<std::string> once;

@@ -3,23 +3,23 @@
 #include <string>
 #include <vector>
 
-/// Which files `arbiter check` and `arbiter report` look at.
+/// Finds the files for `arbiter check` and `arbiter report`.
 namespace arbiter::tools {
 
 struct FoundFiles {
   std::vector<std::string> paths;
-  /// "path: reason": a folder that cannot be listed, or that has no program in it; a file that is
-  /// named twice, which `paths` has once.
+  /// As "path: reason": folders that cannot be listed or contain no program, and files that are
+  /// named twice; these are in `paths` once.
   std::vector<std::string> faults;
-  bool folders = false; ///< at least one operand was a folder
+  bool folders = false; ///< true if an operand was a folder
 };
 
-/// The operands in their order, each folder as the programs in it, in the order of their bytes.
-/// Folders are searched with their subfolders; names that begin with a full stop are left out, and
-/// symbolic links to folders are not followed. A file there is looked at if its text has a program
-/// (fp::programsOf()), or if its name is one of assembly, as .fp, .vfp or .arbvp, and its text is
-/// not one of another language, as GLSL and Cg. An operand that is no folder is taken as it is; "-"
-/// is standard input.
+/// Returns the operands in order; a folder is replaced by its programs, sorted by the bytes of
+/// their paths. Subfolders are searched, without names that begin with a dot and without symbolic
+/// links to folders.
+/// A file in a folder counts if its text has a program (fp::programsOf()). It also counts if its
+/// name is one of assembly, such as .fp, .vfp or .arbvp, and its text is in no other language, such
+/// as GLSL or Cg. Other operands are returned unchanged; "-" is standard input.
 [[nodiscard]] FoundFiles findFiles(std::span<const std::string> operands);
 
 } // namespace arbiter::tools

@@ -22,7 +22,7 @@ std::string hexOf(std::string_view bytes) {
   return text;
 }
 
-/// Members of an open object: bytes, lines and columns of a span.
+/// Writes a span's bytes, lines and columns as members of the open object.
 void writeSpan(JsonWriter &json, const SourceText &source, fp::Span span) {
   const fp::LineColumn begin = source.at(span.begin);
   const fp::LineColumn end = source.at(span.end);
@@ -60,7 +60,7 @@ void writeCounts(JsonWriter &json, const CheckedFile &file) {
   json.endObject();
 }
 
-/// The "native" object of one file.
+/// Writes the "native" object of one file.
 class NativeWriter {
 public:
   NativeWriter(JsonWriter &json, const CheckedFile &file, const SourceText &source)
@@ -89,7 +89,7 @@ public:
   }
 
 private:
-  /// Members of an open object: which instruction, and where its text is.
+  /// Writes an instruction's index, opcode and span as members of the open object.
   void writePlace(std::uint32_t index) {
     m_json.key("index").value(index);
     m_json.key("opcode").value(info(m_code[index].op).mnemonic);
@@ -154,7 +154,7 @@ private:
   const SourceText &m_source;
 };
 
-/// In the program's own text, as GL says it.
+/// Returns the error's position in the program's own text, as GL reports it.
 int errorPositionOf(const CheckedFile &file) {
   const int position = file.result.errorPosition();
   return position < 0 ? position : position - int(file.program().span.begin);
@@ -186,7 +186,7 @@ void writeDiagnostics(JsonWriter &json, std::string_view text,
 void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile *profile) {
   json.beginObject();
   json.key("file").value(file.name);
-  if (!isUtf8(file.name)) // JSON cannot say its bytes, and a script must find it
+  if (!isUtf8(file.name)) // a script must find files whose names JSON cannot represent
     json.key("file_hex").value(hexOf(file.name));
   if (profile != nullptr)
     json.key("profile").value(profile->name);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""nvparse's texts, !!RC1.0 and !!TS1.0, through the command: checked against cards, compiled, drawn and
+"""Tests nvparse's languages, !!RC1.0 and !!TS1.0, in the command. Programs are checked against cards, compiled, drawn,
 debugged, and served to editors.
 
 usage: nvparse_test.py ARBITER SOURCE_ROOT [unittest arguments]
@@ -13,7 +13,7 @@ import unittest
 
 ARBITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 sys.path[:0] = [str(ROOT / 'src/tools/lsp'), str(ROOT / 'src/tools'), str(ROOT / 'tests/clients')]
-sys.argv[1:3] = [ARBITER, '', str(ROOT)]  # as what command_session reads
+sys.argv[1:3] = [ARBITER, '', str(ROOT)]  # the arguments that command_session reads
 from command_draw_test import read_png  # noqa: E402
 from lsp_client import Client  # noqa: E402
 from plain_environment import plain  # noqa: E402
@@ -25,7 +25,7 @@ REFLECTS = ('!!TS1.0\ntexture_2d();\n' + ''.join(
     f'dot_product_reflect_cube_map_eye_from_qs_{i}of3(expand(tex0));\n' for i in (1, 2, 3)))
 LINE = '!!TS1.0\ntexture_2d();\ndot_product_1d(tex0);\n'  # NV_texture_shader3
 PANEL = '#@ size 16 8, mesh quad, camera none\n#@ texture 0 = clouds 64 64, linear, repeat\n'
-# The same meaning in both languages.
+# One computation in both languages.
 COMBINES = ('!!RC1.0\n' + PANEL + '#@ env[0] = 0.5 0.25 0.75 1\nconst1 = (0.25, 0.5, 0.125, 0.5);\n'
             '{\n  rgb {\n    discard = tex0 * const0;\n    discard = col0 * unsigned_invert(const1);\n'
             '    spare0 = sum();\n  }\n  alpha {\n    spare0 = expand(tex0.b);\n    scale_by_one_half();\n  }\n}\n'

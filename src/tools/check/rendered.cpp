@@ -14,7 +14,8 @@ Colour colourOf(fp::Severity severity) {
                                              : Colour::Note;
 }
 
-/// \param name the first line begins with it: it may have a colon of its own
+/// Colors the first line of a diagnostic. \param name length of the file name at the start, which
+/// may contain a colon
 std::string paintedLine(const std::string &line, std::size_t name, const fp::Diagnostic &diagnostic,
                         const Style &style) {
   const std::string kind = std::string(fp::severityName(diagnostic.severity)) + ":";
@@ -37,7 +38,7 @@ std::string rendered(std::string_view name, std::string_view text, const fp::Dia
   const std::string plain = fp::render(name, text, diagnostic);
   if (!style.colour)
     return plain;
-  // The first line, the line of the text, the carets, and perhaps a hint.
+  // The text has the first line, the source line, the carets, and possibly a hint.
   std::string result;
   std::size_t begin = 0;
   for (int number = 0; begin < plain.size(); ++number) {

@@ -8,14 +8,14 @@
 
 namespace arbiter::tools {
 
-/// fp::render() of a diagnostic; on a terminal with the place, the kind, the caret and the hint in
-/// the colours that GCC gives them.
+/// Returns fp::render() of a diagnostic. On a terminal the place, the kind, the caret and the hint
+/// have GCC's colors.
 [[nodiscard]] std::string rendered(std::string_view name, std::string_view text,
                                    const fp::Diagnostic &diagnostic, const Style &style);
-/// Its first line alone.
+/// Returns only the first line.
 [[nodiscard]] std::string renderedLine(std::string_view name, std::string_view text,
                                        const fp::Diagnostic &diagnostic, const Style &style);
-/// Each of them, one after the other.
+/// Returns all diagnostics, one after the other.
 [[nodiscard]] std::string rendered(std::string_view name, std::string_view text,
                                    const std::vector<fp::Diagnostic> &diagnostics,
                                    const Style &style);

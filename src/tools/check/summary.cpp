@@ -11,9 +11,9 @@ namespace arbiter::tools {
 
 namespace {
 
-constexpr std::string_view kLimitId = "limit-"; ///< of the diagnostics of API limits
+constexpr std::string_view kLimitId = "limit-"; ///< prefix of the diagnostics of API limits
 
-/// "limit-alu-instructions" is of the row "alu_instructions".
+/// Returns the resource of a diagnostic: "limit-alu-instructions" is "alu_instructions".
 const fp::ResourceRow *rowOfId(std::string_view id) {
   std::string key(id.substr(kLimitId.size()));
   std::replace(key.begin(), key.end(), '-', '_');
@@ -23,8 +23,9 @@ const fp::ResourceRow *rowOfId(std::string_view id) {
   return nullptr;
 }
 
-/// The largest reason for a resource that points at instructions; else the largest. Of no row (over
-/// by what no count shows), and of the total, which has no reasons of its own: of any resource.
+/// Returns the largest reason for a resource, preferably one with instructions. The total has no
+/// reasons of its own, so that reasons for any resource count for it. The same is true without a
+/// row, if no count shows what is over.
 const fp::hw::Reason *reasonFor(const fp::hw::NativeReport &report, const fp::ResourceRow *row) {
   const bool any = row == nullptr || row->member == &fp::ResourceCounts::instructions;
   const fp::hw::Reason *found = nullptr;
@@ -39,7 +40,7 @@ const fp::hw::Reason *reasonFor(const fp::hw::NativeReport &report, const fp::Re
   return found;
 }
 
-/// The first row that is over and has a reason; else the first that is over; else none.
+/// Returns the first row that is over its limit, preferably one with a reason, or none.
 const fp::ResourceRow *overRow(const CheckedFile &file) {
   const fp::ResourceRow *found = nullptr;
   for (const fp::ResourceRow &row : fp::resourceRows()) {
@@ -80,7 +81,7 @@ void Summary::addFullest(const CheckedFile &file) {
     Fullest &held = fullest[at++];
     const std::uint32_t used = file.result.nativeCounts.*row.member;
     const std::uint32_t limit = file.limits.native.*row.member;
-    // used / limit, compared without dividing by a limit of 0.
+    // Compares used / limit without dividing by a limit of 0.
     const bool fuller = std::uint64_t(used) * std::max(held.limit, 1u) >
                         std::uint64_t(held.used) * std::max(limit, 1u);
     if (held.file.empty() || fuller)
@@ -94,7 +95,7 @@ void Summary::addMisfit(const CheckedFile &file) {
       if (diagnostic.severity != fp::Severity::Error)
         continue;
       if (!std::string_view(diagnostic.id).starts_with(kLimitId))
-        return; // wrong in itself, whatever the card
+        return; // invalid for every card
       m_misfits.push_back({file.title(), rowOfId(diagnostic.id), {}, 0, diagnostic.message});
       return;
     }

@@ -14,7 +14,7 @@ constexpr std::uint64_t kCells = 10;
 constexpr auto kFirst = std::chrono::milliseconds(200);
 constexpr auto kBetween = std::chrono::milliseconds(50);
 
-/// The character set of the user's locale, without making it the process's.
+/// True if the user's locale has UTF-8. Does not change the process's locale.
 bool localeIsUtf8() {
   const locale_t locale = ::newlocale(LC_CTYPE_MASK, "", locale_t{});
   if (locale == locale_t{})

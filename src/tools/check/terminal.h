@@ -5,37 +5,38 @@
 #include <string>
 #include <string_view>
 
-/// What the terminal can show: blocks or ASCII, colours, a line that is written over.
+/// Adapts output to the terminal: block characters or ASCII, colors, and a progress line.
 namespace arbiter::tools {
 
-/// How the text of a report is drawn.
+/// The style of a report's text.
 struct Style {
   bool gauges = true;  ///< a bar for each count
-  bool blocks = false; ///< bars and lines of Unicode's block elements; else ASCII
+  bool blocks = false; ///< true for Unicode block elements, false for ASCII
   bool colour = false; ///< ANSI colours
 };
 
-/// The style for standard output.
-/// \param gauges "auto": blocks on a terminal whose character set is UTF-8; "always": blocks
-///        wherever the locale's is; "never": numbers alone
-/// Colours are for terminals only, and not where NO_COLOR is set or TERM is "dumb".
+/// Returns the style for standard output. Colors require a terminal, NO_COLOR unset, and a TERM
+/// other than "dumb".
+/// \param gauges "auto": blocks on a terminal with a UTF-8 locale; "always": blocks with any UTF-8
+/// locale; "never": numbers only
 [[nodiscard]] Style styleOf(std::string_view gauges);
-/// Likewise for standard error, where there are no gauges.
+/// Returns the style for standard error, without gauges.
 [[nodiscard]] Style styleOfErrors();
 
 enum class Colour : std::uint8_t { Good, Close, Bad, Dim, Error, Warning, Note, Place };
-/// The text in that colour, or as it is.
+/// Returns the text in the color if the style has colors.
 [[nodiscard]] std::string painted(std::string_view text, Colour colour, const Style &style);
 
-/// used / limit as a bar of ten cells: anything above 0 shows, only a full count fills it, and what
-/// is over the limit ends in '>'.
+/// Returns used / limit as a bar of ten cells. A number above 0 is always visible, and only a full
+/// count fills the bar. A bar over the limit ends in '>'.
 [[nodiscard]] std::string gauge(std::uint32_t used, std::uint32_t limit, const Style &style);
 
-/// A name or a text of the outside world: control bytes, which a terminal would obey, as \xNN.
+/// Replaces control bytes in a name or text from outside by \xNN, because a terminal would execute
+/// them.
 [[nodiscard]] std::string shown(std::string_view text);
 
-/// A line on standard error that says how far a long task is; nothing where that is no terminal,
-/// or before the task has run for a moment.
+/// Shows the progress of a long task in a line on standard error. Shows nothing if that is no
+/// terminal, or until the task has run for a moment.
 class Progress {
 public:
   explicit Progress(std::size_t total);
@@ -44,7 +45,7 @@ public:
   Progress &operator=(const Progress &) = delete;
 
   void at(std::size_t done);
-  /// Takes the line away, before something else is written.
+  /// Removes the line before other output.
   void clear();
 
 private:

@@ -27,7 +27,7 @@ std::string tableHead(const Style &style) {
   return painted(std::string(line) + bars, Colour::Dim, style) + "\n";
 }
 
-/// The four numbers stand first, whatever follows them, as scripts read them.
+/// Returns a row that always begins with the four numbers, because scripts read them.
 std::string tableRow(const CheckedFile &file, const fp::ResourceRow &row, const Style &style) {
   const std::uint32_t used = file.result.counts.*row.member;
   const std::uint32_t limit = file.limits.api.*row.member;
@@ -51,14 +51,14 @@ bool isOver(const CheckedFile &file, std::uint32_t fp::ResourceCounts::*resource
   return file.result.nativeCounts.*resource > file.limits.native.*resource;
 }
 
-/// Whether a row's reasons are reasons for what does not fit.
+/// True if a row's reasons explain why the program does not fit.
 bool isToBlame(const CheckedFile &file, const fp::ResourceRow &row) {
   using fp::ResourceCounts;
   const auto rows = fp::resourceRows();
   const bool counted = std::any_of(rows.begin(), rows.end(), [&](const fp::ResourceRow &each) {
     return isOver(file, each.member);
   });
-  // A program can be over by something that no count shows; then any reason may be it.
+  // If no count is over its limit, any reason may be the cause.
   if (!counted)
     return file.status == FileStatus::OverNative;
   const bool part = row.member == &ResourceCounts::aluInstructions ||
@@ -83,7 +83,7 @@ const std::vector<advise::Advice> &adviceOf(const CheckedFile &file) {
   return file.advice ? *file.advice : kNone;
 }
 
-/// "file: 3 fixes made: ALU 40 -> 31", and what they were.
+/// Returns "file: 3 fixes made: ALU 40 -> 31", and a list of the fixes.
 std::string fixedText(const CheckedFile &file) {
   if (!file.fixed)
     return "";
@@ -152,7 +152,7 @@ std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
   text += table(file, why, options) + why.headline();
   if (options.why)
     text += why.nodes() + why.chain() + why.cycles() + why.costs();
-  // The count of indirections is one number for a shape: show the shape.
+  // The number of indirections alone does not show the cause, but the chain does.
   else if (isOver(file, &fp::ResourceCounts::texIndirections))
     text += why.chain();
   return text + adviceText(file);

@@ -8,18 +8,19 @@ namespace arbiter::tools {
 
 struct TextOptions {
   Style style;
-  bool why = false; ///< every reason, node and cost, not those of what is over
+  bool why = false; ///< show every reason, node and cost, not only those of resources over their
+                    ///< limit
 };
 
-/// The first lines of the diagnostics: "file:line:col: error: text [ID]".
+/// Returns the first lines of the diagnostics: "file:line:col: error: text [ID]".
 [[nodiscard]] std::string briefText(const CheckedFile &file, const Style &style);
 
-/// Diagnostics with source, caret and hint; the verdict; for a program that has counts a gauge for
-/// each resource, with its reasons where it is over.
+/// Returns diagnostics with source, caret and hint, and then the verdict. A program with counts has
+/// a gauge for each resource, with reasons if it is over the limit.
 [[nodiscard]] std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
                                    const TextOptions &options);
 
-/// "valid, within the native limits of r300"
+/// Returns a verdict such as "valid, within the native limits of r300".
 [[nodiscard]] std::string verdict(const CheckedFile &file, const fp::hw::Profile &profile);
 
 } // namespace arbiter::tools

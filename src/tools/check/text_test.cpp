@@ -1,5 +1,5 @@
-// The text of `arbiter check` over reports made by hand, so that each part of one is seen whatever
-// the models say of a program.
+// Tests the text of `arbiter check` with reports made by hand, so that every part of a report is
+// covered regardless of the models.
 #include "tools/check/text.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr const char *kText = "!!ARBfp1.0\n"                                   /
 
 const fp::hw::Profile &r300() { return *fp::hw::findBuiltin("r300"); }
 
-/// The program of kText with a report of two nodes, over the card's ALU limit.
+/// Returns the program of kText with a report of two nodes, over the card's ALU limit.
 CheckedFile overFile() {
   CheckedFile file;
   file.name = "deep.fp";
@@ -308,7 +308,7 @@ TEST(Compare, CountsAndDifferences) {
   EXPECT_NE(text.find("  texture nodes     " + std::string(46, ' ') + "2            -\n"),
             std::string::npos)
       << text;
-  // A model without nodes has dependent reads and cycles all the same.
+  // A model without nodes can still report dependent reads and cycles.
   b.file.native() = a.file.native();
   b.file.native().nodes.clear();
   const std::string other = Comparison(a, b).text(ascii());

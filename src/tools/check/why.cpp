@@ -11,7 +11,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// What is shown without --why: enough to see the cause, on a screen.
+/// Limits of the output without --why, which fits on a screen and shows the main causes.
 constexpr std::size_t kReasons = 8;
 constexpr std::size_t kInstructions = 3;
 constexpr std::size_t kStatementBytes = 60;
@@ -26,7 +26,7 @@ template <typename... Values> std::string format(const char *pattern, Values... 
   return text;
 }
 
-/// The text in lines of at most kWidth columns, indented by four.
+/// Wraps the text into lines of at most kWidth columns, indented by four.
 std::string wrapped(std::string_view text) {
   constexpr std::size_t kWidth = 96;
   std::string lines;
@@ -65,7 +65,7 @@ std::uint32_t dependentReads(const CheckedFile &file) {
 Why::Why(const CheckedFile &file, const Style &style, bool all)
     : m_file(file), m_report(file.native()), m_source(file.text), m_style(style), m_all(all) {}
 
-/// "  14 | TEX r0, fragment.texcoord[0], texture[0], 2D"
+/// Returns a line such as "  14 | TEX r0, fragment.texcoord[0], texture[0], 2D".
 std::string Why::place(std::uint32_t instruction) const {
   const auto &code = m_file.result.program->code;
   if (instruction >= code.size())

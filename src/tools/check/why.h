@@ -8,25 +8,24 @@
 
 namespace arbiter::tools {
 
-/// Why a program takes what it takes: a NativeReport as text, each part pointing into the source.
-/// A part that the report lacks is an empty text. Requires a file that is counted(); it must
-/// outlive this.
+/// Formats a NativeReport as text with positions in the source. A missing part of the report is an
+/// empty text. Requires a file that is counted() and outlives the object.
 class Why {
 public:
-  /// \param all every reason with every instruction, not the largest few
+  /// \param all shows every reason with every instruction, not only the largest
   Why(const CheckedFile &file, const Style &style, bool all);
 
-  /// The parts of one resource's count, the largest first.
+  /// Returns the reasons for one resource's count, the largest first.
   [[nodiscard]] std::string reasons(const fp::ResourceRow &row) const;
-  /// One line: whose counts these are, nodes, dependent reads, cycles.
+  /// Returns one line: the model, nodes, dependent reads, cycles.
   [[nodiscard]] std::string headline() const;
-  /// The longest chain of dependent reads, an instruction a line.
+  /// Returns the longest chain of dependent reads, one instruction per line.
   [[nodiscard]] std::string chain() const;
-  /// The texture nodes, each with its samples and why it begins.
+  /// Returns the texture nodes, each with its samples and the reason for its start.
   [[nodiscard]] std::string nodes() const;
-  /// The estimate by unit, and what it leaves out.
+  /// Returns the estimated cycles by unit, and what the estimate ignores.
   [[nodiscard]] std::string cycles() const;
-  /// Each instruction with what it takes.
+  /// Returns the cost of each instruction.
   [[nodiscard]] std::string costs() const;
 
 private:
@@ -40,10 +39,10 @@ private:
   bool m_all;
 };
 
-/// Samples of the chain that depend on another: its length less one; 0 without a chain.
+/// Returns the number of dependent samples in the chain: its length minus 1, or 0 without a chain.
 [[nodiscard]] std::uint32_t dependentReads(const CheckedFile &file);
 
-/// "27", "4.5".
+/// Returns a number's text: "27", "4.5".
 [[nodiscard]] std::string decimal(double number);
 
 } // namespace arbiter::tools

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-/// Completions of a word for shells, from the tables that the verbs work with.
+/// Lists completions of a word for shells, from the tables that the verbs use.
 namespace arbiter::tools::complete {
 
 struct Candidate {
@@ -12,18 +12,19 @@ struct Candidate {
 };
 using Candidates = std::vector<Candidate>;
 
-/// Built-in profiles, by their own names and by what people call the cards.
+/// Returns the built-in profiles, by their names and by the common names of the cards.
 [[nodiscard]] Candidates profiles();
-/// `gallery:NAME` of each document.
+/// Returns `gallery:NAME` for each document of the gallery.
 [[nodiscard]] Candidates gallery();
-/// The actions of `arbiter ctl`.
+/// Returns the actions of `arbiter ctl`.
 [[nodiscard]] Candidates actions();
-/// Processes that listen to `arbiter ctl`.
+/// Returns the processes that listen to `arbiter ctl`.
 [[nodiscard]] Candidates processes();
-/// Programs that such a process has loaded; 0: the only one that listens. Nothing if it does not
-/// answer at once: a shell waits.
+/// Returns the programs that a process has loaded. 0 means the only one that listens. Returns
+/// nothing if the process does not answer at once, because the shell is waiting.
 [[nodiscard]] Candidates programs(int process);
-/// The kind of an action's operand, counted from 0: "ID", "FILE"; empty: it has none.
+/// Returns the kind of an action's operand, such as "ID" or "FILE", or "" if there is none. \param
+/// number counted from 0
 [[nodiscard]] std::string operandOf(std::string_view action, std::size_t number);
 
 } // namespace arbiter::tools::complete

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What bash, zsh and fish complete of `arbiter`, each shell asked as a person at a terminal asks it.
+"""Tests the completions of `arbiter` in bash, zsh and fish; each shell is used as a person would at a terminal.
 
 usage: complete_test.py ARBITER SOURCE_ROOT [unittest arguments]
 """
@@ -22,7 +22,7 @@ from plain_environment import plain  # noqa: E402
 
 
 def answers(*words, **environment):
-    """The lines of `arbiter complete`, without helps."""
+    """Returns the lines of `arbiter complete` without their help texts."""
     result = subprocess.run([ARBITER, 'complete', '--', *words], capture_output=True, text=True, timeout=60,
                             env=plain(**environment))
     assert (result.returncode, result.stderr) == (0, ''), result
@@ -91,7 +91,7 @@ class Answers(unittest.TestCase):
 
 
 class Shell(unittest.TestCase):
-    """A shell with the folder of the command in PATH, in a folder with a file."""
+    """A shell with the command's folder in PATH, in a folder with one file."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix='arbiter-complete-')
@@ -147,10 +147,10 @@ class Fish(Shell):
 
 
 class Zsh(Shell):
-    """Its completion wants a terminal: a line is typed, and what it becomes is read."""
+    """Types lines into a terminal, which zsh's completion needs, and reads the completed lines."""
 
     def complete(self, lines):
-        """What the lines become, each typed with a tab behind it."""
+        """Types each line followed by a tab, and returns the completed lines."""
         self.need('zsh')
         child, terminal = pty.fork()
         if child == 0:

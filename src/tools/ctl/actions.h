@@ -5,45 +5,45 @@
 
 #include "tools/ctl/connection.h"
 
-/// What `arbiter ctl` can do, a function an action.
+/// Implements the actions of `arbiter ctl`, one function each.
 namespace arbiter::tools::ctl {
 
 using Words = std::vector<std::string>;
 
-/// What an action works with.
+/// The state that actions share.
 struct Session {
   Connection &connection;
-  bool json = false;                ///< answers as they came
-  std::string output;               ///< of -o; empty: not given
-  bool changed = false;             ///< something that is undone when the connection ends
-  std::vector<std::string> watched; ///< id and file, in turn: texts that were set
+  bool json = false;                ///< print answers unchanged
+  std::string output;               ///< value of -o; empty: not given
+  bool changed = false;             ///< true if a change was made that ends with the connection
+  std::vector<std::string> watched; ///< alternating id and file of the texts that were set
   std::int64_t revision = 0;
 };
 
-/// An exit code; 0: it went well. A sentence on standard error otherwise.
+/// Runs an action. Returns 0, or an exit code after a complaint on standard error.
 using Action = int (*)(Session &session, const Words &words);
 
 struct ActionRow {
   const char *name, *operands;
-  std::size_t least, most; ///< words after the name
+  std::size_t least, most; ///< number of words after the name
   Action run;
   const char *help;
 };
 [[nodiscard]] std::span<const ActionRow> actions();
 
-/// \returns nullptr after a complaint.
+/// Returns the action of that name. \returns nullptr after a complaint.
 [[nodiscard]] const ActionRow *findAction(const std::string &name);
 /// Runs the action that the first word names.
 [[nodiscard]] int runAction(Session &session, const Words &words);
 
-/// Sets the program's text from a file, and says what is wrong with it.
+/// Sets a program's text from a file, and reports its errors.
 [[nodiscard]] int setText(Session &session, const std::string &id, const std::string &file);
-/// The answer on standard output as JSON.
+/// Prints the answer as JSON on standard output.
 void printJson(const wire::Json &answer);
-/// Says why; returns the code.
+/// Prints the failure's message and returns its code.
 int fail(const Failure &failure);
 
-// The actions, by file.
+// The actions, grouped by file.
 int listPrograms(Session &session, const Words &words);
 int getText(Session &session, const Words &words);
 int setProgram(Session &session, const Words &words);

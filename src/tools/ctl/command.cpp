@@ -1,4 +1,4 @@
-// `arbiter ctl`: what a script asks of a process that is controlled.
+// Implements `arbiter ctl`, with which scripts control a process.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -54,7 +54,8 @@ int listProcesses(bool json) {
   return kExitOk;
 }
 
-/// Sets texts again whose files changed, until the process or this one ends, or the time is over.
+/// Sets texts again when their files change. Ends when the process or this one ends, or after the
+/// given time.
 int hold(Session &session, double seconds) {
   using Clock = std::chrono::steady_clock;
   std::vector<FileState> states;
@@ -83,7 +84,7 @@ int hold(Session &session, double seconds) {
   return kExitOk;
 }
 
-/// Lines of standard input, an action each.
+/// Runs the lines of standard input, one action each.
 int runLines(Session &session) {
   int worst = kExitOk;
   std::string line;

@@ -11,28 +11,28 @@ namespace arbiter::tools::ctl {
 
 namespace wire = arbiter::control;
 
-/// What is said on standard error, and the exit code that goes with it.
+/// A message for standard error, and the exit code.
 struct Failure {
   int code = 0;
   std::string message;
 };
 
-/// A process that listens, connected to.
+/// A connection to a controlled process.
 class Connection {
 public:
-  /// \param process 0: the only one that listens
+  /// Connects to a process. \param process 0: the only one that listens
   [[nodiscard]] static Result<std::unique_ptr<Connection>, Failure>
   open(pid_t process, std::chrono::milliseconds patience);
 
   Connection(pid_t process, wire::Descriptor fd, std::chrono::milliseconds patience)
       : m_process(process), m_client(std::move(fd)), m_patience(patience) {}
 
-  /// The result of a request; a fault becomes a sentence that says what can be done.
+  /// Sends a request and returns its result. A failure's message says what the user can do.
   [[nodiscard]] Result<wire::Json, Failure> ask(const std::string &method, wire::Json params);
-  /// The next frame that the process shows.
+  /// Returns the next frame that the process shows.
   [[nodiscard]] Result<wire::Frame, Failure> frame();
 
-  /// Waits until it has been open for so long, or is not any more.
+  /// Waits until the connection has been open for that long, or has closed.
   void awaitAge(std::chrono::milliseconds age);
 
   [[nodiscard]] wire::Client &client() { return m_client; }

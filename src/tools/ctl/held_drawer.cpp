@@ -11,7 +11,7 @@ namespace {
 using debug::DebugError;
 using wire::Json;
 
-/// A target in the words of texture.list.
+/// Returns a target's word in texture.list.
 const char *wordOf(fp::ir::TexTarget target) {
   using fp::ir::TexTarget;
   switch (target) {

@@ -6,13 +6,12 @@
 
 namespace arbiter::tools::ctl {
 
-/// A draw of an application that stops before it for this client (pixel.hold), as the debugger
-/// wants one: other programs are drawn with in place of the draw's own. The application goes on
-/// when it is destroyed.
+/// Lets the debugger draw other programs in an application's draw. The application has stopped
+/// before the draw for this client (pixel.hold). It continues when the object is destroyed.
 class HeldDrawer : public debug::Drawer {
 public:
   /// \param held the answer to pixel.hold
-  /// \param picture what the draw's own program made of the pixel
+  /// \param picture the pixel that the draw's own program produces
   HeldDrawer(Connection &connection, const wire::Json &held, std::array<std::uint8_t, 4> picture);
   ~HeldDrawer() override;
   HeldDrawer(const HeldDrawer &) = delete;
@@ -23,12 +22,12 @@ public:
   [[nodiscard]] Result<std::vector<Vec4>, debug::DebugError>
   draw(const std::string &text, std::size_t targets, const debug::Region &region,
        const std::vector<Vec4> &locals = {}) override;
-  /// Of each pixel that one that it was made with.
+  /// Returns the pixel of the constructor for every position.
   [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, debug::DebugError>
   picture(const debug::Region &region) override;
   [[nodiscard]] Result<std::array<int, 3>, debug::DebugError>
   textureSize(unsigned unit, fp::ir::TexTarget target) override;
-  /// Always an error: fragments alone are traced in an application.
+  /// Returns an error, because only fragments can be traced in an application.
   [[nodiscard]] Result<Vec4, debug::DebugError> vertexState(const fp::ir::StateRef &state) override;
 
 private:

@@ -1,4 +1,4 @@
-// Textures and frames as PNG.
+// Writes textures and frames as PNG.
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -18,7 +18,7 @@ namespace {
 using scene::Picture;
 using wire::Json;
 
-/// "7", or with its target "0:3D", as members of a request.
+/// Parses "7", or "0:3D" with a target, into members of a request.
 std::optional<Json> parseName(const std::string &word) {
   int name = 0;
   const std::size_t mark = std::min(word.find(':'), word.size());
@@ -41,7 +41,7 @@ int write(const std::string &path, const Picture &picture) {
   return fault.empty() ? int(kExitOk) : fail({kExitUsage, fault});
 }
 
-/// The image of an answer; empty where it is none.
+/// Returns the image of an answer; empty if there is none.
 Picture pictureOf(const Json &answer) {
   Picture picture;
   const auto image = answer.find("image");
@@ -134,7 +134,7 @@ int takeFrame(Session &session, const Words &) {
   for (std::size_t y = 0; y < std::size_t(shown.height); ++y)
     std::memcpy(picture.bytes.data() + y * row, shown.pixels + y * shown.stride, row);
   session.connection.client().release(shown);
-  // What the application leaves in the alpha of a window shows nowhere.
+  // A window's alpha is never visible, and may have any value.
   for (std::size_t i = 3; i < picture.bytes.size(); i += 4)
     picture.bytes[i] = 255;
   return write(session.output, picture);

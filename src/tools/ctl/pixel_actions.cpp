@@ -1,5 +1,5 @@
-// A pixel of the frame: the draws that write it, and what the program of one computes there.
-// Pixels and time of each draw.
+// Inspects a pixel of the frame: the draws that write it, and the computation of a program there.
+// Also measures pixels and time of each draw.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -26,10 +26,10 @@ using wire::Json;
 
 struct Pixel {
   int x = 0, y = 0;
-  std::uint32_t framebuffer = 0; ///< the application's name; 0: the window
+  std::uint32_t framebuffer = 0; ///< the application's number; 0: the window
 };
 
-/// X,Y, or X,Y@FRAMEBUFFER.
+/// Parses X,Y or X,Y@FRAMEBUFFER.
 std::optional<Pixel> pixelOf(std::string_view word) {
   Pixel pixel;
   const std::size_t mark = word.find('@');
@@ -52,7 +52,7 @@ Failure noPixel(const std::string &word) {
                           word};
 }
 
-/// One draw of an answer of pixel.pick.
+/// One draw of an answer to pixel.pick.
 struct PickedDraw {
   std::int64_t number = 0;
   std::string command, fragment, vertex;
@@ -78,7 +78,7 @@ std::vector<PickedDraw> drawsOf(const Json &answer) {
     draw.command = nameAt(row, "command");
     draw.fragment = nameAt(row, "fragment");
     draw.vertex = nameAt(row, "vertex");
-    draw.color.fill(NAN); // of what JSON has no number for
+    draw.color.fill(NAN); // stays NaN where JSON has null
     params.floats("color", draw.color.data(), 4, true);
     if (params.ok())
       draws.push_back(std::move(draw));
@@ -86,7 +86,8 @@ std::vector<PickedDraw> drawsOf(const Json &answer) {
   return draws;
 }
 
-/// Where else the frame draws to, and what of it is not looked into.
+/// Returns a note about other framebuffers in the frame, and about draws that could not be
+/// inspected.
 std::string elsewhere(const Json &answer) {
   std::string text;
   const auto rows = answer.find("framebuffers");
@@ -104,7 +105,7 @@ std::string elsewhere(const Json &answer) {
 
 std::string programText(const std::string &id) { return id.empty() ? "fixed function" : id; }
 
-/// The draw that is asked for, or the last one that writes the pixel.
+/// Returns the requested draw, or the last one that writes the pixel.
 Result<PickedDraw, Failure> choose(const Json &answer, const std::string &wanted) {
   const std::vector<PickedDraw> draws = drawsOf(answer);
   std::string others;
@@ -130,7 +131,7 @@ Result<PickedDraw, Failure> choose(const Json &answer, const std::string &wanted
                                  ") gives the pixel its colour, by fixed function" + hint};
 }
 
-/// The text of a held draw, checked, whatever a card's limits.
+/// Compiles the text of a held draw without a card's limits.
 Result<fp::ir::Program, Failure> programOf(const Json &held, std::string &text) {
   text = nameAt(held, "text");
   if (const auto bytes = wire::fromBase64(nameAt(held, "text_base64")); bytes && !bytes->empty())
@@ -150,7 +151,7 @@ fp::Numerics numericsOf(const Json &held) {
   return fp::numericsNamed(nameAt(held, "numerics")).value_or(fp::Numerics::Host);
 }
 
-/// The trace of the pixel and its verdict.
+/// Traces the pixel and compares the trace with the drawn pixel.
 Result<debug::Findings, debug::DebugError> findingsOf(debug::Drawer &drawer,
                                                       const fp::ir::Program &program,
                                                       std::string_view text, Pixel pixel,

@@ -1,4 +1,4 @@
-// Texts and parameters.
+// Shows and changes programs' texts and parameters.
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace {
 
 using wire::Json;
 
-/// For so long draws are counted before they are shown.
+/// The time during which draws are counted before they are shown.
 constexpr std::chrono::milliseconds kCounted{250};
 
 std::string textAt(const Json &object, const char *name) {
@@ -45,7 +45,7 @@ const Json &arrayAt(const Json &object, const char *name) {
   return found != object.end() && found->is_array() ? *found : s_none;
 }
 
-/// What is drawn with, of an answer of program.get.
+/// Returns the text that is drawn with, from an answer to program.get.
 std::string drawnText(const Json &answer) {
   if (const std::string edit = textAt(answer, "edit"); !edit.empty())
     return edit;
@@ -54,7 +54,7 @@ std::string drawnText(const Json &answer) {
   return textAt(answer, "text");
 }
 
-/// A request whose answer is of no interest.
+/// Sends a request and ignores its result.
 int request(Session &session, const std::string &method, Json params) {
   const auto answer = session.connection.ask(method, std::move(params));
   if (!answer)
@@ -79,7 +79,7 @@ void printDiagnostics(const std::string &file, const Json &answer) {
   }
 }
 
-/// NAME=X,Y,Z,W; missing components are 0, as in `arbiter draw`.
+/// Parses NAME=X,Y,Z,W; missing components are 0, as in `arbiter draw`.
 bool parseValue(const std::string &word, std::string &name, Json &value) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos)
@@ -103,7 +103,7 @@ bool parseValue(const std::string &word, std::string &name, Json &value) {
   return false;
 }
 
-/// A name that a hostile process may not lead out of a folder with.
+/// True if a name from the process, which may be hostile, stays in its folder.
 bool isFileName(const std::string &name) {
   return !name.empty() && name.find('/') == std::string::npos && name[0] != '.';
 }
@@ -111,7 +111,7 @@ bool isFileName(const std::string &name) {
 } // namespace
 
 int listPrograms(Session &session, const Words &) {
-  // The process counts for its clients, from the moment that the first of them came.
+  // The process counts draws only since its first client connected.
   session.connection.awaitAge(kCounted);
   const auto answer = session.connection.ask("program.list", Json::object());
   if (!answer)

@@ -17,7 +17,7 @@ namespace {
 using debug::Session;
 using debug::Trace;
 
-/// One run of the command, step by step; the first step that fails has said why.
+/// Runs the command step by step; a step that fails reports its error.
 class Run {
 public:
   explicit Run(const DebugArguments &arguments) : m_arguments(arguments) {}
@@ -61,7 +61,7 @@ private:
     return refuse(error.message, error.kind == Kind::NoGl ? kExitInternal : kExitUsage);
   }
 
-  /// Whether --against names a program.
+  /// True if --against names a program's file.
   bool isFile() const {
     const std::string &name = m_arguments.against;
     return name != "swrast" && name != "host" && name != "bare" && name != "fp24";
@@ -73,7 +73,7 @@ private:
     return m_arguments.against == "host" ? debug::Backend::Host : debug::Backend::Swrast;
   }
 
-  /// The words that need no document.
+  /// Parses the arguments that need no document.
   int readWords() {
     const auto pixel = debug::parsePair<int>(m_arguments.pixel);
     if (!pixel)
@@ -100,7 +100,7 @@ private:
     return kExitOk;
   }
 
-  /// The program that --against names.
+  /// Reads the program that --against names.
   int readReference(const fp::hw::Profile &profile) {
     const auto text = readInput(m_arguments.against);
     if (!text)
@@ -115,7 +115,7 @@ private:
     return kExitOk;
   }
 
-  /// The document's name and text.
+  /// Reads the document's name and text.
   int readDocument(debug::SessionOptions &options) {
     options.path = m_arguments.document;
     if (options.path == "-") {
@@ -214,7 +214,7 @@ private:
 
   int compare() {
     if (m_arguments.against == "fp24")
-      return kExitOk; // both arithmetics are in the trace
+      return kExitOk; // the trace already contains both arithmetics
     const Trace &mine = m_findings.trace;
     if (m_reference) {
       auto trace = m_session->trace(*m_reference, m_x, m_y);

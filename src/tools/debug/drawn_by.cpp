@@ -18,7 +18,7 @@ std::uint64_t countOf(const Json &draws, const char *name) {
   return found != draws.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
 }
 
-/// The reasons of draws that the rasterizer might have done, one after another.
+/// Lists the reasons why the rasterizer left draws to the host.
 std::string reasonsOf(const Json &draws) {
   std::string text;
   const auto reasons = draws.find("reasons");

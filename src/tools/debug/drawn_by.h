@@ -3,8 +3,8 @@
 
 namespace arbiter::tools::debug {
 
-/// A file that the layer writes its statistics to, by which one learns who drew: the rasterizer
-/// leaves to the host what it has no code for. It is removed with the object.
+/// Reads from the layer's statistics whether the rasterizer or the host drew. The rasterizer leaves
+/// draws to the host if it has no code for them. Owns a temporary file for the statistics.
 class DrawnBy {
 public:
   DrawnBy();
@@ -12,17 +12,17 @@ public:
   DrawnBy &operator=(const DrawnBy &) = delete;
   ~DrawnBy();
 
-  /// Empty where none could be made.
+  /// Returns the file's path; empty if no file could be made.
   [[nodiscard]] const std::string &path() const { return m_path; }
-  /// "the rasterizer left 3 of 5 draws to the host: numerics"; empty if it drew all, or nothing was
-  /// written. To be called when the process that drew has ended.
+  /// Returns "the rasterizer left 3 of 5 draws to the host: numerics". Returns "" if the rasterizer
+  /// drew all, or if nothing was written. Requires: the drawing process has ended.
   [[nodiscard]] std::string note() const;
 
 private:
   std::string m_path;
 };
 
-/// note() of a text of statistics.
+/// Returns the note for the text of a statistics file.
 [[nodiscard]] std::string drawnByNote(const std::string &statistics);
 
 } // namespace arbiter::tools::debug

@@ -1,4 +1,4 @@
-// The process that draws for the debugger.
+// Implements the process that draws for the debugger.
 #include "tools/commands.h"
 #include "tools/debug/draws/server.h"
 #include "tools/debug/gl/document_subject.h"
@@ -22,7 +22,7 @@ int integerAt(const json &what, const char *name) {
   return found != what.end() && found->is_number_integer() ? found->get<int>() : -1;
 }
 
-/// {path, text, pass, frame}: the text that an editor has, whatever the file holds.
+/// Opens {path, text, pass, frame}. The text comes from the editor and may differ from the file's.
 Result<std::unique_ptr<Drawer>, DebugError> open(const json &what) {
   if (!what.is_object())
     return DebugError{"nothing to open"};

@@ -10,7 +10,7 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-/// Whether 8 bits show the second arithmetic.
+/// True if the two arithmetics differ in 8 bits.
 bool secondDiffers(const Trace &trace) {
   for (const Named &result : trace.results)
     if (colorText(result.value.first) != colorText(result.value.second))
@@ -22,7 +22,7 @@ std::string atRow(const Row &row) {
   return "at line " + std::to_string(row.at.line) + ": " + row.text;
 }
 
-/// The two arithmetics of one trace.
+/// Compares the two arithmetics of one trace.
 std::string secondText(const Trace &trace) {
   Condition visible;
   visible.kind = Condition::Kind::Differs;
@@ -63,7 +63,7 @@ std::string verdictText(const Verdict &verdict, const Trace &trace) {
   return text;
 }
 
-/// The last row to show.
+/// Returns the last row to show.
 std::size_t lastRow(const Findings &findings) {
   if (findings.stopped)
     return *findings.stopped;

@@ -4,10 +4,10 @@
 
 #include "tools/debug/json.h"
 
-/// What one run of the debugger found, for people and for programs. No GL, no files.
+/// Formats the results of one debugger run as text and as JSON. Uses neither GL nor files.
 namespace arbiter::tools::debug {
 
-/// Another program beside the document's, and where the two part.
+/// Another program that the document's is compared with, and their first difference.
 struct Beside {
   std::string name;
   Trace trace;
@@ -17,24 +17,26 @@ struct Beside {
 
 struct Findings {
   std::string document;
-  int x = 0, y = 0; ///< the pixel, from the lower left
+  int x = 0, y = 0; ///< pixel, from the lower left
   int width = 0, height = 0;
   int pass = 1, frame = 0;
   Trace trace;
-  std::string breakOn;                ///< empty: nothing was to be stopped at
-  std::optional<std::size_t> stopped; ///< the row
-  int line = 0;                       ///< that was run to; 0: the end
-  std::optional<Verdict> verdict;     ///< without it and `beside`: the trace's own two arithmetics
+  std::string breakOn;                ///< the condition to stop at; empty: none
+  std::optional<std::size_t> stopped; ///< the row at which the run stopped
+  int line = 0;                       ///< the line to run to; 0: the end
+  std::optional<Verdict> verdict;     ///< empty: without `beside` too, the trace's two arithmetics
+                                      ///< are compared
   std::optional<Beside> beside;
-  std::string note; ///< of who drew; may be empty
+  std::string note; ///< about who drew; may be empty
 };
 
-/// A comparison found a difference, or a run stopped.
+/// True if a comparison found a difference, or a run stopped.
 [[nodiscard]] bool isDifferent(const Findings &findings);
-/// The comparison's outcome in a line or a few: "swrast drew 8c5a3fff: equal".
+/// Returns the comparison's outcome in one line or a few: "swrast drew 8c5a3fff: equal".
 [[nodiscard]] std::string summaryText(const Findings &findings);
 [[nodiscard]] std::string findingsText(const Findings &findings);
-/// traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against, summary}.
+/// Returns traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against,
+/// summary}.
 [[nodiscard]] Json findingsJson(const Findings &findings);
 
 } // namespace arbiter::tools::debug

@@ -16,7 +16,7 @@ Json numberJson(float value) {
 
 bool isSame(const Vec4 &a, const Vec4 &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-/// Members `name` and, where it differs, "second".
+/// Adds the member `name`, and "second" if the second value differs.
 void addBoth(Json &json, const char *name, const Both<Vec4> &value) {
   json[name] = vectorJson(value.first);
   if (!isSame(value.first, value.second))

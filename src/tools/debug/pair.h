@@ -6,8 +6,8 @@
 
 namespace arbiter::tools::debug {
 
-/// "X,Y": two numbers and nothing else, as options give pixels and ranges. None where it is
-/// anything else, or a number is out of its type's range.
+/// Parses "X,Y", two numbers and nothing else, as in options for pixels and ranges. Returns nothing
+/// for other texts, and for numbers out of range.
 template <typename Number>
 [[nodiscard]] std::optional<std::pair<Number, Number>> parsePair(std::string_view text) {
   std::pair<Number, Number> pair;

@@ -12,7 +12,7 @@ using fp::Numerics;
 
 SessionError usage(std::string message) { return {SessionError::Kind::Usage, std::move(message)}; }
 
-/// What stands beside an arithmetic: fp24, and beside that the host's.
+/// Returns the arithmetic to compare with: fp24, or the host's if fp24 itself is traced.
 Numerics besides(Numerics numerics) {
   return numerics == Numerics::Fp24 ? Numerics::Host : Numerics::Fp24;
 }
@@ -33,7 +33,8 @@ Result<CheckedText, SessionError> checkText(std::string name, std::string text,
       text, program, {limitsOf(profile, program.language), fp::LimitPolicy::Enforce, numerics});
   if (!result.ok())
     return SessionError{SessionError::Kind::Invalid, fp::renderAll(name, text, result.diagnostics)};
-  // What is read in the middle of a program is read by assembly of the ARB's, and by straight code.
+  // Values inside a program are read by cut programs: ARB assembly without branches. They cannot
+  // express the instructions of NVIDIA's options.
   if (result.program->options.nv != fp::ir::NvOption::None)
     return SessionError{SessionError::Kind::Invalid,
                         name + ": a program under an option of NVIDIA's cannot be traced yet\n"};
@@ -82,7 +83,7 @@ std::optional<SessionError> Session::readVertex() {
 
 std::optional<SessionError> Session::start(const SessionOptions &options) {
   const Backend backend = m_numerics == Numerics::Fp24 && options.backend == Backend::Swrast
-                              ? Backend::Host // the rasterizer has no code for it
+                              ? Backend::Host // the rasterizer has no code for fp24
                               : options.backend;
   if (m_numerics != Numerics::Host && backend == Backend::Bare)
     return usage("--against bare: the host's own implementation has one arithmetic, its own");
@@ -155,7 +156,7 @@ Result<std::vector<Vec4>, DebugError> Session::watch(const Watch &watch) {
   auto covered = watchOf(watch, Fragments::Covered);
   if (!covered || !decidesFragments(m_fragment.program))
     return covered;
-  // Where something survives, that is what is seen.
+  // A pixel shows its surviving fragment if there is one.
   const auto surviving = watchOf(watch, Fragments::Surviving);
   if (!surviving)
     return surviving;

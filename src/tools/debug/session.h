@@ -13,33 +13,33 @@
 #include "tools/debug/pixel/watch.h"
 #include "tools/debug/start.h"
 
-/// One draw of a document under the debugger. The process that draws stays, so that a further pixel
-/// costs only what is new about it.
+/// Debugs one draw of a document. The drawing process stays alive between pixels, so that a further
+/// pixel costs only its own draws.
 namespace arbiter::tools::debug {
 
 struct SessionError {
   enum class Kind { Usage, Invalid, NoGl } kind = Kind::Usage;
-  std::string message; ///< Invalid: rendered diagnostics, lines that end; else "name: reason"
+  std::string message; ///< Invalid: rendered diagnostics, complete lines; else "name: reason"
 };
 
 struct SessionOptions {
   std::string path;
-  std::string text;     ///< of the document: what an editor has may not be saved
+  std::string text;     ///< of the document, which an editor may not have saved
   int pass = 1;         ///< from 1
   int frame = 0;        ///< from 0
   std::string profile;  ///< a name or a file; empty: the document's, or the user's
   std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
-  std::string library; ///< of the layer; empty: found
+  std::string library; ///< the layer; empty: found automatically
 };
 
-/// A program's text and what the compiler makes of it.
+/// A program's text and its compiled form.
 struct CheckedText {
   std::string name;
   std::string text;
   fp::ir::Program program;
 };
-/// Errors: the compiler's, under the profile's limits.
+/// Compiles a program under the profile's limits. Fails with the compiler's diagnostics.
 [[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
                                                           const fp::FileProgram &program,
                                                           const fp::hw::Profile &profile,
@@ -51,27 +51,27 @@ public:
   open(const SessionOptions &options);
 
   [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
-  /// What programs are held to.
+  /// Returns the profile that limits the programs.
   [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }
   [[nodiscard]] const scene::Document &document() const { return m_document; }
   [[nodiscard]] Drawer &drawer() { return *m_drawer; }
   [[nodiscard]] fp::Numerics numerics() const { return m_numerics; }
 
-  /// \p program in the document's program's place. Pixels count from the lower left.
+  /// Traces a pixel with \p program in place of the document's. Pixels count from the lower left.
   [[nodiscard]] Result<Trace, DebugError> trace(const CheckedText &program, int x, int y);
   [[nodiscard]] Result<Trace, DebugError> trace(int x, int y) { return trace(m_fragment, x, y); }
   [[nodiscard]] Result<Verdict, DebugError> verdict(const Trace &trace, int x, int y) {
     return judge(*m_drawer, m_fragment.program, trace, x, y);
   }
-  /// The corners of the pixel's triangle. Errors: the pass has no vertex program, and those of
-  /// traceTriangle().
+  /// Traces the vertices of the triangle that is visible in a pixel. Fails if the pass has no
+  /// vertex program, or if traceTriangle() fails.
   [[nodiscard]] Result<TracedTriangle, DebugError> vertices(int x, int y);
-  /// Whether further pixels can be asked for: an error may be of the pixel, or the end of who
-  /// draws.
+  /// True if further pixels can be traced. After an error this tells a failure at one pixel from
+  /// the end of the drawing process.
   [[nodiscard]] bool isAlive() const { return m_drawer->isAlive(); }
-  /// Ends the process that draws. \returns what is to be said of who drew, or nothing
+  /// Ends the drawing process. \returns a note about who drew, or ""
   [[nodiscard]] std::string end();
-  /// A value in each pixel of the picture, the lowest row first.
+  /// Returns the watched value in each pixel of the picture, the lowest row first.
   [[nodiscard]] Result<std::vector<Vec4>, DebugError> watch(const Watch &watch);
 
 private:
@@ -93,7 +93,7 @@ private:
   std::unique_ptr<DrawClient> m_drawer;
 };
 
-/// The trace of a pixel and its verdict.
+/// Traces a pixel and compares the trace with the drawn picture.
 [[nodiscard]] Result<Findings, DebugError> findingsOf(Session &session, int x, int y);
 
 } // namespace arbiter::tools::debug

@@ -8,8 +8,8 @@ namespace {
 
 constexpr const char *kNames[] = {"swrast", "host", "bare host"};
 
-/// Programs that show values may be longer than a card's limits, and write several colours: no
-/// profile is to refuse them. The document itself was checked before.
+/// Returns the layer's settings for drawing. No profile may reject programs that show values, which
+/// can exceed a card's limits and write several colors. The document itself was checked before.
 LayerArguments layerOf(const DrawWith &with) {
   LayerArguments layer;
   layer.profile = "host";

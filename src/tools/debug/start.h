@@ -6,19 +6,19 @@
 
 namespace arbiter::tools::debug {
 
-/// What draws: Arbiter's rasterizer, GLSL of Arbiter's on the host, or the host's own
+/// The drawing implementation: Arbiter's rasterizer, Arbiter's GLSL on the host, or the host's own
 /// implementation of programs.
 enum class Backend { Swrast, Host, Bare };
 
 struct DrawWith {
   Backend backend = Backend::Swrast;
   std::string numerics;   ///< a name of fp::kNumericsNames
-  std::string library;    ///< of the layer; empty: found
-  std::string statistics; ///< a file that the layer writes at the end; or empty
+  std::string library;    ///< the layer; empty: found automatically
+  std::string statistics; ///< a statistics file that the layer writes at the end; empty: none
 };
 
-/// Starts `arbiter debug-draws` under the layer (but for Bare) and opens \p what in it.
-/// Errors: no layer, no GL, what the document lacks.
+/// Starts `arbiter debug-draws` and opens \p what in it; loads the layer except for Bare. Fails if
+/// the layer or GL is missing, or if the document lacks something.
 [[nodiscard]] Result<std::unique_ptr<DrawClient>, DebugError>
 startDrawing(const DrawWith &with, const nlohmann::json &what);
 

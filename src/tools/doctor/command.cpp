@@ -74,7 +74,7 @@ void printJson(const Examination &examination, const DoctorArguments &arguments)
   std::fputs(json.take().c_str(), stdout);
 }
 
-/// Whether a run can say more: not where there is nothing to run.
+/// True if there is a program that a run could tell more about.
 bool canRun(const Examination &examination) {
   return !examination.has("missing") && !examination.has("not_executable") &&
          !examination.has("unknown_format") && !examination.has("windows_program");

@@ -1,9 +1,9 @@
-"""Clients that doctor_test.py compiles, as C++."""
+"""C++ sources of clients that doctor_test.py compiles."""
 
 GL_CALL = 'extern "C" void glFinish(); int main(int n, char **) { if (n > 9) glFinish(); }\n'
 OPENS = ('#include <dlfcn.h>\nint main() {{ void *l = dlopen("{}", RTLD_NOW); '
          'return l && dlsym(l, "{}") ? 0 : 3; }}\n')
-# A context by EGL without a window, drawing nothing; of the core profile where it is asked to.
+# Makes an EGL context without a window, with the core profile if requested, and draws nothing.
 CLIENT = '''
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -17,7 +17,7 @@ int main(int n, char **) {
   return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;
 }
 '''
-# The same, with a program that is longer than the default profile's card takes, twice.
+# CLIENT, which also loads twice a program that is too long for the default profile's card.
 LONG = CLIENT.replace('int main', '''#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of `arbiter doctor`: situations in which the layer does not reach a program, planted, and what
-it says of each.
+"""Tests of `arbiter doctor`: its findings in situations where the layer does not reach a program.
 
 usage: doctor_test.py ARBITER LAYER SOURCE_ROOT CXX [unittest arguments]
 """
@@ -38,13 +37,13 @@ class Doctor(Temporary):
         return path
 
     def libgl(self, folder):
-        """A libGL that is not libglvnd's."""
+        """Makes a libGL that is not libglvnd's."""
         (self.root / folder).mkdir(parents=True, exist_ok=True)
         return self.compile(f'{folder}/libGL.so.1', 'extern "C" void glFinish() {}\n', '-shared', '-fPIC',
                             '-Wl,-soname,libGL.so.1')
 
     def ask(self, *words, options=(), **environment):
-        """The findings by their words, after the command has said the same as text."""
+        """Returns the findings by their words, after checking that the text output reports the same."""
         environment.setdefault('EGL_PLATFORM', 'surfaceless')
         call = ['doctor', '--library', LAYER, *options]
         text = arbiter(*call, '--', *words, **environment)
@@ -54,7 +53,7 @@ class Doctor(Temporary):
         self.assertEqual(text.returncode, twin.returncode)
         self.assertEqual(report['command'], [str(word) for word in words])
         for each in report['findings']:
-            if '--run' not in options:  # whose sentences have times in them
+            if '--run' not in options:  # sentences of --run contain times
                 self.assertIn(f'{each["level"]}: {each["what"]}\n', text.stdout)
             self.assertTrue(each['what'].endswith('.'), each)
             self.assertTrue(each['level'] == 'note' or each['remedy'].endswith('.'), each)
@@ -98,7 +97,7 @@ class Doctor(Temporary):
 
     def test_capabilities(self):
         game = self.compile('game', GL_CALL, '-lGL')
-        # Version 2 of the attribute, CAP_NET_RAW permitted: capabilities(7).
+        # Version 2 of the attribute with CAP_NET_RAW permitted: capabilities(7).
         try:
             os.setxattr(game, 'security.capability', struct.pack('<5I', 0x02000001, 1 << 13, 0, 0, 0))
         except OSError as error:
@@ -110,7 +109,7 @@ class Doctor(Temporary):
         header = bytearray(game.read_bytes())
         header[4] = 1  # ELFCLASS32
         struct.pack_into('<H', header, 18, 3)  # EM_386
-        # The header and one program header, PT_INTERP, in the places of 32 bits.
+        # A 32-bit header with one program header, PT_INTERP.
         struct.pack_into('<IIIIHHHHHH', header, 24, 0, 52, 0, 0, 52, 32, 1, 40, 0, 0)
         struct.pack_into('<IIIIIIII', header, 52, 3, 128, 0, 0, 20, 20, 4, 1)
         header[128:148] = b'/lib/ld-linux.so.2\0\0'
@@ -177,7 +176,7 @@ class Doctor(Temporary):
         remedy = found['flatpak']['remedy']
         self.assertIn('--command=/usr/lib/extensions/vulkan/Arbiter/bin/arbiter org.example.Game run -- ', remedy)
         self.assertIn(f'--filesystem={os.path.dirname(LAYER)}:ro --env=LD_PRELOAD={LAYER} org.example.Game.', remedy)
-        # Flatpak refuses to lend files that lie below /usr.
+        # Flatpak refuses to share files below /usr.
         installed = arbiter('doctor', '--library', '/usr/bin/env', '--json', '--', export)
         remedy, = (each['remedy'] for each in json.loads(installed.stdout)['findings'] if each['id'] == 'flatpak')
         self.assertIn('--command=/usr/lib/extensions/vulkan/Arbiter/bin/arbiter', remedy)
@@ -262,7 +261,7 @@ class Doctor(Temporary):
         self.assertEqual(self.obstacles(self.ask(game)), {'windows_program'})
 
     def windows_program(self, machine):
-        """A file whose PE header names the machine, and that is nothing else."""
+        """Makes a file with only a PE header, which names the machine."""
         game = self.path('GAME.EXE')
         game.write_bytes(b'MZ' + bytes(0x3A) + struct.pack('<I', 0x80) + bytes(0x40) + b'PE\0\0' +
                          struct.pack('<H', machine) + bytes(100))
@@ -313,7 +312,7 @@ class Doctor(Temporary):
         self.assertIn('1.5', found['old_driver']['what'])
 
     def test_a_driver_that_hangs_and_blocks_signals(self):
-        """It is given up after 20 s."""
+        """The doctor gives up after 20 s."""
         driver = self.compile('hangs.so', '#include <csignal>\n#include <unistd.h>\n'
                               'extern "C" int __egl_Main() { sigset_t all; sigfillset(&all);\n'
                               'sigprocmask(SIG_BLOCK, &all, nullptr); for (;;) sleep(1000); }\n', '-shared', '-fPIC')
@@ -340,7 +339,7 @@ class Doctor(Temporary):
         self.assertEqual(self.obstacles(found), {'core_profile'})
 
     def test_a_run_that_is_refused_a_program(self):
-        """What the profile alone refuses is said, and how to load it."""
+        """Programs that only the profile refuses are reported, with a way to load them."""
         game = self.compile('game', LONG, '-lEGL', '-lGL')
         found = self.ask(game, options=('--run',))
         if 'host_unknown' in found:
@@ -361,7 +360,7 @@ class Doctor(Temporary):
             said = [line for line in done.stderr.splitlines() if 'refused by the profile' in line]
             self.assertEqual(len(said), int((limits, log) == ('enforce', 'warn')), done.stderr)
             programs = json.loads(stats.read_text())['programs']
-            # The header ends with its version, though a word follows at once.
+            # The header ends after its version, even without a separator.
             self.assertEqual({program['language'] for program in programs}, {'ARBfp1.0'})
             refused = [program['error']['refused_by_profile'] for program in programs if program['error']]
             self.assertEqual(len(refused), 0 if limits == 'report' else 2)
@@ -370,7 +369,7 @@ class Doctor(Temporary):
                 self.assertEqual(each['remedy'], '--limits report or --profile host')
 
     def test_indirect_contexts(self):
-        """The X server would draw, whatever the layer does; a program that uses no GLX does not care."""
+        """The X server would draw in spite of the layer; programs without GLX are not affected."""
         game = self.compile('game', GLX_CALL, '-lGL')
         self.assertEqual(self.obstacles(self.ask(game, LIBGL_ALWAYS_INDIRECT='1')), {'indirect'})
         for value in ('', '0', 'false'):
@@ -379,7 +378,7 @@ class Doctor(Temporary):
         self.assertEqual((self.obstacles(found), found['indirect']['level']), (set(), 'possible'))
 
     def test_a_run_of_indirect_contexts(self):
-        """On an X server of the test's own."""
+        """Runs on the test's own X server."""
         if not shutil.which('Xvfb'):
             self.skipTest('no Xvfb')
         game = self.compile('game', GLX_CLIENT, '-lGL', '-lX11')
@@ -390,7 +389,7 @@ class Doctor(Temporary):
             self.assertNotIn('indirect', self.ask(game, options=('--run',), DISPLAY=display))
 
     def test_a_run_names_what_a_launcher_starts(self):
-        """A launcher whose file tells nothing: the run does."""
+        """The launcher's file does not name the program, but the run does."""
         self.compile('real-game', CLIENT, '-lEGL')
         launcher = self.compile('launcher', '#include <cstdlib>\nint main() { const char part[] = "/real-game";'
                                 f' char line[999] = "{self.root}"; char *to = line; while (*to) ++to;'

@@ -14,7 +14,7 @@ namespace arbiter::tools::doctor {
 
 namespace {
 
-/// A descriptor and libelf's handle of it.
+/// Owns a file descriptor and libelf's handle for it.
 class Handle {
 public:
   explicit Handle(const std::string &path)

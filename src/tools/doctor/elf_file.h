@@ -5,32 +5,32 @@
 #include <string_view>
 #include <vector>
 
-/// What the loader of programs would make of a file.
+/// Reads the parts of an ELF file that the dynamic loader uses.
 namespace arbiter::tools::doctor {
 
 struct ElfFile {
   int bits = 0;              ///< 32 or 64
   std::uint16_t machine = 0; ///< EM_X86_64, ...
-  bool executable = false;   ///< a program (ET_EXEC, ET_DYN)
+  bool executable = false;   ///< true for a program (ET_EXEC, ET_DYN)
   std::string interpreter;   ///< the loader; empty: statically linked, or a library
   std::string soname;
   std::vector<std::string> needed;
-  std::vector<std::string> rpath;   ///< folders, as they stand in the file
-  std::vector<std::string> runpath; ///< likewise
-  std::vector<std::string> imports; ///< names that it wants from others
-  std::vector<std::string> exports; ///< functions that others may call
+  std::vector<std::string> rpath;   ///< folders, as written in the file
+  std::vector<std::string> runpath; ///< folders, as written in the file
+  std::vector<std::string> imports; ///< names of undefined symbols
+  std::vector<std::string> exports; ///< names of functions that others may call
 
   [[nodiscard]] bool needs(std::string_view library) const;
 };
 
-/// Nothing if it is no ELF file, or a broken one.
+/// Reads an ELF file. Returns nothing if the file is another one or damaged.
 [[nodiscard]] std::optional<ElfFile> readElf(const std::string &path);
 
-/// "x86-64", "i386", "AArch64"; a number for others.
+/// Returns a machine's name, such as "x86-64", "i386" or "AArch64", or its number.
 [[nodiscard]] std::string machineName(std::uint16_t machine);
 
-/// Texts in a file that may name a library: printable, ended by a NUL, with ".so" in them, and one
-/// of the words in their last part.
+/// Returns the strings in a file that may name a library: printable, ending with NUL, containing
+/// ".so", and with one of the words in their last path component.
 [[nodiscard]] std::vector<std::string> libraryNames(const std::string &path,
                                                     const std::vector<std::string_view> &words);
 

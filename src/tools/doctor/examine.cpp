@@ -8,9 +8,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostSteps = 4; // scripts that start scripts
+constexpr int kMostSteps = 4; // limit for scripts that start scripts
 
-/// Interpreters whose programs load GL by themselves: their own file says nothing.
+/// Interpreters whose programs load GL at run time, so that the interpreter's file tells nothing.
 constexpr std::string_view kInterpreters[] = {"python", "perl", "ruby", "java",
                                               "mono",   "lua",  "node", "pypy"};
 constexpr std::string_view kShells[] = {"sh", "bash", "dash", "ksh", "zsh", "busybox"};
@@ -22,8 +22,8 @@ bool isShell(const std::string &name) {
   return false;
 }
 
-/// The extension brings the layer into each sandbox of Flatpak's, which lends no file below /usr,
-/// where a package has it.
+/// Returns the remedy for Flatpak: the extension brings the layer into each sandbox. A sandbox
+/// cannot share files below /usr, where the package installs the layer.
 std::string remedyInFlatpak(const std::string &application, const std::string &layer) {
   const std::string name = application.empty() ? "APPLICATION" : application;
   std::string text = "Install Arbiter's extension for Flatpak (./dev flatpak), then: flatpak run "
@@ -51,7 +51,8 @@ void addSandbox(Examination &examination, const std::string &kind, const std::st
                      "Run a build of it that is installed outside of Snap."});
 }
 
-/// `flatpak run`, /snap/bin/NAME, which is a link to snap. \returns it is one
+/// Examines `flatpak run` and /snap/bin/NAME, which is a link to snap. True if the command is one
+/// of them.
 bool examineSandbox(Examination &examination, const CommandFile &command,
                     const Surroundings &surroundings) {
   const std::string called = fs::path(command.found).filename();

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beginnings of names.
+/// Prefixes of the names of libraries and imports that indicate GL.
 constexpr std::string_view kGlLibraries[] = {"libGL.so",  "libGLX.so", "libOpenGL.so",
                                              "libEGL.so", "libGLESv",  "libOSMesa.so"};
 constexpr std::string_view kToolkits[] = {"libSDL",  "libglfw", "libepoxy", "libGLEW",   "libQt",
@@ -27,7 +27,7 @@ constexpr std::string_view kGlImports[] = {"glX", "egl", "SDL_GL_", "OSMesa",
 constexpr std::string_view kVulkanImports[] = {"SDL_Vulkan_", "glfwCreateWindowSurface",
                                                "vkCreateInstance", "vkGetInstanceProcAddr"};
 
-/// glBegin, glGetString: an import of GL itself.
+/// True for functions of GL itself: glBegin, glGetString.
 bool isGlCommand(const std::string &name) {
   return name.size() > 3 && name.starts_with("gl") &&
          std::isupper(static_cast<unsigned char>(name[2])) != 0;
@@ -55,15 +55,15 @@ struct Program {
   const Surroundings &surroundings;
   std::string folder;
   Libraries libraries;
-  std::vector<Libraries::Loaded> loaded; ///< what comes with it
-  std::vector<std::string> names;        ///< of GL's libraries, that stand in the file
+  std::vector<Libraries::Loaded> loaded; ///< the libraries loaded with it
+  std::vector<std::string> names;        ///< names of GL libraries in its strings
 };
 
 void examineRights(Examination &examination, const std::string &path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0)
     return;
-  // The same user's is started as any other program.
+  // Set-user-ID has no effect if the owner is the same user.
   const bool user = (status.st_mode & S_ISUID) != 0 && status.st_uid != ::geteuid();
   const bool group = (status.st_mode & S_ISGID) != 0 && (status.st_mode & S_IXGRP) != 0 &&
                      status.st_gid != ::getegid();
@@ -147,19 +147,19 @@ void addOwn(Program &program, const Library &library, const std::string &way) {
               "Move that file away, so that the system's " + library.name + " is loaded.");
 }
 
-/// A library of GL that is not libglvnd's. \returns it is one
+/// True for a GL library that the program brings with it, and that does not belong to libglvnd.
 bool isOwn(const Library &library) {
   if (library.path.empty() || library.by == FoundBy::System)
     return false;
   const std::optional<ElfFile> elf = readElf(library.path);
   if (!elf || isGlvnd(*elf))
     return false;
-  // The layer's front of OSMesa stands in LD_LIBRARY_PATH, which goes before all but these.
+  // The layer's libOSMesa is found by LD_LIBRARY_PATH. Only these two rules come before it.
   return !library.name.starts_with("libOSMesa") || library.by == FoundBy::Rpath ||
          library.by == FoundBy::Path;
 }
 
-/// What dlopen() gets for a name that stands in the file.
+/// Returns the library that dlopen() finds for a name in the file's strings.
 Library opened(const Program &program, const std::string &name) {
   if (name.find('/') == std::string::npos)
     return program.libraries.find(name, program.elf, program.folder);
@@ -234,7 +234,7 @@ bool hasLibrary(const Program &program, bool (*wanted)(std::string_view)) {
                      [&](const Libraries::Loaded &each) { return wanted(each.library.name); });
 }
 
-/// \returns it may use GL
+/// Examines how the program uses GL. True if it may use GL.
 bool examineUse(Program &program) {
   const bool gl = !program.names.empty() || hasLibrary(program, [](std::string_view name) {
     return beginsWithOne(name, kGlLibraries);
@@ -268,7 +268,7 @@ bool examineUse(Program &program) {
   return false;
 }
 
-/// Mesa's variable: contexts of GLX, and no others, are then drawn by the X server.
+/// Checks Mesa's LIBGL_ALWAYS_INDIRECT, which makes the X server draw GLX contexts, but no others.
 void examineIndirect(Program &program) {
   const char *const value = std::getenv("LIBGL_ALWAYS_INDIRECT");
   constexpr std::string_view kNo[] = {"", "0", "n", "no", "f", "false"};

@@ -8,10 +8,10 @@
 
 #include "tools/command_file.h"
 
-/// What stands between a program and the layer.
+/// Collects obstacles between a program and the layer.
 namespace arbiter::tools::doctor {
 
-/// Whether \p name begins with one of the words.
+/// True if \p name begins with one of the words.
 template <std::size_t N>
 [[nodiscard]] bool beginsWithOne(std::string_view name, const std::string_view (&words)[N]) {
   return std::any_of(std::begin(words), std::end(words),
@@ -19,22 +19,22 @@ template <std::size_t N>
 }
 
 enum class Level {
-  Obstacle, ///< the layer does not reach the program, or can do nothing for it
-  Possible, ///< perhaps so: running it tells
-  Note,     ///< nothing in the way; to know
+  Obstacle, ///< the layer does not reach the program, or has no effect on it
+  Possible, ///< a possible obstacle; running the program shows it
+  Note,     ///< information, no obstacle
 };
 
 struct Finding {
-  std::string id; ///< "static", "set_user_id": a word that stays the same
+  std::string id; ///< a stable identifier: "static", "set_user_id"
   Level level = Level::Note;
-  std::string file;   ///< that it is about
+  std::string file;   ///< the file concerned
   std::string what;   ///< a sentence
-  std::string remedy; ///< a sentence; empty: there is nothing to be done
+  std::string remedy; ///< a sentence; empty: no remedy exists
 };
 
-/// What is known of a command.
+/// The result of examining a command.
 struct Examination {
-  std::vector<std::string> files; ///< that were looked at: the command's, then what that starts
+  std::vector<std::string> files; ///< the examined files: the command's, then those that it starts
   std::vector<Finding> findings;
 
   void add(Finding finding) { findings.push_back(std::move(finding)); }
@@ -46,56 +46,57 @@ struct Examination {
   }
 };
 
-/// What the examiner knows of the layer and of the system.
+/// The examiner's data about the layer and the system.
 struct Surroundings {
-  std::string layer; ///< the layer's library; empty: none was found
-  std::string root;  ///< of the system that is looked at; empty: this one
+  std::string layer; ///< the layer's library; empty: not found
+  std::string root;  ///< root of the examined system; empty: this system
 };
 
-/// The finding of contexts that the X server draws for.
+/// The id of the finding that the X server draws the program's contexts.
 inline constexpr const char *kIndirect = "indirect";
 inline constexpr const char *kDirectRemedy =
     "Unset LIBGL_ALWAYS_INDIRECT, and show it on a display of this machine (ssh -X and its like "
     "make contexts indirect, too).";
 
-/// Looks at the command's file, at what a script starts, and at their libraries. Runs nothing.
+/// Examines the command's file, the file that a script starts, and their libraries. Runs nothing.
 [[nodiscard]] Examination examine(const CommandFile &command, const Surroundings &surroundings);
 
-/// Looks at launchers of other programs: Wine, Steam and their like (launchers.cpp). True: the
+/// Examines launchers of other programs, such as Wine and Steam (launchers.cpp). True if the
 /// command is one.
 bool examineLauncher(Examination &examination, const CommandFile &command,
                      const Surroundings &surroundings);
 
-/// True if there is a library of the layer for processes of that width and machine (EM_386, ...).
-/// \param layer the library's path, which may have $LIB in it
+/// True if the layer has a library for processes of that width and machine (EM_386, ...).
+/// \param layer the library's path, which may contain $LIB
 [[nodiscard]] bool layerServes(const std::string &layer, int bits, int machine);
 
-/// Looks at a program's own file (examine_program.cpp).
+/// Examines a program's own file (examine_program.cpp).
 void examineProgram(Examination &examination, const std::string &path,
                     const Surroundings &surroundings);
 
-/// What a script does with processes (script.cpp).
+/// A script's effects on processes (script.cpp).
 struct Script {
-  std::string starts;         ///< the file that it starts; empty: not told by its text
-  bool clearsPreload = false; ///< LD_PRELOAD is unset or set anew, or the environment emptied
+  std::string starts;         ///< the file that it starts; empty: unknown
+  bool clearsPreload = false; ///< LD_PRELOAD is unset or replaced, or the environment is cleared
   bool libraryPath = false;   ///< LD_LIBRARY_PATH is set
-  std::string sandbox;        ///< "flatpak", "snap": what it hands over to
-  std::string application;    ///< of the sandbox
+  std::string sandbox;        ///< the sandbox that it starts: "flatpak", "snap"
+  std::string application;    ///< the application in the sandbox
 };
 [[nodiscard]] Script readScript(const std::string &path);
 
-/// The application that `flatpak run ...` or `snap run ...` starts; empty: the words say none.
+/// Returns the application that `flatpak run ...` or `snap run ...` starts; empty: none is named.
 [[nodiscard]] std::string sandboxedApplication(const std::vector<std::string> &words);
 
-/// Runs the command under the layer and adds what the layer reported of its processes
-/// (run_command.cpp). Findings that the run disproves go.
+/// Runs the command under the layer and adds the layer's reports about its processes
+/// (run_command.cpp). Removes findings that the run disproves.
 struct RunSettings {
-  std::string library; ///< of the layer; empty: found as for `arbiter run`
+  std::string library; ///< the layer's; empty: found as for `arbiter run`
   double seconds = 5;
 };
 void runAndLook(Examination &examination, const CommandFile &command, const RunSettings &settings);
 
-/// The host's GL, asked in a process of its own (host.cpp): one that is too old is an obstacle.
+/// Examines the host's GL in a separate process (host.cpp). A version that is too old is an
+/// obstacle.
 void examineHost(Examination &examination);
 
 } // namespace arbiter::tools::doctor

@@ -18,9 +18,9 @@ namespace arbiter::tools::doctor {
 
 namespace {
 
-constexpr std::chrono::seconds kPatience{20}; // for a driver that hangs
+constexpr std::chrono::seconds kPatience{20}; // limit, in case a driver hangs
 
-/// What comes out of \p end until it is closed or that time is over.
+/// Reads from \p end until it is closed or the time is over.
 std::string readFor(int end, std::chrono::steady_clock::duration patience) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + patience;
@@ -42,7 +42,8 @@ std::string readFor(int end, std::chrono::steady_clock::duration patience) {
   }
 }
 
-/// What the host's GL answers without a window; empty: nothing, or the driver ended the process.
+/// Returns the host GL's version, renderer and GLSL version without opening a window. Returns "" if
+/// there is no answer, or if the driver ended the process.
 std::string askHost() {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)
@@ -51,7 +52,7 @@ std::string askHost() {
   const pid_t child = ::fork();
   if (child == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // What a driver has to say here helps in nothing.
+    // A driver's messages would not help the user here.
     if (::freopen("/dev/null", "w", stderr) == nullptr)
       ::_exit(1);
     Surface surface;
@@ -69,7 +70,8 @@ std::string askHost() {
   const std::string answer = child > 0 ? readFor(ends[0], kPatience) : std::string();
   ::close(ends[0]);
   if (child > 0) {
-    // An alarm of its own would not end what blocks that signal; what answers is done.
+    // alarm() in the child would not end a driver that blocks SIGALRM. A child that has answered is
+    // no longer needed.
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
   }

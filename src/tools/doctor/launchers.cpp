@@ -1,4 +1,4 @@
-// Launchers that start other people's programs: Wine, and managers of games.
+// Examines launchers of other programs: Wine, and game managers.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A manager of games, and where a game's own command line is set in it.
+/// A game manager, and its setting for a game's command line.
 struct Manager {
   std::string_view command, name, setting, value;
 };
@@ -31,8 +31,8 @@ struct FileCloser {
   void operator()(FILE *file) const { std::fclose(file); }
 };
 
-/// The width of a Windows program by its PE header (PE format, COFF File Header, Machine). Nothing
-/// where it is none of a processor that the layer runs on.
+/// Returns the width of a Windows program from its PE header (PE format, COFF File Header,
+/// Machine). Returns nothing for processors on which the layer does not run.
 std::optional<int> bitsOfWindowsProgram(const std::string &path) {
   const std::unique_ptr<FILE, FileCloser> file(std::fopen(path.c_str(), "rbe"));
   constexpr long kHeaderOffset = 0x3C;

@@ -39,7 +39,7 @@ void readConfiguration(const std::string &root, const fs::path &file,
     std::error_code error;
     if (!(words >> pattern) || depth > 3)
       continue;
-    // Of patterns distributions use FOLDER/*.conf alone.
+    // The only pattern that distributions use is FOLDER/*.conf.
     std::set<std::string> names;
     for (const auto &each :
          fs::directory_iterator(root + fs::path(pattern).parent_path().string(), error))
@@ -50,7 +50,7 @@ void readConfiguration(const std::string &root, const fs::path &file,
   }
 }
 
-/// The folder of Debian's libraries of a kind.
+/// Returns the name of Debian's library folder for the file's machine.
 std::string tripletOf(const ElfFile &user) {
   switch (user.machine) {
   case EM_X86_64:
@@ -70,7 +70,7 @@ std::string replaced(std::string text, const std::string &what, const std::strin
   return text;
 }
 
-/// A folder of the file with $ORIGIN, $LIB and $PLATFORM as they are here.
+/// Returns a folder with $ORIGIN, $LIB and $PLATFORM replaced.
 std::string expanded(std::string folder, const ElfFile &user, const std::string &origin) {
   for (const auto &[what, by] :
        {std::pair<std::string, std::string>{"ORIGIN", origin},
@@ -132,7 +132,7 @@ Library Libraries::find(const std::string &name, const ElfFile &user,
       folder = expanded(folder, user, origin);
     return each;
   };
-  // The older DT_RPATH goes before the environment, and is not read beside the newer.
+  // The older DT_RPATH is searched before the environment, and is ignored if DT_RUNPATH exists.
   Library found{name, {}, FoundBy::Nothing};
   if (user.runpath.empty())
     found = search(folders(user.rpath), name, user, FoundBy::Rpath);
@@ -153,7 +153,7 @@ std::vector<Libraries::Loaded> Libraries::closure(const std::string &program,
     for (const std::string &name : user.needed) {
       if (!seen.insert(name).second)
         continue;
-      // What a program's DT_RPATH finds it finds for its libraries too.
+      // A program's DT_RPATH also applies to its libraries.
       ElfFile by = user;
       by.rpath.insert(by.rpath.end(), elf.rpath.begin(), elf.rpath.end());
       Library library = find(name, by, origin);
@@ -169,7 +169,7 @@ std::vector<Libraries::Loaded> Libraries::closure(const std::string &program,
   load(elf, folderOf(program));
   for (std::size_t i = 0; i < loaded.size(); ++i)
     if (loaded[i].elf) {
-      const ElfFile user = *loaded[i].elf; // `loaded` grows meanwhile
+      const ElfFile user = *loaded[i].elf; // a copy: load() makes `loaded` grow
       load(user, folderOf(loaded[i].library.path));
     }
   return loaded;

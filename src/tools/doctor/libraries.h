@@ -7,35 +7,37 @@
 
 #include "tools/doctor/elf_file.h"
 
-/// Where a program's libraries come from, as ld.so looks for them.
+/// Finds a program's libraries in the order of ld.so.
 namespace arbiter::tools::doctor {
 
-/// By what a library was found.
+/// The rule by which a library was found.
 enum class FoundBy { Nothing, Path, Rpath, Environment, Runpath, System };
 
 struct Library {
-  std::string name; ///< as it was asked for
-  std::string path; ///< the file; empty: there is none
+  std::string name; ///< the requested name
+  std::string path; ///< the file; empty: not found
   FoundBy by = FoundBy::Nothing;
 };
 
 class Libraries {
 public:
-  /// \param root a folder that stands for "/"; empty: this system
-  /// \param environment LD_LIBRARY_PATH's value; null: not set. Not read for another system.
+  /// \param root a folder that replaces "/"; empty: this system
+  /// \param environment returns LD_LIBRARY_PATH's value, or null if it is unset; ignored for
+  /// another system
   Libraries(std::string root, const std::function<const char *(const char *)> &environment);
 
-  /// What `user` gets where it asks for `name`, for files of its width and machine.
-  /// \param origin the folder that $ORIGIN is
+  /// Returns the library that `user` gets for `name`, with the same width and machine.
+  /// \param origin the folder that $ORIGIN stands for
   [[nodiscard]] Library find(const std::string &name, const ElfFile &user,
                              const std::string &origin) const;
 
-  /// A library that a program brings with it, in the order of being loaded, each once.
+  /// A library that the loader loads with a program.
   struct Loaded {
     Library library;
-    std::optional<ElfFile> elf; ///< nothing where it was not found
+    std::optional<ElfFile> elf; ///< nothing if the file was not found
   };
-  /// All that come with the program by DT_NEEDED, and what they need.
+  /// Returns all libraries that the program needs, directly or indirectly by DT_NEEDED. They are in
+  /// loading order, each once.
   [[nodiscard]] std::vector<Loaded> closure(const std::string &program, const ElfFile &elf) const;
 
 private:
@@ -45,10 +47,11 @@ private:
 
   std::string m_root;
   std::vector<std::string> m_environment;
-  std::vector<std::string> m_configured; ///< of ld.so.conf
+  std::vector<std::string> m_configured; ///< folders of ld.so.conf
 };
 
-/// It hands calls to a vendor's library, as libglvnd's do: the layer can be that vendor.
+/// True if the library dispatches calls to a vendor's library, as libglvnd does. The layer can then
+/// be the vendor.
 [[nodiscard]] bool isGlvnd(const ElfFile &elf);
 
 } // namespace arbiter::tools::doctor

@@ -27,9 +27,9 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kPoll = std::chrono::milliseconds(20);
-constexpr auto kGrace = std::chrono::seconds(2); // between SIGTERM and SIGKILL
+constexpr auto kGrace = std::chrono::seconds(2); // the delay between SIGTERM and SIGKILL
 
-/// A folder for the statistics, which goes with it.
+/// A temporary folder for the statistics; the destructor removes it.
 class Folder {
 public:
   Folder() {
@@ -51,17 +51,17 @@ private:
 };
 
 struct End {
-  int status = 0;        ///< waitpid()'s
-  bool timedOut = false; ///< and was ended
+  int status = 0;        ///< result of waitpid()
+  bool timedOut = false; ///< true if it was ended after the time limit
 };
 
-/// The command in a group of its own, so that what it started ends with it.
+/// Runs the command in its own process group, so that its children end with it.
 End runFor(const std::vector<Assignment> &environment, const std::vector<std::string> &command,
            double seconds) {
   const pid_t child = ::fork();
   if (child == 0) {
     ::setpgid(0, 0);
-    ::dup2(STDERR_FILENO, STDOUT_FILENO); // standard output is the report's
+    ::dup2(STDERR_FILENO, STDOUT_FILENO); // standard output is reserved for the report
     ::_exit(execute(environment, command));
   }
   End end;
@@ -76,7 +76,7 @@ End runFor(const std::vector<Assignment> &environment, const std::vector<std::st
   };
   const auto limit = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(seconds));
-  // What a launcher left behind goes on until the time is over.
+  // Processes that a launcher left behind run until the time is over.
   if (wait(limit)) {
     while (::kill(-child, 0) == 0 && Clock::now() < limit)
       ::usleep(useconds_t(std::chrono::microseconds(kPoll).count()));
@@ -92,13 +92,13 @@ End runFor(const std::vector<Assignment> &environment, const std::vector<std::st
   return end;
 }
 
-/// What the processes of a run reported.
+/// Summarizes what the processes of a run reported.
 struct Report {
   int contexts = 0, offered = 0;
-  std::string names;                   ///< of the programs that made contexts
-  std::string obstacle;                ///< of a context that has no programs of the layer's
-  std::set<std::string> refused;       ///< programs that the profile alone refuses, by their hash
-  std::string profile, reason, remedy; ///< of the first of them
+  std::string names;                   ///< names of programs that made contexts
+  std::string obstacle;                ///< of a context without the layer's programs
+  std::set<std::string> refused;       ///< hashes of programs that only the profile refuses
+  std::string profile, reason, remedy; ///< of the first refused program
 };
 
 void readRefused(const Json &statistics, Report &report) {

@@ -16,17 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxScript = 1u << 20; // a longer one is an installer with its data
+constexpr std::size_t kMaxScript = 1u << 20; // a longer script is an installer that contains its
+                                             // data
 
 using Words = std::vector<std::string>;
 
-/// The commands of a line of a shell as their words, quotes gone; variables and substitutions stay
-/// as they are.
+/// Splits a shell line into commands, and each command into words. Removes quotes, but keeps
+/// variables and substitutions.
 std::vector<Words> commandsOf(const std::string &line) {
   std::vector<Words> commands(1);
   std::string word;
   char quote = 0;
-  int depth = 0; // of $( )
+  int depth = 0; // nesting of $( )
   bool any = false;
   const auto end = [&] {
     if (any)
@@ -76,7 +77,7 @@ bool isAssignment(const std::string &word) {
          });
 }
 
-/// What a script's variables hold, as far as its text tells.
+/// Tracks the values of a script's variables as far as its text shows them.
 class Variables {
 public:
   explicit Variables(const fs::path &script) : m_script(script), m_folder(script.parent_path()) {}
@@ -87,7 +88,8 @@ public:
       m_values[assignment.substr(0, equal)] = *value;
   }
 
-  /// A word with its variables and substitutions replaced; nothing where one is not told.
+  /// Returns a word with its variables and substitutions replaced, or nothing if a value is
+  /// unknown.
   [[nodiscard]] std::optional<std::string> expanded(const std::string &word) const {
     std::string text;
     for (std::size_t i = 0; i < word.size();) {
@@ -106,7 +108,7 @@ public:
   }
 
 private:
-  /// Behind the substitution or the variable that begins at `at`.
+  /// Returns the end of the substitution or variable that begins at `at`.
   static std::size_t endOf(const std::string &word, std::size_t at) {
     const char open = word[at] == '`' ? '`' : at + 1 < word.size() ? word[at + 1] : char(0);
     if (open == '`')
@@ -126,7 +128,7 @@ private:
     while (end < word.size() &&
            (std::isalnum(static_cast<unsigned char>(word[end])) || word[end] == '_'))
       ++end;
-    return std::max(end, std::min(at + 2, word.size())); // $@, $*
+    return std::max(end, std::min(at + 2, word.size())); // at least two characters, for $@ and $*
   }
 
   [[nodiscard]] std::optional<std::string> valueOf(const std::string &part, std::size_t end,
@@ -134,7 +136,7 @@ private:
     if (part == "$0")
       return m_script.string();
     if (part[0] == '`' || part.starts_with("$(")) {
-      // Its own folder is what scripts ask commands for.
+      // Scripts run such commands to find their own folder.
       for (const char *const own : {"dirname", "pwd", "realpath", "readlink"})
         if (part.find(own) != std::string::npos)
           return part.find("dirname") == std::string::npos && part.find("pwd") == std::string::npos
@@ -149,7 +151,7 @@ private:
       name.pop_back();
     if (const auto known = m_values.find(name); known != m_values.end())
       return known->second;
-    // "$HERE/game": found out in a way that is not followed here, it is most often the same folder.
+    // An unknown variable at the start of "$HERE/game" is usually the script's folder.
     const bool first = word.find_first_of("$`") == end - part.size() && end == part.size();
     return first && end < word.size() && word[end] == '/' ? std::optional(m_folder.string())
                                                           : std::nullopt;
@@ -165,7 +167,7 @@ bool isProgram(const std::string &path) {
   return !path.empty() && fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// Commands that a script uses on its way, or that run the rest of their words.
+/// Words before a command that run it, or that belong to the shell's syntax.
 constexpr std::string_view kPassing[] = {"exec", "env",  "nohup", "nice", "setsid",
                                          "time", "then", "else",  "do",   "command"};
 constexpr std::string_view kOwn[] = {
@@ -180,11 +182,11 @@ template <std::size_t N> bool isOne(const std::string &word, const std::string_v
   return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-/// How likely a command is what a script is there for; of equal ones the last.
+/// How likely a command is the script's purpose. Among equal ranks the last command counts.
 enum class Rank { None, Bare, Path, Exec };
 
 struct Started {
-  std::vector<std::string> words; ///< the command's, without what stands before it
+  std::vector<std::string> words; ///< the command's words, without prefixes
   bool exec = false;
 };
 
@@ -204,7 +206,7 @@ Started commandOf(const Words &line, Script &script, Variables &variables) {
       script.libraryPath = script.libraryPath || word.starts_with("LD_LIBRARY_PATH=");
     } else if (isOne(word, kPassing)) {
       passing = true;
-    } else if (!passing || (!word.starts_with("-") && !isNumber(word))) { // nice -n 5
+    } else if (!passing || (!word.starts_with("-") && !isNumber(word))) { // as in: nice -n 5
       break;
     }
   }
@@ -219,7 +221,7 @@ void lookAtVariables(const Words &line, Script &script, Variables &variables) {
       variables.set(line[i]);
     if (line[i] == "LD_PRELOAD" && line[0] == "unset")
       script.clearsPreload = true;
-    // What is set anew without what was there before loses the layer.
+    // A value that does not contain the previous one loses the layer.
     if (line[i].starts_with("LD_PRELOAD=") && line[i].find("$LD_PRELOAD") == std::string::npos &&
         line[i].find("${LD_PRELOAD") == std::string::npos)
       script.clearsPreload = true;
@@ -242,7 +244,7 @@ std::string sandboxedApplication(const std::vector<std::string> &words) {
 
 namespace {
 
-/// Reads one command after the other.
+/// Processes a script's commands one after the other.
 class Reader {
 public:
   explicit Reader(const std::string &path)
@@ -274,8 +276,8 @@ public:
   Script script;
 
 private:
-  /// Empty: there is no such program. A relative name begins where the script goes to, which most
-  /// often is its own folder.
+  /// Returns the path of a program, or "" if there is none. Resolves a relative name from the
+  /// folder to which the script changes, usually its own.
   [[nodiscard]] std::string fileOf(const std::string &word) const {
     const bool relative = word[0] != '/' && word.find('/') != std::string::npos;
     const CommandFile command = findCommand({relative ? (m_folder / word).string() : word});

@@ -22,14 +22,15 @@ namespace arbiter::tools {
 
 namespace {
 
-constexpr int kSchema = 1; ///< of --json
+constexpr int kSchema = 1; ///< version of the --json output
 
 void print(const scene::ProgramFile &file, const std::vector<fp::Diagnostic> &diagnostics) {
   std::fputs(rendered(file.name, file.text, diagnostics, styleOfErrors()).c_str(), stderr);
 }
 
-/// With the file's name and carets. Where the compiler of this command has no complaint (the host
-/// alone refused, or the layer runs under other limits), GL's own words at GL's own position.
+/// Prints the errors of a program with the file's name and carets. If this command's compiler finds
+/// none, prints GL's message at GL's position. That happens if only the host rejects the program,
+/// or if the layer's limits differ.
 void explain(const DrawArguments &arguments, const scene::ProgramFile &program,
              const RenderError &error) {
   const auto profile = fp::hw::loadProfile(settings().profile);
@@ -58,7 +59,7 @@ int fail(const DrawArguments &arguments, const scene::Document &document,
     explain(arguments, file, error);
     return kExitInvalid;
   case RenderError::Kind::Panel:
-    if (error.span.end == 0) { // an option, which has no place in a text
+    if (error.span.end == 0) { // an option has no position in a text
       complain(error.message);
       return kExitUsage;
     }
@@ -71,8 +72,8 @@ int fail(const DrawArguments &arguments, const scene::Document &document,
   return kExitInternal;
 }
 
-/// Where the picture goes without -o: the document's name with the ending .png, in the working
-/// folder.
+/// Returns the output file. Without -o it is the document's name with the ending .png, in the
+/// working folder.
 std::string outputOf(const DrawArguments &arguments, const scene::Document &document) {
   if (!arguments.output.empty())
     return arguments.output;
@@ -143,8 +144,8 @@ int drawHere(const DrawArguments &arguments) {
   return kExitOk;
 }
 
-/// Keeps what standard input has, so that two processes can read it: this one, for the document's
-/// settings, and the one that draws.
+/// Copies standard input, so that two processes can read it: this one, for the document's settings,
+/// and the one that draws.
 bool keepInput(std::string &text) {
   auto input = readInput("-");
   if (!input) {
@@ -163,7 +164,7 @@ bool keepInput(std::string &text) {
   return good;
 }
 
-/// The document's profile and numerics, where the command line has none.
+/// Takes the document's profile and numerics unless the command line sets them.
 bool takeSettings(const DrawArguments &arguments, LayerArguments &layer) {
   scene::Document document;
   if (std::find(arguments.files.begin(), arguments.files.end(), "-") != arguments.files.end()) {
@@ -174,7 +175,7 @@ bool takeSettings(const DrawArguments &arguments, LayerArguments &layer) {
   } else if (auto loaded = scene::loadDocument(arguments.files.front())) {
     document = std::move(loaded).value();
   } else {
-    return true; // the process that draws says so
+    return true; // the drawing process reports the error
   }
   if (layer.profile.empty())
     layer.profile = document.profile();
@@ -183,8 +184,8 @@ bool takeSettings(const DrawArguments &arguments, LayerArguments &layer) {
   return true;
 }
 
-/// A picture that is kept may not depend on how busy the machine is.
-/// \param debug of the command line; empty: as the environment has it
+/// Adds "steady", so that the picture does not depend on the machine's load.
+/// \param debug from the command line; empty: from the environment
 std::string withSteady(std::string debug) {
   if (const char *const inherited = std::getenv(ARBITER_ENV_DEBUG); debug.empty() && inherited)
     debug = inherited;
@@ -197,8 +198,8 @@ int draw(const DrawArguments &arguments, const std::vector<std::string> &argv) {
   if (arguments.bare)
     return drawHere(arguments);
   if (arguments.inLayer) {
-    // RTLD_NOLOAD: a handle only if the preload worked, so that no picture of the bare host is
-    // ever passed off as the layer's.
+    // RTLD_NOLOAD returns a handle only if the preload worked, so that a picture of the bare host
+    // is never taken for the layer's.
     if (::dlopen(ARBITER_PRELOAD_LIBRARY, RTLD_NOLOAD | RTLD_LAZY) == nullptr) {
       complain("the layer was not loaded into this process");
       return kExitInternal;
@@ -220,7 +221,7 @@ int draw(const DrawArguments &arguments, const std::vector<std::string> &argv) {
     return kExitUsage;
   }
   std::vector<std::string> command = argv;
-  command[0] = "/proc/self/exe"; // argv[0] may be relative to a PATH of another time
+  command[0] = "/proc/self/exe"; // argv[0] may be relative to an earlier PATH
   command.insert(command.begin() + 2, "--in-layer");
   return execute(environment.value(), command);
 }

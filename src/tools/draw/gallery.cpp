@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty where there is none.
+/// Returns the gallery's folder; empty if there is none.
 fs::path folder() {
   if (const char *const named = std::getenv("ARBITER_GALLERY"); named != nullptr && *named != 0)
     return named;
@@ -32,7 +32,7 @@ bool hasTitle(const std::string &path) {
   return text && scene::parsePanel(text.value()).title.written();
 }
 
-/// Of the documents, sorted: further passes have no title.
+/// Returns the names of the documents, sorted. Skips files of further passes, which have no title.
 std::vector<std::string> namesIn(const fs::path &gallery) {
   std::vector<std::string> names;
   std::error_code error;

@@ -12,12 +12,12 @@ struct GalleryError {
   std::string message;
 };
 
-/// What a command line names: `gallery:twirl` is the document twirl.fp of the gallery that was
-/// installed with this command (or of the folder that ARBITER_GALLERY names, or of the build's
-/// source tree); any other name is itself. Errors: no gallery, no document of that name.
+/// Returns the path of a named document. `gallery:twirl` is twirl.fp in the gallery: the folder of
+/// ARBITER_GALLERY, the installed one, or the build's source tree. Other names are paths. Fails if
+/// there is no gallery, or no document of that name.
 [[nodiscard]] Result<std::string, GalleryError> documentPath(const std::string &name);
 
-/// The names of its documents, sorted; none where there is no gallery.
+/// Returns the names of the gallery's documents, sorted; empty if there is no gallery.
 [[nodiscard]] std::vector<std::string> galleryNames();
 
 } // namespace arbiter::tools

@@ -6,10 +6,10 @@
 
 namespace arbiter::tools {
 
-/// A pass's mesh in buffer objects, with every attribute that a program may read.
+/// A pass's mesh in buffer objects, with all attributes that a program may read.
 class GlMesh {
 public:
-  /// \param attribs generic attributes that have a value of their own
+  /// \param attribs numbers of generic attributes that a panel sets
   GlMesh(const scene::Mesh &mesh, const std::vector<scene::CoordinateSpec> &coordinates,
          bool vertexProgram, const std::vector<unsigned> &attribs);
   GlMesh(const GlMesh &) = delete;
@@ -21,7 +21,7 @@ public:
 private:
   struct Array {
     GLint components;
-    std::size_t offset; ///< bytes
+    std::size_t offset; ///< in bytes
   };
   void point(bool on) const;
   void pointGeneric(GLuint index, const Array &array, bool on) const;

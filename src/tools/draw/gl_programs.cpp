@@ -8,14 +8,14 @@ namespace arbiter::tools {
 
 namespace {
 
-/// Of register combiners and texture shaders: those that texts have.
+/// The number of parameters of register combiners and texture shaders that texts can set.
 constexpr int kStateParameters = fp::texture_shader::parameter(0, fp::texture_shader::Row::Bump);
 
 using fp::ir::Language;
 using scene::Setting;
 
-/// The calls of ATI_text_fragment_shader are those of ARB programs with a target of its own, which
-/// no header of Debian's has.
+/// ATI_text_fragment_shader uses the ARB program calls with this target, which Debian's headers
+/// lack.
 constexpr GLenum kTextFragmentShaderAti = 0x8200;
 
 struct Limit {
@@ -36,8 +36,8 @@ Limit limitOf(Setting space, GLenum target) {
   }
 }
 
-/// A parameter of a row that the program's target lacks. An ATI shader has none at all. Named here,
-/// before GL gives it a nameless error.
+/// Returns an error for a parameter that the program's target does not have; an ATI shader has none
+/// at all. GL would report it without naming the parameter.
 std::optional<RenderError> parametersBeyond(const scene::ProgramFile &file, std::size_t number) {
   const GLenum target = targetOf(file.language).name;
   const auto fault = [&](const scene::Parameter &parameter, const std::string &message) {
@@ -163,7 +163,7 @@ std::optional<RenderError> Programs::loadFile(const scene::Document &document, s
                      query(GL_PROGRAM_ERROR_POSITION_ARB)};
 }
 
-/// The text is parsed by the context's limits; GL itself has no such texts.
+/// Parses the text by the context's limits, because GL itself has no such texts.
 std::optional<RenderError> Programs::loadState(const scene::Document &document, std::size_t index) {
   const scene::ProgramFile &file = document.files[index];
   const fp::nvparse::ParseResult parsed = fp::nvparse::parse(
@@ -180,7 +180,8 @@ std::optional<RenderError> Programs::loadState(const scene::Document &document, 
   return std::nullopt;
 }
 
-/// Values go to the ARB's fragment programs too: the debugger shows values of a state with those.
+/// Sets the state and its values. Also sets them as parameters of ARB fragment programs, by which
+/// the debugger shows a state's values.
 void Programs::useState(std::size_t file, const std::vector<scene::ParameterRow> &rows) const {
   issueStateText(*m_states[file]);
   for (const scene::ParameterRow &row : rows)

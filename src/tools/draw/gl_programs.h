@@ -9,7 +9,7 @@
 
 namespace arbiter::tools {
 
-/// The program objects of a document's files.
+/// Owns the GL program objects of a document's files.
 class Programs {
 public:
   Programs() = default;
@@ -18,9 +18,9 @@ public:
   ~Programs();
 
   [[nodiscard]] std::optional<RenderError> load(const scene::Document &document);
-  /// Enables the programs of a pass with their parameters, and gives its generic attributes.
+  /// Enables the programs of a pass, and sets their parameters and its generic attributes.
   void use(const scene::Document &document, const scene::Pass &pass, double seconds) const;
-  /// Disables all.
+  /// Disables all programs.
   static void disable(const scene::Document &document);
 
 private:
@@ -28,8 +28,8 @@ private:
   std::optional<RenderError> loadState(const scene::Document &document, std::size_t file);
   void useState(std::size_t file, const std::vector<scene::ParameterRow> &rows) const;
 
-  std::vector<GLuint> m_names;                            ///< one for each file; 0 for nvparse's
-  std::vector<std::optional<fp::nvparse::Text>> m_states; ///< nvparse's
+  std::vector<GLuint> m_names;                            ///< one per file; 0 for nvparse texts
+  std::vector<std::optional<fp::nvparse::Text>> m_states; ///< one per file; set for nvparse texts
 };
 
 } // namespace arbiter::tools

@@ -13,7 +13,7 @@ struct ProgramTarget {
   const char *extension;
 };
 [[nodiscard]] ProgramTarget targetOf(fp::ir::Language language);
-/// What a texture is bound to that programs sample so.
+/// Returns the texture target that programs name by `target`.
 [[nodiscard]] GLenum glTarget(fp::ir::TexTarget target);
 
 } // namespace arbiter::tools

@@ -105,7 +105,7 @@ void giveStateValue(int parameter, const fp::ir::Vec4 &value) {
   case Row::Eye:
     glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_CONST_EYE_NV, value.data());
     break;
-  case Row::Bump: // of no text
+  case Row::Bump: // no text sets it
     break;
   }
   glActiveTexture(GL_TEXTURE0);

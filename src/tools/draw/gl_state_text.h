@@ -3,18 +3,18 @@
 
 #include "fp_compiler/front/nvparse/text.h"
 
-/// nvparse's texts as calls of NV_register_combiners and NV_texture_shader.
+/// Translates nvparse texts into calls of NV_register_combiners and NV_texture_shader.
 namespace arbiter::tools {
 
-/// Limits of the current context, as fp::nvparse::parse() wants them.
+/// Returns the current context's limits for fp::nvparse::parse().
 [[nodiscard]] fp::Limits stateTextLimits();
 
-/// Makes the state the context's, with the text's values, and enables it.
+/// Sets the text's state and values in the current context, and enables it.
 void issueStateText(const fp::nvparse::Text &text);
-/// Disables both.
+/// Disables register combiners and texture shaders.
 void disableStateTexts();
 
-/// A constant colour, matrix, scale or eye vector, by its env parameter.
+/// Sets a constant color, matrix, scale or eye vector. \param parameter its env parameter
 void giveStateValue(int parameter, const fp::ir::Vec4 &value);
 
 } // namespace arbiter::tools

@@ -9,7 +9,7 @@
 
 namespace arbiter::tools {
 
-/// Framebuffer objects of the targets that passes of a document draw to.
+/// Owns framebuffer objects for the targets that passes of a document draw to.
 class Targets {
 public:
   Targets() = default;
@@ -18,9 +18,10 @@ public:
   ~Targets();
 
   [[nodiscard]] std::optional<RenderError> load(const scene::Document &document);
-  /// Makes a target the current framebuffer; an empty name: what was current at load().
+  /// Makes a target the current framebuffer. An empty name restores the one that was current at
+  /// load().
   void bind(const std::string &name) const;
-  /// Its colours or its depths, a 2D texture; 0 if there is no such target.
+  /// Returns a target's color or depth texture (2D), or 0 if there is no such target.
   [[nodiscard]] GLuint texture(const std::string &name, bool depth) const;
 
 private:

@@ -20,7 +20,7 @@ RenderError fault(int file, fp::Span span, std::string message) {
   return {RenderError::Kind::Panel, std::move(message), std::size_t(file), -1, span};
 }
 
-/// An option of the command line has no place in a text.
+/// True if the command line set it: an option has no position in a text.
 bool isOption(const scene::TextureSpec &spec) { return spec.unitSpan.end == 0; }
 
 std::string nameOf(const scene::TextureSpec &spec) {
@@ -45,8 +45,8 @@ void uploadLevel(GLenum target, GLint level, const Image &image) {
     glTexImage2D(target, level, format, image.width, image.height, 0, GL_RGBA, type, texels);
 }
 
-/// An image that a unit of volumes has: squares below each other are slices, the first one on top;
-/// any other image is one slice.
+/// Uploads an image for a unit that samples volumes. Squares below each other are slices, the first
+/// on top; any other image is one slice.
 void uploadVolume(const Image &image) {
   const bool squares = image.height % image.width == 0;
   const int depth = squares ? image.height / image.width : 1, height = image.height / depth;
@@ -75,7 +75,7 @@ void uploadImage(GLenum target, const Image &image, std::size_t smaller) {
     uploadLevel(target, GLint(i) + 1, image.smaller[i]);
 }
 
-/// Levels that all faces have of their own.
+/// Returns the number of smaller levels that all faces have.
 std::size_t smallerOf(const std::vector<Image> &images) {
   std::size_t count = images.front().smaller.size();
   for (const Image &image : images)
@@ -90,7 +90,7 @@ GLint wrapOf(const scene::TextureSpec &spec, GLenum target) {
   return kWraps[std::size_t(spec.wrap.value)];
 }
 
-/// What the fragments' language samples is the target that is enabled.
+/// True if the pass's fragment language samples the enabled target.
 bool enablesUnits(const scene::Document &document, const scene::Pass &pass) {
   const Language language = document.files[std::size_t(pass.fragment)].language;
   return language == Language::AtiFragment || isNvparse(language);
@@ -126,7 +126,7 @@ std::optional<RenderError> Textures::load(const scene::Document &document, const
   return std::nullopt;
 }
 
-/// What is sampled and named by no line gets the unit's number for an image.
+/// Adds each sampled unit that no line names, with an image of its number.
 void Textures::addUnset(const scene::Document &document, const scene::Pass &pass,
                         const std::vector<Sampled> &samples, unsigned units) {
   const auto &named = document.panelOf(pass).textures;
@@ -205,7 +205,7 @@ std::optional<RenderError> Textures::upload(const scene::Document &document, Uni
     uploadImage(unit.target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i)
                                                    : unit.target,
                 images.value()[i], smaller);
-  // A file may have the first of the smaller levels and not all.
+  // A file may contain only some of the smaller levels.
   if (smaller > 0)
     glTexParameteri(unit.target, GL_TEXTURE_MAX_LEVEL, GLint(smaller));
   else if (mipmaps)
@@ -238,7 +238,7 @@ void Textures::bind(int panel) const {
       continue;
     glActiveTexture(GL_TEXTURE0 + unit.number);
     glBindTexture(unit.target, unit.name);
-    // A target's texture may be sampled in several ways.
+    // Passes may sample a target's texture with different parameters.
     if (!unit.owned)
       setParameters(unit);
     if (unit.enabled)

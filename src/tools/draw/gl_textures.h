@@ -9,7 +9,7 @@
 
 namespace arbiter::tools {
 
-/// The textures of all passes of a document.
+/// Owns the textures of all passes of a document.
 class Textures {
 public:
   Textures() = default;
@@ -17,15 +17,15 @@ public:
   Textures &operator=(const Textures &) = delete;
   ~Textures();
 
-  /// Makes each image and gives it to GL, as what the pass's programs sample it as. A unit that
-  /// they sample and no line names gets its number for an image.
+  /// Creates each image and uploads it for the target that the pass's programs sample. A sampled
+  /// unit that no line names gets an image of its number.
   [[nodiscard]] std::optional<RenderError> load(const scene::Document &document,
                                                 const Targets &targets);
-  /// Binds what the pass of that panel has in its units.
+  /// Binds the textures of the panel's pass to their units.
   void bind(int panel) const;
-  /// Leaves its units without images, for passes that have none there.
+  /// Unbinds them, because other passes may leave these units without images.
   void release(int panel) const;
-  /// Copies the current framebuffer into each texture that is feedback.
+  /// Copies the current framebuffer into each feedback texture.
   void feed(int width, int height) const;
 
 private:
@@ -34,10 +34,11 @@ private:
     unsigned number = 0;
     GLenum target = GL_TEXTURE_2D;
     GLuint name = 0;
-    bool owned = true; ///< not a target's, which outlives this
+    bool owned = true; ///< false for a target's texture, which outlives this object
     bool feedback = false;
-    bool enabled = false; ///< glEnable(target): for ATI's shaders, whose text does not say
-    const scene::TextureSpec *spec = nullptr; ///< null: no line names it
+    bool enabled = false; ///< true if glEnable(target) chooses what is sampled, because the
+                          ///< language does not (ATI's shaders)
+    const scene::TextureSpec *spec = nullptr; ///< null if no line names the unit
     bool compares = false;
   };
 

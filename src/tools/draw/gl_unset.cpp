@@ -13,13 +13,13 @@ namespace {
 using fp::ir::TexTarget;
 using scene::Image;
 
-constexpr int kSide = 64; ///< of the tile
+constexpr int kSide = 64; ///< of the tile, in texels
 
 Image imageOf(unsigned unit, GLenum target, int pictureWidth, int pictureHeight) {
   switch (target) {
   case GL_TEXTURE_1D:
     return scene::makeUnset(unit, kSide, 1);
-  case GL_TEXTURE_RECTANGLE: // is read by texels, and mostly by the place in the picture
+  case GL_TEXTURE_RECTANGLE: // read by texels, usually by the position in the picture
     return scene::makeUnset(unit, pictureWidth, pictureHeight);
   default:
     return scene::makeUnset(unit, kSide, kSide);

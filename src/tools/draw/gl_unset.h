@@ -5,9 +5,10 @@
 
 namespace arbiter::tools {
 
-/// A texture for a unit that no line of a document names: the checker with the unit's number
-/// (scene/texture/unset.h), as it is sampled; of a cube map on each face, of a rectangle as large
-/// as the picture. A shadow texture has depths: the number is farthest, its squares are nearer.
+/// Makes a texture for a unit that no line of a document names. It shows the checker with the
+/// unit's number (scene/texture/unset.h), for the target that is sampled. A cube map shows it on
+/// each face; a rectangle is as large as the picture. A shadow texture has depths: the number is
+/// farthest, its squares are nearer.
 /// \returns its name, bound to nothing; the caller owns it
 [[nodiscard]] GLuint makeUnsetTexture(unsigned unit, fp::ir::TexTarget target, int pictureWidth,
                                       int pictureHeight);

@@ -30,7 +30,7 @@ Panel &panelOf(Drawing &drawing) {
   return document.files[std::size_t(document.passes.front().panel)].panel;
 }
 
-/// Each function applies one option. \returns an empty string, or what is wrong.
+/// Each function below applies one option. \returns an empty string, or a complaint.
 std::string applySize(const std::string &text, Panel &panel) {
   const std::size_t mark = text.find('x');
   int width = 0, height = 0;
@@ -44,7 +44,7 @@ std::string applySize(const std::string &text, Panel &panel) {
 }
 
 std::string applyMesh(const std::string &name, Drawing &drawing) {
-  // A file is one of the working folder and not of the document's.
+  // A file name is relative to the working folder, not to the document's.
   const auto shape = scene::findWord<scene::Shape>(name).value_or(scene::Shape::File);
   if (name == "shells" || name == "fins" || name == "volume")
     return "--mesh " + name + ": is made of another shape; a document says of which";
@@ -62,7 +62,7 @@ std::string applyMesh(const std::string &name, Drawing &drawing) {
   return {};
 }
 
-/// "x,y,z,w"; missing components are 0.
+/// Reads "x,y,z,w"; missing components are 0.
 bool readVector(std::string_view list, std::vector<scene::Number> &values) {
   while (values.size() < 4) {
     const std::size_t comma = std::min(list.find(','), list.size());
@@ -74,10 +74,10 @@ bool readVector(std::string_view list, std::vector<scene::Number> &values) {
       return true;
     list.remove_prefix(comma + 1);
   }
-  return false; // a fifth component
+  return false; // there is a fifth component
 }
 
-/// Takes the place of what the panel says of this index.
+/// Replaces the panel's values of the parameter.
 void replace(Panel &panel, const scene::Parameter &parameter) {
   std::erase_if(panel.parameters, [&](const scene::Parameter &other) {
     return other.space == parameter.space && other.first <= parameter.first &&
@@ -86,7 +86,7 @@ void replace(Panel &panel, const scene::Parameter &parameter) {
   panel.parameters.push_back(parameter);
 }
 
-/// "N=x,y,z,w", and before it "vp:" or "fp:" where \p staged.
+/// Applies "N=x,y,z,w". If the parameter is \p staged, "vp:" or "fp:" may come first.
 std::string applyParameter(const std::string &name, std::string_view text, Setting space,
                            Drawing &drawing) {
   const bool staged = space != Setting::Attrib;
@@ -146,7 +146,8 @@ scene::TextureSource sourceOf(const std::string &name, const Document &document)
     source.generator.value = scene::Generator::Noise;
     size(document.width(), document.height());
   } else {
-    // Of the working folder and not of the document's; a panel has no absolute names.
+    // The name is relative to the working folder, not to the document's; panels have no absolute
+    // names.
     std::error_code error;
     source.generator.value = scene::Generator::File;
     source.files = {{std::filesystem::absolute(name, error).string(), {}}};
@@ -180,7 +181,8 @@ std::string applyTexture(const std::string &text, Drawing &drawing) {
   return {};
 }
 
-/// What was to be in the unit is what feedback begins with, of the picture's size.
+/// Applies --feedback. The unit's texture becomes the first content of the feedback, in the
+/// picture's size.
 std::string applyFeedback(const DrawArguments &arguments, Drawing &drawing) {
   if (arguments.feedback < 0)
     return {};

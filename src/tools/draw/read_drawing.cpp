@@ -14,7 +14,7 @@ using scene::Document;
 
 const char *stageOf(bool vertex) { return vertex ? "vertices" : "fragments"; }
 
-/// Standard input, where a document's text may come from too.
+/// Reads a document's text from a file, or from standard input for "-".
 Result<std::string, scene::DocumentError> readAny(const std::string &path) {
   if (path != "-")
     return scene::readText(path);
@@ -38,7 +38,7 @@ Result<Document, DrawingError> readDocument(const std::string &path) {
   return std::move(document).value();
 }
 
-/// A second file is the other stage of the first pass.
+/// Adds a second file as the other stage of the first pass.
 std::string addProgram(const std::string &path, Document &document) {
   auto text = readAny(path);
   if (!text)
@@ -53,7 +53,7 @@ std::string addProgram(const std::string &path, Document &document) {
            " are both programs of " + stageOf(vertex) + ": one of each can be drawn with";
   place = int(document.files.size());
   document.files.push_back(std::move(file));
-  // The panel is the fragment program's, whichever came first.
+  // The fragment program's panel is used, in any order of the files.
   if (!vertex) {
     std::swap(document.files.front(), document.files.back());
     std::swap(pass.vertex, pass.fragment);
@@ -72,7 +72,8 @@ std::string readFiles(const DrawArguments &arguments, Document &document) {
   return arguments.files.size() > 1 ? addProgram(arguments.files[1], document) : std::string();
 }
 
-/// --frames draws that many from the first one; --frame one, and those before it that it hangs on.
+/// Sets the range of frames. --frames draws that many from the first. --frame draws one, and with
+/// feedback all frames before it.
 std::string readFrames(const DrawArguments &arguments, Drawing &drawing) {
   const bool feeds = drawing.document.hasFeedback();
   if (arguments.frame >= 0) {

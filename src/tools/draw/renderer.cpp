@@ -28,10 +28,10 @@ struct Renderer::Parts {
   void drawMesh(std::size_t index) const;
 
   const Document &document;
-  Targets targets; ///< outlives the textures, which bind its own
+  Targets targets; ///< must outlive the textures, which bind its textures
   Textures textures;
   Programs programs;
-  std::vector<std::unique_ptr<GlMesh>> meshes; ///< one for each pass
+  std::vector<std::unique_ptr<GlMesh>> meshes; ///< one per pass
 };
 
 namespace {
@@ -132,8 +132,8 @@ std::optional<RenderError> Renderer::Parts::loadMesh(const Pass &pass) {
   return std::nullopt;
 }
 
-/// Front faces count up and back faces down, in two draws: two-sided stencils are no core of
-/// GL 1.5.
+/// Draws a pass's mesh. To count with a stencil, front faces count up and back faces down in two
+/// draws, because two-sided stencils are not core in GL 1.5.
 void Renderer::Parts::drawMesh(std::size_t index) const {
   const scene::State &state = document.panelOf(document.passes[index]).state;
   if (valueOf(state.stencil) != scene::Stencil::Count) {

@@ -10,7 +10,7 @@ EGLDisplay initialised(EGLenum platform, void *native) {
                                                                                : EGL_NO_DISPLAY;
 }
 
-/// Mesa's surfaceless platform, or the first device that will do (NVIDIA).
+/// Returns Mesa's surfaceless platform, or the first usable device (NVIDIA).
 EGLDisplay findDisplay() {
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base"))
     return EGL_NO_DISPLAY;

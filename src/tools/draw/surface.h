@@ -3,8 +3,8 @@
 
 namespace arbiter::tools {
 
-/// A compatibility context that is current on a pbuffer, of a display without a window system, for
-/// as long as the object lives.
+/// Makes a compatibility context current on a pbuffer of a display without a window system. The
+/// context lives as long as the object.
 class Surface {
 public:
   Surface() = default;
@@ -12,7 +12,7 @@ public:
   Surface &operator=(const Surface &) = delete;
   ~Surface();
 
-  /// \returns the step that failed, or nullptr.
+  /// Opens the display and makes the context current. \returns the step that failed, or nullptr.
   const char *open(int width, int height);
 
 private:

@@ -17,7 +17,7 @@ using fp::ir::ParameterKind;
 using fp::ir::TexTarget;
 using Kind = GivenOption::Kind;
 
-/// What one program reads; bound is read.
+/// The inputs that one program reads; bound parameters count as read.
 struct Uses {
   const scene::ProgramFile *program = nullptr;
   std::vector<Sampled> samples;
@@ -42,7 +42,7 @@ std::vector<Sampled> samplesOf(const fp::ir::Program &program) {
   return samples;
 }
 
-/// False: the compiler refuses the program, so nothing can be said of what it reads.
+/// Adds a program's uses. False if the compiler rejects the program, so that its uses are unknown.
 bool findUses(const scene::ProgramFile &file, std::vector<Uses> &all) {
   const fp::CheckResult result = check(file);
   if (!result.ok())
@@ -61,7 +61,7 @@ bool findUses(const scene::ProgramFile &file, std::vector<Uses> &all) {
   return true;
 }
 
-/// Of the programs of one pass.
+/// Adds the uses of one pass's programs.
 bool findUses(const scene::Document &document, const scene::Pass &pass, std::vector<Uses> &all) {
   for (const int file : {pass.vertex, pass.fragment})
     if (file >= 0 && !findUses(document.files[std::size_t(file)], all))
@@ -69,7 +69,7 @@ bool findUses(const scene::Document &document, const scene::Pass &pass, std::vec
   return true;
 }
 
-/// "life.fp samples texture[0] as 2D and texture[1] as CUBE"
+/// Returns a list such as "life.fp samples texture[0] as 2D and texture[1] as CUBE".
 std::string sampling(const std::vector<Uses> &all) {
   std::string text;
   for (const Uses &uses : all)

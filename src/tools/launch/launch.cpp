@@ -22,10 +22,11 @@ namespace fs = std::filesystem;
 
 struct Place {
   fs::path preload;
-  /// Has a library for processes of each width, in a folder of what the loader puts for $LIB.
+  /// Contains one library per process width, in folders with the names that the loader inserts for
+  /// $LIB.
   fs::path everyWidth;
-  /// Folders that hold no libOSMesa.so.8 but the layer's: the library folder of an installation may
-  /// hold the host's own.
+  /// Folders that contain only the layer's libOSMesa.so.8. An installation's library folder may
+  /// also contain the host's.
   std::vector<fs::path> osmesaFolders;
 };
 
@@ -35,7 +36,7 @@ Place placeIn(const fs::path &folder) {
           {folder / "osmesa", folder / "arbiter" / "osmesa"}};
 }
 
-/// The places to look in, first the build tree's, then the installation's.
+/// Returns the places to search, the build tree's before the installation's.
 std::vector<Place> places() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
@@ -45,7 +46,7 @@ std::vector<Place> places() {
   const fs::path tree = here.parent_path() / "interposer";
   Place inTree = placeIn(tree);
   inTree.osmesaFolders.push_back(tree);
-  // ARBITER_LIBDIR_FROM_BIN is relative, so that an installation may be moved as a whole.
+  // ARBITER_LIBDIR_FROM_BIN is relative, so that an installation can be moved as a whole.
   const fs::path installed = (here / ARBITER_LIBDIR_FROM_BIN).lexically_normal();
   return {inTree, placeIn(installed / "arbiter"), placeIn(installed)};
 }
@@ -74,15 +75,16 @@ std::string absolutePath(const std::string &path) {
   return error ? path : absolute.string();
 }
 
-/// first:rest, the rest from the environment; a trailing colon would add the working folder to the
-/// search.
+/// Returns "first:rest" with the rest from the environment. Adds no trailing colon, which would add
+/// the working folder to the search.
 std::string prepended(const std::string &first, const char *variable) {
   const char *rest = std::getenv(variable);
   return rest == nullptr || *rest == '\0' ? first : first + ":" + rest;
 }
 
-/// The EGL vendor file that leads to the library: the one that has its path also serves children
-/// that lose LD_PRELOAD; in an installation that was moved only the one that has its name is right.
+/// Returns the EGL vendor file for the library. A file with the library's path also works for
+/// children that lose LD_PRELOAD. In an installation that was moved, only the file with the
+/// library's name is right.
 std::string icdFile(const std::string &preload) {
   const fs::path folder = fs::path(preload).parent_path() / "arbiter";
   if (const auto byPath = readInput(folder / "10_arbiter.json"))
@@ -94,7 +96,8 @@ std::string icdFile(const std::string &preload) {
   return fs::exists(byName, error) ? byName.string() : std::string();
 }
 
-/// Sets a selection of libglvnd's, and keeps what it was where the layer looks for its host.
+/// Sets a libglvnd selection. Saves the previous value under `saved`, where the layer finds its
+/// host.
 void select(std::vector<Assignment> &environment, const Assignment &selection, const char *saved) {
   const char *before = std::getenv(selection.name.c_str());
   if (before != nullptr && *before != '\0' && before != selection.value)
@@ -102,7 +105,7 @@ void select(std::vector<Assignment> &environment, const Assignment &selection, c
   environment.push_back(selection);
 }
 
-/// LEVEL, FILE or LEVEL:FILE with FILE made absolute; see flags.def.
+/// Makes the FILE of LEVEL, FILE or LEVEL:FILE absolute; see flags.def.
 std::string absoluteLog(const std::string &log) {
   const std::size_t slash = log.find('/');
   if (slash == std::string::npos && log.find(':') == std::string::npos)
@@ -113,8 +116,8 @@ std::string absoluteLog(const std::string &log) {
   return log.substr(0, colon + 1) + absolutePath(log.substr(colon + 1));
 }
 
-/// What the layer would not follow, or could not write: it would say so in a log that few read, or
-/// when the application has ended. Empty if there is nothing.
+/// Returns warnings about settings that the layer would ignore, and files that it could not write.
+/// The layer itself could only report them in its log, or after the application's end.
 std::string whyNotFollowed(const std::vector<Assignment> &environment) {
   std::vector<std::string> warnings;
   const Settings parsed = parseSettings(
@@ -146,7 +149,7 @@ Result<LayerFiles, LaunchError> findLayer(const std::string &library) {
       return LaunchError{library + ": no such file"};
     Place place = placeIn(fs::path(library).parent_path());
     place.preload = library;
-    place.everyWidth.clear(); // that file, and no other
+    place.everyWidth.clear(); // the explicit library must be used as it is
     return filesAt(place);
   }
   std::string looked;
@@ -167,8 +170,9 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
   const LayerFiles &files = reached.value();
   std::vector<Assignment> environment;
   environment.push_back({"LD_PRELOAD", prepended(files.preloaded, "LD_PRELOAD")});
-  // The library selects itself when it is loaded; said beforehand for programs whose own libraries
-  // call GL in constructors, which run before a preloaded library's. What was selected is the host.
+  // The library selects itself when it is loaded. But some programs have libraries that call GL in
+  // constructors, which run before a preloaded library's. The variables cover those programs. The
+  // previous selection becomes the host.
   select(environment, {"__GLX_VENDOR_LIBRARY_NAME", "arbiter"}, "ARBITER_SAVED_GLX_VENDOR");
   if (const std::string icd = icdFile(files.preload); !icd.empty())
     select(environment, {"__EGL_VENDOR_LIBRARY_FILENAMES", icd}, "ARBITER_SAVED_EGL_VENDORS");
@@ -234,7 +238,7 @@ int execute(const std::vector<Assignment> &environment, const std::vector<std::s
   std::vector<char *> argv;
   argv.reserve(command.size() + 1);
   for (const std::string &word : command)
-    argv.push_back(const_cast<char *>(word.c_str())); // execvp does not write to them
+    argv.push_back(const_cast<char *>(word.c_str())); // execvp does not write to the words
   argv.push_back(nullptr);
   ::execvp(argv[0], argv.data());
   const int failure = errno;

@@ -16,7 +16,7 @@ LaunchError cannotHold(const std::string &path, const std::string &why) {
   return {path + ": LD_PRELOAD cannot hold a path with a colon or a space" + why};
 }
 
-/// Makes the link, or finds the one that is there.
+/// Returns a link to the folder; makes it if needed.
 Result<fs::path, LaunchError> linkTo(const fs::path &folder) {
   const auto runtime = control::socketFolder();
   if (!runtime)
@@ -25,7 +25,8 @@ Result<fs::path, LaunchError> linkTo(const fs::path &folder) {
   std::error_code error;
   if (fs::read_symlink(link, error) == folder)
     return link;
-  // Another process may make it at the same time, so it gets its name when it is whole.
+  // Another process may make the link at the same time, so that a finished link is renamed into
+  // place.
   const fs::path made = link.string() + "." + std::to_string(getpid());
   fs::create_directory_symlink(folder, made, error);
   if (!error)
@@ -35,7 +36,7 @@ Result<fs::path, LaunchError> linkTo(const fs::path &folder) {
   return link;
 }
 
-/// The path with `link` in place of `folder`, which it may begin with.
+/// Replaces `folder` by `link` if the path begins with it.
 std::string through(const std::string &path, const std::string &folder, const std::string &link) {
   return path.starts_with(folder + "/") ? link + path.substr(folder.size()) : path;
 }

@@ -5,12 +5,12 @@
 
 namespace arbiter::tools {
 
-/// True if LD_PRELOAD would take the path for several: it has a colon or white space.
+/// True if LD_PRELOAD would split the path, because it has a colon or white space.
 [[nodiscard]] bool isCutByPreload(const std::string &path);
 
-/// Returns the same files by paths that LD_PRELOAD can hold. Where the folder's path is cut, they
-/// lead through a link in $XDG_RUNTIME_DIR/arbiter, which stays for later runs. Errors: the file's
-/// name is cut; there is no such folder for the link.
+/// Returns the files by paths that LD_PRELOAD can hold. If the folder's path would be split, the
+/// paths lead through a link in $XDG_RUNTIME_DIR/arbiter, which stays for later runs. Fails if the
+/// file's name would be split, or if there is no folder for the link.
 [[nodiscard]] Result<LayerFiles, LaunchError> preloadable(const LayerFiles &files);
 
 } // namespace arbiter::tools

@@ -17,13 +17,14 @@ namespace arbiter::tools {
 
 namespace {
 
-/// Signals that end or notify a process, and mean nothing to the supervisor itself.
+/// Signals that end or notify a process, and have no meaning for the supervisor itself.
 constexpr int kPassedOn[] = {SIGTERM, SIGHUP,  SIGINT,    SIGQUIT, SIGUSR1,
                              SIGUSR2, SIGALRM, SIGVTALRM, SIGWINCH};
 
 volatile std::sig_atomic_t g_child = 0;
 
-/// What the kernel itself sent, a terminal's, the child has as well: it is of the same group.
+/// Passes a signal on to the child. Skips signals sent by the kernel, such as a terminal's: the
+/// child is in the same process group and receives them itself.
 void pass(int signal, siginfo_t *info, void *) {
   if (g_child > 0 && info->si_code <= 0)
     ::kill(pid_t(g_child), signal);
@@ -37,10 +38,10 @@ sigset_t passedOn() {
   return set;
 }
 
-/// Waits until no process holds the other end of `pipe`, which is when the parent is gone, and
-/// then, if it did not say that all is done, for the child and for `afterwards`.
+/// Waits until the parent has closed the other end of `pipe`. If it did not report that all is
+/// done, it was killed: waits for the child's end and calls `afterwards`.
 [[noreturn]] void watch(int pipe, pid_t child, const std::function<void()> &afterwards) {
-  ::setsid(); // what ends the group does not end this
+  ::setsid(); // a signal to the group must not end this process
   char done = 0;
   while (::read(pipe, &done, 1) < 0 && errno == EINTR) {
   }
@@ -53,15 +54,16 @@ sigset_t passedOn() {
   ::_exit(0);
 }
 
-/// The helper of supervise(). It holds nothing of what this process was given, which others may
-/// wait for the end of. \returns the end of a pipe by which it learns that it is not needed, or -1
+/// Starts the helper of supervise(). It closes all inherited descriptors, because others may wait
+/// for their end.
+/// \returns the pipe end that tells the helper to exit, or -1
 int startHelper(pid_t child, const std::function<void()> &afterwards) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)
     return -1;
   const pid_t helper = ::fork();
   if (helper == 0) {
-    if (::fork() != 0) // not a child that a process waits for
+    if (::fork() != 0) // forks twice: no process must wait for the helper
       ::_exit(0);
     const int own = ::fcntl(ends[0], F_DUPFD_CLOEXEC, 3);
     for (int i = 0; i < own; ++i)
@@ -75,7 +77,7 @@ int startHelper(pid_t child, const std::function<void()> &afterwards) {
   return ends[1];
 }
 
-/// Waits for the end of the child, stopping when it stops.
+/// Waits for the child's end; stops this process while the child is stopped.
 int awaitEnd(pid_t child) {
   int status = 0;
   for (;;) {
@@ -93,8 +95,8 @@ int awaitEnd(pid_t child) {
 
 int supervise(const std::vector<Assignment> &environment, const std::vector<std::string> &command,
               const std::function<void()> &afterwards) {
-  // Held back until there is a child to pass them on to: a signal that came between the fork and
-  // the handlers would end this process and leave the command running.
+  // Block the signals until there is a child to pass them on to. Otherwise a signal between the
+  // fork and the handlers would end this process and leave the command running.
   const sigset_t passed = passedOn();
   sigset_t before;
   ::sigprocmask(SIG_BLOCK, &passed, &before);

@@ -33,7 +33,7 @@ std::string titleOf(const View &view, const advise::Advice &advice) {
          advise::changeText(advice.before, advice.after) + ")";
 }
 
-/// The name that a hint of the compiler's asks about; empty if it asks about none.
+/// Returns the name that a compiler's hint suggests, or "".
 std::string_view meantName(std::string_view hint) {
   constexpr std::string_view kBegin = "did you mean '", kEnd = "'?";
   if (!hint.starts_with(kBegin) || !hint.ends_with(kEnd))
@@ -41,7 +41,7 @@ std::string_view meantName(std::string_view hint) {
   return hint.substr(kBegin.size(), hint.size() - kBegin.size() - kEnd.size());
 }
 
-/// The published diagnostic that says so: what the editor is to take as done.
+/// Returns the published diagnostic with that id, which the editor marks as fixed by the action.
 Json publishedAt(const View &view, fp::Span span, std::string_view id) {
   const Json range = view.range(span);
   Json found = Json::array();
@@ -81,7 +81,7 @@ Json disabled(const View &view, const advise::Advice &advice) {
 } // namespace
 
 bool ActionRequest::wants(std::string_view kind) const {
-  // A kind stands for those that have it and a full stop before theirs.
+  // A kind includes all its subkinds, which follow after a dot.
   return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string &each) {
            return each.empty() || kind == each || kind.starts_with(each + ".");
          });
@@ -110,13 +110,14 @@ Json codeActions(const View &view, const std::vector<advise::Advice> &advice,
 }
 
 namespace {
-/// The TextEdit that makes every fix of one program; nothing without one.
+/// Adds the TextEdit that makes every fix of one program, if there is any.
 void addFixes(const View &view, Json &edits) {
   const std::string_view text = view.source();
   const std::uint32_t place = view.analysis.program.span.begin;
   const advise::Fixed fixed =
       advise::applyAll(text, {view.analysis.language, view.analysis.limits});
-  // What both texts begin and end with stays, so that an editor keeps its places there.
+  // The edit leaves the common start and end of both texts, so that an editor keeps its positions
+  // there.
   const std::size_t shorter = std::min(text.size(), fixed.text.size());
   std::size_t begin = 0, end = 0;
   while (begin < shorter && text[begin] == fixed.text[begin])

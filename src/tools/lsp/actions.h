@@ -5,29 +5,30 @@
 #include "tools/advise/advise.h"
 #include "tools/lsp/answers.h"
 
-/// What can be done about a place in a text: names that were meant, and the adviser's fixes.
+/// Offers edits at a position of a text: corrected names, and the adviser's fixes.
 namespace arbiter::tools::lsp {
 
-/// What an editor asks codeAction for.
+/// The parameters of the request codeAction.
 struct ActionRequest {
   fp::Span span;
-  std::vector<std::string> only; ///< kinds; empty: all
-  bool showsDisabled = false;    ///< the client shows actions that cannot be done, with the reason
+  std::vector<std::string> only; ///< requested kinds; empty: all
+  bool showsDisabled = false;    ///< true if the client shows disabled actions with their reason
 
   [[nodiscard]] bool wants(std::string_view kind) const;
 };
 
-/// CodeAction[]. quickfix: the name that an undeclared one is nearest to, and each fix of the
-/// adviser's that touches the span. refactor.rewrite: all of its fixes, one after the other, whose
-/// edit resolveAction() makes; and, disabled, what only the application could do.
+/// Returns a CodeAction[]. Quick fixes are the nearest name to an undeclared one, and each fix of
+/// the adviser that touches the span. A refactor.rewrite makes all fixes one after the other;
+/// resolveAction() computes its edit. Advice that only the application can follow is disabled.
 [[nodiscard]] Json codeActions(const View &view, const std::vector<advise::Advice> &advice,
                                const ActionRequest &request);
 
-/// The WorkspaceEdit that makes every fix.
+/// Returns the WorkspaceEdit that makes every fix.
 [[nodiscard]] Json everyFix(const Views &views);
 
-/// arbiter/advice: {rule, message, range, before, after, fix, exact, application, condition, edits,
-/// sketch}[] of the whole text; costs are {alu, tex, nodes, fits}, edits TextEdit[].
+/// Returns the adviser's results for the whole text, for arbiter/advice: {rule, message, range,
+/// before, after, fix, exact, application, condition, edits, sketch}[]. Costs are {alu, tex, nodes,
+/// fits}; edits are TextEdit[].
 [[nodiscard]] Json adviceList(const View &view, const std::vector<advise::Advice> &advice);
 
 } // namespace arbiter::tools::lsp

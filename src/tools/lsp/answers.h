@@ -7,11 +7,11 @@
 #include "tools/lsp/document.h"
 #include "util/result.h"
 
-/// What an editor asks about a place in a text, each as the protocol's result. Nothing here changes
-/// anything.
+/// Answers requests about a position in a text. Each function returns a result of the protocol and
+/// changes nothing.
 namespace arbiter::tools::lsp {
 
-/// A program of a text with all that is known of it.
+/// A program of a text, with its document, analysis and profile.
 struct View {
   const Document &document;
   const Analysis &analysis;
@@ -23,44 +23,44 @@ struct View {
     return document.map().line(document.map().lineOf(analysis.program.span.begin));
   }
 };
-/// The views of a document, in text order.
+/// All views of a document, in text order.
 using Views = std::vector<View>;
 
-/// Diagnostic[]: what the compiler says, with its hints, and of the text's panel with the first of
-/// its programs; of a program that loads also the reasons that it is over the profile's native
-/// limits, at the instructions that make it so.
+/// Returns a Diagnostic[]: the compiler's diagnostics with their hints. Those of the text's panel
+/// come with its first program. For a valid program over the profile's native limits, adds the
+/// reasons, at the instructions that cause them.
 [[nodiscard]] Json diagnostics(const View &view);
 
-/// Hover, or null.
+/// Returns a Hover, or null.
 [[nodiscard]] Json hover(const View &view, std::uint32_t offset);
 
-/// CompletionItem[]: what may stand here.
+/// Returns a CompletionItem[] of the words that are possible at the position.
 [[nodiscard]] Json completion(const View &view, std::uint32_t offset);
 
-/// Location of the declaration, or null.
+/// Returns the Location of the declaration, or null.
 [[nodiscard]] Json definition(const View &view, std::uint32_t offset);
-/// Location[] of every use.
+/// Returns the Location[] of every use.
 [[nodiscard]] Json references(const View &view, std::uint32_t offset, bool withDeclaration);
-/// DocumentHighlight[]: the same in this text, reads and writes apart.
+/// Returns a DocumentHighlight[] of every use in this text; reads and writes differ in kind.
 [[nodiscard]] Json highlights(const View &view, std::uint32_t offset);
 
 struct Refusal {
   std::string message;
 };
-/// {range, placeholder} of the name here, or why it cannot be renamed.
+/// Returns {range, placeholder} of the name at the position, or why it cannot be renamed.
 [[nodiscard]] Result<Json, Refusal> prepareRename(const View &view, std::uint32_t offset);
-/// WorkspaceEdit, or why the name cannot become this one.
+/// Returns a WorkspaceEdit, or why the name cannot become `newName`.
 [[nodiscard]] Result<Json, Refusal> rename(const View &view, std::uint32_t offset,
                                            const std::string &newName);
 
-/// DocumentSymbol[]: declarations, aliases, ATI's passes.
+/// Returns a DocumentSymbol[] of the declarations, aliases and ATI passes.
 [[nodiscard]] Json documentSymbols(const View &view);
 
-/// InlayHint[] of the lines that overlap the span: what each costs on the profile's card, and at
-/// the header what the program takes of each resource.
+/// Returns an InlayHint[] for the lines that overlap the span: each line's cost on the profile's
+/// card, and in the header line the program's use of each resource.
 [[nodiscard]] Json inlayHints(const View &view, fp::Span span);
 
-/// The words of the legend, and a text's tokens in them.
+/// Returns the legend of token types and modifiers.
 [[nodiscard]] Json semanticLegend();
 [[nodiscard]] Json semanticTokens(const Views &views);
 

@@ -1,5 +1,5 @@
-// What an editor shows of a card's counts, over reports made by hand: a model may say any of this,
-// or nothing.
+// Tests of the displayed native counts, with reports made by hand. A model may leave out any part
+// of a report.
 #include <gtest/gtest.h>
 
 #include "tools/lsp/answers.h"
@@ -15,7 +15,7 @@ constexpr const char *kText = "!!ARBfp1.0\nTEMP a;\nTEX a, fragment.texcoord, te
 
 fp::hw::Profile r300() { return *fp::hw::findBuiltin("r300"); }
 
-/// A document with a report in the place of the model's own.
+/// A document whose native report is replaced by a given one.
 struct Made {
   explicit Made(fp::hw::NativeReport native, const char *text = kText)
       : document("file:///a.fp", "arbfp", text, Encoding::Utf16),
@@ -29,7 +29,8 @@ struct Made {
   Analysis &analysis;
 };
 
-/// TEX, SIN, ADD, MOV: two nodes, one instruction gone, ALU over its limit.
+/// Returns a report on TEX, SIN, ADD, MOV with two nodes, one removed instruction, and ALU over its
+/// limit.
 fp::hw::NativeReport report() {
   fp::hw::NativeReport native;
   native.model = fp::NativeModel::R300;
@@ -57,7 +58,7 @@ TEST(Inlay, EachLineSaysWhatItTakes) {
   EXPECT_NE(total.find("2/4 TEX indirections"), std::string::npos) << total;
   EXPECT_EQ(hints[1]["label"], "1 TEX, node 1");
   EXPECT_EQ(hints[1]["tooltip"], "no reason of what is over");
-  EXPECT_EQ(hints[2]["label"], "3 slots, node 2"); // SIN and ADD stand in one line
+  EXPECT_EQ(hints[2]["label"], "3 slots, node 2"); // SIN and ADD are on one line
   EXPECT_EQ(hints[2]["tooltip"], "SIN is a polynomial\na copy to the result");
   EXPECT_EQ(hints[3]["label"], "gone");
 }
@@ -126,7 +127,7 @@ TEST(Costs, AreShort) {
 }
 
 TEST(Costs, TheProgramOfEveryOpcodeLoads) {
-  // A text that does not load would be an opcode without a cost, and nobody would know.
+  // An opcode whose program does not load would have no cost, without any error.
   for (const char *profile : {"r300", "nv30", "i915"})
     for (int i = 0; i < fp::ir::kOpcodeCount; ++i)
       EXPECT_TRUE(opcodeLoads(fp::ir::Opcode(i), *fp::hw::findBuiltin(profile)))

@@ -26,7 +26,7 @@ Json Completion::run() {
       m_view.document.map().lineOf(m_replaced.begin) == m_view.document.map().lineOf(begin))
     addHeaders();
   if (m_replaced.begin < begin + header.size() && source.starts_with("!"))
-    return m_items; // within the header
+    return m_items; // the position is within the header
   if (m_next > 0 && m_reading.kind(m_next - 1) == TokenKind::Dot)
     behindDot();
   else if (m_language == fp::ir::Language::AtiFragment)
@@ -40,7 +40,7 @@ Json Completion::run() {
   return m_items;
 }
 
-/// A comment that begins with #@ is a line of the panel.
+/// Adds words for a comment that begins with #@, which is a line of the panel.
 void Completion::addPanelWords() {
   const auto place = scene::completePanel(m_view.document.text(), m_offset);
   if (!place)
@@ -71,7 +71,7 @@ void Completion::add(std::span<const Entry> entries, ItemKind kind) {
 void Completion::addHeaders() {
   m_replaced = m_view.headerLine();
   const std::string_view line = m_view.document.text(m_replaced);
-  // A word of the first line is no header that is being written.
+  // Another word on the first line is not the start of a header, and is kept.
   if (!line.empty() && line[0] != '!') {
     m_replaced = {m_replaced.begin, m_replaced.begin};
     return;

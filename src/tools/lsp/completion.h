@@ -7,7 +7,7 @@
 
 namespace arbiter::tools::lsp {
 
-/// CompletionItemKind of the protocol.
+/// Values of the protocol's CompletionItemKind.
 enum ItemKind {
   kFunction = 3,
   kVariable = 6,
@@ -19,10 +19,10 @@ enum ItemKind {
   kConstant = 21,
 };
 
-/// Which kinds of variables may stand in a place.
+/// A set of kinds of variables that are possible at a position.
 using Kinds = std::initializer_list<fp::SymbolKind>;
 
-/// What may stand at a place, by the tokens before it: a text that is being written is never whole.
+/// Completes a word from the tokens before it, because a text that is being written is incomplete.
 class Completion {
 public:
   Completion(const View &view, std::uint32_t offset)
@@ -30,7 +30,8 @@ public:
         m_offset(offset), m_replaced{offset, offset} {
     m_next = m_reading.before(offset);
     const auto at = m_reading.at(offset);
-    // A word that is being written is replaced as a whole, and does not count as standing here.
+    // The word that is being written is replaced as a whole, and does not count as a token before
+    // the position.
     if (at && m_reading.span(*at).begin < offset && isWord(m_reading.kind(*at))) {
       m_replaced = m_reading.span(*at);
       m_next = *at;
@@ -45,7 +46,7 @@ private:
            kind == fp::TokenKind::Integer;
   }
 
-  // completion.cpp: what all languages share
+  // completion.cpp: items of all languages
   void add(std::string_view word, ItemKind kind, const std::string &detail,
            const std::string &documentation = {});
   void add(std::span<const fp::reference::Entry> entries, ItemKind kind);
@@ -55,12 +56,12 @@ private:
   void behindDot();
   void addSegment(std::vector<std::string_view> path, const fp::reference::Segment &segment);
 
-  /// Which operand of which instruction the cursor is in.
+  /// The operand and instruction at the cursor.
   struct Operand {
     bool known = false;
     fp::ir::Opcode op = fp::ir::Opcode::Mov;
     int number = -1; ///< -1: the destination
-    /// The place is a scalar operand.
+    /// True if the operand is a scalar.
     [[nodiscard]] bool scalar() const {
       return number >= 0 && number < info(op).operandCount() && info(op).shapes[number] == 'S';
     }
@@ -80,7 +81,7 @@ private:
   void afterEquals(std::initializer_list<fp::Keyword> keywords, Kinds kinds);
   void inInstruction();
 
-  // of NVIDIA's own languages
+  // NVIDIA's own languages
   void addOwnHeaders();
   void inOwnStatement();
   void addOwnStatements();
@@ -91,7 +92,7 @@ private:
   void addAtiSources(std::string_view word);
   void addAtiSuffixes(bool nested);
 
-  // of nvparse's texts
+  // nvparse's languages
   void inNvparseStatement();
   void addNvparseRegisters();
 
@@ -99,8 +100,8 @@ private:
   Reading m_reading;
   fp::ir::Language m_language;
   std::uint32_t m_offset;
-  fp::Span m_replaced;    ///< what an item's text takes the place of
-  std::size_t m_next = 0; ///< the number of tokens that stand before it
+  fp::Span m_replaced;    ///< the range that an item's text replaces
+  std::size_t m_next = 0; ///< number of tokens before the replaced range
   Json m_items = Json::array();
 };
 

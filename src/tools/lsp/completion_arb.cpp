@@ -21,7 +21,7 @@ constexpr Kinds kVariables = {SymbolKind::Temporary, SymbolKind::Attribute,
                               SymbolKind::Parameter, SymbolKind::ParameterArray,
                               SymbolKind::Output,    SymbolKind::Address};
 
-// The words of NVIDIA's own languages.
+// Attribute and result names of NVIDIA's own languages.
 struct WordRow {
   bool vertex;
   std::string_view name, doc;
@@ -73,14 +73,14 @@ void Completion::inStatement() {
   case Keyword::Alias:
     return afterEquals({}, kVariables);
   case Keyword::None:
-    // A word that begins no statement: what is being written may be one.
+    // A word that begins no statement may be an unfinished one.
     return m_next <= begin + 1 ? addStatements() : void();
   default:
     return;
   }
 }
 
-/// Those that the profile's card takes.
+/// Adds the options that the profile's card supports.
 void Completion::addOptions() {
   const std::uint32_t nvOptions = m_view.analysis.limits.nvOptions;
   for (const Entry &entry : fp::reference::options(m_language)) {
@@ -107,7 +107,7 @@ void Completion::addStatements() {
   addNvOpcodes();
 }
 
-/// What the text's option adds; suffixes are left to the writer.
+/// Adds the opcodes of the text's NV option. Suffixes are left to the writer.
 void Completion::addNvOpcodes() {
   const fp::ir::NvOption option = m_view.analysis.nv;
   if (option == fp::ir::NvOption::None)
@@ -131,7 +131,7 @@ void Completion::addKeywords(std::initializer_list<Keyword> keywords) {
 
 void Completion::addNames(Kinds kinds) {
   for (const fp::Name &name : m_view.analysis.inspection.names.names()) {
-    // Before its declaration a name is nothing yet.
+    // A name does not exist before its declaration.
     if (name.declared.end == 0 || name.declared.end > m_replaced.begin ||
         std::find(kinds.begin(), kinds.end(), name.kind) == kinds.end())
       continue;
@@ -183,7 +183,7 @@ void Completion::inInstruction() {
     add(fp::reference::targets(), kEnumMember);
 }
 
-// Statements of NVIDIA's own languages, whose registers have numbers and are not declared.
+// Statements of NVIDIA's own languages, whose registers are numbered and not declared.
 
 void Completion::addOwnHeaders() {
   for (const HeaderRow &row : kHeaders) {
@@ -217,7 +217,7 @@ void Completion::addOwnStatements() {
       add(row.word, kKeyword, std::string(row.doc));
 }
 
-/// The names of attributes or results, as far as they are no temporaries.
+/// Adds the names of attributes or results; temporaries need none.
 void Completion::inOwnInstruction() {
   if (insideBrackets())
     return;

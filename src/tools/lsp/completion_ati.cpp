@@ -62,7 +62,7 @@ void Completion::addAtiSuffixes(bool nested) {
   add(fp::reference::atiDestinationModifiers(), kProperty);
 }
 
-/// Every place takes functions; registers are named where something is written or read.
+/// Adds functions at every position, and registers where a value is written or read.
 void Completion::inNvparseStatement() {
   const TokenKind before = m_next == 0 ? TokenKind::Semicolon : m_reading.kind(m_next - 1);
   const bool first = before == TokenKind::Semicolon || before == TokenKind::OpenBrace ||

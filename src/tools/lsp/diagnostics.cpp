@@ -9,7 +9,7 @@ namespace arbiter::tools::lsp {
 
 namespace {
 
-/// Reasons beyond these would bury the text.
+/// Limits the displayed reasons and places, because more would hide the text.
 constexpr std::size_t kMaxReasons = 24;
 constexpr std::size_t kMaxPlaces = 16;
 
@@ -27,7 +27,7 @@ Severity severityOf(fp::Severity severity) {
   return kInformation;
 }
 
-/// A byte within a character, which a lexer of bytes may point at, is no place for an editor.
+/// Extends a span to whole characters, because the lexer works on bytes and may point within one.
 fp::Span wholeCharacters(std::string_view text, fp::Span span) {
   const auto within = [&](std::uint32_t at) {
     return at < text.size() && (std::uint8_t(text[at]) & 0xC0) == 0x80;
@@ -39,7 +39,8 @@ fp::Span wholeCharacters(std::string_view text, fp::Span span) {
   return span;
 }
 
-/// An editor marks nothing at an empty range: it becomes the character before it, or behind it.
+/// Returns a span that an editor can mark. An empty span becomes the character at it, or the last
+/// one before it.
 fp::Span visible(const Document &document, fp::Span span) {
   const std::string &text = document.text();
   const auto size = std::uint32_t(text.size());
@@ -82,11 +83,11 @@ Json ofCompiler(const View &view, const fp::Diagnostic &diagnostic) {
   return json;
 }
 
-/// The header's line: what is of the program as a whole stands there.
+/// Returns the header's line, which gets diagnostics of the whole program.
 fp::Span header(const View &view) { return view.headerLine(); }
 
-/// Why a resource is over its limit, at the first of the instructions that make it so; the others
-/// are related. What many instructions share is said of the program.
+/// Returns why a resource is over its limit, at the first instruction that causes it. The other
+/// instructions become related information. If there are many, the program's header is marked.
 Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string &over) {
   const auto &code = view.analysis.inspection.check.program->code;
   const auto spanOf = [&](std::uint32_t at) {

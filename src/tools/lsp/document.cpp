@@ -22,7 +22,7 @@ constexpr EndingRow kEndings[] = {
     {".nvts", Language::TextureShaders},
 };
 
-/// Places are those of the file.
+/// Returns a program's tokens with positions in the file.
 std::vector<fp::Token> tokensOf(std::string_view file, const fp::FileProgram &program) {
   const std::string_view text = program.in(file);
   const Language language = program.language;
@@ -54,7 +54,7 @@ Document::Document(std::string uri, std::string languageId, std::string text, En
 }
 
 void Document::setText(std::string text) {
-  forget(); // what is known views the text
+  forget(); // the analyses refer to the old text
   m_text = std::move(text);
   m_map = TextMap(m_text, m_encoding);
   changed = true;
@@ -81,8 +81,8 @@ bool Document::change(const Json &change) {
   return true;
 }
 
-/// Finds them by their headers. A text without one is of the language that the editor or the file's
-/// name says.
+/// Finds the programs by their headers. Without a header, the editor's language or the file name's
+/// ending decides the language.
 std::vector<fp::FileProgram> Document::programs() const {
   std::vector<fp::FileProgram> found = fp::programsOf(m_text);
   if (fp::languageOfText(found.front().in(m_text)))
@@ -102,8 +102,8 @@ std::vector<fp::FileProgram> Document::programs() const {
 }
 
 namespace {
-/// NVIDIA's option among those at the text's beginning, if the profile has it: it decides which
-/// words there are.
+/// Returns the NVIDIA option that the text names, if the profile has it. It adds words to the
+/// language.
 fp::ir::NvOption nvOptionOf(std::string_view text, const std::vector<fp::Token> &tokens,
                             const fp::Limits &limits) {
   const auto word = [&](std::size_t i) {

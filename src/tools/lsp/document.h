@@ -12,33 +12,34 @@
 
 namespace arbiter::tools::lsp {
 
-/// All that is known of a program of one version of a text. Views the text.
+/// The analysis of one program in one version of a text. It refers to the text.
 struct Analysis {
   fp::FileProgram program;
-  bool isFirst = true; ///< of the text's programs
+  bool isFirst = true; ///< true for the first program of the text
   fp::ir::Language language = fp::ir::Language::ArbFragment;
-  fp::ir::NvOption nv = fp::ir::NvOption::None; ///< that the text asks for and may have
-  /// NVIDIA's own language that the header names, if the profile has it.
+  fp::ir::NvOption nv = fp::ir::NvOption::None; ///< the option that the text names and the profile
+                                                ///< has
+  /// The NVIDIA language that the header names, if the profile has it.
   fp::ir::NativeLanguage ownLanguage = fp::ir::NativeLanguage::None;
   fp::Limits limits;
-  std::vector<fp::Token> tokens; ///< without EndOfText; there also where the parse failed
+  std::vector<fp::Token> tokens; ///< without EndOfText; also set if parsing failed
   fp::Inspection inspection;
-  /// Of a program that loads; empty for ATI's languages, whose programs every card that has them
-  /// takes.
+  /// The native counts of a valid program. Empty for ATI's and nvparse's languages, which have no
+  /// native limits.
   fp::hw::NativeReport native;
 };
 
-/// A text that an editor has open.
+/// A text that is open in an editor.
 class Document {
 public:
   Document(std::string uri, std::string languageId, std::string text, Encoding encoding);
   Document(const Document &) = delete;
   Document &operator=(const Document &) = delete;
 
-  /// One element of contentChanges: a range and its new text, or the whole text anew.
-  /// \returns false if it is neither; the text is then as it was.
+  /// Applies one element of contentChanges: a range and its new text, or a whole text.
+  /// \returns false if it is neither; the text is then unchanged
   bool change(const Json &change);
-  /// The limits or the model of another profile hold.
+  /// Discards the analyses because the profile has changed.
   void forget() {
     m_analyses.clear();
     m_advice.reset();
@@ -50,17 +51,19 @@ public:
     return std::string_view(m_text).substr(span.begin, span.end - span.begin);
   }
   [[nodiscard]] const TextMap &map() const { return m_map; }
-  /// Returns the analyses of the text's programs, in their order; at least one. They are made when
-  /// they are first asked for after a change or forget(), by the profile of that moment.
+  /// Returns the analyses of the text's programs in their order; at least one. They are computed at
+  /// the first call after a change or forget(), with the given profile.
   [[nodiscard]] const std::vector<Analysis> &analyses(const fp::hw::Profile &profile);
-  /// The program that a byte is in; beside all of them the one before it, or the first.
+  /// Returns the analysis of the program that contains a byte. Between programs it is the previous
+  /// one, before all of them the first.
   [[nodiscard]] const Analysis &analysis(const fp::hw::Profile &profile, std::uint32_t offset = 0);
 
-  /// Likewise; made when it is first asked for, as it costs far more than all the rest.
+  /// Returns the adviser's results, computed at the first call because they cost far more than the
+  /// analyses.
   [[nodiscard]] const std::vector<advise::Advice> &advice(const fp::hw::Profile &profile);
 
   std::int64_t version = 0;
-  bool changed = true; ///< since its diagnostics were published
+  bool changed = true; ///< true if changed since its diagnostics were published
 
 private:
   [[nodiscard]] std::vector<fp::FileProgram> programs() const;
@@ -73,7 +76,7 @@ private:
   Encoding m_encoding;
   std::string m_text;
   TextMap m_map;
-  std::vector<Analysis> m_analyses; ///< empty: not made yet
+  std::vector<Analysis> m_analyses; ///< empty: not computed yet
   std::unique_ptr<std::vector<advise::Advice>> m_advice;
 };
 

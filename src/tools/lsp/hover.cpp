@@ -13,7 +13,7 @@ namespace {
 
 using fp::reference::Entry;
 
-/// What is shown, and the text that it is about.
+/// The text to show, and the span that it describes.
 struct Found {
   std::string markdown;
   fp::Span span;
@@ -97,7 +97,7 @@ private:
     return {std::move(text), use.span};
   }
 
-  /// What a register of nvparse's is.
+  /// Describes a register of nvparse's languages.
   static std::string registerText(std::string_view word) {
     for (const fp::reference::AtiSource &row : fp::reference::nvparseRegisters())
       if (row.count == 0 ? row.word == word
@@ -106,7 +106,7 @@ private:
     return {};
   }
 
-  /// What the bindings of a declaration are.
+  /// Describes the bindings in a declaration.
   std::string declaredAs(fp::Span statement) const {
     std::string text;
     for (std::size_t i = m_reading.before(statement.begin);
@@ -117,7 +117,7 @@ private:
     return text.empty() ? text : text + "\n";
   }
 
-  /// The longest binding that a chain of words begins with, and how many of them it takes.
+  /// Returns the longest binding at the start of a chain of words, and its number of words.
   std::pair<const fp::reference::Binding *, std::size_t>
   longest(const std::vector<std::size_t> &chain) const {
     const std::vector<std::string_view> words = m_reading.words(chain);
@@ -137,7 +137,7 @@ private:
                  {m_reading.span(chain[0]).begin, m_reading.span(chain[length - 1]).end}};
   }
 
-  /// What the instruction here takes of the card.
+  /// Returns the cost of the instruction at the offset.
   std::string costHere(std::uint32_t offset) const {
     const auto &program = m_view.analysis.inspection.check.program;
     const fp::hw::NativeReport &native = m_view.analysis.native;
@@ -191,7 +191,7 @@ private:
     const std::string_view word = m_reading.text(token);
     const fp::Span span = m_reading.span(token);
     if (token > 0 && m_reading.kind(token - 1) == fp::TokenKind::Dot) {
-      // "2x" means one thing behind a destination and another behind an argument.
+      // A suffix such as "2x" has different meanings after a destination and after an argument.
       const bool destination = m_reading.comma(m_reading.statementBegin(token), token) == token;
       for (const auto &entries :
            {fp::reference::atiCoordinates(), destination ? fp::reference::atiDestinationModifiers()

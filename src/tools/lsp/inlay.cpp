@@ -9,12 +9,12 @@ namespace arbiter::tools::lsp {
 
 namespace {
 
-/// What the instructions that end in one line take.
+/// The cost of the instructions that end on one line.
 struct LineCost {
   double slots = 0;
   std::uint32_t textures = 0;
   std::uint32_t node = 0;
-  bool gone = true; ///< all of them
+  bool gone = true; ///< true if the compiler removed all of them
   std::vector<std::uint32_t> instructions;
 };
 
@@ -27,7 +27,8 @@ Json hint(const View &view, std::uint32_t line, std::string label, std::string t
   return json;
 }
 
-/// "12/64 ALU instructions" for each resource of the target; those that are over are marked.
+/// Returns "12/64 ALU instructions" for each resource of the target, with a mark if it is over its
+/// limit.
 Json total(const View &view) {
   const fp::ResourceCounts &counts = view.analysis.native.counts;
   const fp::ResourceCounts &limits = view.analysis.limits.native;
@@ -49,7 +50,7 @@ Json total(const View &view) {
               std::move(tooltip));
 }
 
-/// The reasons that name one of the instructions.
+/// Returns the reasons that name one of the instructions.
 std::string reasonsOf(const View &view, const std::vector<std::uint32_t> &instructions) {
   std::string text;
   for (const fp::hw::Reason &reason : view.analysis.native.reasons) {

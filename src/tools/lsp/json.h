@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-/// JSON as it comes from a client: nothing about its shape is taken for granted, so members are
-/// asked for and may not be there. No access here throws.
+/// Reads JSON from a client. Nothing about its shape is assumed: a member may be missing, and no
+/// access throws.
 namespace arbiter::tools::lsp {
 
 using Json = nlohmann::json;
 
-/// The member at the end of a path of names; nullptr where there is none.
+/// Returns the member at the end of a path of names, or nullptr.
 [[nodiscard]] inline const Json *member(const Json &json,
                                         std::initializer_list<const char *> path) {
   const Json *at = &json;

@@ -50,8 +50,8 @@ Server::Reply Server::shutdown(const Json &) {
   return Json();
 }
 
-/// Takes {"profile": name or path}, by itself or as the member "arbiter"; an empty name is as at
-/// the start. False if nothing changed.
+/// Takes {"profile": name or path}, or the same as the member "arbiter". An empty name restores the
+/// profile of the start. False if nothing changed.
 bool Server::useProfile(const Json &settings) {
   const std::string *name = stringAt(settings, {"arbiter", "profile"});
   if (!name)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of what `arbiter lsp` offers to do: code actions and the adviser's list.
+"""Tests of the actions that `arbiter lsp` offers: code actions and the adviser's list.
 
 usage: lsp_actions_test.py ARBITER [UNITTEST ARGUMENTS...]
 """
@@ -36,7 +36,7 @@ class Actions(Session):
 
     @staticmethod
     def edited(text, edit, uri=URI):
-        """The text after a WorkspaceEdit of LSP's rules: all places are of the text before."""
+        """Returns the text after a WorkspaceEdit by LSP's rules: all positions refer to the text before."""
         lines = [line.encode('utf-16-le') for line in text.split('\n')]
         begins = [sum(len(line) + 2 for line in lines[:i]) for i in range(len(lines))]
         data = text.encode('utf-16-le')

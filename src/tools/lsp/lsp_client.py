@@ -1,4 +1,4 @@
-"""A client of `arbiter lsp` over pipes, for tests: frames, requests, and what the server sends."""
+"""A test client of `arbiter lsp` over pipes, which sends requests and keeps the server's messages."""
 import json
 import os
 import select
@@ -9,7 +9,7 @@ TIMEOUT = 30
 
 
 class Closed(Exception):
-    """The server has gone."""
+    """Raised when the server has closed the connection."""
 
 
 class Client:
@@ -18,7 +18,7 @@ class Client:
                                         bufsize=0)
         self.buffer = b''
         self.next_id = 1
-        self.inbox = []  # what came while something else was waited for
+        self.inbox = []  # messages received while waiting for another
 
     # --- Frames ---
 
@@ -45,7 +45,7 @@ class Client:
         self.buffer += data
 
     def receive(self, timeout=TIMEOUT):
-        """The next message, from the wire."""
+        """Receives the next message."""
         deadline = time.monotonic() + timeout
         while b'\r\n\r\n' not in self.buffer:
             self.more(deadline)
@@ -61,7 +61,7 @@ class Client:
         return message
 
     def wait(self, wanted):
-        """The first message that is wanted, of those that came and of those to come."""
+        """Returns the first wanted message among those received and those to come."""
         for at, message in enumerate(self.inbox):
             if wanted(message):
                 return self.inbox.pop(at)
@@ -77,7 +77,7 @@ class Client:
         self.send({'method': method, 'params': params if params is not None else {}})
 
     def ask(self, method, params=None):
-        """The id of the request."""
+        """Sends a request and returns its id."""
         self.next_id += 1
         self.send({'id': self.next_id, 'method': method,
                    'params': params if params is not None else {}})
@@ -87,7 +87,7 @@ class Client:
         return self.wait(lambda m: 'method' not in m and m.get('id') == identity)
 
     def request(self, method, params=None):
-        """The result; an error is an assertion."""
+        """Sends a request and returns its result; asserts that it is no error."""
         answer = self.response(self.ask(method, params))
         assert 'error' not in answer, answer
         return answer['result']
@@ -122,7 +122,7 @@ class Client:
             'textDocument': {'uri': uri, 'version': version}, 'contentChanges': list(changes)})
 
     def leave(self):
-        """shutdown and exit; the exit code."""
+        """Sends shutdown and exit, and returns the exit code."""
         self.request('shutdown')
         self.notify('exit')
         return self.ended()
@@ -134,7 +134,7 @@ class Client:
         return code
 
     def drop(self):
-        """Ends a server that may still run."""
+        """Ends a server that may still be running."""
         if self.process.poll() is None:
             self.process.kill()
             self.process.wait()
@@ -143,7 +143,7 @@ class Client:
 
 
 def place(text, mark, after=0, utf8=False):
-    """The position of a piece of the text, `after` characters on; it must be there once."""
+    """Returns the position `after` characters behind the start of `mark`, which must occur once in the text."""
     assert text.count(mark) == 1, (mark, text.count(mark))
     before = text[:text.index(mark) + after]
     line = before.count('\n')

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of what `arbiter lsp` answers of a place in a text: hover, completion, navigation, hints.
+"""Tests of requests to `arbiter lsp` about a position in a text: hover, completion, navigation, hints.
 
 usage: lsp_requests_test.py ARBITER [UNITTEST ARGUMENTS...]
 """
@@ -121,7 +121,7 @@ class Completion(Session):
         self.assertEqual(set(found), {'t', 'p', 'a', 'fragment', 'program', 'state'})
         self.assertEqual(set(self.complete(head + 'KIL -|')),
                          {'t', 'p', 'a', 'fragment', 'program', 'state'})
-        # What is declared later is nothing yet.
+        # A name is not offered before its declaration.
         self.assertNotIn('late', self.complete(head + 'MOV t, |;\nTEMP late;\nEND\n'))
 
     def test_textures(self):
@@ -230,7 +230,7 @@ class Navigation(Session):
         for mark in ('TEX colour', 'fragment.texcoord', 'END'):
             error = self.client.failure('textDocument/prepareRename', self.at(PROGRAM, mark))
             self.assertIn('no name', error['message'])
-        # A word of vertex programs is a name like any other here.
+        # A keyword of vertex programs is an ordinary name here.
         self.client.request('textDocument/rename', self.rename('DP4 r0', 'ADDRESS', 5))
         self.client.open('file:///c.atifs', ATI)
         error = self.client.failure('textDocument/rename', {
@@ -271,7 +271,7 @@ class Navigation(Session):
 
 
 class Pair(Session):
-    """A text with both programs of a material: every answer is of the one at the place."""
+    """Opens a text with a vertex and a fragment program; each answer must use the one at the position."""
     PAIR = '# A material.\n\n' + VERTEX + '\n# Its other half.\n' + PROGRAM
 
     def setUp(self):
@@ -346,7 +346,7 @@ class Inlay(Session):
         self.assertEqual(list(found), [8, 9, 10, 11])
         self.assertEqual(found[8], '1 TEX')
         self.assertIn('slot', found[10])
-        # A card of which only the limits are known has totals alone.
+        # A card with known limits but no model has only totals.
         self.client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'host'}})
         self.client.diagnostics(URI)
         self.assertEqual(len(self.hints()), 1)

@@ -1,9 +1,9 @@
-"""What the language server's tests share: the texts, and a server that has been initialised."""
+"""The texts and the initialized server that tests of the language server share."""
 import unittest
 
 from lsp_client import Client, place
 
-arbiter = ''  # the command under test; set before any test runs
+arbiter = ''  # the command under test, set before tests run
 URI = 'file:///tmp/a.fp'
 
 PROGRAM = """!!ARBfp1.0
@@ -66,7 +66,7 @@ class Session(unittest.TestCase):
         return result['contents']['value'] if result else ''
 
     def complete(self, text, uri=URI):
-        """The labels that are offered at the mark | of a text."""
+        """Returns the labels that are offered at the mark | of a text."""
         cut = text.index('|')
         whole = text[:cut] + text[cut + 1:]
         self.client.open(uri, whole)
@@ -75,7 +75,7 @@ class Session(unittest.TestCase):
             'textDocument': {'uri': uri}, 'position': position}))
 
     def words(self, text, locations):
-        """The texts at ranges."""
+        """Returns the texts at the locations' ranges."""
         lines = text.split('\n')
         found = []
         for location in locations:

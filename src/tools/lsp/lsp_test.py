@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests of `arbiter lsp`: a client that speaks JSON-RPC over pipes, as an editor does. What is asked
-of a place in a text is in lsp_requests_test.py.
+"""Tests of `arbiter lsp` with a client that speaks JSON-RPC over pipes, as an editor does. lsp_requests_test.py tests
+requests about a position in a text.
 
 usage: lsp_test.py ARBITER [UNITTEST ARGUMENTS...]
 """
@@ -48,7 +48,7 @@ class Lifecycle(unittest.TestCase):
         self.assertEqual(client.failure('workspace/nonsense')['code'], -32601)
         client.notify('nonsense/notification')
         client.notify('$/setTrace', {'value': 'off'})
-        # The text that was opened too early is not there.
+        # The text that was opened too early was ignored.
         self.assertEqual(client.failure('textDocument/hover', {
             'textDocument': {'uri': URI}, 'position': {'line': 0, 'character': 0}})['code'], -32602)
         client.request('shutdown')
@@ -70,7 +70,7 @@ class Lifecycle(unittest.TestCase):
                        b'Content-Length: -4\r\n\r\n', b'\r\n\r\n', b'y' * 9000):
             client.send_bytes(header)
             self.assertEqual(client.receive()['error']['code'], -32700, header[:40])
-        # A response to nothing, and parameters of any shape.
+        # Responses without a request and parameters of any shape must not stop the server.
         client.send({'id': 99, 'result': None})
         for method in ('textDocument/hover', 'textDocument/completion', 'textDocument/rename',
                        'textDocument/inlayHint', 'textDocument/documentSymbol'):
@@ -99,7 +99,7 @@ class Lifecycle(unittest.TestCase):
         messages.insert(10, {'method': '$/cancelRequest', 'params': {'id': 109}})
         messages.append({'method': '$/cancelRequest', 'params': {'id': 119}})
         messages.append({'method': '$/cancelRequest', 'params': {'id': 5000}})
-        # All at once, so that they wait together.
+        # Sent together, so that they wait together.
         client.send_bytes(b''.join(b'Content-Length: %d\r\n\r\n%s' % (len(m), m)
                                    for m in map(client.encode, messages)))
         answers = [client.receive() for _ in range(20)]
@@ -147,7 +147,7 @@ class Diagnostics(Session):
     def test_edits(self):
         self.client.open(URI, PROGRAM)
         mark = place(PROGRAM, 'MOV out')
-        # One notification of two edits, the second in the text that the first one left.
+        # One notification has two edits; the second refers to the text after the first.
         self.client.change(
             URI, 2,
             {'range': {'start': mark, 'end': mark}, 'text': 'MOV out, nothing;\n'},
@@ -164,7 +164,7 @@ class Diagnostics(Session):
         text = '!!ARBfp1.0 # \U0001d11e\U0001d11e\u00e4\r\nTEMP a; # \U0001d11e\r\n' \
                'MOV result.color, a; # \U0001d11e\r\nEND # \u20ac\n'
         self.assertEqual(self.client.open(URI, text), [])
-        # Replaces the clef in line 2 (two units), and the a behind it stays where it is.
+        # The edit replaces the clef in line 2 (two units); the "a" after it must stay.
         self.client.change(URI, 2, {'range': {'start': {'line': 2, 'character': 18},
                                               'end': {'line': 2, 'character': 25}},
                                     'text': 'b; #x'})
@@ -194,7 +194,7 @@ class Diagnostics(Session):
         self.assertEqual(self.client.diagnostics(URI)['diagnostics'][0]['code'], 'text-after-end')
 
     def test_random_edits_leave_the_same_text(self):
-        """After each of many edits the server finds what it finds in the text opened anew."""
+        """After each of many edits, the server must find the same as in the new text opened again."""
         text, other = PROGRAM, 'file:///tmp/other.fp'
         self.client.open(URI, text)
         seed = 12345
@@ -209,7 +209,7 @@ class Diagnostics(Session):
                      'character': len(t.replace('\r', '\n').rpartition('\n')[2]
                                       .encode('utf-16-le')) // 2} for t in (first, last)]
             if '\r\n' in text[max(start - 1, 0):start + 1] + text[max(end - 1, 0):end + 1]:
-                continue  # between CR and LF there is no position
+                continue  # no position lies between CR and LF
             text = text[:start] + piece + text[end:]
             self.client.change(URI, version, {'range': {'start': spot[0], 'end': spot[1]},
                                               'text': piece})
@@ -220,7 +220,7 @@ class Diagnostics(Session):
             self.assertEqual(edited, fresh, repr(text))
 
     def test_over_the_native_limits(self):
-        # Dependent samples: five indirections, where the card has four.
+        # Five dependent samples make five indirections, one more than the card has.
         chain = ''.join(f'TEX a, {"fragment.texcoord[0]" if i == 0 else "a"}, texture[0], 2D;\n'
                         'MUL a, a, a;\n' for i in range(5))
         found = self.client.open(URI, f'!!ARBfp1.0\nTEMP a;\n{chain}MOV result.color, a;\nEND\n')
@@ -228,7 +228,7 @@ class Diagnostics(Session):
         self.assertTrue(any('indirections' in d['message'] for d in found), found)
 
     def test_over_the_native_limits_alone(self):
-        # The announced limits of this card's driver are above what the chip has.
+        # The driver's announced limits are above the chip's.
         self.client.notify('workspace/didChangeConfiguration',
                            {'settings': {'arbiter': {'profile': 'r300-catalyst-2004'}}})
         chain = ''.join(f'TEX a, {"fragment.texcoord[0]" if i == 0 else "a"}, texture[0], 2D;\n'
@@ -239,7 +239,7 @@ class Diagnostics(Session):
         self.assertEqual({d['severity'] for d in over}, {2})
         self.assertIn('5 of 4 TEX indirections', over[0]['message'])
         self.assertEqual(over[0]['range']['start']['line'], 0)
-        # The last node begins at the fifth sample, and the reason names what it waits for.
+        # The last node begins at the fifth sample, and the reason names the register that it waits for.
         last = over[-1]
         self.assertEqual(last['range']['start'], {'line': 10, 'character': 0})
         self.assertRegex(last['message'], 'TEX reads a, which MUL wrote in node 4')
@@ -264,7 +264,7 @@ class Diagnostics(Session):
         self.assertEqual((report['profile'], report['status']), ('nv30', 'valid'))
         client.change(URI, 2, {'text': '!!ARBfp1.0\n' + lines})
         self.assertTrue(client.diagnostics(URI)['diagnostics'])
-        # What an editor asks for goes before the panel, until it asks no more.
+        # An editor's requested profile takes precedence over the panel's.
         client.change(URI, 3, {'text': '!!ARBfp1.0\n#@ profile nv30\n' + lines})
         self.assertEqual(client.diagnostics(URI)['diagnostics'], [])
         client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'r300'}})
@@ -353,7 +353,7 @@ class Hostile(Session):
                'prepareRename', 'rename', 'documentSymbol', 'semanticTokens/full', 'inlayHint']
 
     def test_texts_in_pieces(self):
-        """Whatever stands in a text, each request is answered and the server goes on."""
+        """The server must answer each request and go on, whatever the text contains."""
         chance = random.Random(7)
         for at in range(150):
             text = chance.choice([PROGRAM, VERTEX, ATI])
@@ -377,7 +377,7 @@ class Hostile(Session):
 
 class Latency(Session):
     def test_of_edits_in_96_instructions(self):
-        """From the last byte of didChange to the whole publishDiagnostics."""
+        """Measures from the last byte of didChange to the complete publishDiagnostics."""
         body = ''.join(f'TEX a, uv, texture[{i % 4}], 2D;\n' for i in range(32))
         body += ''.join('MAD b.xyz, a, c[1].wzyx, -b;\n' for i in range(63))
         text = ('!!ARBfp1.0\nTEMP a, b;\nATTRIB uv = fragment.texcoord[0];\n'
@@ -388,7 +388,7 @@ class Latency(Session):
         last = 0
         for version in range(2, 102):
             line = 4 + (version * 37) % 95
-            # A letter that breaks the line, then the line as it was.
+            # Insert a letter that breaks the line, then restore the line.
             broken = version % 2 == 0
             target = line if broken else last
             spot = {'start': {'line': target, 'character': 0},

@@ -9,9 +9,9 @@ namespace arbiter::tools::lsp {
 
 namespace {
 
-/// A program of one instruction, whose operands are attributes of their own.
+/// Returns a program of one instruction, with a different attribute for each operand.
 std::string programOf(const fp::ir::OpInfo &op, bool vertex) {
-  // A sample goes to a temporary: the way from there to a result is a slot of its own.
+  // A sample goes to a temporary, because moving a sample to a result costs one more slot.
   const bool sample = op.has(fp::ir::Texture);
   std::string text = vertex ? "!!ARBvp1.0\nADDRESS A0;\n" : "!!ARBfp1.0\nTEMP t;\n";
   text += op.mnemonic;

@@ -4,17 +4,17 @@
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 
-/// A card's counts in few words.
+/// Words a card's costs briefly.
 namespace arbiter::tools::lsp {
 
-/// "2 slots", "1 slot, 1 TEX", "no slot"; half of a shared pair is "0.5 slots".
+/// Returns "2 slots", "1 slot, 1 TEX" or "no slot". Half of a shared pair is "0.5 slots".
 [[nodiscard]] std::string costText(double slots, std::uint32_t textures);
 
-/// "alone on r300: 2 slots": what one instruction of the opcode takes, found by compiling a program
-/// of it for the profile; empty where the profile has no model of the chip.
+/// Returns the cost of one instruction, such as "alone on r300: 2 slots". Compiles a program with
+/// only this instruction for the profile. Returns "" if the profile has no model of the chip.
 [[nodiscard]] std::string costOfOpcode(fp::ir::Opcode op, const fp::hw::Profile &profile);
 
-/// True if the program by which costOfOpcode() finds out is one.
+/// True if the program that costOfOpcode() compiles is valid.
 [[nodiscard]] bool opcodeLoads(fp::ir::Opcode op, const fp::hw::Profile &profile);
 
 } // namespace arbiter::tools::lsp

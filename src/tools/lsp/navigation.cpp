@@ -1,4 +1,4 @@
-// Definition, references, highlights, rename: the front end's names and their places.
+// Implements definition, references, highlights and rename with the front end's names.
 #include "fp_compiler/front/words/keywords.h"
 #include "fp_compiler/limits.h"
 #include "tools/lsp/answers.h"
@@ -23,7 +23,7 @@ Json location(const View &view, fp::Span span) {
   return {{"uri", view.document.uri()}, {"range", view.range(span)}};
 }
 
-/// Calls `visit` with each use of the name that stands at the offset.
+/// Calls `visit` for each use of the name at the offset.
 template <typename Visit> void forUses(const View &view, std::uint32_t offset, Visit visit) {
   const NameUse *here = names(view).at(offset);
   if (!here)
@@ -40,7 +40,7 @@ bool isIdentifier(std::string_view word) {
          word.find_first_not_of(std::string(kLetters) + "0123456789") == std::string_view::npos;
 }
 
-/// Why a word can be no name of a variable in this text; empty if it can.
+/// Returns why a word cannot name a variable in this text, or "".
 std::string whyNot(const View &view, const std::string &word) {
   const std::string quoted = "'" + word.substr(0, 64) + "'";
   if (!isIdentifier(word))
@@ -57,7 +57,7 @@ std::string whyNot(const View &view, const std::string &word) {
          std::to_string(view.document.map().lineOf(taken->declared.begin) + 1);
 }
 
-/// The name that may be renamed here.
+/// Returns the name at the offset if it can be renamed.
 Result<const Name *, Refusal> renamable(const View &view, std::uint32_t offset) {
   const Name *name = nameAt(view, offset);
   if (!name)

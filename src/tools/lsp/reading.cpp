@@ -36,7 +36,7 @@ std::optional<std::size_t> Reading::at(std::uint32_t offset) const {
 bool Reading::inComment(std::uint32_t offset) const {
   const std::size_t next = before(offset);
   const std::uint32_t from = next > 0 ? m_tokens[next - 1].span.end : 0;
-  // Between two tokens there are only spaces and comments.
+  // Only spaces and comments lie between two tokens.
   const std::string_view gap = m_text.substr(from, offset - std::min(from, offset));
   const std::size_t line = gap.find_last_of("\r\n");
   const std::size_t begin = line == std::string_view::npos ? 0 : line + 1;

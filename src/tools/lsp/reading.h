@@ -7,7 +7,8 @@
 #include "fp_compiler/front/words/keywords.h"
 #include "tools/lsp/document.h"
 
-/// What stands where in a text, by its tokens alone: so also in a text that is not whole.
+/// Answers questions about a text's structure from its tokens alone, so that the text may be
+/// incomplete.
 namespace arbiter::tools::lsp {
 
 class Reading {
@@ -20,27 +21,29 @@ public:
   [[nodiscard]] fp::Span span(std::size_t token) const { return m_tokens[token].span; }
   [[nodiscard]] std::size_t size() const { return m_tokens.size(); }
 
-  /// The token that the byte is in or directly behind, a word before what follows it.
+  /// Returns the token that contains the byte or ends there; a word takes precedence over the next
+  /// token.
   [[nodiscard]] std::optional<std::size_t> at(std::uint32_t offset) const;
-  /// The number of tokens that end before the byte or with it.
+  /// Returns the number of tokens that end at or before the byte.
   [[nodiscard]] std::size_t before(std::uint32_t offset) const;
   [[nodiscard]] bool inComment(std::uint32_t offset) const;
 
-  /// What a word is in the text's language. ATI's words have no keywords: None.
+  /// Returns a word's meaning in the text's language. ATI's language has no keywords: None.
   [[nodiscard]] fp::Word word(std::size_t token) const;
   [[nodiscard]] bool beginsStatement(std::size_t token) const;
-  /// The first token of the statement that a token is of.
+  /// Returns the first token of the statement that contains a token.
   [[nodiscard]] std::size_t statementBegin(std::size_t token) const;
-  /// From its first token to its semicolon; without one, to the token before the next statement.
+  /// Returns a statement's span from its first token to its semicolon. Without one it ends with the
+  /// token before the next statement.
   [[nodiscard]] fp::Span statement(std::size_t token) const;
 
-  /// The first comma of [begin, end), or `end`.
+  /// Returns the first comma in [begin, end), or `end`.
   [[nodiscard]] std::size_t comma(std::size_t begin, std::size_t end) const;
 
-  /// The words that full stops join around a token, without their indexes: "state", "light",
-  /// "half". Tokens' numbers; empty where the token is no word.
+  /// Returns the tokens of the words that dots join around a token, without their indexes, such as
+  /// "state", "light", "half". Empty if the token is no word.
   [[nodiscard]] std::vector<std::size_t> chain(std::size_t token) const;
-  /// The part of chain() up to this token.
+  /// Returns the part of chain() up to the token.
   [[nodiscard]] std::vector<std::size_t> chainUpTo(std::size_t token) const;
   [[nodiscard]] std::vector<std::string_view> words(const std::vector<std::size_t> &chain) const;
 

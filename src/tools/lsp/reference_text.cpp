@@ -45,7 +45,7 @@ std::string sectionText(std::string_view section) {
 }
 
 namespace {
-/// Of an opcode of NVIDIA's options, the extension that has it first.
+/// Returns the section of the first extension with an opcode of NVIDIA's options.
 std::string nvSectionText(const fp::ir::OpInfo &op) {
   const char *name = op.has(fp::ir::OfF1)   ? "NV_fragment_program_option"
                      : op.has(fp::ir::OfF2) ? "NV_fragment_program2"

@@ -5,9 +5,9 @@
 
 namespace arbiter::tools::lsp {
 
-/// Answers what `arbiter check --json` says of the program at the position, or else of the first
-/// fragment program, for an editor's gauges: counts against limits, and why the native ones are
-/// what they are.
+/// Answers arbiter/report for an editor's gauges, like `arbiter check --json`: the counts, the
+/// limits, and reasons for the native counts. The program is the one at the position, or the first
+/// fragment program.
 Server::Reply Server::reportOf(const Json &params) {
   Document *document = find(params);
   if (!document)

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kRequestFailed = -32803;
 
-/// An integer that any picture has room for.
+/// True for an integer that can be a coordinate of a picture.
 bool isSmall(const Json &json) {
   return json.is_number_integer() && json.get<std::int64_t>() >= 0 &&
          json.get<std::int64_t>() < 65536;
@@ -46,7 +46,7 @@ void Server::changed(const Json &params) {
   for (const Json &change : *changes) {
     if (document->change(change))
       continue;
-    // The two texts are no longer the same: whatever is said from here on may be wrong.
+    // The server's text now differs from the editor's, so that later answers may be wrong.
     constexpr int kError = 1;
     sendNotification("window/logMessage",
                      {{"type", kError}, {"message", "arbiter: a change that cannot be read"}});
@@ -88,7 +88,7 @@ template <typename Handler> Server::Reply Server::atPosition(const Json &params,
   return handler(viewAt(*document, *offset), *offset);
 }
 
-/// The values of a trace stand behind what is known of the word.
+/// Appends the values of a trace to the description of the word.
 Server::Reply Server::hoverAt(const Json &params) {
   return atPosition(params, [&](const View &view, std::uint32_t offset) -> Reply {
     Json found = hover(view, offset);
@@ -143,7 +143,7 @@ Server::Reply Server::symbolsOf(const Json &params) {
   return ofEach(*document, documentSymbols);
 }
 
-/// The bytes of the parameters' range.
+/// Returns the bytes of the parameters' range.
 std::optional<fp::Span> Server::rangeOf(const Document &document, const Json &params) {
   const Json *start = member(params, {"range", "start"});
   const Json *end = member(params, {"range", "end"});
@@ -167,8 +167,8 @@ Server::Reply Server::inlayHintsOf(const Json &params) {
   return hints;
 }
 
-/// {textDocument, pixel: [x, y] or null, pass?, frame?, against?: "swrast" or "host"}; null ends
-/// the trace.
+/// Answers {textDocument, pixel: [x, y] or null, pass?, frame?, against?: "swrast" or "host"}; null
+/// ends the trace.
 Server::Reply Server::traceOf(const Json &params) {
   const Document *document = find(params);
   if (!document)
@@ -217,7 +217,7 @@ Server::Reply Server::codeActionsOf(const Json &params) {
                      request);
 }
 
-/// The action with its edit, if it is one of ours that has none yet.
+/// Adds the edit to an action of this server that has none yet.
 Server::Reply Server::resolveAction(const Json &action) {
   const std::string *uri = stringAt(action, {"data", "uri"});
   const auto found = uri ? m_documents.find(*uri) : m_documents.end();

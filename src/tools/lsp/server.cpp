@@ -11,16 +11,16 @@ namespace arbiter::tools::lsp {
 
 namespace {
 
-// Codes of JSON-RPC and of the protocol.
+// Error codes of JSON-RPC and of the protocol.
 constexpr int kParseError = -32700;
 constexpr int kInvalidRequest = -32600;
 constexpr int kMethodNotFound = -32601;
 constexpr int kServerNotInitialized = -32002;
 constexpr int kRequestCancelled = -32800;
 
-/// Messages that are taken in ahead of the one that is handled, to see what is cancelled.
+/// The number of messages read ahead to find cancelled requests.
 constexpr std::size_t kMaxWaiting = 256;
-/// Edits that come without a pause do not keep diagnostics back for longer.
+/// The longest delay of diagnostics while edits arrive without a pause.
 constexpr std::chrono::milliseconds kMaxDelay{20};
 
 bool isId(const Json &id) { return id.is_string() || id.is_number_integer(); }
@@ -73,7 +73,7 @@ int Server::run() {
         publishChanged();
       if (!receive())
         break;
-      continue; // it may have held nothing to handle
+      continue; // the message may have been invalid
     }
     while (m_waiting.size() < kMaxWaiting && m_transport.pending())
       if (!receive())
@@ -87,7 +87,7 @@ int Server::run() {
   return m_wasShutDown ? 0 : 1;
 }
 
-/// Takes one message in. False at the end of the input.
+/// Reads one message into the queue. False at the end of the input.
 bool Server::receive() {
   std::string body;
   switch (m_transport.read(body)) {
@@ -187,7 +187,7 @@ void Server::sendNotification(const char *method, Json params) {
 }
 
 void Server::send(const Json &message) {
-  // A piece of a text that is cut within a character is no UTF-8, and dump() is strict.
+  // A text cut within a character is not UTF-8; dump() would throw without `replace`.
   m_gone = !m_transport.write(message.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -208,7 +208,7 @@ int serve(const LspArguments &arguments) {
     complain(profiles.error().message);
     return kExitUsage;
   }
-  std::signal(SIGPIPE, SIG_IGN); // a client that goes is an error of write()
+  std::signal(SIGPIPE, SIG_IGN); // write() then reports a client that has gone
   lsp::Transport transport(STDIN_FILENO, STDOUT_FILENO);
   const int code = lsp::Server(transport, std::move(profiles).value()).run();
   if (code != kExitOk)

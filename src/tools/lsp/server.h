@@ -19,21 +19,21 @@ struct RpcError {
   int code = 0;
   std::string message;
 };
-inline constexpr int kInvalidParams = -32602; ///< of JSON-RPC
+inline constexpr int kInvalidParams = -32602; ///< a code of JSON-RPC
 [[nodiscard]] inline RpcError noDocument() {
   return {kInvalidParams, "no open document of this URI"};
 }
 
-/// A language server of one client (Language Server Protocol 3.17), on one thread. What is asked is
-/// answered in the order it came, but for requests that are cancelled while they wait; diagnostics
-/// go out when nothing waits, so that a burst of edits costs one check.
+/// A language server for one client (Language Server Protocol 3.17), on one thread. Requests are
+/// answered in order, unless they are cancelled while they wait. Diagnostics are sent when no
+/// message waits, so that a burst of edits costs one check.
 class Server {
 public:
-  /// \param profiles as the command line has them; a client's settings may ask for another
+  /// \param profiles from the command line; a client's settings may select another
   Server(Transport &transport, ProfileChoice profiles);
 
-  /// Serves until `exit` or the end of the input. \returns the exit code: 0 after `shutdown`,
-  /// else 1.
+  /// Serves until `exit` or the end of the input. \returns the exit code: 0 after `shutdown`, else
+  /// 1.
   [[nodiscard]] int run();
 
 private:
@@ -58,7 +58,7 @@ private:
   void configurationChanged(const Json &params);
   bool useProfile(const Json &settings);
 
-  // requests.cpp: texts, and what is asked of them
+  // requests.cpp: texts, and requests about them
   void opened(const Json &params);
   void changed(const Json &params);
   void closed(const Json &params);
@@ -66,7 +66,7 @@ private:
   Document *find(const Json &params);
   [[nodiscard]] static std::optional<fp::Span> rangeOf(const Document &document,
                                                        const Json &params);
-  /// Returns the view of the program that the byte is in.
+  /// Returns the view of the program that contains the byte.
   [[nodiscard]] View viewAt(Document &document, std::uint32_t offset) {
     const fp::hw::Profile &profile = profileOf(document);
     return {document, document.analysis(profile, offset), profile};
@@ -78,7 +78,7 @@ private:
       views.push_back({document, analysis, profile});
     return views;
   }
-  /// Returns everything that `say` says of each of the document's programs.
+  /// Calls `say` for each of the document's programs and joins the results.
   template <typename Say> [[nodiscard]] Json ofEach(Document &document, Say say) {
     Json all = Json::array();
     for (const View &view : viewsOf(document))
@@ -89,7 +89,7 @@ private:
   [[nodiscard]] const fp::hw::Profile &profileOf(const Document &document) {
     return m_profiles.of(pathOf(document.uri()), document.text());
   }
-  /// The reply of `handler`, called with the view and the offset that the parameters name.
+  /// Calls `handler` with the view and the offset that the parameters name, and returns its reply.
   template <typename Handler> Reply atPosition(const Json &params, Handler handler);
   Reply hoverAt(const Json &params);
   Reply completionAt(const Json &params);
@@ -120,14 +120,14 @@ private:
   const ProfileChoice m_startProfiles;
   ProfileChoice m_profiles;
   Encoding m_encoding = Encoding::Utf16;
-  bool m_refreshesHints = false; ///< the client knows workspace/inlayHint/refresh
-  bool m_showsDisabled = false;  ///< the client shows code actions that are disabled
+  bool m_refreshesHints = false; ///< true if the client supports workspace/inlayHint/refresh
+  bool m_showsDisabled = false;  ///< true if the client shows disabled code actions
   State m_state = State::New;
   bool m_wasShutDown = false;
-  bool m_gone = false; ///< what is written is not read any more
+  bool m_gone = false; ///< true if the client no longer reads
   std::int64_t m_nextId = 1;
   std::deque<Json> m_waiting;
-  std::set<Json> m_cancelled; ///< ids of requests that wait
+  std::set<Json> m_cancelled; ///< ids of waiting requests
   std::map<std::string, Document> m_documents;
   Traces m_traces;
   std::optional<std::chrono::steady_clock::time_point> m_changedSince;

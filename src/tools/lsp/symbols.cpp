@@ -14,7 +14,7 @@ namespace {
 using fp::SymbolKind;
 using fp::TokenKind;
 
-/// SymbolKind of the protocol.
+/// Returns the protocol's SymbolKind.
 int kindOf(SymbolKind kind) {
   enum { kNamespace = 3, kProperty = 7, kVariable = 13, kConstant = 14, kArray = 18 };
   switch (kind) {
@@ -33,7 +33,7 @@ int kindOf(SymbolKind kind) {
   return kVariable;
 }
 
-/// A statement on one line, cut short.
+/// Returns a statement on one line, shortened.
 std::string oneLine(std::string_view text) {
   constexpr std::size_t kMost = 96;
   std::string line;
@@ -44,7 +44,7 @@ std::string oneLine(std::string_view text) {
     else if (!line.empty() && line.back() != ' ')
       line += ' ';
   }
-  // A character cut in half is no text.
+  // Remove the bytes of a character that was cut.
   while (text.size() > kMost && !line.empty() && (std::uint8_t(line.back()) & 0x80) != 0)
     line.pop_back();
   return text.size() > kMost ? line + "..." : line;
@@ -54,7 +54,7 @@ Json declaration(const View &view, const Reading &reading, const fp::Name &name)
   const auto token = reading.at(name.declared.begin);
   const fp::Span statement = token ? reading.statement(*token) : name.declared;
   const std::string_view text = view.document.text(statement);
-  // Of a list of registers each has its own name for its range, so that they do not overlap.
+  // In a list of registers each symbol's range is its own name, so that the ranges do not overlap.
   const bool list = text.starts_with("TEMP") || text.starts_with("ADDRESS");
   return {{"name", std::string(name.text)},
           {"detail", oneLine(text)},
@@ -86,7 +86,7 @@ enum Type { kKeyword, kFunction, kVariable, kParameter, kProperty, kEnumMember, 
 constexpr const char *kModifiers[] = {"declaration", "readonly"};
 enum Modifier { kDeclaration = 1, kReadonly = 2 };
 
-/// The token's type, by its place and its word.
+/// Returns a token's type from its position and its word.
 Type typeOf(const Reading &reading, std::size_t token, bool ati) {
   switch (reading.kind(token)) {
   case TokenKind::Integer:
@@ -141,7 +141,7 @@ Json semanticLegend() {
 
 namespace {
 
-/// Writes tokens as the protocol has them: each by its distance from the one before.
+/// Encodes tokens as in the protocol, each by its distance from the previous one.
 class TokenWriter {
 public:
   explicit TokenWriter(const TextMap &map) : m_map(map) {}

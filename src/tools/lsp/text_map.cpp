@@ -8,7 +8,7 @@ namespace {
 
 bool continues(char c) { return (std::uint8_t(c) & 0xC0) == 0x80; }
 
-/// The bytes of the character that begins here.
+/// Returns the number of bytes of the character that begins here.
 std::uint32_t bytesOf(std::string_view text, std::uint32_t at) {
   const auto lead = std::uint8_t(text[at]);
   const std::uint32_t wanted = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
@@ -18,7 +18,7 @@ std::uint32_t bytesOf(std::string_view text, std::uint32_t at) {
   return bytes;
 }
 
-/// What a character of that many bytes counts: UTF-16 takes two units for one beyond U+FFFF.
+/// Returns the units of a character of that many bytes. UTF-16 needs two for one beyond U+FFFF.
 std::uint32_t unitsOf(std::uint32_t bytes, Encoding encoding) {
   if (encoding == Encoding::Utf8)
     return bytes;
@@ -75,7 +75,7 @@ Json TextMap::position(std::uint32_t offset) const {
   for (std::uint32_t at = m_begins[number]; at < offset;) {
     const std::uint32_t bytes = bytesOf(m_text, at);
     if (at + bytes > offset)
-      break; // within a character
+      break; // the offset lies within a character
     units += unitsOf(bytes, m_encoding);
     at += bytes;
   }

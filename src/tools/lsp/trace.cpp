@@ -48,7 +48,7 @@ Result<Json, Refusal> Traces::ask(const Document &document, const TraceQuestion 
   auto findings = debug::findingsOf(*traced.session, question.x, question.y);
   if (!findings) {
     const Refusal refusal{findings.error().message};
-    traced.findings = {}; // those of another pixel
+    traced.findings = {}; // the old findings belong to another pixel
     if (!traced.session->isAlive())
       forget(document.uri());
     return refusal;

@@ -9,25 +9,25 @@
 
 namespace arbiter::tools::lsp {
 
-/// What a client asks of one pixel of an open document.
+/// A client's request to trace one pixel of an open document.
 struct TraceQuestion {
   int x = 0, y = 0; ///< from the lower left
   int pass = 1, frame = 0;
   debug::Backend backend = debug::Backend::Swrast;
-  std::string profile; ///< that was asked for; empty: by the document, or the user
+  std::string profile; ///< the requested profile; empty: the document's or the user's
 };
 
-/// The traces of open documents: the last one of each, and the process that drew it.
+/// The last trace of each open document, with the process that drew it.
 class Traces {
 public:
-  /// The findings as JSON (debug/findings.h), or why there are none. A session of the same version
-  /// of the text, pass and frame is used again.
+  /// Returns the findings as JSON (debug/findings.h), or an error. Reuses the session if the text's
+  /// version, the pass and the frame are the same.
   [[nodiscard]] Result<Json, Refusal> ask(const Document &document, const TraceQuestion &question);
   void forget(const std::string &uri) { m_traces.erase(uri); }
-  /// InlayHint[]: the values after each instruction of the lines that \p span lies in, while a
-  /// trace of this version of the text is set.
+  /// Returns an InlayHint[] with the values after each instruction, for the lines that \p span
+  /// overlaps. Empty if there is no trace of this version of the text.
   [[nodiscard]] Json hints(const Document &document, fp::Span span) const;
-  /// Markdown of the values of the instruction at \p offset; empty where there is no trace.
+  /// Returns the values of the instruction at \p offset as Markdown, or "" without a trace.
   [[nodiscard]] std::string hover(const Document &document, std::uint32_t offset) const;
 
 private:
@@ -36,7 +36,7 @@ private:
     TraceQuestion question;
     std::unique_ptr<debug::Session> session;
     debug::Findings findings;
-    bool isOwn = true; ///< the pass's program is the document's own text
+    bool isOwn = true; ///< true if the document's own text is the pass's program
   };
 
   [[nodiscard]] const Traced *find(const Document &document) const;

@@ -15,14 +15,14 @@ constexpr std::size_t kMaxHeaderBytes = 8192;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
 
-/// Names of header fields have no case.
+/// True for the name Content-Length; header names are not case-sensitive.
 bool isLength(std::string_view name) {
   constexpr std::string_view kName = "content-length";
   return std::equal(name.begin(), name.end(), kName.begin(), kName.end(),
                     [](char a, char b) { return lower(a) == b; });
 }
 
-/// The value of Content-Length in a block of header lines.
+/// Returns the value of Content-Length in a block of header lines.
 std::optional<std::size_t> lengthOf(std::string_view header) {
   while (!header.empty()) {
     const std::size_t end = std::min(header.find("\r\n"), header.size());
@@ -78,7 +78,7 @@ Transport::Read Transport::read(std::string &body) {
   std::size_t end = rest().find(kEnd);
   while (end == std::string_view::npos) {
     if (rest().size() > kMaxHeaderBytes) {
-      m_used = m_buffer.size(); // no header: nothing in it can be trusted
+      m_used = m_buffer.size(); // discard it all: without a header no byte can be interpreted
       return Read::BadHeader;
     }
     if (!more())

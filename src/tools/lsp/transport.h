@@ -5,32 +5,32 @@
 
 namespace arbiter::tools::lsp {
 
-/// Messages of the language server protocol over two file descriptors: each a block of header
-/// lines with Content-Length, an empty line, and that many bytes.
+/// Reads and writes messages of the language server protocol over two file descriptors. A message
+/// is a block of header lines with Content-Length, an empty line, and that many bytes.
 class Transport {
 public:
   Transport(int in, int out) : m_in(in), m_out(out) {}
 
   enum class Read {
     Message,
-    BadHeader, ///< a header without a length that can be used; reading may go on
-    TooLong,   ///< a message over kMaxBytes, which was passed over
-    Closed,    ///< the other side has gone
+    BadHeader, ///< a header without a usable length; reading can go on
+    TooLong,   ///< a message over kMaxBytes, which was skipped
+    Closed,    ///< the client has closed the connection
   };
   static constexpr std::size_t kMaxBytes = std::size_t(64) << 20;
 
-  /// Waits for a message. \p body is set for Message only.
+  /// Waits for a message. Sets \p body only for Message.
   [[nodiscard]] Read read(std::string &body);
-  /// True if read() has something to begin with at once.
+  /// True if read() can start without waiting.
   [[nodiscard]] bool pending() const;
-  /// \returns false if the other side has gone.
+  /// Writes a message. \returns false if the client has closed the connection.
   bool write(std::string_view body);
 
 private:
   /// Waits for more bytes. False at the end of the input.
   bool more();
   bool skip(std::size_t bytes);
-  /// The bytes that are read and not used yet.
+  /// Returns the bytes that were read but not used yet.
   [[nodiscard]] std::string_view rest() const { return std::string_view(m_buffer).substr(m_used); }
 
   int m_in;

@@ -4,7 +4,7 @@
 
 namespace arbiter::tools::lsp {
 
-/// The path of a file's URI (RFC 3986, RFC 8089); empty for any other URI.
+/// Returns the path of a file URI (RFC 3986, RFC 8089), or "" for other URIs.
 [[nodiscard]] std::string pathOf(std::string_view uri);
 
 } // namespace arbiter::tools::lsp

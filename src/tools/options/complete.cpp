@@ -1,5 +1,5 @@
-// Completes a word of a command line, by the definition that parses it. The thin files of
-// the shells (data/completions) print what this says.
+// Completes a word of a command line, using the definitions that parse it. The scripts of the
+// shells (src/tools/complete) print the result.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -17,14 +17,14 @@ using Words = std::vector<std::string>;
 
 constexpr const char *kFiles = ":files";
 
-/// "write a picture" of "write a picture of the window; without a display too"
+/// Returns the help up to its first ";" or line end: "write a picture of the window".
 std::string shortHelp(const std::string &help) { return help.substr(0, help.find_first_of(";\n")); }
 
 bool takesValue(const CLI::Option &option) { return option.get_items_expected_max() != 0; }
 
 bool isShown(const CLI::Option &option) { return !option.get_group().empty(); }
 
-/// The words that its validator lets through, as help shows them: {a,b}.
+/// Returns the words that the option's validator accepts; help shows them as {a,b}.
 Candidates wordsOf(const CLI::Option &option) {
   const std::string type = option.get_type_name();
   const std::size_t begin = type.find('{'), end = type.find('}');
@@ -41,13 +41,13 @@ bool isNumber(const CLI::Option &option) {
   return type.starts_with("INT") || type.starts_with("UINT") || type.starts_with("FLOAT");
 }
 
-/// The command line in front of the word that is completed, as far as it is understood.
+/// The parsed part of the command line, before the word to complete.
 struct Line {
   const CLI::App *verb = nullptr;
-  const CLI::Option *valueOf = nullptr; ///< the word is this option's value
+  const CLI::Option *valueOf = nullptr; ///< set if the word is this option's value
   Words operands;                       ///< of the verb
-  std::size_t command = 0;              ///< where another's command line begins; 0: nowhere
-  int process = 0;                      ///< of --pid
+  std::size_t command = 0;              ///< the word at which another command line begins; 0: none
+  int process = 0;                      ///< the value of --pid
 };
 
 const CLI::Option *optionOf(const CLI::App &verb, const std::string &word) {

@@ -63,7 +63,7 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
               "the PNG to write; without it the document's name with the ending .png, here");
   verb.flag("--json", draw.json, "say what was drawn as JSON");
   verb.flag("--bare", draw.bare, "without the layer: the host's own implementation");
-  verb.flag("--in-layer", draw.inLayer).hidden(); // what draw passes to itself
+  verb.flag("--in-layer", draw.inLayer).hidden(); // draw passes it to its own second process
   verb.option(
           "FILE", draw.files,
           "a document: a program text (!!ARBfp1.0, !!ARBvp1.0, !!ATIfs1.0, !!RC1.0, !!TS1.0) whose "

@@ -4,17 +4,18 @@
 #include "tools/options/options.h"
 #include "tools/options/verb.h"
 
-/// An option that has no effect is a mistake in the command line: reported, not ignored.
+/// Reports options that have no effect, because they are probably mistakes.
 namespace arbiter::tools {
 
 namespace {
 
-/// `option` does nothing where `beside` was given, or has one of `values`.
+/// `option` has no effect if `beside` was given, or if `beside` has one of `values`.
 struct Row {
   const char *verb, *option, *beside;
-  std::string_view values = {}; ///< between spaces; empty: any, if it was given
-  const char *unless = nullptr; ///< an option that gives it an effect again
-  std::string_view but = {};    ///< a value of `option` that has one in some files; the verb judges
+  std::string_view values = {}; ///< separated by spaces; empty: any value
+  const char *unless = nullptr; ///< an option that restores the effect
+  std::string_view but = {};    ///< a value of `option` that has an effect for some files; the verb
+                                ///< checks it
 };
 constexpr Row kRows[] = {
     {"check", "--brief", "--json"},
@@ -61,7 +62,7 @@ std::string withoutEffect(const AllSaid &all, const Row &row) {
          (row.unless ? std::string(" but beside ") + row.unless : std::string());
 }
 
-/// Where the layer is not loaded, none of its options has an effect.
+/// Returns a complaint if options of the layer are given while the layer is not loaded.
 std::string layerWithoutEffect(const AllSaid &all, const char *without) {
   if (!isGiven(all, without))
     return {};

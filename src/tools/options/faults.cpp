@@ -1,5 +1,4 @@
-// Sentences for what CLI11 does not take, in the voice of the other errors: what is wrong, and what
-// was expected.
+// Words the errors of CLI11 like all other errors: what is wrong, and what was expected.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
@@ -18,7 +17,7 @@ std::string meant(std::string_view typed, const std::vector<std::string> &known)
 
 bool isShown(const CLI::Option &option) { return !option.get_group().empty(); }
 
-/// The longest name of an option that the text begins with, or has in it.
+/// Returns the option with the longest name that the text contains.
 const CLI::Option *mentioned(const CLI::App &verb, const std::string &text) {
   const CLI::Option *found = nullptr;
   for (const CLI::Option *option : verb.get_options())
@@ -28,7 +27,8 @@ const CLI::Option *mentioned(const CLI::App &verb, const std::string &text) {
   return found;
 }
 
-/// "a program text", of "a program text; - is standard input".
+/// Returns what an option expects, from its help: "a program text" of "a program text; - is
+/// standard input".
 std::string expected(const CLI::Option &option) {
   const std::string &help = option.get_description();
   return "expected " + help.substr(0, help.find_first_of(";:("));
@@ -39,7 +39,7 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// Says what was not expected: an option before any other word.
+/// Returns a complaint about an unexpected word, preferably an option.
 std::string leftOver(const CLI::App &app, const CLI::App &verb) {
   const std::vector<std::string> rest = app.remaining(true);
   const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string &word) {

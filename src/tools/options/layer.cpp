@@ -1,4 +1,4 @@
-// The verbs that run others under the layer, and the options of the layer.
+// The verbs that run commands under the layer, and the layer's options.
 #include "tools/options/verbs.h"
 
 namespace arbiter::tools {
@@ -48,9 +48,10 @@ void addLayer(Verb &verb, LayerArguments &layer) {
   verb.flag("--control", layer.control,
             "let arbiter ctl and the builder look at the programs and change them while it "
             "runs");
-  verb.flagOrValue("--hud", layer.hud,
-                   "show figures in each frame: version, host, frames a second, draws by path, "
-                   "programs over native limits; --hud=fps,top-right chooses (docs/reference/flags.md)");
+  verb.flagOrValue(
+      "--hud", layer.hud,
+      "show figures in each frame: version, host, frames a second, draws by path, "
+      "programs over native limits; --hud=fps,top-right chooses (docs/reference/flags.md)");
   verb.option("--host-vendor", layer.hostVendor,
               "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
   verb.option("--library", layer.library, "the layer's library, where it is not beside us");

@@ -8,10 +8,10 @@ class App;
 class ParseError;
 } // namespace CLI
 
-/// The verbs of `arbiter` with their options, as CLI11 has them.
+/// Defines the verbs of `arbiter` and their options with CLI11.
 namespace arbiter::tools {
 
-/// Everything that a command line can ask for.
+/// The parsed arguments of all verbs.
 struct Arguments {
   CheckArguments check;
   CompileArguments compile;
@@ -32,32 +32,33 @@ struct Arguments {
   std::string helpOf;
 };
 
-/// The group, in help, of the options that verbs which load the layer share.
+/// The help group of options that all verbs with the layer share.
 inline constexpr const char *kLayerGroup = "Options of the layer";
 
-/// The verb that shows the help of another; the words become that verb's --help.
+/// The verb that shows the help of another verb; its words are replaced by that verb's --help.
 inline constexpr const char *kHelpVerb = "help";
 
 /// Adds every verb; parsing fills \p arguments, which must outlive the application.
 void addVerbs(CLI::App &app, Arguments &arguments);
 
-/// "no option --jsn; did you mean --json?"
+/// Returns the complaint about an unknown option: "no option --jsn; did you mean --json?"
 [[nodiscard]] std::string unknownOption(const CLI::App &verb, const std::string &word);
-/// Likewise of a verb; empty if there is one of that name.
+/// Returns the complaint about an unknown verb, or "" if the verb exists.
 [[nodiscard]] std::string unknownVerb(const CLI::App &app, const std::string &word);
-/// Says what CLI11 found wrong with a command line, and what was expected.
+/// Returns what CLI11 found wrong with a command line, and what was expected.
 [[nodiscard]] std::string faultOf(const CLI::App &app, const CLI::ParseError &error);
 
-/// The verb, shown in no help, of completeWords().
+/// The hidden verb that runs completeWords(); no help shows it.
 inline constexpr const char *kCompleteVerb = "complete";
-/// Prints what the last word may become, a line each: the word, a tab, a help. A line ":files"
-/// means names of files too, ":command N" that another's command line begins at the word of that
-/// number. \param words behind `arbiter`; the last one may be empty \param withCommand the verb
-/// takes another's command line
+/// Prints the possible completions of the last word, one per line: the word, a tab, a help text. A
+/// line ":files" stands for file names. A line ":command N" says that another command line begins
+/// at word N.
+/// \param words after `arbiter`; the last one may be empty
+/// \param withCommand true if the verb takes another command line
 int completeWords(const CLI::App &app, const std::vector<std::string> &words, bool withCommand);
 
-/// Says of what a parsed command line gives the first option that has no effect beside the others:
-/// "--why has no effect with --json". Empty if each has one.
+/// Returns a complaint about the first given option that has no effect beside the others: "--why
+/// has no effect with --json". Returns "" if each has an effect.
 [[nodiscard]] std::string withoutEffect(const CLI::App &verb);
 
 } // namespace arbiter::tools

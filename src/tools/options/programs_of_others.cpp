@@ -1,5 +1,4 @@
-// The verbs about programs that are to run under the layer: what holds for them, what is in the
-// way.
+// The verbs about applications that will run under the layer: their defaults, and obstacles.
 #include "tools/options/verbs.h"
 
 namespace arbiter::tools {

@@ -1,4 +1,4 @@
-// The verbs that talk to other processes: ctl, render, lsp, builder. And help.
+// The verbs that talk to other processes (ctl, render, lsp, builder), and help.
 #include "tools/options/verbs.h"
 
 namespace arbiter::tools {
@@ -40,7 +40,7 @@ void addRender(CLI::App &app, RenderArguments &render) {
               "and print where")
       .range(0, 1048576);
   verb.flag("--bare", render.bare, "without the layer: the host's own implementation");
-  verb.flag("--in-layer", render.inLayer).hidden(); // what render passes to itself
+  verb.flag("--in-layer", render.inLayer).hidden(); // render passes it to its own second process
   verb.footer("The builder starts it. The messages are those of docs/write/control.md; frames go "
               "through shared memory.\n"
               "Exit code: 0 the client is gone; 1 usage, or no socket; 4 no GL.\n"

@@ -19,7 +19,8 @@ std::string listed(const std::vector<std::string> &words, const char *last) {
   return text;
 }
 
-/// One of the words, or what `other` takes. CLI11's own says "x not in {a,b}".
+/// Accepts one of the words, or a value that `takes` accepts. Replaces CLI11's validator, whose
+/// message is "x not in {a,b}".
 CLI::Validator among(std::vector<std::string> words, const std::string &other,
                      const std::function<bool(const std::string &)> &takes) {
   const std::string shown =

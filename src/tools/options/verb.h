@@ -7,34 +7,34 @@ class App;
 class Option;
 } // namespace CLI
 
-/// A verb's options, said without CLI11's header: reading it and making its templates takes longer
-/// than the rest of `arbiter`. What is said here becomes CLI11's in verb.cpp.
+/// Describes a verb's options without CLI11's header, which takes long to compile. verb.cpp
+/// translates the description for CLI11.
 namespace arbiter::tools {
 
-/// One option. Each function says one more thing of it.
+/// One option; each function adds one property.
 class Option {
 public:
   explicit Option(CLI::Option *option) : m_option(option) {}
 
   [[nodiscard]] CLI::Option *get() const { return m_option; }
-  /// One of these words.
+  /// Accepts one of these words.
   Option oneOf(std::vector<std::string> words) const;
-  /// One of these words, or a file that is there.
+  /// Accepts one of these words, or an existing file.
   Option oneOfOrFile(std::vector<std::string> words) const;
-  /// Files, of which `gallery:NAME` is one of the gallery's.
+  /// Accepts files; `gallery:NAME` names one of the gallery's.
   Option documents() const;
   Option range(int low, int high) const;
   Option range(double low, double high) const;
-  /// A whole number over 0.
+  /// Accepts a whole number over 0.
   Option positive() const;
-  /// Help has the value that the variable has now.
+  /// Shows the variable's current value as the default in help.
   Option showDefault() const;
-  /// Once or more, a value each time.
+  /// Accepts the option several times, with one value each time.
   Option repeatable() const;
   Option required() const;
-  /// So many values.
+  /// Accepts this many values.
   Option count(int least, int most) const;
-  /// Not in help.
+  /// Hides the option from help.
   Option hidden() const;
   Option needs(const Option &other) const;
   Option needs(const std::string &name) const;
@@ -45,44 +45,44 @@ private:
   CLI::Option *m_option;
 };
 
-/// A subcommand of `arbiter`, being made. Variables get their values when a command line is parsed,
-/// and must outlive that.
+/// Builds a subcommand of `arbiter`. Parsing writes the values to the given variables, which must
+/// outlive it.
 class Verb {
 public:
   Verb(CLI::App &app, const std::string &name, const std::string &help);
 
-  /// \param names "-o,--output"; without a dash: an operand
+  /// Adds an option or an operand. \param names "-o,--output"; an operand has no dash
   Option option(const std::string &names, std::string &value, const std::string &help);
   Option option(const std::string &names, std::vector<std::string> &values,
                 const std::string &help);
   Option option(const std::string &names, int &value, const std::string &help);
   Option option(const std::string &names, double &value, const std::string &help);
   Option flag(const std::string &names, bool &value, const std::string &help = {});
-  /// A flag that may have a value, joined to it by "=". Without one the value is "true".
+  /// Adds a flag with an optional value, joined by "=". Without a value it is "true".
   Option flagOrValue(const std::string &names, std::string &value, const std::string &help);
-  /// What help says behind the options.
+  /// Sets the help text after the options.
   void footer(const std::string &text);
-  /// What begins with the first operand is another's command line.
+  /// Treats everything from the first operand on as another command line.
   void prefixCommand();
 
-  /// How many options it has so far, its own --help among them.
+  /// Returns the number of its options so far, including --help.
   [[nodiscard]] std::size_t count() const;
-  /// Those from that one on stand in a group of help.
+  /// Puts the options from index `first` on into a group of help.
   void group(const std::string &name, std::size_t first);
 
-  /// Not in help.
+  /// Hides the verb from help.
   void hide();
 
 private:
   CLI::App *m_app;
 };
 
-/// What a command line that is parsed says of one option of a verb.
+/// A parsed command line's result for one option of a verb.
 struct Said {
   std::string name;  ///< "--why"
-  std::string group; ///< of help
+  std::string group; ///< the group in help
   bool given = false;
-  std::string value; ///< the first one, or the default
+  std::string value; ///< the first value, or the default
 };
 [[nodiscard]] std::vector<Said> saidOf(const CLI::App &verb);
 [[nodiscard]] std::string nameOf(const CLI::App &verb);

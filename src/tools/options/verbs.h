@@ -2,7 +2,7 @@
 #include "tools/options/options.h"
 #include "tools/options/verb.h"
 
-/// Each adds a verb with its options and its help.
+/// Each function adds a verb with its options and its help.
 namespace arbiter::tools {
 
 inline constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
@@ -17,7 +17,7 @@ void addReport(CLI::App &app, ReportArguments &report);
 void addProfiles(CLI::App &app, ProfilesArguments &profiles);
 
 // layer.cpp
-/// The options that rule the layer, of a verb that loads it.
+/// Adds the options of the layer to a verb that loads it.
 void addLayer(Verb &verb, LayerArguments &layer);
 void addRun(CLI::App &app, RunArguments &run);
 void addStats(CLI::App &app, StatsArguments &stats);

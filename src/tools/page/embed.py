@@ -7,7 +7,7 @@ import sys
 
 
 def literal(text: str) -> str:
-    # In pieces: a compiler need not take a literal of more than 64 KiB.
+    # Split the text, because compilers may reject literals of more than 64 KiB.
     lines = ['    "' + line.replace('\\', '\\\\').replace('"', '\\"') + '\\n"'
              for line in text.split('\n')[:-1]]
     return '\n'.join(lines)

@@ -36,7 +36,7 @@ std::string sortableTable(std::span<const Column> columns) {
 }
 
 std::string pageFoot() {
-  // The hash is of exactly what stands between the tags.
+  // The hash covers exactly the bytes between the tags.
   return "<script>" + std::string(kPageScript) + "</script></body></html>\n";
 }
 

@@ -3,32 +3,32 @@
 #include <string>
 #include <string_view>
 
-/// The frame of a page that stands alone: nothing is fetched, and a policy in its head has the
-/// browser hold it to that. The style and the script are page.css and page.js; the policy names the
-/// script by its hash, so that no other script runs, whatever a program text may hold.
+/// Writes the frame of a self-contained page. Nothing is fetched, and a policy in the page's head
+/// makes the browser enforce that. The style is page.css, the script page.js. The policy names the
+/// script by its hash, so that no script within a program text can run.
 namespace arbiter::tools {
 
-/// A column of the page's one table that sorts.
+/// A column of the page's sortable table.
 struct Column {
-  const char *key; ///< in an address: "#sort=cycles"
+  const char *key; ///< name in the address: "#sort=cycles"
   const char *title;
-  bool numeric = false;  ///< sorts from the largest down
-  const char *hint = ""; ///< a sentence about it; may be empty
+  bool numeric = false;  ///< sorts from the largest value down
+  const char *hint = ""; ///< a sentence about the column; may be empty
 };
 
-/// \param title plain text
+/// Returns the start of the page. \param title plain text
 [[nodiscard]] std::string pageHead(std::string_view title);
 
-/// The filter, then the table's beginning, up to its first row. A row begins with a cell that links
-/// to its section; `<tr data-s=STATUS>` makes its status one that the filter offers. A cell sorts
-/// by its data-v where it has one, else by its text; an empty one comes last. The script reads
-/// `#sort=KEY` (`#sort=-KEY`: the other way), `filter=WORDS`, `status=STATUS` and `open=all` (the
-/// sections that are shown), joined by `&`, in the page's address, and keeps them there. Without a
-/// script everything is there, unsorted.
+/// Returns the filter and the start of the table, up to its first row. A row's first cell links to
+/// the row's section. `<tr data-s=STATUS>` offers the row's status in the filter. A cell sorts by
+/// its data-v, or else by its text; empty cells come last.
+/// The script keeps its state in the page's address, joined by `&`: `#sort=KEY` (`#sort=-KEY`:
+/// reversed), `filter=WORDS`, `status=STATUS` and `open=all` (the sections that are shown). Without
+/// a script, everything is shown unsorted.
 [[nodiscard]] std::string sortableTable(std::span<const Column> columns);
 inline constexpr std::string_view kSortableTableEnd = "</tbody></table></div>\n";
 
-/// The script and the page's end.
+/// Returns the script and the page's end.
 [[nodiscard]] std::string pageFoot();
 
 } // namespace arbiter::tools

@@ -7,7 +7,8 @@ namespace arbiter::tools {
 
 namespace {
 
-/// The length of the UTF-8 sequence at the front of `text` (RFC 3629); 0 where there is none.
+/// Returns the length of the UTF-8 sequence at the start of `text` (RFC 3629), or 0 if there is
+/// none.
 std::size_t sequenceLength(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -28,7 +29,7 @@ std::size_t sequenceLength(std::string_view text) {
   return overlong || outside ? 0 : length;
 }
 
-/// A character that HTML gives a meaning to, as a reference; empty for any other.
+/// Returns the HTML entity of a special character, or "" for other characters.
 std::string_view reference(char c) {
   switch (c) {
   case '&':
@@ -44,7 +45,7 @@ std::string_view reference(char c) {
   }
 }
 
-/// \param before, after what an unprintable byte's code stands between
+/// Escapes text as HTML. \param before, after written around an unprintable byte's code
 std::string escape(std::string_view text, std::string_view before, std::string_view after) {
   std::string html;
   html.reserve(text.size());
@@ -96,7 +97,7 @@ std::vector<std::string_view> linesOf(std::string_view text) {
 std::string caretIndent(std::string_view line, std::uint32_t column) {
   std::string indent;
   for (const char c : line.substr(0, std::min<std::size_t>(column - 1, line.size())))
-    if ((c & 0xC0) != 0x80) // the bytes behind a character's first take no room
+    if ((c & 0xC0) != 0x80) // only a character's first byte takes a column
       indent += c == '\t' ? '\t' : ' ';
   return indent;
 }

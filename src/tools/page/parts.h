@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-/// What embed.py makes of page.css and page.js.
+/// The contents of page.css and page.js, embedded by embed.py.
 namespace arbiter::tools {
 
 extern const std::string_view kPageStyle;

@@ -3,7 +3,7 @@
 
 namespace arbiter::tools {
 
-/// The framebuffer object that documents are drawn into: colours, depths and stencils of one size.
+/// The framebuffer object for documents, with color, depth and stencil of one size.
 class Canvas {
 public:
   Canvas() = default;
@@ -11,7 +11,7 @@ public:
   Canvas &operator=(const Canvas &) = delete;
   ~Canvas();
 
-  /// Makes it the current framebuffer, in that size. False: GL has no such.
+  /// Makes it the current framebuffer in that size. False if GL does not support it.
   [[nodiscard]] bool use(int width, int height);
 
 private:

@@ -1,4 +1,4 @@
-// `arbiter render`: documents drawn for another process.
+// Implements `arbiter render`, which draws documents for another process.
 #include <GL/arbiter.h>
 #include <charconv>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// What is wrong with --fd; empty: nothing.
+/// Returns a complaint about --fd, or "".
 std::string descriptorFault(const RenderArguments &arguments) {
   pid_t peer = 0;
   if (arguments.descriptor < 0 || control::isOwnPeer(arguments.descriptor, peer))
@@ -26,7 +26,7 @@ std::string descriptorFault(const RenderArguments &arguments) {
          ": is no connected socket whose other end is this user's";
 }
 
-/// The socket that the arguments ask for. Requires: no descriptorFault().
+/// Opens the socket that the arguments select. Requires: no descriptorFault().
 std::unique_ptr<control::Server> openServer(const RenderArguments &arguments, std::string &fault) {
   if (arguments.descriptor >= 0)
     return control::Server::connected(control::Descriptor(arguments.descriptor));
@@ -63,7 +63,7 @@ int renderHere(const RenderArguments &arguments) {
     server->run(service);
     service.endService();
   });
-  // GL is opened while the client is greeted.
+  // GL starts while the client receives its greeting.
   Surface surface;
   const char *const step = surface.open(16, 16);
   if (!step)
@@ -102,7 +102,7 @@ int render(const RenderArguments &arguments, const std::vector<std::string> &arg
     return kExitUsage;
   }
   std::vector<std::string> command = argv;
-  command[0] = "/proc/self/exe"; // argv[0] may be relative to a PATH of another time
+  command[0] = "/proc/self/exe"; // argv[0] may be relative to an earlier PATH
   command.insert(command.begin() + 2, "--in-layer");
   return execute(environment.value(), command);
 }

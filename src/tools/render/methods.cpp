@@ -58,7 +58,7 @@ void RenderLoop::run() {
       until = m_next;
     if (const auto waiting = m_service.next(until)) {
       m_service.answer(*waiting, answerTo(*waiting));
-      continue; // what else came is answered before a frame is drawn for it
+      continue; // answer all waiting requests before drawing a frame
     }
     if (m_service.isOver() || !m_player.hasScene())
       m_changed = false;
@@ -71,7 +71,7 @@ void RenderLoop::drawFrame() {
   const bool moves = plays() && !m_changed;
   m_next = Clock::now() +
            std::chrono::microseconds(std::int64_t(1e6 / std::max(m_player.framesPerSecond(), 1.0)));
-  // An animation that is not seen stands still.
+  // An animation without viewers does not advance.
   if (moves && !m_service.wantsFrame(m_player.width(), m_player.height()))
     return;
   if (moves)
@@ -133,7 +133,7 @@ control::Answer RenderLoop::param(const RenderService::Waiting &, Params &params
   value.index = unsigned(params.integer("index", 0, scene::kMaxParameters - 1));
   value.pass = std::size_t(params.integer("pass", 0, kMaxPass, 0));
   std::array<float, 4> numbers;
-  numbers.fill(std::nanf("")); // which no number of a message is
+  numbers.fill(std::nanf("")); // marks missing numbers
   params.floats("value", numbers.data(), numbers.size(), true);
   if (!params.ok())
     return params.fault();
@@ -164,7 +164,7 @@ control::Answer RenderLoop::step(const RenderService::Waiting &, Params &params)
   }
   if (!m_player.hasScene())
     return noScene();
-  // Feedback goes on frame by frame.
+  // Feedback needs every frame in between.
   const int frames = std::max(1, int(std::lround(seconds * m_player.framesPerSecond())));
   for (int i = 1; i < frames && m_player.isAnimated(); ++i) {
     m_player.advance(1);
@@ -186,7 +186,8 @@ control::Answer RenderLoop::time(const RenderService::Waiting &, Params &params)
 }
 
 control::Answer RenderLoop::steps(const RenderService::Waiting &, Params &params) {
-  constexpr std::chrono::milliseconds kMost{200}; // what comes meanwhile waits no longer
+  constexpr std::chrono::milliseconds kMost{200}; // a limit, so that other requests need not wait
+                                                  // longer
   const int wanted = int(params.integer("steps", 1, 1'000'000'000));
   if (!params.ok())
     return params.fault();

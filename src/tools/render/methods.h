@@ -7,10 +7,10 @@
 
 namespace arbiter::tools {
 
-/// What the thread that draws answers.
+/// Returns the methods that the drawing thread answers.
 [[nodiscard]] std::span<const char *const> renderMethods();
 
-/// Draws what clients ask for, until they are gone.
+/// Draws for clients until they have gone.
 class RenderLoop {
 public:
   RenderLoop(RenderService &service, std::string folder)
@@ -45,10 +45,10 @@ private:
   RenderService &m_service;
   Player m_player;
   bool m_paused = false;
-  bool m_changed = false; ///< a frame is to be drawn
+  bool m_changed = false; ///< true if a frame must be drawn
   std::int64_t m_number = 0;
-  double m_milliseconds = 0; ///< of the last frame
-  Clock::time_point m_next;  ///< frame, while it plays
+  double m_milliseconds = 0; ///< time of the last frame
+  Clock::time_point m_next;  ///< time of the next frame while the document plays
 };
 
 } // namespace arbiter::tools

@@ -18,7 +18,7 @@ namespace {
 using control::Json;
 using Clock = std::chrono::steady_clock;
 
-/// What the layer in this process holds programs to.
+/// Checks a program under the limits of the layer in this process.
 fp::CheckResult check(const scene::ProgramFile &file) {
   fp::CompileOptions options;
   if (const auto profile = fp::hw::loadProfile(settings().profile))
@@ -27,7 +27,7 @@ fp::CheckResult check(const scene::ProgramFile &file) {
   return fp::checkProgramIn(file.text, file.program(), options);
 }
 
-/// The file's name without its folder, as a client knows it.
+/// Returns a file's name relative to the document's folder, as clients know it.
 std::string shortName(const scene::Document &document, std::size_t file) {
   const std::string &name = document.files[file].name;
   return name.starts_with(document.folder) ? name.substr(document.folder.size()) : name;
@@ -47,7 +47,7 @@ void addDiagnostic(const scene::Document &document, std::size_t file,
                   {"column", at.column}});
 }
 
-/// What GL, or a generator, refuses.
+/// Adds an error of GL or of a generator to the diagnostics.
 void addError(const scene::Document &document, const RenderError &error, Json &rows) {
   fp::Diagnostic diagnostic;
   diagnostic.id = "draw";
@@ -67,7 +67,7 @@ Json countsJson(const fp::ResourceCounts &counts) {
   return object;
 }
 
-/// Diagnostics and counts of every file. \returns nothing is an error
+/// Adds diagnostics and counts of every file. \returns true if there are no errors
 bool checkAll(const scene::Document &document, Json &diagnostics, Json &programs) {
   bool ok = true;
   for (std::size_t i = 0; i < document.files.size(); ++i) {
@@ -95,7 +95,7 @@ bool isAnimatedDocument(const scene::Document &document) {
   return document.hasFeedback() || std::any_of(document.files.begin(), document.files.end(), moves);
 }
 
-/// The number of a camera's argument.
+/// Returns a camera's argument by its name.
 scene::Number &argumentOf(scene::CameraSpec &camera, std::string_view name) {
   const auto rows = scene::rowOf(camera.kind.value).arguments();
   const auto found = std::find_if(rows.begin(), rows.end(),
@@ -103,7 +103,7 @@ scene::Number &argumentOf(scene::CameraSpec &camera, std::string_view name) {
   return camera.arguments.numbers[std::size_t(found - rows.begin())];
 }
 
-/// One component is `value`, and moves no more.
+/// Sets one component of a parameter and stops its animation.
 void setComponent(scene::Panel &panel, const Player::ParameterValue &given, std::size_t component) {
   const float value = *given.value[component];
   for (scene::Parameter &each : panel.parameters) {
@@ -156,7 +156,7 @@ void Player::applyCamera(scene::Document &document) const {
   }
 }
 
-/// Takes the place of what is drawn. False: that goes on.
+/// Replaces the drawn document. On failure the previous one stays.
 bool Player::build(std::unique_ptr<scene::Document> document, RenderError &error) {
   if (m_width > 0) {
     document->files.front().panel.width.value = m_width;
@@ -258,7 +258,7 @@ void Player::setCamera(const std::optional<Orbit> &orbit) {
   m_orbit = orbit;
   if (!m_document)
     return;
-  // Cameras are as the text has them again, then turned; parameters keep what they were set to.
+  // Restore the text's cameras and then turn them; keep parameters that were set.
   const scene::Document fresh = assembled(m_text);
   for (std::size_t i = 0; i < m_document->files.size() && i < fresh.files.size(); ++i)
     m_document->files[i].panel.camera = fresh.files[i].panel.camera;

@@ -14,26 +14,25 @@
 
 namespace arbiter::tools {
 
-/// One document that is drawn, and its time. Everything is called on the thread that GL is current
-/// on.
+/// Draws one document at its time. All calls must come from the thread on which GL is current.
 class Player {
 public:
-  /// \param folder that names in documents begin from
+  /// \param folder base folder of names in documents
   explicit Player(std::string folder) : m_folder(std::move(folder)) {}
 
-  /// What a client sends.
+  /// A document from a client.
   struct Text {
     std::string name, text;
-    std::map<std::string, std::string> files; ///< that an editor has open, by name
+    std::map<std::string, std::string> files; ///< files that are open in the editor, by name
     std::int64_t revision = 0;
   };
-  /// Takes the document's place that was drawn, where it is right: what is wrong is in the answer
-  /// (docs/write/control.md, scene.set), and the one before goes on.
+  /// Replaces the document if the new one is valid; otherwise the previous one stays. The answer
+  /// contains the errors (docs/write/control.md, scene.set).
   [[nodiscard]] control::Json set(const Text &text);
 
   [[nodiscard]] bool hasScene() const { return m_renderer != nullptr; }
   [[nodiscard]] std::int64_t revision() const { return m_revision; }
-  /// The next frame differs from the last one though nothing was changed.
+  /// True if the next frame differs from the last one without any change.
   [[nodiscard]] bool isAnimated() const { return m_animated; }
   [[nodiscard]] double framesPerSecond() const;
 
@@ -44,14 +43,14 @@ public:
     std::size_t pass = 0;
     std::array<std::optional<float>, 4> value;
   };
-  /// False: the scene has no such pass or program.
+  /// Sets a parameter. False if the scene has no such pass or program.
   [[nodiscard]] bool setParameter(const ParameterValue &value);
-  /// 0: the document's own size.
+  /// Sets the picture's size; 0 restores the document's own.
   [[nodiscard]] bool setSize(int width, int height);
   struct Orbit {
     double yaw = 0, pitch = 0, distance = 1;
   };
-  /// Turns the document's camera; nothing gives it back.
+  /// Turns the document's camera; without an orbit, restores it.
   void setCamera(const std::optional<Orbit> &orbit);
   void setSeconds(double seconds);
 
@@ -60,18 +59,18 @@ public:
   [[nodiscard]] int width() const { return m_document->width(); }
   [[nodiscard]] int height() const { return m_document->height(); }
   [[nodiscard]] int frame() const { return m_frame; }
-  /// The picture follows from those before.
+  /// True if the picture depends on earlier frames.
   [[nodiscard]] bool hasFeedback() const { return m_document->hasFeedback(); }
-  /// Frames drawn since the document began, each of which feedback has taken up.
+  /// Returns the number of frames drawn since the document began, which feedback has accumulated.
   [[nodiscard]] int steps() const { return m_steps; }
-  /// Of a document with feedback: draws what is missing until the next frame drawn is that step,
-  /// from the beginning where it is beyond it. At most until then: steps() says how far it came.
-  /// False: GL has no room to begin anew.
+  /// For a document with feedback: draws frames until the next one is that step. Begins anew if the
+  /// step is already past. Stops at the time `until`; steps() tells the result. False if the
+  /// document cannot begin anew.
   [[nodiscard]] bool approachStep(int step, std::chrono::steady_clock::time_point until);
   [[nodiscard]] double seconds() const { return m_document->secondsOf(m_frame); }
   void advance(int frames) { m_frame += frames; }
-  /// Draws the frame, and reads it where `pixels` is not null: rows of `width() * 4` bytes.
-  /// \returns ms that it took
+  /// Draws the frame, and reads it into rows of `width() * 4` bytes unless `pixels` is null.
+  /// \returns the time in ms
   double draw(std::uint8_t *pixels);
 
 private:
@@ -82,14 +81,14 @@ private:
   std::string m_folder;
   Canvas m_canvas;
   Text m_text;
-  // The document outlives what draws it.
+  // The document must outlive the renderer.
   std::unique_ptr<scene::Document> m_document;
   std::unique_ptr<Renderer> m_renderer;
   std::int64_t m_revision = 0;
   int m_frame = 0;
   int m_steps = 0;
   bool m_animated = false;
-  int m_width = 0, m_height = 0; ///< in place of the document's
+  int m_width = 0, m_height = 0; ///< replaces the document's size; 0: not set
   std::optional<Orbit> m_orbit;
 };
 

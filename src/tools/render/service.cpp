@@ -14,7 +14,7 @@ namespace {
 using control::Json;
 
 constexpr std::size_t kMaxWaiting = 64;
-constexpr int kFirstBusy = 100; ///< ms
+constexpr int kFirstBusy = 100; ///< in ms
 
 int millisecondsSince(std::chrono::steady_clock::time_point then) {
   return int(
@@ -160,7 +160,7 @@ std::optional<control::Answer> RenderService::atOnce(control::ClientId client,
   return std::nullopt;
 }
 
-/// A text that another one follows is not drawn. Under the lock.
+/// Answers waiting texts that a newer one replaces. Requires: the lock is held.
 void RenderService::supersede() {
   for (auto it = m_waiting.begin(); it != m_waiting.end();) {
     if (it->request.method != "scene.set") {

@@ -13,8 +13,8 @@
 
 namespace arbiter::tools {
 
-/// The renderer's side of its socket: requests wait here for the thread that draws. Of several
-/// texts that wait only the newest is drawn. `hello` and `ping` are answered at once.
+/// Receives the renderer's requests on the socket's thread and queues them for the drawing thread.
+/// If several texts wait, only the newest is drawn. `hello` and `ping` are answered at once.
 class RenderService final : public control::Service {
 public:
   explicit RenderService(control::Server &server) : m_server(server) {}
@@ -26,23 +26,24 @@ public:
 
   // --- The thread that draws ---
 
-  /// The next request; nothing where none came until then, or the clients are gone.
+  /// Returns the next request; nothing if none arrives in time, or if the clients have gone.
   [[nodiscard]] std::optional<Waiting>
   next(std::optional<std::chrono::steady_clock::time_point> until);
   [[nodiscard]] bool isOver() const { return m_over; }
-  void endService() { // no client is coming any more
+  void endService() { // no more clients will connect
     const std::lock_guard lock(m_mutex);
     m_over = true;
     m_wake.notify_all();
   }
   void answer(const Waiting &to, const control::Answer &answer);
   void wantFrames(control::ClientId client, std::uint32_t every);
-  /// Some client wants frames, and has a slot for one.
+  /// True if a client wants frames and has a free slot.
   [[nodiscard]] bool wantsFrame(int width, int height);
-  /// Where the next frame's pixels go; null: none is wanted. Until lend().
+  /// Returns the memory for the next frame's pixels, valid until lend(), or null if no frame is
+  /// wanted.
   [[nodiscard]] std::uint8_t *beginFrame(int width, int height);
   void lend(control::Json params);
-  /// A request is at work from now on, or none is.
+  /// Marks the start of a request's work.
   void setAtWork(std::int64_t revision);
   void setIdle();
   void noteFrame(std::int64_t number, std::int64_t revision);
@@ -62,11 +63,11 @@ private:
   void supersede();
 
   control::Server &m_server;
-  std::mutex m_mutex; ///< what follows
+  std::mutex m_mutex; ///< guards the members below
   std::condition_variable m_wake;
   std::deque<Waiting> m_waiting;
   std::atomic<bool> m_over{false};
-  /// One client draws at a time: pictures go to the last one that wanted some.
+  /// Only the last client that wanted frames receives them.
   control::ClientId m_viewer = 0;
   std::uint32_t m_every = 0;
   std::uint64_t m_seen = 0;
@@ -75,7 +76,7 @@ private:
   int m_slot = -1;
   std::optional<Clock::time_point> m_atWork;
   std::int64_t m_workRevision = 0, m_revision = 0, m_number = 0;
-  int m_nextBusy = 0; ///< ms
+  int m_nextBusy = 0; ///< in ms
   std::optional<Clock::time_point> m_lastFrame;
 };
 

@@ -9,8 +9,8 @@ namespace arbiter::tools {
 
 namespace {
 
-/// The profile that was named; else the one that was effective when the programs were captured, so
-/// that the report says what the application could query; else the user's.
+/// Returns the requested profile. Without one it is the capture's profile, so that the report
+/// matches what the application could query, or else the user's.
 std::string profileName(const ReportArguments &arguments) {
   if (!arguments.profile.empty())
     return arguments.profile;

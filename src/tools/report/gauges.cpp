@@ -10,7 +10,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// "used / limit", and by how much it is over.
+/// Returns "used / limit", and the amount over the limit.
 std::string figures(std::uint32_t used, std::uint32_t limit) {
   std::string html = number(used) + " / " + number(limit);
   if (used > limit)

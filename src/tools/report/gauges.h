@@ -3,19 +3,19 @@
 
 #include "tools/check/checked_file.h"
 
-/// used / limit as bars. The figures stand beside each as text, so that nothing is said by colour
-/// or length alone.
+/// Shows used / limit as bars. The figures are next to each bar as text, so that nothing depends on
+/// color or length alone.
 namespace arbiter::tools {
 
-/// A bar as HTML. As long as its frame for a full count; over the limit the frame is the count, and
-/// a mark stands where the limit is.
+/// Returns a bar as HTML. Its frame is the limit. Over the limit the frame is the count, and a mark
+/// shows the limit.
 [[nodiscard]] std::string gaugeBar(std::uint32_t used, std::uint32_t limit);
 
-/// A table with a gauge for each native resource of the program's target, and the counts of the
-/// API. Requires a file that has counts.
+/// Returns a table with a gauge for each native resource of the program's target, and the API's
+/// counts. Requires: a file that has counts.
 [[nodiscard]] std::string gaugeTable(const CheckedFile &file);
 
-/// The native resource of which the program takes the largest part.
+/// The native resource of which the program uses the largest part.
 struct Fullest {
   const char *title = ""; ///< empty if no resource has a limit
   std::uint32_t used = 0, limit = 0;

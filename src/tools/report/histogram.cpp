@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kFewestBins = 8, kMostBins = 24;
 
-// The drawing's measures, in its own units.
+// Dimensions of the drawing in its own units.
 constexpr double kWidth = 720, kHeight = 220, kLeft = 40, kRight = 12, kTop = 26, kBottom = 38;
 constexpr double kPlotWidth = kWidth - kLeft - kRight, kPlotHeight = kHeight - kTop - kBottom;
 
@@ -33,7 +33,7 @@ std::string textAt(double x, double y, const char *anchor, const std::string &te
          "</text>";
 }
 
-/// A bar with its count above it.
+/// Returns a bar with its count above it.
 std::string bar(const Histogram &histogram, std::size_t i, std::uint32_t highest) {
   const Histogram::Bin &bin = histogram.bins[i];
   if (bin.programs == 0)
@@ -42,14 +42,14 @@ std::string bar(const Histogram &histogram, std::size_t i, std::uint32_t highest
   const double x = kLeft + step * double(i);
   const double height = std::max(2.0, kPlotHeight * bin.programs / highest);
   const double y = kTop + kPlotHeight - height;
-  const bool over = bin.last > histogram.limit; // the limit is between two bins
+  const bool over = bin.last > histogram.limit; // the limit lies between two bins
   return "<rect" + attribute("x", x + 1) + attribute("y", y) + attribute("width", step - 2) +
          attribute("height", height) + (over ? " class=beyond" : "") + "><title>" +
          label(histogram, bin) + ": " + counted(bin.programs, "program") + "</title></rect>" +
          textAt(x + step / 2, y - 4, "middle", number(bin.programs));
 }
 
-/// The amounts below the bars, as many as have room.
+/// Returns the axis with as many amounts below the bars as fit.
 std::string axis(const Histogram &histogram) {
   const double step = kPlotWidth / double(histogram.bins.size());
   const std::size_t every = histogram.bins.size() > 12 ? 2 : 1;
@@ -64,10 +64,10 @@ std::string axis(const Histogram &histogram) {
   return html;
 }
 
-/// The line of the limit, between the bins that it parts; or a word about where it is.
+/// Returns the limit's line between two bins, or a text if the limit is beyond the axis.
 std::string limitLine(const Histogram &histogram) {
   const std::string word = "limit " + number(histogram.limit);
-  std::size_t before = 0; // bins within the limit
+  std::size_t before = 0; // number of bins within the limit
   while (before < histogram.bins.size() && histogram.bins[before].last <= histogram.limit)
     ++before;
   if (histogram.limit > histogram.bins.back().last)
@@ -92,7 +92,7 @@ Histogram histogramOf(const std::vector<std::uint32_t> &amounts, std::uint32_t l
   std::uint64_t width = 1;
   while ((end + width - 1) / width > kMostBins)
     width *= 2;
-  // A limit that no multiple of the width meets is between two bins all the same.
+  // A bin also ends at the limit if that is not a multiple of the width.
   for (std::uint64_t first = 1; first <= end;) {
     std::uint64_t last = (first + width - 1) / width * width;
     if (first <= limit && limit < last)

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// How many programs of a set take how much of one resource.
+/// Counts the programs of a set by their use of one resource.
 namespace arbiter::tools {
 
 struct Histogram {
@@ -13,16 +13,16 @@ struct Histogram {
   };
   std::vector<Bin> bins;
   std::uint32_t limit = 0;
-  bool open = false; ///< the last bin holds everything from its `first` up
+  bool open = false; ///< true if the last bin also counts all larger amounts
 };
 
-/// \param amounts one a program
-/// Bins are as wide as a power of two, so that the limits of cards lie between two of them; one at
-/// zero is joined to the first. The axis reaches the limit unless that is far away from what
-/// is used, and ends at twice the limit: what is larger is in the last bin.
+/// Returns the histogram. A bin's width is a power of two, so that cards' limits lie between two
+/// bins. An amount of zero counts in the first bin. The axis reaches the limit unless that is far
+/// above all amounts. It ends at twice the limit; larger amounts count in the last bin.
+/// \param amounts one for each program
 [[nodiscard]] Histogram histogramOf(const std::vector<std::uint32_t> &amounts, std::uint32_t limit);
 
-/// As an inline drawing with the limit as a line, and the figures as a folded table below.
+/// Returns an inline drawing with the limit as a line, and the figures as a folded table below.
 /// \param what "ALU slots"; plain text
 [[nodiscard]] std::string drawing(const Histogram &histogram, const std::string &what);
 

@@ -39,7 +39,7 @@ void writeHistograms(JsonWriter &json, const ProgramSet &set) {
   json.endArray();
 }
 
-/// Lines that begin an instruction, where there is a model.
+/// Writes the costs of lines on which instructions begin. Requires a model.
 void writeLines(JsonWriter &json, const CheckedFile &file) {
   json.key("lines").beginArray();
   const std::vector<LineCost> lines =

@@ -5,7 +5,7 @@
 
 namespace arbiter::tools {
 
-/// The page's twin for programs: ARBITER_REPORT_SCHEMA of GL/arbiter.h, described in arbiter(1).
+/// Returns the report as JSON (ARBITER_REPORT_SCHEMA of GL/arbiter.h, described in arbiter(1)).
 [[nodiscard]] std::string reportJson(const ProgramSet &set);
 
 } // namespace arbiter::tools

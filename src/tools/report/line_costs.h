@@ -5,25 +5,25 @@
 #include "fp_compiler/hw/native.h"
 #include "tools/check/source_text.h"
 
-/// A program's costs by the lines of its text.
+/// Sums a program's costs for each line of its text.
 namespace arbiter::tools {
 
-/// What the instructions that begin in one line take together.
+/// The total cost of the instructions that begin on one line.
 struct LineCost {
-  std::uint32_t instructions = 0; ///< 0: the line begins none
-  std::uint32_t gone = 0;         ///< of them, those of which nothing is left
+  std::uint32_t instructions = 0; ///< 0: no instruction begins on the line
+  std::uint32_t gone = 0;         ///< instructions that the compiler removed entirely
   double slots = 0;
   std::uint32_t textures = 0;
-  std::uint32_t firstNode = 0, lastNode = 0; ///< from 0; of the instructions that are not gone
+  std::uint32_t firstNode = 0, lastNode = 0; ///< from 0, without removed instructions
 };
 
-/// The lines of instructions, each once, in ascending order. Numbers that are no instruction's are
-/// left out.
+/// Returns the lines of instructions, each once, in ascending order. Ignores numbers of missing
+/// instructions.
 [[nodiscard]] std::vector<std::uint32_t>
 linesOfInstructions(const SourceText &source, const fp::ir::Program &program,
                     const std::vector<std::uint32_t> &instructions);
 
-/// \returns one element a line, the first line first; empty where the report has no costs
+/// Returns one element for each line; empty if the report has no costs.
 [[nodiscard]] std::vector<LineCost> lineCosts(const SourceText &source,
                                               const fp::ir::Program &program,
                                               const fp::hw::NativeReport &report);

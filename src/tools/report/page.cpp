@@ -16,7 +16,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// The reasons of one count that are worth a line among those of other programs.
+/// The number of reasons shown for one count, before "more".
 constexpr std::size_t kMostReasons = 6;
 
 constexpr Column kPageColumns[] = {
@@ -75,7 +75,8 @@ std::string countCells(const CheckedFile &file) {
   return html + "<td class=n>" + decimal(file.native().cycles.cycles) + "</td>";
 }
 
-/// The name in the table; of a captured program as much of its hash as is unique.
+/// Returns the name in the table. For a captured program it is the shortest unique start of its
+/// hash.
 std::string shortName(const ProgramSet &set, std::size_t index) {
   const ReportedProgram &program = set.programs[index];
   if (program.captured < 0)
@@ -116,7 +117,7 @@ std::string summary(const ProgramSet &set) {
   return html + "</div>\n";
 }
 
-/// Whose counts these are, for each language that a program of the set has.
+/// Returns the source of the counts for each language in the set.
 std::string modelText(const ProgramSet &set) {
   std::string html;
   for (const LanguageRow &language : languageRows()) {
@@ -148,7 +149,7 @@ std::string captureText(const ProgramSet &set) {
   return html;
 }
 
-/// The largest parts of one count.
+/// Returns the largest contributions to one count.
 std::string largestReasons(const ProgramSet &set, std::size_t index,
                            const fp::ResourceRow &resource) {
   std::string html;
@@ -171,7 +172,8 @@ std::string largestReasons(const ProgramSet &set, std::size_t index,
   return html;
 }
 
-/// The reasons of the counts that are over; where none is, of those that leave no room.
+/// Returns the reasons for counts over their limit. If there are none, and the API does not refuse
+/// the program, returns the reasons for counts at their limit.
 std::string misfitReasons(const ProgramSet &set, std::size_t index) {
   const CheckedFile &file = set.programs[index].file;
   std::string over, full;

@@ -5,9 +5,10 @@
 
 namespace arbiter::tools {
 
-/// The report as one HTML page that needs nothing beside it (page/frame.h): counts of the set, a
-/// histogram of slots a language, what does not fit and why, a table that sorts and filters, and a
-/// folded section a program. Bytes that are not UTF-8, and control characters, are shown as \\xNN.
+/// Returns the report as one self-contained HTML page (page/frame.h). It contains the set's counts,
+/// a histogram of slots for each language, and the programs that do not fit, with reasons. A table
+/// can be sorted and filtered, and each program has a folded section. Bytes that are not UTF-8, and
+/// control characters, are shown as \\xNN.
 [[nodiscard]] std::string reportPage(const ProgramSet &set);
 
 } // namespace arbiter::tools

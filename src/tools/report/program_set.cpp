@@ -70,7 +70,7 @@ void admitRefused(ReportedProgram &program) {
   fp::CheckResult result =
       fp::checkProgramIn(file.text, file.program(), {file.limits, fp::LimitPolicy::Report});
   if (!result.ok())
-    return; // the first result's errors are complete
+    return; // the first result has all errors
   program.refused = true;
   file.status = result.underNativeLimits ? FileStatus::Valid : FileStatus::OverNative;
   file.result = std::move(result);
@@ -113,7 +113,7 @@ ProgramSet readPrograms(const std::vector<std::string> &operands, const fp::hw::
     std::vector<CheckedFile> files =
         checkFile(wanted[i].path, wanted[i].language, fp::LimitPolicy::Enforce, profile);
     if (set.fromCapture)
-      files.resize(1); // the one that is drawn with
+      files.resize(1); // only the first program is drawn with
     for (CheckedFile &file : files) {
       ReportedProgram &program = set.programs.emplace_back();
       program.file = std::move(file);

@@ -1,4 +1,4 @@
-// What a report makes of a NativeReport, part by part: reports made by hand, as a model would.
+// Tests each part of a report with a NativeReport made by hand, in place of a model's.
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-// Line 5 has two statements, and line 4 one that ends in line 5.
+// Line 5 has two statements; a statement of line 4 ends on line 5.
 constexpr const char *kText = "!!ARBfp1.0\r\n"
                               "TEMP a, b;\r\n"
                               "TEX a, fragment.texcoord[0], texture[0], 2D;\r\n"
@@ -49,7 +49,7 @@ ReportedProgram programOf(const std::string &name, const std::string &text) {
   return program;
 }
 
-/// A set of one program that has every part of a report.
+/// Returns a set of one program that has every part of a report.
 ProgramSet modelled() {
   ProgramSet set;
   set.source = "folder";
@@ -149,7 +149,7 @@ TEST(LineCosts, FollowTheStatements) {
   const CheckedFile &file = set.programs[0].file;
   const SourceText source(file.text);
   const std::vector<LineCost> lines = lineCosts(source, *file.result.program, file.native());
-  ASSERT_EQ(lines.size(), 9u); // the last is empty, after the last line end
+  ASSERT_EQ(lines.size(), 9u); // the last one is empty and follows the last line end
   EXPECT_EQ(lines[2].textures, 1u);
   EXPECT_EQ(lines[3].slots, 1.5);
   EXPECT_EQ(lines[4].gone, 1u);
@@ -220,14 +220,14 @@ TEST(SourceTable, DiagnosticsStandBelowTheirLine) {
   EXPECT_LT(line, error);
   EXPECT_LT(error, html.find("<tr id=p7-3>"));
   EXPECT_THAT(html, HasSubstr("<i>\\xE9</i>&lt;q&gt;"));
-  // An error of the whole program is behind its last line.
+  // An error of the whole program follows the last line.
   EXPECT_THAT(sourceTable(programOf("x", "!!ARBfp1.0\n").file, "p1"), HasSubstr("<tr id=p1-2>"));
 }
 
 TEST(Excesses, NameTheCardAndTheApi) {
   ReportedProgram program = modelled().programs[0];
   EXPECT_THAT(excesses(program), ElementsAre("ALU instructions 70 of 64"));
-  program.file.result.counts.temporaries = 33; // a warning, where the driver loads it
+  program.file.result.counts.temporaries = 33; // only a warning if the driver loads the program
   EXPECT_THAT(excesses(program), ElementsAre("ALU instructions 70 of 64"));
   program.refused = true;
   EXPECT_THAT(excesses(program),
@@ -244,7 +244,7 @@ TEST(Verdict, OfWhatTheDriverRefuses) {
     text += "MOV a, a;\n";
   const ReportedProgram program = programOf("x", text + "MOV result.color, a;\nEND");
   EXPECT_TRUE(program.refused);
-  EXPECT_EQ(program.verdict, Verdict::Over); // though little is left for the card
+  EXPECT_EQ(program.verdict, Verdict::Over); // the API refuses it
   EXPECT_THAT(excesses(program), testing::Contains(HasSubstr("ALU instructions")));
   text = "!!ARBfp1.0\nOPTION ARB_fog_linear;\nTEMP a;\nMOV a, fragment.color;\n";
   for (int i = 0; i < 60; ++i)

@@ -21,7 +21,7 @@ using fp::hw::Reason;
 
 constexpr std::size_t kMostLinks = 24;
 
-/// One program's part of the page.
+/// Writes one program's section.
 class Section {
 public:
   Section(const ProgramSet &set, std::size_t index)
@@ -58,7 +58,7 @@ std::string Section::links(const std::vector<std::uint32_t> &instructions) const
   std::string html;
   std::size_t ranges = 0;
   for (std::size_t i = 0; i < lines.size(); ++ranges) {
-    std::size_t end = i + 1; // lines that follow each other are one link
+    std::size_t end = i + 1; // consecutive lines become one link
     while (end < lines.size() && lines[end] == lines[end - 1] + 1)
       ++end;
     if (ranges == kMostLinks)
@@ -242,7 +242,7 @@ std::vector<std::string> excesses(const ReportedProgram &program) {
   }
   if (!texts.empty())
     return texts;
-  // What an option takes off a limit is in no count, but in what the check said of it.
+  // Some options lower a limit. The counts do not show that, but the diagnostic does.
   if (program.refused && !file.result.diagnostics.empty())
     texts.push_back("refused: " + escaped(file.result.diagnostics[0].message));
   else

@@ -11,12 +11,12 @@ namespace arbiter::tools {
 /// vertex programs.
 struct SlotHistogram {
   fp::ir::Language language = fp::ir::Language::ArbFragment;
-  const char *resource = ""; ///< as in a profile: "alu_instructions"
+  const char *resource = ""; ///< the name in a profile: "alu_instructions"
   std::string what;          ///< "ALU instructions of ARBfp1.0 programs"
   Histogram histogram;
 };
 
-/// One for each language that has programs with counts.
+/// Returns one histogram for each language that has programs with counts.
 [[nodiscard]] std::vector<SlotHistogram> slotHistograms(const ProgramSet &set);
 
 } // namespace arbiter::tools

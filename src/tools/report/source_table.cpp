@@ -13,7 +13,8 @@ namespace {
 using fp::Diagnostic;
 using fp::Severity;
 
-/// "1.5", "gone", "1 (2 gone)"; with a bar as long as its part of the dearest line.
+/// Returns a cell such as "1.5", "gone" or "1 (2 gone)". A bar shows its share of the most
+/// expensive line.
 std::string slotsCell(const LineCost &cost, double dearest) {
   if (cost.instructions == 0)
     return "<td></td>";
@@ -23,7 +24,7 @@ std::string slotsCell(const LineCost &cost, double dearest) {
   if (cost.slots > 0)
     html += " style=\"--c:" + decimal(100 * cost.slots / dearest) + "%\"";
   html += ">";
-  if (cost.slots > 0 || cost.textures == 0) // a sample takes no slot, and need not say so
+  if (cost.slots > 0 || cost.textures == 0) // a sample takes no slot, so that 0 is not shown
     html += decimal(cost.slots);
   if (cost.gone != 0)
     html += " (" + number(cost.gone) + " gone)";
@@ -39,10 +40,10 @@ std::string nodeCell(const LineCost &cost) {
   return cell(html);
 }
 
-/// The columns between the line's number and its text.
+/// The columns between a line's number and its text.
 struct Columns {
   bool costs = false, nodes = false;
-  double dearest = 0; ///< the slots of the dearest line
+  double dearest = 0; ///< slots of the most expensive line
 
   [[nodiscard]] std::string head() const;
   [[nodiscard]] std::string cells(const LineCost &cost) const;
@@ -66,7 +67,7 @@ std::string Columns::cells(const LineCost &cost) const {
   return html;
 }
 
-/// A row below the line that it is about: the carets under the bytes, the message, the hint.
+/// Returns a row below the line: carets under the bytes, the message, the hint.
 std::string diagnosticRow(const Diagnostic &diagnostic, std::string_view line, std::uint32_t column,
                           const Columns &columns) {
   const std::size_t room = line.size() - std::min<std::size_t>(line.size(), column - 1);

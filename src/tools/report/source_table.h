@@ -5,9 +5,9 @@
 
 namespace arbiter::tools {
 
-/// The program's text as a table, a line a row (`<tr id=PREFIX-LINE>`), with what each line takes
-/// where there is a model, and each diagnostic below its line. Any bytes; lines as the compiler
-/// counts them.
+/// Returns the program's text as a table with one row per line (`<tr id=PREFIX-LINE>`). Each line
+/// shows its cost if there is a model, and each diagnostic follows its line. Accepts any bytes, and
+/// counts lines as the compiler does.
 /// \param prefix of the rows' ids: "p3"
 [[nodiscard]] std::string sourceTable(const CheckedFile &file, const std::string &prefix);
 

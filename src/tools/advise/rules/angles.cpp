@@ -56,7 +56,7 @@ Proposals sineAndCosine(const Subject &subject) {
   for (const Turn &turn : turnsOf(subject)) {
     Proposal proposal = proposed(subject, turn);
     const fp::analysis::ValueRange range = rangeOf(subject, turn.early, 0, 1);
-    // SIN and COS take any angle, SCS those of one turn (3.11.5.23).
+    // SIN and COS accept any angle, SCS only those within one turn (3.11.5.23).
     if (range.lo < -std::numbers::pi_v<float> || range.hi > std::numbers::pi_v<float>)
       proposal.condition = "the angle stays within -pi and pi, as SCS asks";
     proposals.push_back(std::move(proposal));

@@ -4,8 +4,8 @@
 #include "fp_compiler/ir/reads.h"
 #include "tools/advise/rules/rules.h"
 
-/// One register read in several orders that the R300 has no swizzle for: a copy of it whose
-/// components stand so that its swizzles reach several of them.
+/// Finds a register that is read with several swizzles that the R300 lacks. Proposes a rearranged
+/// copy, from which the R300's swizzles reach several of these orders.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -13,10 +13,11 @@ namespace {
 using fp::ir::File;
 using fp::ir::Operand;
 
-/// What the R300's RGB unit can take of a register, without its w: ..., .yzx, .zxy, .wzy (hw/r300).
+/// The swizzles of the R300's RGB unit, without w: .xyz, .yzx, .zxy, .wzy and single components
+/// (hw/r300).
 constexpr std::array<std::array<std::uint8_t, 3>, 8> kSelects = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {3, 2, 1}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}};
-constexpr std::size_t kMostTried = 6; ///< arrangements of one register
+constexpr std::size_t kMostTried = 6; ///< arrangements for one register
 
 /// Component i of the copy is component [i] of the register.
 using Arrangement = std::array<std::uint8_t, 4>;
@@ -28,7 +29,7 @@ struct Read {
   std::uint8_t mask = 0;
 };
 
-/// The swizzle by which the copy gives what the read wants, if the card has one.
+/// Returns the swizzle by which the copy provides the wanted components, if the card has one.
 std::optional<fp::ir::Swizzle> reach(const Operand &wanted, std::uint8_t mask,
                                      const Arrangement &copy) {
   const auto want = [&](std::size_t position) { return std::uint8_t(wanted.swizzle[position]); };
@@ -39,7 +40,7 @@ std::optional<fp::ir::Swizzle> reach(const Operand &wanted, std::uint8_t mask,
       fits = fits && (!(mask >> c & 1) || copy[select[c]] == want(c));
       swizzle[c] = fp::ir::Select(select[c]);
     }
-    if (mask & 8) { // the alpha unit takes any component
+    if (mask & 8) { // the alpha unit can read any component
       const auto found = std::find(copy.begin(), copy.end(), want(3));
       fits = fits && found != copy.end();
       swizzle[3] = fp::ir::Select(found == copy.end() ? 0 : found - copy.begin());
@@ -54,7 +55,8 @@ bool sameRegister(const Operand &a, const Operand &b) {
   return a.file == b.file && a.index == b.index;
 }
 
-/// The reads of one register that the card copies for.
+/// Returns the reads of a register with swizzles that the card lacks, so that it copies the
+/// register.
 std::vector<Read> awkwardReads(const Subject &subject, const Operand &of) {
   std::vector<Read> reads;
   for (std::uint32_t i = 0; i < subject.size(); ++i) {
@@ -81,7 +83,7 @@ std::size_t reached(const Subject &subject, const std::vector<Read> &reads,
   }));
 }
 
-/// Those that reach most reads, at least two.
+/// Returns the arrangements that serve most reads, at least two.
 std::vector<Arrangement> bestArrangements(const Subject &subject, const std::vector<Read> &reads) {
   std::vector<std::pair<std::size_t, Arrangement>> all;
   for (unsigned number = 0; number < 256; ++number) {

@@ -12,7 +12,7 @@ constexpr const char *kClampBySat = "clamp-by-sat";
 constexpr const char *kMessage =
     "MAX and MIN clamp to [0,1], which _SAT does within the instruction that computes the value";
 
-/// The operand that is not the number, where the other one is it.
+/// Returns the other operand if one of two operands is the number.
 std::optional<int> besideNumber(const Subject &subject, std::uint32_t index, float number) {
   for (int o = 0; o < 2; ++o)
     if (subject.number(index, o) == number)
@@ -20,7 +20,7 @@ std::optional<int> besideNumber(const Subject &subject, std::uint32_t index, flo
   return std::nullopt;
 }
 
-/// The operand that MAX holds above 0 or MIN below 1.
+/// Returns the operand that MAX bounds by 0 or MIN bounds by 1.
 std::optional<int> bounded(const Subject &subject, std::uint32_t index) {
   const Instruction &instruction = subject.at(index);
   if (instruction.op == Opcode::Max)
@@ -30,7 +30,7 @@ std::optional<int> bounded(const Subject &subject, std::uint32_t index) {
   return std::nullopt;
 }
 
-/// Reads its register's components where they stand, without signs.
+/// True if the operand has no swizzle and no sign at the positions of the mask.
 bool isPlain(const fp::ir::Operand &operand, std::uint8_t mask) {
   for (std::size_t i = 0; i < 4; ++i)
     if ((mask >> i & 1) &&
@@ -39,11 +39,11 @@ bool isPlain(const fp::ir::Operand &operand, std::uint8_t mask) {
   return true;
 }
 
-/// One bound, then the other one.
+/// A bound followed by the other bound.
 struct Clamp {
   std::uint32_t first, second;
-  int value;  ///< operand of the first
-  int result; ///< operand of the second that reads the first
+  int value;  ///< the operand of the first
+  int result; ///< the operand of the second that reads the first
 };
 
 std::optional<Clamp> clampAt(const Subject &subject, std::uint32_t second) {
@@ -58,7 +58,7 @@ std::optional<Clamp> clampAt(const Subject &subject, std::uint32_t second) {
   return Clamp{*first, second, *value, *result};
 }
 
-/// A copy with _SAT in place of the second bound.
+/// Proposes a copy with _SAT in place of the second bound.
 void proposeCopy(const Subject &subject, const Clamp &clamp, Proposals &proposals) {
   const Instruction &second = subject.at(clamp.second);
   const fp::ir::Operand &value = subject.at(clamp.first).src[std::size_t(clamp.value)];
@@ -73,7 +73,7 @@ void proposeCopy(const Subject &subject, const Clamp &clamp, Proposals &proposal
   proposals.push_back(draft.about(clamp.first, clamp.second, kClampBySat, kMessage));
 }
 
-/// _SAT on the instruction that computes the value.
+/// Proposes _SAT on the instruction that computes the value.
 void proposeWriter(const Subject &subject, const Clamp &clamp, Proposals &proposals) {
   const Flow &flow = subject.flow();
   const auto writer = flow.writer(clamp.first, clamp.value);

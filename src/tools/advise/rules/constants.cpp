@@ -5,7 +5,7 @@
 #include "fp_compiler/ir/semantics.h"
 #include "tools/advise/rules/rules.h"
 
-/// Arithmetic on numbers alone, and numbers that two instructions in a row bring in.
+/// Finds arithmetic on constants, and constants that two consecutive instructions apply.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -19,7 +19,8 @@ constexpr const char *kChain = "constant-chain";
 
 bool isCopy(Opcode op) { return op == Opcode::Mov || op == Opcode::Swz; }
 
-/// What each instruction that depends on numbers alone gives; the others' are not to be used.
+/// Returns the results of all instructions. Only those that depend on nothing but constants are
+/// meaningful.
 std::vector<Vec4> resultsOf(const fp::ir::Program &program) {
   std::vector<Vec4> results(program.code.size());
   fp::ir::Inputs inputs;
@@ -40,7 +41,7 @@ bool allFinite(const Vec4 &value, std::uint8_t mask) {
   return true;
 }
 
-/// The value with zero where nothing is written.
+/// Returns the value with zero in components outside the mask.
 Vec4 masked(Vec4 value, std::uint8_t mask) {
   for (std::size_t c = 0; c < 4; ++c)
     if (!(mask >> c & 1))
@@ -48,7 +49,7 @@ Vec4 masked(Vec4 value, std::uint8_t mask) {
   return value;
 }
 
-/// Numbers at the positions that count, if all of them are.
+/// Returns the constants at the positions that count, if all of them are constants.
 std::optional<Vec4> numbersOf(const Subject &subject, std::uint32_t index, int operand) {
   const std::uint8_t mask = fp::ir::operandMask(subject.at(index), operand);
   Vec4 value = {};
@@ -63,9 +64,9 @@ std::optional<Vec4> numbersOf(const Subject &subject, std::uint32_t index, int o
   return value;
 }
 
-/// factor * value + term, with numbers for both, by the positions of the destination.
+/// factor * value + term with constants, by the positions of the destination.
 struct Line {
-  int value = 0; ///< the operand
+  int value = 0; ///< number of the operand
   Vec4 factor = {1, 1, 1, 1};
   Vec4 term = {};
 };
@@ -113,7 +114,7 @@ bool isAll(const Vec4 &value, std::uint8_t mask, float number) {
   return true;
 }
 
-/// The statement of a line over an operand's text.
+/// Returns the statement for a Line, with the text of its operand.
 std::string lineText(const Subject &subject, std::uint32_t index, const Line &line,
                      const std::string &value) {
   const std::uint8_t mask = subject.at(index).dst.mask;
@@ -128,7 +129,7 @@ std::string lineText(const Subject &subject, std::uint32_t index, const Line &li
   return statementText(Opcode::Mad, saturate, destination, {value, factor, term});
 }
 
-/// Two lines in a row as one.
+/// Proposes one instruction for two consecutive Lines.
 void proposeChain(const Subject &subject, std::uint32_t second, Proposals &proposals) {
   const std::optional<Line> outer = lineOf(subject, second);
   const auto first = outer ? subject.flow().writer(second, outer->value) : std::nullopt;

@@ -5,7 +5,8 @@
 #include "fp_compiler/ir/reads.h"
 #include "tools/advise/rules/rules.h"
 
-/// Sums of one vector's components, weighted by numbers, made one at a time: a dot product.
+/// Finds weighted sums of one vector's components that are computed step by step, and proposes a
+/// dot product.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -14,13 +15,13 @@ using fp::ir::Instruction;
 using fp::ir::Opcode;
 using fp::ir::Operand;
 
-/// What a sum is of: weights of a register's components, and a number.
+/// A sum of one register's weighted components and a constant.
 struct Sum {
   std::optional<std::pair<std::uint32_t, int>> place; ///< an operand that names the register
   fp::ir::Vec4 weights = {};
   std::array<bool, 4> has = {};
   float number = 0.0f;
-  std::uint32_t first = 0; ///< the instruction that comes first
+  std::uint32_t first = 0; ///< the sum's first instruction
 };
 
 class Summing {
@@ -29,7 +30,7 @@ public:
     m_sum.first = last;
   }
 
-  /// The result of the scalar instruction at a position, times a number.
+  /// Adds the result of a scalar instruction, times a weight. False if it has another form.
   bool add(std::uint32_t index, std::size_t position, float weight, int depth = 0) {
     const Instruction &instruction = m_subject.at(index);
     if (depth > 6 || (instruction.dst.saturate && index != m_last))
@@ -85,7 +86,7 @@ private:
       if (other.file != source.file || other.index != source.index)
         return false;
     }
-    // The register has to be the same up to the end.
+    // The register must keep its value until the last instruction.
     Operand all = source;
     all.swizzle = fp::ir::kIdentity;
     if (!m_subject.flow().holds(all, 0xF, index, m_last))
@@ -101,7 +102,7 @@ private:
   Sum m_sum;
 };
 
-/// The dot product's opcode and its numbers.
+/// Returns the dot product's opcode and its constant vector.
 std::optional<std::pair<Opcode, fp::ir::Vec4>> productOf(const Sum &sum) {
   fp::ir::Vec4 numbers = sum.weights;
   const int terms = int(sum.has[0]) + sum.has[1] + sum.has[2] + sum.has[3];

@@ -2,7 +2,7 @@
 #include "fp_compiler/opt/values.h"
 #include "tools/advise/rules/rules.h"
 
-/// Instructions that are a part of another one: MAD, LRP, and operands that change nothing.
+/// Finds instructions that another one can include (MAD, LRP), and operands without an effect.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -13,7 +13,7 @@ using fp::ir::Operand;
 
 bool adds(Opcode op) { return op == Opcode::Add || op == Opcode::Sub; }
 
-/// An operand of \p inner as the instruction \p outer reads it through its operand.
+/// Returns the operand of \p inner as \p outer would read it directly.
 std::optional<std::string> through(const Subject &subject, std::uint32_t outer, int outerOperand,
                                    std::uint32_t inner, int innerOperand, bool negative) {
   const std::uint8_t mask = subject.at(outer).dst.mask;
@@ -35,7 +35,7 @@ std::optional<std::string> plain(const Subject &subject, std::uint32_t index, in
   return Subject::spelled(subject.base(index, operand), read, subject.at(index).dst.mask, false);
 }
 
-/// All signs of the positions that count, if they are alike.
+/// Returns the operand's sign if it is the same at all positions that count; true for negative.
 std::optional<bool> signOf(const Subject &subject, std::uint32_t index, int operand) {
   const std::uint8_t mask = fp::ir::operandMask(subject.at(index), operand);
   const std::uint8_t signs = subject.at(index).src[std::size_t(operand)].negate & mask;
@@ -66,7 +66,7 @@ void proposeMultiplyAdd(const Subject &subject, std::uint32_t sum, int operand,
                                       fp::ir::info(subject.at(sum).op).mnemonic + " are one MAD"));
 }
 
-/// SUB d, b, c; MAD r, a, d, c.
+/// Proposes LRP for SUB d, b, c; MAD r, a, d, c.
 void proposeBlend(const Subject &subject, std::uint32_t mad, int operand, Proposals &proposals) {
   const auto difference = subject.flow().writer(mad, operand);
   if (!difference || subject.at(*difference).op != Opcode::Sub ||
@@ -84,7 +84,7 @@ void proposeBlend(const Subject &subject, std::uint32_t mad, int operand, Propos
       draft.about(*difference, mad, "linear-blend", "SUB and MAD are one LRP", Nearness::Rounding));
 }
 
-/// SUB d, 1, a; MUL t, d, c; MAD r, a, b, t.
+/// Proposes LRP for SUB d, 1, a; MUL t, d, c; MAD r, a, b, t.
 void proposeWeights(const Subject &subject, std::uint32_t mad, Proposals &proposals) {
   const auto product = subject.flow().writer(mad, 2);
   if (!product || subject.at(*product).op != Opcode::Mul || subject.at(*product).dst.saturate ||
@@ -109,7 +109,7 @@ void proposeWeights(const Subject &subject, std::uint32_t mad, Proposals &propos
   }
 }
 
-/// DP3 t, a, b; ADD r, t, b.w.
+/// Proposes DPH for DP3 t, a, b; ADD r, t, b.w.
 void proposeHomogeneous(const Subject &subject, std::uint32_t sum, int operand,
                         Proposals &proposals) {
   const auto dot = subject.flow().writer(sum, operand);
@@ -185,7 +185,7 @@ void proposeIdentity(const Subject &subject, std::uint32_t i, Proposals &proposa
     proposeStatement(subject, i, Opcode::Mov, {at(2)}, "blends with weight 0", proposals);
 }
 
-/// RSQ takes the magnitude by itself.
+/// Proposes to remove ABS before RSQ, which takes the magnitude itself.
 void proposeMagnitude(const Subject &subject, std::uint32_t i, Proposals &proposals) {
   if (subject.at(i).op != Opcode::Rsq)
     return;

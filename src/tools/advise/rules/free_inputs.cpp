@@ -6,7 +6,7 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-/// The first of [0, count) that is not used.
+/// Returns the first unused number in [0, count).
 template <typename Used>
 std::optional<std::uint8_t> firstFree(std::uint32_t count, const Used &isUsed) {
   for (std::uint32_t index = 0; index < std::min(count, 256u); ++index)

@@ -5,16 +5,16 @@
 
 #include "tools/advise/subject.h"
 
-/// Inputs that a program does not use and the profile has: where advice could move work to.
+/// Finds inputs that the profile has and a program does not use, to which advice can move work.
 namespace arbiter::tools::advise {
 
 [[nodiscard]] std::optional<std::uint8_t> freeLocal(const Subject &subject);
 [[nodiscard]] std::vector<std::uint8_t> freeTexCoords(const Subject &subject);
 [[nodiscard]] std::optional<std::uint8_t> freeUnit(const Subject &subject);
 
-/// "program.local[3]"
+/// Returns "program.local[3]".
 [[nodiscard]] std::string localText(std::uint8_t index);
-/// "fragment.texcoord[3]"
+/// Returns "fragment.texcoord[3]".
 [[nodiscard]] std::string texCoordText(std::uint8_t index);
 
 } // namespace arbiter::tools::advise

@@ -4,8 +4,8 @@
 #include "tools/advise/rules/free_inputs.h"
 #include "tools/advise/rules/rules.h"
 
-/// What interpolation can do: values that are linear in texture coordinates, and components that
-/// are wanted in another order.
+/// Finds work that interpolation can do: values linear in texture coordinates, and reordered
+/// components.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -14,7 +14,8 @@ using fp::ir::AttributeKind;
 using fp::ir::File;
 using fp::ir::Opcode;
 
-/// Other attributes are clamped, flat, or no plane of the triangle.
+/// True if the result depends on no attributes but texture coordinates. Others are clamped, flat,
+/// or not planar on the triangle.
 bool ofTexCoordsAlone(const Subject &subject, std::uint32_t index) {
   const std::vector<bool> &read = subject.flow().attributes(index);
   for (std::size_t a = 0; a < read.size(); ++a)
@@ -23,7 +24,7 @@ bool ofTexCoordsAlone(const Subject &subject, std::uint32_t index) {
   return true;
 }
 
-/// The operand reads components of a register in another order than they have.
+/// True if the operand reads components in another order than the register's.
 bool isReordered(const Subject &subject, std::uint32_t index, int operand) {
   const std::uint8_t mask = fp::ir::operandMask(subject.at(index), operand);
   const fp::ir::Operand &source = subject.at(index).src[std::size_t(operand)];
@@ -40,7 +41,7 @@ bool isLinear(const Subject &subject, std::uint32_t index) {
          ofTexCoordsAlone(subject, index) && subject.flow().endsKind(index);
 }
 
-/// The values come from texture coordinate sets of their own, as far as there are any.
+/// Proposes free texture coordinate sets for as many of the values as possible.
 std::optional<Proposal> movedToVertices(const Subject &subject,
                                         const std::vector<std::uint32_t> &values) {
   const std::vector<std::uint8_t> sets = freeTexCoords(subject);
@@ -76,7 +77,7 @@ constexpr const char *kOrder = "component-order";
 constexpr const char *kOrderMessage =
     "the card has no such swizzle and copies for it: the components can come in this order";
 
-/// A register of the application's.
+/// Proposes an input with its components in the order that the operand reads.
 std::optional<Proposal> orderOfInput(const Subject &subject, std::uint32_t index, int operand) {
   const fp::ir::Operand &source = subject.at(index).src[std::size_t(operand)];
   const bool attribute = source.file == File::Attribute;
@@ -120,7 +121,7 @@ Proposals linearWork(const Subject &subject) {
   for (const std::uint32_t each : all)
     if (auto proposal = movedToVertices(subject, {each}))
       proposals.push_back(std::move(*proposal));
-  // Together they may save a node.
+  // Moving all of them together may save a node.
   if (all.size() > 1)
     if (auto proposal = movedToVertices(subject, all))
       proposals.push_back(std::move(*proposal));

@@ -6,7 +6,7 @@
 #include "fp_compiler/opt/values.h"
 #include "tools/advise/rules/rules.h"
 
-/// Two chains of the same operations on one component each, as one chain on two components.
+/// Finds two chains of the same scalar operations, and proposes one chain on two components.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -16,14 +16,14 @@ using fp::ir::Instruction;
 using fp::ir::Operand;
 
 constexpr std::size_t kMostProposals = 256, kMostTried = 2048;
-constexpr std::uint32_t kMostApart = 48; ///< of the two chains' first instructions
+constexpr std::uint32_t kMostApart = 48; ///< maximum distance of the chains' first instructions
 constexpr std::size_t kMostSteps = 8;
 constexpr const char *kScalarsToVector = "scalars-to-vector";
 
-/// The same operation in both chains.
+/// One operation, which both chains have.
 struct Step {
   std::array<std::uint32_t, 2> at = {}; ///< the instruction in each chain
-  int through = -1; ///< the operand that reads the step before; none for the first
+  int through = -1; ///< the operand that reads the previous step; none for the first
 
   [[nodiscard]] std::uint32_t early() const { return std::min(at[0], at[1]); }
   [[nodiscard]] std::uint32_t late() const { return std::max(at[0], at[1]); }
@@ -43,7 +43,7 @@ bool isAlike(const Subject &subject, const Step &step) {
          isScalar(subject, step.at[1]) && a.op == b.op && a.dst.saturate == b.dst.saturate;
 }
 
-/// The position that counts of a scalar instruction.
+/// Returns the component that a scalar instruction writes.
 std::size_t positionOf(const Instruction &instruction) {
   return std::size_t(std::countr_zero(instruction.dst.mask));
 }
@@ -54,7 +54,7 @@ public:
   explicit Writer(const Subject &subject)
       : m_subject(subject), m_draft(subject), m_name(subject.fresh("pair")) {}
 
-  /// \param lanes which chain is x
+  /// Returns the proposal. \param swapped true if the second chain becomes x
   std::optional<Proposal> write(const Steps &steps, bool swapped) {
     m_swapped = swapped;
     for (const Step &step : steps)
@@ -98,7 +98,7 @@ private:
     return (instruction.src[std::size_t(operand)].negate >> positionOf(instruction) & 1) != 0;
   }
 
-  /// The step before, in its own lanes; empty if the signs differ.
+  /// Returns the operand that reads the previous step; empty if the signs differ.
   [[nodiscard]] std::string throughText(const Step &step, int operand) const {
     if (isNegative(step, 0, operand) != isNegative(step, 1, operand))
       return "";
@@ -123,7 +123,7 @@ private:
     return registerText(step, operand);
   }
 
-  /// One register, of which each chain reads a component.
+  /// Returns the operand if both chains read components of one register.
   [[nodiscard]] std::optional<std::string> registerText(const Step &step, int operand) const {
     const Operand &a = m_subject.at(lane(step, 0)).src[std::size_t(operand)];
     const Operand &b = m_subject.at(lane(step, 1)).src[std::size_t(operand)];
@@ -143,7 +143,7 @@ private:
     return Subject::spelled(m_subject.base(lane(step, 0), operand), both, 3, false);
   }
 
-  /// What reads the ends of the chains reads the pair.
+  /// Makes readers of the chains' results read the pair.
   bool endChains(const Step &last) {
     for (const std::size_t at : {0, 1}) {
       const std::uint32_t index = lane(last, at);
@@ -171,7 +171,7 @@ private:
   int m_numbers = 0;
 };
 
-/// The step that both chains go on with, if they do.
+/// Returns the next step if both chains continue with the same operation.
 std::optional<Step> next(const Subject &subject, const Step &step) {
   const auto one = subject.flow().onlyUse(step.at[0]), other = subject.flow().onlyUse(step.at[1]);
   if (!one || !other || one->operand != other->operand)

@@ -1,8 +1,8 @@
 #include "tools/advise/rules/free_inputs.h"
 #include "tools/advise/rules/rules.h"
 
-/// Work that is the same for every pixel of a draw, as it is of parameters that the application
-/// sets.
+/// Finds work that depends only on parameters, and so is the same for every pixel of a draw. The
+/// application can do it once.
 namespace arbiter::tools::advise {
 
 namespace {

@@ -4,7 +4,8 @@
 #include "tools/advise/ranges.h"
 #include "tools/advise/rules/rules.h"
 
-/// POW is LG2, MUL and EX2: an exponent that is a small number is products or a reciprocal.
+/// Finds POW with a small constant exponent. POW takes LG2, MUL and EX2; products or a reciprocal
+/// are cheaper.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -22,7 +23,7 @@ std::string product(bool saturate, const std::string &destination, const std::st
   return statementText(Opcode::Mul, saturate, destination, {a, b});
 }
 
-/// The statement that takes POW's place, and those before it, which write \p scratch.
+/// The statement that replaces POW, and the statements before it, which write \p scratch.
 struct Replacement {
   std::vector<std::string> before;
   std::string statement;
@@ -77,7 +78,7 @@ Proposals powers(const Subject &subject) {
                                     "POW is LG2, MUL and EX2; the exponent " +
                                         numberText(*exponent) + " is less work",
                                     Nearness::Rounding);
-    // POW of a base below zero is 0.
+    // POW of a negative base is 0, unlike the product.
     if (!rangeOf(subject, i, 0, 1).notNegative())
       proposal.condition = "the base " + *base + " is never below zero";
     proposals.push_back(std::move(proposal));

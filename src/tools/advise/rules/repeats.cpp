@@ -5,7 +5,7 @@
 #include "fp_compiler/opt/values.h"
 #include "tools/advise/rules/rules.h"
 
-/// Work that is done twice, copies, and work that nothing reads.
+/// Finds repeated work, copies, and work whose result is unused.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -17,7 +17,7 @@ using fp::ir::Instruction;
 using fp::ir::Opcode;
 using fp::ir::Operand;
 
-/// The second one computes, of what it writes, what the first one computed.
+/// True if the first instruction has already computed everything that the second writes.
 bool isSame(const Subject &subject, std::uint32_t first, std::uint32_t second) {
   const Instruction &a = subject.at(first), &b = subject.at(second);
   const fp::ir::OpInfo &row = fp::ir::info(a.op);
@@ -36,7 +36,7 @@ bool isSame(const Subject &subject, std::uint32_t first, std::uint32_t second) {
   return true;
 }
 
-/// How the first one's result is read in place of the second's.
+/// Returns the operand that reads the first result in place of the second.
 std::string readOf(const Subject &subject, std::uint32_t first, std::uint32_t second) {
   const Instruction &a = subject.at(first);
   const bool replicated = fp::ir::info(a.op).has(fp::ir::Replicates);
@@ -57,7 +57,7 @@ bool isPlainCopy(const Instruction &instruction) {
   return instruction.op == Opcode::Mov && !instruction.dst.saturate;
 }
 
-/// All readers of a copy read what it copies.
+/// Makes all readers of a copy read the copied register.
 std::optional<Draft> readThrough(const Subject &subject, std::uint32_t copy) {
   const Operand &from = subject.at(copy).src[0];
   const std::string base = subject.base(copy, 0);
@@ -76,7 +76,7 @@ std::optional<Draft> readThrough(const Subject &subject, std::uint32_t copy) {
   return draft;
 }
 
-/// What computes a value that is only copied computes it into the copy's place.
+/// Makes the instruction that computes a copied value write to the copy's destination.
 std::optional<Draft> writeThrough(const Subject &subject, std::uint32_t copy) {
   const auto writer = subject.flow().writer(copy, 0);
   const Instruction &move = subject.at(copy);
@@ -155,7 +155,7 @@ Proposals deadWork(const Subject &subject) {
   Draft all(subject);
   for (const std::uint32_t each : dead)
     all.remove(each);
-  // Each by itself only where they are few enough to be looked at.
+  // Single proposals are useful only if there are few.
   constexpr std::size_t kFew = 16;
   if (dead.size() > 1)
     proposals.push_back(

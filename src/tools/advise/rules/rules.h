@@ -3,17 +3,17 @@
 
 #include "tools/advise/draft.h"
 
-/// The rules, one function each. A rule proposes; whether a proposal gains and is equal is not its
-/// business (advise.cpp), so that it may propose what often is not.
+/// Lists the rules, one function each. A rule proposes changes without testing them; advise.cpp
+/// tests cost and results. So a rule may propose changes that often fail.
 namespace arbiter::tools::advise {
 
 struct Rule {
   const char *id;
-  const char *title; ///< what it looks for, for lists
+  const char *title; ///< the pattern that it finds, for lists
   Proposals (*propose)(const Subject &subject);
 };
 
-/// In the order that they are tried in.
+/// Returns the rules in the order in which they are tried.
 [[nodiscard]] std::span<const Rule> rules();
 
 // constants.cpp, parameters.cpp

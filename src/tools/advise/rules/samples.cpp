@@ -3,7 +3,7 @@
 #include "fp_compiler/ir/reads.h"
 #include "tools/advise/rules/rules.h"
 
-/// Where samples and KIL stand: what belongs to one node, and what begins another.
+/// Finds better places for samples and KIL, because their order determines the texture nodes.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -20,7 +20,7 @@ bool discards(const Instruction &instruction) {
   return fp::ir::info(instruction.op).has(fp::ir::Kills);
 }
 
-/// The statement, moved before the one at \p to.
+/// Moves a statement before the one at \p to.
 Draft moved(const Subject &subject, std::uint32_t from, std::uint32_t to,
             const std::string &statement) {
   Draft draft(subject);
@@ -29,7 +29,7 @@ Draft moved(const Subject &subject, std::uint32_t from, std::uint32_t to,
   return draft;
 }
 
-/// The first place from which on its operand is there and its destination is free.
+/// Returns the earliest place at which the operand has its value and the destination is unused.
 std::uint32_t earliest(const Subject &subject, std::uint32_t index) {
   const Instruction &instruction = subject.at(index);
   std::uint32_t place = index;
@@ -47,7 +47,7 @@ std::uint32_t earliest(const Subject &subject, std::uint32_t index) {
   return place;
 }
 
-/// The same into a register of its own, as early as the operand allows.
+/// Proposes to sample into a new register, as early as the operand allows.
 std::optional<Proposal> renamed(const Subject &subject, std::uint32_t index) {
   const Instruction &instruction = subject.at(index);
   std::uint32_t place = index;
@@ -103,7 +103,7 @@ Proposals killPlaces(const Subject &subject) {
     };
     if (const std::uint32_t place = earliest(subject, i); place < i)
       add(place);
-    // Before each later sample, as long as the operand holds.
+    // Try the place before each later sample while the operand keeps its value.
     for (std::uint32_t to = i + 1; to < subject.size() && proposals.size() < kMostPlaces; ++to) {
       if (!subject.flow().holds(instruction.src[0], 0xF, i, to))
         break;

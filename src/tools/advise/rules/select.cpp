@@ -2,7 +2,7 @@
 #include "tools/advise/ranges.h"
 #include "tools/advise/rules/rules.h"
 
-/// Comparisons that make 1 or 0 for an instruction that only chooses by it: CMP chooses by a sign.
+/// Finds comparisons whose 1 or 0 only selects a value, and proposes CMP, which selects by a sign.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -13,15 +13,15 @@ using fp::ir::Operand;
 
 constexpr const char *kSelectByCmp = "select-by-cmp";
 
-/// What CMP chooses between, as operands' texts.
+/// The operands between which CMP selects.
 struct Arms {
   std::string ifOne, ifZero;
 };
 
-/// An instruction that reads a comparison's result.
+/// An instruction that selects by a comparison's result.
 struct Chooser {
   std::uint32_t index = 0;
-  int operand = 0; ///< that reads it
+  int operand = 0; ///< the operand that reads the comparison
   std::uint32_t comparison = 0;
 };
 
@@ -35,7 +35,7 @@ bool withinOne(const Subject &subject, const Chooser &chooser, int operand) {
   return range.number && range.lo >= 0.0f && range.hi <= 1.0f;
 }
 
-/// What the instruction gives where the comparison gives 1, and where it gives 0.
+/// Returns the instruction's values for a comparison result of 1 and of 0.
 std::optional<Arms> armsOf(const Subject &subject, const Chooser &chooser) {
   const Instruction &instruction = subject.at(chooser.index);
   const bool negative = instruction.src[std::size_t(chooser.operand)].negate != 0;
@@ -66,7 +66,7 @@ std::optional<Arms> armsOf(const Subject &subject, const Chooser &chooser) {
   return std::nullopt;
 }
 
-/// An operand of the comparison as the chooser would read it.
+/// Returns an operand of the comparison as the selecting instruction would read it.
 Operand seen(const Subject &subject, const Chooser &chooser, int operand) {
   Operand outer = subject.at(chooser.index).src[std::size_t(chooser.operand)];
   outer.negate = 0;
@@ -84,7 +84,7 @@ std::optional<std::string> seenText(const Subject &subject, const Chooser &choos
   return Subject::spelled(subject.base(chooser.comparison, operand), read, mask, false);
 }
 
-/// The chooser as CMP by the sign of \p sign.
+/// Replaces the selecting instruction by CMP with the operand \p sign.
 void choose(const Subject &subject, const Chooser &chooser, const Arms &arms,
             const std::string &sign, Draft &draft) {
   const bool below = subject.at(chooser.comparison).op == Opcode::Slt;
@@ -102,7 +102,7 @@ Proposal finished(const Subject &subject, const Chooser &chooser, const Draft &d
                          " only chooses by it: CMP chooses by the sign of a difference");
 }
 
-/// One side is 0: the other one has the sign.
+/// Proposes to select by the sign of one operand if the other is 0.
 void proposeSign(const Subject &subject, const Chooser &chooser, const Arms &arms,
                  Proposals &proposals) {
   for (const int zero : {0, 1}) {
@@ -117,7 +117,7 @@ void proposeSign(const Subject &subject, const Chooser &chooser, const Arms &arm
   }
 }
 
-/// The comparison becomes a difference, if all that read it choose by it.
+/// Proposes to replace the comparison by a difference if all its readers select by it.
 void proposeDifference(const Subject &subject, std::uint32_t comparison, Proposals &proposals) {
   const Instruction &instruction = subject.at(comparison);
   const std::uint8_t mask = instruction.dst.mask;

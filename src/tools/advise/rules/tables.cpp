@@ -5,7 +5,7 @@
 #include "tools/advise/rules/free_inputs.h"
 #include "tools/advise/rules/rules.h"
 
-/// Work that a texture can hold: functions of one value, and unit vectors.
+/// Finds work that a texture lookup can replace: functions of one value, and normalized vectors.
 namespace arbiter::tools::advise {
 
 namespace {
@@ -14,15 +14,15 @@ using fp::ir::File;
 using fp::ir::Instruction;
 using fp::ir::Opcode;
 
-/// One component of a register between two writes: an attribute's, or of what an instruction wrote.
+/// One component of a register between two writes: of an attribute, or of an instruction's result.
 struct Scalar {
   File file = File::Temporary;
-  std::uint32_t index = 0; ///< attribute, or instruction
+  std::uint32_t index = 0; ///< number of the attribute or instruction
   std::uint8_t component = 0;
   auto operator<=>(const Scalar &) const = default;
 };
 
-/// A read of one, to be spelled as an operand.
+/// An operand that reads the scalar, for its spelling.
 struct Place {
   std::uint32_t instruction = 0;
   int operand = 0;
@@ -49,7 +49,7 @@ bool isFunction(Opcode op) {
   }
 }
 
-/// The scalar that an operand reads, if it reads one component alone.
+/// Returns the scalar that an operand reads, if it reads only one component.
 std::optional<Scalar> scalarOf(const Subject &subject, std::uint32_t index, int operand) {
   const Instruction &instruction = subject.at(index);
   const fp::ir::Operand &source = instruction.src[std::size_t(operand)];
@@ -65,8 +65,8 @@ std::optional<Scalar> scalarOf(const Subject &subject, std::uint32_t index, int 
   return writer ? std::optional(Scalar{File::Temporary, *writer, component}) : std::nullopt;
 }
 
-/// For each instruction, the one scalar that it is a function of, if it is of one: what its
-/// operands read that is no parameter is that scalar or a function of it.
+/// Finds the instructions that are functions of one scalar. All their operands are parameters, the
+/// scalar, or functions of it.
 class Functions {
 public:
   explicit Functions(const Subject &subject) : m_subject(subject), m_of(subject.size()) {}
@@ -83,7 +83,7 @@ public:
     return found;
   }
 
-  /// Something reads it that is no function of the scalar, or it is a result.
+  /// True if the result is a program result, or if a reader is no function of the scalar.
   [[nodiscard]] bool leaves(std::uint32_t index) const {
     const auto &uses = m_subject.flow().uses(index);
     return m_subject.at(index).dst.file != File::Temporary ||
@@ -112,7 +112,7 @@ private:
   std::vector<bool> m_of;
 };
 
-/// Every scalar that some operand reads, and where it is read first.
+/// Returns every scalar that an operand reads, with its first read.
 std::map<Scalar, Place> scalarsOf(const Subject &subject) {
   std::map<Scalar, Place> places;
   for (std::uint32_t i = 0; i < subject.size(); ++i)

@@ -6,20 +6,20 @@
 
 namespace arbiter::tools::debug {
 
-/// One end of a stream socket between the debugger and the process that draws for it: lines of text
-/// (JSON), some followed by bytes that the line announces. No call raises SIGPIPE.
+/// One end of the stream socket between the debugger and its drawing process. It transfers lines of
+/// JSON text; a line may announce bytes that follow it. No call raises SIGPIPE.
 class Channel {
 public:
-  /// Takes the descriptor over.
+  /// Takes ownership of the descriptor.
   explicit Channel(int descriptor) : m_descriptor(descriptor) {}
   Channel(const Channel &) = delete;
   Channel &operator=(const Channel &) = delete;
   ~Channel();
 
-  /// False where the other end is gone.
+  /// Sends a line and bytes. False if the other end is closed.
   bool send(std::string_view line, const void *bytes = nullptr, std::size_t count = 0);
-  /// The next line without its end; none where the other end is gone, has sent a line of more than
-  /// kMostLine, or says nothing for `seconds` (negative: for ever).
+  /// Returns the next line without its end. Returns nothing if the other end is closed, if a line
+  /// is longer than kMostLine, or after a silence of `seconds` (negative: waits forever).
   std::optional<std::string> receive(int seconds);
   bool receive(void *bytes, std::size_t count, int seconds);
 
@@ -30,7 +30,7 @@ private:
   bool write(const char *bytes, std::size_t count);
 
   int m_descriptor;
-  std::string m_waiting; ///< received and not yet given out
+  std::string m_waiting; ///< received data that was not returned yet
 };
 
 } // namespace arbiter::tools::debug

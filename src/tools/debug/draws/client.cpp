@@ -14,14 +14,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Compiling a long program for a first time takes seconds on a busy machine, no more.
+/// Seconds to wait for an answer; compiling a long program on a busy machine takes seconds.
 constexpr int kPatience = 120;
 
 Json regionJson(const Region &region) {
   return {{"x", region.x}, {"y", region.y}, {"width", region.width}, {"height", region.height}};
 }
 
-/// 0 where there is no such number.
+/// Returns an integer member, or 0 if there is none.
 std::int64_t integerAt(const Json &json, const char *name) {
   const auto found = json.find(name);
   return found != json.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
@@ -31,8 +31,8 @@ std::size_t pixelsOf(const Region &region) {
   return std::size_t(region.width) * std::size_t(region.height);
 }
 
-/// In the new process: the socket is descriptor 0, and what is printed does not meet the
-/// debugger's own output.
+/// Turns the new process into the drawing process. The socket becomes descriptor 0, and output goes
+/// to standard error, apart from the debugger's.
 [[noreturn]] void become(int descriptor, const std::function<void()> &start) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::dup2(descriptor, STDIN_FILENO);
@@ -50,7 +50,7 @@ DrawClient::DrawClient(std::string name, int descriptor, int process)
 DrawClient::~DrawClient() { close(); }
 
 void DrawClient::close() {
-  m_channel.reset(); // the process ends when it hears no more
+  m_channel.reset(); // the process exits when the socket closes
   if (m_process <= 0)
     return;
   while (::waitpid(m_process, nullptr, 0) < 0 && errno == EINTR) {
@@ -65,7 +65,7 @@ DrawClient::start(std::string name, const std::function<void()> &start) {
     return DebugError{std::string("no socket for the drawing process: ") + std::strerror(errno)};
   const pid_t process = ::fork();
   if (process == 0) {
-    ::close(ends[0]); // or it would never hear that the other end is gone
+    ::close(ends[0]); // otherwise it would keep the debugger's end open and never see it close
     become(ends[1], start);
   }
   ::close(ends[1]);
@@ -76,11 +76,11 @@ DrawClient::start(std::string name, const std::function<void()> &start) {
   return std::unique_ptr<DrawClient>(new DrawClient(std::move(name), ends[0], process));
 }
 
-/// What became of the process. It is killed if it only says nothing.
+/// Returns an error that tells how the process ended. Kills the process if it is only silent.
 DebugError DrawClient::lost() {
   int status = 0;
   m_channel.reset();
-  for (int i = 0; i < 20; ++i) { // one that has failed is about to end
+  for (int i = 0; i < 20; ++i) { // a process that failed exits soon
     if (m_process <= 0 || ::waitpid(m_process, &status, WNOHANG) == m_process) {
       m_process = -1;
       if (WIFSIGNALED(status))

@@ -10,20 +10,18 @@
 
 namespace arbiter::tools::debug {
 
-/// A drawer in another process, so that no driver, and no program that a driver chokes on, is in
-/// this one.
+/// A drawer in another process, so that a crash of the driver cannot end this process.
 class DrawClient : public Drawer {
 public:
   /// Starts the process.
-  /// \param name what its drawings are called
-  /// \param start called in the new process, with the socket as descriptor 0; it executes a
-  /// command,
-  ///              or returns if that fails
+  /// \param name the drawer's name in reports
+  /// \param start called in the new process, with the socket as descriptor 0; executes a command,
+  /// and returns only if that fails
   [[nodiscard]] static Result<std::unique_ptr<DrawClient>, DebugError>
   start(std::string name, const std::function<void()> &start);
   ~DrawClient() override;
 
-  /// The first request: what is to be drawn (draws/server.h).
+  /// Opens the document to draw, as the first request (draws/server.h).
   [[nodiscard]] std::optional<DebugError> open(const nlohmann::json &what);
 
   [[nodiscard]] std::string name() const override { return m_name; }
@@ -36,7 +34,7 @@ public:
   [[nodiscard]] Result<std::array<int, 3>, DebugError>
   textureSize(unsigned unit, fp::ir::TexTarget target) override;
   [[nodiscard]] Result<Vec4, DebugError> vertexState(const fp::ir::StateRef &state) override;
-  /// False once the process has ended, or did not answer.
+  /// True until the process has ended, or has failed to answer.
   [[nodiscard]] bool isAlive() const { return m_channel != nullptr; }
   /// Ends the process and waits for it.
   void close();
@@ -44,7 +42,7 @@ public:
 private:
   DrawClient(std::string name, int descriptor, int process);
   Result<nlohmann::json, DebugError> ask(const nlohmann::json &request);
-  /// A request whose answer is followed by `count` items.
+  /// Sends a request whose answer is followed by `count` items.
   template <typename Item>
   Result<std::vector<Item>, DebugError> askItems(const nlohmann::json &request, std::size_t count);
   DebugError lost();

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr const char *kText = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n";
 
-/// A client of a process that draws with the fake drawer.
+/// Starts a process that draws with the fake drawer, and returns its client.
 std::unique_ptr<DrawClient> started() {
   auto client = DrawClient::start("another", [] {
     ::_exit(serveDraws(

@@ -67,7 +67,7 @@ private:
     return {{{"width", width}, {"height", height}}, {}};
   }
 
-  /// Within the picture, or none.
+  /// Returns a region within the picture, or nothing.
   std::optional<Region> regionOf(const Json &json) const {
     if (!json.is_object())
       return {};
@@ -87,7 +87,7 @@ private:
     return {Json::object(), {bytes, bytes + drawn.value().size() * sizeof(Item)}};
   }
 
-  /// At most kMostLocals rows of four numbers.
+  /// Returns at most kMostLocals rows of four numbers, or nothing.
   static std::optional<std::vector<Drawer::Vec4>> localsOf(const Json &json) {
     if (!json.is_array() || json.size() > kMostLocals)
       return {};

@@ -7,12 +7,12 @@
 
 namespace arbiter::tools::debug {
 
-/// Makes the drawer of an `open` request.
+/// Makes the drawer for an `open` request.
 using OpenDrawer =
     std::function<Result<std::unique_ptr<Drawer>, DebugError>(const nlohmann::json &what)>;
 
-/// Answers a DrawClient until it hangs up. A request is a line of JSON, and so is its answer, which
-/// has "error", or
+/// Answers the requests of a DrawClient until it closes the socket. Requests and answers are lines
+/// of JSON. An answer has "error", or
 ///   {"open": ..}                                 -> {"width", "height"}
 ///   {"draw": text, "targets": n, "region": R}    -> {"bytes": n * 16 * pixels}, then the bytes
 ///   {"picture": R}                               -> {"bytes": 4 * pixels}, then the bytes

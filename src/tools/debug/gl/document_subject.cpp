@@ -7,7 +7,7 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-/// A pass tests depths that an earlier one made.
+/// True if a pass tests depths that an earlier pass wrote.
 bool passesMeet(const scene::Document &document) {
   for (std::size_t pass = 1; pass < document.passes.size(); ++pass)
     if (!document.clears(pass) && document.depthOf(document.passes[pass]) != scene::Depth::Off)
@@ -36,7 +36,7 @@ std::optional<DebugError> DocumentSubject::prepare() {
     return DebugError{m_document.files[error.file].name + ": " + error.message};
   }
   m_renderer = std::move(made).value();
-  // With feedback a frame is what all before it have made of the first one.
+  // With feedback a frame depends on all earlier frames.
   for (int frame = 0; m_document.hasFeedback() && frame < m_frame; ++frame)
     m_renderer->draw(frame);
   m_renderer->stopBefore(m_frame, m_pass);

@@ -9,9 +9,9 @@
 
 namespace arbiter::tools::debug {
 
-/// One pass of one frame of a document. Where its passes test each other's depths they are drawn to
-/// a framebuffer object that stands for the window: the probes of a pixel are drawn to one, and in
-/// a window, whose rows lie the other way up in memory, depths and colours have other last bits.
+/// One pass of one frame of a document. If passes test each other's depths, they are drawn into a
+/// framebuffer object in place of the window, like the probes of a pixel. A window's rows are
+/// stored in the opposite order, so that the last bits of its depths and colors can differ.
 class DocumentSubject : public Subject {
 public:
   /// \param pass from 0 \param frame from 0
@@ -28,7 +28,7 @@ private:
   const scene::Document m_document;
   const std::size_t m_pass;
   const int m_frame;
-  Surface m_surface; ///< outlives the renderer
+  Surface m_surface; ///< must outlive the renderer
   DrawTarget m_window{GL_RGBA8};
   std::unique_ptr<Renderer> m_renderer;
 };

@@ -7,25 +7,26 @@
 
 namespace arbiter::tools::debug {
 
-/// A framebuffer object of up to kMostTargets colours, with depth and stencil. All that the
-/// debugger draws goes to such ones, the document's own picture too: a window's rows may lie the
-/// other way up in memory, and a depth of the same place has another last bit then.
+/// A framebuffer object with up to kMostTargets colors, depth and stencil. The debugger draws
+/// probes into such objects. It draws the document's own picture into one if its passes test each
+/// other's depths: a window's rows may be stored in the opposite order, and the last bit of a depth
+/// then differs.
 class DrawTarget {
 public:
-  /// \param format of the colours
+  /// \param format of the color attachments
   explicit DrawTarget(GLenum format = GL_RGBA32F) : m_format(format) {}
   DrawTarget(const DrawTarget &) = delete;
   DrawTarget &operator=(const DrawTarget &) = delete;
 
-  /// Binds a framebuffer of at least that size, which draws to so many colours. One object serves
-  /// all numbers: what has been drawn to before costs less to clear.
-  /// \returns an empty string, or why there is none
+  /// Binds a framebuffer of at least that size with `targets` draw buffers. One object serves all
+  /// numbers of targets, because clearing attachments that were drawn to before is cheaper.
+  /// \returns an empty string, or why the framebuffer could not be made
   [[nodiscard]] std::string bind(int width, int height, std::size_t targets);
-  /// As what is read from. Requires: bind() was successful.
+  /// Binds it for reading. Requires: bind() was successful.
   void bindToRead() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer); }
-  /// Every pixel becomes uncovered(), as no scissor test is enabled. The clear colour is as it was.
+  /// Sets every pixel to uncovered(), without a scissor test. Keeps the clear color.
   void clear() const;
-  /// Of the bound framebuffer: targets * height * width values. The format is one of floats.
+  /// Reads targets * height * width values from the bound framebuffer. Requires: a float format.
   [[nodiscard]] std::vector<fp::ir::Vec4> read(const Region &region) const;
 
 private:
@@ -34,7 +35,7 @@ private:
   const GLenum m_format;
   GLuint m_framebuffer = 0, m_depth = 0;
   std::vector<GLuint> m_colors;
-  std::size_t m_drawn = 0; ///< colours that are drawn to, of m_colors
+  std::size_t m_drawn = 0; ///< number of m_colors that are draw buffers
   int m_width = 0, m_height = 0;
 };
 

@@ -6,11 +6,12 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-/// A pixel's probes are the same programs as another's, but for those of coordinates that only the
-/// other arithmetic arrives at: those are the pixel's own.
+/// The limit of cached programs. Most pixels use the same programs, because their coordinates are
+/// parameters.
 constexpr std::size_t kMostPrograms = 128;
 
-/// All of the state that a draw of ours changes, and the framebuffer, which no attribute group has.
+/// Restores all state that a draw changes, including the framebuffer, which is in no attribute
+/// group.
 class Restored {
 public:
   Restored() {
@@ -30,7 +31,7 @@ private:
   GLint m_draw = 0, m_read = 0;
 };
 
-/// ATI_text_fragment_shader's target, which no header of Debian's has.
+/// The target of ATI_text_fragment_shader, which Debian's headers lack.
 constexpr GLenum kTextFragmentShaderAti = 0x8200;
 
 GLenum targetOf(fp::ir::TexTarget target) {
@@ -53,7 +54,7 @@ GLenum targetOf(fp::ir::TexTarget target) {
   return GL_TEXTURE_2D;
 }
 
-/// Depth and stencil, from the framebuffer that is read to the one that is drawn to.
+/// Copies depth and stencil from the read framebuffer to the draw framebuffer.
 void copyDepths(const Region &region) {
   const GLint x = region.x, y = region.y, right = x + region.width, top = y + region.height;
   glBlitFramebuffer(x, y, right, top, x, y, right, top, GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT,
@@ -79,9 +80,9 @@ std::string FrameDrawer::name() const {
   return reinterpret_cast<const char *>(glGetString(GL_RENDERER));
 }
 
-/// The bound program object and its local parameters, which programs that show values have too.
-/// Those are objects of their own: hosts crash when the text of one that was drawn with is changed.
-/// An ATI shader is no such object, and has no parameters.
+/// Records the bound program object, and its local parameters for programs that show values. Those
+/// programs are separate objects, because hosts crash when the text of a used object is changed. An
+/// ATI shader has neither a program object nor parameters.
 void FrameDrawer::keepProgram() {
   GLint bound = 0, count = 0;
   glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
@@ -97,7 +98,8 @@ void FrameDrawer::keepProgram() {
   }
 }
 
-/// What the draw finds, where it draws over what is there: the picture's own draw changes it.
+/// Saves the depths before the draw if the draw keeps them, because drawing the picture changes
+/// them.
 void FrameDrawer::keepDepths() {
   const auto [width, height] = size();
   const Restored restored;
@@ -119,7 +121,7 @@ void FrameDrawer::keepPicture() {
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, m_picture.data());
 }
 
-/// Makes \p text (or, where it is empty, the document's) the program that is drawn with.
+/// Binds a program with \p text, or the document's if it is empty.
 /// \returns an empty string, or GL's complaint
 std::string FrameDrawer::load(const std::string &text) {
   if (text.empty())
@@ -158,7 +160,7 @@ void FrameDrawer::forgetPrograms() {
   m_programs.clear();
 }
 
-/// The document's own program again; no attribute group is sure to hold it.
+/// Binds the document's program again, because no attribute group reliably restores it.
 void FrameDrawer::unload() {
   glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_document);
   if (m_document != 0)
@@ -177,7 +179,7 @@ Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::strin
     unload();
     return DebugError{std::move(fault)};
   }
-  // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
+  // The framebuffer may be smaller than the viewport; pixels beyond it are not drawn.
   for (std::size_t i = 0; i < locals.size(); ++i)
     glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, GLuint(i), locals[i].data());
   const std::string fault =
@@ -191,7 +193,8 @@ Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::strin
     m_subject->clear();
   }
   m_target.clear();
-  // Behind the clears: what of a framebuffer is cleared hosts draw as a quad, of a new program.
+  // The scissor test starts after the clears: hosts clear a part of a framebuffer by drawing a
+  // quad, for which they compile another program.
   glEnable(GL_SCISSOR_TEST);
   glScissor(region.x, region.y, region.width, region.height);
   m_subject->drawMesh();

@@ -8,7 +8,7 @@
 
 namespace arbiter::tools::debug {
 
-/// The drawer of a subject in the context that is current.
+/// Draws a subject in the current context.
 class FrameDrawer : public Drawer {
 public:
   [[nodiscard]] static Result<std::unique_ptr<Drawer>, DebugError>
@@ -36,11 +36,11 @@ private:
 
   std::unique_ptr<Subject> m_subject;
   DrawTarget m_target;
-  DrawTarget m_before;        ///< depth and stencil that the draw finds
-  bool m_keepsTarget = false; ///< the draw's pass does not begin with an empty target
-  GLuint m_document = 0;      ///< the document's program object; 0: an ATI shader
-  std::vector<std::pair<GLuint, Vec4>> m_locals; ///< its local parameters that are not zero
-  std::map<std::string, GLuint> m_programs;      ///< of texts that show values
+  DrawTarget m_before;        ///< depth and stencil before the draw
+  bool m_keepsTarget = false; ///< true if the draw's pass keeps the target's content
+  GLuint m_document = 0;      ///< the document's program object; 0 for an ATI shader
+  std::vector<std::pair<GLuint, Vec4>> m_locals; ///< its local parameters other than zero
+  std::map<std::string, GLuint> m_programs;      ///< by the text of a program that shows values
   std::vector<std::array<std::uint8_t, 4>> m_picture;
 };
 

@@ -6,21 +6,22 @@
 
 namespace arbiter::tools::debug {
 
-/// The draw that is looked into, as GL calls in a current context.
+/// The draw to debug, as GL calls in a current context.
 class Subject {
 public:
   virtual ~Subject() = default;
-  /// Pixels of the draw's target.
+  /// Returns the size of the draw's target in pixels.
   [[nodiscard]] virtual std::array<int, 2> size() const = 0;
-  /// Loads all, and draws what comes before: earlier frames and passes. The state is then that of
-  /// the draw: programs bound and enabled, tests, viewport; the target is bound.
+  /// Loads everything and draws the earlier frames and passes. Then sets the state of the draw:
+  /// programs, tests, viewport, target.
   [[nodiscard]] virtual std::optional<DebugError> prepare() = 0;
-  /// The draw's mesh alone. Called any number of times; changes nothing but pixels.
+  /// Draws the mesh of the draw, any number of times. Changes nothing but pixels.
   virtual void drawMesh() = 0;
-  /// Empties colour and depth of the bound target as the draw's pass begins; false where the pass
-  /// draws over what is there.
+  /// Clears color and depth of the bound target as the draw's pass does. False if the pass draws
+  /// over existing content.
   virtual bool clear() = 0;
-  /// Tests and writes only what decides which fragment is seen: no blending, no masks of colours.
+  /// Leaves only the tests and writes that decide which fragment is visible: no blending, no color
+  /// masks.
   virtual void setPlainState() = 0;
 };
 

@@ -1,4 +1,4 @@
-// Rows of GL's state that no fragment program can show.
+// Reads rows of GL's state that no fragment program can show.
 #include <epoxy/gl.h>
 
 #include "tools/debug/gl/frame_drawer.h"
@@ -11,7 +11,7 @@ using fp::ir::StateItem;
 using fp::ir::StateRef;
 using Vec4 = Drawer::Vec4;
 
-/// Texture coordinates are generated for each texture unit.
+/// Returns a plane of texture coordinate generation, which is state of a texture unit.
 Vec4 texGen(const StateRef &state) {
   Vec4 plane = {};
   GLint active = 0;

@@ -15,7 +15,7 @@ using fp::ir::Instruction;
 using fp::ir::Opcode;
 using fp::ir::Program;
 
-/// The tables of a program, without its code and what it writes.
+/// Returns a program with the tables of another, but without code and outputs.
 Program shell(const Program &program, std::size_t targets) {
   Program bare = program;
   bare.language = fp::ir::Language::ArbFragment;
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  /// What the program's results become: temporaries, which can be read.
+  /// Redirects outputs to temporaries, which can be read.
   fp::ir::Destination kept(fp::ir::Destination dst) const {
     if (dst.file == File::Output) {
       dst.file = File::Temporary;
@@ -95,7 +95,7 @@ private:
     m_cut.code.back().dst = kept(instruction.dst);
   }
 
-  /// The depth that the program gives its fragments.
+  /// Writes the program's own depth, if the program has one.
   void addDepth() {
     if (m_fragments != Fragments::Surviving)
       return;
@@ -111,7 +111,7 @@ private:
     }
   }
 
-  /// The probes of a row that stand before or behind its instruction.
+  /// Adds the probes of a row that come before or after its instruction.
   void addProbes(const std::vector<Probe> &probes, std::size_t row, bool behind) {
     for (std::size_t i = 0; i < probes.size(); ++i)
       if (probes[i].row == row && (probes[i].kind == Probe::Kind::Value) == behind)
@@ -170,7 +170,7 @@ Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget 
   Builder b;
   b.options().shadow = program.options.shadow;
   const auto side = b.temporary(), lower = b.temporary(), upper = b.temporary();
-  // Below zero in the left, and in the lower, pixels.
+  // Negative in the left pixels, and in the lower pixels.
   b.op(Opcode::Sub, side, {b.attribute(fp::ir::AttributeKind::Position), b.local(4)});
   b.op(Opcode::Cmp, lower, {side.read().swz("x"), b.local(0), b.local(1)});
   b.op(Opcode::Cmp, upper, {side.read().swz("x"), b.local(2), b.local(3)});

@@ -16,7 +16,7 @@ using fp::ir::Instruction;
 using fp::ir::Program;
 using fp::ir::StateItem;
 
-/// An operand, and where its value goes.
+/// An operand to read, and the destination of its value.
 struct Wanted {
   fp::ir::Operand operand;
   Vec4 *to = nullptr;
@@ -29,7 +29,7 @@ fp::ir::Operand operandOf(fp::ir::File file, std::size_t index) {
   return operand;
 }
 
-/// Index of an attribute in the table, where it is added if it lacks.
+/// Returns an attribute's index in the table; adds it if it is missing.
 std::size_t attributeIn(Program &program, AttributeKind kind) {
   const fp::ir::Attribute wanted{kind, 0};
   const auto found = std::find(program.attributes.begin(), program.attributes.end(), wanted);
@@ -80,8 +80,8 @@ std::optional<DebugError> PixelReader::read() {
   return {};
 }
 
-/// Fragments may lie over each other, and only the program says which of them are discarded, or at
-/// what depth they are: one that it leaves is the one that is seen.
+/// Chooses the fragment to read. If fragments overlap, and the program discards some or sets their
+/// depths, the visible one is a surviving fragment.
 std::optional<DebugError> PixelReader::chooseFragments() {
   if (!decidesFragments(m_program))
     return {};
@@ -102,7 +102,7 @@ std::optional<DebugError> PixelReader::chooseFragments() {
 Result<std::vector<Quad>, DebugError> PixelReader::drawQuads(const Program &program,
                                                              std::size_t targets,
                                                              const std::vector<Vec4> &locals) {
-  // The picture's edge may cut the quad; what lies outside is as if nothing covered it.
+  // The picture's edge may cut the quad; pixels outside count as uncovered.
   const auto [width, height] = m_drawer.size();
   const Region region{m_x, m_y, std::min(2, width - m_x), std::min(2, height - m_y)};
   auto drawn = m_drawer.draw(fp::emitAssembly(program), targets, region, locals);
@@ -127,7 +127,7 @@ std::optional<DebugError> PixelReader::readOperands() {
   m_inputs.attributes.resize(tables.attributes.size());
   m_inputs.parameters.resize(tables.parameters.size());
   Vec4 fog = {};
-  // The position comes first: it says which pixels are covered.
+  // The position comes first, because it shows which pixels are covered.
   std::vector<Wanted> wanted = {
       {operandOf(fp::ir::File::Attribute, attributeIn(tables, AttributeKind::Position)),
        &m_position}};
@@ -206,7 +206,8 @@ std::optional<DebugError> PixelReader::drawProbes(const std::vector<std::size_t>
   return {};
 }
 
-/// OpenGL 2.1, 3.8.8: the greater of the two ways, in texels a pixel.
+/// Returns the level of detail (OpenGL 2.1, 3.8.8): the greater of the two directions, in texels
+/// per pixel.
 std::optional<float> PixelReader::levelOf(const Instruction &instruction, const Access &access) {
   using fp::ir::TexTarget;
   if (instruction.target == TexTarget::Cube || instruction.target == TexTarget::Rect ||
@@ -244,7 +245,7 @@ Vec4 PixelReader::texel(std::size_t index, const fp::ir::Sample &sample, fp::Num
     return own(access.texel);
   Vec4 key = sample.coordinate;
   key[3] = sample.bias;
-  // Where an infinity or NaN samples is the host's choice, and no text spells one.
+  // The host decides where infinities and NaNs sample, and program texts cannot contain them.
   if (!std::all_of(key.begin(), key.end(), [](float each) { return std::isfinite(each); }))
     return {};
   const auto [at, isNew] = m_sampled.try_emplace({index, key});

@@ -9,33 +9,34 @@
 
 namespace arbiter::tools::debug {
 
-/// A value in each pixel of a 2x2 quad: lower left, lower right, upper left, upper right.
+/// A value for each pixel of a 2x2 quad: lower left, lower right, upper left, upper right.
 using Quad = std::array<Vec4, 4>;
 
-/// What a fragment program reads in one pixel, as the drawer itself gives it: each attribute and
-/// row of parameters is drawn to a float target, and each texture access with the program cut
-/// behind it, so that its level of detail is the draw's own.
+/// Reads the inputs of a fragment program in one pixel from the drawer. Attributes and parameters
+/// are drawn to float targets. A texture access is drawn by the program cut after it, so that its
+/// level of detail is the original draw's.
 class PixelReader {
 public:
-  /// \param drawn the arithmetic that the drawer runs programs with
-  /// \p drawer and \p program must outlive the reader, and the reader its inputs().
+  /// \param drawn the arithmetic with which the drawer runs programs
+  /// \p drawer and \p program must outlive the reader, and the reader must outlive its inputs().
   PixelReader(Drawer &drawer, const fp::ir::Program &program, int x, int y, fp::Numerics drawn);
 
-  /// Errors: the pixel lies outside the picture, nothing covers it, or the drawer fails.
+  /// Reads the inputs. Fails if the pixel lies outside the picture, if nothing covers it, or if the
+  /// drawer fails.
   [[nodiscard]] std::optional<DebugError> read();
-  /// After read(). Texels of another arithmetic, whose coordinates differ, are sampled at those,
-  /// with the derivatives that the drawer's coordinates have.
+  /// Returns the inputs after read(). If another arithmetic computes other texture coordinates, the
+  /// texel there is sampled with the derivatives of the drawer's coordinates.
   [[nodiscard]] const TraceInputs &inputs() const { return m_inputs; }
-  /// Where sampling for another arithmetic failed, why.
+  /// Returns why sampling for another arithmetic failed, or nothing.
   [[nodiscard]] const std::optional<DebugError> &failure() const { return m_failure; }
-  /// Whether the fragment is one that the program leaves; else one that it discards.
+  /// Returns whether a surviving fragment was read; otherwise it was one that the program discards.
   [[nodiscard]] Fragments fragments() const { return m_fragments; }
-  /// In window pixels and [0,1].
+  /// Returns the position in window pixels, with a depth in [0,1].
   [[nodiscard]] const Vec4 &position() const { return m_position; }
 
 private:
   struct Access {
-    Quad texel = {}, coordinate = {}; ///< TXP has divided
+    Quad texel = {}, coordinate = {}; ///< after TXP's division
     std::optional<float> lod;
   };
 
@@ -43,7 +44,7 @@ private:
   std::optional<DebugError> readOperands();
   std::optional<DebugError> readAccesses();
   std::optional<DebugError> drawProbes(const std::vector<std::size_t> &rows);
-  /// Quads of a program's colours.
+  /// Draws a program and returns each of its colors as a quad.
   Result<std::vector<Quad>, DebugError> drawQuads(const fp::ir::Program &program,
                                                   std::size_t targets,
                                                   const std::vector<Vec4> &locals = {});
@@ -55,13 +56,13 @@ private:
   Drawer &m_drawer;
   const fp::ir::Program &m_program;
   const int m_x, m_y;
-  const std::size_t m_lane; ///< of the pixel in its quad
+  const std::size_t m_lane; ///< index of the pixel in its quad
   const fp::Numerics m_drawn;
   Fragments m_fragments = Fragments::Covered;
   TraceInputs m_inputs;
   Vec4 m_position = {};
   std::array<bool, 4> m_covered = {};
-  std::map<std::size_t, Access> m_accesses; ///< by instruction
+  std::map<std::size_t, Access> m_accesses; ///< by index of the instruction
   std::map<std::pair<std::size_t, Vec4>, Vec4> m_sampled;
   std::optional<DebugError> m_failure;
 };

@@ -28,7 +28,7 @@ constexpr const char *kText = "!!ARBfp1.0\n"
                               "ADD_SAT result.color.xyz, a, b;\n"
                               "END\n";
 
-/// The trace as the reader's inputs make it.
+/// Traces a program with the reader's inputs.
 struct Debugged {
   Debugged(FakeDrawer &drawer, const std::string &text, int x, int y)
       : program(checked(text)), reader(drawer, program, x, y, Numerics::Host) {
@@ -53,7 +53,7 @@ TEST(PixelReader, InputsAreTheDrawersOwn) {
   sample.unit = 1;
   sample.coordinate = {5.5f / 16, 2.5f / 8, 0, 0};
   EXPECT_EQ(pixel.trace.rows[0].texel->value.first, texelAt(sample));
-  // 64 texels over 16 pixels, 32 over 8: four a pixel.
+  // 64 texels over 16 pixels and 32 over 8 are four texels per pixel.
   ASSERT_TRUE(pixel.trace.rows[0].texel->lod);
   EXPECT_FLOAT_EQ(*pixel.trace.rows[0].texel->lod, 2.0f);
 }
@@ -177,14 +177,15 @@ std::string faultOfWatch(const char *text) {
   return program ? "" : program.error().message;
 }
 
-/// Nearer fragments come later, and the program discards some: what is seen is what it leaves.
+/// The test draws nearer fragments later, and the program discards some; the visible one must
+/// survive.
 TEST(Cut, SurvivingFragmentsAreThoseOfTheProgram) {
   FakeDrawer drawer(kText, 16, 8);
   const fp::ir::Program program = checked(kText);
   EXPECT_TRUE(decidesFragments(program));
   drawer.wrong = [](const fp::ir::Instruction &instruction, Vec4 &value) {
     if (instruction.op == fp::ir::Opcode::Mul)
-      value[0] = -1; // and so every KIL discards
+      value[0] = -1; // which makes every KIL discard
   };
   const auto at = [&](Fragments fragments) {
     const auto cut = cutProgram(program, {{Probe::Kind::Value, 0}}, fragments);

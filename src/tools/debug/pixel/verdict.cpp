@@ -16,7 +16,7 @@ namespace {
 
 using fp::ir::Program;
 
-/// Longer programs are halved: each row would be a program of its own to compile.
+/// Longer programs are bisected, because drawing a row compiles a program.
 constexpr std::size_t kMostRowsDrawn = 256;
 
 const Named *colorOf(const Trace &trace) {
@@ -32,7 +32,7 @@ std::array<std::uint8_t, 4> bytesOf(const Vec4 &color) {
   return bytes;
 }
 
-/// Of the components of \p mask: a host may leave anything in others.
+/// Returns the greatest difference in components of \p mask; a host may leave any values in others.
 int stepsBetween(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
   int steps = 0;
   for (std::size_t c = 0; c < 4; ++c)
@@ -49,7 +49,7 @@ bool isSameBits(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
   return true;
 }
 
-/// What of a row's value can be compared: of KIL its operand.
+/// Returns the value of a row to compare; KIL's is its operand.
 Vec4 valueOf(const Row &row) { return row.mask ? row.value.first : row.operands[0].value.first; }
 std::uint8_t maskOf(const Row &row) { return row.mask ? row.mask : 0xF; }
 
@@ -60,7 +60,7 @@ public:
       : m_drawer(drawer), m_program(program), m_trace(trace), m_x(x), m_y(y),
         m_fragments(fragments), m_tolerance(tolerance) {}
 
-  /// Every row, a few a draw, until one differs.
+  /// Compares every row, a few per draw, until one differs.
   Result<std::optional<Difference>, DebugError> eachRow() {
     for (std::size_t from = 0; from < m_trace.rows.size(); from += kMostTargets) {
       std::vector<std::size_t> rows(std::min(kMostTargets, m_trace.rows.size() - from));
@@ -72,7 +72,7 @@ public:
     return std::optional<Difference>();
   }
 
-  /// Finds a row that differs behind one that does not.
+  /// Bisects: finds a row that differs after a row that does not.
   Result<std::optional<Difference>, DebugError> halved() {
     std::optional<Difference> nearest;
     std::size_t low = 0, high = m_trace.rows.size();
@@ -114,8 +114,8 @@ private:
   const Tolerance m_tolerance;
 };
 
-/// The pixel of the picture; and the fragment's own colour where blending, or what came later, made
-/// that another one. Hosts round the middle between two steps either way.
+/// Returns the picture's pixel, and also the fragment's color if blending or a later draw changed
+/// it. A difference of one step is ignored, because hosts may round either way.
 std::string drawnText(const Verdict &verdict) {
   const std::string picture = hexColor(verdict.picture);
   for (std::size_t c = 0; c < 4; ++c)
@@ -124,8 +124,8 @@ std::string drawnText(const Verdict &verdict) {
   return picture;
 }
 
-/// A program's colours in one pixel, of which the whole 2x2 quad is drawn, as where the trace's
-/// inputs come from.
+/// Returns a program's colors in one pixel. Draws the whole 2x2 quad, because the trace's inputs
+/// were drawn so too.
 Result<std::vector<Vec4>, DebugError> drawPixel(Drawer &drawer, const std::string &text,
                                                 std::size_t targets, int x, int y) {
   const auto [width, height] = drawer.size();
@@ -144,7 +144,7 @@ Result<std::vector<Vec4>, DebugError> drawPixel(Drawer &drawer, const std::strin
   return values;
 }
 
-/// The interpreter's side, and the drawer's fragment and picture.
+/// Returns a verdict with the interpreter's color, the drawn fragment and the picture.
 Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, int x, int y) {
   Verdict verdict;
   verdict.drawer = drawer.name();
@@ -184,7 +184,7 @@ Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer, const Program &pr
 Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const Trace &trace, int x,
                                   int y, const Tolerance &tolerance) {
   auto verdict = compareColors(drawer, trace, x, y);
-  // No assembly text says what an ATI shader does, so none can be cut.
+  // An ATI shader cannot be cut, because assembly cannot express it.
   if (!verdict || verdict.value().isEqual() || program.language != fp::ir::Language::ArbFragment)
     return verdict;
   const bool survives = decidesFragments(program) && verdict.value().drawn;

@@ -15,7 +15,7 @@ using fp::ir::StateItem;
 
 Vec4 vec4Of(const glm::vec4 &value) { return {value.x, value.y, value.z, value.w}; }
 
-/// Texture coordinates of a set, as the mesh has them.
+/// Returns the mesh's texture coordinates for a set.
 Vec4 setOf(const scene::Panel &panel, const scene::MeshVertex &vertex, unsigned set) {
   for (const scene::CoordinateSpec &spec : panel.coordinates)
     if (spec.set == set)
@@ -23,8 +23,8 @@ Vec4 setOf(const scene::Panel &panel, const scene::MeshVertex &vertex, unsigned 
   return {vertex.st.x, vertex.st.y, 0, 1};
 }
 
-/// ARB_vertex_program, table X.1: the conventional attribute of a slot, where the panel has no
-/// value.
+/// Returns a generic attribute: the panel's value, or else the conventional attribute in its slot
+/// (ARB_vertex_program, table X.1).
 Vec4 genericOf(const VertexStage &stage, const scene::MeshVertex &vertex, unsigned index) {
   for (const scene::ParameterRow &row :
        stage.document.rows(stage.pass, stage.pass.panel, stage.seconds))
@@ -65,7 +65,7 @@ bool isOfVertexProgramsAlone(const fp::ir::StateRef &state) {
   return state.item >= StateItem::TexGenEye;
 }
 
-/// Every row that the program reads.
+/// Reads all parameters that the program uses.
 class Parameters {
 public:
   Parameters(const VertexStage &stage, Drawer &drawer) : m_stage(stage), m_drawer(drawer) {}
@@ -104,7 +104,7 @@ private:
             (parameter.kind == fp::ir::ParameterKind::Env && row.space == scene::Setting::Env));
   }
 
-  /// GL's state is one for both stages: a fragment program shows it.
+  /// Draws rows of GL's state with a fragment program, because both stages share the state.
   std::optional<DebugError> draw(const std::vector<std::size_t> &states, std::size_t from, int x,
                                  int y) {
     fp::ir::Program tables;
@@ -130,7 +130,7 @@ private:
 };
 
 struct Corner {
-  float x = 0, y = 0, z = 0; ///< window pixels; z in [-1,1]
+  float x = 0, y = 0, z = 0; ///< in window pixels, z in [-1,1]
   bool isBehind = false;
 };
 
@@ -147,7 +147,8 @@ float area(const Corner &a, const Corner &b, float x, float y) {
   return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
 
-/// The depth of a triangle at a place; none where it lies elsewhere or is culled.
+/// Returns a triangle's depth at a position; nothing if the triangle is culled or does not cover
+/// it.
 std::optional<float> depthAt(const std::array<Corner, 3> &t, float x, float y, scene::Cull cull) {
   if (t[0].isBehind || t[1].isBehind || t[2].isBehind)
     return {};
@@ -203,7 +204,7 @@ private:
     return {};
   }
 
-  /// The first of the triangle's indices.
+  /// Returns the position of the visible triangle's first index.
   std::optional<std::size_t> find(const scene::Mesh &mesh, const std::vector<Vec4> &clips,
                                   const std::array<int, 2> &size, float x, float y) const {
     const auto &cull = m_stage.document.panelOf(m_stage.pass).state.cull;

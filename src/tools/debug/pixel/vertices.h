@@ -7,17 +7,17 @@
 #include "tools/debug/pixel/drawer.h"
 #include "tools/debug/trace/record.h"
 
-/// What a document's vertex program does for the corners of the triangle that is seen in a pixel.
+/// Traces a document's vertex program for the corners of the triangle that is visible in a pixel.
 namespace arbiter::tools::debug {
 
 struct TracedVertex {
-  std::uint32_t index = 0; ///< in the mesh
-  Vec4 clip = {};          ///< its position
+  std::uint32_t index = 0; ///< index in the mesh
+  Vec4 clip = {};          ///< position in clip space
   Trace trace;
 };
 using TracedTriangle = std::array<TracedVertex, 3>;
 
-/// A vertex program, its text, and what it is drawn with.
+/// A vertex program, its text, and the document and pass that it is drawn in.
 struct VertexStage {
   const fp::ir::Program &program;
   const std::string &text;
@@ -26,15 +26,14 @@ struct VertexStage {
   double seconds = 0;
 };
 
-/// The attributes of a vertex in the order of Program::attributes, as the document's mesh gives
-/// them.
+/// Returns a vertex's attributes from the document's mesh, in the order of Program::attributes.
 [[nodiscard]] std::vector<Vec4> attributesOf(const VertexStage &stage,
                                              const scene::MeshVertex &vertex);
 
-/// The triangle whose corners lie around the pixel's centre and that the depth test and culling
-/// leave (the last one drawn where there is no depth test). Triangles that reach behind the eye are
-/// not found. Rows of GL's state are drawn by \p drawer as fragment programs read them; those that
-/// only vertex programs have it is asked for. Errors: no such triangle; the drawer's; the mesh's.
+/// Traces the triangle that contains the pixel's center and passes culling and the depth test.
+/// Without a depth test it is the last one drawn. Skips triangles that reach behind the eye. GL
+/// state is read by drawing with \p drawer, or asked for if only vertex programs can read it. Fails
+/// if there is no such triangle, or if the drawer or the mesh fails.
 [[nodiscard]] Result<TracedTriangle, DebugError> traceTriangle(const VertexStage &stage,
                                                                Drawer &drawer, int x, int y);
 

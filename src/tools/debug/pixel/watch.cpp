@@ -22,14 +22,14 @@ DebugError misspelt(std::string_view text) {
   return {"--watch " + std::string(text) + ": expected REGISTER@LINE, as in 'offset.x@12'"};
 }
 
-/// What may stand in an operand: no comment and no second statement.
+/// True if the text can only be an operand, without a comment or a second statement.
 bool isOperandText(std::string_view text) {
   return !text.empty() &&
          text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                 "0123456789_$.[]+-{}, ") == std::string_view::npos;
 }
 
-/// The last instruction that begins at or before the line.
+/// Returns the last instruction that begins at or before the line.
 std::optional<std::size_t> lastRow(const Program &program, std::string_view text,
                                    std::uint32_t line) {
   std::optional<std::size_t> last;
@@ -39,7 +39,7 @@ std::optional<std::size_t> lastRow(const Program &program, std::string_view text
   return last;
 }
 
-/// The text with an instruction more behind \p row, which reads the register.
+/// Returns the text with one more instruction after \p row, which reads the register.
 std::string longerText(const Program &program, std::string_view text, std::size_t row,
                        const std::string &reg) {
   std::size_t end = program.code[row].span.end;
@@ -49,7 +49,7 @@ std::string longerText(const Program &program, std::string_view text, std::size_
          reg + ";\n" + std::string(text.substr(end));
 }
 
-/// The last row up to \p row whose destination stands in the text as that name.
+/// Returns the last row up to \p row whose destination has that name in the text.
 std::optional<std::size_t> writes(const Program &program, std::string_view text, std::size_t row,
                                   const std::string &name) {
   for (std::size_t i = row + 1; i-- > 0;) {

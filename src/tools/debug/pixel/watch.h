@@ -8,23 +8,23 @@
 
 namespace arbiter::tools::debug {
 
-/// What `--watch` asks for.
+/// The register and line that `--watch` names.
 struct Watch {
-  std::string reg;        ///< anything that an instruction may read there, or a result
-  std::uint32_t line = 0; ///< after the instructions up to this line
+  std::string reg;        ///< a register that an instruction there may read, or a result
+  std::uint32_t line = 0; ///< the value is taken after the instructions up to this line
 };
-/// "REG@LINE".
+/// Parses "REG@LINE".
 [[nodiscard]] Result<Watch, DebugError> parseWatch(std::string_view text);
 
-/// A program that shows a register after a line, as a colour.
-/// \param text the fragment program's, which \p program was made of
-/// Errors: no instruction up to that line, no such register there.
+/// Returns a program that shows a register after a line, as a color.
+/// \param text the fragment program's text, from which \p program was compiled
+/// Fails if there is no instruction up to that line, or no such register there.
 [[nodiscard]] Result<fp::ir::Program, DebugError>
 watchProgram(const fp::ir::Program &program, std::string_view text, const Watch &watch,
              Fragments fragments = Fragments::Covered);
 
-/// Values as 8-bit RGBA, opaque: low becomes 0 and high 255. NaN is magenta; what nothing covers is
-/// transparent black.
+/// Returns values as opaque 8-bit RGBA: low becomes 0 and high 255. NaN becomes magenta, an
+/// uncovered pixel transparent black.
 [[nodiscard]] std::vector<std::uint8_t> picturedValues(const std::vector<fp::ir::Vec4> &values,
                                                        float low, float high);
 

@@ -6,7 +6,7 @@
 
 namespace arbiter::tools::debug {
 
-/// A drawer without GL: a quad over the whole picture, drawn by the interpreter.
+/// A drawer without GL: the interpreter draws a quad over the whole picture.
 class FakeDrawer : public Drawer {
 public:
   FakeDrawer(std::string text, int width, int height)
@@ -24,29 +24,30 @@ public:
     return std::array<int, 3>{64, 32, 1};
   }
 
-  /// (what kind, which one, the row, 0.5)
+  /// Returns (item, index, row, 0.5).
   [[nodiscard]] Result<Vec4, DebugError> vertexState(const fp::ir::StateRef &state) override {
     return Vec4{float(state.item), float(state.index), float(state.row), 0.5f};
   }
 
-  /// program.local[N] and all others: (N, 0.5, -1, 2) unless this says otherwise.
+  /// Replaces the parameters' values, by default (N, 0.5, -1, 2) for program.local[N] and all
+  /// others.
   std::function<Vec4(const fp::ir::Parameter &)> parameter;
-  /// Changes results, as a host that is wrong does.
+  /// Changes results, to act as a faulty host.
   std::function<void(const fp::ir::Instruction &, Vec4 &)> wrong;
   std::function<bool(int x, int y)> covers;
-  int drawn = 0; ///< draws so far
+  int drawn = 0; ///< number of draws so far
 
 private:
   std::string m_text;
   int m_width, m_height;
 };
 
-/// Attributes of the fake's quad: texture coordinates and colours are (s, t, 0, 1).
+/// Returns an attribute of the quad; texture coordinates and colors are (s, t, 0, 1).
 [[nodiscard]] fp::ir::Vec4 attributeAt(const fp::ir::Attribute &attribute, int x, int y, int width,
                                        int height);
-/// The fake's textures: a smooth function of the coordinates.
+/// Samples a texture, which is a smooth function of the coordinates.
 [[nodiscard]] fp::ir::Vec4 texelAt(const fp::ir::Sample &sample);
-/// A program that must load.
+/// Compiles a program, which must be valid.
 [[nodiscard]] fp::ir::Program checked(const std::string &text);
 
 } // namespace arbiter::tools::debug

@@ -9,7 +9,7 @@ namespace arbiter::tools::debug {
 
 namespace {
 
-/// Beyond this product of lengths rows are paired by their numbers: memory.
+/// If the product of the lengths is larger, rows are paired by their numbers to limit memory.
 constexpr std::size_t kMostCells = 1 << 22;
 
 bool isAlike(const Row &a, const Row &b) {
@@ -18,7 +18,7 @@ bool isAlike(const Row &a, const Row &b) {
   return !a.texel || (a.texel->unit == b.texel->unit && a.texel->target == b.texel->target);
 }
 
-/// The longest common sequence of a[from, aEnd) and b[from, bEnd), by dynamic programming.
+/// Finds the longest common sequence of a[from, aEnd) and b[from, bEnd) by dynamic programming.
 class CommonSequence {
 public:
   CommonSequence(const Trace &a, const Trace &b, std::size_t from, std::size_t aEnd,
@@ -52,7 +52,7 @@ private:
   std::vector<std::uint32_t> m_lengths;
 };
 
-/// Pairs what stands between the members, in order.
+/// Adds pairs of the rows between the members, in order.
 Pairs filled(const Pairs &members, std::size_t aEnd, std::size_t bEnd) {
   Pairs pairs;
   std::size_t i = 0, j = 0;

@@ -6,42 +6,41 @@
 
 #include "tools/debug/trace/trace.h"
 
-/// Where two traces part.
+/// Finds the first difference between two traces.
 namespace arbiter::tools::debug {
 
-/// What counts as equal: |a - b| <= max(absolute, relative * max(|a|, |b|)). Two NaNs are equal,
-/// and so are equal infinities.
+/// Values are equal if |a - b| <= max(absolute, relative * max(|a|, |b|)). Two NaNs are equal, and
+/// so are equal infinities.
 struct Tolerance {
   float absolute = 0;
   float relative = 0;
 };
 [[nodiscard]] bool isEqual(float a, float b, const Tolerance &tolerance);
-/// Components of \p mask that differ.
+/// Returns the components of \p mask that differ.
 [[nodiscard]] std::uint8_t differing(const Vec4 &a, const Vec4 &b, std::uint8_t mask,
                                      const Tolerance &tolerance);
 
-/// Rows of two traces that stand for each other.
+/// Pairs of corresponding rows of two traces.
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// By opcode, write mask and texture, in the order of the rows: the longest common sequence;
-/// between its members rows that were changed are paired in order, and what was added has no
-/// partner.
+/// Pairs rows by their longest common sequence of opcode, write mask and texture. Between its
+/// members, changed rows are paired in order; added rows have no partner.
 [[nodiscard]] Pairs align(const Trace &a, const Trace &b);
 
 struct Difference {
   std::size_t row = 0, other = 0;
   Both<Vec4> value;
-  std::uint8_t components = 0; ///< that differ; 0 where KIL decides differently
-  /// An operand that the two rows name alike and that holds another value, or one without a
-  /// partner: "operand 2, k: (0.25, ..) here, (0.5, ..) there". Empty if there is none.
+  std::uint8_t components = 0; ///< the differing components; 0 if KIL decides differently
+  /// The cause, if it is known: another opcode, other texels, or an operand with another value,
+  /// such as "operand 2, k: (0.25, ..) here, (0.5, ..) there".
   std::string cause;
 };
 
-/// The first instruction whose value differs (of Trace's first arithmetic).
+/// Returns the first instruction whose value differs in the traces' first arithmetic.
 [[nodiscard]] std::optional<Difference> firstDifference(const Trace &a, const Trace &b,
                                                         const Tolerance &tolerance);
 
-/// The name of the first result that differs; results that only one has differ.
+/// Returns the name of the first result that differs, or that only one trace has.
 [[nodiscard]] std::optional<std::string> differingResult(const Trace &a, const Trace &b,
                                                          const Tolerance &tolerance);
 

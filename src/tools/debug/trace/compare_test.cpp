@@ -16,7 +16,7 @@ Trace traced(const std::string &text) {
   return record(program, text, inputs, {fp::Numerics::Host, fp::Numerics::Fp24});
 }
 
-/// Sixty instructions, each with a constant of its own; line i + 3 has instruction i.
+/// Returns a program of 60 instructions, each with its own constant; line i + 3 has instruction i.
 std::string sixty(int changed = -1, const char *constant = "") {
   std::string text = "!!ARBfp1.0\nTEMP a, b;\nMOV a, fragment.color;\n";
   for (int i = 1; i < 59; ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 using Relation = Condition::Relation;
 
-// The longer ones first: "<=" begins with "<".
+// Longer relations come first, because "<=" begins with "<".
 constexpr std::pair<std::string_view, Relation> kRelations[] = {
     {"<=", Relation::LessEqual}, {">=", Relation::GreaterEqual}, {"!=", Relation::Unequal},
     {"<", Relation::Less},       {">", Relation::Greater},       {"=", Relation::Equal}};
@@ -30,7 +30,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// "offset.x" into the condition's register and component.
+/// Reads "offset.x" into the condition's register and component.
 bool readComponent(std::string_view text, Condition &condition) {
   const std::size_t dot = text.rfind('.');
   if (dot == std::string_view::npos || dot == 0 || dot + 2 != text.size())

@@ -30,7 +30,7 @@ Vec4 valueOf(const fp::ir::Parameter &wanted, const Program &program, const Trac
   for (std::size_t i = 0; i < program.parameters.size() && i < given.parameters.size(); ++i)
     if (isSame(program.parameters[i], wanted))
       return given.parameters[i];
-  // The fog options read these, whether or not the program does.
+  // The fog options read these parameters even if the program does not.
   if (wanted.kind == fp::ir::ParameterKind::State) {
     if (wanted.state.item == fp::ir::StateItem::FogColor)
       return given.fogColor;
@@ -40,10 +40,10 @@ Vec4 valueOf(const fp::ir::Parameter &wanted, const Program &program, const Trac
   return {};
 }
 
-/// What one run of the interpreter made.
+/// The result of one interpreter run.
 struct Run {
   std::vector<fp::ir::Step> steps;
-  std::vector<Vec4> texels; ///< by instruction
+  std::vector<Vec4> texels; ///< by index of the instruction
   fp::ir::Evaluation end;
 };
 
@@ -55,7 +55,7 @@ Run runWith(const Program &program, const TraceInputs &given, Numerics numerics)
   inputs.observer = [&](const fp::ir::Step &step) { run.steps.push_back(step); };
   const auto texture = inputs.texture;
   inputs.texture = [&](const fp::ir::Sample &sample) {
-    // What is asked for is of the instruction after the last one that is done.
+    // The sampling instruction follows the last completed one.
     return texture
                ? run.texels[run.steps.size()] = given.texture(run.steps.size(), sample, numerics)
                : Vec4{};
@@ -64,7 +64,7 @@ Run runWith(const Program &program, const TraceInputs &given, Numerics numerics)
   return run;
 }
 
-/// The text that stands in the program, or the IR's where none does.
+/// Returns the program's text at the span, or `otherwise` if the span is empty.
 std::string textOr(const SourceText &source, fp::Span span, const std::string &otherwise) {
   return span.end > span.begin ? source.statement(span, kLongestStatement) : otherwise;
 }
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  /// Components of an operand, as read, that come from register components without a value.
+  /// Returns the components of an operand that read register components without a value.
   std::uint8_t unwritten(const fp::ir::Operand &operand, std::uint8_t reads) const {
     std::uint8_t mask = 0;
     if (operand.file != File::Temporary)
@@ -212,7 +212,7 @@ private:
     }
   }
 
-  /// As a program without draw buffers names it.
+  /// Returns a result's name; a program without draw buffers calls its color result.color.
   std::string resultName(const fp::ir::Output &output) const {
     const bool single = output.kind == fp::ir::OutputKind::Color && !m_program.options.drawBuffers;
     return single ? "result.color" : fp::ir::bindingText(output);
@@ -230,8 +230,8 @@ private:
   SourceText m_source;
   Both<Numerics> m_numerics;
   Both<Run> m_runs;
-  std::vector<std::uint8_t> m_written, m_outputs;           ///< components, so far
-  std::map<std::pair<File, unsigned>, std::string> m_names; ///< of registers
+  std::vector<std::uint8_t> m_written, m_outputs;           ///< components written so far
+  std::map<std::pair<File, unsigned>, std::string> m_names; ///< by register
   bool m_isDiscarded = false;
 };
 

@@ -7,26 +7,26 @@
 
 namespace arbiter::tools::debug {
 
-/// What the program reads for the pixel, before any arithmetic's rounding.
+/// A program's inputs for one pixel, before any arithmetic rounds them.
 struct TraceInputs {
-  std::vector<Vec4> attributes; ///< by Program::attributes
-  std::vector<Vec4> parameters; ///< by Program::parameters; constants need no value
-  /// The texel of instruction \p index of the program. Empty: zeros.
+  std::vector<Vec4> attributes; ///< in the order of Program::attributes
+  std::vector<Vec4> parameters; ///< in the order of Program::parameters; constants need no value
+  /// Returns the texel for instruction \p index of the program. If unset, texels are zero.
   std::function<Vec4(std::size_t index, const fp::ir::Sample &, fp::Numerics)> texture;
-  /// The level of detail of a texture instruction, where it is known.
+  /// Returns the level of detail of a texture instruction if it is known.
   std::function<std::optional<float>(std::size_t index)> lod;
   float fogCoordinate = 0;            ///< for the fog options
-  Vec4 fogColor = {}, fogParams = {}; ///< likewise: the rows state.fog.color and state.fog.params
+  Vec4 fogColor = {}, fogParams = {}; ///< state.fog.color and state.fog.params, for the fog options
   Vec4 secondary = {};                ///< for Options::colorSum
 };
 
-/// The interpreter's inputs for one arithmetic. \p given and \p program must outlive them.
+/// Returns the interpreter's inputs for one arithmetic. \p given and \p program must outlive them.
 [[nodiscard]] fp::ir::Inputs interpreterInputs(const fp::ir::Program &program,
                                                const TraceInputs &given, fp::Numerics numerics);
 
-/// Runs \p program with both arithmetics. Instructions after a KIL that discards are run too, and
+/// Runs \p program with both arithmetics. Instructions after a KIL that discards are also run, and
 /// marked.
-/// \param text what the program's spans lie in
+/// \param text the text that the program's spans refer to
 /// Requires: validate(program) finds nothing.
 [[nodiscard]] Trace record(const fp::ir::Program &program, std::string_view text,
                            const TraceInputs &given, Both<fp::Numerics> numerics);

@@ -54,7 +54,7 @@ std::string texelText(const Texel &texel) {
   return text + ": " + vectorText(texel.value.first) + "\n";
 }
 
-/// "=> offset.xy = (0.5, 0.25, -, -)   fp24 (..), error 1e-05"
+/// Returns a line such as "=> offset.xy = (0.5, 0.25, -, -)   fp24 (..), error 1e-05".
 std::string valueText(const Trace &trace, const Row &row) {
   std::string text =
       std::string("      => ") + row.destination + " = " + vectorText(row.value.first, row.mask);

@@ -5,18 +5,18 @@
 
 namespace arbiter::tools::debug {
 
-/// What a reader wants to be shown of a trace.
+/// Selects the rows of a trace to print.
 struct TextOptions {
   std::size_t from = 0;
   std::size_t to = ~std::size_t(0);  ///< the last row
-  std::optional<std::size_t> marked; ///< a row with an arrow: where a run stopped
+  std::optional<std::size_t> marked; ///< the row at which a run stopped, marked by an arrow
 };
 
-/// The inputs: a line each.
+/// Lists the inputs, one per line.
 [[nodiscard]] std::string inputsText(const Trace &trace);
-/// The rows: each instruction with what it read, fetched and wrote.
+/// Lists the rows: each instruction with the values that it read, fetched and wrote.
 [[nodiscard]] std::string rowsText(const Trace &trace, const TextOptions &options);
-/// The results: a line each, with the colour in 8 bits.
+/// Lists the results, one per line, with the color in 8 bits.
 [[nodiscard]] std::string resultsText(const Trace &trace);
 
 } // namespace arbiter::tools::debug

@@ -6,13 +6,14 @@
 #include "fp_compiler/diagnostic.h"
 #include "fp_compiler/ir/evaluate.h"
 
-/// What a program did for one pixel (or one vertex), a row an instruction: plain data. A program is
-/// a straight line, so one trace holds every step, and stepping either way is moving a row.
+/// Records a program's execution for one pixel or vertex as plain data, with one row per
+/// instruction. Programs have no branches, so that one trace holds every step, and stepping in
+/// either direction changes the row.
 namespace arbiter::tools::debug {
 
 using fp::ir::Vec4;
 
-/// Two arithmetics side by side: what the program is run with, and what it is compared with.
+/// Values of two arithmetics: the one that the program runs with, and one to compare.
 template <typename Value> struct Both {
   Value first = {};
   Value second = {};
@@ -21,31 +22,32 @@ template <typename Value> struct Both {
 /// One operand of a row.
 struct Operand {
   fp::Span span;
-  std::string text; ///< as it stands in the program: "-offset.yxzw"
-  Both<Vec4> value; ///< as read: swizzled and signed
+  std::string text; ///< as written in the program: "-offset.yxzw"
+  Both<Vec4> value; ///< as read, with swizzle and sign
   fp::ir::File file = fp::ir::File::Temporary;
-  unsigned reg = 0;       ///< Index of the register in its file; of an array where it is relative
-  std::uint8_t reads = 0; ///< components of `value` that the instruction takes
-  std::uint8_t unwritten = 0; ///< those of them that nothing has written: they are zero
+  unsigned reg = 0;       ///< index of the register in its file; with relative addressing, of the
+                          ///< array
+  std::uint8_t reads = 0; ///< components of `value` that the instruction uses
+  std::uint8_t unwritten = 0; ///< those never written before, which are zero
 };
 
-/// What a texture access asked for, and got.
+/// A texture access: its coordinate and its result.
 struct Texel {
   unsigned unit = 0;
   fp::ir::TexTarget target = fp::ir::TexTarget::Tex2D;
-  Both<Vec4> coordinate;    ///< TXP has divided
-  Both<float> bias;         ///< TXB's
+  Both<Vec4> coordinate;    ///< after TXP's division
+  Both<float> bias;         ///< for TXB
   Both<Vec4> value;         ///< before the write mask
-  std::optional<float> lod; ///< of the first; none where the size of the image is not known
+  std::optional<float> lod; ///< in the first arithmetic; empty if the image's size is unknown
 };
 
-/// What a reader wants to be shown. Bits of Row::flags.
+/// Bits of Row::flags, which mark rows worth inspecting.
 enum Flag : unsigned {
   kNan = 1,
   kInf = 2,
   kOver1 = 4,     ///< a written component is above 1
-  kBelow0 = 8,    ///< .. below 0
-  kUnwritten = 16 ///< an operand's component that nothing has written is read
+  kBelow0 = 8,    ///< a written component is below 0
+  kUnwritten = 16 ///< an operand's component is read that was never written
 };
 struct FlagName {
   Flag flag;
@@ -61,29 +63,29 @@ inline constexpr FlagName kFlagNames[] = {{kNan, "nan"},
 struct Row {
   fp::Span span;
   fp::LineColumn at;
-  std::string text; ///< the statement on one line
+  std::string text; ///< the statement, on one line
   fp::ir::Opcode op = fp::ir::Opcode::Mov;
   std::vector<Operand> operands;
-  std::string destination; ///< as it stands in the program: "offset.xy"; empty of KIL
-  /// The register's name: the destination without its mask, as the register's first row has it. An
-  /// alias is the same register.
+  std::string destination; ///< as written in the program: "offset.xy"; empty for KIL
+  /// The register's name: the destination of the register's first row, without mask. Aliases are
+  /// the same register.
   std::string name;
   fp::ir::File file = fp::ir::File::Temporary;
   unsigned reg = 0;
-  std::uint8_t mask = 0; ///< components written; 0 of KIL
+  std::uint8_t mask = 0; ///< written components; 0 for KIL
   Both<Vec4> value;      ///< the whole register after the write
-  Vec4 error = {};       ///< second - first of the components written; 0 where both are NaN
+  Vec4 error = {};       ///< second - first for written components; 0 if both are NaN
   std::optional<Texel> texel;
-  Both<bool> discards;      ///< KIL's condition held
-  bool isDiscarded = false; ///< an earlier KIL has discarded the fragment (of the first)
-  unsigned flags = 0;       ///< of the first arithmetic
+  Both<bool> discards;      ///< KIL's condition was true
+  bool isDiscarded = false; ///< an earlier KIL discarded the fragment (first arithmetic)
+  unsigned flags = 0;       ///< in the first arithmetic
 };
 
-/// A named vec4 that the program was given or has made.
+/// A named vector: an input or a result of the program.
 struct Named {
   std::string name; ///< "fragment.texcoord[0]", "program.local[1]", "result.color"
   Both<Vec4> value;
-  std::uint8_t mask = 0xF; ///< of results: the components that something writes
+  std::uint8_t mask = 0xF; ///< for results: the components that are written
 };
 
 struct Trace {
@@ -92,15 +94,15 @@ struct Trace {
   std::vector<Named> attributes;
   std::vector<Named> parameters; ///< without constants
   std::vector<Row> rows;
-  std::vector<Named> results; ///< with fog and colour sum; not clamped without
+  std::vector<Named> results; ///< after fog and color sum; unclamped without them
   Both<bool> isDiscarded;
 };
 
-/// The greatest error of the components written, without sign; infinite where only one of the two
-/// is a number.
+/// Returns the greatest absolute error of the written components; infinite if exactly one of the
+/// two values is a number.
 [[nodiscard]] float greatestError(const Row &row);
 
-/// The last row at or before \p line, or the first one if there is none. Requires: there are rows.
+/// Returns the last row at or before \p line, or else the first row. Requires: there are rows.
 [[nodiscard]] std::size_t rowAtLine(const Trace &trace, std::uint32_t line);
 
 } // namespace arbiter::tools::debug

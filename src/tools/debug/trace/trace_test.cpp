@@ -13,7 +13,7 @@ namespace {
 
 using fp::Numerics;
 
-/// The trace of a text whose attributes are all the same value.
+/// Traces a program whose attributes all have the same value.
 Trace traced(const std::string &text, const Vec4 &attribute = {0.25f, 0.5f, 0.75f, 1},
              Both<Numerics> numerics = {Numerics::Host, Numerics::Fp24}) {
   const fp::ir::Program program = checked(text);
@@ -66,7 +66,7 @@ TEST(Trace, ARegisterHasOneNameHoweverItIsSpelt) {
   EXPECT_EQ(trace.rows[4].name, "o");
 }
 
-/// Every opcode of fragment programs: what the row holds is what the interpreter gives alone.
+/// Each fragment opcode's row must hold the value that the interpreter returns for it alone.
 TEST(Trace, EachOpcodeHasItsValue) {
   for (int op = 0; op < fp::ir::kFragmentOpcodeCount; ++op) {
     const fp::ir::OpInfo &info = fp::ir::info(fp::ir::Opcode(op));
