@@ -1,9 +1,15 @@
 // What control and the figures in the frame reckon without a host.
 #include "state/control/tallies.h"
 
+#include <GL/arbiter.h>
+#include <cstdlib>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <sstream>
 
 #include "state/control/host_pixels.h"
+#include "state/core/context.h"
 #include "state/hud/font.h"
 #include "state/hud/hud_text.h"
 #include "state/programs/program_edits.h"
@@ -133,12 +139,6 @@ TEST(Hud, HasALetterForAllThatIsSaid) {
     }
 }
 
-TEST(Hud, HasThePartsThatAreAskedFor) {
-  hud::Figures figures;
-  HudOptions options;
-  options.parts = 1u << unsigned(HudPart::Draws);
-  EXPECT_EQ(hud::linesOf(figures, options), std::vector<std::string>{"no draws"});
-}
 TEST(Hud, NamesTheProfileAndItsCard) {
   const std::string version = "Arbiter " ARBITER_VERSION_TEXT "  profile ";
   EXPECT_EQ(hud::versionLine("nv30", "NVIDIA GeForce FX (NV30, 2003): 1024 instructions"),
@@ -180,6 +180,12 @@ TEST(Hud, HasItsWordsOnThePage) {
   EXPECT_GT(count, kPathCount + 5);
 }
 
+TEST(Hud, HasThePartsThatAreAskedFor) {
+  hud::Figures figures;
+  HudOptions options;
+  options.parts = 1u << unsigned(HudPart::Draws);
+  EXPECT_EQ(hud::linesOf(figures, options), std::vector<std::string>{"no draws"});
+}
 
 TEST(ProgramEdits, TellWhatChangedSince) {
   ProgramEdits &edits = ProgramEdits::instance();
