@@ -7,11 +7,12 @@ import json
 import os
 import pathlib
 import re
+import tempfile
 import tomllib
 import unittest
 
 import command_session
-from command_session import BAD, GOOD, ROOT, VERTEX, Temporary, arbiter
+from command_session import BAD, GOOD, ROOT, VERTEX, Temporary, arbiter, on_terminal
 
 
 class Compile(Temporary):
@@ -234,6 +235,18 @@ class Whole(unittest.TestCase):
         self.assertEqual(arbiter('help', 'check').stdout, arbiter('check', '--help').stdout)
         self.assertEqual(arbiter('help', 'chek').stderr,
                          'arbiter: no verb chek; did you mean check? (arbiter --help)\n')
+
+    def test_advice_has_colours_on_a_terminal(self):
+        text = ('!!ARBfp1.0\nTEMP t;\nMUL t, fragment.color, 3.0;\nMAX t, t, 0.0;\n'
+                'MIN result.color, t, 1.0;\nEND\n')
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / 'a.fp'
+            path.write_text(text)
+            place = f'\x1b[1m{path}:4:1:\x1b[0m \x1b[1;36mnote:\x1b[0m MAX and MIN clamp'
+            for options in ((), ('--brief',)):
+                seen = on_terminal('check', '--profile', 'r300', '--advise', *options, path)
+                self.assertIn(place, seen)
+            self.assertIn('\x1b[1;36m  ^~~~', on_terminal('check', '--profile', 'r300', '--advise', path))
 
     def test_one_voice(self):
         """Who speaks, what is wrong, what was expected, how to get help."""

@@ -108,7 +108,7 @@ private:
                     " (--against takes swrast, host, bare, fp24, or a program's file)");
     auto checked =
         debug::checkText(m_arguments.against, text.value(), chooseProgram("auto", text.value()),
-                         profile, m_session->numerics());
+                         profile, m_session->numerics(), styleOfErrors());
     if (!checked)
       return refuse(checked.error());
     m_reference = std::move(checked).value();
@@ -146,6 +146,7 @@ private:
     options.numerics = m_arguments.numerics;
     options.backend = backend();
     options.library = m_arguments.library;
+    options.style = styleOfErrors();
     auto session = Session::open(options);
     if (!session)
       return refuse(session.error());

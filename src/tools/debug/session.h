@@ -5,6 +5,7 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
+#include "tools/check/terminal.h"
 #include "tools/debug/drawn_by.h"
 #include "tools/debug/findings.h"
 #include "tools/debug/pixel/reader.h"
@@ -31,6 +32,7 @@ struct SessionOptions {
   std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
   std::string library; ///< of the layer; empty: found
+  Style style = {};    ///< of diagnostics in messages
 };
 
 /// A program's text and what the compiler makes of it.
@@ -39,11 +41,10 @@ struct CheckedText {
   std::string text;
   fp::ir::Program program;
 };
-/// Errors: the compiler's, under the profile's limits.
-[[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
-                                                          const fp::FileProgram &program,
-                                                          const fp::hw::Profile &profile,
-                                                          fp::Numerics numerics);
+/// Errors: the compiler's, under the profile's limits. \param style of their text
+[[nodiscard]] Result<CheckedText, SessionError>
+checkText(std::string name, std::string text, const fp::FileProgram &program,
+          const fp::hw::Profile &profile, fp::Numerics numerics, const Style &style);
 
 class Session {
 public:
@@ -78,7 +79,7 @@ private:
   Session() = default;
 
   std::optional<SessionError> read(const SessionOptions &options);
-  std::optional<SessionError> readVertex();
+  std::optional<SessionError> readVertex(const Style &style);
   Result<std::vector<Vec4>, DebugError> watchOf(const Watch &watch, Fragments fragments);
   std::optional<SessionError> start(const SessionOptions &options);
 
