@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <tuple>
 
@@ -151,9 +152,25 @@ private:
     if (!session)
       return refuse(session.error());
     m_session = std::move(session).value();
+    if (const int code = lookAtLine(); code != kExitOk)
+      return code;
     describe();
     return isFile() ? readReference(m_session->profile()) : int(kExitOk);
   }
+  /// Whether the program whose instructions are shown has the line of --line.
+  int lookAtLine() {
+    const debug::CheckedText *const text =
+        m_arguments.stage == "vertex" ? m_session->vertex() : &m_session->fragment();
+    if (text == nullptr || m_arguments.line == 0)
+      return kExitOk;
+    const auto ends = std::count(text->text.begin(), text->text.end(), '\n');
+    const auto lines = ends + (text->text.ends_with('\n') ? 0 : 1);
+    if (m_arguments.line <= lines)
+      return kExitOk;
+    return refuse("--line " + std::to_string(m_arguments.line) + ": " + text->name + " has " +
+                  std::to_string(lines) + (lines == 1 ? " line" : " lines"));
+  }
+
 
   void describe() {
     const auto [width, height] = m_session->drawer().size();
@@ -209,6 +226,8 @@ private:
       return refuse(values.error().message);
     const auto [width, height] = m_session->drawer().size();
     const std::string fault = scene::writePng(
+    m_findings.watch = m_arguments.watch;
+    m_findings.picture = m_arguments.output;
         m_arguments.output, {width, height, debug::picturedValues(values.value(), m_low, m_high)});
     return fault.empty() ? int(kExitOk) : refuse(fault);
   }

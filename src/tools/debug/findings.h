@@ -26,7 +26,9 @@ struct Findings {
   int line = 0;                       ///< that was run to; 0: the end
   std::optional<Verdict> verdict;     ///< without it and `beside`: the trace's own two arithmetics
   std::optional<Beside> beside;
-  std::string note; ///< of who drew; may be empty
+  std::string note;    ///< of who drew; may be empty
+  std::string watch;   ///< REG@LINE of --watch; empty: nothing was pictured
+  std::string picture; ///< of it: the file
 };
 
 /// A comparison found a difference, or a run stopped.
@@ -34,7 +36,8 @@ struct Findings {
 /// The comparison's outcome in a line or a few: "swrast drew 8c5a3fff: equal".
 [[nodiscard]] std::string summaryText(const Findings &findings);
 [[nodiscard]] std::string findingsText(const Findings &findings);
-/// traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against, summary}.
+/// traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against, watch,
+/// summary}.
 [[nodiscard]] Json findingsJson(const Findings &findings);
 
 } // namespace arbiter::tools::debug

@@ -52,6 +52,8 @@ public:
   open(const SessionOptions &options);
 
   [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
+  /// Of the pass; null: fixed function's.
+  [[nodiscard]] const CheckedText *vertex() const { return m_vertex ? &*m_vertex : nullptr; }
   /// What programs are held to.
   [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }
   [[nodiscard]] const scene::Document &document() const { return m_document; }
