@@ -105,8 +105,7 @@ private:
   int readReference(const fp::hw::Profile &profile) {
     const auto text = readInput(m_arguments.against);
     if (!text)
-      return refuse(text.error().message +
-                    " (--against takes swrast, host, bare, fp24, or a program's file)");
+      return refuse(text.error().message);
     auto checked =
         debug::checkText(m_arguments.against, text.value(), chooseProgram("auto", text.value()),
                          profile, m_session->numerics(), styleOfErrors());
@@ -152,11 +151,12 @@ private:
     if (!session)
       return refuse(session.error());
     m_session = std::move(session).value();
+    describe();
     if (const int code = lookAtLine(); code != kExitOk)
       return code;
-    describe();
     return isFile() ? readReference(m_session->profile()) : int(kExitOk);
   }
+
   /// Whether the program whose instructions are shown has the line of --line.
   int lookAtLine() {
     const debug::CheckedText *const text =
@@ -170,7 +170,6 @@ private:
     return refuse("--line " + std::to_string(m_arguments.line) + ": " + text->name + " has " +
                   std::to_string(lines) + (lines == 1 ? " line" : " lines"));
   }
-
 
   void describe() {
     const auto [width, height] = m_session->drawer().size();
@@ -226,9 +225,9 @@ private:
       return refuse(values.error().message);
     const auto [width, height] = m_session->drawer().size();
     const std::string fault = scene::writePng(
+        m_arguments.output, {width, height, debug::picturedValues(values.value(), m_low, m_high)});
     m_findings.watch = m_arguments.watch;
     m_findings.picture = m_arguments.output;
-        m_arguments.output, {width, height, debug::picturedValues(values.value(), m_low, m_high)});
     return fault.empty() ? int(kExitOk) : refuse(fault);
   }
 

@@ -10,6 +10,7 @@ void addDebugComparison(Verb &verb, DebugArguments &debug) {
               "whose picture the interpreter is compared with: swrast (the rasterizer), host "
               "(GLSL on the host), bare (the host's own implementation); fp24 (the other "
               "arithmetic alone); or another program's file")
+      .oneOfOrFile({"swrast", "host", "bare", "fp24"})
       .showDefault();
   verb.option("--break", debug.breakOn,
               "stop at the first row with nan, inf, unwritten, over1, below0, kil, differs, "

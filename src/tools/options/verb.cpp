@@ -61,7 +61,7 @@ Option Option::oneOf(std::vector<std::string> words) const {
 
 Option Option::oneOfOrFile(std::vector<std::string> words) const {
   return Option(m_option->check(among(std::move(words), " or a file", [](const std::string &name) {
-    return CLI::ExistingFile(name).empty();
+    return name == "-" || CLI::ExistingFile(name).empty();
   })));
 }
 

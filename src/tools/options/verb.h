@@ -19,7 +19,7 @@ public:
   [[nodiscard]] CLI::Option *get() const { return m_option; }
   /// One of these words.
   Option oneOf(std::vector<std::string> words) const;
-  /// One of these words, or a file that is there.
+  /// One of these words, or a file that is there, or standard input, "-".
   Option oneOfOrFile(std::vector<std::string> words) const;
   /// Files, of which `gallery:NAME` is one of the gallery's.
   Option documents() const;
