@@ -131,6 +131,7 @@ struct DrawArguments {
   int frame = -1;                   ///< or the number of one, from 0
   int feedback = -1;                ///< a texture unit that gets each frame's picture, or -1
   std::string output;               ///< empty: the document's name with the ending .png
+  bool opaque = false;              ///< the picture's alpha is 1, whatever was drawn
   bool json = false;
   bool bare = false;    ///< without the layer: the host's own implementation
   bool inLayer = false; ///< this is the process that the layer was preloaded into
