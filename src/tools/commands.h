@@ -94,7 +94,7 @@ struct DoctorArguments {
 [[nodiscard]] int diagnose(const DoctorArguments &arguments);
 
 struct StatsArguments {
-  std::string file; ///< as ARBITER_STATS had it, %p and all
+  std::vector<std::string> files; ///< each as ARBITER_STATS had it, %p and all
   bool json = false;
 };
 /// Makes the statistics of processes that were killed where no other process did.

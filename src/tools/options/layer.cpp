@@ -48,9 +48,10 @@ void addLayer(Verb &verb, LayerArguments &layer) {
   verb.flag("--control", layer.control,
             "let arbiter ctl and the builder look at the programs and change them while it "
             "runs");
-  verb.flagOrValue("--hud", layer.hud,
-                   "show figures in each frame: version, host, frames a second, draws by path, "
-                   "programs over native limits; --hud=fps,top-right chooses (docs/reference/flags.md)");
+  verb.flagOrValue(
+      "--hud", layer.hud,
+      "show figures in each frame: version, host, frames a second, draws by path, "
+      "programs over native limits; --hud=fps,top-right chooses (docs/reference/flags.md)");
   verb.option("--host-vendor", layer.hostVendor,
               "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
   verb.option("--library", layer.library, "the layer's library, where it is not beside us");
@@ -77,13 +78,15 @@ void addRun(CLI::App &app, RunArguments &run) {
 void addStats(CLI::App &app, StatsArguments &stats) {
   Verb verb(app, "stats",
             "Make the statistics of processes that were killed, from what they left behind");
-  verb.option("FILE", stats.file, "what ARBITER_STATS was; %p stands for any process's number")
+  verb.option("FILE", stats.files, "what ARBITER_STATS was; %p stands for any process's number")
       .required();
   verb.flag("--json", stats.json, "as one JSON document");
-  verb.footer("What `arbiter run` starts needs no such step. Prints how many were made.\n"
-              "Exit code: 0 some were; 1 usage, or there was nothing to be made.\n"
-              "Example:\n"
-              "  arbiter stats /tmp/stats-%p.json");
+  verb.footer(
+      "What `arbiter run` starts needs no such step. Prints how many were made, of all FILEs.\n"
+      "Exit code: 0 some were; 1 usage, or there was nothing to be made.\n"
+      "Example:\n"
+      "  arbiter stats /tmp/stats-%p.json\n"
+      "  arbiter stats game.json server.json");
 }
 
 void addCapture(CLI::App &app, CaptureArguments &capture) {
