@@ -148,5 +148,10 @@ Examination examine(const CommandFile &command, const Surroundings &surroundings
   examineFile(examination, command, surroundings, 0);
   return examination;
 }
+  if (command.isBeyondPath)
+    examination.add({"beyond_path", Level::Note, command.found,
+                     "It lies in " + fs::path(command.found).parent_path().string() +
+                         ", which PATH does not have.",
+                     "Name it with its folder: arbiter run -- " + command.found + "."});
 
 } // namespace arbiter::tools::doctor
