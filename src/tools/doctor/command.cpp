@@ -92,7 +92,8 @@ int diagnose(const DoctorArguments &arguments) {
     return kExitUsage;
   }
   doctor::Surroundings surroundings;
-  surroundings.layer = files ? files.value().preload : std::string();
+  if (files)
+    surroundings = doctor::surroundingsOf(files.value());
   surroundings.root = arguments.root;
   const CommandFile command = findCommand(arguments.command, kGamesFolders);
   Examination examination = doctor::examine(command, surroundings);

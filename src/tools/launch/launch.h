@@ -16,6 +16,7 @@ struct LaunchError {
 struct LayerFiles {
   std::string preload;      ///< absolute path of libGLX_arbiter.so.0
   std::string preloaded;    ///< what LD_PRELOAD gets: the same, or a path with $LIB in it
+  std::string preloads;     ///< of processes of each width: the same, or with $LIB in it
   std::string osmesaFolder; ///< absolute path of the folder of the front libOSMesa.so.8, or empty;
                             ///< so may this
 };
