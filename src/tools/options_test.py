@@ -171,8 +171,8 @@ class Verb:
             if not rest.startswith(('TEXT', 'INT', 'UINT', 'FLOAT')):
                 yield Option(name)
                 continue
-            choices = re.search(r'\{([^}]*)\}', rest)
-            default = re.search(r'(?:=|\[)([\w-]+)\]?(?: |$)', rest.split('}')[-1])
+            choices = re.match(r'\{([^}]*)\}', rest)
+            default = re.search(r'by default ([\w-]+)', rest)
             if choices:
                 values = [each for each in choices.group(1).split(',')
                           if not default or each != default.group(1)]
