@@ -16,6 +16,8 @@ using Candidates = std::vector<Candidate>;
 [[nodiscard]] Candidates profiles();
 /// `gallery:NAME` of each document.
 [[nodiscard]] Candidates gallery();
+/// Words of `draw --texture` for an image.
+[[nodiscard]] Candidates images();
 /// The actions of `arbiter ctl`.
 [[nodiscard]] Candidates actions();
 /// Processes that listen to `arbiter ctl`.

@@ -56,9 +56,10 @@ void addVerbs(CLI::App &app, Arguments &arguments);
 /// The verb, shown in no help, of completeWords().
 inline constexpr const char *kCompleteVerb = "complete";
 /// Prints what the last word may become, a line each: the word, a tab, a help. A line ":files"
-/// means names of files too, ":command N" that another's command line begins at the word of that
-/// number. \param words behind `arbiter`; the last one may be empty \param withCommand the verb
-/// takes another's command line
+/// means names of files too, ":files TEXT" those behind that text, which the word begins with;
+/// ":hint TEXT" says what is expected; ":command N" that another's command line begins at the word
+/// of that number. \param words behind `arbiter`; the last one may be empty \param withCommand the
+/// verb takes another's command line
 int completeWords(const CLI::App &app, const std::vector<std::string> &words, bool withCommand);
 
 /// Says of what a parsed command line gives the first option that has no effect beside the others:
