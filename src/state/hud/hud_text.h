@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "state/control/host_pixels.h"
@@ -20,6 +21,10 @@ struct Figures {
   std::uint64_t refused = 0; ///< texts that only the profile refuses
 };
 
+/// Returns the layer's version and the profile's own name with its card, whatever name the user
+/// gave it: "Arbiter 1.0  profile r300, ATI Radeon 9700". \param description the profile's, which
+/// begins with the card, the chip in brackets
+[[nodiscard]] std::string versionLine(std::string_view profile, std::string_view description);
 /// Returns the lines of the requested parts.
 [[nodiscard]] std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options);
 /// Returns how many pixels wide a letter's pixel is, so that letters stay readable in a frame of

@@ -16,6 +16,8 @@ using Candidates = std::vector<Candidate>;
 [[nodiscard]] Candidates profiles();
 /// Returns `gallery:NAME` for each document of the gallery.
 [[nodiscard]] Candidates gallery();
+/// Returns the words that `draw --texture` takes for an image.
+[[nodiscard]] Candidates images();
 /// Returns the actions of `arbiter ctl`.
 [[nodiscard]] Candidates actions();
 /// Returns the processes that listen to `arbiter ctl`.

@@ -27,7 +27,9 @@ struct Findings {
   std::optional<Verdict> verdict;     ///< empty: without `beside` too, the trace's two arithmetics
                                       ///< are compared
   std::optional<Beside> beside;
-  std::string note; ///< about who drew; may be empty
+  std::string note;    ///< about who drew; may be empty
+  std::string watch;   ///< REG@LINE of --watch; empty: nothing was pictured
+  std::string picture; ///< the file with the picture of --watch
 };
 
 /// True if a comparison found a difference, or a run stopped.

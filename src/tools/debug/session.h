@@ -5,6 +5,7 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
+#include "tools/check/terminal.h"
 #include "tools/debug/drawn_by.h"
 #include "tools/debug/findings.h"
 #include "tools/debug/pixel/reader.h"
@@ -31,6 +32,7 @@ struct SessionOptions {
   std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
   std::string library; ///< the layer; empty: found automatically
+  Style style = {};    ///< of diagnostics in messages
 };
 
 /// A program's text and its compiled form.
@@ -40,10 +42,10 @@ struct CheckedText {
   fp::ir::Program program;
 };
 /// Compiles a program under the profile's limits. Fails with the compiler's diagnostics.
-[[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
-                                                          const fp::FileProgram &program,
-                                                          const fp::hw::Profile &profile,
-                                                          fp::Numerics numerics);
+/// \param style of the diagnostics' text
+[[nodiscard]] Result<CheckedText, SessionError>
+checkText(std::string name, std::string text, const fp::FileProgram &program,
+          const fp::hw::Profile &profile, fp::Numerics numerics, const Style &style);
 
 class Session {
 public:
@@ -51,6 +53,8 @@ public:
   open(const SessionOptions &options);
 
   [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
+  /// Returns the vertex program of the pass; null: fixed function.
+  [[nodiscard]] const CheckedText *vertex() const { return m_vertex ? &*m_vertex : nullptr; }
   /// Returns the profile that limits the programs.
   [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }
   [[nodiscard]] const scene::Document &document() const { return m_document; }
@@ -78,7 +82,7 @@ private:
   Session() = default;
 
   std::optional<SessionError> read(const SessionOptions &options);
-  std::optional<SessionError> readVertex();
+  std::optional<SessionError> readVertex(const Style &style);
   Result<std::vector<Vec4>, DebugError> watchOf(const Watch &watch, Fragments fragments);
   std::optional<SessionError> start(const SessionOptions &options);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/command_file.h"
+#include "tools/launch/launch.h"
 
 /// Collects obstacles between a program and the layer.
 namespace arbiter::tools::doctor {
@@ -48,9 +49,19 @@ struct Examination {
 
 /// The examiner's data about the layer and the system.
 struct Surroundings {
-  std::string layer; ///< the layer's library; empty: not found
-  std::string root;  ///< root of the examined system; empty: this system
+  std::string layer;  ///< the layer's library; empty: not found
+  std::string layers; ///< LayerFiles::preloads
+  std::string root;   ///< root of the examined system; empty: this system
 };
+[[nodiscard]] inline Surroundings surroundingsOf(const LayerFiles &files) {
+  return {.layer = files.preload, .layers = files.preloads, .root = {}};
+}
+
+/// What to do where the layer of 32 bits is missing.
+inline constexpr const char *kRemedyOf32Bits =
+    "Install the layer for i386 beside it (libglx-arbiter0:i386 and libarbiter-jit0:i386): "
+    "sudo dpkg --add-architecture i386 && sudo apt update; ./dev package i386 makes the packages; "
+    "sudo apt install ./out/packages/*_i386.deb.";
 
 /// The id of the finding that the X server draws the program's contexts.
 inline constexpr const char *kIndirect = "indirect";
@@ -66,11 +77,29 @@ inline constexpr const char *kDirectRemedy =
 bool examineLauncher(Examination &examination, const CommandFile &command,
                      const Surroundings &surroundings);
 
-/// True if the layer has a library for processes of that width and machine (EM_386, ...).
-/// \param layer the library's path, which may contain $LIB
-[[nodiscard]] bool layerServes(const std::string &layer, int bits, int machine);
+/// Examines what the command's file alone tells, which no run can disprove: names of Flatpak and
+/// Snap, the file's rights, its header (start.cpp). Runs nothing.
+[[nodiscard]] Examination examineStart(const CommandFile &command,
+                                       const Surroundings &surroundings);
+/// Prints the obstacles of examineStart() on standard error, one a line.
+void sayWhatIsInTheWay(const std::vector<std::string> &command, const LayerFiles &files);
 
-/// Examines a program's own file (examine_program.cpp).
+/// Examines `flatpak run` and /snap/bin/NAME, which is a link to snap. Returns true if the command
+/// is one of them.
+bool examineSandbox(Examination &examination, const CommandFile &command,
+                    const Surroundings &surroundings);
+
+/// True if the layer has a library for processes of that width and machine (EM_386, ...).
+/// \param layers the libraries' path, which may contain $LIB
+[[nodiscard]] bool layerServes(const std::string &layers, int bits, int machine);
+
+struct ElfFile;
+/// Examines what makes the kernel and the loader refuse the layer: a static program, its rights,
+/// its width (examine_program.cpp). Returns true if a library can be loaded into it.
+bool examineHeader(Examination &examination, const std::string &path, const ElfFile &elf,
+                   const Surroundings &surroundings);
+/// Examines a program's own file: its header, and the libraries that it needs and uses
+/// (examine_program.cpp).
 void examineProgram(Examination &examination, const std::string &path,
                     const Surroundings &surroundings);
 

@@ -38,8 +38,13 @@ inline constexpr const char *kLayerGroup = "Options of the layer";
 /// The verb that shows the help of another verb; its words are replaced by that verb's --help.
 inline constexpr const char *kHelpVerb = "help";
 
+/// Makes help show options in this project's words. Verbs that are added later do so too.
+void useOwnWords(CLI::App &app);
 /// Adds every verb; parsing fills \p arguments, which must outlive the application.
 void addVerbs(CLI::App &app, Arguments &arguments);
+
+/// Returns "X,Y" of a description "X,Y: the pixel"; empty if it does not begin so.
+[[nodiscard]] std::string saidPlaceholder(const std::string &description);
 
 /// Returns the complaint about an unknown option: "no option --jsn; did you mean --json?"
 [[nodiscard]] std::string unknownOption(const CLI::App &verb, const std::string &word);
