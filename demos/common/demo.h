@@ -75,7 +75,7 @@ public:
 
 inline constexpr int kExitOk = 0;
 inline constexpr int kExitFailed = 1;
-/// the host lacks a feature; meson's code for a skipped test
+/// The host lacks a feature; meson's code for a skipped test
 inline constexpr int kExitSkipped = 77;
 
 /// Runs a demo; main() consists of this call.

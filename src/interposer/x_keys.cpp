@@ -116,7 +116,7 @@ bool Keyboard::isDown(const HudKey &key) {
     m_state = m_xcb.xcb_query_keymap(m_connection).sequence;
     m_xcb.xcb_flush(m_connection);
   }
-  // the right one's keysym follows the left one's
+  // The right one's keysym follows the left one's
   constexpr std::uint32_t kShift = 0xFFE1, kControl = 0xFFE3, kAlt = 0xFFE9;
   const auto held = [&](std::uint32_t left) {
     return isKeysymDown(left) || isKeysymDown(left + 1);

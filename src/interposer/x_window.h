@@ -18,7 +18,7 @@ public:
   const std::shared_ptr<Connection> connection;
   const std::uint32_t window, gc;
   const std::uint8_t depth;
-  /// set if the server refused a picture: the host must show them
+  /// Set if the server refused a picture: the host must show them
   std::atomic<bool> failed = false;
   std::atomic<bool> hostMissedFrames = false; ///< since the host last looked at the size
 
@@ -40,7 +40,7 @@ private:
   std::deque<unsigned> m_questions; ///< pending queries, the oldest first
   bool m_known = false;
   int m_width = 0, m_height = 0;
-  /// the connection's changes() when the size was last known to be right
+  /// The connection's changes() when the size was last known to be right
   std::uint64_t m_changes = 0;
 };
 

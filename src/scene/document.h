@@ -36,7 +36,8 @@ struct ProgramFile {
 [[nodiscard]] ProgramFile programFile(std::string name, std::string text,
                                       std::optional<fp::ir::Language> language = {});
 
-/// A pass, which draws one mesh. Its programs are numbers of Document::files, or -1 for GL's fixed function.
+/// A pass, which draws one mesh. Its programs are numbers of Document::files, or -1 for GL's fixed
+/// function.
 struct Pass {
   int fragment = -1;
   int vertex = -1;

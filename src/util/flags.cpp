@@ -322,7 +322,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   Settings result;
   Reader reader{lookup, warnings};
   readLog(reader, result);
-  // only for the warning; util/defaults uses the value
+  // Only for the warning; util/defaults uses the value
   static_cast<void>(reader.read(Env::Defaults));
   readDebug(reader, result);
   readLimits(reader, result);

@@ -17,7 +17,7 @@ Hash128 hashBytes(std::string_view bytes) {
 }
 
 std::optional<Hash128> hashFile(const char *path) {
-  // on the heap: an application's thread may have a smaller stack
+  // On the heap: an application's thread may have a smaller stack
   constexpr std::size_t kBlock = 65536;
   const auto block = std::make_unique<char[]>(kBlock);
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),

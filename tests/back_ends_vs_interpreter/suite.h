@@ -29,7 +29,7 @@ struct Report {
   int programs = 0;
   std::uint64_t compared = 0; ///< values
   std::uint64_t skipped = 0;  ///< values whose tolerances are too large
-  /// largest error of the passing programs, relative to the allowed one
+  /// Largest error of the passing programs, relative to the allowed one
   float worst = 0;
   std::vector<Failure> failures;
 };

@@ -211,7 +211,7 @@ TEST_F(Coverage, StippledLines) {
       expectSame(s, "round " + std::to_string(round));
     drawn = mixDrawn(drawn, s);
   }
-// elsewhere compilers fuse the arithmetic that makes the scenes
+// Elsewhere compilers fuse the arithmetic that makes the scenes
 #if defined(__i386__) || defined(__x86_64__)
   EXPECT_EQ(drawn, 16707656051603223225u);
 #endif

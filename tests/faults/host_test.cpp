@@ -156,7 +156,7 @@ TEST(HostFaults, AContextThatIsLost) {
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_CONTEXT_LOST)) << "passed on";
   use(*context, kText);
   (void)draw(*context);
-  // another text, so that it is compiled again
+  // Another text, so that it is compiled again
   load(*context, "!!ARBfp1.0\nMOV result.color, 1;\nEND");
   (void)draw(*context);
   handlers::CallList(*context, 1);

@@ -30,7 +30,7 @@ struct Case {
   const char *size; ///< nullptr: the document's own
   int levels;       ///< of 255, in red, green, blue and alpha
   double outliers;  ///< the fraction of pixels that may differ more
-  /// whether the bare host can draw it: common ones lack ATI_text_fragment_shader
+  /// Whether the bare host can draw it: common ones lack ATI_text_fragment_shader
   bool bare = true;
 };
 

@@ -40,7 +40,7 @@ TEST_F(AtiErrors, NamesInARow) {
   glBindFragmentShaderATI(5);
   const GLuint row = glGenFragmentShadersATI(0xFFFFFF00u);
   EXPECT_EQ(row, 6u);
-  // so many consecutive names do not exist
+  // So many consecutive names do not exist
   EXPECT_NO_GL_ERROR(EXPECT_EQ(glGenFragmentShadersATI(1000), 0u));
 }
 
@@ -178,7 +178,7 @@ TEST_F(AtiErrors, OneFamilyOfCoordinates) {
   EXPECT_NO_GL_ERROR(sample(GL_REG_2_ATI, GL_TEXTURE3, GL_SWIZZLE_STR_DR_ATI));
   EXPECT_NO_GL_ERROR(sample(GL_REG_3_ATI, GL_TEXTURE4, GL_SWIZZLE_STQ_DQ_ATI));
   color1(GL_MOV_ATI, kReg0, kZero);
-  // the rule is for the whole shader
+  // The rule is for the whole shader
   EXPECT_INVALID_OPERATION(pass(kReg0, GL_TEXTURE3, GL_SWIZZLE_STQ_DQ_ATI));
   EXPECT_NO_GL_ERROR(pass(kReg0, GL_TEXTURE4, GL_SWIZZLE_STQ_ATI));
   color1(GL_MOV_ATI, kReg0, kZero);
@@ -250,9 +250,9 @@ TEST_F(AtiErrors, DotProductsPair) {
   color2(GL_DOT3_ATI, kReg0, kZero, kZero);
   EXPECT_NO_GL_ERROR(alpha1(GL_MOV_ATI, kReg0, kZero)); // DOT3 leaves the alpha unit free
   color2(GL_DOT4_ATI, kReg0, kZero, kZero);
-  // the second pass, in which nothing precedes
+  // The second pass, in which nothing precedes
   pass(kReg0, GL_TEXTURE0);
-  // the bare host finds no operation in a pass
+  // The bare host finds no operation in a pass
   finish(layered() ? GL_NO_ERROR : GL_INVALID_OPERATION);
 }
 

@@ -63,7 +63,7 @@ public:
     m_inputs.result = [this](const Instruction &instruction, Vec4 &value) {
       const Tolerance allowed = tolerance(instruction.op);
       for (float &component : value)
-        // otherwise a zero follows from a rule, not from rounding
+        // Otherwise a zero follows from a rule, not from rounding
         if (component != 0 || allowed.absolute != 0)
           shake(component, allowed.relative, allowed.absolute);
     };

@@ -20,7 +20,7 @@ Mesh sphere(int columns, int rows) {
       MeshVertex vertex{at, at};
       vertex.tangent = {std::cos(down) * std::cos(around), -std::sin(down),
                         std::cos(down) * std::sin(around)};
-      // avoids vertices between two of 64 texels
+      // Avoids vertices between two of 64 texels
       vertex.texture = {u * 4 + 0.5f / 64, v * 2 + 0.5f / 64};
       mesh.vertices.push_back(vertex);
     }

@@ -54,7 +54,7 @@ void prepare() {
   g_tube.modelView = glm::lookAt(glm::vec3(1, 1, 5.5f), glm::vec3(0), glm::vec3(0, 1, 0));
   g_tube.light = glm::vec4(glm::normalize(glm::vec3(0.5f, 0.6f, 0.7f)), 0);
   glm::mat4 bone(1);
-  // each rotates about its lower end, together with the bones above it
+  // Each rotates about its lower end, together with the bones above it
   for (int i = 0; i < kBones; ++i) {
     const glm::vec3 joint = {0, float(i) - 2, 0};
     bone = glm::translate(bone, joint);

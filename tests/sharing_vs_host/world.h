@@ -85,7 +85,7 @@ struct Context {
   void *handle = nullptr;
   int group = 0, drawable = 0;
   int thread = -1; ///< the thread that it is current on; -1: none
-  /// loads objects and never draws, so that the layer's rasterizer does not serve it
+  /// Loads objects and never draws, so that the layer's rasterizer does not serve it
   bool loads = false;
   bool made = false;
   std::array<Framebuffer, kFramebuffers> framebuffers;

@@ -41,7 +41,7 @@ struct Tally {
   int states = 0, different = 0;
   long cells = 0, unjudged = 0, exact = 0, discarded = 0, depths = 0, stages = 0, inconsistent = 0;
   double worst = 0.0;
-  /// number of consistent stages of each
+  /// Number of consistent stages of each
   std::array<long, texture_shader::kOperations> operations{};
 };
 

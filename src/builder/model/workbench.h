@@ -123,7 +123,7 @@ private:
   OpenFile m_file;
   LspClient m_lsp;
   RendererSession m_session;
-  /// draws A; it is paused, and its time is set to that of each frame of B
+  /// Draws A; it is paused, and its time is set to that of each frame of B
   RendererSession m_other;
   bool m_otherIsAsked = false; ///< a frame of A was requested and has not come
   double m_otherTime = -1;     ///< time of the last requested frame of A, in seconds

@@ -12,7 +12,7 @@ namespace arbiter::scene {
 
 namespace {
 
-/// the value of no displacement: the maximum, 65535, is odd and cannot be halved exactly
+/// The value of no displacement: the maximum, 65535, is odd and cannot be halved exactly
 constexpr int kNone = 32768;
 
 template <typename Offset> Image displacements(int width, int height, Offset offset) {

@@ -131,7 +131,7 @@ TEST_F(Records, AProgramThatGoesOnAsAnotherIsToldOfTwice) {
     const bool named = std::string_view(name) == "named";
     for (int i = 1; i <= 3; ++i) { // exec() ends a program without finish()
       if (i == 3)
-        // longer than the resolution of file times, so that the first report counts as an older one
+        // Longer than the resolution of file times, so that the first report counts as an older one
         usleep(60000);
       LiveRecord *const record = LiveRecord::make(path(name), named);
       ASSERT_NE(record, nullptr);

@@ -93,7 +93,7 @@ TEST_F(EraVertexShaders, ValuesOfOtherStorage) {
   EXPECT_GL_ERROR(GL_INVALID_OPERATION, glSetLocalConstantEXT(constant, GL_FLOAT, value));
   glEndVertexShaderEXT();
   glBeginVertexShaderEXT();
-  // it belongs to another definition
+  // It belongs to another definition
   EXPECT_NO_GL_ERROR(glSetLocalConstantEXT(constant, GL_FLOAT, value));
   glEndVertexShaderEXT();
 }

@@ -273,7 +273,7 @@ private:
   Screen &m_screen;
   GLXDrawable m_window;
   GLXContext m_context;
-  /// textures have levels of detail, and environments multiply by at most 1
+  /// Textures have levels of detail, and environments multiply by at most 1
   bool m_hasLevels;
   FixedTexture m_textures[kUnits];
   bool m_isOn[kUnits] = {}, m_isLit = false, m_isFlat = false;

@@ -48,7 +48,7 @@ inline std::vector<Vertex> makeVertices(Random &random) {
 enum class Executed {
   No,
   AtOnce, ///< GL_COMPILE_AND_EXECUTE
-  /// called when they are compiled, which draws what AtOnce should. Mesa 22.3.6 believes to be
+  /// Called when they are compiled, which draws what AtOnce should. Mesa 22.3.6 believes to be
   /// inside Begin/End behind a primitive of a list that it also executes, and refuses the rest.
   After,
 };
@@ -108,7 +108,7 @@ struct Scene {
   struct List {
     std::string name;
     GLuint list;
-    /// draws what the list must draw, if that is also drawn directly
+    /// Draws what the list must draw, if that is also drawn directly
     std::function<void()> commands;
   };
   std::vector<List> lists;

@@ -83,7 +83,7 @@ void drawToMipmapped(Stage &stage) {
   toTarget(stage);
   stage.draw();
   toWindow(stage);
-  // the host draws it, and gets all pixels
+  // The host draws it, and gets all pixels
   glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
   glBindTexture(GL_TEXTURE_2D, stage.target);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);

@@ -10,7 +10,7 @@ constexpr int kStillEdge = 96; ///< of the window, in pixels
 struct StillScene {
   const char *name;
   void (*prepare)(); ///< called once, before the first frame; may be null
-  /// called in each frame, after a clear of the whole window, with a context's initial state
+  /// Called in each frame, after a clear of the whole window, with a context's initial state
   void (*draw)();
 };
 

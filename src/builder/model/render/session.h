@@ -80,7 +80,7 @@ private:
   Renderer *m_renderer = nullptr;
   RenderOptions m_options;
   QString m_folder; ///< the folder that the renderer was started with
-  /// the options it was started with: m_options, with the document's where those are empty
+  /// The options it was started with: m_options, with the document's where those are empty
   RenderOptions m_started;
 
   std::optional<Scene> m_waiting;  ///< the newest, not sent yet

@@ -40,7 +40,7 @@ private:
   QLabel *m_facts, *m_pixel, *m_heldWhy;
   QToolButton *m_pause;
   QWidget *m_banner;
-  /// false if hidden behind a tab or in a minimised window; the animation then stops
+  /// False if hidden behind a tab or in a minimised window; the animation then stops
   bool m_seen = true;
   double m_slow = 250;
   int m_judged = 0; ///< number of animated frames that were judged as quick or slow

@@ -37,7 +37,7 @@ namespace {
 // These heights are in device-independent pixels.
 constexpr int kLeastInside = 60; ///< of a panel
 constexpr int kLeastBelow = 110; ///< of a panel below: a header, three rows and a slider
-/// of a panel below, initially, with its tab and title: a row of the gallery
+/// The initial height of a panel below, with its tab and title: a row of the gallery.
 constexpr int kBelow = 190;
 constexpr int kAside = 150;   ///< of a panel under the picture, initially
 constexpr int kPicture = 200; ///< of the picture, initially
