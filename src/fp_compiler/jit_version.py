@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Writes the version of what the layer and libarbiter_jit.so have in common (jit_boundary.h): a hash of the
-headers that say so, and of all that those include, so that no change of any of them can be forgotten.
+"""Writes the version of the interface between the layer and libarbiter_jit.so (jit_boundary.h).
+
+The version is a hash of the interface's headers and of all headers that they include, so every change of
+them changes it.
 
   jit_version.py --source src --output jit_version.h --depfile jit_version.h.d HEADER...
 
