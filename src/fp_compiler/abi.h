@@ -104,7 +104,7 @@ struct Format {
 }
 
 inline constexpr int kMaxUnits = 16;       ///< texture image units that a program may sample
-inline constexpr int kMaxColorTargets = 4; ///< of draw buffers
+inline constexpr int kMaxColorTargets = 4; ///< draw buffers of a program
 inline constexpr int kMaxLevels = 15;      ///< 16384 texels
 inline constexpr int kMaxAnisotropy = 16;  ///< the most samples of a lookup
 inline constexpr int kMaxInputs = 12;      ///< fragment attributes, of four components each
@@ -262,7 +262,7 @@ struct DepthStencilKey {
 /// same w everywhere, so it uses the constant of inverseW.
 enum class Interpolation : std::uint8_t { Flat, Linear, Even, Perspective };
 
-/// Which pixels are in the lanes of a vector.
+/// The arrangement of pixels in the lanes of a vector.
 enum class Lanes : std::uint8_t {
   Row,    ///< `lanes` pixels of one row; items are spans. Derivatives only if a coordinate is an
           ///< affine function of an input; for others the compiler refuses

@@ -14,7 +14,7 @@
 /// GLSL. No GL, no X11, no environment, no global state. Any thread may call it.
 namespace arbiter::fp {
 
-/// What happens to a program over the API limits: Enforce refuses it, as the hardware's driver
+/// The treatment of a program over the API limits: Enforce refuses it, as the hardware's driver
 /// would. Report loads it with a diagnostic.
 enum class LimitPolicy : std::uint8_t { Enforce, Report };
 

@@ -27,7 +27,8 @@ struct Sampler {
   ir::TexTarget target = ir::TexTarget::Tex2D;
 };
 
-/// What a key depends on: the inputs, samplers and outputs of a program after the passes.
+/// The properties that a key depends on: the inputs, samplers and outputs of a program after the
+/// passes.
 struct FragmentShape {
   std::vector<FragmentInput> inputs; ///< includes the fog coordinate if an option needs it
   std::vector<Sampler> samplers;

@@ -29,7 +29,7 @@ inline constexpr std::uint64_t kVersion = 0x{version};
 
 
 def closure(source, roots):
-    """{name: bytes} of the headers and of what they include of `source`'s."""
+    """Returns {name: bytes} of the headers and of all headers of `source` that they include."""
     found, wanted = {}, list(roots)
     while wanted:
         name = wanted.pop()
@@ -41,7 +41,7 @@ def closure(source, roots):
 
 
 def version(headers):
-    """16 hexadecimal digits that differ where any header does."""
+    """Returns 16 hexadecimal digits, which change with any header."""
     digest = hashlib.sha256()
     for name in sorted(headers):
         digest.update(f"{name} {len(headers[name])}\n".encode() + headers[name])

@@ -7,7 +7,7 @@
 #include "fp_compiler/ir/interface.h"
 #include "fp_compiler/limits.h"
 
-/// What GL needs of a program in one of NVIDIA's own languages, besides its IR.
+/// The facts that GL needs of a program in one of NVIDIA's own languages, besides its IR.
 namespace arbiter::fp {
 
 /// A named local parameter of a !!FP1.0 program (NV_fragment_program 3.11.2). Its value is the

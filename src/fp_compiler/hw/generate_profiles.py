@@ -150,7 +150,7 @@ def read_identity_of(path, data, base):
 
 
 def read_aliases(path, data, earlier):
-    """What people call the card: as they may type it, without spaces and dashes."""
+    """Returns the other names of the card, in lower case and without spaces and dashes."""
     taken = {name for profile in earlier.values() for name in [profile['name'], *profile['aliases']]}
     aliases = data.get('aliases', [])
     for alias in aliases:

@@ -34,8 +34,8 @@ struct RowInfo {
   const char *table;   ///< "api", "native", "state", "model", "vertex_api", "vertex_native" ...
   const char *key;     ///< "alu_instructions"
   const char *glName;  ///< without the prefix GL_
-  std::uint32_t least; ///< what the specification guarantees; a profile may go below it
-  std::uint32_t most;  ///< what Arbiter can hold; a profile may not go above it
+  std::uint32_t least; ///< guaranteed by the specification; a profile may go below it
+  std::uint32_t most;  ///< the largest that Arbiter supports; a profile may not go above it
 };
 [[nodiscard]] std::span<const RowInfo> rows();
 /// Returns the names of the tables, in the order of rows().

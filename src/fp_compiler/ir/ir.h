@@ -85,8 +85,8 @@ enum class File : std::uint8_t {
            ///< operands read
 };
 
-/// What a component of a swizzled operand reads. Zero and One come from SWZ, and from passes that
-/// compose it.
+/// The source of a component of a swizzled operand. Zero and One come from SWZ, and from passes
+/// that compose it.
 enum class Select : std::uint8_t { X, Y, Z, W, Zero, One };
 
 using Swizzle = std::array<Select, 4>;
@@ -149,7 +149,7 @@ struct Program {
   std::vector<Parameter> parameters;
   std::vector<Output> outputs;
   std::vector<Temporary> addresses;   ///< vertex programs: address registers
-  std::vector<ParameterArray> arrays; ///< those that relative operands read
+  std::vector<ParameterArray> arrays; ///< the arrays that relative operands read
   std::vector<Instruction> code;
 };
 

@@ -12,8 +12,8 @@
 /// its statements, and each runs in its turn.
 namespace arbiter::fp::nv {
 
-/// Where NVIDIA's own languages differ from its options. In !!FP1.0 and !!VP2.0, RSQ of a negative
-/// number is NaN. A vertex state program can read what it has written.
+/// The rules of NVIDIA's own languages that differ from its options. In !!FP1.0 and !!VP2.0, RSQ of
+/// a negative number is NaN. A vertex state program can read what it has written.
 struct NativeRules {
   /// A program parameter that is written: its row in Program::parameters, and n of c[n].
   struct Row {

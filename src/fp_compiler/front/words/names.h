@@ -8,7 +8,7 @@
 
 namespace arbiter::fp {
 
-/// What the text does with a name at one place.
+/// How the text uses a name at one place.
 enum class Access : std::uint8_t { Declare, Read, Write };
 
 /// A place where a name is used.

@@ -70,7 +70,7 @@ struct Item {
   TexOp texture = TexOp::Load;
   std::uint8_t unit = 0;
   ir::TexTarget target = ir::TexTarget::Tex2D;
-  std::uint16_t attribute = 0; ///< of an Interpolant
+  std::uint16_t attribute = 0; ///< for an Interpolant
   /// The variable that each component is a version of. Within a web, all versions of a component
   /// belong to one variable, so the order of the list is valid for the web.
   std::array<Variable, 4> variables = {kNoVariable, kNoVariable, kNoVariable, kNoVariable};
@@ -91,8 +91,8 @@ struct Row {
 struct Flow {
   std::vector<Item> items;
   std::vector<Row> rows;
-  std::vector<ItemId> parent;                     ///< of each item: the union-find of the webs
-  std::vector<std::array<Variable, 4>> variables; ///< of the root of each web
+  std::vector<ItemId> parent;                     ///< the union-find of the webs, by item
+  std::vector<std::array<Variable, 4>> variables; ///< by root of a web
   /// For the root of each web: how many of its items write each component, at most 255.
   std::vector<std::array<std::uint8_t, 4>> versions;
 

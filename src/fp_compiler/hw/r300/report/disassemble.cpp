@@ -299,7 +299,7 @@ private:
   const Code &m_code;
   const ir::Program &m_program;
   bool m_hasText;
-  std::vector<std::size_t> m_lineStarts; ///< of all lines but the first
+  std::vector<std::size_t> m_lineStarts; ///< without the first line
   const Chip &m_chip;
   std::vector<Row> m_rows;
   std::vector<std::size_t> m_nodeEnds; ///< indices into m_rows
