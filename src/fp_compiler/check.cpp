@@ -18,7 +18,7 @@ namespace arbiter::fp {
 
 namespace {
 
-/// A text of NVIDIA's own languages, where the target has them.
+/// Parses a text in one of NVIDIA's own languages. Returns nothing if the target does not offer it.
 std::optional<ParseResult> parseNative(ir::Language target, std::string_view text,
                                        const CompileOptions &options, NameTable *names) {
   const ir::NativeLanguage language = nativeLanguageOf(text);
@@ -60,14 +60,14 @@ CheckResult checkAtiShader(std::string_view text, const CompileOptions &options,
   if (parsed.shader) {
     result.program = ati::lower(*parsed.shader, {options.limits.atiRegisterRange});
     result.counts = result.nativeCounts = parsed.counts;
-    // The text cannot ask for more than any hardware of this language has.
+    // No text can use more than any hardware of this language has.
     result.underNativeLimits = true;
   }
   return result;
 }
 
-/// Stages that are not enabled by the text give way to what units have by default: their texture,
-/// modulated with what is before it.
+/// Returns the default texture environments: a unit with a stage modulates its texture with the
+/// colour before it.
 texture_shader::Environments defaultEnvironments(const texture_shader::State &shaders) {
   texture_shader::Environments environments;
   for (std::size_t unit = 0; unit < environments.size(); ++unit)
@@ -76,8 +76,8 @@ texture_shader::Environments defaultEnvironments(const texture_shader::State &sh
   return environments;
 }
 
-/// The text's state, of textures that are 2D and colours where it does not say what they are, and
-/// without fog.
+/// Lowers the text's state, without fog. Textures are 2D colour textures unless the text says
+/// otherwise.
 ir::Program lowerNvparse(const nvparse::Text &text, Numerics numerics) {
   const bool fx9 = numerics == Numerics::Fx9;
   ir::Program program;
@@ -107,7 +107,7 @@ ir::Program lowerNvparse(const nvparse::Text &text, Numerics numerics) {
   return program;
 }
 
-/// The longest chain of stages of which each samples by what the one before gives.
+/// Returns the longest chain of texture stages in which each reads the result of the one before.
 std::uint32_t chainOf(const texture_shader::State &state) {
   std::array<std::uint32_t, texture_shader::kUnits> depth{};
   std::uint32_t most = 1;
@@ -121,8 +121,8 @@ std::uint32_t chainOf(const texture_shader::State &state) {
   return most;
 }
 
-/// General stages as ALU instructions, units that are sampled or have a stage as texture ones, and
-/// what the program names of the rest.
+/// Counts resources. General combiner stages are ALU instructions. Texture units that are sampled
+/// or have a stage are texture instructions. The rest is what the program uses.
 ResourceCounts countNvparse(const nvparse::Text &text, const ir::Program &program) {
   ResourceCounts counts;
   if (text.combiners) {

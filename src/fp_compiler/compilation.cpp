@@ -8,7 +8,7 @@
 
 namespace arbiter::fp {
 
-// As in ir/fields.h: a new member does not compile here until it is in its structure's list.
+// A new member does not compile here until it is in its structure's list (ir/fields.h).
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
           buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs,
@@ -25,7 +25,8 @@ FP_FIELDS(NativeInterface, language, named, constants, attributes, rowsRead, rea
 FP_FIELDS(CheckResult, diagnostics, program, counts, nativeCounts, underNative, native)
 FP_FIELDS(Compilation, check, glsl)
 
-/// An ID is a pointer into the table of diagnostics: it is written as text and found again.
+/// An ID is a pointer into the table of diagnostics. It is written as text and looked up on
+/// reading.
 void fields(ArchiveWriter &archive, Diagnostic &value) {
   auto &[severity, id, span, message, hint] = value;
   archive(severity, std::string_view(id), span, message, hint);
@@ -50,8 +51,8 @@ Compilation compile(const CompilationInput &input, std::string_view text) {
                      result.check.native.language != ir::NativeLanguage::Vsp1;
   if (!result.check.ok() || !draws)
     return result;
-  // To follow a loop takes longer than all else of a load that finds its code in a cache; and what
-  // the passes leave of a program of NVIDIA's languages is asked for at each load.
+  // Tracing a loop takes longer than everything else when a load finds its code in a cache. For
+  // programs of NVIDIA's languages, every load asks for the optimised program.
   const ir::Program &program = *result.check.program;
   if (input.numerics == Numerics::Host &&
       (program.options.nv != ir::NvOption::None || ir::hasLoops(program)))

@@ -5,38 +5,39 @@
 
 #include "fp_compiler/compiler.h"
 
-/// A program string's whole way through the compiler as one value, and that value as bytes, for a
-/// cache. No GL, no files.
+/// Compiles a program string to one value, and converts that value to bytes for a cache. No GL, no
+/// files.
 namespace arbiter::fp {
 
-/// What came of a program string: the checked program or its diagnostics, and its GLSL.
+/// The result for a program string: the checked program or its diagnostics, and its GLSL.
 struct Compilation {
-  /// A program with loops is there as the passes left it: what makes code of it runs them again,
-  /// and finds little to do.
+  /// A program with loops is already optimised. Code generators run the passes again and find
+  /// little to do.
   CheckResult check;
-  /// Empty where the check failed, for ATI's languages, whose GLSL depends on the state that they
-  /// are drawn under (fixed_function.h), and for vertex state programs, which draw nothing.
+  /// Empty if the check failed, and for vertex state programs, which draw nothing. Also empty for
+  /// ATI's languages, whose GLSL depends on the state at the draw (fixed_function.h).
   GlslShader glsl;
 };
 
-/// What a compilation depends on, beside the compiler itself.
+/// Everything besides the compiler that a compilation depends on.
 struct CompilationInput {
   ir::Language language = ir::Language::ArbFragment;
   CompileOptions options;
   GlslHost host;
-  Numerics numerics = Numerics::Host; ///< of the emitted GLSL
+  Numerics numerics = Numerics::Host; ///< for the emitted GLSL
 };
 
-/// checkProgram() and, if that went well and the language allows, emitGlsl().
+/// Checks the program and, if that succeeds and the language allows it, emits GLSL.
 [[nodiscard]] Compilation compile(const CompilationInput &input, std::string_view text);
 
-/// All that decides the result, as bytes: equal for equal inputs, different for different ones.
+/// Returns all that decides the result, as bytes: equal for equal inputs, different for different
+/// ones.
 [[nodiscard]] std::string cacheKey(const CompilationInput &input, std::string_view text);
 
-/// The result as bytes, which only deserialise() of the same build of the compiler reads.
+/// Returns the result as bytes. Only deserialise() of the same build of the compiler reads them.
 [[nodiscard]] std::string serialise(const Compilation &compilation);
-/// Nothing if the bytes are not, to the last, what serialise() wrote, or hold a program that
-/// ir::validate() does not accept. Safe for any bytes.
+/// Reads the bytes that serialise() wrote. Returns nothing for any other bytes, or if
+/// ir::validate() rejects the program. Safe for any bytes.
 [[nodiscard]] std::optional<Compilation> deserialise(std::string_view bytes);
 
 } // namespace arbiter::fp

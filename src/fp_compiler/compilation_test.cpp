@@ -1,4 +1,4 @@
-/// A compilation as bytes comes back as it was, and damaged bytes never come back as a program.
+/// Tests that a compilation survives serialisation, and that damaged bytes never become a program.
 #include "fp_compiler/compilation.h"
 
 #include <fstream>
@@ -74,7 +74,7 @@ TEST(Compilation, LoopsAreFollowedOnce) {
   const auto after = deserialise(serialise(compiled));
   ASSERT_TRUE(after);
   expectSame(compiled, *after, text);
-  nv.numerics = Numerics::Legacy; // another mode's passes are not the machine code's
+  nv.numerics = Numerics::Legacy; // machine code does not use the passes of another mode
   EXPECT_TRUE(ir::hasLoops(*compile(nv, text).check.program));
 }
 
@@ -84,7 +84,7 @@ TEST(Compilation, ComesBackAsItWas) {
     const auto after = deserialise(serialise(before));
     ASSERT_TRUE(after) << text;
     expectSame(before, *after, text);
-    EXPECT_EQ(serialise(before), serialise(*after)); // all of it, whatever the test knows
+    EXPECT_EQ(serialise(before), serialise(*after)); // compares also what expectSame() does not
   }
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const std::string text = testing::spell(testing::randomProgram(seed), seed);
@@ -121,8 +121,8 @@ TEST(Compilation, BytesThatEndEarlyOrLateAreRefused) {
   }
 }
 
-// The store's checksum finds damage first; this is for the bytes that it might miss: no crash, no
-// wild allocation, no program that validate() does not accept.
+// A checksum finds most damage before this. Bytes that it misses must cause no crash, no wild
+// allocation, and no program that validate() rejects.
 TEST(Compilation, AFlippedBitIsNoCrash) {
   for (const char *text : kTexts) {
     const std::string good = serialise(compile(input(), text));

@@ -1,5 +1,5 @@
-/// How many program texts a second one core gets through: parsed, checked, counted for a card,
-/// compiled to GLSL. A table, not a test.
+/// Measures how many program texts a second one core parses, checks, counts for a card and compiles
+/// to GLSL. It prints a table and tests nothing.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -15,7 +15,7 @@ using namespace arbiter::fp;
 
 constexpr int kPrograms = 256;
 
-/// Tame programs of exactly that many instructions, as a person might lay them out.
+/// Returns tame programs of exactly that many instructions, laid out as a person might.
 std::vector<std::string> texts(int instructions) {
   std::vector<std::string> result;
   testing::RandomOptions options;
@@ -31,7 +31,7 @@ std::vector<std::string> texts(int instructions) {
 CompileOptions optionsOf(std::string_view profile) {
   CompileOptions options;
   options.limits = hw::findBuiltin(profile)->fragment;
-  options.policy = LimitPolicy::Report; // a long program is to be looked at to its end
+  options.policy = LimitPolicy::Report; // a long program must be checked to its end
   return options;
 }
 
@@ -45,7 +45,8 @@ void programs(benchmark::State &state, const std::vector<std::string> &texts, Wo
   state.SetItemsProcessed(state.iterations());
 }
 
-/// Parse and check; with the profile's model of the card, if it has one.
+/// Measures parse and check; with `model` also the native count of the profile's model, if it has
+/// one.
 void check(benchmark::State &state, std::string_view profile, bool model) {
   CompileOptions options = optionsOf(profile);
   if (!model)

@@ -6,13 +6,14 @@ namespace arbiter::fp {
 
 namespace {
 
-/// A source line is shown as far as this around the caret: a program may be one line of a megabyte.
+/// How many bytes of the source line are shown around the caret. A program may be one line of a
+/// megabyte.
 constexpr std::uint32_t kShownBefore = 60;
 constexpr std::uint32_t kShownAfter = 60;
 
 bool endsLine(char c) { return c == '\n' || c == '\r'; }
 
-/// One column a byte, whatever the bytes are.
+/// Returns the text with one printable column for each byte.
 std::string printable(std::string_view piece) {
   std::string shown(piece);
   for (char &c : shown)
@@ -20,7 +21,7 @@ std::string printable(std::string_view piece) {
   return shown;
 }
 
-/// Walks over a text once, for offsets that do not fall.
+/// Finds lines and columns in one pass over a text. Offsets must not decrease.
 class LineCursor {
 public:
   explicit LineCursor(std::string_view text) : m_text(text) {}
@@ -32,7 +33,7 @@ public:
     for (; m_next < end; ++m_next) {
       if (!endsLine(m_text[m_next]))
         continue;
-      // CR LF ends its line behind the LF; an offset at the LF is still in it.
+      // CR LF ends its line after the LF. An offset at the LF is still in the line.
       if (m_text[m_next] == '\r' && m_next + 1 < m_text.size() && m_text[m_next + 1] == '\n')
         continue;
       ++m_line;
@@ -43,7 +44,7 @@ public:
 
 private:
   std::string_view m_text;
-  std::size_t m_next = 0; ///< the first byte not looked at
+  std::size_t m_next = 0; ///< the first byte that was not read
   std::size_t m_lineBegin = 0;
   std::uint32_t m_line = 1;
 };
@@ -56,7 +57,7 @@ std::string headline(std::string_view file, const LineColumn &at, const Diagnost
   return line;
 }
 
-/// The source line, a caret line and the hint.
+/// Returns the source line, a caret line and the hint.
 std::string excerpt(std::string_view text, const Diagnostic &diagnostic) {
   const std::size_t at = std::min<std::size_t>(diagnostic.span.begin, text.size());
   std::size_t begin = at;

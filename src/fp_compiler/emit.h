@@ -6,35 +6,35 @@
 #include "fp_compiler/ir/interface.h"
 #include "fp_compiler/numerics.h"
 
-/// A checked program as GLSL: what the emitter gives, and what it may use of a host.
+/// Turns a checked program into GLSL: the emitter's result, and the host features that it may use.
 namespace arbiter::fp {
 
-/// One sampler of the emitted GLSL.
+/// A sampler of the emitted GLSL.
 struct GlslSampler {
   std::string uniform; ///< "arb_tex3"
   std::uint8_t unit = 0;
   ir::TexTarget target = ir::TexTarget::Tex2D;
 };
 
-/// One element of the uniform array, which the layer must fill. State that GLSL 1.20 offers as a
-/// trustworthy built-in is not here (the text reads the built-in), nor are constants, except among
-/// the rows of an array that is read by address.
+/// An element of the uniform array, which the layer must fill. State that GLSL 1.20 has as a
+/// reliable built-in is not in the array, because the text reads the built-in. Constants are not in
+/// it either, except in the rows of an array that is read by address.
 struct GlslUniform {
   ir::Parameter parameter;
 };
 
-/// One generic attribute of a vertex shader, for glBindAttribLocation before the link.
+/// A generic attribute of a vertex shader, for glBindAttribLocation before linking.
 struct GlslAttribute {
   std::string name;       ///< "arb_attrib7"
-  std::uint8_t index = 0; ///< of vertex.attrib[]: 1 and up, as attribute 0 is gl_Vertex
+  std::uint8_t index = 0; ///< index of vertex.attrib[], from 1, because attribute 0 is gl_Vertex
 };
 
-/// A GLSL 1.20 shader of one stage. It can be linked alone, when the other stage is
-/// fixed function, or with the other stage's; the two share no names.
+/// A GLSL 1.20 shader of one stage. It can be linked alone, if the other stage is fixed function,
+/// or with a shader of the other stage. The two have no names in common.
 struct GlslShader {
   std::string text;
-  /// Element i of `uniform vec4 arb_vparam[N]` in a vertex shader, `arb_param[N]` in a fragment
-  /// one.
+  /// Element i of `uniform vec4 arb_vparam[N]` in a vertex shader, or of `arb_param[N]` in a
+  /// fragment shader.
   std::vector<GlslUniform> uniforms;
   std::vector<GlslSampler> samplers;
   std::vector<GlslAttribute> attributes; ///< vertex shaders: those that the text declares
@@ -42,47 +42,48 @@ struct GlslShader {
   bool kills = false;
 };
 
-/// What the emitter may use of its host.
+/// The host features that the emitter may use.
 struct GlslHost {
   bool textureRectangle = true;     ///< GL_ARB_texture_rectangle
   bool fragCoordConventions = true; ///< GL_ARB_fragment_coord_conventions
   bool drawBuffers = true;
-  /// Vertex programs: write gl_ClipVertex, without which user clip planes do nothing, or are taken
-  /// for planes of clip space, as Mesa does. It costs the host an output a vertex, planes or not;
-  /// a text that is drawn with every plane disabled can do without.
+  /// Vertex programs: write gl_ClipVertex. Without it user clip planes do nothing, or the host
+  /// takes them for planes in clip space, as Mesa does. It costs the host an output for each
+  /// vertex, even without planes. If every plane is disabled, the text does not need it.
   bool clipPlanes = true;
-  /// Vertex programs that clip by distances (ir::Options::clipsByDistances()), with clipPlanes: a
-  /// bit for each plane that is enabled, whose gl_ClipDistance is written, in GLSL 1.30. Hosts clip
-  /// by what is written, enabled or not. 0 where the host has no such version.
+  /// A bit for each enabled plane, for vertex programs that clip by distances
+  /// (ir::Options::clipsByDistances()), together with clipPlanes. The text writes their
+  /// gl_ClipDistance in GLSL 1.30. Hosts clip by every written distance, enabled or not. 0 if the
+  /// host lacks that version.
   std::uint8_t clipDistances = 0;
-  /// A bit for each image unit that reads depths with DEPTH_TEXTURE_MODE ALPHA, for programs that
-  /// are linked to a GLSL 1.30 text: beside it Mesa reads them as INTENSITY.
+  /// A bit for each image unit that reads depths with DEPTH_TEXTURE_MODE ALPHA. For programs linked
+  /// to a GLSL 1.30 text, because Mesa then reads such depths as INTENSITY.
   std::uint32_t alphaDepths = 0;
-  /// Fragment programs, of points drawn as sprites: a bit for each texture coordinate that is
-  /// (s, t) over the point beside the vertex's r over q, or s over q with `spriteS`; the host does
-  /// not replace it.
+  /// Fragment programs for points drawn as sprites. A bit for each texture coordinate that is
+  /// replaced: (s, t) over the point with the vertex's r over q, or only s over q with `spriteS`.
+  /// The text replaces them, the host does not.
   std::uint8_t spriteUnits = 0;
   bool spriteS = false;
-  /// GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding: integers, and the bits of a float, which
-  /// Numerics::Fp24 is written in.
+  /// GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding: integers, and access to a float's bits.
+  /// Numerics::Fp24 needs them.
   bool bitEncoding = true;
-  /// Fixed function's fog coordinate by FRAGMENT_DEPTH is what lies before the eye below 0, not its
-  /// distance: the fog options of fragment programs take its absolute value, as the host's own
-  /// programs do.
+  /// True if fixed function's fog coordinate for FRAGMENT_DEPTH is negative in front of the eye,
+  /// instead of the distance. The fog options of fragment programs then take its absolute value, as
+  /// the host's own programs do.
   bool negativeFogDistances = false;
 };
 
-/// The mode that a host can be given: Fp24 is Legacy where it lacks what that needs.
+/// Returns the mode that the host supports: Legacy in place of Fp24 if it lacks what that needs.
 [[nodiscard]] Numerics numericsOn(const GlslHost &host, Numerics asked);
 
-/// Optimises a copy of the program and writes it as GLSL. Requires a program that ir::validate()
-/// accepts; cannot fail on one.
+/// Optimises a copy of the program and emits it as GLSL. Cannot fail.
+/// Requires: ir::validate() accepts the program.
 /// \param numerics the mode that is asked for; numericsOn() and ir::numericsOf() are applied
 [[nodiscard]] GlslShader emitGlsl(const ir::Program &program, const GlslHost &host = {},
                                   Numerics numerics = Numerics::Host);
 
-/// The pass pipeline of opt/ over the program, until nothing moves. The result means the same in
-/// that mode; in another one it may not.
+/// Runs the passes of opt/ until nothing changes. The result means the same in that mode, but may
+/// not in another one.
 void optimise(ir::Program &program, Numerics numerics = Numerics::Host);
 
 } // namespace arbiter::fp

@@ -21,7 +21,7 @@ std::size_t endOfLine(std::string_view file, std::size_t at) {
   return std::min(file.find_first_of("\r\n", at), file.size());
 }
 
-/// The first byte that is neither white space nor of a comment.
+/// Returns the offset of the first byte outside of white space and comments.
 std::size_t behindComments(std::string_view file) {
   std::size_t at = 0;
   while (at < file.size()) {
@@ -38,8 +38,8 @@ std::size_t behindComments(std::string_view file) {
   return at;
 }
 
-/// The first header that begins a line, of those from the byte on; the file's size without one.
-/// Register combiners behind texture shaders are of the same text.
+/// Returns the offset of the first header at a line's beginning, from the given byte on, or the
+/// file's size. Register combiners after texture shaders belong to the same text.
 std::size_t nextHeader(std::string_view file, std::size_t at, ir::Language before) {
   while (at < file.size()) {
     const std::size_t first = std::min(file.find_first_not_of(" \t", at), file.size());
@@ -52,11 +52,11 @@ std::size_t nextHeader(std::string_view file, std::size_t at, ir::Language befor
   return file.size();
 }
 
-/// Behind the END of the program that begins there: a word where a statement begins. `limit` is
-/// returned where it has none before that.
+/// Returns the offset after the END of a program, which is a word where a statement can begin.
+/// Returns `limit` if there is no END before it.
 std::size_t endOfProgram(std::string_view file, std::size_t begin, std::size_t limit) {
   std::size_t at = std::min(file.find_first_of(" \t\r\n\v\f#;", begin), limit);
-  bool statement = true; // may begin here
+  bool statement = true; // true if a statement can begin here
   while (at < limit) {
     const char c = file[at];
     if (c == '#') {
@@ -80,7 +80,7 @@ std::size_t endOfProgram(std::string_view file, std::size_t begin, std::size_t l
 
 Span moved(Span span, std::uint32_t by) { return {span.begin + by, span.end + by}; }
 
-/// From places in the program's own text to places in the file.
+/// Moves all places from the program's own text to the file.
 void place(CheckResult &result, std::uint32_t by) {
   for (Diagnostic &diagnostic : result.diagnostics)
     diagnostic.span = moved(diagnostic.span, by);

@@ -8,7 +8,7 @@ namespace arbiter::fp {
 
 namespace {
 
-/// The parameter that an incomplete texture reads as; made at the first use.
+/// Returns the parameter with an incomplete texture's value, and adds it if there is none.
 std::uint16_t incompleteTexture(ir::Program &program) {
   constexpr ir::Vec4 kValue = {0, 0, 0, 1};
   for (std::size_t i = 0; i < program.parameters.size(); ++i)
@@ -19,7 +19,7 @@ std::uint16_t incompleteTexture(ir::Program &program) {
   return std::uint16_t(program.parameters.size() - 1);
 }
 
-/// The sample becomes a copy of what it would read.
+/// Replaces a sample by a copy of an incomplete texture's value.
 void sampleNothing(ir::Program &program, ir::Instruction &sample) {
   sample.op = ir::Opcode::Mov;
   sample.src[0] = {};
@@ -56,7 +56,7 @@ std::uint16_t indexOf(std::vector<ir::Attribute> &attributes, ir::Attribute attr
   return index;
 }
 
-/// The colour is gathered in a temporary, and the code ends with: clamp it, add the secondary's
+/// Collects the colour in a temporary. Appends code that clamps it and adds the secondary colour's
 /// rgb.
 void addSecondaryColor(ir::Program &program) {
   const auto sum = std::uint16_t(program.temporaries.size());

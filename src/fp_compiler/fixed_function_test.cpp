@@ -15,7 +15,7 @@ using ir::Builder;
 using ir::Opcode;
 using ir::TexTarget;
 
-/// Twice the sample of unit 1, plus unit 0's.
+/// Returns a program that computes twice the sample of unit 1, plus that of unit 0.
 ir::Program sampling() {
   Builder b(ir::Language::AtiFragment);
   const auto first = b.temporary(), second = b.temporary();
@@ -65,7 +65,8 @@ TEST(FixedFunction, StateOfOneDrawDoesNotStay) {
   EXPECT_FALSE(again.options.colorSum);
 }
 
-/// A colour of (2, 0.25, -1, 0.5), a secondary of (0.5, 0.5, 0.5), black fog at a factor of 0.5.
+/// The colour is (2, 0.25, -1, 0.5), the secondary (0.5, 0.5, 0.5), and the fog black with a factor
+/// of 0.5.
 TEST(FixedFunction, ClampsBeforeTheSumAndBeforeTheFog) {
   Builder b(ir::Language::AtiFragment);
   b.op(Opcode::Mov, b.color(), {b.constant(2, 0.25f, -1, 0.5f)});

@@ -2,17 +2,17 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/words/names.h"
 
-/// A program's check as an editor wants it: with every name, and of texts that are not whole yet.
+/// Checks a program for an editor: finds every name, also in texts that are not complete.
 namespace arbiter::fp {
 
 struct Inspection {
   CheckResult check;
-  NameTable names; ///< views the text
+  NameTable names; ///< refers to the text
 };
 
-/// checkProgram(), and the names of the text. Where the header is wrong or missing the text behind
-/// it is looked at all the same, so that there are diagnostics and names of what is written so far;
-/// the check is no better for that. `text` must outlive the result.
+/// Checks a program and finds the names of its text. If the header is wrong or missing, the rest of
+/// the text is checked too, so that there are diagnostics and names for it. The check still fails.
+/// `text` must outlive the result.
 [[nodiscard]] Inspection inspectProgram(ir::Language language, std::string_view text,
                                         const CompileOptions &options);
 

@@ -12,7 +12,7 @@ namespace arbiter::fp::jit {
 namespace {
 constexpr const char *kLibrary = "libarbiter_jit.so";
 
-/// The folder, with its slash, of the library or program that this is linked into.
+/// Returns the folder, with its slash, of the library or program that has this code.
 std::string folderOfThis() {
   Dl_info here;
   if (dladdr(reinterpret_cast<const void *>(&folderOfThis), &here) == 0 || !here.dli_fname)
@@ -30,7 +30,8 @@ struct Opened {
 };
 
 Opened openFrom(const std::string &path) {
-  // Its names stay its own, LLVM's come from the library that Mesa has mapped too.
+  // The library's names stay local. LLVM's names come from the copy that Mesa may have mapped
+  // already.
   void *const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) {
     const char *const error = dlerror();
@@ -51,7 +52,8 @@ Opened open(const std::string &asked) {
   const std::string folder = asked.empty() ? folderOfThis() : asked + "/";
   if (folder.empty())
     return {nullptr, std::string("it is not known where ") + kLibrary + " lies"};
-  // Installed it lies beside this; in the build tree in the folder of its sources.
+  // An installed library is in the same folder. In the build tree it is in the folder of its
+  // sources.
   Opened first;
   for (const char *const sub : {"", "../fp_compiler/back/llvm/"}) {
     Opened opened = openFrom(folder + sub + kLibrary);
@@ -65,7 +67,7 @@ Opened open(const std::string &asked) {
 } // namespace
 
 std::unique_ptr<Engine> makeEngine(const EngineOptions &options, std::string &reason) {
-  // Never closed: code of it may run until the process ends.
+  // Never closed, because its code may run until the process ends.
   static const Opened *const s_opened = new Opened(open(options.folder));
   if (!s_opened->library) {
     reason = s_opened->reason;

@@ -7,15 +7,15 @@
 #include "fp_compiler/ir/interface.h"
 #include "fp_compiler/numerics.h"
 
-/// The JIT back end from outside: programs as machine code of this processor. It lives in a library
-/// of its own (libarbiter_jit.so), because LLVM is mapped only where it is used; this header is all
-/// that the layer and the tools see of it. None of its types crosses to the library: makeEngine()'s
-/// engine speaks with the library's through jit_boundary.h.
+/// The interface of the JIT back end: compiles programs to machine code of this processor. The back
+/// end is a library of its own (libarbiter_jit.so), so that LLVM is mapped only if it is used. The
+/// layer and the tools see only this header. Its types do not cross to the library; makeEngine()'s
+/// engine calls the library through jit_boundary.h.
 namespace arbiter::fp::jit {
 
-/// A fragment attribute that a function wants interpolated, in the order of FragmentKey::inputs and
-/// of Primitive::inputs. `components` has a bit for each that is read: the planes of others need
-/// not be filled. fragment.position is no input.
+/// A fragment attribute that a function needs interpolated, in the order of FragmentKey::inputs and
+/// of Primitive::inputs. `components` has a bit for each component that is read; other planes need
+/// not be filled. fragment.position is not an input.
 struct FragmentInput {
   ir::Attribute attribute;
   std::uint8_t components = 0xF;
@@ -27,26 +27,27 @@ struct Sampler {
   ir::TexTarget target = ir::TexTarget::Tex2D;
 };
 
-/// What must be known of a program before a key can be made: what it reads, samples and writes
-/// after the passes.
+/// The properties that a key depends on: the inputs, samplers and outputs of a program after the
+/// passes.
 struct FragmentShape {
-  std::vector<FragmentInput> inputs; ///< the fog coordinate included, where an option wants it
+  std::vector<FragmentInput> inputs; ///< includes the fog coordinate if an option needs it
   std::vector<Sampler> samplers;
   std::uint8_t colorOutputs = 0; ///< bit i: result.color[i] is written
   bool writesDepth = false;
   bool kills = false;
-  bool derivatives = false; ///< DDX or DDY: there is no function of Lanes::Row
-  /// A sample whose level of detail depends on more than an affine coordinate, so that a sampler
-  /// with mipmaps, or with different magnification and minification, needs Lanes::Quad. Bit a unit.
+  bool derivatives = false; ///< has DDX or DDY, so no function of Lanes::Row
+  /// A bit for each unit whose level of detail depends on more than an affine coordinate. A sampler
+  /// there that has mipmaps, or different magnification and minification, needs Lanes::Quad.
   std::uint32_t needsQuads = 0;
 };
 
-/// A program ready to be compiled for any key: checked, optimised for the mode.
+/// A program that is checked, optimised for the mode, and ready to be compiled for any key.
 class FragmentProgram {
 public:
   virtual ~FragmentProgram() = default;
   [[nodiscard]] virtual const FragmentShape &shape() const = 0;
-  /// The program after the passes; its parameters are what FragmentData::parameters has rows for.
+  /// Returns the program after the passes. FragmentData::parameters has a row for each of its
+  /// parameters.
   [[nodiscard]] virtual const ir::Program &program() const = 0;
 };
 
@@ -62,36 +63,37 @@ public:
   [[nodiscard]] virtual const ir::Program &program() const = 0;
 };
 
-/// Machine code; the function lives as long as this.
+/// Machine code. The function is valid as long as this object.
 template <typename Function> struct Code {
   virtual ~Code() = default;
   Function function = nullptr;
-  std::size_t bytes = 0; ///< of machine code
+  std::size_t bytes = 0; ///< size of the machine code
 };
 using FragmentCode = Code<abi::ShadeFunction>;
 using VertexCode = Code<abi::VertexFunction>;
 
 struct EngineOptions {
-  std::string cpu;         ///< "" this one; else "avx512", "avx2", "sse4.1", for tests
-  std::string cacheFolder; ///< of object code (util/cache/cache_store.h); "" none
+  std::string cpu;         ///< "" for this processor; "avx512", "avx2" or "sse4.1" for tests
+  std::string cacheFolder; ///< for object code (util/cache/cache_store.h); "" for no cache
   std::uint64_t cacheMaxBytes = 0;
-  /// Where the library lies, for programs that are not beside it; "" beside the caller's code.
+  /// The folder of the library, for programs in another folder; "" for the folder of the caller's
+  /// code.
   std::string folder;
 };
 
-/// What people may read of the code of a program.
+/// A readable form of a program's code.
 enum class Listing : std::uint8_t { Ir, Assembly };
 
-/// Safe to call from several threads at once. Nothing throws; what cannot be compiled is null, with
-/// a reason.
+/// The JIT engine. Threads may use it at the same time. Nothing throws. A program that cannot be
+/// compiled gives null and a reason.
 class Engine {
 public:
   virtual ~Engine() = default;
   [[nodiscard]] virtual int lanes() const = 0;      ///< 4, 8 or 16
-  [[nodiscard]] virtual int blockWidth() const = 0; ///< of Lanes::Quad: 2, 4, 4
+  [[nodiscard]] virtual int blockWidth() const = 0; ///< for Lanes::Quad: 2, 4, 4
   [[nodiscard]] virtual int blockHeight() const = 0;
   [[nodiscard]] virtual std::string target() const = 0; ///< "skylake-avx512, 16 lanes"
-  /// Fog and colour sum are the program's options. Fp24 is not offered: null.
+  /// Returns null for Fp24, which is not supported. Fog and colour sum are the program's options.
   [[nodiscard]] virtual std::unique_ptr<FragmentProgram> prepareFragment(const ir::Program &program,
                                                                          Numerics numerics) = 0;
   [[nodiscard]] virtual std::unique_ptr<VertexProgram> prepareVertex(const ir::Program &program,
@@ -100,8 +102,8 @@ public:
   compile(const FragmentProgram &program, const abi::FragmentKey &key, std::string &reason) = 0;
   [[nodiscard]] virtual std::unique_ptr<VertexCode>
   compile(const VertexProgram &program, const abi::VertexKey &key, std::string &reason) = 0;
-  /// LLVM's IR or the machine's assembly text of what compile() makes; empty, with a reason, where
-  /// that is null.
+  /// Returns LLVM's IR or the assembly text of what compile() makes. Returns an empty text and a
+  /// reason if that is null.
   [[nodiscard]] virtual std::string listing(const FragmentProgram &program,
                                             const abi::FragmentKey &key, Listing what,
                                             std::string &reason) = 0;
@@ -109,8 +111,8 @@ public:
                                             Listing what, std::string &reason) = 0;
 };
 
-/// Opens the library beside this one (or the one that ARBITER_JIT_LIBRARY names) at the first call
-/// and makes an engine. Null, with a reason, if it is not there or does not load.
+/// Makes an engine. The first call opens the library beside this one, or the one that
+/// ARBITER_JIT_LIBRARY names. Returns null and a reason if it is missing or does not load.
 [[nodiscard]] std::unique_ptr<Engine> makeEngine(const EngineOptions &options, std::string &reason);
 
 } // namespace arbiter::fp::jit

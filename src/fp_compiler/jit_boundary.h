@@ -5,63 +5,62 @@
 
 #include "fp_compiler/abi.h"
 
-/// What crosses the boundary of libarbiter_jit.so, and nothing else does: numbers, pointers to
-/// plain structures that the caller owns, bytes that are borrowed for a call, and handles of
-/// objects that the library made and alone frees. No C++ type that allocates, no virtual function,
-/// no exception: the layer and the library need not have the same operator new, delete or C++
-/// library, and an application that replaces any of them is not met by what the other side made.
+/// Everything that crosses the boundary of libarbiter_jit.so: numbers, pointers to plain structures
+/// of the caller, bytes borrowed for a call, and handles of objects that the library makes and
+/// frees. C++ types that allocate, virtual functions and exceptions do not cross. So the layer and
+/// the library may have different operators new and delete, and different C++ libraries. An
+/// application that replaces them never gets an object of the other side.
 ///
-/// Every function may be called from any thread. None throws: where memory or anything else is
-/// missing the result is null, and a Reason is filled where one is taken.
+/// Any thread may call any function. No function throws. If memory or anything else is missing, the
+/// result is null, and the Reason, if the function takes one, is filled.
 ///
-/// Both sides know more of each other than that: how keys and draws lie in memory (abi.h), how
-/// programs are written as archives. So the version that they compare, kVersion of the generated
-/// fp_compiler/jit_version.h, is a hash of this header, of jit_fields.h and of all that they
-/// include.
+/// Both sides also share the memory layout of keys and draws (abi.h) and the archive format of
+/// programs. So they compare a version: kVersion of the generated fp_compiler/jit_version.h. It is
+/// a hash of this header, of jit_fields.h and of all headers that they include.
 namespace arbiter::fp::jit::boundary {
 
-/// Of the library, freed by it.
+/// Handles of the library's objects. The library frees them.
 struct EngineHandle;
 struct FragmentHandle;
 struct VertexHandle;
 struct CodeHandle;
 struct BytesHandle;
 
-/// Borrowed: the callee reads it before returning. `data` may be null where `size` is 0.
+/// Bytes that the callee reads before it returns. `data` may be null if `size` is 0.
 struct Bytes {
   const char *data;
   std::size_t size;
 };
 
-/// Why a result is null; NUL-terminated, cut where it is longer.
+/// The reason for a null result; NUL-terminated, and cut if it is too long.
 struct Reason {
   char text[512];
 };
 
 struct Options {
   Bytes cpu;         ///< EngineOptions::cpu
-  Bytes cacheFolder; ///< of object code; empty: none
+  Bytes cacheFolder; ///< for object code; empty: none
   std::uint64_t cacheMaxBytes;
 };
 
-/// What does not change during an engine's life.
+/// Properties that stay the same during an engine's life.
 struct Description {
   std::int32_t lanes, blockWidth, blockHeight;
   char target[128]; ///< NUL-terminated
 };
 
-/// Machine code as the rasterizer calls it. `function` is an abi::ShadeFunction or an
-/// abi::VertexFunction and lives as long as `handle`, which is null where there is none.
+/// Machine code for the rasterizer. `function` is an abi::ShadeFunction or an abi::VertexFunction.
+/// It is valid as long as `handle`, which is null if there is no code.
 struct Code {
   CodeHandle *handle;
   void (*function)();
   std::size_t bytes;
 };
 
-/// Programs cross as archives of ir::Program (ir/fields.h); what a prepared one needs of a draw and
-/// what it is after the passes come back as an archive of its shape and its program.
+/// The functions of the library. Programs are passed as archives of ir::Program (ir/fields.h). A
+/// prepared program is returned as an archive of its shape and of its IR after the passes.
 struct Interface {
-  std::uint64_t version; ///< boundary::kVersion; compared before anything else is looked at
+  std::uint64_t version; ///< boundary::kVersion; compared before anything else is read
 
   EngineHandle *(*makeEngine)(const Options *options, Reason *reason);
   void (*freeEngine)(EngineHandle *engine);
@@ -88,22 +87,21 @@ struct Interface {
   void (*freeBytes)(BytesHandle *bytes);
 };
 
-/// What the library exports, under this name.
+/// The function that the library exports under this name.
 using GetInterface = const Interface *(*)();
 inline constexpr const char *kSymbol = "arbiter_jit_interface";
 
-// --- The rule above, as the compiler reads it: a new function or member that breaks it does not
-// build.
+// --- Compile-time checks of the rule above: a function or member that breaks it does not build.
 namespace detail {
 template <typename T> constexpr bool mayCross() {
   if constexpr (std::is_pointer_v<T>)
-    return true; // to what: see PlainFunction and the structures' own checks
+    return true; // PlainFunction and the structures' own checks cover the target
   else if constexpr (std::is_class_v<T>)
     return std::is_trivial_v<T> && std::is_standard_layout_v<T>;
   else
     return std::is_arithmetic_v<T> || std::is_void_v<T>;
 }
-/// A pointer's target is a handle, which only its maker can look into, or plain itself.
+/// True if the pointer's target is a plain type, or a handle that only its maker can read.
 template <typename T> constexpr bool targetMayCross() {
   using Target = std::remove_cv_t<std::remove_pointer_t<T>>;
   if constexpr (!std::is_pointer_v<T>)

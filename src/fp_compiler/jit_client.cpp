@@ -19,7 +19,7 @@ std::string archived(const ir::Program &program) {
   return archive.take();
 }
 
-/// Bytes of the library's, until this dies.
+/// Bytes of the library, which are freed with this object.
 class Borrowed {
 public:
   Borrowed(const Interface &library, BytesHandle *handle) : m_library(library), m_handle(handle) {}
@@ -61,13 +61,13 @@ std::unique_ptr<Code<Function>> received(const Interface &library, const boundar
   return nullptr;
 }
 
-/// A prepared program of the library's, with its shape and its program copied to this side.
+/// A program that the library has prepared. Its shape and its IR are copied to this side.
 template <typename Base, typename Shape, typename Handle> class Prepared final : public Base {
 public:
   using Free = void (*)(Handle *);
   Prepared(Handle *handle, Free free) : m_handle(handle), m_free(free) {}
   ~Prepared() override { m_free(m_handle); }
-  /// False: the bytes are not what a library of this build writes.
+  /// Reads the shape and the IR. Returns false if a library of this build did not write the bytes.
   bool read(std::string_view bytes) {
     ArchiveReader archive(bytes);
     archive(m_shape, m_program);

@@ -7,8 +7,8 @@
 
 namespace arbiter::fp::jit {
 
-/// An engine of the library's behind the types of jit.h. What it answers, shapes and programs
-/// included, is memory of this side. Null, with a reason, where the library makes none.
+/// Returns an engine of the library behind the types of jit.h. Its results, including shapes and
+/// programs, are in this side's memory. Returns null and a reason if the library makes none.
 [[nodiscard]] std::unique_ptr<Engine> connect(const boundary::Interface &library,
                                               const EngineOptions &options, std::string &reason);
 

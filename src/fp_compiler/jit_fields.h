@@ -2,8 +2,8 @@
 #include "fp_compiler/ir/fields.h"
 #include "fp_compiler/jit.h"
 
-/// What a prepared program needs of a draw, as bytes: how it crosses the boundary of the JIT's
-/// library (jit_boundary.h).
+/// Serialises the shape of a prepared program, to pass it through the JIT's library
+/// (jit_boundary.h).
 namespace arbiter::fp::jit {
 
 FP_FIELDS(FragmentInput, attribute, components)

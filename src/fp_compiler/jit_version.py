@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Writes the version of what the layer and libarbiter_jit.so have in common (jit_boundary.h): a hash of the
-headers that say so, and of all that those include, so that no change of any of them can be forgotten.
+"""Writes the version of the interface between the layer and libarbiter_jit.so (jit_boundary.h).
+
+The version is a hash of the interface's headers and of all headers that they include, so every change of
+them changes it.
 
   jit_version.py --source src --output jit_version.h --depfile jit_version.h.d HEADER...
 
@@ -27,7 +29,7 @@ inline constexpr std::uint64_t kVersion = 0x{version};
 
 
 def closure(source, roots):
-    """{name: bytes} of the headers and of what they include of `source`'s."""
+    """Returns {name: bytes} of the headers and of all headers of `source` that they include."""
     found, wanted = {}, list(roots)
     while wanted:
         name = wanted.pop()
@@ -39,7 +41,7 @@ def closure(source, roots):
 
 
 def version(headers):
-    """16 hexadecimal digits that differ where any header does."""
+    """Returns 16 hexadecimal digits, which change with any header."""
     digest = hashlib.sha256()
     for name in sorted(headers):
         digest.update(f"{name} {len(headers[name])}\n".encode() + headers[name])

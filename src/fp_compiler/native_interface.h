@@ -7,38 +7,39 @@
 #include "fp_compiler/ir/interface.h"
 #include "fp_compiler/limits.h"
 
-/// What GL has to know of a program in one of NVIDIA's languages of their own, beside its IR.
+/// The facts that GL needs of a program in one of NVIDIA's own languages, besides its IR.
 namespace arbiter::fp {
 
 /// A named local parameter of a !!FP1.0 program (NV_fragment_program 3.11.2). Its value is the
-/// program object's local parameter `local`, a number above all that program.local and p[] reach:
-/// Limits::localParameters plus its place in NativeInterface::named.
+/// program object's local parameter `local`. That number is above all that program.local and p[]
+/// can name: Limits::localParameters plus its index in NativeInterface::named.
 struct NamedParameter {
   std::string name;
   std::uint16_t local = 0;
-  ir::Vec4 value = {}; ///< what DECLARE gives it when the program is loaded
+  ir::Vec4 value = {}; ///< the initial value from DECLARE
 };
 
 struct NativeInterface {
   ir::NativeLanguage language = ir::NativeLanguage::None;
-  /// DECLARE's names, which glProgramNamedParameter4fNV sets.
+  /// Names from DECLARE, which glProgramNamedParameter4fNV sets.
   std::vector<NamedParameter> named;
-  /// DEFINE's names: no call reaches them.
+  /// Names from DEFINE, which no call can set.
   std::vector<std::string> constants;
-  /// Bit n: v[n] is read, by number or by name. The program reads those that have a conventional
-  /// name (0 position, 2 normal, 3 and 4 colours, 5 fog coordinate, 8 and up texture coordinates)
-  /// as the conventional attribute, and 1, 6 and 7 as the generic one.
+  /// Bit n is set if v[n] is read, by number or by name. The program reads v[n] as the conventional
+  /// attribute if it has a conventional name (0 position, 2 normal, 3 and 4 colours, 5 fog
+  /// coordinate, 8 and up texture coordinates). It reads 1, 6 and 7 as generic attributes.
   std::uint16_t attributes = 0;
-  /// The rows c[n] that are read by number, each once and in order; they are the vertex target's
+  /// The rows c[n] that are read by number, each once and in order. They are the vertex target's
   /// environment parameters.
   std::vector<std::uint16_t> rowsRead;
-  /// c[A0.x + n] is read: any row may be.
+  /// True if c[A0.x + n] is read, so that any row may be.
   bool readsAnyRow = false;
-  /// The rows that a vertex state program writes, each once and in order: outputs of the kind
-  /// EnvParameter. One that is tracked makes ExecuteProgramNV an error (NV_vertex_program 2.14.5).
+  /// The rows that a vertex state program writes, each once and in order. They are outputs of the
+  /// kind EnvParameter. ExecuteProgramNV is an error if one of them is tracked (NV_vertex_program
+  /// 2.14.5).
   std::vector<std::uint16_t> rowsWritten;
 
-  /// The declared parameter of that name; nullptr if there is none.
+  /// Returns the declared parameter of that name; nullptr if there is none.
   [[nodiscard]] const NamedParameter *find(std::string_view name) const {
     for (const NamedParameter &parameter : named)
       if (parameter.name == name)
@@ -47,10 +48,11 @@ struct NativeInterface {
   }
 };
 
-/// No program declares more named parameters.
+/// The most named parameters of a program.
 inline constexpr std::uint32_t kMostNamedParameters = 256;
 
-/// The language whose header a text begins with; None for any other text, a refused header too.
+/// Returns the language whose header a text begins with. Returns None for any other text, also for
+/// a header that is refused.
 [[nodiscard]] constexpr ir::NativeLanguage nativeLanguageOf(std::string_view text) {
   using ir::NativeLanguage;
   for (const NativeLanguage language :
@@ -61,8 +63,8 @@ inline constexpr std::uint32_t kMostNamedParameters = 256;
   return NativeLanguage::None;
 }
 
-/// Whether a target of these limits takes texts of that language. Those of NV_vertex_program are
-/// there before the options, and with them.
+/// True if a target of these limits accepts texts in that language. A target may have
+/// NV_vertex_program's languages without NVIDIA's options.
 [[nodiscard]] constexpr bool takesLanguage(const Limits &limits, ir::NativeLanguage language) {
   using ir::NativeLanguage;
   const bool first = language == NativeLanguage::Vp1 || language == NativeLanguage::Vp11 ||
@@ -71,8 +73,8 @@ inline constexpr std::uint32_t kMostNamedParameters = 256;
          (limits.nvOptions != 0 || (first && limits.nvVertexProgram != 0));
 }
 
-/// ArbFragment or ArbVertex: the target that programs of that language are drawn with. Requires
-/// another language than None.
+/// Returns the target that programs in the language are drawn with: ArbFragment or ArbVertex.
+/// Requires: a language other than None.
 [[nodiscard]] constexpr ir::Language stageOf(ir::NativeLanguage language) {
   return language == ir::NativeLanguage::Fp1 ? ir::Language::ArbFragment : ir::Language::ArbVertex;
 }

@@ -13,7 +13,8 @@ constexpr int kDropped = 23 - fp24::kMantissaBits;
 constexpr std::uint32_t kSign = 0x80000000u;
 constexpr std::uint32_t kInfinity = 0x7F800000u;
 
-/// Infinities, NaNs and zeros stay; what is in range stays; the rest goes to its end of the range.
+/// Moves a finite value into the range of the format: a large one becomes +-beyond, a small one
+/// zero. Infinities and NaNs stay.
 float inRange(float value, float beyond) {
   const float size = std::fabs(value);
   if (!(size <= fp24::kGreatest))

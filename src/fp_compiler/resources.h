@@ -5,14 +5,15 @@
 #include "fp_compiler/ir/ir.h"
 #include "fp_compiler/limits.h"
 
-/// The resources that every report lists, by name.
+/// Names of the resources that every report lists.
 namespace arbiter {
 class JsonWriter;
 }
 
 namespace arbiter::fp {
 
-/// One row of the table of resources, in the order of ResourceCounts. A target lists its own.
+/// A row of the table of resources, in the order of ResourceCounts. A target lists those that it
+/// has.
 struct ResourceRow {
   const char *name; ///< "alu_instructions", as in a profile
   const char *title;
@@ -27,10 +28,10 @@ struct ResourceRow {
 
 [[nodiscard]] std::span<const ResourceRow> resourceRows();
 
-/// The row of a member.
+/// Returns the row of a member.
 [[nodiscard]] const ResourceRow &resourceRow(std::uint32_t ResourceCounts::*member);
 
-/// An object of all rows, by name: the one form that counts have in JSON.
+/// Writes the counts as a JSON object with a member for each row.
 void writeCounts(JsonWriter &json, const char *key, const ResourceCounts &counts);
 
 } // namespace arbiter::fp

@@ -20,24 +20,23 @@ enum class Resource : std::uint8_t {
 inline constexpr int kResourceCount = 8;
 
 /// Counts a program's resources against the API limits (ARB_fragment_program 3.11.3.6,
-/// ARB_vertex_program 2.14.3.7), less what an option takes for its own code (3.11.4.5.1,
-/// 2.14.4.5.1), and reports each resource once, where it is first exceeded.
+/// ARB_vertex_program 2.14.3.7). The limits are reduced by what an option's own code takes
+/// (3.11.4.5.1, 2.14.4.5.1). Each resource is reported once, where it first exceeds its limit.
 class Budget {
 public:
-  /// No program has more of a resource than this, whatever the limits say: registers are numbered
-  /// in 16 bits (address registers in eight).
+  /// The most of a resource in any program, whatever the limits: registers are numbered in 16 bits
+  /// (address registers in eight).
   static constexpr std::uint32_t kCeiling = 65535;
 
-  /// The limits and the policy of \p options. \p reporter gets what is exceeded: an error, or a
-  /// warning where the policy lets the program load all the same.
+  /// Uses the limits and the policy of \p options. An excess is reported to \p reporter as an
+  /// error, or as a warning if the policy lets the program load.
   Budget(const CompileOptions &options, Reporter &reporter);
 
-  /// Takes what the options' own code needs out of the limits. Call before the first statement.
+  /// Reserves what the options' own code needs. Call before the first statement.
   void debit(const ir::Options &options);
-  /// Counts one unit. False if it is over the resource's ceiling, so that the caller cannot number
-  /// it.
+  /// Counts one unit. Returns false if it is over the ceiling, so that the caller cannot number it.
   bool spend(Resource resource, Span where);
-  /// What was spent, beyond the limits too; without the debits.
+  /// Returns the counts, including what exceeds the limits, and without the debits.
   [[nodiscard]] const ResourceCounts &counts() const { return m_counts; }
 
 private:

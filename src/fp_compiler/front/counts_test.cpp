@@ -1,4 +1,4 @@
-// Counting and limits (3.11.3.6, 3.11.4.5.1, 3.11.6).
+// Tests counting and limits (3.11.3.6, 3.11.4.5.1, 3.11.6).
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/test_support.h"
@@ -57,7 +57,7 @@ TEST(Counts, ConstantsOnceIfAllFourComponentsAreEqual) {
                    "PARAM d = {1, 0, 0, 1};\nTEMP t;\nADD t, 1.00, {1, 0};")
                 .parameters,
             2u);
-  // Numerically equal, and yet two values.
+  // The constants are numerically equal, but two values.
   const CheckResult zeros = check(wrap("PARAM a = {0, 0, 0, 0};\nPARAM b = {-0, 0, 0, 0};"));
   EXPECT_EQ(zeros.counts.parameters, 1u);
   EXPECT_EQ(zeros.program->parameters.size(), 2u);
@@ -70,7 +70,7 @@ TEST(Counts, NativeFit) {
   EXPECT_FALSE(check(wrap("TEMP a;\nMOV a, 1;\nMOV a, 1;"), options).underNativeLimits);
 }
 
-// The cases of 3.11.6, and the traps around them.
+// The cases of 3.11.6, and others that are easy to get wrong.
 TEST(Indirections, ByTheApisRule) {
   const auto nodes = [](std::string_view body) {
     return counts("TEMP a, b, c;\n" + std::string(body)).texIndirections;
@@ -106,7 +106,7 @@ TEST(Indirections, ByTheApisRule) {
   EXPECT_EQ(nodes("MOV a, 1;\nTEX b, a, texture[0], 2D;\nTEX c, b, texture[1], 2D;"), 3u);
 }
 
-/// A program with `count` units of one resource.
+/// Makes a program with `count` units of one resource.
 struct Maker {
   const char *id;
   std::uint32_t ResourceCounts::*resource;
@@ -181,7 +181,7 @@ TEST(Limits, AFogOptionTakesItsShare) {
       const std::string option = "OPTION " + std::string(mode.option) + ";\n";
       const CheckResult fits = check(wrap(option + maker.make(8 - debit)), options);
       EXPECT_TRUE(fits.ok()) << mode.option << " " << maker.id;
-      // What fog needs is not part of what the program is said to use.
+      // The program's own counts do not include what fog needs.
       EXPECT_EQ(fits.counts.*maker.resource, 8 - debit);
       if (debit != 0 || maker.resource != &ResourceCounts::attribs) {
         EXPECT_EQ(firstError(check(wrap(option + maker.make(9 - debit)), options)), maker.id)

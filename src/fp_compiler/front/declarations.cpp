@@ -3,8 +3,8 @@
 
 namespace arbiter::fp {
 
-/// <establishName>: any identifier that is not reserved. A name that is taken is reported by
-/// declare(), after the rest of the statement has been read.
+/// Parses <establishName>: any identifier that is not reserved. declare() reports a name that is
+/// already declared, after the rest of the statement is read.
 bool Parser::newName(Token &name) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a new name");
@@ -28,7 +28,7 @@ void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
               std::to_string(locate(m_text, before->declared.begin).line));
 }
 
-/// <varNameList> of TEMP or ADDRESS.
+/// Parses <varNameList> of TEMP or ADDRESS.
 bool Parser::parseRegisters(SymbolKind kind) {
   do {
     Token name;
@@ -140,7 +140,7 @@ bool Parser::parseParamArray(const Token &name) {
     if (!parsed || !m_tokens.accept(TokenKind::Comma))
       break;
   }
-  // An element in error may stand for any number of rows.
+  // A wrong element may stand for any number of rows, so the size is checked only without errors.
   const auto sound = [&] { return parsed && m_reporter.errorCount() == errorsBefore; };
   if (sound() && size && rows.size() < *size && m_tokens.at(TokenKind::CloseBrace))
     error(DiagnosticId::ArraySizeMismatch, m_tokens.peek().span,

@@ -4,22 +4,22 @@
 
 namespace arbiter::fp {
 
-/// Which finding a diagnostic is: a row of diagnostic_ids.def.
+/// The kind of a diagnostic: a row of diagnostic_ids.def.
 enum class DiagnosticId : std::uint8_t {
 #define FP_DIAGNOSTIC(Enumerator, id, meaning) Enumerator,
 #include "fp_compiler/front/diagnostic_ids.def"
 #undef FP_DIAGNOSTIC
 };
 
-/// One row of diagnostic_ids.def.
+/// A row of diagnostic_ids.def.
 struct DiagnosticInfo {
   const char *id;      ///< "undeclared-name"
   const char *meaning; ///< one line
 };
 
-/// The row of \p id.
+/// Returns the row of \p id.
 [[nodiscard]] const DiagnosticInfo &info(DiagnosticId id);
-/// All rows, in the table's order.
+/// Returns all rows, in the table's order.
 [[nodiscard]] std::span<const DiagnosticInfo> diagnosticTable();
 
 } // namespace arbiter::fp

@@ -34,10 +34,10 @@ constexpr Magic kMagics[] = {
     {"; SPIR-V"sv, "SPIR-V assembly"},
 };
 
-/// Bytes that are looked at. A text says within them what it is.
+/// The number of bytes that are examined. They are enough to recognise a text.
 constexpr std::size_t kLooked = 64u << 10;
 
-/// A word that begins a statement of an assembly program, and none of the languages below.
+/// Words that begin a statement of an assembly program and do not occur in the languages below.
 constexpr std::string_view kStatements[] = {
     "ABS",
     "ADD",
@@ -96,7 +96,7 @@ bool isOfWord(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
 
-/// Signs of a language among a text's words.
+/// The signs of each language among a text's words.
 struct Seen {
   bool assembly = false; ///< a statement of a program
   bool direct3d = false; ///< the first word is a version of Direct3D's shader assembly
@@ -117,7 +117,7 @@ constexpr std::string_view kHlslWords[] = {
     "cbuffer",   "SV_Target",    "SV_POSITION", "SV_Position",   "SV_TARGET", "SV_Target0",
     "Texture2D", "SamplerState", "technique",   "sampler_state", "register"};
 
-/// "ps_2_0", "vs.1.1"
+/// True for a version such as "ps_2_0" or "vs.1.1".
 bool isVersion(std::string_view word, std::string_view behind) {
   const bool stage = word.starts_with("ps") || word.starts_with("vs");
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -140,8 +140,8 @@ void look(Seen &seen, std::string_view word, bool statement, std::string_view be
   seen.main = seen.main || (word == "main" && before == "void");
 }
 
-/// The text's words, outside of comments. `#` begins a comment of an assembly program and a
-/// directive of the other languages: of those lines only `#version` says something.
+/// Finds the signs in the text's words, outside of comments. A `#` begins a comment of an assembly
+/// program, or a directive of the other languages. Of such lines only `#version` counts.
 Seen wordsOf(std::string_view text) {
   Seen seen;
   bool statement = true; // may begin here
@@ -164,7 +164,7 @@ Seen wordsOf(std::string_view text) {
       first = statement = false;
       at += word.size();
     } else {
-      // A program's header need not end in a semicolon, and need not be right.
+      // A program's header may lack the semicolon, and may be wrong.
       statement = rest[0] == ';' || rest[0] == '\n' || rest[0] == '\r' ||
                   (statement && (rest[0] == ' ' || rest[0] == '\t'));
       ++at;

@@ -1,4 +1,5 @@
-// Texts as people hand them to `arbiter check` by mistake, and programs that only look like them.
+// Tests texts that people pass to `arbiter check` by mistake, and programs that only look like
+// them.
 #include "fp_compiler/front/foreign.h"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 namespace arbiter::fp {
 
 namespace {
-/// What a header that is not the expected one says about the text.
+/// The hint for a wrong header.
 struct HeaderRow {
   std::string_view begin;
   const char *hint;

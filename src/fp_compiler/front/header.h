@@ -5,15 +5,15 @@
 
 namespace arbiter::fp {
 
-/// True if the text is no longer than kMaxTextBytes. Else that is reported.
+/// Returns whether the text has at most kMaxTextBytes. Reports an error if not.
 [[nodiscard]] bool checkLength(std::string_view text, Reporter &reporter);
 
-/// True if the text may be parsed: no longer than kMaxTextBytes, and with \p header,
-/// at its first byte. Else the reason is reported.
+/// Returns whether the text may be parsed: it has at most kMaxTextBytes and begins with \p header.
+/// Reports an error if not.
 [[nodiscard]] bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter);
 
-/// Where the statements of a text may begin whose header is not the expected one: behind a first
-/// line that begins as a header does, else at the first byte.
+/// Returns where the statements may begin in a text with a wrong header: after the first line if
+/// that looks like a header, otherwise at the first byte.
 [[nodiscard]] std::uint32_t endOfWrongHeader(std::string_view text);
 
 } // namespace arbiter::fp

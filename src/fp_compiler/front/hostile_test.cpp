@@ -1,4 +1,5 @@
-// Program text as bad input: a clean error or the right result, in bounded time.
+// Tests program text as untrusted input: it gives a clean error or the right result, in bounded
+// time.
 #include <ctime>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -18,7 +19,7 @@ using testing_support::small;
 using testing_support::wrap;
 using testing_support::wrapVertex;
 
-/// A copy of a text that ends where the next byte is not mapped.
+/// A copy of a text that ends at an unmapped page.
 class GuardedText {
 public:
   explicit GuardedText(std::string_view text) {
@@ -43,7 +44,7 @@ private:
   std::string_view m_text;
 };
 
-/// What must hold of every answer, whatever the text.
+/// Checks what must hold for every result, whatever the text.
 void expectSane(std::string_view text, const CheckResult &result) {
   EXPECT_LE(result.diagnostics.size(), kMaxDiagnostics);
   EXPECT_LE(std::int64_t(result.errorPosition()), std::int64_t(text.size()));
@@ -58,7 +59,7 @@ void expectSane(std::string_view text, const CheckResult &result) {
   }
 }
 
-// All of the grammar, in few bytes: the corpus for truncation and token edits.
+// Short texts that cover the whole grammar: the corpus for truncation and token edits.
 const std::string kCorpus[] = {
     "!!ARBfp1.0\nOPTION ARB_fog_exp;\nTEMP a, b;\nATTRIB t = fragment.texcoord[1];\n"
     "PARAM p[4] = { program.local[0..1], {1,-2}, state.matrix.mvp.inverse.row[3] };\n"
@@ -93,7 +94,7 @@ TEST(Hostile, TruncationAtEveryByte) {
       const GuardedText guarded(std::string_view(text).substr(0, size));
       const CheckResult result = check(guarded.text());
       expectSane(guarded.text(), result);
-      // END itself is whole in the last bytes only.
+      // Only the last bytes complete END.
       if (size < text.rfind("END") + 3) {
         EXPECT_FALSE(result.ok()) << size;
       }
@@ -210,14 +211,14 @@ TEST(Hostile, EveryErrorAtOnce) {
   }
 }
 
-/// Seconds of this thread's processor time: other tests share the machine.
+/// Returns seconds of this thread's processor time, because other tests share the machine.
 double now() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
 }
 
-/// Seconds of the fastest of a few checks.
+/// Returns the seconds of the fastest of several checks.
 double seconds(const std::string &text, const CompileOptions &options) {
   double best = 1e9;
   for (int i = 0; i < 5; ++i) {
@@ -237,7 +238,7 @@ TEST(Hostile, AFullProgramTakesUnderFiveMilliseconds) {
   EXPECT_LT(seconds(wrap(text), generous()), 0.005);
 }
 
-// Twice the text takes about twice the time: a quadratic part would show as four.
+// Twice the text must take about twice the time: quadratic time would show as four times.
 TEST(Hostile, TimeIsLinear) {
   const struct {
     const char *name;
@@ -280,7 +281,7 @@ TEST(Hostile, TimeIsLinear) {
   CompileOptions options = generous();
   options.policy = LimitPolicy::Report;
   for (const auto &shape : shapes) {
-    // A shared cache is no quadratic parser, so try again.
+    // A shared cache can disturb the measurement, so try again.
     double ratio = 0;
     for (int attempt = 0; attempt < 5; ++attempt) {
       ratio = seconds(shape.around(shape.make(20000)), options) /

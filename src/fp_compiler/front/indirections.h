@@ -6,15 +6,15 @@
 
 namespace arbiter::fp {
 
-/// Follows the nodes of the texture dependency chain by the API's rule (3.11.6): masks and suffixes
-/// are ignored, and only temporaries matter.
+/// Counts the nodes of the texture dependency chain by the API's rule (3.11.6). The rule ignores
+/// masks and suffixes, and considers only temporaries.
 class IndirectionCounter {
 public:
-  /// True if this instruction opens a new node, which it then is part of.
+  /// Adds an instruction. Returns true if it begins a new node.
   bool add(const ir::Instruction &instruction);
 
 private:
-  /// The node in which a temporary was last touched; 0 for never.
+  /// The node in which a temporary was last used; 0 for never.
   struct Touched {
     std::uint32_t written = 0;
     std::uint32_t byAlu = 0;

@@ -59,7 +59,7 @@ bool Parser::parseInstruction(const Token &opcode, const Word &word) {
   return true;
 }
 
-/// <maskedDstReg>
+/// Parses <maskedDstReg>.
 bool Parser::parseDestination(ir::Destination &destination) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   if (!parseDestinationRegister(destination))
@@ -120,7 +120,7 @@ bool Parser::parseDestinationRegister(ir::Destination &destination) {
   return true;
 }
 
-/// <maskedAddrReg>
+/// Parses <maskedAddrReg>.
 bool Parser::parseAddressDestination(ir::Destination &destination) {
   constexpr const char *kHint = "ARL writes a register declared with ADDRESS";
   const Token name = m_tokens.peek();
@@ -145,7 +145,7 @@ bool Parser::parseAddressDestination(ir::Destination &destination) {
   return true;
 }
 
-/// A destination that begins with no name and no "result".
+/// Reports a destination that is read only and does not begin with a name or "result".
 bool Parser::readOnlyDestination(const Token &first, const Word &word) {
   const bool attribute = word.keyword == Keyword::Attributes;
   const bool parameter = word.keyword == Keyword::State || word.keyword == Keyword::Program ||
@@ -160,7 +160,7 @@ bool Parser::readOnlyDestination(const Token &first, const Word &word) {
   return parseSourceRegister(ignored);
 }
 
-/// <optionalMask>, after its dot.
+/// Parses <optionalMask>, after its dot.
 bool Parser::parseMask(std::uint8_t &mask) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a write mask");
@@ -176,7 +176,7 @@ bool Parser::parseMask(std::uint8_t &mask) {
   return true;
 }
 
-/// <extendedSwizzle>, from the comma before it.
+/// Parses <extendedSwizzle>, from the comma before it.
 bool Parser::parseExtendedSwizzle(ir::Operand &operand) {
   char set = 0;
   operand.negate = 0;
@@ -202,7 +202,8 @@ bool Parser::parseExtendedSwizzle(ir::Operand &operand) {
   return true;
 }
 
-/// The word of a <texTarget>; one that begins with digits and is none ("2d") is still one word.
+/// Parses the word of a <texTarget>. An unknown one that begins with digits ("2d") is still one
+/// word.
 bool Parser::parseTarget(Token &word) {
   const TokenKind kind = m_tokens.peek().kind;
   const Token &second = m_tokens.peek(1);
@@ -216,7 +217,7 @@ bool Parser::parseTarget(Token &word) {
   return true;
 }
 
-/// <texImageUnit> "," <texTarget>, from the comma before them.
+/// Parses <texImageUnit> "," <texTarget>, from the comma before them.
 bool Parser::parseTexture(ir::Instruction &instruction) {
   if (!expect(TokenKind::Comma, "','"))
     return false;

@@ -8,7 +8,7 @@ namespace {
 
 enum ByteClass : std::uint8_t { kOther, kSpace, kLetter, kDigit };
 
-// The C library's classes follow the locale, the grammar does not.
+// The C library's character classes depend on the locale, but the grammar does not.
 constexpr std::array<ByteClass, 256> makeClasses() {
   std::array<ByteClass, 256> classes{};
   for (char c : {' ', '\t', '\n', '\r'})
@@ -135,7 +135,7 @@ void Lexer::skipLine() {
     ++m_pos;
 }
 
-/// A comment of C++ or of C; of one that nothing ends no byte is skipped.
+/// Skips a comment of C or C++. Skips nothing if the comment has no end.
 bool Lexer::skipCComment() {
   if (!is(m_pos, '/'))
     return false;
@@ -169,7 +169,7 @@ Token Lexer::numeral(std::uint32_t begin) {
     return finish(TokenKind::Dimension, begin);
   }
   TokenKind kind = TokenKind::Integer;
-  // "0..3" is a range, not "0." and ".3".
+  // "0..3" is a range, so its first dot does not belong to the number.
   if (is(m_pos, '.') && !is(m_pos + 1, '.')) {
     ++m_pos;
     skipDigits();

@@ -7,21 +7,23 @@
 
 namespace arbiter::fp {
 
-/// What a word is. Identifiers: it begins with a letter; numerals are tokens of their own.
-/// Suffixes: ATI's text, where "2x" and "0" are words and a full stop always stands alone; a
-/// numeral is cut by a lexer of Identifiers that begins there. Calls: nvparse's texts, the same
-/// with parentheses, `*`, and the comments of C and C++ beside those of `#`.
+/// The kinds of words that a lexer cuts. Identifiers: a word begins with a letter, and numerals are
+/// separate tokens. Suffixes: ATI's text, where "2x" and "0" are words and a full stop is always a
+/// token. The numerals there are cut by a second lexer for Identifiers. Calls: nvparse's texts,
+/// like Suffixes with parentheses, `*`, and the comments of C and C++ besides `#`.
 enum class Words : std::uint8_t { Identifiers, Suffixes, Calls };
 
-/// Cuts a program string into tokens, by length and not by a terminator; reads no byte outside
-/// [text.data(), text.data() + text.size()). Spaces, tabs, newlines, carriage returns and comments
-/// (`#` to the end of the line) separate tokens (3.11.2). Requires text.size() <= kMaxTextBytes.
+/// Cuts a program string into tokens. It uses the length and no terminator, and reads no byte
+/// outside [text.data(), text.data() + text.size()). Spaces, tabs, newlines, carriage returns and
+/// comments (`#` to the end of the line) separate tokens (3.11.2).
+/// Requires: text.size() <= kMaxTextBytes.
 class Lexer {
 public:
   explicit Lexer(std::string_view text, std::uint32_t begin = 0, Words words = Words::Identifiers)
       : m_text(text), m_pos(begin), m_words(words) {}
 
-  /// The next token; EndOfText, with the empty span at the text's end, for ever after the last.
+  /// Returns the next token. After the last token it always returns EndOfText, with the empty span
+  /// at the text's end.
   [[nodiscard]] Token next();
 
 private:
@@ -40,23 +42,23 @@ private:
   Words m_words;
 };
 
-/// A lexer with two tokens of look-ahead, which is all that the grammar needs.
+/// A lexer with two tokens of look-ahead, which is enough for the grammar.
 class TokenStream {
 public:
-  /// Begins at byte \p begin of \p text, which must outlive this.
+  /// Begins at byte \p begin of \p text, which must outlive this object.
   TokenStream(std::string_view text, std::uint32_t begin);
 
-  /// The next token, or the one after it (\p ahead 1), which stays.
+  /// Returns the next token, or the one after it (\p ahead 1), without consuming it.
   [[nodiscard]] const Token &peek(int ahead = 0) const { return m_ahead[std::size_t(ahead)]; }
   [[nodiscard]] bool at(TokenKind kind) const { return m_ahead[0].kind == kind; }
-  /// Consumes the next token; EndOfText for ever after the last.
+  /// Consumes the next token. After the last token it always returns EndOfText.
   Token next();
-  /// Consumes the next token if it is of this kind.
+  /// Consumes the next token if it has this kind. Returns whether it did.
   bool accept(TokenKind kind);
   [[nodiscard]] std::string_view text(const Token &token) const {
     return m_text.substr(token.span.begin, token.span.end - token.span.begin);
   }
-  /// The end of the token that was consumed last.
+  /// Returns the end of the last consumed token.
   [[nodiscard]] std::uint32_t lastEnd() const { return m_lastEnd; }
 
 private:

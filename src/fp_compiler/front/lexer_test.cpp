@@ -8,7 +8,7 @@
 namespace arbiter::fp {
 namespace {
 
-/// "Kind:text" of every token, with blanks between.
+/// Returns "Kind:text" of every token, separated by blanks.
 std::string tokens(std::string_view text) {
   Lexer lexer(text);
   std::string all;

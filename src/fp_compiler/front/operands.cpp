@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint32_t kMostOffset = 4095;
 } // namespace
 
-/// <vectorSrcReg>, or <scalarSrcReg>, whose component is repeated.
+/// Parses <vectorSrcReg>, or <scalarSrcReg>, whose component is repeated.
 bool Parser::parseSource(bool scalar, ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   if (m_tokens.at(TokenKind::Minus))
@@ -21,7 +21,7 @@ bool Parser::parseSource(bool scalar, ir::Operand &operand) {
   return true;
 }
 
-/// SWZ's operand is a bare <srcReg>: its components have their own signs.
+/// Parses SWZ's operand, which is a bare <srcReg>: its components have their own signs.
 bool Parser::parseSwzSource(ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   if (m_tokens.at(TokenKind::Minus) || m_tokens.at(TokenKind::Plus)) {
@@ -42,7 +42,7 @@ bool Parser::parseSwzSource(ir::Operand &operand) {
   return true;
 }
 
-/// <srcReg>
+/// Parses <srcReg>.
 bool Parser::parseSourceRegister(ir::Operand &operand) {
   const Token first = m_tokens.peek();
   if (first.kind == TokenKind::OpenBrace || first.kind == TokenKind::Integer ||
@@ -141,7 +141,7 @@ bool Parser::parseArrayElement(const Token &name, const Symbol &array, ir::Opera
   return true;
 }
 
-/// "[" <progParamArrayRel> "]"
+/// Parses "[" <progParamArrayRel> "]".
 bool Parser::parseRelativeElement(const Token &name, const Symbol &symbol, ir::Operand &operand) {
   m_tokens.next();
   const Token token = m_tokens.peek();
@@ -167,7 +167,7 @@ bool Parser::parseRelativeElement(const Token &name, const Symbol &symbol, ir::O
   return true;
 }
 
-/// <addrComponent> or <addrWriteMask>
+/// Parses <addrComponent> or <addrWriteMask>.
 bool Parser::parseAddressComponent() {
   constexpr const char *kHint = "an address register has the component x only";
   if (!expect(TokenKind::Dot, "'.x'", kHint))
@@ -185,7 +185,7 @@ bool Parser::parseAddressComponent() {
   return true;
 }
 
-/// <addrRegRelOffset>: -64 to 63 by the grammar, with a warning as far as Mesa goes.
+/// Parses <addrRegRelOffset>: -64 to 63 in the grammar, and with a warning up to Mesa's limits.
 bool Parser::parseRelativeOffset(std::int16_t &offset) {
   const bool negative = m_tokens.at(TokenKind::Minus);
   if (!negative && !m_tokens.at(TokenKind::Plus))
@@ -201,7 +201,7 @@ bool Parser::parseRelativeOffset(std::int16_t &offset) {
           "offsets reach from -64 to 63; add the rest to what ARL loads");
     return true;
   }
-  // Drivers take more than the grammar does, and programs have come to rely on it.
+  // Drivers accept larger offsets than the grammar, and programs use them.
   if (value > (negative ? 64u : 63u))
     m_reporter.warning(DiagnosticId::RelativeOffset, token.span,
                        "the offset " + spelled + " is beyond the grammar's; a driver may refuse it",
@@ -210,7 +210,7 @@ bool Parser::parseRelativeOffset(std::int16_t &offset) {
   return true;
 }
 
-/// Passes over "[" ... "]" behind a name that has been reported.
+/// Skips "[" ... "]" after a name that has been reported.
 bool Parser::skipIndex() {
   m_tokens.next();
   while (m_tokens.at(TokenKind::Identifier) || m_tokens.at(TokenKind::Integer) ||
@@ -223,7 +223,8 @@ bool Parser::skipIndex() {
   return expect(TokenKind::CloseBracket, "']'");
 }
 
-/// Reports a name once; it is accepted from here on. False where nothing that follows makes sense.
+/// Reports a name once, and accepts it from here on. Returns false if the rest of the statement
+/// cannot make sense.
 bool Parser::undeclared(const Token &name) {
   const std::string_view word = text(name);
   const bool attribute = (word == "vertex" || word == "fragment") && m_tokens.at(TokenKind::Dot);
@@ -238,7 +239,7 @@ bool Parser::undeclared(const Token &name) {
   return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
 }
 
-/// <optionalSuffix> or <scalarSuffix>, with its dot.
+/// Parses <optionalSuffix> or <scalarSuffix>, with its dot.
 bool Parser::parseSwizzle(bool scalar, ir::Swizzle &swizzle) {
   if (!m_tokens.at(TokenKind::Dot)) {
     if (scalar)

@@ -10,7 +10,7 @@ namespace {
 
 using ir::Language;
 
-/// Sets what the option asks for; false where it contradicts one before it.
+/// Sets what the option asks for. Returns false if it conflicts with an option before it.
 using Apply = bool (*)(ir::Options &);
 
 template <ir::FogMode mode> bool fog(ir::Options &options) {
@@ -58,8 +58,8 @@ struct OptionRow {
   const Conflict *conflict; ///< where `apply` may be false
 };
 
-/// The options of ARB_fragment_program 3.11.4.5 and of the extensions beside it, and of
-/// ARB_vertex_program 2.14.4.5.
+/// The options of ARB_fragment_program 3.11.4.5, of its extensions, and of ARB_vertex_program
+/// 2.14.4.5.
 constexpr OptionRow kOptions[] = {
 #define FP_OPTION(word, language, apply, conflict, section, doc)                                   \
   {word, Language::language, apply, conflict},
@@ -92,9 +92,9 @@ void Parser::applyOption(const Token &token) {
     return option.name == text(token) && option.language == m_language.language;
   });
   ir::Options options = m_options;
-  // Where vertex programs may sample they may have the targets of comparisons by the same option,
-  // which stands before or behind that of NV_vertex_program3 or without it (NV_vertex_program3,
-  // dependencies on ARB_fragment_program_shadow).
+  // Vertex programs that may sample can use this option for shadow targets too. It may come before
+  // or after NV_vertex_program3, or without it (NV_vertex_program3, dependencies on
+  // ARB_fragment_program_shadow).
   if (m_language.language == Language::ArbVertex &&
       m_limits.nvOptions >= std::uint32_t(ir::NvOption::Second) &&
       text(token) == "ARB_fragment_program_shadow") {

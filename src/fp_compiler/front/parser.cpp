@@ -113,8 +113,8 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   return false;
 }
 
-/// ADDR, MULH_SAT, MOVC: an opcode of the ARB languages with the precision or condition letters of
-/// NV.
+/// True for an opcode of the ARB languages with NVIDIA's letters for precision or condition: ADDR,
+/// MULH_SAT, MOVC.
 bool Parser::isNvVariant(std::string_view word) const {
   const std::string_view base = word.substr(0, 3);
   const std::string_view letters = word.substr(base.size(), word.find('_') - base.size());
@@ -157,7 +157,7 @@ bool Parser::unknownStatement(const Token &first) {
             "write " + std::string(word.substr(0, 3)) + ", then MAX with 0 and MIN with 1");
     else
       foreign(first, word);
-    // The name is declared, so that its uses are not reported as well.
+    // Declare the name, so that its uses give no further errors.
     if (word == "ADDRESS" && m_tokens.at(TokenKind::Identifier))
       m_symbols.declare(text(m_tokens.peek()), {});
   } else if (isNvInstruction(word, m_language) || isNvVariant(word)) {
@@ -189,7 +189,7 @@ void Parser::recover() {
   }
 }
 
-/// A token of a statement that was given up: if it is a known name, it still stands there.
+/// Notes a known name in a statement that was skipped.
 void Parser::noteSkipped(const Token &token) {
   if (!m_names || token.kind != TokenKind::Identifier)
     return;
@@ -209,7 +209,7 @@ bool Parser::unexpected(const char *expected, std::string hint) {
 }
 
 bool Parser::unexpectedToken(const Token &token, const char *expected, std::string hint) {
-  // Tokens of NVIDIA's options.
+  // Name tokens of NVIDIA's options.
   if (m_options.nv != ir::NvOption::None && token.kind == TokenKind::InvalidByte &&
       std::string_view("|():").find(m_text[token.span.begin]) != std::string_view::npos) {
     error(DiagnosticId::Syntax, token.span,

@@ -24,20 +24,20 @@ struct ParseResult {
 };
 
 /// Parses and checks an ARBfp1.0 (ARB_fragment_program 3.11.2 to 3.11.6) or an ARBvp1.0 program
-/// (ARB_vertex_program 2.14.2 to 2.14.5). Time and memory are linear in the text; there is no
+/// (ARB_vertex_program 2.14.2 to 2.14.5). Time and memory are linear in the text, and there is no
 /// recursion.
-/// \param names if not null, gets every name of the text, and a text whose header is wrong is still
-///        parsed behind it, for the names and for more diagnostics
+/// \param names if not null, gets every name of the text; a text with a wrong header is then parsed
+/// too, for its names and for more diagnostics
 [[nodiscard]] ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
                                           const CompileOptions &options,
                                           NameTable *names = nullptr);
 
-/// One statement a function. A function that returns bool returns false for a syntax error, which
-/// it has reported; the statement is then given up and the parser goes on at the next one. Errors
-/// of meaning are reported and the statement goes on.
+/// The parser, with one function for each statement. A function that returns bool returns false
+/// after it has reported a syntax error. The statement is then skipped, and parsing continues at
+/// the next one. After a semantic error the statement continues.
 class Parser {
 public:
-  /// Begins behind the header, which has been checked.
+  /// Begins after the header, which has been checked.
   Parser(const ArbLanguage &language, std::string_view text, const CompileOptions &options,
          Reporter &reporter, std::uint32_t begin, NameTable *names);
 
@@ -45,7 +45,7 @@ public:
   [[nodiscard]] Binder &binder() { return m_binder; }
 
 private:
-  /// Whether a binding stands in a declaration or in an instruction, where a suffix may follow.
+  /// Whether a binding is in a declaration or in an instruction, where a suffix may follow.
   enum class Place : std::uint8_t { Declaration, Operand };
   /// The rows of a parameter array, or the one row of a single parameter.
   using Rows = std::vector<std::uint16_t>;
@@ -62,7 +62,8 @@ private:
   void parseEnd();
   bool unknownStatement(const Token &first);
   bool isNvVariant(std::string_view word) const;
-  /// The end of an error that refuses a word of the NV options, and what to do about it.
+  /// Returns the end of the error that refuses a word of NVIDIA's options. The second function
+  /// returns its hint.
   std::string ofNvOptions() const;
   std::string nvOptionsHint(std::string_view word) const;
   bool isForeignStatement(std::string_view word) const;
@@ -80,9 +81,9 @@ private:
   [[nodiscard]] bool atWord(int ahead, std::string_view word) const;
   [[nodiscard]] Span spanFrom(std::uint32_t begin) const { return {begin, m_tokens.lastEnd()}; }
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  /// A word that the other language has.
+  /// Reports a word of the other language.
   void foreign(const Token &token, std::string_view what);
-  /// A name stands here; kept where names are asked for.
+  /// Adds the name to the table of names, if there is one.
   void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
     if (m_names)
       m_names->add(text(name), name.span, access, kind);
@@ -118,7 +119,7 @@ private:
   bool unknownWord(const char *what, std::initializer_list<std::string_view> words,
                    std::initializer_list<std::string_view> foreignWords = {});
 
-  // vertex_bindings.cpp: those of vertex programs alone
+  // vertex_bindings.cpp: bindings of vertex programs only
   bool parseVertexAttribute(ir::Attribute &attribute);
   bool parseVertexWeight(const Token &word, ir::Attribute &attribute);
   bool parseVertexResult(ir::Output &output);
@@ -166,7 +167,7 @@ private:
   bool undeclared(const Token &name);
   bool skipIndex();
 
-  // nv/parse.cpp: what NVIDIA's options add
+  // nv/parse.cpp: statements of NVIDIA's options
   [[nodiscard]] bool atByte(char byte, int ahead = 0) const;
   bool acceptByte(char byte);
   bool expectByte(char byte);
@@ -195,7 +196,7 @@ private:
   void keep(const nv::Statement &statement, Span opcode);
   void finishNv(Span end);
 
-  /// A parameter array; `relative` is its number in the program, once an address register has
+  /// A parameter array. `relative` is its number in the program once an address register has
   /// indexed it.
   struct Array {
     Rows rows;
@@ -203,8 +204,8 @@ private:
   };
 
   const ArbLanguage &m_language;
-  /// Indexes of state and of attributes are kept in eight bits; no GL has so many of them that this
-  /// binds.
+  /// Limits an index to eight bits, which is how state and attributes are stored. No GL has so many
+  /// of them that this matters.
   static std::uint32_t byteLimit(std::uint32_t limit) { return limit < 256 ? limit : 256; }
 
   std::string_view m_text;
@@ -217,7 +218,7 @@ private:
   SymbolTable m_symbols;
   ir::Options m_options;
   std::vector<Array> m_arrays;
-  /// Ranges make many elements of little text, so their number has a limit of its own.
+  /// A range makes many elements from little text, so the number of elements has its own limit.
   static constexpr std::size_t kMaxArrayEntries = 65536;
   std::size_t m_arrayEntries = 0;
   struct UnitUse {
@@ -225,7 +226,7 @@ private:
     ir::TexTarget target = ir::TexTarget::Tex2D;
   };
   std::vector<UnitUse> m_units;
-  // NVIDIA's options.
+  // State for NVIDIA's options.
   std::vector<nv::Statement> m_statements;
   nv::Labels m_labels{m_text, m_reporter};
   std::uint8_t m_addressComponent = 0; ///< the one that was read last

@@ -1,4 +1,4 @@
-// Program text to IR: operands, masks, bindings, constants.
+// Tests the translation from text to IR: operands, masks, bindings, constants.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/test_support.h"
@@ -12,7 +12,7 @@ using testing_support::firstError;
 using testing_support::generous;
 using testing_support::wrap;
 
-/// The program, or a failure with its diagnostics.
+/// Returns the program. Fails with its diagnostics if there are errors.
 Program parsed(std::string_view statements) {
   const std::string text = wrap(statements);
   const CheckResult result = check(text, generous());
@@ -26,7 +26,7 @@ Instruction only(std::string_view statements) {
   return program.code.empty() ? Instruction{} : program.code[0];
 }
 
-/// The one parameter row of a program that binds one.
+/// Returns the only parameter row of a program.
 Parameter binding(const std::string &item) {
   const Program program = parsed("PARAM p = " + item + ";");
   EXPECT_EQ(program.parameters.size(), 1u) << item;
@@ -211,7 +211,7 @@ TEST(Parser, StateItems) {
     const Parameter parameter = binding(c.text);
     EXPECT_EQ(parameter.kind, ParameterKind::State) << c.text;
     EXPECT_EQ(parameter.state, c.ref) << c.text;
-    // The same item stands in an instruction, with a suffix behind it.
+    // The same item can be an operand, with a suffix after it.
     EXPECT_EQ(parsed("TEMP t;\nMOV t, " + std::string(c.text) + ".x;").parameters[0].state, c.ref)
         << c.text;
   }

@@ -1,5 +1,5 @@
-// Piglit's parser programs for ARBfp1.0 and ARBvp1.0, where the package is installed: each says of
-// itself whether it must load.
+// Tests Piglit's parser programs for ARBfp1.0 and ARBvp1.0 if the package is installed. Each
+// program says whether it must load.
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using testing_support::generous;
 
 constexpr const char *kLanguages[] = {"ARBfp1.0", "ARBvp1.0"};
 
-/// Name and text of every program of a language; empty without piglit.
+/// Returns name and text of every program of a language; empty without piglit.
 std::map<std::string, std::string> programs(const std::string &language) {
   std::map<std::string, std::string> found;
   for (const char *root : {"/usr/lib/x86_64-linux-gnu/piglit", "/usr/lib/aarch64-linux-gnu/piglit",
@@ -42,7 +42,7 @@ ir::Language languageNamed(const std::string &name) {
   return name == "ARBvp1.0" ? ir::Language::ArbVertex : ir::Language::ArbFragment;
 }
 
-/// Where an option of NV is named; npos where there is none.
+/// Returns where a text names an option of NVIDIA; npos if it does not.
 std::size_t nvOption(const std::string &text) {
   const std::size_t option = text.find("OPTION\tNV_");
   return option == std::string::npos ? option : option + std::string_view("OPTION\t").size();

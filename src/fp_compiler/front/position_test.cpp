@@ -1,5 +1,5 @@
-// Programs with one planted error each: GL_PROGRAM_ERROR_POSITION_ARB is the first wrong byte,
-// whatever newlines and comments come before it (3.11.2).
+// Tests programs with one planted error each. GL_PROGRAM_ERROR_POSITION_ARB must be the first wrong
+// byte, whatever newlines and comments come before it (3.11.2).
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/planted.h"
@@ -209,7 +209,7 @@ struct PlantedHeader {
   const char *text;
 };
 
-// Options stand before all statements, so these bring their own beginning.
+// Options come before all statements, so these programs have their own beginning.
 constexpr PlantedHeader kHeaders[] = {
     {"header-missing", "@"},
     {"header-missing", "@ !!ARBfp1.0\nEND"},
@@ -247,7 +247,7 @@ TEST(ErrorPosition, IsTheFirstOfSeveralErrors) {
   const std::string text = "!!ARBfp1.0\nMOV a, b;\nMOV c.yx, d\nEND\n";
   const CheckResult result = check(text);
   EXPECT_EQ(result.errorPosition(), 15);
-  // a, b, c, the mask, d, and the semicolon: all of them, in text order.
+  // The errors are a, b, c, the mask, d, and the semicolon, in text order.
   ASSERT_EQ(result.diagnostics.size(), 6u);
   for (std::size_t i = 1; i < result.diagnostics.size(); ++i)
     EXPECT_LE(result.diagnostics[i - 1].span.begin, result.diagnostics[i].span.begin);

@@ -1,4 +1,4 @@
-// What programs of real applications do that a stricter reader might refuse.
+// Tests quirks of real applications' programs that a stricter parser might refuse.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/test_support.h"

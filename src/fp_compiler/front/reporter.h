@@ -8,21 +8,22 @@
 
 namespace arbiter::fp {
 
-/// Collects what the front end finds. Holds at most kMaxDiagnostics of each severity; once it is
-/// full of errors, the parser may stop.
+/// Collects the front end's diagnostics, at most kMaxDiagnostics of each severity. Once it is full
+/// of errors, the parser may stop.
 class Reporter {
 public:
-  /// Adds a finding; dropped where its severity is full. \p message is one line, no full stop.
+  /// Adds a diagnostic, or drops it if its severity is full. \p message is one line without a full
+  /// stop.
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
   void warning(DiagnosticId id, Span span, std::string message, std::string hint = {});
 
   [[nodiscard]] bool hasErrors() const { return m_errors != 0; }
   [[nodiscard]] std::size_t errorCount() const { return m_errors; }
-  /// No further error would be kept.
+  /// True if no further error would be kept.
   [[nodiscard]] bool full() const;
 
-  /// The findings, which are gone from here then: in text order, at most kMaxDiagnostics, of which
-  /// errors have precedence.
+  /// Returns the diagnostics in text order, and removes them. Returns at most kMaxDiagnostics;
+  /// errors take precedence.
   [[nodiscard]] std::vector<Diagnostic> take();
 
 private:
@@ -30,7 +31,8 @@ private:
   std::size_t m_errors = 0;
 };
 
-/// A piece of the program in quotes, for a message: printable ASCII only, and cut short.
+/// Returns a piece of the program in quotes, for a message. It is printable ASCII, and cut if it is
+/// long.
 [[nodiscard]] std::string quote(std::string_view piece);
 
 } // namespace arbiter::fp

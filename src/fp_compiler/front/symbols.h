@@ -19,10 +19,10 @@ enum class SymbolKind : std::uint8_t {
   Address, ///< vertex programs: row of Program::addresses
 };
 
-/// SHORT and LONG of NV_fragment_program_option; what is declared without is LONG.
+/// The sizes SHORT and LONG of NV_fragment_program_option. The default is LONG.
 enum class RegisterSize : std::uint8_t { Long, Short };
 
-/// What a name stands for. An ALIAS has a copy of its variable's symbol.
+/// The meaning of a name. An ALIAS has a copy of its variable's symbol.
 struct Symbol {
   SymbolKind kind = SymbolKind::Unknown;
   std::uint16_t index = 0;                ///< row of the register file; of an array, its number
@@ -30,14 +30,15 @@ struct Symbol {
   RegisterSize size = RegisterSize::Long; ///< of a temporary or a result
 };
 
-/// The names of a program (3.11.3). Keys view the program text, which must outlive the table.
+/// The names of a program (3.11.3). Keys point into the program text, which must outlive the table.
 class SymbolTable {
 public:
-  /// Declares a name, and returns nullptr; unless it stands for something known: then returns that.
+  /// Declares a name and returns nullptr. If the name is already declared, returns its symbol
+  /// instead.
   const Symbol *declare(std::string_view name, const Symbol &symbol);
-  /// What the name stands for; nullptr if it is not declared.
+  /// Returns the symbol of a name; nullptr if it is not declared.
   [[nodiscard]] const Symbol *find(std::string_view name) const;
-  /// A hint for a name that is not here: the declared one nearest to it, or how to declare it.
+  /// Returns a hint for an undeclared name: the most similar declared name, or how to declare it.
   [[nodiscard]] std::string suggest(std::string_view name) const;
 
 private:

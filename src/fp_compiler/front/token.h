@@ -6,7 +6,7 @@
 namespace arbiter::fp {
 
 /// The tokens of the program grammar (3.11.2). Keywords are identifiers until the parser asks
-/// (front/words/keywords.h): the same word may be a component, a property or a variable.
+/// (front/words/keywords.h): a word may be a component, a property or a variable.
 enum class TokenKind : std::uint8_t {
   EndOfText,
   Identifier,
@@ -37,7 +37,7 @@ struct Token {
   Span span;
 };
 
-/// "Identifier", "Comma": for listings of tokens.
+/// Returns the kind's name for listings of tokens: "Identifier", "Comma".
 [[nodiscard]] const char *name(TokenKind kind);
 
 } // namespace arbiter::fp

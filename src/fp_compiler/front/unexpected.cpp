@@ -45,7 +45,7 @@ void reportBehindEnd(Reporter &reporter, std::string_view text, const Token &tok
   if (token.kind == TokenKind::EndOfText)
     return;
   const std::string_view rest = text.substr(token.span.begin);
-  // Callers that pass sizeof of a literal count its terminator.
+  // Callers that pass sizeof of a literal include its terminator in the length.
   if (rest.find_first_not_of('\0') == std::string_view::npos)
     return reporter.warning(DiagnosticId::TrailingNul,
                             {token.span.begin, std::uint32_t(text.size())},

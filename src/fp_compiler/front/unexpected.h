@@ -7,15 +7,16 @@
 
 namespace arbiter::fp {
 
-/// A token of \p text as messages name it: quoted, a byte by its number, or "the end of the text".
+/// Returns a token of \p text for a message: in quotes, a byte by its number, or "the end of the
+/// text".
 [[nodiscard]] std::string describe(std::string_view text, const Token &token);
 
-/// Reports a token that the grammar does not allow: what is wrong with the token itself if it is
-/// none, else that something else was \p expected.
+/// Reports a token that the grammar does not allow. If the token itself is wrong, reports that,
+/// otherwise that something else was \p expected.
 void reportUnexpected(Reporter &reporter, std::string_view text, const Token &token,
                       std::string_view expected, std::string hint = {});
 
-/// Reports what stands behind END, if anything does: an error, or a warning of NUL bytes alone.
+/// Reports text after END: an error, or a warning if it is only NUL bytes.
 void reportBehindEnd(Reporter &reporter, std::string_view text, const Token &token);
 
 } // namespace arbiter::fp

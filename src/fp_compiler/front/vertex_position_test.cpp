@@ -1,4 +1,4 @@
-// Vertex programs with one planted error each (ARB_vertex_program 2.14.2 to 2.14.4).
+// Tests vertex programs with one planted error each (ARB_vertex_program 2.14.2 to 2.14.4).
 #include "fp_compiler/front/testing/planted.h"
 
 namespace arbiter::fp {
@@ -7,7 +7,7 @@ namespace {
 using testing_support::Planted;
 
 constexpr Planted kPlanted[] = {
-    // What fragment programs have.
+    // Features of fragment programs.
     {"fragment-only", "@TEX R0, R1, texture[0], 2D;\nEND"},
     {"fragment-only", "@KIL R0;\nEND"},
     {"fragment-only", "@LRP R0, R1, R1, R1;\nEND"},
@@ -116,7 +116,7 @@ struct PlantedHeader {
   const char *text;
 };
 
-// Options stand before all statements, so these bring their own beginning.
+// Options come before all statements, so these programs have their own beginning.
 constexpr PlantedHeader kHeaders[] = {
     {"header-missing", "@"},
     {"header-missing", "!!ARB@fp1.0\nEND"},

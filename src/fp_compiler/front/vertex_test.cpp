@@ -1,4 +1,4 @@
-// ARBvp1.0: what vertex programs have and fragment programs lack.
+// Tests ARBvp1.0: what vertex programs have and fragment programs lack.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/test_support.h"
@@ -46,7 +46,7 @@ TEST(Vertex, EveryOpcodeOfTheLanguage) {
   EXPECT_EQ(opcodes, 27); // table X.5
 }
 
-// piglit's vp-arl-constant-array-huge-relative-offset draws with one, and Mesa lets it.
+// piglit's vp-arl-constant-array-huge-relative-offset uses such an offset, and Mesa accepts it.
 TEST(Vertex, AnOffsetBeyondTheGrammarsIsAWarning) {
   const std::string text = wrapVertex(
       "ADDRESS A; PARAM c[] = {1, 2}; ARL A.x, c[0].x; MOV result.color, c[A.x - 4095];");
@@ -90,7 +90,8 @@ TEST(Vertex, Attributes) {
                                                       {AttributeKind::Generic, 1}}));
 }
 
-// Table X.2.1, each row both ways; every other pair of conventional and generic loads.
+// Tests each row of table X.2.1 in both orders. Every other pair of a conventional and a generic
+// attribute loads.
 TEST(Vertex, AliasedAttributesDoNotLoadTogether) {
   const struct {
     const char *conventional;
@@ -202,7 +203,7 @@ TEST(VertexCounts, OfEachResource) {
                             .addressRegisters = 2}));
 }
 
-// The example of 2.14.3.7, and the same without relative addressing.
+// The example of 2.14.3.7, and the same program without relative addressing.
 TEST(VertexCounts, ConstantsOfArraysUnderRelativeAddressingCountEach) {
   const std::string arrays = "PARAM arr1[4] = { {1,2,3,4}, {1,2,3,4}, {4,4,4,4}, {5,6,7,8} };"
                              "PARAM arr2[3] = { {1,2,3,4}, {5,6,7,8}, {0,1,2,3} };"
@@ -213,7 +214,7 @@ TEST(VertexCounts, ConstantsOfArraysUnderRelativeAddressingCountEach) {
   EXPECT_EQ(counts(arrays + "MOV t, arr1[A.x];").parameters, 6u);
   EXPECT_EQ(counts(arrays + "MOV t, arr1[A.x]; ADD t, arr1[A.x+1], arr1[2];").parameters, 6u);
   EXPECT_EQ(counts(arrays + "MOV t, arr1[A.x]; MOV t, arr2[A.x];").parameters, 8u);
-  // Numerically equal constants are two.
+  // Numerically equal constants count as two here.
   EXPECT_EQ(counts("PARAM c[] = {0, -0}; ADDRESS A; TEMP t; MOV t, c[A.x];").parameters, 2u);
   EXPECT_EQ(counts("PARAM c[] = {0, -0};").parameters, 1u);
 }
@@ -264,7 +265,7 @@ TEST(VertexLimits, AtTheLimitLoadsAndOneMoreFailsWhereItGoesOver) {
   }
 }
 
-// The excess of an array under relative addressing is where it is first indexed so.
+// An excess of an array under relative addressing is reported where it is first indexed.
 TEST(VertexLimits, RelativeAddressingMayGoOverTheParameters) {
   CompileOptions options = generous();
   options.limits.api.parameters = 3;

@@ -4,7 +4,8 @@
 
 #include "fp_compiler/hw/profile.h"
 
-/// What generate_profiles.py writes. Plain constants, so that loading the library runs no code.
+/// The table of built-in profiles that generate_profiles.py writes. It holds plain constants, so
+/// loading the library runs no code.
 namespace arbiter::fp::hw {
 
 struct BuiltinRow {

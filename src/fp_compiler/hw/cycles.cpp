@@ -6,7 +6,8 @@ namespace arbiter::fp::hw {
 
 namespace {
 
-/// The slowest unit decides; the first of equals.
+/// Returns the estimate with the slowest unit as its bound. If two are equally slow, the first
+/// counts.
 CycleEstimate boundBy(std::vector<CycleEstimate::Unit> units, std::string limits) {
   CycleEstimate estimate;
   const auto slowest = std::max_element(
@@ -20,34 +21,34 @@ CycleEstimate boundBy(std::vector<CycleEstimate::Unit> units, std::string limits
   return estimate;
 }
 
-/// R300: one pair and one sample a clock, side by side. Reviews at the card's launch (2002), from
-/// ATI: each of the 8 pipes has one texture unit and starts a sample and a colour operation in each
-/// clock; 16 textures take it 16 clocks.
+/// R300: one pair and one sample a clock, at the same time. Source: reviews at the card's launch
+/// (2002), from ATI. Each of the 8 pipes has one texture unit and starts a sample and a colour
+/// operation in each clock; 16 textures take it 16 clocks.
 constexpr double kR300PairsPerClock = 1, kR300SamplesPerClock = 1;
 
 /// NV30: fragment processor tests by "thepkrl" (Beyond3D, April 2003), run on the card. Every
-/// instruction is one pass (LRP, RSQ, LIT, POW: two, nv30/translate.cpp), floating point and
-/// textures share the unit, two samples of interpolated coordinates take one pass, and all runs at
-/// full speed with two full registers, two 16-bit ones counting as one.
+/// instruction is one pass; LRP, RSQ, LIT and POW are two (nv30/translate.cpp). Floating point and
+/// textures share the unit. Two samples of interpolated coordinates take one pass. The unit runs at
+/// full speed with two full registers; two 16-bit registers count as one.
 constexpr std::uint32_t kNv30SamplesPerPass = 2;
 constexpr std::uint32_t kNv30FullSpeedRegisters = 2;
-/// NV35: twice the floating-point rate of NV30, as NVIDIA announced it: its integer units became
-/// float ones (Beyond3D, review of the GeForce FX 5900, May 2003). That is, at most a second
-/// arithmetic instruction in a pass.
+/// NV35: twice the floating-point rate of NV30, as NVIDIA announced it, because its integer units
+/// became float units (Beyond3D, review of the GeForce FX 5900, May 2003). So a pass runs at most a
+/// second arithmetic instruction.
 constexpr double kNv35InstructionsPerPass = 2;
 
-/// 915G: a pixel a clock in each of 4 pipes (Intel, 2004); nothing was published of programs, and
-/// an instruction a clock is an assumption.
+/// 915G: a pixel a clock in each of 4 pipes (Intel, 2004). Nothing was published about the speed of
+/// programs; an instruction a clock is an assumption.
 constexpr double kI915InstructionsPerClock = 1;
 
-/// Passes through NV30's one unit: textures and arithmetic apart.
+/// Passes through NV30's one unit, counted by kind.
 struct Passes {
   std::uint32_t textures = 0, arithmetic = 0;
 };
 
 Passes passesOf(const SlotProgram &code) {
   Passes passes;
-  std::uint32_t paired = 0; // interpolated samples that share the pass that is open
+  std::uint32_t paired = 0; // interpolated samples in the current pass
   for (const Slot &slot : code.slots) {
     if (!slot.texture || !slot.interpolated) {
       (slot.texture ? passes.textures : passes.arithmetic) += slot.passes;
@@ -82,7 +83,7 @@ CycleEstimate estimateNv30(const SlotProgram &code, NativeModel model) {
   } else {
     units.push_back({"float and texture", unit});
   }
-  // The chip keeps as many pixels in flight as their registers fit its store, in steps of two.
+  // The chip keeps as many pixels in flight as their registers fit in its store, in steps of two.
   const std::uint32_t steps =
       std::max(1u, (code.temporaries + kNv30FullSpeedRegisters - 1) / kNv30FullSpeedRegisters);
   if (steps > 1)

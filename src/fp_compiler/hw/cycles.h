@@ -3,17 +3,18 @@
 #include "fp_compiler/hw/r300/machine.h"
 #include "fp_compiler/hw/slots.h"
 
-/// How long a pixel keeps one pipe of a card busy, from what was published or measured of it. The
-/// sources of the numbers are with them, in cycles.cpp, and in docs/write/native_model.md.
+/// Estimates how many clocks a pixel keeps one pipe of a card busy, from published or measured
+/// figures. The sources of the figures are in cycles.cpp and in docs/write/native_model.md.
 namespace arbiter::fp::hw {
 
-/// Clock cycles of the R300's nodes, ALU and texture units side by side.
+/// Returns clock cycles for the R300, whose ALU and texture units run in parallel.
 [[nodiscard]] CycleEstimate estimateR300(const r300::Code &code);
 
+/// Returns clock cycles for the NV30 or NV35.
 /// \param model Nv30 or Nv35
 [[nodiscard]] CycleEstimate estimateNv30(const SlotProgram &code, NativeModel model);
 
-/// Clock cycles of the i915's slots, one after the other.
+/// Returns clock cycles for the i915, which runs one slot after the other.
 [[nodiscard]] CycleEstimate estimateI915(const SlotProgram &code);
 
 } // namespace arbiter::fp::hw

@@ -12,7 +12,7 @@ using ir::File;
 using ir::Instruction;
 
 /// Calls visit(operand number, component of the operand, register, component of the register) for
-/// all that the instruction reads of temporaries.
+/// each temporary component that the instruction reads.
 template <typename Visit> void forTemporaryReads(const Instruction &instruction, Visit visit) {
   for (int i = 0; i < info(instruction.op).operandCount(); ++i) {
     const ir::Operand &operand = instruction.src[std::size_t(i)];
@@ -45,8 +45,9 @@ void findWriters(const ir::Program &program, Dataflow &flow) {
   }
 }
 
-/// Backwards: an instruction is live if it may discard, or if a component that it writes is a
-/// result's last value or is read by a live instruction.
+/// Marks live instructions, walking backwards. An instruction is live if it may discard, if it
+/// writes a result component that nothing overwrites, or if a live instruction reads what it
+/// writes.
 void findLive(const ir::Program &program, Dataflow &flow) {
   flow.live.assign(program.code.size(), false);
   std::vector<std::uint8_t> pending; // components of each result that no later instruction writes
@@ -80,7 +81,7 @@ Dataflow dataflowOf(const ir::Program &program) {
 
 std::vector<std::uint32_t> longestChain(const ir::Program &program, const Dataflow &flow) {
   struct Step {
-    std::uint32_t samples = 0; ///< on the longest way here, this one included
+    std::uint32_t samples = 0; ///< on the longest path to here, this one included
     std::uint32_t before = kNoInstruction;
   };
   std::vector<Step> steps(program.code.size());

@@ -11,16 +11,16 @@ import sys
 import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
-# The order of every listing; the first is the default.
+# The order of every listing. The first profile is the default.
 ORDER = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv10', 'nv20', 'nv25', 'nv30', 'nv35',
          'nv40', 'i915', 'host']
 ROW = re.compile(r'^PROFILE_ROW\((\w+), (\w+), (\w+), ([\w.]+), "([\w: ]+)", (\d+), (\d+)\)$')
 CHOICE = re.compile(r'^PROFILE_CHOICE\((\w+), (\w+), ([\w.]+), (\w+), "([\w|]+)", "(.+)"\)$')
 MODEL = 'model'  # the table that has choices
 
-# Who answers a row of the state tables: glGet from the profile always, or only under
-# ARBITER_IDENTITY=profile, or never; the other rows are glGetProgramiv's. tests/clients/card_limits.py
-# asks.
+# Who answers a query of a row in the state tables. glGet answers from the profile always, only under
+# ARBITER_IDENTITY=profile, or never. glGetProgramiv answers the other rows. tests/clients/card_limits.py
+# checks this.
 ALWAYS = {'texture_coords', 'texture_image_units', 'texture_units'}
 WITH_IDENTITY = {'program_matrices', 'program_matrix_stack_depth', 'lights', 'draw_buffers',
                  'clip_planes', 'generic_attribs'}
@@ -150,7 +150,7 @@ def read_identity_of(path, data, base):
 
 
 def read_aliases(path, data, earlier):
-    """What people call the card: as they may type it, without spaces and dashes."""
+    """Returns the other names of the card, in lower case and without spaces and dashes."""
     taken = {name for profile in earlier.values() for name in [profile['name'], *profile['aliases']]}
     aliases = data.get('aliases', [])
     for alias in aliases:

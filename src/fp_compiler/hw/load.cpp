@@ -11,10 +11,11 @@ namespace arbiter::fp::hw {
 
 namespace {
 
-/// A profile is a page of text; more is a mistake.
+/// The largest file that is read. A profile is a page of text, so a larger file is a mistake.
 constexpr std::size_t kMaxFileBytes = 256u << 10;
 
-/// Reads a regular file whole. \returns false with errno set.
+/// Reads a whole regular file.
+/// \returns false with errno set.
 bool readFile(const char *path, std::string &text) {
   const int descriptor = ::open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
   if (descriptor < 0)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostName = 64;
 
-/// A card that people ask for and that no profile is of.
+/// A card that people ask for and that has no profile.
 struct Absent {
   std::string_view name;
   const char *why;
@@ -23,7 +23,8 @@ constexpr Absent kAbsent[] = {
     {"radeon9000", kOfR200}, {"radeon9200", kOfR200},
 };
 
-/// "radeon9700", of "Radeon 9700".
+/// Returns the name in lower case, without spaces, dashes and underscores: "radeon9700" for "Radeon
+/// 9700".
 std::string plain(std::string_view typed) {
   std::string name;
   for (const char c : typed.substr(0, kMostName))

@@ -4,23 +4,23 @@
 #include <string_view>
 #include <vector>
 
-/// Names of profiles, and words for the errors of profiles.
+/// Looks up names of profiles, and words the errors about profiles.
 namespace arbiter::fp::hw {
 
-/// The other names of a built-in profile's card, such as "radeon9700".
+/// Returns the other names of a built-in profile's card, such as "radeon9700".
 [[nodiscard]] std::vector<std::string_view> aliasesOf(std::string_view builtin);
 
-/// The built-in profile that is meant, by its name or an alias, in any case and with spaces and
-/// dashes anywhere. Empty: none.
+/// Returns the name of the built-in profile that `typed` names or is an alias of. Case, spaces and
+/// dashes do not matter. Returns an empty name if there is none.
 [[nodiscard]] std::string_view builtinMeant(std::string_view typed);
 
-/// `; did you mean "api"?`, or nothing if none of the known is near.
+/// Returns `; did you mean "api"?`, or an empty text if no known name is close.
 [[nodiscard]] std::string meant(std::string_view typed, std::span<const std::string_view> known);
 
-/// "api, native, state"
+/// Returns the names as a list: "api, native, state".
 [[nodiscard]] std::string joined(std::span<const std::string_view> names);
 
-/// Why there is no profile of that name.
+/// Returns an error that says why there is no profile of that name.
 [[nodiscard]] std::string unknownProfile(std::string_view name);
 
 } // namespace arbiter::fp::hw

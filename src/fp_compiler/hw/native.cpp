@@ -21,8 +21,9 @@ bool within(const ResourceCounts &counts, const ResourceCounts &limits) {
          counts.attribs <= limits.attribs && counts.addressRegisters <= limits.addressRegisters;
 }
 
-/// Models are of ARB fragment programs; the other languages' limits are the API's. So are those of
-/// programs under NVIDIA's options, whose instructions are the chip's own.
+/// Returns the model for the program. Models count ARB fragment programs only. Other languages get
+/// the API's counts, and so do programs under NVIDIA's options, whose instructions are the chip's
+/// own.
 NativeModel modelOf(const ir::Program &program, const Limits &limits) {
   const bool arb =
       program.language == ir::Language::ArbFragment && program.options.nv == ir::NvOption::None;
@@ -68,7 +69,7 @@ NativeReport explainR300(const ir::Program &program, const Limits &limits, std::
   return report;
 }
 
-constexpr std::uint32_t kAnyInterpolators = 0xFFFFFFFF; ///< the attributes' own limit decides
+constexpr std::uint32_t kAnyInterpolators = 0xFFFFFFFF; ///< the limit of attributes decides
 
 constexpr SlotWords kNv30Words = {"", nv30::expansionOf};
 constexpr SlotWords kI915Words = {"phase", i915::expansionOf};
@@ -126,7 +127,7 @@ NativeReport explainNative(const ir::Program &program, const ResourceCounts &api
     break;
   }
   NativeReport report = reportOf(NativeModel::Documented, countNative(program, api, limits));
-  report.chain = longestChain(program, dataflowOf(program)); // whatever the card
+  report.chain = longestChain(program, dataflowOf(program)); // it needs no model
   return report;
 }
 

@@ -7,7 +7,8 @@
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 
-/// Small programs, and what a profile's model says of them, for the tests of the models.
+/// Helpers for the tests of the models: small programs, and what a profile's model reports for
+/// them.
 namespace arbiter::fp::hw::testing {
 
 inline constexpr std::string_view kHead =

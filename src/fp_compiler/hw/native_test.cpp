@@ -69,7 +69,8 @@ TEST(R300, TheSameCodeFitsTheR420) {
   EXPECT_TRUE(large.fits);
 }
 
-// A shared slot is a half of each operation; the whole numbers of the reasons add up all the same.
+// A shared slot counts as half a slot for each of its operations. The reasons still add up to whole
+// numbers.
 TEST(R300, PartsOfSharedSlots) {
   const NativeReport report = explained("r300", "MUL r.xyz, a, k;\nRCP r.w, b.x;\nMOV o, r;");
   EXPECT_EQ(report.costs[1].slots, 0.5);
@@ -98,7 +99,7 @@ TEST(Dataflow, TheLongestChainLeavesDeadCodeAndOtherComponentsOut) {
   EXPECT_TRUE(longestChain(*flat.program, dataflowOf(*flat.program)).empty());
 }
 
-// The parts of each count add up to it, and the fast way gives what the explained one does.
+// The reasons of each count add up to it, and countNative() agrees with explainNative().
 TEST(Models, CountsAreThoseOfTheReportOnRandomPrograms) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     fp::testing::RandomOptions options;
@@ -106,7 +107,7 @@ TEST(Models, CountsAreThoseOfTheReportOnRandomPrograms) {
     const ir::Program program = fp::testing::randomProgram(seed, options);
     const std::string text = fp::testing::spell(program, seed);
     for (const std::string_view name : builtinNames()) {
-      // Whatever the card's API would refuse.
+      // The program may exceed what the card's API accepts.
       Limits limits = findBuiltin("host")->fragment;
       const Limits &card = findBuiltin(name)->fragment;
       limits.native = card.native;
@@ -170,7 +171,7 @@ TEST(Models, AListingNamesTheLines) {
   EXPECT_EQ(listing("host", text), "");
 }
 
-// Far beyond every limit, which only a policy of reporting lets through.
+// The program is far beyond every limit. Only LimitPolicy::Report lets it through.
 TEST(Models, LongProgramsAreCountedWhole) {
   std::string body = "MOV r, a;\n";
   for (int i = 0; i < 4000; ++i)

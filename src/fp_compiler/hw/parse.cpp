@@ -7,10 +7,10 @@ namespace arbiter::fp::hw {
 namespace {
 
 constexpr std::string_view kIdentityTable = "identity";
-/// The source of what is nowhere said.
+/// The source of a value that the file does not give.
 constexpr std::string_view kUnsaid = "the file does not say";
 
-/// The keys outside of tables: name, description, inherits, from_host.
+/// Reads the keys outside of tables: name, description, inherits, from_host.
 bool readHead(Reader &reader, Profile &profile, std::string_view key, const toml::node &node) {
   if (key == "from_host") {
     const toml::value<bool> *flag = node.as_boolean();
@@ -38,7 +38,7 @@ bool inherit(Reader &reader, Profile &profile, const toml::node &node) {
   return true;
 }
 
-/// [api], [identity] and the like. An identity may also be `false`: none, whatever was inherited.
+/// Reads a table such as [api] or [identity]. `identity = false` removes an inherited identity.
 bool readNamedTable(Reader &reader, Profile &profile, std::string_view name, const toml::node &node,
                     std::array<bool, kRowCount> &seen) {
   const bool identity = name == kIdentityTable;
@@ -53,8 +53,8 @@ bool readNamedTable(Reader &reader, Profile &profile, std::string_view name, con
                   : readTable(reader, profile, name, *table, seen);
 }
 
-/// What a file that inherits nothing may leave out: a card without [model] is known by its numbers
-/// alone, and a file with rows of fragment programs alone has the default profile's other rows.
+/// Fills what a file that inherits nothing may leave out. Without [model] the card has documented
+/// limits only. Rows of vertex programs come from the default profile.
 bool fillAbsent(Reader &reader, Profile &profile, const toml::table &root,
                 const std::array<bool, kRowCount> &seen) {
   const Profile &standard = *findBuiltin(kDefaultProfile);
@@ -87,7 +87,8 @@ bool readProfile(Reader &reader, Profile &profile, const toml::table &root) {
                                          kIdentityTable};
   const std::size_t heads = known.size() - 1;
   known.insert(known.end(), tables().begin(), tables().end());
-  // The file's own name unless it says otherwise: an inherited one would pass for the original.
+  // The file's path is the name unless the file gives one: an inherited name would pass for the
+  // original.
   profile.name = reader.path;
   for (const auto &[key, node] : root) {
     const std::string_view name = key.str();

@@ -27,7 +27,7 @@ std::uint32_t &member(Profile &profile, Row row) {
   return profile.fragment.api.instructions; // every enumerator has its case
 }
 
-/// "a|b|c"
+/// Splits "a|b|c" at the bars.
 std::vector<std::string_view> split(std::string_view names) {
   std::vector<std::string_view> parts;
   for (std::size_t bar; (bar = names.find('|')) != names.npos; names.remove_prefix(bar + 1))
@@ -36,7 +36,7 @@ std::vector<std::string_view> split(std::string_view names) {
   return parts;
 }
 
-/// Limits that both targets go by.
+/// Limits that apply to both targets.
 constexpr std::uint32_t Limits::*kShared[] = {&Limits::textureCoords,
                                               &Limits::textureImageUnits,
                                               &Limits::textureUnits,
@@ -90,7 +90,7 @@ std::span<const std::string_view> tables() {
 }
 
 std::span<const ChoiceInfo> choices() {
-  // Never destroyed, as the profiles.
+  // Never destroyed: an application's last GL calls may come from destructors.
   static const std::vector<ChoiceInfo> &infos = *new std::vector<ChoiceInfo>{
 #define PROFILE_CHOICE(Enumerator, key, member, type, names, doc)                                  \
   {Choice::Enumerator, #key, split(names)},
@@ -110,11 +110,11 @@ void Profile::set(Row row, std::uint32_t value, std::string source) {
   member(*this, row) = value;
   for (std::uint32_t Limits::*const shared : kShared)
     vertex.*shared = fragment.*shared;
-  // Beyond the fragment programs' units lie as many as a vertex program may sample at once, so that
-  // it can have its own (NV_vertex_program3: any unit number, no more than four of them).
+  // A vertex program may sample four textures at once, with any unit numbers (NV_vertex_program3).
+  // Four units beyond those of fragment programs let it have its own.
   if (vertex.nvOptions >= 2)
     vertex.textureImageUnits = std::min(vertex.textureImageUnits + 4, 32u);
-  // NV_vertex_program2 came to chips that had what was before it.
+  // Every chip with NV_vertex_program2 also has NV_vertex_program.
   if (vertex.nvOptions >= 1)
     vertex.nvVertexProgram = 1;
   sources[std::size_t(row)] = std::move(source);

@@ -11,8 +11,8 @@
 #include "fp_compiler/numerics.h"
 #include "util/result.h"
 
-/// Hardware profiles: limits as data, each number with its source. Built-in ones come from
-/// profiles/*.toml at build time; a user's is a TOML file of the same form
+/// Hardware profiles: limits as data, each number with its source. Built-in profiles come from
+/// profiles/*.toml at build time. A user's profile is a TOML file of the same form
 /// (docs/reference/profiles.md).
 namespace arbiter::fp::hw {
 
@@ -33,12 +33,12 @@ struct RowInfo {
   Row row;
   const char *table;   ///< "api", "native", "state", "model", "vertex_api", "vertex_native" ...
   const char *key;     ///< "alu_instructions"
-  const char *glName;  ///< without GL_
-  std::uint32_t least; ///< what the specification guarantees; a profile may go below it
-  std::uint32_t most;  ///< what Arbiter can hold; a profile may not go above it
+  const char *glName;  ///< without the prefix GL_
+  std::uint32_t least; ///< guaranteed by the specification; a profile may go below it
+  std::uint32_t most;  ///< the largest that Arbiter supports; a profile may not go above it
 };
 [[nodiscard]] std::span<const RowInfo> rows();
-/// The tables of rows(), in their order.
+/// Returns the names of the tables, in the order of rows().
 [[nodiscard]] std::span<const std::string_view> tables();
 
 /// A key of [model] whose value is a name.
@@ -53,7 +53,7 @@ struct ChoiceInfo {
   const char *key;                     ///< "fragment"
   std::vector<std::string_view> names; ///< "documented", "r300" ... in the order of the values
 };
-/// In the order of choices.def.
+/// Returns the choices in the order of choices.def.
 [[nodiscard]] std::span<const ChoiceInfo> choices();
 inline constexpr int kChoiceCount = [] {
   int count = 0;
@@ -64,7 +64,8 @@ inline constexpr int kChoiceCount = [] {
 }();
 inline constexpr std::string_view kModelTable = "model";
 
-/// Whom the card says it is (ARBITER_IDENTITY=profile); an empty value is the host's own.
+/// The identity strings of the card (ARBITER_IDENTITY=profile). An empty value leaves the host's
+/// own.
 struct Identity {
   struct Text {
     std::string value;
@@ -73,9 +74,9 @@ struct Identity {
   Text vendor;          ///< GL_VENDOR
   Text renderer;        ///< GL_RENDERER
   Text version;         ///< GL_VERSION: "N.M", then what the driver added
-  Text shadingLanguage; ///< GL_SHADING_LANGUAGE_VERSION; empty where the card's driver had none
-  Text extensions;      ///< names, parted by one space each; empty: no list
-  Text year;            ///< extensions of later years are not announced; empty: of any year
+  Text shadingLanguage; ///< empty if the card's driver had none
+  Text extensions;      ///< names with one space between them; empty: no list
+  Text year;            ///< hides extensions of later years; empty: hides none
 
   [[nodiscard]] bool empty() const { return version.value.empty(); }
 };
@@ -87,24 +88,24 @@ struct IdentityKey {
 };
 [[nodiscard]] std::span<const IdentityKey> identityKeys();
 
-/// NV_register_combiners and 2 of the card.
+/// Limits of NV_register_combiners and NV_register_combiners2.
 struct Combiners {
   std::uint32_t general = 0;           ///< general combiner stages, at least 2; 0: not offered
-  std::uint32_t perStageConstants = 0; ///< NV_register_combiners2
+  std::uint32_t perStageConstants = 0; ///< 1: NV_register_combiners2 is offered
 };
 
 struct Profile {
   std::string name;
   std::string description;
-  Limits fragment; ///< the numbers of the fragment target
-  Limits vertex;   ///< the numbers of the vertex target; it has no model, only documented limits
+  Limits fragment; ///< limits of the fragment target
+  Limits vertex;   ///< limits of the vertex target, which has no model
   Combiners combiners;
-  std::uint32_t textureShaders = 0;    ///< the first so many of NV_texture_shader, 2 and 3
-  std::uint32_t aliasedAttributes = 0; ///< generic attributes are the conventional ones
-  /// How arithmetic is done unless ARBITER_NUMERICS says otherwise.
+  std::uint32_t textureShaders = 0;    ///< how many of NV_texture_shader, 2 and 3 are offered
+  std::uint32_t aliasedAttributes = 0; ///< 1: generic attributes alias the conventional ones
+  /// The arithmetic, unless ARBITER_NUMERICS says otherwise.
   Numerics numerics = Numerics::Host;
-  /// The numbers are to be asked from the host's driver, by the names in rows(); those here are
-  /// documented defaults for when there is no driver to ask (`arbiter check`).
+  /// True if the layer asks the host's driver for the numbers, by the names in rows(). The numbers
+  /// here are then defaults for when there is no driver to ask (`arbiter check`).
   bool fromHost = false;
   std::array<std::string, kRowCount> sources;
   std::array<std::string, kChoiceCount> choiceSources;
@@ -112,32 +113,34 @@ struct Profile {
 
   [[nodiscard]] std::uint32_t value(Row row) const;
   void set(Row row, std::uint32_t value, std::string source);
-  /// An index into the choice's names.
+  /// Returns an index into the choice's names.
   [[nodiscard]] std::uint32_t value(Choice choice) const;
   void set(Choice choice, std::uint32_t value, std::string source);
 };
 
 struct ProfileError {
-  /// One line; begins with "file:line:column: " where a file is at fault.
+  /// One line. It begins with "file:line:column: " if the error is in a file.
   std::string message;
 };
 
 inline constexpr std::string_view kDefaultProfile = "r300";
 
-/// The built-in profiles' names, the default first.
+/// Returns the built-in profiles' names, the default first.
 [[nodiscard]] std::vector<std::string_view> builtinNames();
 
+/// Finds a built-in profile by name or alias.
 /// \returns nullptr for a name that is not built in. Valid for the life of the process.
 [[nodiscard]] const Profile *findBuiltin(std::string_view name);
 
-/// A path: anything with a slash or ending in ".toml". All else is a name.
+/// True for a path: a name that has a slash or ends in ".toml".
 [[nodiscard]] bool isProfileFile(std::string_view nameOrPath);
 
-/// A built-in name, or the path of a TOML file by isProfileFile().
-/// Never throws; an unknown name's error lists the known ones.
+/// Loads a built-in profile by name, or a TOML file if isProfileFile(). Never throws. The error for
+/// an unknown name lists the known names.
 [[nodiscard]] Result<Profile, ProfileError> loadProfile(std::string_view nameOrPath);
 
-/// A TOML text as loadProfile() reads it from a file; `path` is for messages and sources.
+/// Parses the TOML text of a profile.
+/// \param path the file's name, for messages and sources
 [[nodiscard]] Result<Profile, ProfileError> parseProfile(std::string_view text,
                                                          std::string_view path);
 

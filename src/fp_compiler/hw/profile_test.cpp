@@ -28,8 +28,8 @@ TEST(Profiles, TheDefaultIsARadeon9700) {
   EXPECT_FALSE(profile->fromHost);
 }
 
-// NV_vertex_program came with the GeForce3, and in its drivers to the chips before that; and to
-// Mesa's drivers.
+// NV_vertex_program came with the GeForce3. NVIDIA's drivers also offered it on earlier chips, and
+// Mesa's drivers had it too.
 TEST(Profiles, CardsHaveTheVertexProgramsThatTheirDriversNamed) {
   for (const std::string_view name : builtinNames()) {
     const Profile &profile = *findBuiltin(name);
@@ -39,7 +39,7 @@ TEST(Profiles, CardsHaveTheVertexProgramsThatTheirDriversNamed) {
     EXPECT_EQ(profile.vertex.nvVertexProgram, named || nvidias ? 1u : 0u) << name;
     EXPECT_EQ(named, !names.empty() && (nvidias || name == "i915")) << name;
   }
-  // A file that says no more than it did before there was a row for it.
+  // An old file, from before there was a row for NV_vertex_program.
   const auto old = parseProfile("inherits = \"r300\"\n[model]\nnv_vertex_options = 1\n", "p.toml");
   ASSERT_TRUE(old) << errorOf("");
   EXPECT_EQ(old.value().vertex.nvVertexProgram, 1u);
@@ -52,7 +52,7 @@ TEST(Profiles, CatalystAnnouncedMoreThanTheChipHas) {
   EXPECT_EQ(profile->fragment.native, findBuiltin("r300")->fragment.native);
 }
 
-// ARB_fragment_program's state tables: no built-in profile may promise less.
+// No built-in profile may promise less than ARB_fragment_program's state tables require.
 TEST(Profiles, EveryBuiltInMeetsTheSpecificationAndHasSources) {
   EXPECT_EQ(builtinNames().size(), 13u);
   for (const std::string_view name : builtinNames()) {
@@ -108,7 +108,8 @@ TEST(Profiles, NamesOfChoicesAreThoseOfTheirTypes) {
   }
 }
 
-// Mesa's r300_screen.c: what R400 has more of than R300, and what it has not.
+// Source: Mesa's r300_screen.c. The R400 has more instructions and temporaries than the R300, but
+// no more nodes.
 TEST(Profiles, R420HasLongerBlocksAndNoMoreNodes) {
   const Limits &limits = findBuiltin("r420")->fragment;
   EXPECT_EQ(limits.native, (ResourceCounts{512, 512, 512, 4, 64, 32, 10}));
@@ -157,8 +158,8 @@ TEST(Profiles, TheVertexTargetHasItsOwnNumbers) {
   EXPECT_EQ(vertex.envParameters, 256u);
   EXPECT_EQ(vertex.native, vertex.api);
   const Profile &i915 = *findBuiltin("i915");
-  EXPECT_EQ(i915.vertex.native.instructions, 0u); // in software, whatever the program
-  // What both targets go by is one row.
+  EXPECT_EQ(i915.vertex.native.instructions, 0u); // runs on the CPU, whatever the program
+  // Limits of both targets are one row.
   for (const std::string_view name : builtinNames()) {
     const Profile &profile = *findBuiltin(name);
     EXPECT_EQ(profile.vertex.textureCoords, profile.fragment.textureCoords) << name;
@@ -167,7 +168,7 @@ TEST(Profiles, TheVertexTargetHasItsOwnNumbers) {
   }
 }
 
-// The whole of a profile as it was before there were rows of vertex programs.
+// The profile has every row that existed before there were rows of vertex programs.
 TEST(UserProfile, WithoutRowsOfVertexProgramsHasTheDefaultProfiles) {
   std::string text;
   std::string table;
@@ -345,7 +346,7 @@ TEST(UserProfile, HostileTextIsAnErrorNotACrash) {
   EXPECT_NE(errorOf(nested), "");
 }
 
-// toml++ 3.3 has assertions that text can break; each must come out as an error.
+// toml++ 3.3 has assertions that damaged text can fail. Each must become an error.
 TEST(UserProfile, AnyDamageIsAnErrorWithThePath) {
   const std::string good = "name = 'a'\ninherits = \"r300\" # why\n[api]\n"
                            "temporaries = { value = 16, source = 'me' }\nattribs = 0xA\n";

@@ -13,8 +13,9 @@ bool isExtensionName(std::string_view name) {
              std::string_view::npos;
 }
 
-/// Why a value of [identity] cannot be one; empty if it can. Names of extensions may be parted by
-/// spaces, commas and line ends, as glxinfo prints them; `value` then has one space each.
+/// Returns why `value` is not valid for the key, or an empty text if it is. Names of extensions may
+/// be separated by spaces, commas and line ends, as glxinfo prints them. On return one space
+/// separates them.
 std::string identityFault(std::string_view key, std::string &value) {
   if (key == "extensions") {
     std::string names;

@@ -6,10 +6,10 @@
 #include "fp_compiler/hw/profile.h"
 #include "util/toml.h"
 
-/// What the readers of a profile's tables share; for those files alone, which see the TOML library.
+/// Helpers for the readers of a profile's tables. Only those files include the TOML library.
 namespace arbiter::fp::hw {
 
-/// Collects the first error, with its place.
+/// Collects the first error, with its place in the file.
 struct Reader {
   std::string_view path;
   std::string error;
@@ -22,12 +22,14 @@ struct Reader {
   }
 };
 
-/// `key = 96`, or `key = { value = 96, source = "where the number is from" }`: the value and the
-/// source, which is the place in the file where none is given. Null after an error.
+/// Reads `key = 96`, or `key = { value = 96, source = "where the number is from" }`.
+/// \param source set to the given source, or else to the place in the file
+/// \returns the value, or nullptr after an error.
 [[nodiscard]] const toml::node *readSourced(Reader &reader, const std::string &name,
                                             const toml::node &node, std::string &source);
 
-/// The rows of a table by its keys. `seen`: those that it has are set.
+/// Reads the rows of a table.
+/// \param seen set to true for each row that the table has
 [[nodiscard]] bool readTable(Reader &reader, Profile &profile, std::string_view name,
                              const toml::table &table, std::array<bool, kRowCount> &seen);
 

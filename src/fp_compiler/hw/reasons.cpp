@@ -53,7 +53,7 @@ std::string nameOf(const ir::Program &program, std::uint16_t temporary) {
 std::string swizzleText(const ir::Instruction &instruction, int operand) {
   const ir::Operand &source = instruction.src[std::size_t(operand)];
   const std::uint8_t used = operandMask(instruction, operand);
-  // A sign on all that is used is the operand's, not the swizzle's.
+  // If every used component has a sign, it is the operand's sign and not part of the swizzle.
   const bool signs = (source.negate & used) != 0 && (source.negate & used) != used;
   bool numbers = false;
   for (std::size_t c = 0; c < 4; ++c)

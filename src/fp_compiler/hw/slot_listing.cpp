@@ -36,7 +36,7 @@ class Lines {
 public:
   Lines(const ir::Program &program, std::string_view text) : m_program(program), m_text(text) {}
 
-  /// "line 5: SIN", "instruction 2: SIN", or nothing.
+  /// Returns "line 5: SIN" or "instruction 2: SIN", or an empty text for the whole program.
   std::string of(std::uint16_t origin) {
     if (origin == kWholeProgram)
       return "";
@@ -44,7 +44,7 @@ public:
     const std::string mnemonic = info(instruction.op).mnemonic;
     if (m_text.empty())
       return "instruction " + std::to_string(origin + 1) + ": " + mnemonic;
-    // Instructions come in the order of the text, but for the moves in front of them.
+    // Instructions are in the order of the text, except for moves that are put before them.
     const std::size_t at = std::min<std::size_t>(instruction.span.begin, m_text.size());
     if (at < m_at) {
       m_at = 0;

@@ -5,8 +5,8 @@
 
 namespace arbiter::fp::hw {
 
-/// What the translations of nv30/ and i915/ share: slots come one after the other, and the rows
-/// that they read are counted.
+/// Base of the translations in nv30/ and i915/. It appends slots and counts the attributes and
+/// parameters that they read.
 class SlotWriter {
 public:
   explicit SlotWriter(const ir::Program &program)
@@ -17,7 +17,7 @@ public:
   }
 
 protected:
-  /// Bits of the operands of an instruction, operand 0 first.
+  /// A bit for each operand of an instruction; operand 0 is the lowest bit.
   using Operands = unsigned;
   static constexpr Operands kAll = 7;
 
@@ -30,7 +30,7 @@ protected:
       put({.origin = origin, .cause = cause, .phase = m_phase});
   }
 
-  /// Different registers of a file among the operands that are read.
+  /// Returns how many different registers of a file the operands read.
   [[nodiscard]] std::uint32_t different(const ir::Instruction &instruction, ir::File file,
                                         Operands among = kAll) const {
     std::uint32_t count = 0;
@@ -46,13 +46,13 @@ protected:
     return count;
   }
 
-  /// The operand takes something of a register of the file.
+  /// True if the operand reads a register of the file.
   [[nodiscard]] static bool reads(const ir::Instruction &instruction, int operand, ir::File file) {
     return instruction.src[std::size_t(operand)].file == file &&
            registerMask(instruction, operand) != 0;
   }
 
-  /// Counts the attributes and the parameters of the operands.
+  /// Marks the attributes and parameters of the operands as used.
   void use(const ir::Instruction &instruction) {
     for (int i = 0; i < info(instruction.op).operandCount(); ++i) {
       const ir::Operand &operand = instruction.src[std::size_t(i)];
@@ -63,7 +63,7 @@ protected:
     }
   }
 
-  /// The attribute counts, whether or not the program has a row of it.
+  /// Marks an attribute as used, even if the program does not declare it.
   void useAttribute(ir::AttributeKind kind) {
     for (std::size_t i = 0; i < m_attributes.size(); ++i)
       if (m_program.attributes[i].kind == kind) {
@@ -88,7 +88,7 @@ protected:
       m_code.parameters += used ? 1 : 0;
   }
 
-  /// Has result.color, which fog is blended into.
+  /// True if the program writes result.color, which fog is blended into.
   [[nodiscard]] bool writesColor() const {
     for (const ir::Output &output : m_program.outputs)
       if (output.kind == ir::OutputKind::Color && output.index == 0)

@@ -16,7 +16,7 @@ std::uint32_t placeOf(const Slot &slot) {
   return slot.origin == kWholeProgram ? kNoInstruction : slot.origin;
 }
 
-/// What an ALU slot is there for.
+/// Returns the reason for an ALU slot.
 std::string aluText(const ir::Program &program, const Slot &slot, std::uint32_t slotsOfOrigin,
                     const SlotWords &words) {
   const std::string mnemonic =
@@ -53,7 +53,7 @@ void slotReasons(Reasons &reasons, const ir::Program &program, const SlotProgram
   std::vector<std::uint32_t> slotsOf(program.code.size(), 0);
   for (const Slot &slot : code.slots)
     if (slot.origin != kWholeProgram && slot.cause == SlotCause::Instruction)
-      ++slotsOf[slot.origin]; // of both kinds: KIL with a slot before it is one of two
+      ++slotsOf[slot.origin]; // both kinds: KIL may be an ALU and a texture slot
   for (const Slot &slot : code.slots) {
     if (slot.texture)
       reasons.add(kTex, 1,

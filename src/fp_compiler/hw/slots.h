@@ -7,22 +7,22 @@
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/ir/ir.h"
 
-/// A program as a card holds it that runs one instruction after the other: the form that the models
-/// of such cards (nv30/, i915/) share. The R300's is in r300/machine.h.
+/// A program for a card that runs one instruction after the other, as the models nv30/ and i915/
+/// produce it. The R300's form is in r300/machine.h.
 namespace arbiter::fp::hw {
 
 inline constexpr std::uint16_t kWholeProgram = 0xFFFF;
 
-/// Why a slot stands in the program.
+/// The reason why a slot is in the program.
 enum class SlotCause : std::uint8_t {
   Instruction,   ///< the IR instruction itself, or its part of a longer expansion
   Constant,      ///< a second constant of one instruction, moved to a register
-  Attribute,     ///< likewise a second attribute
-  Swizzle,       ///< constants 0 and 1, or signs that differ, that an operand cannot have
-  Coordinate,    ///< a coordinate brought into a plain register
-  Result,        ///< a sample under a write mask
-  FogCoordinate, ///< the w of fragment.fogcoord, which the chip has wrong
-  Depth,         ///< the depth moved to where the chip takes it
+  Attribute,     ///< a second attribute of one instruction, moved to a register
+  Swizzle,       ///< constants 0 and 1, or differing signs, which an operand cannot have
+  Coordinate,    ///< a coordinate moved to a plain register
+  Result,        ///< a move that applies a sample's write mask
+  FogCoordinate, ///< sets w of fragment.fogcoord, which the chip gets wrong
+  Depth,         ///< moves the depth to where the chip reads it
   Fog,           ///< the fog option's blend
   ColorSum,      ///< the secondary colour added to the result
 };
@@ -32,16 +32,17 @@ struct Slot {
   bool texture = false;
   std::uint16_t origin = kWholeProgram; ///< index into ir::Program::code
   SlotCause cause = SlotCause::Instruction;
-  std::uint8_t passes = 1;   ///< of the unit
-  bool interpolated = false; ///< texture: its coordinate comes straight from the rasterizer
-  std::uint32_t phase = 0;   ///< from 0; always 0 where the card has no phases
+  std::uint8_t passes = 1;   ///< through the unit
+  bool interpolated = false; ///< texture: the rasterizer supplies its coordinate
+  std::uint32_t phase = 0;   ///< from 0; always 0 if the card has no phases
 };
 
-/// A phase other than the first: the sample that begins it, and what it waited for.
+/// Describes the start of a phase other than the first: the sample that begins it, and what that
+/// sample waited for.
 struct PhaseStart {
   std::uint16_t sample = 0;
-  /// Who wrote the coordinate in the phase before. The sample itself: a move that it needs. None:
-  /// it samples into a result register.
+  /// The instruction that wrote the coordinate in the phase before. If it is the sample itself, the
+  /// coordinate is moved first. If it is kWholeProgram, the sample writes a result register.
   std::uint16_t writer = kWholeProgram;
 };
 
@@ -49,32 +50,34 @@ struct SlotProgram {
   std::vector<Slot> slots;
   std::vector<bool> gone; ///< by IR instruction: dropped as dead
   std::vector<PhaseStart> starts;
-  std::uint32_t phases = 0; ///< 0: the card has none
+  std::uint32_t phases = 0; ///< 0 if the card has none
   std::uint32_t temporaries = 0;
-  std::uint32_t scratch = 0;    ///< part of temporaries: registers for coordinates
-  std::uint32_t parameters = 0; ///< all, the driver's own included
+  std::uint32_t scratch = 0;    ///< the registers for coordinates, which are part of temporaries
+  std::uint32_t parameters = 0; ///< all, the driver's own constants included
   std::uint32_t ownConstants = 0;
   std::uint32_t attribs = 0;
   std::uint32_t interpolators = 0; ///< texture coordinate sets
-  bool halves = false;             ///< registers are 16 bits a component, two in one
+  bool halves = false;             ///< registers have 16 bits a component, and two fit in one
 };
 
-/// The counts of GL_PROGRAM_NATIVE_*_ARB. `indirections` where the card has no phases.
+/// Returns the counts of GL_PROGRAM_NATIVE_*_ARB.
+/// \param indirections used if the card has no phases
 [[nodiscard]] ResourceCounts countSlots(const SlotProgram &code, std::uint32_t indirections);
 
-/// Words of a card for reportSlots().
+/// A card's terms, for reportSlots().
 struct SlotWords {
   const char *phase; ///< "phase"
-  /// Why an opcode takes more than one slot: "SIN is a polynomial"; nullptr if it does not.
+  /// Returns why an opcode takes more than one slot: "SIN is a polynomial"; nullptr if it takes
+  /// one.
   const char *(*expansion)(ir::Opcode op);
 };
 
-/// Reasons, costs, nodes and the chain of dependent reads. Counts and cycles are the caller's.
+/// Sets reasons, costs, nodes and the chain of dependent reads. The caller sets counts and cycles.
 void reportSlots(NativeReport &report, const ir::Program &program, const SlotProgram &code,
                  const SlotWords &words);
 
-/// A line for each slot, with the instruction that it comes from: by its line in `text`, or by its
-/// number, from 1, without.
+/// Returns a line for each slot, with the instruction that it comes from. With a source text it
+/// gives the instruction's line, otherwise its number, from 1.
 [[nodiscard]] std::string listSlots(const ir::Program &program, const SlotProgram &code,
                                     const SlotWords &words, std::string_view text);
 

@@ -11,22 +11,22 @@ namespace arbiter::fp::ir {
 /// Each component as a letter for swz() and mask().
 inline constexpr const char *kLetters[] = {"x", "y", "z", "w"};
 
-/// An operand under construction; every function returns a changed copy.
+/// An operand under construction. Every function returns a changed copy.
 struct Source : Operand {
-  /// "x", "wzyx", "rgba"-free: one letter of xyzw01 (repeated) or four.
+  /// Sets the swizzle: one of the letters xyzw01, which is repeated, or four.
   [[nodiscard]] Source swz(std::string_view letters) const;
-  /// All four components change sign.
+  /// Negates all four components.
   [[nodiscard]] Source operator-() const;
-  /// Bits of \p mask change sign.
+  /// Negates the components whose bits are set in \p mask.
   [[nodiscard]] Source negated(std::uint8_t mask) const;
 };
 
 /// A destination under construction.
 struct Target : Destination {
-  /// "x", "xz", "xyzw"
+  /// Sets the write mask: "x", "xz", "xyzw".
   [[nodiscard]] Target mask(std::string_view letters) const;
   [[nodiscard]] Target sat() const;
-  /// The same register as an operand.
+  /// Returns the register as an operand.
   [[nodiscard]] Source read() const;
 };
 
@@ -37,9 +37,9 @@ public:
   Target temporary(std::string_view name = {});
   Target color(int index = 0);
   Target depth();
-  /// A vertex result, or one of the two above by its kind.
+  /// Declares a vertex result, or a colour or a depth.
   Target result(OutputKind kind, int index = 0);
-  /// Declares an address register, named "a<n>": the destination of ARL.
+  /// Declares an address register, named "a<n>". It is the destination of ARL.
   Target address();
   Source attribute(AttributeKind kind, int index = 0);
   Source constant(float x, float y, float z, float w);
@@ -47,10 +47,10 @@ public:
   Source env(int index);
   Source local(int index);
   Source state(const StateRef &ref);
-  /// Declares an array of rows made by the functions above; returns its index.
+  /// Declares an array of rows made by the functions above, and returns its index.
   int array(std::initializer_list<Source> rows) { return array(std::vector<Source>(rows)); }
   int array(const std::vector<Source> &rows);
-  /// Row `address.x + offset` of an array.
+  /// Returns an operand that reads row `address.x + offset` of an array.
   [[nodiscard]] static Source element(int array, const Target &address, int offset = 0);
 
   Builder &op(Opcode opcode, const Target &dst, std::initializer_list<Source> sources);
@@ -58,7 +58,7 @@ public:
                TexTarget target);
   Builder &kil(const Source &source);
 
-  /// Gives the instructions from \p first on the place in the text that they come from.
+  /// Sets the source span of the instructions from \p first on.
   void setSpan(std::size_t first, Span span);
 
   Options &options() { return m_program.options; }

@@ -13,7 +13,7 @@ Evaluation evaluate(const Program &program, const Inputs &inputs) {
 namespace {
 using Quad = std::array<Machine, 4>;
 
-/// Of DDX or DDY at \p index, where all four fragments are.
+/// Sets the derivative that DDX or DDY at \p index gives. All four fragments must be there.
 void setDerivatives(Quad &lanes, std::size_t index, Opcode op,
                     const std::array<Inputs, 4> &inputs) {
   std::array<Vec4, 4> value;
@@ -26,8 +26,8 @@ void setDerivatives(Quad &lanes, std::size_t index, Opcode op,
   }
 }
 
-/// One instruction, of those fragments that are furthest behind: what has left a loop waits for
-/// what is in it. Where some wait, the others have no neighbours.
+/// Runs one instruction for the fragments that are furthest behind. A fragment that has left a loop
+/// waits for those still in it. While any waits, the others have no derivatives.
 void advance(Quad &lanes, const Program &program, const std::array<Inputs, 4> &inputs) {
   std::size_t index = lanes[0].at();
   for (const Machine &lane : lanes)
@@ -47,7 +47,7 @@ void advance(Quad &lanes, const Program &program, const std::array<Inputs, 4> &i
 
 std::array<Evaluation, 4> evaluateQuad(const Program &program,
                                        const std::array<Inputs, 4> &inputs) {
-  // A discarded fragment goes on for its neighbours.
+  // A discarded fragment keeps running, because its neighbours need its values.
   std::array<Inputs, 4> helped = inputs;
   for (Inputs &lane : helped)
     lane.pastKill = true;

@@ -9,33 +9,34 @@
 
 namespace arbiter::fp::ir {
 
-/// One texture access, as the target sees it: TXP has divided already.
+/// A texture access after TXP's division.
 struct Sample {
   TexTarget target = TexTarget::Tex2D;
   std::uint8_t unit = 0;
-  /// s, t, r (r is the reference of a shadow target); 0 where the target has no use for one.
+  /// s, t, r; r is the reference of a shadow target. Coordinates that the target does not use are
+  /// 0.
   Vec4 coordinate = {};
-  float bias = 0.0f;        ///< TXB's
-  std::optional<float> lod; ///< TXL's, which needs no derivatives
-  /// TXD's: those of the coordinate along the window's x and y.
+  float bias = 0.0f;        ///< from TXB
+  std::optional<float> lod; ///< from TXL, which needs no derivatives
+  /// Derivatives from TXD: those of the coordinate along the window's x and y.
   struct Gradient {
     Vec4 x = {}, y = {};
   };
   std::optional<Gradient> gradient;
 };
 
-/// One instruction as the interpreter did it, for a trace.
+/// One instruction as the interpreter ran it, for a trace.
 struct Step {
-  std::size_t index = 0; ///< in Program::code
-  /// As read: swizzled and signed; the whole coordinate operand of a texture access.
+  std::size_t index = 0; ///< index into Program::code
+  /// The operands after swizzle and sign. For a texture access, the whole coordinate operand.
   Operands operands = {};
-  std::optional<Sample> sample; ///< of a texture access
-  /// The whole destination register after the write; an address register in x. Zero of KIL.
+  std::optional<Sample> sample; ///< for a texture access
+  /// The whole destination register after the write. An address register is in x. Zero for KIL.
   Vec4 value = {};
-  bool discards = false; ///< KIL's condition held
+  bool discards = false; ///< true if KIL's condition held
 };
 
-/// Everything outside a program that its result depends on. Empty functions give zeros.
+/// Everything outside a program that its result depends on. An empty function gives zeros.
 struct Inputs {
   /// One vec4 for each of Program::attributes, in that order; missing ones are zero.
   std::span<const Vec4> attributes;
@@ -46,31 +47,32 @@ struct Inputs {
   float fogCoordinate = 0.0f;
   /// The secondary colour, for Options::colorSum.
   Vec4 secondary = {};
-  /// A vertex program takes Legacy for Fp24. The functions and attributes give what the application
-  /// gave: rounding is the interpreter's.
+  /// The arithmetic. A vertex program uses Legacy if this is Fp24. The functions and attributes
+  /// give unrounded values: the interpreter rounds.
   Numerics numerics = Numerics::Host;
-  /// For error analysis: may change what an arithmetic opcode reads.
+  /// Called with the operands of an arithmetic opcode, and may change them. For error analysis.
   std::function<void(const Instruction &, Operands &)> operands;
-  /// Sees, and may change, each result before _SAT and the write.
+  /// Called with each result before _SAT and the write, and may change it.
   std::function<void(const Instruction &, Vec4 &)> result;
-  /// Sees each instruction when it is done.
+  /// Called after each instruction.
   std::function<void(const Step &)> observer;
-  /// Goes on after a KIL that discards, as the neighbours of a discarded fragment do.
+  /// True if a fragment keeps running after a KIL discards it, as a helper fragment does.
   bool pastKill = false;
 };
 
-/// What a program makes of one fragment.
+/// The results of a program for one fragment.
 struct Evaluation {
-  std::vector<Vec4> outputs;  ///< one for each of Program::outputs; not clamped without fog option
+  std::vector<Vec4> outputs;  ///< one for each of Program::outputs; clamped only by a fog option
   std::optional<float> depth; ///< if the program writes result.depth.z; not clamped
-  bool killed = false;        ///< then the rest is zero, without Inputs::pastKill
+  bool killed = false;        ///< then the rest is zero, unless Inputs::pastKill is set
 };
 
-/// The reference interpreter (semantics.h). Requires: validate(program) finds nothing.
+/// Runs a program in the reference interpreter (semantics.h).
+/// Requires: validate(program) finds nothing.
 [[nodiscard]] Evaluation evaluate(const Program &program, const Inputs &inputs);
 
-/// The same of 2x2 pixels of the window, which DDX and DDY compare: lower left, lower right, upper
-/// left, upper right.
+/// Runs a program for 2x2 pixels of the window, so that DDX and DDY have neighbours. The order is
+/// lower left, lower right, upper left, upper right.
 [[nodiscard]] std::array<Evaluation, 4> evaluateQuad(const Program &program,
                                                      const std::array<Inputs, 4> &inputs);
 

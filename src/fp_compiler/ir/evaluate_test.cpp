@@ -45,7 +45,7 @@ TEST(Semantics, LitClampsAndForcesSpecular) {
   EXPECT_EQ(apply1(Opcode::Lit, {-1, 0.5f, 0, 1}), (Vec4{1, 0, 0, 1}));
   EXPECT_EQ(apply1(Opcode::Lit, {0, 0.5f, 0, 1}), (Vec4{1, 0, 0, 1}));
   EXPECT_EQ(apply1(Opcode::Lit, {0.25f, 0.5f, 0, 2}), (Vec4{1, 0.25f, 0.25f, 1}));
-  // An unclamped exponent would underflow to zero.
+  // POW would underflow to zero if the exponent were not clamped.
   EXPECT_GT(apply1(Opcode::Lit, {1, 0.6f, 0, 1000})[2], 0.0f);
 }
 
@@ -245,7 +245,7 @@ TEST(Print, ListsTablesAndCode) {
 
 Vec4 bits(Opcode op, Vec4 a, Vec4 b = {}, Vec4 c = {}) { return applyToBits(op, {a, b, c}); }
 
-/// Four bytes that are a signalling NaN as a float stay these four wherever they are carried.
+/// The bits of a signalling NaN must survive wherever they are carried.
 TEST(Semantics, PackedBytesOfANanStay) {
   const Vec4 numbers = {1, 0, 0, 1}, less = {-1, -1, -1, -1};
   const Vec4 packed = bits(Opcode::Pk4b, numbers);

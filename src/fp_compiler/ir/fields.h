@@ -2,13 +2,14 @@
 #include "fp_compiler/ir/ir.h"
 #include "util/cache/archive.h"
 
-/// Programs as bytes: the members of the structures of ir.h for an archive (util/cache/archive.h).
-/// For one build on one machine: the program cache, and what crosses to the JIT's library.
+/// Serialises programs: lists the members of the structures of ir.h for an archive
+/// (util/cache/archive.h). The bytes are valid for one build on one machine. The program cache and
+/// the JIT's library use them.
 namespace arbiter::fp {
 
-// Members are taken apart by position, so that a new one does not compile here until it has a name
-// in its structure's list and is written too; what the name is does not matter. The functions stand
-// in their types' namespaces, where the archive finds them.
+// Members are bound by position, so a new member does not compile until it has a name in its
+// structure's list and is written too. The names are arbitrary. The functions are in their types'
+// namespaces, so that the archive finds them.
 
 #define FP_FIELDS(Type, ...)                                                                       \
   template <typename Archive> void fields(Archive &archive, Type &value) {                         \

@@ -6,13 +6,13 @@
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/validate.h"
 
-/// Numerics::Fp24 around the opcodes: what registers, textures, KIL and the options make of
-/// numbers. The opcodes themselves are tests/fp24_vs_integers's.
+/// Tests Numerics::Fp24 outside the opcodes: registers, textures, KIL and the options.
+/// tests/fp24_vs_integers tests the opcodes.
 namespace arbiter::fp::ir {
 namespace {
 
-constexpr float kFine = 0x1.00001p0f;  ///< 1 + 2^-20: a single, and 1 when rounded to 24 bits
-constexpr float kMost = 0x1.0001FEp0f; ///< truncated 1 + 2^-16, rounded 1 + 2^-15
+constexpr float kFine = 0x1.00001p0f;  ///< 1 + 2^-20: a single, which becomes 1 in 24 bits
+constexpr float kMost = 0x1.0001FEp0f; ///< truncated it is 1 + 2^-16, rounded 1 + 2^-15
 constexpr float kDown = 0x1.0001p0f;   ///< 1 + 2^-16
 constexpr float kUp = 0x1.0002p0f;     ///< 1 + 2^-15
 
@@ -54,7 +54,7 @@ TEST(Fp24, ColoursHaveTwelveBits) {
     const Vec4 attributes[] = {{0.5f, -3, 7, 1.4f / 4095}};
     Inputs inputs;
     inputs.attributes = attributes;
-    // 2047.5 goes to the even 2048; 1.4 to 1.
+    // 2047.5 rounds to the even 2048, and 1.4 to 1.
     EXPECT_EQ(run(b, Numerics::Fp24, inputs),
               (Vec4{fp24::rounded(2048.0f / 4095), 0, 1, fp24::rounded(1.0f / 4095)}));
     EXPECT_EQ(run(b, Numerics::Legacy, inputs), attributes[0]);
@@ -95,7 +95,7 @@ TEST(Fp24, KilSeesTheRegister) {
 
 TEST(Fp24, EveryStepIsRounded) {
   Builder b;
-  // 2^17 + 1 is 2^17, twice; in singles 2 stay.
+  // 2^17 + 1 rounds to 2^17, twice. In single precision 2 remain.
   b.op(Opcode::Dp4, b.color(), {b.constant(0x1p17f, 1, 1, -0x1p17f), b.constant(1)});
   EXPECT_EQ(run(b, Numerics::Fp24)[0], 0.0f);
   EXPECT_EQ(run(b, Numerics::Legacy)[0], 2.0f);
@@ -111,7 +111,7 @@ TEST(Fp24, AVertexProgramsArithmeticIsLegacys) {
   EXPECT_TRUE(std::isnan(run(b, Numerics::Host)[0]));
 }
 
-/// The fog of one color, and the steps by hand.
+/// Returns the red of a colour after fog.
 float fogged(FogMode mode, float c, Vec4 params, Numerics numerics) {
   Builder b;
   b.options().fog = mode;

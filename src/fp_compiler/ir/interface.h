@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <string_view>
 
-/// What a program has to do with the GL around it: attributes, results, parameters, rows of state,
-/// texture targets, options. The code itself is in ir.h, which few of those that draw need.
+/// The interface between a program and GL: attributes, results, parameters, rows of state, texture
+/// targets, options. The code itself is in ir.h, which few of the files that draw need.
 namespace arbiter::fp::ir {
 
 struct Program;
 
-/// The language that a program was written in. ATI's text and its API form are one. The last two
-/// are of texts alone: !!RC1.0, and !!TS1.0 with or without the other behind it. They become
-/// programs of ArbFragment.
+/// The language that a program was written in. ATI's text form and its API form are one language.
+/// The last two occur only as texts: !!RC1.0, and !!TS1.0 with or without a !!RC1.0 after it. Their
+/// programs have the language ArbFragment.
 enum class Language : std::uint8_t {
   ArbFragment,
   ArbVertex,
@@ -19,7 +19,7 @@ enum class Language : std::uint8_t {
   Combiners,
   TextureShaders
 };
-/// One of nvparse's languages.
+/// True for one of nvparse's languages.
 [[nodiscard]] constexpr bool isNvparse(Language language) {
   return language == Language::Combiners || language == Language::TextureShaders;
 }
@@ -38,7 +38,7 @@ enum class TexTarget : std::uint8_t {
 };
 
 /// Fragment attributes (ARB_fragment_program 3.11.3.1, table X.2) and vertex attributes
-/// (ARB_vertex_program 2.14.3.1, table X.2); `index` counts for TexCoord and Generic only.
+/// (ARB_vertex_program 2.14.3.1, table X.2). Only TexCoord and Generic use `index`.
 enum class AttributeKind : std::uint8_t {
   ColorPrimary,
   ColorSecondary,
@@ -46,8 +46,8 @@ enum class AttributeKind : std::uint8_t {
   FogCoord,
   Position, ///< fragment.position (window), or vertex.position (object space)
   Normal,   ///< vertex programs: (x,y,z,1)
-  Generic,  ///< vertex.attrib[index]; attrib[0] is kept as written, its value is the position
-  Facing,   ///< fragment.facing of NV_fragment_program2: (1, 0, 0, 1), or x -1 of a back face
+  Generic,  ///< vertex.attrib[index]; attrib[0] stays generic, its value is the position
+  Facing,   ///< fragment.facing of NV_fragment_program2: (1, 0, 0, 1), with x = -1 for a back face
 };
 struct Attribute {
   AttributeKind kind = AttributeKind::ColorPrimary;
@@ -55,9 +55,9 @@ struct Attribute {
   bool operator==(const Attribute &) const = default;
 };
 
-/// The number of the generic attribute that is the same register as a conventional one
-/// (ARB_vertex_program, table X.2.1); 0 of the position, which is generic attribute 0, and of what
-/// is no conventional attribute of vertices.
+/// Returns the number of the generic attribute that shares a register with a conventional one
+/// (ARB_vertex_program, table X.2.1). Returns 0 for the position, which is generic attribute 0, and
+/// for everything that is not a conventional vertex attribute.
 [[nodiscard]] constexpr unsigned genericNumberOf(const Attribute &attribute) {
   switch (attribute.kind) {
   case AttributeKind::Normal:
@@ -77,7 +77,7 @@ struct Attribute {
 
 enum class OutputKind : std::uint8_t {
   Color, ///< result.color[index] of a fragment program
-  Depth, ///< result.depth: its value is component z (index 2) of the register
+  Depth, ///< result.depth; the value is component z (index 2) of the register
   // Vertex results (ARB_vertex_program table X.4).
   Position,
   FrontPrimary,
@@ -87,10 +87,10 @@ enum class OutputKind : std::uint8_t {
   FogCoord,     ///< component x
   PointSize,    ///< component x
   TexCoord,     ///< result.texcoord[index]
-  EnvParameter, ///< program parameter c[index], which a vertex state program writes
-  /// result.clip[index] of NVIDIA's options, component x: the vertex is outside where it is below 0
-  /// or NaN and CLIP_PLANE<index> is enabled. Not of position-invariant programs, which the planes
-  /// themselves clip (NV_vertex_program2_option, section 2.11).
+  EnvParameter, ///< program parameter c[index], written by a vertex state program
+  /// result.clip[index] of NVIDIA's options, component x. If CLIP_PLANE<index> is enabled, the
+  /// vertex is outside where it is below 0 or NaN. Position-invariant programs do not have it,
+  /// because the planes themselves clip them (NV_vertex_program2_option, section 2.11).
   ClipDistance,
 };
 struct Output {
@@ -99,8 +99,8 @@ struct Output {
   bool operator==(const Output &) const = default;
 };
 
-/// One row of GL state (ARB_fragment_program 3.11.3.2, tables X.2.2 to X.2.7; ARB_vertex_program
-/// 2.14.3.2, tables X.3.2 to X.3.8).
+/// The kinds of rows of GL state (ARB_fragment_program 3.11.3.2, tables X.2.2 to X.2.7;
+/// ARB_vertex_program 2.14.3.2, tables X.3.2 to X.3.8).
 enum class StateItem : std::uint8_t {
   MaterialAmbient,
   MaterialDiffuse,
@@ -129,9 +129,9 @@ enum class StateItem : std::uint8_t {
   MatrixTexture,
   MatrixPalette,
   MatrixProgram,
-  // Vertex programs only.
+  // For vertex programs only.
   TexGenEye,        ///< plane of coordinate `row` (s, t, r, q) of unit `index`
-  TexGenObject,     ///< likewise
+  TexGenObject,     ///< plane of coordinate `row` of unit `index`
   ClipPlane,        ///< plane `index`, in eye coordinates
   PointSize,        ///< (size, smallest, largest, fade threshold)
   PointAttenuation, ///< (constant, linear, quadratic, 1)
@@ -140,15 +140,15 @@ enum class MatrixModifier : std::uint8_t { Plain, Inverse, Transpose, InvTrans }
 
 struct StateRef {
   StateItem item = StateItem::MaterialAmbient;
-  bool back = false;      ///< material, scene colour and light product of the back face
+  bool back = false;      ///< the back face's material, scene colour or light product
   std::uint8_t index = 0; ///< light, texture unit, clip plane, or matrix number
   MatrixModifier modifier = MatrixModifier::Plain;
-  std::uint8_t row = 0; ///< matrices: 0..3; TexGen: the coordinate
+  std::uint8_t row = 0; ///< row 0..3 of a matrix; coordinate of a TexGen
   bool operator==(const StateRef &) const = default;
 };
 
 enum class ParameterKind : std::uint8_t { Constant, Env, Local, State };
-/// One vec4 row that the program may read.
+/// A vec4 row that the program may read.
 struct Parameter {
   ParameterKind kind = ParameterKind::Constant;
   Vec4 constant = {};      ///< Constant
@@ -157,13 +157,13 @@ struct Parameter {
 };
 
 enum class FogMode : std::uint8_t { None, Exp, Exp2, Linear };
-/// NVIDIA's option that the program is written under; each holds the one before it.
+/// The NVIDIA option that the program is written under. Each includes the one before it.
 enum class NvOption : std::uint8_t { None, First, Second };
-/// NVIDIA's language that a program is written in, by its header: !!FP1.0 (NV_fragment_program),
+/// The NVIDIA language that a program is written in, by its header: !!FP1.0 (NV_fragment_program),
 /// !!VP1.0 and !!VSP1.0 (NV_vertex_program), !!VP1.1 (NV_vertex_program1_1), !!VP2.0
-/// (NV_vertex_program2); None: one of the ARB's languages, or of ATI's.
+/// (NV_vertex_program2). None stands for the languages of the ARB and of ATI.
 enum class NativeLanguage : std::uint8_t { None, Fp1, Vp1, Vp11, Vp2, Vsp1 };
-/// The header, "!!FP1.0"; empty for None.
+/// Returns the header, such as "!!FP1.0"; empty for None.
 [[nodiscard]] constexpr std::string_view headerOf(NativeLanguage language) {
   constexpr std::string_view kHeaders[] = {"",        "!!FP1.0", "!!VP1.0",
                                            "!!VP1.1", "!!VP2.0", "!!VSP1.0"};
@@ -180,18 +180,19 @@ struct Options {
   bool originUpperLeft = false;    ///< ARB_fragment_coord_conventions
   bool pixelCenterInteger = false; ///< ARB_fragment_coord_conventions
   bool positionInvariant = false;  ///< ARB_position_invariant: no result.position in the code
-  /// The secondary colour's rgb is added to the result before fog, as COLOR_SUM does: set for ATI
-  /// fragment shaders by the state that they are drawn under.
+  /// True if the secondary colour's rgb is added to the result before fog, as COLOR_SUM does. For
+  /// ATI fragment shaders it follows the state that they are drawn under.
   bool colorSum = false;
   /// First: NV_fragment_program or NV_vertex_program2. Second: NV_fragment_program2 or
   /// NV_vertex_program3.
   NvOption nv = NvOption::None;
-  /// Not None: `nv` is First, whose rules such programs follow.
+  /// If it is not None, `nv` is First, because such programs follow that option's rules.
   NativeLanguage native = NativeLanguage::None;
 
-  /// A vertex program whose vertices are clipped by the distances that it writes, not by
-  /// CLIP_PLANEs' equations: all of NVIDIA's but for those of an option that have fixed function's
-  /// position (NV_vertex_program2_option, section 2.11; NV_vertex_program, section 2.14.1).
+  /// True for a vertex program whose vertices are clipped by the distances that it writes, and not
+  /// by CLIP_PLANEs' equations. This holds for all of NVIDIA's, except under an option with fixed
+  /// function's position (NV_vertex_program2_option, section 2.11; NV_vertex_program, section
+  /// 2.14.1).
   [[nodiscard]] constexpr bool clipsByDistances() const {
     return native != NativeLanguage::None || (nv != NvOption::None && !positionInvariant);
   }

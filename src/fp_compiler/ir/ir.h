@@ -8,9 +8,9 @@
 #include "fp_compiler/numerics.h"
 #include "fp_compiler/span.h"
 
-/// The checked program as data: code over vec4 registers, straight-line but for loops. No text, no
-/// GL. One form for every language; what a language lacks (relative operands, texture samples) does
-/// not occur in its programs.
+/// The IR: a checked program as data. It is code over vec4 registers, straight-line except for
+/// loops, without text and without GL. All languages share it. A feature that a language lacks
+/// (relative operands, texture samples) does not occur in its programs.
 namespace arbiter::fp::ir {
 
 /// Traits of an opcode; the columns of ops.def.
@@ -24,7 +24,7 @@ enum Trait : std::uint32_t {
   FixedMask = 32,
   VertexOnly = 64,
   FragmentOnly = 128,
-  // Of NVIDIA's options, and what they may not write behind a name.
+  // NVIDIA's options that have the opcode, and suffixes that its name cannot take.
   OfF1 = 256,
   OfF2 = 512,
   OfV2 = 1024,
@@ -34,7 +34,7 @@ enum Trait : std::uint32_t {
   NoCondition = 16384,
   NoSaturate = 32768,
   Flow = 65536, ///< changes what runs next; has no destination
-  // Of NVIDIA's languages of their own, each with its successors.
+  // NVIDIA's own languages that have the opcode, each with its successors.
   OfFp1 = 131072,
   OfVp1 = 262144,
   OfVp11 = 524288,
@@ -48,24 +48,24 @@ enum class Opcode : std::uint8_t {
 #include "fp_compiler/ir/ops.def"
 };
 
-/// The number of opcodes of the ARB languages; NVIDIA's stand behind them.
+/// The number of the ARB languages' opcodes. NVIDIA's follow them.
 inline constexpr int kOpcodeCount = int(Opcode::Seq);
-/// The number of opcodes that may stand in a program's code; behind them are those that the front
-/// end writes in terms of these.
+/// The number of opcodes that may occur in a program's code. The front end lowers the opcodes after
+/// them to these.
 inline constexpr int kCodeOpcodeCount = int(Opcode::Sgt);
 /// The number of rows of ops.def.
 inline constexpr int kOpcodeRowCount = int(Opcode::Popa) + 1;
 
-/// Opcodes of the fragment languages stand before those of vertex programs alone.
+/// The number of opcodes before those that only vertex programs have.
 inline constexpr int kFragmentOpcodeCount = int(Opcode::Arl);
 
-/// One row of ops.def.
+/// A row of ops.def.
 struct OpInfo {
   const char *name;     ///< enumerator, "Add"
   const char *mnemonic; ///< "ADD"
-  const char *shapes;   ///< one letter an operand, "VV"
+  const char *shapes;   ///< one letter for each operand, "VV"
   std::uint32_t traits; ///< Trait bits
-  const char *section;  ///< of ARB_fragment_program
+  const char *section;  ///< a section of ARB_fragment_program
   const char *doc;      ///< one line
 
   [[nodiscard]] bool has(Trait trait) const { return (traits & trait) != 0; }
@@ -81,31 +81,31 @@ enum class File : std::uint8_t {
   Attribute, ///< index into Program::attributes
   Parameter, ///< index into Program::parameters (constants, env, local and state rows)
   Output,    ///< index into Program::outputs; written only
-  Address,   ///< index into Program::addresses; one integer, written by ARL only, read by relative
-             ///< operands only
+  Address, ///< index into Program::addresses; one integer, which only ARL writes and only relative
+           ///< operands read
 };
 
-/// What one component of a swizzled operand reads. Zero and One appear through SWZ and through
-/// passes that compose it.
+/// The source of a component of a swizzled operand. Zero and One come from SWZ, and from passes
+/// that compose it.
 enum class Select : std::uint8_t { X, Y, Z, W, Zero, One };
 
 using Swizzle = std::array<Select, 4>;
 inline constexpr Swizzle kIdentity = {Select::X, Select::Y, Select::Z, Select::W};
 
-/// A source operand. Component i reads register[swizzle[i]], negated where bit i of `negate` is
-/// set. A scalar operand (shape S) repeats its component four times.
+/// A source operand. Component i reads register[swizzle[i]], and is negated if bit i of `negate` is
+/// set. A scalar operand (shape S) has the same component four times.
 struct Operand {
   File file = File::Temporary;
   std::uint16_t index = 0;
   Swizzle swizzle = kIdentity;
   std::uint8_t negate = 0; ///< bit 0 = x .. bit 3 = w
-  /// A relative operand (ARB_vertex_program 2.14.3.5): `file` is Parameter, `index` names an
-  /// element of Program::arrays, and row `addresses[address] + offset` of that array is read; zero
-  /// where there is no such row.
+  /// True for a relative operand (ARB_vertex_program 2.14.3.5). `file` is then Parameter, and
+  /// `index` names an element of Program::arrays. It reads row `addresses[address] + offset` of
+  /// that array, or zero if there is no such row.
   bool relative = false;
   std::uint8_t address = 0;
   std::int16_t offset = 0;
-  Span span; ///< of the operand's text
+  Span span; ///< the operand's text
   bool operator==(const Operand &) const = default;
 };
 
@@ -120,27 +120,27 @@ struct Destination {
 
 struct Instruction {
   Opcode op = Opcode::Mov;
-  Destination dst; ///< unused where the opcode Kills
+  Destination dst; ///< unused if the opcode Kills
   std::array<Operand, 3> src;
   std::uint8_t unit = 0;               ///< Texture opcodes: image unit
   TexTarget target = TexTarget::Tex2D; ///< Texture opcodes
-  Span span;                           ///< of the whole statement
+  Span span;                           ///< the whole statement's text
 };
 
-/// A declared temporary; the name is kept for listings only (a later declaration may be unused).
+/// A declared temporary. The name is for listings only. A temporary may be unused.
 struct Temporary {
   std::string name;
 };
 
 using fp::Numerics;
 
-/// An array that relative operands read. Rows may repeat and need not follow each other.
+/// An array that relative operands read. Rows may repeat, and need not be consecutive.
 struct ParameterArray {
   std::string name;                ///< for listings
   std::vector<std::uint16_t> rows; ///< indexes into Program::parameters
 };
 
-/// A whole program. Registers not written read as zero, on every path.
+/// A whole program. A register that was not written reads as zero, on every path.
 struct Program {
   Language language = Language::ArbFragment;
   Options options;
@@ -149,11 +149,11 @@ struct Program {
   std::vector<Parameter> parameters;
   std::vector<Output> outputs;
   std::vector<Temporary> addresses;   ///< vertex programs: address registers
-  std::vector<ParameterArray> arrays; ///< those that a relative operand names
+  std::vector<ParameterArray> arrays; ///< the arrays that relative operands read
   std::vector<Instruction> code;
 };
 
-/// True if the code has loops, REP to ENDREP: it is not straight-line then.
+/// True if the code has loops (REP to ENDREP) and so is not straight-line.
 [[nodiscard]] bool hasLoops(const Program &program);
 
 } // namespace arbiter::fp::ir

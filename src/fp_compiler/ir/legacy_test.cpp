@@ -6,7 +6,7 @@
 #include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/testing/specials.h"
 
-/// Numerics::Legacy: what the issue of 0 * infinity and 0 * NaN is in every opcode that multiplies.
+/// Tests Numerics::Legacy: the result of 0 * infinity and 0 * NaN in every opcode that multiplies.
 namespace arbiter::fp::ir {
 namespace {
 
@@ -15,7 +15,7 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 
 using testing::sameBits;
 
-/// Two factors of one product: components of the operands 0 and 1.
+/// The two factors of one product: components of operand 0 and operand 1.
 struct Place {
   Opcode op;
   int first, second;
@@ -29,8 +29,7 @@ constexpr Place kPlaces[] = {
     {Opcode::Lrp, 3, 3},
 };
 
-/// Where the factor that is neither zero nor finite stands, a finite one gives what is right: its
-/// product with the zero is +0.
+/// Expects a zero product: the result must be the one that a finite factor gives, which is +0.
 void expectZero(Opcode op, const Operands &operands, const Operands &finite) {
   const Vec4 legacy = apply(op, operands, Numerics::Legacy);
   const Vec4 wanted = apply(op, finite, Numerics::Host);
@@ -52,7 +51,7 @@ TEST(Legacy, ZeroTimesAnythingIsZeroInEachPlace) {
             result[1][std::size_t(place.second)] = swapped ? a : b;
             return result;
           };
-          // LRP reads its first operand in both products: with 1 there (1-a)*c is 0.
+          // LRP reads its first operand in both products: if it is 1, (1-a)*c is 0.
           if (place.op == Opcode::Lrp && swapped)
             continue;
           EXPECT_TRUE(std::isnan(
@@ -76,7 +75,7 @@ TEST(Legacy, AllSixProductsOfXpd) {
       for (std::size_t j = 0; j < 3; ++j) {
         if (i == j)
           continue;
-        // a[i] meets b[j] and the third component of b; both are zero.
+        // a[i] is multiplied by b[j] and by the third component of b. Both are zero.
         Operands operands = {Vec4{2, 3, 4, 5}, Vec4{}};
         operands[1][i] = 7;
         Operands finite = operands;
@@ -98,7 +97,7 @@ TEST(Legacy, PowOfOneIsOne) {
   EXPECT_TRUE(std::isnan(apply(Opcode::Pow, {Vec4{1}, Vec4{kNan}}, Numerics::Host)[0]));
 }
 
-/// The era's way to a normal of a null vector: DP3, RSQ, MUL.
+/// Programs of the time normalised a vector by DP3, RSQ and MUL. A null vector must stay null.
 TEST(Legacy, NormalizesTheNullVectorToItself) {
   const float length = apply(Opcode::Dp3, {}, Numerics::Legacy)[0];
   const float scale = apply(Opcode::Rsq, {Vec4{length}}, Numerics::Legacy)[0];
@@ -107,8 +106,8 @@ TEST(Legacy, NormalizesTheNullVectorToItself) {
             Vec4{});
 }
 
-/// Every opcode on every combination of special values, in the components 0 and 1: where Host gives
-/// a number, Legacy gives the same, and other than in a product it gives the same NaN.
+/// Runs every opcode on every combination of special values, in components 0 and 1. Where Host
+/// gives a number, Legacy gives the same. Outside of products it also gives the same NaN.
 TEST(Legacy, DiffersFromHostInNansAlone) {
   int healed = 0;
   for (int o = 0; o < kOpcodeCount; ++o) {

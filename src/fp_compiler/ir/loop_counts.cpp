@@ -21,7 +21,7 @@ std::uint64_t mostIterations(const Program &program, const Instruction &repeat) 
 }
 
 bool endsByItself(const Program &program) {
-  std::vector<std::uint64_t> times = {1}; // that the code comes by, of each open loop
+  std::vector<std::uint64_t> times = {1}; // how often the code of each open loop runs
   std::uint64_t begun = 0;
   for (const Instruction &instruction : program.code) {
     if (instruction.op == Opcode::Rep) {

@@ -3,13 +3,13 @@
 
 #include "fp_compiler/ir/ir.h"
 
-/// How often loops run, as far as a program's text says.
+/// Finds how often loops run, as far as a program's constants tell.
 namespace arbiter::fp::ir {
 
-/// A REP's iterations; kMostIterations where a constant does not say.
+/// Returns the iterations of a REP, or kMostIterations if its count is not a constant.
 [[nodiscard]] std::uint64_t mostIterations(const Program &program, const Instruction &repeat);
 
-/// True if constants keep all loops together from kMostIterations.
+/// True if constants keep the iterations of all loops together below kMostIterations.
 [[nodiscard]] bool endsByItself(const Program &program);
 
 } // namespace arbiter::fp::ir

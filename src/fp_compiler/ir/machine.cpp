@@ -42,7 +42,7 @@ void Machine::step(std::size_t index) {
   m_inputs.observer(done);
 }
 
-/// An attribute as the mode's instructions read it.
+/// Returns an attribute as instructions of the mode read it.
 Vec4 Machine::read(Vec4 value, AttributeKind kind) const {
   const bool color = kind == AttributeKind::ColorPrimary || kind == AttributeKind::ColorSecondary;
   for (float &component : value)
@@ -57,7 +57,7 @@ Vec4 Machine::given(const Parameter &parameter) const {
   return m_inputs.parameter ? m_inputs.parameter(parameter) : Vec4{};
 }
 
-/// A row as the mode's instructions read it.
+/// Returns a row of parameters as instructions of the mode read it.
 Vec4 Machine::resolve(const Parameter &parameter) const {
   Vec4 value = given(parameter);
   if (m_bits && m_numerics != Numerics::Fp24)
@@ -74,7 +74,8 @@ Vec4 Machine::element(const Operand &operand) const {
                                                      : Vec4{};
 }
 
-/// \param bits as they are, denormals too
+/// Reads an operand.
+/// \param bits true to keep denormals
 Vec4 Machine::fetch(const Operand &operand, bool bits) const {
   Vec4 source = {};
   switch (operand.file) {
@@ -89,7 +90,7 @@ Vec4 Machine::fetch(const Operand &operand, bool bits) const {
     break;
   case File::Output:
   case File::Address:
-    break; // write only; validate() reports it
+    break; // write only; validate() rejects a read
   }
   Vec4 value;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -104,7 +105,8 @@ Vec4 Machine::fetch(const Operand &operand, bool bits) const {
   return value;
 }
 
-/// In a vertex program the level is the base's, but for TXB's, which is TXL's there.
+/// Returns the level of detail that the instruction gives. A vertex program samples the base level
+/// unless TXL gives one. TXB is TXL there.
 std::optional<float> Machine::levelOf(const Instruction &instruction, const Vec4 &value) const {
   const bool vertex = m_program.language == Language::ArbVertex;
   const bool given = instruction.op == Opcode::Txl || (vertex && instruction.op == Opcode::Txb);
@@ -114,7 +116,7 @@ std::optional<float> Machine::levelOf(const Instruction &instruction, const Vec4
 }
 
 namespace {
-/// TXD's.
+/// Returns the derivatives of TXD.
 Sample::Gradient gradientOf(const Instruction &instruction, const Operands &operands) {
   Sample::Gradient gradient;
   for (std::size_t i = 0; i < 3; ++i)
@@ -159,7 +161,7 @@ Vec4 Machine::arithmetic(const Instruction &instruction, const Operands &operand
              : apply(instruction.op, operands, m_numerics, m_program.language);
 }
 
-/// What the instruction makes, before _SAT.
+/// Returns the instruction's result, before _SAT.
 Vec4 Machine::result(const Instruction &instruction, Step &done) const {
   Vec4 value;
   if (info(instruction.op).has(Texture)) {
@@ -175,7 +177,7 @@ Vec4 Machine::result(const Instruction &instruction, Step &done) const {
   return value;
 }
 
-/// What the destination holds now.
+/// Returns the value of the destination register.
 Vec4 Machine::contents(const Destination &dst) const {
   if (dst.file == File::Address)
     return {float(m_addresses[dst.index])};
@@ -183,7 +185,7 @@ Vec4 Machine::contents(const Destination &dst) const {
 }
 
 namespace {
-/// An index beyond 32 bits, or NaN, is one that no array has.
+/// Returns the address of a value. An index beyond 32 bits, or NaN, gives one that no array has.
 std::int32_t addressOf(float value) {
   return std::fabs(value) < 1073741824.0f ? std::int32_t(value)
                                           : std::numeric_limits<std::int32_t>::min();

@@ -6,25 +6,25 @@
 
 namespace arbiter::fp::ir {
 
-/// One run of a program on one fragment or vertex, instruction by instruction: evaluate()'s work.
-/// Registers and instructions are machine.cpp's, loops machine_flow.cpp's, what options add to the
-/// colours machine_options.cpp's.
+/// Runs a program on one fragment or vertex, instruction by instruction, for evaluate().
+/// machine.cpp has registers and instructions, machine_flow.cpp loops, and machine_options.cpp fog
+/// and colour sum.
 class Machine {
 public:
-  /// Both must outlive it.
+  /// Both arguments must outlive the machine.
   Machine(const Program &program, const Inputs &inputs);
 
   Evaluation run();
 
-  /// The instruction that is next; Program::code's size at the end.
+  /// Returns the index of the next instruction, or Program::code's size at the end.
   [[nodiscard]] std::size_t at() const { return m_at; }
-  /// Does it.
+  /// Runs the next instruction.
   void advance();
-  /// What the run has come to.
+  /// Returns the results of the run.
   [[nodiscard]] Evaluation finish();
 
-  /// What the operand of a derivative is, and the derivative, for the next instruction to take:
-  /// without one the fragment has no neighbours.
+  /// Operand and result of the next instruction if it is a derivative. Without a result, the
+  /// fragment has no neighbours.
   [[nodiscard]] Vec4 operandOf(std::size_t index) const {
     return fetch(m_program.code[index].src[0]);
   }
@@ -32,7 +32,7 @@ public:
 
 private:
   struct Loop {
-    std::size_t begin = 0;  ///< its REP
+    std::size_t begin = 0;  ///< index of its REP
     std::uint32_t left = 0; ///< iterations that have not begun
   };
 
@@ -66,11 +66,11 @@ private:
   const Program &m_program;
   const Inputs &m_inputs;
   const Numerics m_numerics;
-  const bool m_bits; ///< registers hold bits
+  const bool m_bits; ///< true if registers hold bits, so that moves keep denormals
   std::optional<Vec4> m_derivative;
   std::size_t m_at = 0;
   std::vector<Loop> m_loops;
-  std::uint32_t m_begun = 0; ///< iterations, of all loops
+  std::uint32_t m_begun = 0; ///< iterations begun, of all loops
   std::vector<Vec4> m_temporaries, m_attributes, m_parameters;
   std::vector<std::int32_t> m_addresses;
   Evaluation m_evaluation;

@@ -28,7 +28,7 @@ void Machine::advance() {
   }
 }
 
-/// Begins the next iteration of the innermost loop, or leaves it.
+/// Begins the next iteration of the innermost loop, or leaves the loop.
 void Machine::iterate() {
   Loop &loop = m_loops.back();
   if (loop.left > 0 && m_begun < kMostIterations) {

@@ -23,7 +23,7 @@ float Machine::compute(Opcode op, float a, float b, float c) const {
   return apply(op, {Vec4{a}, Vec4{b}, Vec4{c}}, m_numerics)[0];
 }
 
-/// Before its clamp. The rows that a chip's driver would load are made in singles.
+/// Returns the fog factor before its clamp. Rows that a driver would load are computed in singles.
 float Machine::fogFactor() const {
   const Vec4 params = given(stateRow(StateItem::FogParams));
   const float c = held(m_inputs.fogCoordinate, m_numerics);

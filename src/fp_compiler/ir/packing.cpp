@@ -43,10 +43,10 @@ std::uint16_t halfOf(float value) {
   const auto sign = std::uint16_t(bits >> 16 & 0x8000);
   const std::uint32_t size = bits & 0x7FFFFFFF;
   if (size > 0x7F800000)
-    return 0x7FFF;        // NaNs are all the same, their signs too
-  if (size >= 0x477FF000) // 65520
+    return 0x7FFF;        // all NaNs give the same half, whatever their sign
+  if (size >= 0x477FF000) // 65520 and above
     return std::uint16_t(sign | 0x7C00);
-  if (size < 0x38800000) // below 2^-14 the half's unit is 2^-24
+  if (size < 0x38800000) // below 2^-14 the unit of a half is 2^-24
     return std::uint16_t(sign | std::uint16_t(std::nearbyint(std::fabs(value) * 0x1p24f)));
   const std::uint32_t near = size + 0xFFF + (size >> 13 & 1);
   return std::uint16_t(sign | ((near - 0x38000000) >> 13));

@@ -40,7 +40,7 @@ std::string registerText(File file, unsigned index) {
   return fileLetter(file) + std::to_string(index);
 }
 
-/// "c0[A0+3]": row A0+3 of the program's array 0.
+/// Returns "c0[A0+3]" for row A0+3 of the program's array 0.
 std::string relativeText(const Operand &operand) {
   std::string text =
       "c" + std::to_string(operand.index) + "[" + registerText(File::Address, operand.address);
@@ -49,7 +49,7 @@ std::string relativeText(const Operand &operand) {
   return text + "]";
 }
 
-/// ".wzyx", or ".(-x,0,1,w)" where the components differ in sign or are constant.
+/// Returns ".wzyx", or ".(-x,0,1,w)" if the components differ in sign or are constant.
 std::string operandText(const Operand &operand, bool scalar) {
   const std::string name =
       operand.relative ? relativeText(operand) : registerText(operand.file, operand.index);

@@ -29,7 +29,7 @@ std::uint8_t crossMask(std::uint8_t mask) {
   return reads;
 }
 
-/// The derivatives have no reference of a comparison.
+/// Returns the components of a derivative: a comparison's reference has none.
 std::uint8_t derivativeMask(TexTarget target) {
   switch (target) {
   case TexTarget::Tex1D:
@@ -53,7 +53,7 @@ std::uint8_t textureMask(const Instruction &instruction, int operand) {
   std::uint8_t reads = coordinateMask(instruction.target);
   if (instruction.op == Opcode::Txp)
     reads |= kW;
-  // A rectangle has one level, so there is nothing to bias.
+  // A rectangle has one level, so a bias has no effect.
   const bool rectangle =
       instruction.target == TexTarget::Rect || instruction.target == TexTarget::ShadowRect;
   if ((instruction.op == Opcode::Txb || instruction.op == Opcode::Txl) && !rectangle)
@@ -160,7 +160,7 @@ std::uint8_t registerMask(const Instruction &instruction, int operand) {
 std::vector<bool> readsUnwritten(const Program &program) {
   std::vector<std::uint8_t> written(program.temporaries.size(), 0);
   std::vector<bool> result(program.temporaries.size(), false);
-  if (hasLoops(program)) { // what is in a loop may not have run
+  if (hasLoops(program)) { // a loop body may not have run
     result.assign(result.size(), true);
     return result;
   }

@@ -30,8 +30,8 @@ constexpr auto kExp2 = [](auto x) { return std::exp2(x); };
 constexpr auto kLog2 = [](auto x) { return std::log2(x); };
 constexpr auto kReciprocalRoot = [](auto x) { return 1 / std::sqrt(std::fabs(x)); };
 
-/// A mode's single operations. result() is what becomes of every result; of() takes a function to
-/// its result.
+/// The single operations of a mode. result() converts every result. of() applies a function and
+/// converts its result.
 struct Host {
   static float product(float a, float b) { return flushed(a * b); }
   static float sum(float a, float b) { return flushed(a + b); }
@@ -40,7 +40,7 @@ struct Host {
   static float homogeneous(float x, float y, float z, float w) { return sum(sum(x, sum(z, w)), y); }
   static float result(float value) { return flushed(value); }
   template <typename F> static float of(F function, float x) { return function(x); }
-  /// a > 0, b != 0. One rounding: hosts have pow() as one function.
+  /// Requires a > 0 and b != 0. It rounds once, because hosts have pow() as one function.
   static float power(float a, float b) {
     return result(float(std::exp2(double(b) * std::log2(double(a)))));
   }
@@ -64,15 +64,16 @@ struct Fp24 : Legacy {
   static float sum(float x, float y, float z, float w) { return sum(sum(x, y, z), w); }
   static float homogeneous(float x, float y, float z, float w) { return sum(x, y, z, w); }
   static float result(float value) { return fp24::rounded(value); }
-  /// Through a double, so that the single is the right one: the mode is to the bit.
+  /// Computes in double precision, so that the single is correctly rounded. The mode is exact to
+  /// the bit.
   template <typename F> static float of(F function, float x) {
     return result(float(function(double(x))));
   }
   static float power(float a, float b) { return of(kExp2, product(b, of(kLog2, a))); }
-  static constexpr float kExponentLimit = 0x1.FFFFp6f; // the same, truncated
+  static constexpr float kExponentLimit = 0x1.FFFFp6f; // the limit of Host, truncated
 };
 
-/// A mode's sums in vertex programs: from the first term on.
+/// The sums of a mode in vertex programs, which start at the first term.
 template <typename Mode> struct Forwards : Mode {
   using Mode::sum;
   static float sum(float x, float y, float z) { return sum(sum(x, y), z); }
@@ -98,7 +99,7 @@ float minimum(float a, float b) {
 
 float fraction(float a) { return a - std::floor(a); }
 
-/// LOG: exponent and mantissa; of 0 (-infinity, 1, -infinity, 1).
+/// Computes LOG: exponent and mantissa. For 0 it gives (-infinity, 1, -infinity, 1).
 Vec4 logarithm(float value) {
   const float magnitude = std::fabs(value);
   const float logarithm = std::log2(magnitude);
@@ -109,7 +110,7 @@ Vec4 logarithm(float value) {
   return {float(exponent - 1), mantissa * 2.0f, logarithm, 1.0f};
 }
 
-/// The opcodes in a mode's operations. Its results need no rounding but result().
+/// Computes the opcodes from a mode's operations. Their results need only result() to round them.
 template <typename Mode> struct Unit {
   static Vec4 products(const Vec4 &a, const Vec4 &b) { return zip(a, b, Mode::product); }
   static float dot3(const Vec4 &p) { return Mode::sum(p[0], p[1], p[2]); }
@@ -229,7 +230,7 @@ Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c)
   case Opcode::Up2h:
   case Opcode::Up2us:
   case Opcode::Up4b:
-  case Opcode::Up4ub: // carriesBits()
+  case Opcode::Up4ub: // handled by applyToBits()
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
@@ -310,7 +311,8 @@ Vec4 applyToBits(Opcode op, const Operands &operands) {
   case Opcode::Up4ub:
     return unpacked(Packing::Unsigned4, a[0]);
   case Opcode::Cmp: {
-    Vec4 chosen = operands[2]; // by no function that returns a float, as packed()
+    Vec4 chosen = operands[2]; // a copy of the vector, because returning a float may change a NaN,
+                               // as packed() says
     for (std::size_t i = 0; i < chosen.size(); ++i)
       if (flushed(a[i]) < 0.0f)
         chosen[i] = operands[1][i];
@@ -333,7 +335,7 @@ Vec4 apply(Opcode op, const Operands &operands, Numerics numerics, Language lang
   case Numerics::Fp24:
     return Unit<Fp24>::apply(op, operands);
   case Numerics::Fx9:
-    break; // ofInstructions() gives another
+    break; // ofInstructions() replaces this mode
   }
   return {};
 }

@@ -59,7 +59,7 @@ private:
     const bool nv = m_program.options.nv != NvOption::None;
     if (int(instruction.op) >= kOpcodeCount && !nv)
       report("an opcode of NVIDIA's options in a program without one");
-    // CMP stands for their conditional writes, in vertex programs too.
+    // Conditional writes of NVIDIA's options become CMP, also in vertex programs.
     const bool vertex = m_program.language == Language::ArbVertex;
     if (row.has(vertex ? FragmentOnly : VertexOnly) && !(vertex && nv && isOfVertices(row)))
       report("not an opcode of the program's language");

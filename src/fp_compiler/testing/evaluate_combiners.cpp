@@ -7,9 +7,9 @@ namespace arbiter::fp::combiners {
 
 namespace {
 
-using RegisterSet = std::array<Color, kRegisters + 2>; // and the two pseudo-registers
+using RegisterSet = std::array<Color, kRegisters + 2>; // two pseudo-registers follow
 
-/// Table RC.4.
+/// Applies a mapping of table RC.4.
 double mapped(double e, Mapping mapping) {
   switch (mapping) {
   case Mapping::UnsignedIdentity:
@@ -32,7 +32,7 @@ double mapped(double e, Mapping mapping) {
   return e;
 }
 
-/// The variable in components r, g, b and a; a portion reads its own.
+/// Returns the variable in components r, g, b and a. Each portion reads its own.
 Color assigned(const Input &input, const RegisterSet &set) {
   const Color &from = set[std::size_t(input.source)];
   Color value = from;
@@ -45,7 +45,7 @@ Color assigned(const Input &input, const RegisterSet &set) {
   return value;
 }
 
-/// A product or a dot product. Of the alpha portion component a is the scalar.
+/// Returns a product or a dot product. The alpha portion uses component a.
 Color product(const Color &left, const Color &right, bool dot) {
   Color result{};
   for (std::size_t c = 0; c < 4; ++c)
@@ -93,7 +93,7 @@ private:
     m_set = next;
   }
 
-  /// Components [first, end) of the outputs.
+  /// Computes components [first, end) of the outputs.
   void portion(const Portion &portion, std::size_t first, std::size_t end, RegisterSet &next) {
     std::array<Color, 4> variables;
     for (std::size_t v = 0; v < variables.size(); ++v)
@@ -102,7 +102,7 @@ private:
     const Color cd = product(variables[2], variables[3], portion.cdDot);
     Color sum{};
     const double chooser = m_set[std::size_t(Register::Spare0)][3];
-    // A dot product that goes into a sum is brought into the range of a register.
+    // A dot product in a sum is clamped to the range of a register.
     const auto term = [](double e, bool dot) { return dot ? std::clamp(e, -1.0, 1.0) : e; };
     for (std::size_t c = 0; c < 4; ++c) {
       const double left = term(ab[c], portion.abDot), right = term(cd[c], portion.cdDot);

@@ -3,28 +3,29 @@
 
 #include "fp_compiler/combiners/state.h"
 
-/// A second reading of NV_register_combiners and 2 for tests: the equations of section 3.8.12,
-/// stage by stage, in double precision and without the IR.
+/// An independent implementation of NV_register_combiners and NV_register_combiners2 for tests. It
+/// follows the equations of section 3.8.12 stage by stage, in double precision and without the IR.
 namespace arbiter::fp::combiners {
 
 using Color = std::array<double, 4>;
 
-/// One fragment.
+/// The inputs of one fragment.
 struct Inputs {
   Color primary{}, secondary{};
-  std::array<Color, kTextures> textures{};   ///< texture registers as they are initialised
+  std::array<Color, kTextures> textures{};   ///< initial values of the texture registers
   Color fog{};                               ///< the fog colour; its alpha is not read
-  double fogFactor = 1.0;                    ///< one where fog is disabled
-  std::array<Color, kConstants> constants{}; ///< by globalConstant() and stageConstant()
+  double fogFactor = 1.0;                    ///< one if fog is disabled
+  std::array<Color, kConstants> constants{}; ///< indexed by globalConstant() and stageConstant()
 };
 
 struct Evaluated {
   Color color{}; ///< the final combiner's output, before the framebuffer clamps it
-  /// How far a mux was from choosing otherwise; below a rounding error the colour is undetermined.
+  /// The smallest distance of a mux from its other choice. If it is below a rounding error, the
+  /// colour is undetermined.
   double margin = 1.0;
 };
 
-/// Undefined registers are zero.
+/// Computes the colour of a fragment. Undefined registers are zero.
 [[nodiscard]] Evaluated evaluate(const State &state, const Inputs &inputs);
 
 } // namespace arbiter::fp::combiners

@@ -8,19 +8,20 @@ namespace arbiter::fp::combiners {
 namespace {
 
 constexpr long kOne = 255;
-constexpr long kHalf = 128; ///< 127.5, to the nearest number
+constexpr long kHalf = 128; ///< 127.5, rounded
 
 using Integers = std::array<long, 4>;
-using RegisterSet = std::array<Integers, kRegisters + 2>; // and the two pseudo-registers
+using RegisterSet = std::array<Integers, kRegisters + 2>; // two pseudo-registers follow
 
-/// numerator / denominator to the nearest integer, halves upward. Requires: denominator > 0.
+/// Returns numerator / denominator rounded to the nearest integer, halves upward.
+/// Requires: denominator > 0.
 long nearest(long numerator, long denominator) {
   const long doubled = 2 * numerator + denominator, by = 2 * denominator;
   const long quotient = doubled / by;
   return doubled % by < 0 ? quotient - 1 : quotient;
 }
 
-/// Table RC.4.
+/// Applies a mapping of table RC.4.
 long mapped(long e, Mapping mapping) {
   const long positive = std::max(0L, e);
   switch (mapping) {
@@ -54,7 +55,7 @@ Integers assigned(const Input &input, const RegisterSet &set) {
   return value;
 }
 
-/// In 255 * 255ths.
+/// Returns a product or a dot product in units of 1/(255 * 255).
 Integers product(const Integers &left, const Integers &right, bool dot) {
   Integers result{};
   for (std::size_t c = 0; c < 4; ++c)
@@ -114,7 +115,7 @@ private:
     m_set = next;
   }
 
-  /// Components [first, end) of the outputs.
+  /// Computes components [first, end) of the outputs.
   void portion(const Portion &portion, std::size_t first, std::size_t end, RegisterSet &next) {
     std::array<Integers, 4> variables;
     for (std::size_t v = 0; v < variables.size(); ++v)

@@ -16,7 +16,7 @@ struct Unit {
   Color fragment, texel, constant;
 };
 
-/// Tables 3.18 and 3.19 as amended, a column each.
+/// Computes tables 3.18 and 3.19 as amended, a column for each base.
 Color conventional(EnvironmentMode mode, Base base, const Unit &u) {
   const Color &f = u.fragment, &t = u.texel, &c = u.constant;
   const bool rgb = base != Base::Alpha, opaque = base == Base::Luminance || base == Base::Rgb;
@@ -55,7 +55,7 @@ Color conventional(EnvironmentMode mode, Base base, const Unit &u) {
   return v;
 }
 
-/// The value of a COMBINE function of four arguments' one component, or of whole ones for DOT3.
+/// Returns a COMBINE function of one component of four arguments; DOT3 uses whole arguments.
 double combined(const CombineHalf &half, const std::array<Color, 4> &a, std::size_t i) {
   const auto x = [&](int n) { return a[std::size_t(n)][i]; };
   const auto dot = [&] {
@@ -91,7 +91,7 @@ double combined(const CombineHalf &half, const std::array<Color, 4> &a, std::siz
   case CombineFunction::AddSignedProducts:
     return x(0) * x(1) + x(2) * x(3) - 0.5;
   case CombineFunction::BumpEnvmap:
-    break; // no function of arguments
+    break; // has no arguments
   }
   return 0.0;
 }

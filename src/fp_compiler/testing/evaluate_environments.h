@@ -4,9 +4,10 @@
 
 namespace arbiter::fp::texture_shader {
 
-/// Texture environments by the tables of NV_texture_shader 3.8.9, in double precision: the colour
-/// after those of all units. `texels` are texture unit RGBA results, `bases` what they are taken
-/// for.
+/// Computes texture environments by the tables of NV_texture_shader 3.8.9, in double precision.
+/// Returns the colour after all units.
+/// \param texels texture unit RGBA results
+/// \param bases the base formats that the environments use for them
 [[nodiscard]] Color evaluateEnvironments(const Environments &environments,
                                          const std::array<Base, kUnits> &bases,
                                          const std::array<Color, kUnits> &texels,

@@ -33,7 +33,7 @@ private:
 
   void noteMargin(double margin) { m_out.margin = std::min(m_out.margin, margin); }
 
-  /// An access, and both of the stage's results.
+  /// Samples a texture, and sets both results of the stage.
   void access(int i, double s, double t, double r, double scale = 1.0) {
     const Sampled sampled = m_inputs.sample(i, {s, t, r});
     noteMargin(sampled.margin);

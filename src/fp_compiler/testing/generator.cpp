@@ -175,7 +175,7 @@ std::vector<Generator::Picked> Generator::operandsOf(Opcode op) {
     return {scalarWithin(0.1f, 8)};
   case Opcode::Pow: {
     Picked base = scalarWithin(0.05f, 2);
-    // The guard of the exponent may write the register that the base is read from.
+    // Clamping the exponent may overwrite the register that the base is read from.
     if (!m_options.wild) {
       const Picked exponent = parameter();
       Picked scalar = exponent;
@@ -214,7 +214,7 @@ void Generator::arithmetic(Opcode op) {
   std::array<Intervals, 3> ranges = {};
   for (std::size_t i = 0; i < picked.size(); ++i)
     ranges[i] = picked[i].ranges;
-  // LIT's 0^0 is 1 by the specifications; a host's own path gives 0.
+  // LIT's 0^0 is 1 in the specifications, but a host's own path may give 0.
   const bool zeroToZero = ranges[0][1].lo <= 0 && ranges[0][3].lo <= 0 && ranges[0][3].hi >= 0;
   if (op == Opcode::Lit && zeroToZero && !m_options.wild)
     op = Opcode::Abs;

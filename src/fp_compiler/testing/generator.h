@@ -9,8 +9,8 @@
 
 namespace arbiter::fp::testing {
 
-/// What the generators of every language share: temporaries whose written components and ranges
-/// are known, operands, and arithmetic that keeps inside each function's domain.
+/// The common part of the program generators. It tracks the temporaries' written components and
+/// value ranges, makes operands, and keeps arithmetic inside each function's domain.
 class Generator {
 public:
   virtual ~Generator() = default;
@@ -27,18 +27,18 @@ protected:
 
   ir::Target newTemporary();
   virtual Picked attribute() = 0;
-  /// A constant, env, local or state row.
+  /// Returns a constant, env, local or state row.
   virtual Picked parameter();
   virtual ir::StateRef stateRef();
-  /// Anything that may be read, with a swizzle and a sign.
+  /// Returns any readable operand, with a swizzle and a sign.
   Picked operand(bool scalar, bool extended);
   void swizzle(Picked &picked, std::uint8_t readable, bool scalar, bool extended);
-  /// A scalar operand inside [lo, hi], clamped and scaled into it if it is not there already.
+  /// Returns a scalar operand inside [lo, hi]. Clamps and scales it if needed.
   Picked scalarWithin(float lo, float hi);
   std::vector<Picked> operandsOf(ir::Opcode op);
   void arithmetic(ir::Opcode op);
   ir::Destination destination(ir::Opcode op);
-  /// What becomes of a result that is larger than a tame program's may be.
+  /// True if a large result of a tame program is saturated.
   virtual bool saturates() const { return true; }
   void record(const ir::Destination &dst, const Intervals &result);
   void emit(ir::Opcode op, const ir::Destination &dst, const std::vector<Picked> &picked);
@@ -53,7 +53,7 @@ protected:
 private:
   float literal();
   std::optional<std::size_t> readableTemporary();
-  /// Brings components of a temporary into [lo, hi], which languages without _SAT need.
+  /// Clamps components of a temporary to [lo, hi], for languages without _SAT.
   void clamp(const ir::Destination &dst, float lo, float hi);
 };
 

@@ -13,7 +13,7 @@
 namespace arbiter::fp::testing {
 
 namespace {
-/// Four numbers, in [-2,2) but for the special ones, that a text and a pixel determine.
+/// Returns four numbers in [-2,2), or special values, that depend only on the text and the pixel.
 ir::Vec4 madeUp(std::string_view text, std::uint64_t pixel, bool special) {
   Random random(arbiter::hashBytes(text).low ^ (pixel * 0x9E3779B97F4A7C15u));
   ir::Vec4 value = {};
@@ -25,14 +25,14 @@ ir::Vec4 madeUp(std::string_view text, std::uint64_t pixel, bool special) {
   return value;
 }
 
-/// The binding; attribute 0 of a vertex is its position.
+/// Returns the binding's name. Attribute 0 of a vertex is its position.
 std::string nameOf(const ir::Attribute &attribute, ir::Language language) {
   const bool position = attribute.kind == ir::AttributeKind::Generic && attribute.index == 0;
   return ir::bindingText(position ? ir::Attribute{ir::AttributeKind::Position, 0} : attribute,
                          language);
 }
 
-/// Components of an output that some instruction writes.
+/// Returns the components of an output that some instruction writes.
 std::uint8_t written(const ir::Program &program, std::size_t output) {
   std::uint8_t mask = 0;
   for (const ir::Instruction &instruction : program.code)
@@ -40,7 +40,7 @@ std::uint8_t written(const ir::Program &program, std::size_t output) {
       mask |= ir::writeMask(instruction);
   return mask;
 }
-/// Any function of the request will do, as long as it is bounded.
+/// Returns a made-up texel. Any bounded function of the request will do.
 ir::Vec4 texel(const ir::Sample &s) {
   const float mix = s.coordinate[0] + 3 * s.coordinate[1] + 7 * s.coordinate[2] + 11 * s.bias +
                     float(s.unit) + 5 * float(int(s.target));

@@ -59,7 +59,7 @@ Interval attributeRange(ir::AttributeKind kind, int index) {
   case ir::AttributeKind::ColorPrimary:
     return {InputRanges::kColorLow, InputRanges::kColorHigh};
   case ir::AttributeKind::ColorSecondary:
-    return {0, 1}; // the fourth component is 0 or 1 by the host
+    return {0, 1}; // the host decides whether the fourth component is 0 or 1
   case ir::AttributeKind::TexCoord:
     if (index == 3)
       return {InputRanges::kTexCoordQLow, InputRanges::kTexCoordQHigh};

@@ -7,7 +7,8 @@
 
 namespace arbiter::fp::testing {
 
-/// A closed range of floats, wide enough by a rough rule; keeps random programs' values moderate.
+/// A closed range of floats. The rules that compute it are approximate but safe; it keeps random
+/// programs' values moderate.
 struct Interval {
   float lo = 0, hi = 0;
   [[nodiscard]] float magnitude() const { return std::max(std::fabs(lo), std::fabs(hi)); }
@@ -22,13 +23,13 @@ struct Interval {
   }
 };
 
-/// The range of one component of an attribute, within InputRanges.
+/// Returns the range of one component of an attribute, within InputRanges.
 [[nodiscard]] Interval attributeRange(ir::AttributeKind kind, int component);
 
-/// The same for the attributes of a vertex, whose position is inside the window.
+/// Returns the range of one component of a vertex attribute. The position is inside the window.
 [[nodiscard]] Interval vertexAttributeRange(const ir::Attribute &attribute, int component);
 
-/// The ranges of an arithmetic opcode's result.
+/// Returns the ranges of an arithmetic opcode's result.
 [[nodiscard]] std::array<Interval, 4>
 rangesOf(ir::Opcode op, const std::array<std::array<Interval, 4>, 3> &operands);
 

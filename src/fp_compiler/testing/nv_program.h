@@ -7,7 +7,7 @@
 
 namespace arbiter::fp::testing {
 
-/// A fragment program under NV_fragment_program2, checked, with room for 8 of each binding.
+/// Returns a checked fragment program under NV_fragment_program2, with 8 of each binding.
 /// \param statements declarations and instructions, without header, option and END
 inline ir::Program nvFragmentProgram(const std::string &statements) {
   CompileOptions options;

@@ -79,7 +79,7 @@ private:
     record(dst, result);
   }
 
-  /// Every colour is written whole, so that nothing that reaches a pixel is undefined; or in part.
+  /// Writes every colour. A tame program writes all components, so that no pixel is undefined.
   void finish() {
     const int colors = m_builder.options().drawBuffers ? 2 : 1;
     for (int i = 0; i < colors; ++i) {

@@ -6,18 +6,19 @@
 
 #include "fp_compiler/ir/ir.h"
 
-/// Random programs for property tests and for the differential suite: valid, from a seed, and the
-/// same on every machine.
+/// Random programs for property tests and for the differential suite. They are valid, and a seed
+/// gives the same program on every machine.
 namespace arbiter::fp::testing {
 
-/// The distribution-free part of a generator, so that a seed means the same with every library.
+/// Random numbers without the library's distributions, so that a seed gives the same numbers
+/// everywhere.
 class Random {
 public:
   explicit Random(std::uint64_t seed) : m_engine(seed) {}
-  /// 0 <= result < count
+  /// Returns a number with 0 <= result < count.
   int below(int count) { return int(m_engine() % std::uint64_t(count)); }
   bool chance(int percent) { return below(100) < percent; }
-  /// lo <= result < hi, on a grid of 1/1024 of the range
+  /// Returns a number with lo <= result < hi, on a grid of 1/1024 of the range.
   float real(float lo, float hi) { return lo + (hi - lo) * float(below(1024)) / 1024.0f; }
 
 private:
@@ -27,23 +28,24 @@ private:
 struct RandomOptions {
   int minInstructions = 2;
   int maxInstructions = 16;
-  /// Special values, reads of unwritten registers, operands outside a function's domain. Without,
-  /// nothing in the program is undefined by the specification and values stay moderate.
+  /// Allows special values, reads of unwritten registers, and operands outside a function's domain.
+  /// Without it, the specification defines everything in the program, and values stay moderate.
   bool wild = false;
-  /// Reads of registers that nothing wrote, results written in part or not at all, and of vertices
-  /// the position: each zero wherever the layer draws. Values stay moderate.
+  /// Allows reads of registers that nothing wrote, and results written in part or not at all, also
+  /// a vertex's position. The layer makes each of them zero wherever it draws. Values stay
+  /// moderate.
   bool unwritten = false;
   bool kills = true;
   bool options = true; ///< fog, shadow, draw buffers, coordinate conventions, hints
 };
 
-/// Image units of random programs and their targets: a program that samples unit u uses this one.
+/// The target of each image unit that random programs sample.
 inline constexpr std::array<ir::TexTarget, 8> kUnitTargets = {
     ir::TexTarget::Tex2D,    ir::TexTarget::Tex1D,     ir::TexTarget::Tex3D,
     ir::TexTarget::Cube,     ir::TexTarget::Rect,      ir::TexTarget::Shadow2D,
     ir::TexTarget::Shadow1D, ir::TexTarget::ShadowRect};
 
-/// Ranges that inputs must keep for a tame program's values to stay moderate.
+/// The ranges of inputs that keep a tame program's values moderate.
 struct InputRanges {
   static constexpr float kColorLow = 0.0f, kColorHigh = 1.0f;
   static constexpr float kTexCoordLow = -1.5f, kTexCoordHigh = 2.5f;   ///< s, t, r
@@ -53,18 +55,18 @@ struct InputRanges {
   static constexpr float kTexelLow = 0.0f, kTexelHigh = 1.0f;
 };
 
-/// A program that validate() accepts and that spell() can write.
+/// Returns a program that validate() accepts and that spell() can write.
 [[nodiscard]] ir::Program randomProgram(std::uint64_t seed, const RandomOptions &options = {});
 
-/// Likewise a vertex program. It leaves the vertex where it is (its position is the attribute's, or
-/// ARB_position_invariant) and writes one or two results in full; wild ones also parts of others.
-/// Rows that a tame program reads by address are rows that are there.
+/// Returns a vertex program. It keeps the vertex where it is: it copies the position attribute, or
+/// uses ARB_position_invariant. It writes one or two results in full; wild programs also write
+/// parts of others. A tame program reads by address only rows that exist.
 [[nodiscard]] ir::Program randomVertexProgram(std::uint64_t seed,
                                               const RandomOptions &options = {});
 
-/// ARBfp1.0 or ARBvp1.0 text for a program of the functions above, with names, bindings, arrays,
-/// aliases, comments, numerals and suffixes varied by \p seed. Parsing it gives a program of the
-/// same meaning.
+/// Returns ARBfp1.0 or ARBvp1.0 text for a program of these generators. \p seed varies names,
+/// bindings, arrays, aliases, comments, numerals and suffixes. Parsing the text gives a program
+/// with the same meaning.
 [[nodiscard]] std::string spell(const ir::Program &program, std::uint64_t seed);
 
 } // namespace arbiter::fp::testing

@@ -48,7 +48,7 @@ private:
     const int most = m_random.chance(20) ? kMaxPairs : 5;
     pass.pairCount = std::uint8_t(1 + m_random.below(most));
     for (std::size_t i = 0; i < pass.pairCount; ++i) {
-      // A colour operation and the alpha operation after it would be one pair.
+      // After a colour operation, an alpha operation would join its pair.
       const bool alphaAlone = i == 0 || pass.pairs[i - 1].alpha;
       const bool result = m_options.defined && m_last && i + 1 == pass.pairCount;
       pass.pairs[i] = result ? resultPair() : pair(alphaAlone);
@@ -56,7 +56,7 @@ private:
     }
   }
 
-  /// Writes all of r0.
+  /// Returns a pair that writes all of r0.
   Pair resultPair() {
     Pair pair;
     do {
@@ -75,7 +75,7 @@ private:
       m_written[pair.alpha->destination] |= 8;
   }
 
-  /// The operation may be an alpha operation with the same arguments.
+  /// True if the operation may also be an alpha operation with the same arguments.
   bool validWhole(const Operation &op) const {
     for (int i = 0; i < argumentCount(op.op); ++i) {
       const Argument &a = op.arguments[std::size_t(i)];
@@ -89,7 +89,7 @@ private:
   }
 
   void setups(Pass &pass, int number) {
-    // One choice of coordinates for a source in a pass: the API form asks for that (AFS:716).
+    // The API form requires one choice of coordinates for a source in a pass (AFS:716).
     std::array<Coordinates, kTextTexCoords + kRegisters> chosen;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       const bool tame = m_options.tameDivisors && i >= kTextTexCoords;
@@ -140,7 +140,8 @@ private:
     });
   }
 
-  /// The alpha half of an instruction that writes all components, or a dot product's copy.
+  /// Returns the alpha half of an instruction that writes all components, or the copy of a dot
+  /// product.
   std::optional<Operation> whole(const Operation &color) {
     if (!validWhole(color))
       return {};
@@ -159,7 +160,7 @@ private:
     do
       op.op = Op(m_random.below(int(Op::Dot2Add) + 1));
     while ((alpha && isDot(op.op)) || (m_options.peer && op.op == Op::Dot2Add));
-    // r0 is the result: a shader that seldom writes it says little.
+    // Writes r0 often, because it is the result: a shader that seldom writes it tests little.
     op.destination = std::uint8_t(m_random.chance(30) ? 0 : m_random.below(kRegisters));
     if (!alpha)
       op.mask = m_random.chance(50) ? 7 : mask;
@@ -171,7 +172,7 @@ private:
     return op;
   }
 
-  /// The components that an operation takes of its argument.
+  /// Returns the components that an operation reads of its argument.
   static std::uint8_t components(std::uint8_t mask, Op op, int at) {
     switch (op) {
     case Op::Dot3:
@@ -185,7 +186,7 @@ private:
     }
   }
 
-  /// A register that has these components, if there is one.
+  /// Returns a register that has these components written, if there is one.
   std::optional<std::uint8_t> readable(std::uint8_t needed) {
     const auto first = std::uint8_t(m_random.below(kRegisters));
     for (std::uint8_t i = 0; i < kRegisters; ++i) {
@@ -238,7 +239,7 @@ private:
   const RandomAtiOptions &m_options;
   Shader m_shader;
   std::array<bool, kTextTexCoords> m_usesQ = {};
-  std::array<std::uint8_t, kRegisters> m_written = {}; ///< components, in the pass at hand
+  std::array<std::uint8_t, kRegisters> m_written = {}; ///< components written in the current pass
   bool m_last = false;
 };
 } // namespace

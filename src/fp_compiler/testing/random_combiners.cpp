@@ -9,7 +9,7 @@ using namespace combiners;
 
 namespace {
 
-/// Goes along the stages and keeps what is defined.
+/// Makes the stages in order, and tracks which registers are defined.
 class Maker {
 public:
   Maker(Random &random, const RandomCombinersOptions &options)
@@ -50,7 +50,7 @@ private:
     return names[std::size_t(m_random.below(int(names.size())))];
   }
 
-  /// The alpha of fog is the final combiner's alone.
+  /// Returns an input. Only the final combiner can read the alpha of fog.
   Input input(bool alpha, bool final) {
     Input input;
     const bool own = m_random.chance(70);

@@ -4,17 +4,17 @@
 #include "fp_compiler/combiners/state.h"
 #include "fp_compiler/testing/random.h"
 
-/// Random states of register combiners, as the commands of NV_register_combiners and 2 can set
-/// them, from a seed and the same on every machine.
+/// Random states of register combiners that the commands of NV_register_combiners and
+/// NV_register_combiners2 can set. A seed gives the same state on every machine.
 namespace arbiter::fp::testing {
 
 struct RandomCombinersOptions {
-  int stages = combiners::kStages;  ///< general stages that there are
-  int units = combiners::kTextures; ///< that have a register
-  std::uint8_t textures = 0xFF;     ///< registers that inputs name, bit 0 = unit 0
+  int stages = combiners::kStages;  ///< general stages in the state
+  int units = combiners::kTextures; ///< units with a texture register
+  std::uint8_t textures = 0xFF;     ///< texture registers that inputs may read; bit 0 is unit 0
 };
 
-/// No register is read that is undefined.
+/// Returns a state that reads no undefined register.
 [[nodiscard]] combiners::State randomCombiners(Random &random,
                                                const RandomCombinersOptions &options = {});
 

@@ -46,20 +46,21 @@ private:
          (vertex ? (second() ? "3;" : "2;") : (second() ? "2;" : ";")));
     if (vertex && second() && m_options.vertexUnits > 1)
       line("OPTION ARB_fragment_program_shadow;");
-    // A register of a size of its own: what is less than its precision is the reader's to say.
+    // The register may have its own size. A size below the program's precision is optional for the
+    // implementation.
     line(vertex                                   ? "TEMP r0;"
          : !m_options.peer && m_random.chance(30) ? "SHORT TEMP r0;"
                                                   : "LONG TEMP r0;");
     line("TEMP r1, r2, r3, r4, guard, bits, turns;");
     line("PARAM c[8] = { program.local[0..7] };");
-    // What NVIDIA's compiler knows to be negative sets a condition code that it takes for a
-    // positive one where flow joins.
+    // NVIDIA's compiler knows the sign of a negative constant. It sets a condition code that it
+    // takes for a positive one where branches join. So the peer gets a parameter.
     line(m_options.peer ? "PARAM k = program.local[7];" : "PARAM k = { 0.5, 0.25, 2.0, -1.0 };");
     if (m_options.wild) {
       line("PARAM large = { 0.0, 1e30, -1e30, 300.0 };");
       line("PARAM small = { 1e-40, -2.5e-30, 1e-20, -0.0 };");
     }
-    if (m_options.peer) { // what nothing wrote is undefined there
+    if (m_options.peer) { // the peer leaves registers undefined that nothing wrote
       for (int i = 0; i < 5; ++i)
         line("MOV r" + number(i) + ", program.local[" + number(i) + "];");
       line("MOV guard, program.local[5];");
@@ -73,7 +74,8 @@ private:
     line(m_options.peer ? "ARL A, { 0.5, 1.5, 2.5, 3.5 };" : "ARL A, { 0.5, 1.5, 2.5, -0.5 };");
     if (m_options.peer)
       line("ARL B, { 0.5, 1.5, 2.5, 3.5 };");
-    if (m_options.peer && second()) // what an address or a condition leaves out is undefined there
+    if (m_options.peer &&
+        second()) // the peer leaves undefined what an address or a condition skips
       for (int i = 0; i < 8; ++i)
         line("MOV result.texcoord[" + number(i) + "], k;");
   }
@@ -93,7 +95,7 @@ private:
       line("RET;");
   }
 
-  /// Each may call those behind it.
+  /// Writes the subroutines. Each may call those after it.
   void subroutines() {
     m_inSubroutine = true;
     for (m_subroutine = 0; m_subroutine < m_subroutines; ++m_subroutine) {
@@ -124,7 +126,7 @@ private:
     return !packs && !row.has(ir::Flow) && !row.has(ir::Kills) && !row.has(ir::Texture);
   }
 
-  /// What a function reads, brought into its domain; the operand as it is if all numbers are.
+  /// Returns an operand inside the function's domain, or any operand if all numbers are in it.
   std::string within(Opcode op, bool scalar, int index) {
     const std::string value = operand(scalar);
     if (m_options.wild)
@@ -175,7 +177,7 @@ private:
     const std::string word = row.mnemonic + suffix(row, saturates);
     std::string to = destination(op);
     while (m_options.peer && op == Opcode::X2d && operands.find(to.substr(0, 2)) != operands.npos)
-      to = destination(op); // later components read there what earlier ones have written
+      to = destination(op); // the peer reads components there that it has already written
     line(word + " " + to + operands + ";");
     if (!m_options.wild && !saturates)
       clamp(to.substr(0, 2));
@@ -189,7 +191,7 @@ private:
   void packing() {
     constexpr const char *kKinds[] = {"2H", "2US", "4B", "4UB"};
     const std::string kind = kKinds[m_random.below(4)];
-    // What has been computed is at times between two halves, and its last bit is another there.
+    // A computed value may lie between two halves, and its last bit may differ on the peer.
     const bool exact = m_options.peer && kind == "2H";
     line("PK" + kind + " bits, " + (exact ? parameter() : operand(false)) + ";");
     if (m_random.chance(50))
@@ -228,13 +230,14 @@ private:
     bool saturates = false;
     const std::string word = suffix(info(Opcode::Ddx), saturates);
     std::string to = destination();
-    if (m_options.peer && word.ends_with('C')) // a branch there, which splits the quad
+    if (m_options.peer &&
+        word.ends_with('C')) // the peer makes a branch of it, which splits the quad
       to = to.substr(0, to.find(' '));
     line((m_random.chance(50) ? "DDX" : "DDY") + word + " " + to + ", " + operand(false) + ";");
   }
 
   // Addresses --------------------------------------------------------------------------------
-  /// Beyond an array other hardware reads other memory.
+  /// Returns an index for an address register. The peer reads other memory beyond an array.
   std::string addressValue() {
     const std::string value = operand(false);
     if (!m_options.peer)
@@ -343,7 +346,7 @@ private:
     m_counting += counts ? 1 : 0;
     line(counts                ? "LOOP { " + times + ", 0.0, 1.0 };"
          : m_random.chance(60) ? "REP " + times + ";"
-         // NVIDIA's assembler takes no notice of the signs of REP's operand.
+         // NVIDIA's assembler ignores the signs of REP's operand.
          : m_options.peer ? "REP c[" + number(m_random.below(8)) + "];"
                           : "REP |c[" + number(m_random.below(8)) + "]|;");
     body();
@@ -366,7 +369,7 @@ private:
          (m_random.chance(60) ? " (" + condition() + ");" : std::string(";")));
   }
 
-  /// Forwards over the next statements, or backwards as often as `turns` says in all.
+  /// Branches forward over the next statements, or backward. `turns` limits all backward branches.
   void branch() {
     if (!m_placed.empty() && m_random.chance(35)) {
       line("ADDC turns.x, turns.x, -1.0;");
@@ -377,13 +380,14 @@ private:
     line("BRA " + m_open.back() + (m_random.chance(85) ? " (" + jumpCondition() + ");" : ";"));
   }
 
-  /// Of BRA, BRK and RET: NVIDIA's driver takes none where several different components pass.
+  /// Returns a condition for BRA, BRK or RET. NVIDIA's driver never takes one whose condition tests
+  /// several different components.
   std::string jumpCondition() {
     const std::string word = condition();
     return m_options.peer ? word.substr(0, word.find('.')) + swizzle(true) : word;
   }
 
-  /// Where branches arrive. A branch stays in its subroutine.
+  /// Writes labels for open branches. A branch stays in its subroutine.
   void placeLabels(bool all) {
     while (!m_open.empty() && (all || m_random.chance(30))) {
       line(m_open.front() + ":");
@@ -398,7 +402,8 @@ private:
   std::string m_text;
   int m_left = 0, m_depth = 0, m_loops = 0;
   int m_subroutines = 0, m_subroutine = 0, m_labels = 0;
-  std::vector<std::string> m_open, m_placed; ///< labels of branches: to place, placed
+  std::vector<std::string> m_open,
+      m_placed; ///< labels of branches that are not placed yet, and that are placed
 };
 } // namespace
 

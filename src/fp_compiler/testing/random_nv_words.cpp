@@ -40,7 +40,7 @@ std::string NvWords::operand(bool scalar) {
                            : m_random.chance(50) ? parameter()
                                                  : attribute();
   std::string value = name + (scalar || m_random.chance(50) ? swizzle(scalar) : "");
-  if (name == "fragment.facing") // of which NVIDIA has the same in all components
+  if (name == "fragment.facing") // NVIDIA has the same value in all of its components
     value = name + (scalar ? ".x" : ".xxxx");
   const std::string sign = m_random.chance(25) ? "-" : "";
   return m_random.chance(15) ? sign + "|" + value + "|" : sign + value;

@@ -7,9 +7,9 @@
 
 namespace arbiter::fp::testing {
 
-/// The words of randomNvProgram(): operands, conditions, suffixes and destinations of instructions.
-/// A program has the temporaries r0 to r4 and guard, the array c of parameters, the constants k,
-/// large and small, and, of vertices, the address registers A and B.
+/// Makes the parts of instructions for randomNvProgram(): operands, conditions, suffixes and
+/// destinations. A program has the temporaries r0 to r4 and guard, the array c of parameters, and
+/// the constants k, large and small. A vertex program also has the address registers A and B.
 class NvWords {
 protected:
   NvWords(std::uint64_t seed, const RandomNvOptions &options)
@@ -23,19 +23,20 @@ protected:
   std::string address() { return std::string(m_random.chance(50) ? "A" : "B") + swizzle(true); }
   std::string parameter();
   std::string operand(bool scalar);
-  /// Without signs and bars.
+  /// Returns the operand without signs and bars.
   static std::string bare(std::string value);
   std::string condition();
-  /// Whether an instruction may set a condition code where it stands.
+  /// True if an instruction here may set a condition code.
   [[nodiscard]] bool updatesHere() const { return !m_options.peer || !m_inSubroutine; }
   /// \param saturates set if the suffix is a _SAT or _SSAT
   std::string suffix(const ir::OpInfo &op, bool &saturates);
-  /// \param op whose components, where some are undefined, are left out
+  /// Returns a destination.
+  /// \param op components that it leaves undefined are not written
   std::string destination(ir::Opcode op = ir::Opcode::Mov);
 
   Random m_random;
   RandomNvOptions m_options;
-  int m_counting = 0; ///< LOOPs around what is written
+  int m_counting = 0; ///< how many LOOPs enclose the statement
   bool m_inSubroutine = false;
 
 private:

@@ -14,7 +14,7 @@ bool allowed(Operation operation, int unit, int units) {
   return infoOf(operation).firstUnit <= unit && !(notLast && unit == units - 1);
 }
 
-/// A stage and what it samples, whatever the others are.
+/// Sets a stage and its texture at random, whatever the other stages are.
 void anyStage(Random &random, State &state, int unit) {
   Stage &stage = state.stages[std::size_t(unit)];
   do
@@ -48,8 +48,8 @@ State randomTextureShaders(Random &random, int units) {
   State state;
   state.units = std::uint8_t(units);
   for (int unit = 0; unit < units; ++unit) {
-    // Tries until the stage is consistent, and mostly does more than its like; a run of dot
-    // products is made on purpose.
+    // Tries until the stage is consistent and usually not a plain access. Runs of dot products
+    // would be rare, so they are made on purpose.
     const bool wantsDots = unit > 0 && unit + 1 < units && random.chance(35);
     for (int attempt = 0; attempt < 40; ++attempt) {
       anyStage(random, state, unit);
@@ -99,7 +99,7 @@ Environments randomEnvironments(Random &random, int units) {
       continue;
     environment.color = randomHalf(random, units, false);
     environment.alpha = randomHalf(random, units, true);
-    // COMBINE4_NV's functions and the others are of one mode each.
+    // COMBINE4_NV's functions need a mode of their own, so both halves use them or neither does.
     const auto four = [](const CombineHalf &half) { return argumentsOf(half.function) == 4; };
     if (four(environment.color) != four(environment.alpha))
       environment.alpha.function =

@@ -41,7 +41,8 @@ private:
   };
 
   // Operands ------------------------------------------------------------------------------------
-  /// A slot's generic attribute may not stand beside its conventional one (table X.1).
+  /// Returns a slot's attribute. A generic attribute and its conventional one exclude each other
+  /// (table X.1).
   Source slotAttribute(int slot) {
     if (slot == 1 || slot == 6 || slot == 7 || m_generic[std::size_t(slot)])
       return m_builder.attribute(AttributeKind::Generic, slot);
@@ -78,8 +79,8 @@ private:
     return ref;
   }
 
-  /// One array of env rows, and one of what else there is. No row of state is in both or twice in
-  /// one (2.14.3.2).
+  /// Declares an array of env rows, and one of all other rows. No row of state is in both, or twice
+  /// in one (2.14.3.2).
   void declareArrays() {
     Intervals ranges;
     ranges.fill({InputRanges::kParameterLow, InputRanges::kParameterHigh});
@@ -95,7 +96,7 @@ private:
         rows.push_back(mixedRow(i));
       m_arrays.push_back({m_builder.array(rows), int(rows.size()), ranges});
     }
-    // One is all that a host need have.
+    // A host may have only one address register.
     for (int i = m_options.wild ? 1 + m_random.below(2) : 1; i > 0; --i)
       m_addresses.push_back({m_builder.address()});
   }
@@ -125,7 +126,7 @@ private:
     const Array &array = m_arrays[std::size_t(m_random.below(int(m_arrays.size())))];
     const Address &address = m_addresses[std::size_t(m_random.below(int(m_addresses.size())))];
     int low = -64, high = 63;
-    if (!m_options.wild || m_random.chance(70)) { // inside the array, whatever the address
+    if (!m_options.wild || m_random.chance(70)) { // stays inside the array, whatever the address
       if (address.high < address.low)
         return {};
       low = -address.low;
@@ -158,8 +159,8 @@ private:
     address.high = low + count - 1;
   }
 
-  /// The position that the vertex came with, one or two results in full, and in wild programs more.
-  /// Under `unwritten` less of each.
+  /// Writes the position as the vertex has it, and one or two results in full. Wild programs write
+  /// more, and under `unwritten` results are written in part.
   void finish() {
     if (!m_builder.options().positionInvariant)
       position();
@@ -182,7 +183,8 @@ private:
     write(partly);
   }
 
-  /// Under `unwritten` often none, or one without a w, with which no vertex is inside.
+  /// Writes the position. Under `unwritten` it is often missing, or lacks w, and then no vertex is
+  /// inside.
   void position() {
     const bool whole = !m_options.unwritten || m_random.chance(60);
     if (!whole && m_random.chance(50))
@@ -205,7 +207,7 @@ private:
   std::array<bool, 16> m_generic = {};
   std::vector<Array> m_arrays;
   std::vector<Address> m_addresses;
-  int m_mixed = -1; ///< what the second array is made of
+  int m_mixed = -1; ///< the kind of rows in the second array
 };
 } // namespace
 

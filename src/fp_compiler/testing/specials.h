@@ -9,7 +9,7 @@
 
 namespace arbiter::fp::testing {
 
-/// Numbers at which the rules of ir/semantics.h and of fp24 turn: zeros, denormals, the ends of
+/// Numbers at which the rules of ir/semantics.h and of fp24 change: zeros, denormals, the ends of
 /// both formats, neighbours of one, infinities, NaN.
 inline constexpr std::array<float, 26> kSpecials = {0.0f,
                                                     -0.0f,
@@ -38,7 +38,7 @@ inline constexpr std::array<float, 26> kSpecials = {0.0f,
                                                     -std::numeric_limits<float>::infinity(),
                                                     std::numeric_limits<float>::quiet_NaN()};
 
-/// Equal to the bit, all NaNs being one.
+/// True if the numbers are equal bit by bit. All NaNs are equal.
 [[nodiscard]] inline bool sameBits(float a, float b) {
   return (std::isnan(a) && std::isnan(b)) ||
          std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);

@@ -116,7 +116,7 @@ private:
     return text;
   }
 
-  /// A vector, shortened where the defaults 0, 0, 1 allow it.
+  /// Returns a vector, shortened if the defaults 0, 0, 1 allow it.
   std::string constant(const Vec4 &value) {
     std::size_t count = 4;
     const Vec4 defaults = {0, 0, 0, 1};
@@ -161,7 +161,7 @@ private:
            array + "};");
   }
 
-  /// Arrays that are read by address; a run of env rows may be spelled as one.
+  /// Writes the arrays that are read by address. A run of env rows may be written as a range.
   void arrays() {
     for (std::size_t i = 0; i < m_program.arrays.size(); ++i) {
       const std::vector<std::uint16_t> &rows = m_program.arrays[i].rows;
@@ -214,7 +214,7 @@ private:
     }
   }
 
-  /// The letters of a colour are of fragment programs.
+  /// Returns the letters of components. Only fragment programs may use rgba.
   const char *letters() { return !isVertex() && m_random.chance(30) ? "rgba" : "xyzw"; }
 
   std::string nameOf(const Operand &operand) {

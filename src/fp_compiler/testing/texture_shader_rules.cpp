@@ -33,7 +33,7 @@ public:
     }
   }
 
-  /// Type, base and signedness of the result that a stage has when it is consistent.
+  /// Returns type, base and signedness of a stage's result if the stage is consistent.
   [[nodiscard]] Result kindOf(int i) const {
     Result kind;
     if (accesses(operation(i))) {
@@ -75,7 +75,7 @@ public:
   [[nodiscard]] bool unsignedColorTexture(int i) const {
     return typeOf(texture(i).base) == Type::Colors && texture(i).signs == Signs::Unsigned;
   }
-  /// A consistent DOT_PRODUCT_NV.
+  /// True if the stage is a consistent DOT_PRODUCT_NV.
   [[nodiscard]] bool dotStage(int i) const {
     return operation(i) == O::DotProduct && consistent(i);
   }
@@ -87,7 +87,8 @@ public:
     if (previousOf(i) == i - 1 || previousOf(i) == i - 2 || !previousIsVector(i) ||
         !dotStage(i - 2))
       return false;
-    // Of a diffuse stage all but what depends on this one.
+    // For a diffuse stage before this one, all its rules apply except those that depend on this
+    // stage.
     return dotStage(i - 1) ||
            (operation(i - 1) == O::DotProductDiffuseCubeMap && diffuseItself(i - 1));
   }

@@ -27,7 +27,7 @@ void Parser::parseConstants() {
       if (m_tokens.at(TokenKind::Identifier))
         hint = didYouMean(text(m_tokens.peek()), {"CONSTANT", "EndConstants"});
       unexpected("CONSTANT or EndConstants", std::move(hint));
-      // At least one token goes, so that the block ends.
+      // Skip at least one token, so that the loop ends.
       if (m_tokens.next().kind != TokenKind::Semicolon)
         recover();
     } else if (!parseConstant()) {
@@ -44,7 +44,7 @@ bool Parser::parseConstant() {
   if (m_declared[index])
     error(DiagnosticId::AtiConstantRedeclared, name.span,
           std::string(text(name)) + " is bound a second time", "a constant is bound at most once");
-  // Declared even where the binding is bad, so that its uses are not reported as well.
+  // Declare the constant even if its binding is wrong, so that its uses give no further errors.
   m_declared[index] = true;
   if (!expect(TokenKind::Equals, "'='"))
     return false;
@@ -99,7 +99,7 @@ bool Parser::parseParameterBinding(Constant &constant) {
 
 bool Parser::parseLiteral(Constant &constant) {
   constant.kind = ConstantKind::Value;
-  // The specification leaves open what the components not given are; these are those of
+  // The specification does not define the missing components. These are the defaults of
   // ARB_vertex_program's literals.
   constant.value = {0.0f, 0.0f, 0.0f, 1.0f};
   for (std::size_t i = 0; i < 4; ++i) {

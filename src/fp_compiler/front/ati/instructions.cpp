@@ -10,7 +10,7 @@ constexpr std::uint8_t kColor = 7;
 } // namespace
 
 bool Parser::parseInstruction(const Token &first, Op op) {
-  // Also where it turns out to be wrong: the pass was meant to have it.
+  // A wrong instruction counts too: the pass was meant to have one.
   m_hasInstructions = true;
   Statement statement;
   statement.operation.op = op;
@@ -65,7 +65,7 @@ bool Parser::parseDestination(Statement &statement) {
 bool Parser::parseArguments(Statement &statement) {
   const int count = argumentCount(statement.operation.op);
   for (int i = 0; i < count; ++i) {
-    // The grammar is printed without the first comma, the examples have it.
+    // The printed grammar lacks the first comma, but the examples have it.
     if (i == 0)
       m_tokens.accept(TokenKind::Comma);
     else if (!expect(TokenKind::Comma, "','",

@@ -66,7 +66,7 @@ void Parser::parsePass(bool prelim) {
   while (!m_reporter.full()) {
     if (m_tokens.atWord("EndPass"))
       return closePass();
-    // A block that begins here ends this one; so does the text.
+    // Another block, or the end of the text, ends this block.
     if (m_tokens.at(TokenKind::EndOfText) || m_tokens.atWord("StartOutputPass") ||
         m_tokens.atWord("StartPrelimPass") || m_tokens.atWord("StartConstants")) {
       error(DiagnosticId::AtiPassOpen, m_tokens.peek().span,
@@ -111,7 +111,7 @@ void Parser::unknownStatement(const Token &first) {
   if (word == "CONSTANT")
     return error(DiagnosticId::Syntax, first.span, "CONSTANT in a pass",
                  "constants are declared between StartConstants; and EndConstants;");
-  // The prose of the specification and the API form write LERP_ATI, SampleMapATI.
+  // The specification's prose and the API form write LERP_ATI and SampleMapATI.
   std::string_view bare = word;
   for (const std::string_view suffix : {"ATI", "_"})
     if (bare.size() > suffix.size() && bare.ends_with(suffix))
@@ -134,7 +134,7 @@ void Parser::parseEnd() {
   if (m_reporter.full() || m_tokens.at(TokenKind::EndOfText))
     return;
   const Token token = m_tokens.peek();
-  // Callers that pass sizeof of a literal count its terminator.
+  // Callers that pass sizeof of a literal include its terminator in the length.
   if (m_text.find_first_not_of('\0', token.span.begin) == std::string_view::npos) {
     m_reporter.warning(DiagnosticId::TrailingNul, {token.span.begin, std::uint32_t(m_text.size())},
                        "the length counts a NUL byte after the last EndPass");

@@ -10,8 +10,8 @@
 #include "fp_compiler/front/words/names.h"
 #include "fp_compiler/front/words/word_tokens.h"
 
-/// The text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed grammar has
-/// gaps; docs/write/ati_fragment_shader.md says how each is read.
+/// Parses the text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed
+/// grammar has gaps; docs/write/ati_fragment_shader.md says how each is read.
 namespace arbiter::fp::ati {
 
 inline constexpr std::string_view kHeader = "!!ATIfs1.0";
@@ -19,22 +19,23 @@ inline constexpr std::string_view kHeader = "!!ATIfs1.0";
 struct ParseResult {
   std::vector<Diagnostic> diagnostics; ///< in text order
   std::optional<Shader> shader;        ///< empty if there is any error
-  /// Pairs as ALU and SampleMaps as TEX instructions, passes as indirections, registers, declared
-  /// constants and interpolators.
+  /// Pairs count as ALU instructions, SampleMaps as TEX instructions, and passes as indirections.
+  /// Registers, declared constants and interpolators are counted too.
   ResourceCounts counts;
 };
 
-/// Parses and checks an !!ATIfs1.0 text. Time is linear in the text, memory constant but for the
-/// diagnostics; there is no recursion. The limits that count are those of parameters and of
-/// fixed-function texture units; sizes are of the grammar, so they bind under every LimitPolicy.
-/// \param names as of parseArbProgram(): registers and constants, under the kinds of temporaries
-///        and parameters
+/// Parses and checks an !!ATIfs1.0 text. Time is linear in the text. Memory is constant except for
+/// the diagnostics, and there is no recursion. Of the limits only those of parameters and of
+/// fixed-function texture units apply. Other sizes are part of the grammar, so every LimitPolicy
+/// enforces them.
+/// \param names as in parseArbProgram(): registers are listed as temporaries, constants as
+/// parameters
 [[nodiscard]] ParseResult parse(std::string_view text, const CompileOptions &options,
                                 NameTable *names = nullptr);
 
-/// One statement a function. A function that returns bool returns false for a syntax error, which
-/// it has reported; the statement is then given up and the parser goes on at the next one. Errors
-/// of meaning are reported and the statement goes on.
+/// The parser, with one function for each statement. A function that returns bool returns false
+/// after it has reported a syntax error. The statement is then skipped, and parsing continues at
+/// the next one. After a semantic error the statement continues.
 class Parser {
 public:
   Parser(std::string_view text, const Limits &limits, Reporter &reporter, std::uint32_t begin,
@@ -55,10 +56,10 @@ private:
   bool expect(TokenKind kind, const char *what, std::string hint = {});
   bool unexpected(const char *expected, std::string hint = {});
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
-  /// The word after a full stop; nothing, and a report, if there is none.
+  /// Reads the word after a full stop. Reports an error if there is none.
   bool suffixWord(const char *what, Token &word);
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  /// A name stands here; kept where names are asked for.
+  /// Adds the name to the table of names, if there is one.
   void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
     if (m_names)
       m_names->add(text(name), name.span, access, kind);
@@ -107,16 +108,16 @@ private:
   std::array<bool, kConstants> m_declared = {};
   std::array<bool, kRegisters> m_registersUsed = {};
   std::array<bool, 2> m_colorsUsed = {};
-  /// How a texture coordinate set is used: with its third component r, or q (rule 8).
+  /// Whether a texture coordinate set is used with r or with q as its third component (rule 8).
   enum class Third : std::uint8_t { Unused, R, Q };
   std::array<Third, kTexCoords> m_thirds = {};
 
-  // The pass at hand.
+  // State of the current pass.
   Pass *m_pass = nullptr;
   bool m_prelim = false;
   bool m_hasInstructions = false;
   int m_pairs = 0; ///< also those beyond the limit
-  /// The last statement wrote colour alone, so that an alpha instruction completes its pair.
+  /// True if the last statement wrote only colour, so that an alpha instruction completes its pair.
   bool m_openPair = false;
   bool m_openDot4 = false; ///< and it was a DOT4
 };

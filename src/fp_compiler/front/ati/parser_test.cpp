@@ -43,7 +43,7 @@ TEST(AtiParser, SpansAreThoseOfTheText) {
   EXPECT_EQ(pass.pairCount, 1);
 }
 
-/// What must hold of any answer.
+/// Checks what must hold for every result.
 void expectSound(const std::string &text) {
   const CheckResult result = checkProgram(ir::Language::AtiFragment, text, eightUnits());
   EXPECT_EQ(result.ok(), result.errorPosition() < 0) << text;

@@ -4,8 +4,9 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/ati/parser.h"
 
-// Every rule of ATI_text_fragment_shader 3.10.1 and every place of its grammar, both ways. A case
-// is an !!ATIfs1.0 text in which '@' stands before the byte that the first error must name.
+// Tests every rule of ATI_text_fragment_shader 3.10.1 and every part of its grammar, both accepted
+// and refused. A case is an !!ATIfs1.0 text with '@' before the byte that the first error must
+// name.
 namespace arbiter::fp::ati {
 namespace {
 
@@ -38,7 +39,7 @@ void accepts(const std::string &body, const CompileOptions &options = eightUnits
   EXPECT_TRUE(result.diagnostics.empty());
 }
 
-/// The text has one error, of this ID, at the '@'.
+/// Expects exactly one error, with this ID, at the '@'.
 void refuses(const std::string &id, const std::string &body,
              const CompileOptions &options = eightUnits()) {
   std::string text = body.starts_with('\n') ? body.substr(1) : "!!ATIfs1.0\n" + body;
@@ -227,7 +228,7 @@ TEST(AtiRules, R05EightPairs) {
   accepts(prelim(repeated(whole, 8)) + output(repeated(whole, 8)));
   accepts(output(repeated(color + alpha, 8)));
   accepts(output(repeated(color, 8) + alpha));
-  // Alpha before colour is no pair; nor is alpha after a whole instruction.
+  // Alpha before colour is not a pair, and neither is alpha after a whole instruction.
   accepts(output(repeated(alpha + color, 7) + alpha));
   refuses("ati-pairs", output(repeated(alpha + color, 7) + alpha + "@" + color));
   refuses("ati-pairs", output(repeated(alpha + whole, 4) + "@" + alpha));
@@ -235,7 +236,7 @@ TEST(AtiRules, R05EightPairs) {
   refuses("ati-pairs", output(repeated(color, 8) + "@" + color));
   refuses("ati-pairs", output(repeated(color + alpha, 8) + "@" + alpha + whole + whole));
   refuses("ati-pairs", prelim(repeated(whole, 8) + "@" + whole) + kNop);
-  // Setups are free.
+  // Setups do not count as pairs.
   accepts(output("SampleMap r0, t0.str; SampleMap r1, t1.str;" + repeated(whole, 8)));
 }
 

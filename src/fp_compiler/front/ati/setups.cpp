@@ -14,7 +14,7 @@ bool Parser::parseSetup(const Token &first, SetupKind kind) {
     error(DiagnosticId::AtiSetupTwice, name.span,
           std::string(text(name)) + " is set up a second time in this pass",
           "PassTexCoord and SampleMap write a register once in a pass");
-  // The grammar is printed without the comma, the examples have it.
+  // The printed grammar lacks the comma, but the examples have it.
   m_tokens.accept(TokenKind::Comma);
   Setup setup;
   setup.kind = kind;

@@ -25,7 +25,7 @@ constexpr std::string_view kStatements[] = {
 #include "fp_compiler/front/ati/words.def"
 };
 
-// lookUp() takes a word's place for its enumerator.
+// lookUp() uses a word's index as its enumerator.
 // NOLINTBEGIN(bugprone-macro-parentheses): an enumerator's name cannot stand in parentheses.
 #define ATI_OP(Enumerator, word, formula) static_assert(kOps[std::size_t(Op::Enumerator)] == word);
 #define ATI_COORDINATES(Enumerator, word, doc)                                                     \
@@ -35,7 +35,7 @@ constexpr std::string_view kStatements[] = {
 // NOLINTEND(bugprone-macro-parentheses)
 #include "fp_compiler/front/ati/words.def"
 
-/// The enumerator whose place in the table the word has.
+/// Returns the enumerator whose index the word has in the table.
 template <typename Enum, std::size_t N>
 std::optional<Enum> lookUp(const std::string_view (&table)[N], std::string_view word) {
   const auto found = std::find(std::begin(table), std::end(table), word);
@@ -74,7 +74,7 @@ std::optional<std::uint8_t> numbered(std::string_view word, char letter) {
   if (word.size() < 2 || word.size() > 3 || word[0] != letter ||
       word.find_first_not_of("0123456789", 1) != std::string_view::npos)
     return {};
-  // "r01" is no register.
+  // A leading zero, as in "r01", does not name a register.
   if (word.size() == 3 && word[1] == '0')
     return {};
   return std::uint8_t(parseInteger(word.substr(1)));

@@ -14,7 +14,7 @@ constexpr int kNamedSets = 6; // t0 to t5
 
 std::string withNumber(const char *letter, int number) { return letter + std::to_string(number); }
 
-/// A single that reads back as the same.
+/// Returns a number that reads back as the same float.
 std::string literal(float value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", double(value));

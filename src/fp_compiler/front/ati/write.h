@@ -6,10 +6,10 @@
 
 namespace arbiter::fp::ati {
 
-/// The shader as a text of ATI_text_fragment_shader that means the same, a statement a line. Its
-/// constants are those that it reads: literals, and parameters. Nothing for one that the language
-/// has no words for: a set of texture coordinates beyond t5, a literal outside of [0,1], or a dot
-/// product whose alpha goes elsewhere than its colour.
+/// Writes the shader as a text of ATI_text_fragment_shader with the same meaning, one statement a
+/// line. The text declares the constants that the shader reads: literals and parameters. Returns
+/// nothing if the language cannot express the shader: with texture coordinates beyond t5, a literal
+/// outside of [0,1], or a dot product whose alpha has another destination than its colour.
 [[nodiscard]] std::optional<std::string> write(const Shader &shader);
 
 } // namespace arbiter::fp::ati

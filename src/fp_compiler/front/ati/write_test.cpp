@@ -30,7 +30,7 @@ TEST(AtiWrite, TheTextMeansTheShader) {
   }
 }
 
-/// A bump map in two passes, as its commands would have made it.
+/// Returns a bump map in two passes, as its commands would make it.
 Shader bumps() {
   Shader shader;
   shader.passCount = 2;
@@ -76,7 +76,7 @@ TEST(AtiWrite, AStatementALine) {
                                          "EndPass;\n");
 }
 
-/// What only commands can say.
+/// The text form cannot express these shaders.
 TEST(AtiWrite, WhatHasNoWordsHasNoText) {
   Shader shader = bumps();
   shader.passes[0].setups[1].source = 6;

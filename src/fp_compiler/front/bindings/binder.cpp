@@ -9,7 +9,8 @@ namespace arbiter::fp {
 
 namespace {
 
-/// The index of an equal row, appended if there is none. For lists of bounded length only.
+/// Returns the index of an equal row. Appends the row if there is none. Only for lists of bounded
+/// length.
 template <typename T> std::uint16_t findOrAppend(std::vector<T> &rows, const T &row, bool &isNew) {
   const auto found = std::find(rows.begin(), rows.end(), row);
   isNew = found == rows.end();
@@ -23,7 +24,7 @@ std::uint64_t keyOf(ir::ParameterKind kind, std::uint64_t rest) {
   return std::uint64_t(kind) << 56 | rest;
 }
 
-/// The generic attribute in the row of an attribute in table X.2.1 (ARB_vertex_program 2.14.3.1).
+/// Returns the generic attribute in the same row of table X.2.1 (ARB_vertex_program 2.14.3.1).
 int genericOf(ir::Attribute attribute) {
   switch (attribute.kind) {
   case ir::AttributeKind::Position:
@@ -69,7 +70,7 @@ Binder::Binder(ir::Language language, const CompileOptions &options, Reporter &r
   m_program.language = language;
   m_program.code.reserve(32);
   m_program.parameters.reserve(16);
-  // Every fragment program has one node, even with no texture instruction.
+  // Every fragment program has one node, even without texture instructions.
   if (language != ir::Language::ArbVertex)
     m_budget.spend(Resource::TexIndirections, {});
 }
@@ -105,7 +106,7 @@ std::uint16_t Binder::attribute(ir::Attribute attribute, Span where, bool alone)
   return index;
 }
 
-/// A conventional attribute and the generic one of its row may not both be bound.
+/// Reports an error if a conventional attribute and the generic one of its row are both bound.
 void Binder::refuseAlias(ir::Attribute attribute, Span where) {
   for (const ir::Attribute &other : m_program.attributes)
     if (!(other == attribute) && genericOf(other) == genericOf(attribute))
@@ -147,8 +148,8 @@ std::uint16_t Binder::constantRow(const ir::Vec4 &value, Span where, bool counts
   const auto [entry, isNew] = m_constantRows.try_emplace(bits, std::uint16_t(0));
   if (!isNew)
     return entry->second;
-  // A second zero of the other sign has a row of its own but is not counted again; it may still
-  // not be numbered past the ceiling.
+  // A zero of the other sign gets its own row but is not counted again. It must still stay below
+  // the ceiling.
   if (counts && m_constantsCounted.insert(countedBits(value)).second &&
       !m_budget.spend(Resource::Parameters, where))
     return 0;
@@ -207,7 +208,7 @@ std::uint16_t Binder::relativeArray(std::string_view name, const std::vector<std
       continue; // over the ceiling, which is reported
     const ir::Parameter &parameter = m_program.parameters[row];
     if (parameter.kind == ir::ParameterKind::Constant) {
-      // Each distinct value was counted where it was bound.
+      // Each distinct value was already counted where it was bound.
       if (!m_relativeConstants.insert(countedBits(parameter.constant)).second)
         m_budget.spend(Resource::Parameters, where);
     } else if (!m_relativeState.insert(row).second && !reported) {
@@ -222,7 +223,7 @@ std::uint16_t Binder::relativeArray(std::string_view name, const std::vector<std
   return std::uint16_t(m_program.arrays.size() - 1);
 }
 
-/// What fragment programs count beside the number of instructions.
+/// Counts the resources that only fragment programs have.
 bool Binder::countKinds(const ir::Instruction &instruction, Span opcode) {
   const ir::OpInfo &op = info(instruction.op);
   const bool isTexture = op.has(ir::Texture) || op.has(ir::Kills);
@@ -269,8 +270,8 @@ std::uint16_t Binder::addressVector(std::string_view name, Span where) {
 }
 
 void Binder::append(const ir::Instruction &instruction, Span where) {
-  // A host's GLSL compiler goes along a chain of instructions by recursion: Mesa's left its stack
-  // in one of 16,000.
+  // A host's GLSL compiler may recurse along a chain of instructions. Mesa's overflowed its stack
+  // with a chain of 16,000.
   constexpr std::size_t kMost = 10000;
   if (m_program.code.size() >= kMost)
     return m_reporter.error(DiagnosticId::LimitInstructions, where,

@@ -6,7 +6,7 @@
 
 namespace arbiter::fp {
 
-/// The current token is not one of the words that may follow here.
+/// Reports that the current token is not one of the words that are allowed here.
 bool Parser::unknownWord(const char *what, std::initializer_list<std::string_view> words,
                          std::initializer_list<std::string_view> foreignWords) {
   if (!m_tokens.at(TokenKind::Identifier))
@@ -25,7 +25,7 @@ bool Parser::unknownWord(const char *what, std::initializer_list<std::string_vie
   return false;
 }
 
-/// <integer> from 0 to limit - 1. Out of range is no syntax error: the value becomes 0.
+/// Parses <integer> from 0 to limit - 1. A value out of range is not a syntax error; it becomes 0.
 bool Parser::parseBounded(std::uint32_t limit, DiagnosticId id, const char *what,
                           std::uint32_t &value) {
   if (m_tokens.at(TokenKind::Identifier)) {
@@ -59,7 +59,7 @@ bool Parser::parseOptionalIndex(std::uint32_t limit, DiagnosticId id, const char
   return !m_tokens.at(TokenKind::OpenBracket) || parseIndex(limit, id, what, index);
 }
 
-/// <fragAttribBinding> or <vtxAttribBinding>, from its first word on.
+/// Parses <fragAttribBinding> or <vtxAttribBinding>, from its first word on.
 bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   const std::uint32_t begin = m_tokens.next().span.begin;
   if (!expect(TokenKind::Dot, "'.'"))
@@ -104,7 +104,7 @@ bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   return true;
 }
 
-/// The attributes of a kind as a sequence, for an address register to choose from.
+/// Binds all attributes of a kind as a sequence, which an address register can index.
 void Parser::indexAttributes(ir::AttributeKind kind, std::uint32_t count) {
   std::optional<std::uint16_t> &sequence =
       kind == ir::AttributeKind::TexCoord ? m_texCoords : m_attribs;
@@ -116,7 +116,7 @@ void Parser::indexAttributes(ir::AttributeKind kind, std::uint32_t count) {
     rows.push_back(m_binder.attribute({kind, std::uint8_t(i)}, m_tokens.peek().span, false));
 }
 
-/// "color" <optColorType>
+/// Parses "color" <optColorType>.
 bool Parser::parseColorAttribute(Place place, ir::Attribute &attribute) {
   m_tokens.next();
   const bool secondary = atWord(1, "secondary");
@@ -132,7 +132,7 @@ bool Parser::parseColorAttribute(Place place, ir::Attribute &attribute) {
   return true;
 }
 
-/// "texcoord" <optTexCoordNum>
+/// Parses "texcoord" <optTexCoordNum>.
 bool Parser::parseTexCoord(std::uint8_t &index) {
   m_tokens.next();
   std::uint32_t parsed = 0;
@@ -143,7 +143,7 @@ bool Parser::parseTexCoord(std::uint8_t &index) {
   return true;
 }
 
-/// <resultBinding>, from "result" on.
+/// Parses <resultBinding>, from "result" on.
 bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
   m_tokens.next();
   if (!expect(TokenKind::Dot, "'.'"))
@@ -158,7 +158,7 @@ bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
   return true;
 }
 
-/// <resultBinding> of fragment programs, after its dot.
+/// Parses <resultBinding> of fragment programs, after its dot.
 bool Parser::parseFragmentResult(ir::Output &output) {
   if (atWord(0, "depth")) {
     m_tokens.next();
@@ -189,7 +189,7 @@ bool Parser::parseFragmentResult(ir::Output &output) {
   return true;
 }
 
-/// <programSingleItem> or <programMultipleItem>, after "program".
+/// Parses <programSingleItem> or <programMultipleItem>, after "program".
 bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
@@ -216,7 +216,8 @@ bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::CloseBracket, "']'",
               range ? "" : "a range belongs in an array: PARAM p[] = { program.local[0..3] }"))
     return false;
-  // Out of range: one row stands for the binding, so that the statement is still checked.
+  // If the index is out of range, one row stands for the binding, so that the statement is still
+  // checked.
   if (m_reporter.errorCount() != errorsBefore)
     first = last = 0;
   for (std::uint32_t i = first; i <= last; ++i)
@@ -224,7 +225,7 @@ bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
   return true;
 }
 
-/// <floatConstant>, or <signedFloatConstant>. An integer is taken for one, as in every program.
+/// Parses <floatConstant> or <signedFloatConstant>. An integer is accepted too, as programs use it.
 bool Parser::parseNumber(bool isSigned, float &value) {
   bool negative = false;
   if (isSigned) {
@@ -243,7 +244,7 @@ bool Parser::parseNumber(bool isSigned, float &value) {
   return true;
 }
 
-/// <paramConstVector>; y, z and w default to 0, 0 and 1.
+/// Parses <paramConstVector>. Missing y, z and w are 0, 0 and 1.
 bool Parser::parseConstantVector(ir::Vec4 &value) {
   m_tokens.next();
   value = {0, 0, 0, 1};
@@ -256,7 +257,7 @@ bool Parser::parseConstantVector(ir::Vec4 &value) {
   return expect(TokenKind::CloseBrace, "'}'", "a vector has one to four components");
 }
 
-/// <paramConstDecl> (signed) or <paramConstUse>; a scalar stands for four equal components.
+/// Parses <paramConstDecl> (signed) or <paramConstUse>. A scalar sets all four components.
 bool Parser::parseConstant(bool isSigned, std::uint16_t &row) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   ir::Vec4 value{};

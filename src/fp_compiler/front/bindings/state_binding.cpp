@@ -32,7 +32,7 @@ std::optional<MatrixModifier> findModifier(std::string_view word) {
 
 } // namespace
 
-/// <stateSingleItem> or <stateMultipleItem>, after "state" (tables X.2.2 to X.2.7).
+/// Parses <stateSingleItem> or <stateMultipleItem>, after "state" (tables X.2.2 to X.2.7).
 bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
@@ -79,7 +79,7 @@ bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
                                              "texenv", "fog", "depth", "matrix"});
 }
 
-/// <optFaceType> and the dot of the property behind it.
+/// Parses <optFaceType> and the dot before the next property.
 bool Parser::parseFace(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
@@ -234,7 +234,7 @@ bool Parser::parseMatrixName(ir::StateRef &ref) {
   return parsed;
 }
 
-/// <stateMatrixRow> or <stateMatrixRows>, after "matrix".
+/// Parses <stateMatrixRow> or <stateMatrixRows>, after "matrix".
 bool Parser::parseMatrix(std::uint32_t begin, bool range, Rows &rows) {
   ir::StateRef ref;
   if (!expect(TokenKind::Dot, "'.'") || !parseMatrixName(ref))
@@ -268,7 +268,7 @@ bool Parser::parseMatrix(std::uint32_t begin, bool range, Rows &rows) {
   return true;
 }
 
-/// "[" a "]" or, in an array, "[" a ".." b "]".
+/// Parses "[" a "]" or, in an array, "[" a ".." b "]".
 bool Parser::parseMatrixRows(bool range, std::uint32_t &first, std::uint32_t &last) {
   const std::size_t errorsBefore = m_reporter.errorCount();
   if (!expect(TokenKind::OpenBracket, "'['") ||

@@ -1,10 +1,10 @@
-// Bindings that only vertex programs have (ARB_vertex_program 2.14.3).
+// Parses bindings that only vertex programs have (ARB_vertex_program 2.14.3).
 
 #include "fp_compiler/front/parser.h"
 
 namespace arbiter::fp {
 
-/// <vtxAttribItem> that fragment programs have no like of.
+/// Parses a <vtxAttribItem> that fragment programs lack.
 bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
   if (atWord(0, "normal")) {
     m_tokens.next();
@@ -40,9 +40,9 @@ bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
   return false;
 }
 
-/// vertex.weight where NVIDIA's programs are offered: that vendor's drivers have neither
-/// EXT_vertex_weighting nor ARB_vertex_blend, and read generic attribute 1, which the weights alias
-/// (ARB_vertex_program, table X.2). Both names in one program are one attribute there.
+/// Parses vertex.weight if NVIDIA's programs are offered. NVIDIA's drivers have neither
+/// EXT_vertex_weighting nor ARB_vertex_blend. They read generic attribute 1, which the weights
+/// alias (ARB_vertex_program, table X.2). A program with both names has one attribute.
 bool Parser::parseVertexWeight(const Token &word, ir::Attribute &attribute) {
   std::uint32_t index = 0;
   if (!parseOptionalIndex(1, DiagnosticId::AttributeIndex, "vertex weight", index))
@@ -54,7 +54,7 @@ bool Parser::parseVertexWeight(const Token &word, ir::Attribute &attribute) {
   return true;
 }
 
-/// <resultBinding>, after its dot.
+/// Parses <resultBinding>, after its dot.
 bool Parser::parseVertexResult(ir::Output &output) {
   if (atWord(0, "color"))
     return parseVertexColor(output);
@@ -101,7 +101,7 @@ bool Parser::parseVertexResult(ir::Output &output) {
                      {"depth"});
 }
 
-/// "clip" "[" <clipPlaneNum> "]" of NV_vertex_program2_option.
+/// Parses "clip" "[" <clipPlaneNum> "]" of NV_vertex_program2_option.
 bool Parser::parseClipDistance(ir::Output &output) {
   const Token word = m_tokens.next();
   if (m_options.nv == ir::NvOption::None) {
@@ -118,7 +118,7 @@ bool Parser::parseClipDistance(ir::Output &output) {
   return true;
 }
 
-/// <resultColBinding>: a suffix that is no face and no colour type is a mask.
+/// Parses <resultColBinding>. A suffix that is not a face or a colour type is a mask.
 bool Parser::parseVertexColor(ir::Output &output) {
   m_tokens.next();
   if (m_tokens.at(TokenKind::OpenBracket)) {
@@ -139,7 +139,7 @@ bool Parser::parseVertexColor(ir::Output &output) {
   return true;
 }
 
-/// <stateTexGenItem>, after "texgen".
+/// Parses <stateTexGenItem>, after "texgen".
 bool Parser::parseTexGen(ir::StateRef &ref) {
   std::uint32_t index = 0;
   if (!parseOptionalIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
@@ -163,7 +163,7 @@ bool Parser::parseTexGen(ir::StateRef &ref) {
   return unknownWord("a texture coordinate", {"s", "t", "r", "q"});
 }
 
-/// <stateClipPlaneItem>, after "clip".
+/// Parses <stateClipPlaneItem>, after "clip".
 bool Parser::parseClipPlane(ir::StateRef &ref) {
   std::uint32_t index = 0;
   if (!parseIndex(byteLimit(m_limits.clipPlanes), DiagnosticId::ClipPlaneIndex, "clip plane",
@@ -178,7 +178,7 @@ bool Parser::parseClipPlane(ir::StateRef &ref) {
   return true;
 }
 
-/// <statePointItem>, after "point".
+/// Parses <statePointItem>, after "point".
 bool Parser::parsePoint(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;

@@ -1,5 +1,5 @@
-// What loads in NVIDIA's own languages, and where what does not is wrong. NVIDIA's driver (580.159)
-// takes and refuses the same, but where a row says otherwise.
+// Tests which texts load in NVIDIA's own languages, and where the others have their error. NVIDIA's
+// driver (580.159) gives the same results unless a row says otherwise.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/test_support.h"
@@ -25,7 +25,8 @@ struct Row {
   std::string_view error; ///< the diagnostic's ID; empty: it loads. '@' in the text is where
 };
 
-/// `begin` is the header and what every program has; `end` what every program ends with.
+/// Tests each row. `begin` is the header and the common beginning of the programs, `end` their
+/// common end.
 void judge(const std::string &begin, const std::vector<Row> &rows, const std::string &end = "") {
   for (const Row &row : rows) {
     const bool ends = row.statements.ends_with('@'); // the error is at END

@@ -19,7 +19,7 @@ constexpr HeaderRow kHeaders[] = {{"!!FP", Language::ArbFragment},
                                   {"!!VP", Language::ArbVertex},
                                   {"!!VSP", Language::ArbVertex}};
 
-/// How many bytes of the text are those of a header.
+/// Returns how many bytes at the text's beginning agree with a header.
 std::size_t agreement(std::string_view text) {
   std::size_t most = 0;
   for (const NativeLanguage language :

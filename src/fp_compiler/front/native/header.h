@@ -7,13 +7,13 @@
 
 namespace arbiter::fp::native {
 
-/// The target of the language that a header of NVIDIA's names, whatever its version: "!!FP2.0" and
-/// "!!FCP1.0" are a fragment program's. Nothing for any other text.
+/// Returns the target of a header of NVIDIA's languages, whatever its version. "!!FP2.0" and
+/// "!!FCP1.0" belong to fragment programs. Returns nothing for any other text.
 [[nodiscard]] std::optional<ir::Language> stageOfHeader(std::string_view text);
 
-/// Reports a header for which stageOfHeader() has an answer, but which is none of the languages of
-/// \p target.
-/// \error native-header its first byte that no language has; behind "!!" if another target has it
+/// Reports a header that has a target by stageOfHeader() but is not a language of \p target.
+/// \error native-header at the first byte that no language has, or after "!!" if another target has
+/// the header
 void refuseHeader(ir::Language target, std::string_view text, Reporter &reporter);
 
 } // namespace arbiter::fp::native

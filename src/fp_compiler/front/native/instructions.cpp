@@ -1,4 +1,4 @@
-// Instructions of NVIDIA's own languages, and the branches of !!VP2.0 (NV_vertex_program2
+// Parses instructions of NVIDIA's own languages, and the branches of !!VP2.0 (NV_vertex_program2
 // 2.14.1.8).
 
 #include <algorithm>
@@ -63,7 +63,7 @@ bool NativeParser::parseOperands(nv::Statement &statement) {
     if (i > 0 && !expect(TokenKind::Comma, "','"))
       return false;
     bool absolute = false;
-    // ARL takes a vector in !!VP2.0.
+    // ARL reads a vector in !!VP2.0.
     const bool scalar =
         op.shapes[i] == 'S' && !(m_traits.addressVectors && instruction.op == Opcode::Arl);
     if (!(instruction.op == Opcode::Ara ? parseAddressSource(operand)
@@ -74,7 +74,7 @@ bool NativeParser::parseOperands(nv::Statement &statement) {
   return true;
 }
 
-/// <ccMask>: a rule and a swizzle.
+/// Parses <ccMask>: a rule and a swizzle.
 bool NativeParser::parseTest(nv::Test &test) {
   constexpr const char *kRules = "a condition: EQ, GE, GT, LE, LT, NE, TR or FL";
   if (!m_tokens.at(TokenKind::Identifier))
@@ -87,12 +87,12 @@ bool NativeParser::parseTest(nv::Test &test) {
   return parseSuffix(false, test.swizzle);
 }
 
-/// <optionalCCMask>
+/// Parses <optionalCCMask>.
 bool NativeParser::parseConditionMask(nv::Test &test) {
   return !m_traits.conditions || !acceptByte('(') || (parseTest(test) && expectByte(')'));
 }
 
-/// <texImageUnit> "," <texImageTarget>, from the comma before them.
+/// Parses <texImageUnit> "," <texImageTarget>, from the comma before them.
 bool NativeParser::parseTexture(ir::Instruction &instruction) {
   if (!expect(TokenKind::Comma, "','"))
     return false;
@@ -137,14 +137,14 @@ bool NativeParser::parseTarget(Span unitSpan, ir::Instruction &instruction) {
   return true;
 }
 
-/// "name :", before what a branch goes on with.
+/// Parses a label, "name :".
 bool NativeParser::parseLabel(const Token &name) {
   m_tokens.next();
   keep(m_labels.place(name.span), name.span);
   return true;
 }
 
-/// BRA, CAL and RET.
+/// Parses BRA, CAL or RET.
 bool NativeParser::parseFlow(const Token &opcode, const Word &word) {
   nv::Statement statement;
   statement.instruction.op = word.op;
@@ -163,7 +163,7 @@ bool NativeParser::parseFlow(const Token &opcode, const Word &word) {
   return true;
 }
 
-/// Counts the statement, and keeps it if the program may still come to something.
+/// Counts the statement. Keeps it if the program can still load.
 void NativeParser::keep(const nv::Statement &statement, Span opcode) {
   const bool fits = statement.isLabel || m_binder.count(statement.instruction, opcode);
   if (fits && !m_reporter.hasErrors())

@@ -14,7 +14,7 @@ using ir::NativeLanguage;
   static_assert(ir::headerOf(NativeLanguage::Enumerator) == header);
 #include "fp_compiler/front/native/words.def"
 
-// NV_fragment_program 3.11.1 and 3.11.3; NV_vertex_program 2.14.1 and 2.14.4;
+// Sources: NV_fragment_program 3.11.1 and 3.11.3; NV_vertex_program 2.14.1 and 2.14.4;
 // NV_vertex_program1_1 2.14.A; NV_vertex_program2 2.14.1.
 constexpr Traits kTraits[] = {
     {NativeLanguage::Fp1, 32, 64, 0, false, 0, 0, 0, 0, true, true, false, "RC, HC"},

@@ -7,8 +7,8 @@
 
 namespace arbiter::fp::native {
 
-/// What sets one of NVIDIA's own languages apart from the others, where a number or a flag can say
-/// it; their opcodes are in ops.def.
+/// The properties in which NVIDIA's own languages differ, as numbers and flags. Their opcodes are
+/// in ops.def.
 struct Traits {
   ir::NativeLanguage language;
   std::uint8_t registers; ///< R0 and up
@@ -25,13 +25,15 @@ struct Traits {
   const char *nullRegisters;  ///< what takes a result only for its condition code
 };
 
-/// Requires another language than None.
+/// Returns the properties of a language.
+/// Requires: a language other than None.
 [[nodiscard]] const Traits &traitsOf(ir::NativeLanguage language);
 
-/// TEX0 to TEX7.
+/// The number of texture coordinate sets, TEX0 to TEX7.
 inline constexpr std::uint32_t kTexCoords = 8;
 
-/// The number behind \p letters: 12 of "R12". Nothing for any other word, "R012" among them.
+/// Returns the number after \p letters: 12 for "R12". Returns nothing for any other word, such as
+/// "R012".
 [[nodiscard]] std::optional<std::uint32_t> numberBehind(std::string_view word,
                                                         std::string_view letters);
 

@@ -1,4 +1,4 @@
-// DEFINE, DECLARE and the constants of !!FP1.0 (NV_fragment_program 3.11.2).
+// Parses DEFINE, DECLARE and the constants of !!FP1.0 (NV_fragment_program 3.11.2).
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace arbiter::fp::native {
 
-/// "DEFINE" <name> "=" <constant>
+/// Parses "DEFINE" <name> "=" <constant>.
 bool NativeParser::parseDefine() {
   Token name;
   Named named;
@@ -19,7 +19,7 @@ bool NativeParser::parseDefine() {
   return true;
 }
 
-/// "DECLARE" <name>, and perhaps "=" <constant>; (0,0,0,0) without.
+/// Parses "DECLARE" <name>, and optionally "=" <constant>. The default is (0,0,0,0).
 bool NativeParser::parseDeclare() {
   Token name;
   Named named;
@@ -40,8 +40,8 @@ bool NativeParser::parseDeclare() {
   return true;
 }
 
-/// <identifier>: no register and no image unit. Words that begin statements are names like any
-/// other, as no statement begins with a name.
+/// Parses <identifier>, which may not name a register or an image unit. Words that begin statements
+/// may be names, because no statement begins with a name.
 bool NativeParser::newName(Token &name) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a new name");
@@ -66,7 +66,7 @@ void NativeParser::declare(const Token &name, const Named &named) {
   known.declared = name.span;
 }
 
-/// A vector, a number with its sign, or the name of a constant.
+/// Parses a vector, a number with its sign, or the name of a constant.
 bool NativeParser::parseValue(Named &named) {
   named.kind = Named::Kind::Vector;
   if (m_tokens.at(TokenKind::OpenBrace))
@@ -87,7 +87,7 @@ bool NativeParser::parseValue(Named &named) {
   return true;
 }
 
-/// <vectorConstant>; y, z and w default to 0, 0 and 1.
+/// Parses <vectorConstant>. Missing y, z and w are 0, 0 and 1.
 bool NativeParser::parseVector(ir::Vec4 &value) {
   m_tokens.next();
   value = {0, 0, 0, 1};
@@ -100,7 +100,7 @@ bool NativeParser::parseVector(ir::Vec4 &value) {
   return expect(TokenKind::CloseBrace, "'}'", "a vector has one to four components");
 }
 
-/// <scalarConstant>: a number with its sign, or the name of one.
+/// Parses <scalarConstant>: a number with its sign, or the name of one.
 bool NativeParser::parseScalar(float &value) {
   if (m_tokens.at(TokenKind::Identifier)) {
     const Token name = m_tokens.peek();
@@ -120,7 +120,7 @@ bool NativeParser::parseScalar(float &value) {
   return true;
 }
 
-/// <floatConstant>; an integer is taken for one.
+/// Parses <floatConstant>. An integer is accepted too.
 bool NativeParser::parseNumber(float &value) {
   if (!m_tokens.at(TokenKind::Integer) && !m_tokens.at(TokenKind::Float))
     return unexpected("a number");
@@ -133,7 +133,7 @@ bool NativeParser::parseNumber(float &value) {
   return true;
 }
 
-/// A name as an operand: a constant, or a parameter that can be set.
+/// Parses a name as an operand: a constant, or a parameter that can be set.
 bool NativeParser::parseNamed(const Token &name, ir::Operand &operand, bool &hasSuffix) {
   note(name, Access::Read);
   const Named &named = m_named.at(text(name));
@@ -157,7 +157,7 @@ bool NativeParser::parseNamed(const Token &name, ir::Operand &operand, bool &has
   return true;
 }
 
-/// A number as an operand, in every component.
+/// Parses a number as an operand. It sets every component.
 bool NativeParser::parseLiteral(bool negative, ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   ir::Vec4 value = {};

@@ -1,4 +1,4 @@
-// Operands of NVIDIA's own languages.
+// Parses operands of NVIDIA's own languages.
 
 #include <algorithm>
 
@@ -20,7 +20,8 @@ struct AttributeRow {
   std::uint32_t number; ///< v[number]; of a fragment none
   AttributeKind kind;
 };
-/// NV_fragment_program table X.1 and NV_vertex_program table X.3, less the texture coordinates.
+/// Attributes of NV_fragment_program table X.1 and NV_vertex_program table X.3, without texture
+/// coordinates.
 constexpr AttributeRow kAttributes[] = {
 #define NATIVE_ATTRIBUTE(Stage, name, number, Kind, doc)                                           \
   {isOf(Languages::Stage, true), name, number, AttributeKind::Kind},
@@ -35,7 +36,7 @@ const AttributeRow *findAttribute(bool vertex, std::string_view name) {
 }
 constexpr std::uint32_t kFirstTexCoord = 8, kVertexAttributeCount = 16;
 
-/// v[number], as the attribute that it shares its place with.
+/// Returns v[number] as the attribute with which it shares a register.
 ir::Attribute vertexAttribute(std::uint32_t number) {
   if (number >= kFirstTexCoord)
     return {AttributeKind::TexCoord, std::uint8_t(number - kFirstTexCoord)};
@@ -45,7 +46,7 @@ ir::Attribute vertexAttribute(std::uint32_t number) {
   return {AttributeKind::Generic, std::uint8_t(number)};
 }
 
-/// What \p after chooses of what \p before has chosen.
+/// Returns the swizzle that applies \p before and then \p after.
 ir::Swizzle composed(const ir::Swizzle &before, const ir::Swizzle &after) {
   ir::Swizzle result;
   std::transform(after.begin(), after.end(), result.begin(),
@@ -54,7 +55,7 @@ ir::Swizzle composed(const ir::Swizzle &before, const ir::Swizzle &after) {
 }
 } // namespace
 
-/// <vectorSrc>, or <scalarSrc>, whose component is repeated.
+/// Parses <vectorSrc>, or <scalarSrc>, whose component is repeated.
 bool NativeParser::parseSource(bool scalar, ir::Operand &operand, bool &absolute) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   const auto sign = [&] {
@@ -85,7 +86,8 @@ bool NativeParser::parseSource(bool scalar, ir::Operand &operand, bool &absolute
   return true;
 }
 
-/// What stands before a suffix. `hasSuffix` becomes false of a scalar constant, which takes none.
+/// Parses an operand without its suffix. Sets `hasSuffix` to false for a scalar constant, which has
+/// none.
 bool NativeParser::parseBase(ir::Operand &operand, bool &hasSuffix) {
   const Token first = m_tokens.peek();
   if (fragment() && first.kind == TokenKind::OpenBrace) {
@@ -125,7 +127,7 @@ bool NativeParser::parseBase(ir::Operand &operand, bool &hasSuffix) {
   return true;
 }
 
-/// "f" or "v", "[" <name or number> "]". An instruction reads one attribute.
+/// Parses "f" or "v", "[" <name or number> "]". An instruction may read only one attribute.
 bool NativeParser::parseAttribute(ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.next().span.begin;
   m_tokens.next();
@@ -195,7 +197,7 @@ bool NativeParser::parseVertexAttribute(ir::Attribute &attribute, std::uint32_t 
   return true;
 }
 
-/// <numberedLocal>: "p" "[" <integer> "]".
+/// Parses <numberedLocal>: "p" "[" <integer> "]".
 bool NativeParser::parseLocal(ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.next().span.begin;
   std::uint32_t index = 0;
@@ -208,7 +210,7 @@ bool NativeParser::parseLocal(ir::Operand &operand) {
   return true;
 }
 
-/// <progParamRegister>: "c" "[" <integer> "]" or "c" "[" <address> "]".
+/// Parses <progParamRegister>: "c" "[" <integer> "]" or "c" "[" <address> "]".
 bool NativeParser::parseRow(ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   operand.file = ir::File::Parameter;
@@ -227,7 +229,8 @@ bool NativeParser::parseRow(ir::Operand &operand) {
   return true;
 }
 
-/// "[" <address register> "." <component> <offset> "]"; a row beyond the file is zero.
+/// Parses "[" <address register> "." <component> <offset> "]". A row outside of the file reads as
+/// zero.
 bool NativeParser::parseRelativeRow(ir::Operand &operand) {
   m_tokens.next();
   const Token name = m_tokens.next();
@@ -282,7 +285,7 @@ bool NativeParser::parseOffset(std::int16_t &offset) {
   return true;
 }
 
-/// <addrRegister> of ARA: a whole address register.
+/// Parses <addrRegister> of ARA: a whole address register.
 bool NativeParser::parseAddressSource(ir::Operand &operand) {
   const Token name = m_tokens.peek();
   const auto row = name.kind == TokenKind::Identifier ? address(name) : std::nullopt;
@@ -295,7 +298,7 @@ bool NativeParser::parseAddressSource(ir::Operand &operand) {
   return true;
 }
 
-/// <swizzleSuffix> or <scalarSuffix>, with its dot.
+/// Parses <swizzleSuffix> or <scalarSuffix>, with its dot.
 bool NativeParser::parseSuffix(bool scalar, ir::Swizzle &swizzle) {
   if (!m_tokens.at(TokenKind::Dot)) {
     if (scalar)
@@ -317,8 +320,8 @@ bool NativeParser::parseSuffix(bool scalar, ir::Swizzle &swizzle) {
   return true;
 }
 
-/// An instruction reads one parameter, or constants of four numbers at most (NV_fragment_program
-/// 3.11.2).
+/// Reports an error if an instruction reads more than one parameter, or constants of more than four
+/// different numbers (NV_fragment_program 3.11.2).
 void NativeParser::useParameter(const ir::Operand &operand, Span where) {
   const auto isSame = [&](const ir::Operand &other) {
     return other.relative == operand.relative && other.index == operand.index &&

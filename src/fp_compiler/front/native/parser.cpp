@@ -10,8 +10,8 @@ namespace arbiter::fp::native {
 
 namespace {
 
-/// The limits that the languages set themselves, in the place of the target's: registers are
-/// numbered in the grammar, and an instruction reads one parameter.
+/// Replaces the target's limits by those of the language itself: the grammar numbers the registers,
+/// and an instruction reads one parameter.
 CompileOptions optionsOf(const Traits &traits, CompileOptions options) {
   ResourceCounts &api = options.limits.api;
   api.temporaries = Budget::kCeiling;
@@ -149,7 +149,7 @@ bool NativeParser::unknownStatement(const Token &first) {
   return false;
 }
 
-/// The program is read: what it must write, what its branches name, and then it becomes code.
+/// Finishes the program: checks the required results and the labels, then lowers the statements.
 void NativeParser::finish(Span end) {
   const bool vertex = !fragment() && !statesOnly();
   if (vertex && !m_writesPosition && !m_options.positionInvariant)
@@ -169,7 +169,7 @@ void NativeParser::finish(Span end) {
   nv::lower(m_statements, m_labels.start(), {}, m_binder, m_reporter, m_rules);
 }
 
-/// c[] as the array that relative operands read. Rows that no operand names are not counted.
+/// Binds c[] as the array that relative operands read. Rows that no operand names are not counted.
 void NativeParser::bindAllRows(Span where) {
   std::vector<std::uint16_t> rows;
   for (std::uint32_t i = 0; i < m_traits.rows; ++i)
@@ -232,7 +232,7 @@ bool NativeParser::atWord(std::string_view word) const {
   return m_tokens.at(TokenKind::Identifier) && text(m_tokens.peek()) == word;
 }
 
-/// A register that is written with brackets: f[, o[, v[, c[, p[.
+/// True at a register that is written with brackets: f[, o[, v[, c[, p[.
 bool NativeParser::atBinding(std::string_view letter) const {
   return atWord(letter) && m_tokens.peek(1).kind == TokenKind::OpenBracket;
 }

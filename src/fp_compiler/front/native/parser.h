@@ -17,20 +17,20 @@
 
 namespace arbiter::fp::native {
 
-/// Parses and checks a program of one of NVIDIA's own languages, which begins with its header
+/// Parses and checks a program in one of NVIDIA's own languages, from its header on
 /// (NV_fragment_program 3.11.3, NV_vertex_program 2.14.1.7 and 2.14.4, NV_vertex_program2
-/// 2.14.1.8). Its code becomes the IR's as that of NVIDIA's options does (nv/lowering.h). Time and
-/// memory are linear in the text, but for what subroutines are written out to; there is no
-/// recursion.
+/// 2.14.1.8). It is lowered to the IR in the same way as programs under NVIDIA's options
+/// (nv/lowering.h). Time and memory are linear in the text, except for inlined subroutines. There
+/// is no recursion.
 /// \param names if not null, gets every name of the text
 [[nodiscard]] ParseResult parse(ir::NativeLanguage language, std::string_view text,
                                 const CompileOptions &options, NameTable *names = nullptr);
 
-/// Numbers of local parameters are kept in 16 bits, with those of named ones above them.
+/// Local parameters are numbered in 16 bits, and those with names come last.
 inline constexpr std::uint32_t kMostLocals = 65536 - kMostNamedParameters;
 
-/// One statement a function, as Parser: one that returns bool returns false for a syntax error,
-/// which it has reported.
+/// The parser, with one function for each statement. A function that returns bool returns false
+/// after it has reported a syntax error.
 class NativeParser {
 public:
   NativeParser(ir::NativeLanguage language, std::string_view text, const CompileOptions &options,
@@ -41,7 +41,7 @@ public:
   [[nodiscard]] NativeInterface takeInterface();
 
 private:
-  /// What DEFINE or DECLARE gives a name.
+  /// The value that DEFINE or DECLARE gives a name.
   struct Named {
     enum class Kind : std::uint8_t { Unknown, Scalar, Vector, Local } kind = Kind::Unknown;
     ir::Vec4 value = {};
@@ -91,7 +91,7 @@ private:
   bool parseLabel(const Token &name);
   void keep(const nv::Statement &statement, Span opcode);
 
-  // registers.cpp: destinations, and what they and operands share
+  // registers.cpp: destinations, and registers that operands use too
   bool parseDestination(ir::Destination &destination);
   bool parseDestinationRegister(ir::Destination &destination);
   bool parseAddressDestination(ir::Destination &destination);
@@ -164,7 +164,7 @@ private:
   std::set<std::uint16_t> m_results;       ///< rows of Program::outputs that are written
   bool m_writesPosition = false;
 
-  // Of the statement.
+  // State of the current statement.
   std::optional<std::uint16_t> m_attribute; ///< the row that it reads
   std::optional<ir::Operand> m_parameter;   ///< the register that it reads
   std::set<float> m_scalars;                ///< those of its constants

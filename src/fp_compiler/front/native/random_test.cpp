@@ -1,6 +1,6 @@
-// Generated programs in NVIDIA's own languages, and the same statements written under its options:
-// both compute the same, and so does the optimised code of the first. RSQ and POW, whose meanings
-// differ, are in values_test.cpp.
+// Generates programs in NVIDIA's own languages, and the same statements under NVIDIA's options.
+// Both must compute the same, and so must the optimised code of the first. values_test.cpp covers
+// RSQ and POW, which differ in meaning.
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -29,7 +29,7 @@ CompileOptions offered() {
   return options;
 }
 
-/// One program, twice.
+/// Writes a program in both forms.
 class Writer {
 public:
   Writer(std::uint32_t seed, NativeLanguage language)
@@ -75,7 +75,7 @@ private:
     return word;
   }
 
-  /// The first parameter's row, as each of the two writes it.
+  /// Writes the row of the first parameter in both forms.
   void both(const std::string &before, std::uint32_t row, const std::string &behind) {
     const std::string index = "[" + std::to_string(row) + "].x";
     own += before + (m_fragment ? "p" : "c") + index + behind;

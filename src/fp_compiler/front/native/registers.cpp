@@ -1,4 +1,4 @@
-// Destinations of NVIDIA's own languages, and registers by their names.
+// Parses destinations of NVIDIA's own languages, and registers by their names.
 
 #include "fp_compiler/front/native/parser.h"
 #include "fp_compiler/front/unexpected.h"
@@ -16,7 +16,8 @@ struct ResultRow {
   std::string_view name;
   OutputKind kind;
 };
-/// NV_fragment_program table X.3 and NV_vertex_program table X.1, less the texture coordinates.
+/// Results of NV_fragment_program table X.3 and NV_vertex_program table X.1, without texture
+/// coordinates.
 constexpr ResultRow kResults[] = {
 #define NATIVE_RESULT(Stage, name, Kind, doc)                                                      \
   {isOf(Languages::Stage, true), name, OutputKind::Kind},
@@ -33,7 +34,7 @@ constexpr std::uint32_t kClipDistances = 6; // CLP0 to CLP5 (NV_vertex_program2,
 constexpr std::uint32_t kMostUnits = 64;    // of !!FP1.0's registers
 } // namespace
 
-/// <maskedDstReg>, without its condition.
+/// Parses <maskedDstReg>, without its condition.
 bool NativeParser::parseDestination(ir::Destination &destination) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   if (!parseDestinationRegister(destination))
@@ -73,7 +74,7 @@ bool NativeParser::parseDestinationRegister(ir::Destination &destination) {
   return false;
 }
 
-/// A word where a register should be: one that the language lacks, or no register at all.
+/// Reports a word in place of a register: one that the language lacks, or not a register at all.
 bool NativeParser::notThere(const Token &name, const char *expected) {
   const std::string_view word = text(name);
   const auto number = numberBehind(word, "R");
@@ -92,7 +93,8 @@ bool NativeParser::notThere(const Token &name, const char *expected) {
   return false;
 }
 
-/// The row of a temporary, which stands for it from its first use on; nothing for other words.
+/// Returns the row of a temporary, which is added at its first use. Returns nothing for other
+/// words.
 std::optional<std::uint16_t> NativeParser::temporary(const Token &name) {
   const auto full = numberBehind(text(name), "R");
   const auto half = full ? std::nullopt : numberBehind(text(name), "H");
@@ -107,7 +109,7 @@ std::optional<std::uint16_t> NativeParser::temporary(const Token &name) {
   return row;
 }
 
-/// Of !!FP1.0: registers of 32 bits count twice.
+/// Counts register units of !!FP1.0. A register of 32 bits counts twice.
 void NativeParser::countUnits(std::uint32_t units, Span where) {
   const bool before = m_units > kMostUnits;
   m_units += units;
@@ -135,7 +137,7 @@ bool NativeParser::isRegisterName(std::string_view word) const {
          isNullRegister(word);
 }
 
-/// The first of the four IR registers of A0 or A1; nothing for other words.
+/// Returns the first of the four IR registers of A0 or A1; nothing for other words.
 std::optional<std::uint16_t> NativeParser::address(const Token &name) {
   const auto number = numberBehind(text(name), "A");
   if (!number || *number >= m_traits.addresses)
@@ -146,7 +148,7 @@ std::optional<std::uint16_t> NativeParser::address(const Token &name) {
   return row;
 }
 
-/// <maskedAddrReg>: of !!VP1.0 and !!VP1.1 A0.x alone.
+/// Parses <maskedAddrReg>. In !!VP1.0 and !!VP1.1 it can only be A0.x.
 bool NativeParser::parseAddressDestination(ir::Destination &destination) {
   const Token name = m_tokens.peek();
   const auto row = name.kind == TokenKind::Identifier ? address(name) : std::nullopt;
@@ -168,7 +170,7 @@ bool NativeParser::parseAddressDestination(ir::Destination &destination) {
   return true;
 }
 
-/// "o" "[" <name> "]"
+/// Parses "o" "[" <name> "]".
 bool NativeParser::parseResult(ir::Destination &destination) {
   const Token letter = m_tokens.next();
   m_tokens.next();
@@ -240,7 +242,7 @@ bool NativeParser::parseVertexResult(const Token &name, ir::Output &output) {
   return false;
 }
 
-/// "c" "[" <integer> "]" of a vertex state program.
+/// Parses "c" "[" <integer> "]" of a vertex state program.
 bool NativeParser::parseWrittenRow(ir::Destination &destination) {
   const Token letter = m_tokens.next();
   std::uint32_t index = 0;
@@ -265,7 +267,7 @@ bool NativeParser::parseMask(std::uint8_t &mask) {
   return true;
 }
 
-/// "[" <integer> "]"
+/// Parses "[" <integer> "]".
 bool NativeParser::parseBracketed(std::uint32_t limit, DiagnosticId id, const char *what,
                                   std::uint32_t &index) {
   return expect(TokenKind::OpenBracket, "'['") && takeIndex(limit, id, what, index) &&

@@ -1,5 +1,5 @@
-// What programs in NVIDIA's own languages compute, before optimisation and after it: the figures
-// are those of NVIDIA's driver (580.159), but where a test says otherwise.
+// Tests what programs in NVIDIA's own languages compute, before and after optimisation. The figures
+// come from NVIDIA's driver (580.159) unless a test says otherwise.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +21,7 @@ using testing_support::generous;
 constexpr float kInf = std::numeric_limits<float>::infinity();
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// p[0..], and c[0..].
+/// The values of p[0..] and c[0..].
 const Vec4 kRows[] = {{-2, 0, 2, kNan},
                       {1, 2, 3, 4},
                       {0.5f, -0.25f, 1.75f, 0.1f},
@@ -49,7 +49,7 @@ CheckResult load(const std::string &text) {
   return result;
 }
 
-/// Attributes are (0.25, 0.5, 0.75, 1), the fog coordinate (0.625, 0, 0, 1).
+/// Runs a program. Attributes are (0.25, 0.5, 0.75, 1), and the fog coordinate is (0.625, 0, 0, 1).
 ir::Evaluation run(const ir::Program &program, const NativeInterface &native) {
   ir::Inputs given;
   std::vector<Vec4> attributes;
@@ -97,13 +97,13 @@ void expectOutput(const std::string &text, ir::Output output, const Vec4 &expect
              text + "\noptimised:\n" + ir::print(program));
 }
 
-/// R0 at the end, as the colour.
+/// Expects the final value of R0, read as the colour.
 void expectFp1(const std::string &statements, const Vec4 &expected) {
   expectOutput("!!FP1.0\n" + statements + "\nMOV o[COLR], R0;\nEND\n", {ir::OutputKind::Color, 0},
                expected);
 }
 
-/// R0 at the end, as texture coordinates.
+/// Expects the final value of R0, read as texture coordinates.
 void expectVp(const char *header, const std::string &statements, const Vec4 &expected) {
   expectOutput(std::string(header) + "\nMOV o[HPOS], v[OPOS];\n" + statements +
                    "\nMOV o[TEX0], R0;\nEND\n",
@@ -152,7 +152,7 @@ TEST(NativeValues, MergedConstants) {
 }
 
 TEST(NativeValues, FogCoordinatesOfFragments) {
-  // The specification's; NVIDIA gives the coordinate in every component.
+  // The values follow the specification. NVIDIA gives the coordinate in every component.
   expectFp1("MOV R0, f[FOGC];", {0.625f, 0, 0, 0});
   expectFp1("MOV R0, -|f[FOGC].wxxw|;", {0, -0.625f, -0.625f, 0});
   expectFp1("RCP R0, f[FOGC].x;", {1.6f, 1.6f, 1.6f, 1.6f});
@@ -222,7 +222,7 @@ TEST(NativeValues, AddressesOfVertices) {
   expectVp("!!VP1.0", "ARL A0.x, c[6].w; MOV R0, c[A0.x-4];", {}); // 96 is no row
   expectVp("!!VP2.0", "ARL A0.x, c[6].w; MOV R0, c[A0.x-4];", {96, 96.25f, 96.5f, 96.75f});
   expectVp("!!VP2.0", "ARR A0, c[2].zxyz; MOV R1, c[A0.y+22]; ADD R0, c[A0.x+20], -R1;", {});
-  // Each is kept within -512 to 511, and so is the sum: 511 + 511 is 511.
+  // Each address is clamped to -512..511, and so is the sum: 511 + 511 is 511.
   expectVp("!!VP2.0", "ARL A0, c[7].xzxz; MOV R0, c[A0.x-256];", {255, 255.25f, 255.5f, 255.75f});
   expectVp("!!VP2.0", "ARL A0, c[7].xzxz; ARA A1, A0; MOV R0, c[A1.x-256];",
            {255, 255.25f, 255.5f, 255.75f});

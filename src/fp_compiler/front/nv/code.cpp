@@ -77,7 +77,7 @@ void Code::append(ir::Instruction instruction) {
   for (Operand &operand : instruction.src)
     if (operand.span.end == 0)
       operand.span = m_span;
-  // number() says temporary 0, which is to be one.
+  // number() names temporary 0, so it must exist.
   if (!m_binder.hasTemporaries())
     for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i)
       if (instruction.src[std::size_t(i)].file == ir::File::Temporary)

@@ -9,43 +9,43 @@
 
 namespace arbiter::fp::nv {
 
-/// A whole register as an operand.
+/// Returns a whole register as an operand.
 [[nodiscard]] ir::Operand registerOf(ir::File file, std::uint16_t index);
-/// 0 or 1 in every component; no register is read.
+/// Returns an operand that is 0 or 1 in every component, and reads no register.
 [[nodiscard]] ir::Operand number(ir::Select select);
-/// Component x as a write mask, and all four.
+/// The write masks of component x and of all four components.
 inline constexpr std::uint8_t kX = 1, kAll = 0xF;
-/// A temporary as an operand; its x, where flags are.
+/// Return a temporary as an operand. flagOf() returns its x, which holds a flag.
 [[nodiscard]] ir::Operand temporary(std::uint16_t index);
 [[nodiscard]] ir::Operand flagOf(std::uint16_t index);
-/// Components of a temporary, to write.
+/// Returns a destination: components of a temporary.
 [[nodiscard]] ir::Destination writtenTo(std::uint16_t index, std::uint8_t mask);
-/// An operand's components in another order, each with its sign.
+/// Returns an operand with its components in another order, each with its sign.
 [[nodiscard]] ir::Operand swizzled(const ir::Operand &operand, const ir::Swizzle &swizzle);
 [[nodiscard]] ir::Operand component(const ir::Operand &operand, int index);
 [[nodiscard]] ir::Operand negated(ir::Operand operand);
 
-/// The code that lowering writes: instructions into the program, and the registers that it needs
-/// beside the text's. All that is written stands for the statement that is set.
+/// Appends the code that lowering makes, and adds the registers that it needs besides the text's.
+/// All code belongs to the current statement.
 class Code {
 public:
   explicit Code(Binder &binder) : m_binder(binder) {}
 
-  /// What follows is of a statement there, and may use every scratch register again.
+  /// Begins a statement. The code that follows belongs to it, and may reuse every scratch register.
   void begin(Span span) {
     m_span = span;
     m_scratchUsed = 0;
   }
 
-  /// A register for the statement alone. Its content is not known.
+  /// Returns a register for the current statement. Its value is undefined.
   [[nodiscard]] ir::Destination scratch(std::uint8_t mask = 0xF);
-  /// A register of its own, zero at the start.
+  /// Adds a register that starts at zero.
   [[nodiscard]] std::uint16_t temporary(std::string_view name);
   [[nodiscard]] ir::Operand constant(float value);
 
   void write(ir::Opcode op, const ir::Destination &dst,
              std::initializer_list<ir::Operand> operands);
-  /// The same into a scratch register, and that.
+  /// Writes the instruction to a scratch register, and returns that as an operand.
   [[nodiscard]] ir::Operand make(ir::Opcode op, std::initializer_list<ir::Operand> operands,
                                  std::uint8_t mask = 0xF);
   void append(ir::Instruction instruction);

@@ -16,20 +16,21 @@ Operand one() { return number(Select::One); }
 Operand zero() { return number(Select::Zero); }
 } // namespace
 
-/// A flag of its own with that value.
+/// Adds a flag register with that value.
 std::uint16_t Lowerer::flag(const Operand &value) {
   const std::uint16_t index = m_code.temporary("");
   m_code.write(Opcode::Mov, writtenTo(index, kX), {component(value, 0)});
   return index;
 }
 
-/// A flag that holds becomes one that can be written.
+/// Makes sure that a flag has a register, so that it can be written.
 void Lowerer::require(Flag &wanted) {
   if (!wanted)
     wanted = flag(one());
 }
 
-/// What branches and IF go by: any of the tested components. Not for TR and FL.
+/// Returns a flag that holds if any tested component passes, as branches and IF require. Not for TR
+/// and FL.
 Lowerer::Flag Lowerer::passesAny(const Test &test) {
   const Operand each = passes(test, kAll);
   const bool alike = std::all_of(test.swizzle.begin(), test.swizzle.end(),
@@ -43,7 +44,7 @@ Lowerer::Flag Lowerer::passesAny(const Test &test) {
   return index;
 }
 
-/// What runs now, as an operand; none if all does.
+/// Returns an operand that is 1 if the current lane runs. Returns nothing if all lanes run.
 std::optional<Operand> Lowerer::active() {
   std::optional<Operand> all;
   for (const Flag &part : {m_function.base, m_function.block, m_function.alive}) {
@@ -59,8 +60,8 @@ Operand Lowerer::activeOr1() {
   return runs ? *runs : one();
 }
 
-/// The statements that can run from one on, but for those of subroutines: of a language with
-/// branches. The other one has blocks, and its functions are always straight.
+/// Returns the statements that can run from one on, without those of subroutines. For languages
+/// with branches; programs with blocks are always straight-line.
 std::vector<bool> Lowerer::reachedFrom(std::size_t entry, bool &backwards) const {
   std::vector<bool> reached(m_statements.size(), false);
   std::vector<std::size_t> next = {entry};
@@ -86,7 +87,7 @@ std::vector<bool> Lowerer::reachedFrom(std::size_t entry, bool &backwards) const
   return reached;
 }
 
-/// What runs from one statement on until a RET or the end.
+/// Lowers the statements from one on, until a RET or the end.
 void Lowerer::function(std::size_t entry) {
   bool backwards = false;
   const std::vector<bool> reached = reachedFrom(entry, backwards);
@@ -96,7 +97,7 @@ void Lowerer::function(std::size_t entry) {
     straight(entry);
 }
 
-/// Until nothing is left to run.
+/// Lowers statements in order, until no lane can run.
 void Lowerer::straight(std::size_t entry) {
   for (std::size_t at = entry; at < m_statements.size() && !m_reporter.hasErrors(); ++at) {
     const Statement &next = m_statements[at];
@@ -110,9 +111,9 @@ void Lowerer::straight(std::size_t entry) {
   }
 }
 
-/// A loop over all that can be reached, from the text's first statement to its last; a statement
-/// runs in the round in which something has come to it. What branches forwards arrives in the same
-/// round, what branches backwards in the next one.
+/// Lowers a function that branches backwards to one loop over all statements that it reaches, from
+/// first to last. A statement runs in the round in which a lane arrives at it. A forward branch
+/// arrives in the same round, a backward one in the next.
 void Lowerer::rounds(std::size_t entry, const std::vector<bool> &reached) {
   m_code.begin(m_statements[entry].instruction.span);
   m_function.turns = true;
@@ -202,7 +203,7 @@ void Lowerer::enter(const Statement &statement) {
   m_function.block = inner;
 }
 
-/// The outer block's, less what ran until here.
+/// Begins ELSE: the lanes of the outer block that did not run the first part.
 void Lowerer::turn() {
   const Block &block = m_function.blocks.back();
   if (block.selection) {
@@ -233,7 +234,7 @@ void Lowerer::beginLoop(const Statement &statement) {
     m_code.write(Opcode::Flr, writtenTo(loop.index, kX), {component(operand, 1)});
     m_code.write(Opcode::Flr, writtenTo(loop.step, kX), {component(operand, 2)});
   }
-  // What a RET in it changes is changed in place, so that the next iteration sees it.
+  // A RET in the loop changes this flag in place, so that the next iteration sees it.
   if (returnsWithin(statement))
     require(m_function.alive);
   m_code.write(Opcode::Rep, {}, {count});
@@ -260,7 +261,7 @@ void Lowerer::leaveLoop(const Statement &statement) {
   m_code.write(Opcode::Brk, {}, {leaves});
 }
 
-/// Takes \p lanes, of those that run, out until something lets them in again.
+/// Stops \p lanes, of those that run, until a label or the end of a block lets them run again.
 void Lowerer::leave(const Flag &lanes) {
   if (!lanes && m_function.blocks.empty() && m_function.loops == 0 && !m_function.turns) {
     m_function.dead = true;
@@ -305,8 +306,8 @@ void Lowerer::arrive(std::uint16_t label) {
     m_function.pending.erase(found);
 }
 
-/// The subroutine's statements stand here. It begins with what runs here, and what has left by its
-/// RETs goes on behind it.
+/// Inlines the subroutine. It runs the lanes that run here. Lanes that leave by its RET continue
+/// after the call.
 void Lowerer::call(const Statement &statement) {
   if (statement.test.rule == Rule::Fl)
     return;

@@ -1,5 +1,5 @@
-// What loads under NVIDIA's options, and where what does not is wrong. NVIDIA's driver (580.159)
-// answers the same, but where a row says otherwise.
+// Tests which texts load under NVIDIA's options, and where the others have their error. NVIDIA's
+// driver (580.159) gives the same results unless a row says otherwise.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/test_support.h"
@@ -151,7 +151,7 @@ TEST(NvGrammar, KillTakesATestWithoutParentheses) {
          {kF1, "KIL @(LT.x);", "syntax"}});
 }
 
-/// What is written in terms of 0 and 1 reads no register, and the text may have declared none.
+/// Operands of 0 and 1 read no register, and the text may declare none.
 TEST(NvGrammar, ProgramsWithoutTemporaries) {
   judge({{kF1, "KIL TR;", ""},
          {kF2, "KIL FL;", ""},
@@ -282,7 +282,7 @@ TEST(NvGrammar, WeightIsGenericAttributeOne) {
          {kV2, "ATTRIB w = vertex.weight; ADD result.position, w, vertex.attrib[1];", ""},
          {kV2, "MOV result.position, vertex.weight[@1];", "attribute-index"},
          {kV2, "MOV result.position, vertex.@matrixindex[0];", "attribute-extension"}});
-  // Without an option too, where the profile has them.
+  // The same holds without an option, if the profile has them.
   const std::string plain = "!!ARBvp1.0\nMOV result.position, vertex.weight;\nEND\n";
   const CheckResult loads = check(plain, nvidia(1));
   ASSERT_TRUE(loads.ok());

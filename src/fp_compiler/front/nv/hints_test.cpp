@@ -1,4 +1,4 @@
-/// A text of NVIDIA's languages that a profile refuses is told which profiles take it.
+/// Tests that the refusal of a text in NVIDIA's languages names the profiles that accept it.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -73,7 +73,7 @@ TEST(NvHints, NameTheProfilesThatTakeTheText) {
       const CheckResult result = checkProgram(row.language, row.text, options);
       const bool takes = std::find(row.takers.begin(), row.takers.end(), name) != row.takers.end();
       EXPECT_EQ(result.ok(), takes) << name << "\n" << result.errorString(row.text) << row.text;
-      // A profile that has other languages of NVIDIA's names a header that belongs to none of them.
+      // A profile with other languages of NVIDIA reports a header that belongs to none of them.
       const bool none = row.takers.empty() && profile.vertex.nvVertexProgram != 0;
       if (!result.ok() && !none) {
         EXPECT_NE(result.errorString(row.text).find(row.hint), std::string::npos)

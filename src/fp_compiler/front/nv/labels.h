@@ -10,19 +10,20 @@
 
 namespace arbiter::fp::nv {
 
-/// The places that BRA and CAL name, of the options' programs and of NVIDIA's own languages.
+/// The labels that BRA and CAL name, for programs under NVIDIA's options and in its own languages.
 class Labels {
 public:
   Labels(std::string_view text, Reporter &reporter) : m_text(text), m_reporter(reporter) {}
 
-  /// The number of the label of that name. Statements have 16 bits for it: an error, and some
-  /// number, where there are more of them.
+  /// Returns the number of the label of that name. Statements have 16 bits for it. If there are
+  /// more labels, reports an error and returns some number.
   [[nodiscard]] std::uint16_t numberOf(Span name);
-  /// The statement of a label that stands here; an error if it stood elsewhere too.
+  /// Returns the statement of a label that is placed here. Reports an error if the label is already
+  /// placed.
   [[nodiscard]] Statement place(Span name);
-  /// Errors for labels that are named and stand nowhere.
+  /// Reports an error for each label that is used but never placed.
   void check() const;
-  /// The label that the program begins at, if it has one.
+  /// Returns the label at which the program begins, if it has one.
   [[nodiscard]] std::optional<std::uint16_t> start() const;
 
 private:

@@ -10,9 +10,8 @@
 
 namespace arbiter::fp::nv {
 
-/// lower()'s work: what is written (lowering.cpp) and where what runs (flow.cpp,
-/// selection.cpp). Flags are 1 or 0
-/// in x of a register; a flag that is not there holds.
+/// Implements lower(). lowering.cpp makes the writes, flow.cpp and selection.cpp the control flow.
+/// A flag is 1 or 0 in x of a register. A flag without a register holds.
 class Lowerer {
 public:
   Lowerer(const std::vector<Statement> &statements, const Sequences &sequences, Binder &binder,
@@ -24,7 +23,7 @@ private:
   using Operand = ir::Operand;
   using Instruction = ir::Instruction;
 
-  /// A result is written into a register, which can be read, and moved at the end.
+  /// A register that stands for a result. It can be read, and is moved to the result at the end.
   struct Result {
     std::uint16_t index = 0;
     std::uint8_t mask = 0;
@@ -101,7 +100,7 @@ private:
   std::map<std::uint16_t, Result> m_results;        ///< by row of Program::outputs
   std::map<std::uint16_t, std::uint16_t> m_shadows; ///< address registers as floats
   std::array<Flag, 2> m_conditions;
-  /// PUSHA's, and how many are there, a float. More than the specification's least, 4.
+  /// The stack of PUSHA, and its depth as a float. The specification requires at least 4 places.
   std::array<Flag, 8> m_stack;
   Flag m_depth;
 
@@ -109,13 +108,13 @@ private:
     Flag outer, inner;
     bool selection = false; ///< the last of m_selections
   };
-  /// A register that stands for another one in a part of an IF, and what of it was written.
+  /// A register that stands for another one in a part of an IF, with the components written.
   struct Aside {
     std::uint16_t index = 0;
     std::uint8_t mask = 0;
   };
-  /// An IF without jumps: both parts run on all lanes, each on registers of its own, and where they
-  /// join each lane takes its own.
+  /// An IF without jumps. Both parts run on all lanes, each with its own registers. At the join
+  /// each lane takes the values of its part.
   struct Selection {
     std::uint16_t holds = 0;
     bool turned = false; ///< ELSE has come
@@ -125,7 +124,7 @@ private:
     bool counts = false; ///< LOOP
     std::uint16_t index = 0, step = 0;
   };
-  /// Of the subroutine that is written, or of the program.
+  /// State of the subroutine or program that is being lowered.
   struct Function {
     Flag base;          ///< what has called it
     Flag block;         ///< the IFs that are open, of that

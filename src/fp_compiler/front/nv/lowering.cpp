@@ -33,7 +33,7 @@ void Lowerer::run(std::optional<std::uint16_t> start) {
   }
 }
 
-/// The statement's, with operands that instructions of the IR can read.
+/// Returns the statement's instruction with operands that the IR can have.
 Instruction Lowerer::instructionOf(const Statement &statement) {
   Instruction instruction = statement.instruction;
   const bool extended =
@@ -61,7 +61,7 @@ Instruction Lowerer::instructionOf(const Statement &statement) {
   return instruction;
 }
 
-/// The address that an index goes by; A0 of a fragment program is not below zero.
+/// Returns the address that an index uses. A0 of a fragment program is at least zero.
 Operand Lowerer::indexValue(const Indexed &indexed) {
   const Operand offset = m_code.constant(float(indexed.offset));
   const std::uint16_t first = std::uint16_t(indexed.address & ~3);
@@ -77,7 +77,7 @@ Operand Lowerer::indexValue(const Indexed &indexed) {
   return component(m_code.make(Opcode::Add, {address, offset}, kX), 0);
 }
 
-/// The row of the sequence that the address chooses; zero where there is none.
+/// Returns the row of the sequence that the address selects; zero if there is none.
 Operand Lowerer::indexed(const Indexed &indexed, const Operand &operand) {
   const Operand at = indexValue(indexed);
   const Destination dst = m_code.scratch();
@@ -102,7 +102,7 @@ std::uint16_t Lowerer::conditionCode(std::uint8_t index) {
   return *condition;
 }
 
-/// 1 or 0 for each component in \p mask. A comparison with NaN holds for NE alone.
+/// Returns 1 or 0 for each component in \p mask. A comparison with NaN holds only for NE.
 Operand Lowerer::passes(const Test &test, std::uint8_t mask) {
   const Operand value = swizzled(temporary(current(conditionCode(test.condition))), test.swizzle);
   const Operand zero = number(Select::Zero);
@@ -127,7 +127,8 @@ Operand Lowerer::passes(const Test &test, std::uint8_t mask) {
   return zero;
 }
 
-/// What CMP chooses by: below zero where a write happens. None if it happens everywhere.
+/// Returns the operand that CMP selects by: below zero where the write happens. Returns nothing if
+/// it happens everywhere.
 std::optional<Operand> Lowerer::selector(const Test &test, std::uint8_t mask) {
   const std::optional<Operand> runs = active();
   if (test.rule == Rule::Tr)
@@ -141,7 +142,7 @@ std::optional<Operand> Lowerer::selector(const Test &test, std::uint8_t mask) {
   return negated(runs ? m_code.make(Opcode::Mul, {each, *runs}, mask) : each);
 }
 
-/// The register that stands for a result.
+/// Returns the register that stands for a result.
 std::uint16_t Lowerer::registerFor(std::uint16_t output, std::uint8_t mask) {
   const auto [entry, isNew] = m_results.try_emplace(output);
   if (isNew)
@@ -167,7 +168,8 @@ void Lowerer::execute(const Statement &statement) {
         dst.file == File::Output ? registerFor(dst.index, dst.mask) : dst.index);
 }
 
-/// Into a result that an address chooses: of each one, what was there or the new value.
+/// Writes a result that an address selects. Every result of the sequence gets its old value or the
+/// new one.
 void Lowerer::writeIndexed(const Statement &statement, const Instruction &instruction) {
   const Operand at = indexValue(*statement.indexedResult);
   const std::uint8_t mask = instruction.dst.mask;
@@ -195,7 +197,7 @@ void Lowerer::writeIndexed(const Statement &statement, const Instruction &instru
   update(statement, mask, temporary(value), selects);
 }
 
-/// The instruction's value, under its condition, into a register and the condition code.
+/// Writes the instruction's value to a register and to the condition code, under its condition.
 void Lowerer::write(const Statement &statement, Instruction instruction, std::uint16_t target) {
   if (statement.test.rule == Rule::Fl)
     return;
@@ -239,7 +241,7 @@ void Lowerer::kill(const Statement &statement, const Instruction &instruction) {
     const std::optional<Operand> selects = selector(statement.test, kAll);
     value = selects ? *selects : negated(number(Select::One));
   }
-  // A test has all that runs in it, but for selections.
+  // A test already includes which lanes run, except for selections.
   if (const std::optional<Operand> runs =
           statement.tests && m_selections.empty() ? std::nullopt : activeInSelections())
     value = m_code.make(Opcode::Cmp, {negated(*runs), value, number(Select::Zero)});
@@ -253,8 +255,8 @@ std::uint16_t Lowerer::shadowOf(std::uint16_t address) {
   return entry->second;
 }
 
-/// What ARL, ARR or ARA loads: integers, as floats. NaN is 0; !!VP2.0 keeps them within what an
-/// address register holds (NV_vertex_program2 2.14.1.10).
+/// Returns the value that ARL, ARR or ARA loads: integers, as floats. NaN gives 0. !!VP2.0 clamps
+/// them to the range of an address register (NV_vertex_program2 2.14.1.10).
 Operand Lowerer::addressValue(const Instruction &instruction) {
   const Operand &source = instruction.src[0];
   if (instruction.op == Opcode::Ara) {
@@ -269,7 +271,7 @@ Operand Lowerer::addressValue(const Instruction &instruction) {
   return kept(m_code.make(Opcode::Cmp, {negated(isNumber), value, number(Select::Zero)}));
 }
 
-/// The integers are kept as floats, which can be read and added, and are loaded from there.
+/// Loads an address register. A float copy is kept, because it can be read and added.
 void Lowerer::loadAddress(const Statement &statement, const Instruction &instruction) {
   Instruction move;
   move.op = Opcode::Mov;
@@ -292,7 +294,8 @@ void Lowerer::fillAddress(const Statement &statement, const Instruction &move,
   }
 }
 
-/// Into the first free place of the stack: of each place, what is there or the address.
+/// Pushes an address. Every place of the stack gets its old value, and the first free one the
+/// address.
 void Lowerer::push(const Statement &statement) {
   const Operand value = temporary(shadowOf(statement.instruction.src[0].index));
   const std::optional<Operand> runs = active();
@@ -311,7 +314,7 @@ void Lowerer::push(const Statement &statement) {
   m_code.write(Opcode::Add, writtenTo(*m_depth, kX), {depth, runs ? *runs : number(Select::One)});
 }
 
-/// From the last place that was filled; zero where there is none.
+/// Pops the last value of the stack; zero if it is empty.
 void Lowerer::pop(const Statement &statement) {
   const std::optional<Operand> runs = active();
   if (!m_depth)

@@ -1,4 +1,4 @@
-// What NVIDIA's own languages have otherwise than its options.
+// Lowers where NVIDIA's own languages differ from its options.
 
 #include <algorithm>
 
@@ -18,16 +18,18 @@ using ir::Select;
 namespace {
 constexpr float kLeastAddress = -512, kMostAddress = 511;
 
-/// The same value of every component: what both read is the same, and neither changes between.
+/// True if the operands have the same value in every component. Nothing may be written between the
+/// reads.
 bool isSame(const Operand &a, const Operand &b) {
   return a.file == b.file && a.index == b.index && a.swizzle == b.swizzle && a.negate == b.negate &&
          a.relative == b.relative && a.address == b.address && a.offset == b.offset;
 }
 } // namespace
 
-/// Every result that a vertex program writes is (0,0,0,1) before (NV_vertex_program 2.14.1.5; of
-/// the options it is undefined, and mostly the same on NVIDIA's hardware), and all of it is given;
-/// a written program parameter is what it was. A fragment program's are undefined, here zero.
+/// Gives results their initial values. Every result that a vertex program writes starts as
+/// (0,0,0,1) and is written in full (NV_vertex_program 2.14.1.5). The options leave it undefined,
+/// and NVIDIA's hardware mostly does the same. A written program parameter starts with its value.
+/// Results of fragment programs are undefined, and zero here.
 void Lowerer::beginResults() {
   for (const Statement &statement : m_statements) {
     const Destination &dst = statement.instruction.dst;
@@ -56,7 +58,8 @@ void Lowerer::beginResult(std::uint16_t output) {
   m_code.write(Opcode::Mov, target, {before});
 }
 
-/// An operand that reads program parameters, as a vertex state program has left them.
+/// Returns an operand that reads program parameters with the values that the vertex state program
+/// wrote.
 Operand Lowerer::written(const Operand &operand) {
   if (!operand.relative) {
     for (const auto &[output, row] : m_rules.rows)
@@ -87,7 +90,7 @@ Operand Lowerer::written(const Operand &operand) {
   return now;
 }
 
-/// What an address register of !!VP2.0 takes.
+/// Returns the value clamped to the range of an address register of !!VP2.0.
 Operand Lowerer::kept(const Operand &address) {
   if (m_rules.language != NativeLanguage::Vp2)
     return address;
@@ -95,7 +98,7 @@ Operand Lowerer::kept(const Operand &address) {
   return m_code.make(Opcode::Min, {above, m_code.constant(kMostAddress)});
 }
 
-/// The instruction's value; its destination is a temporary.
+/// Writes the instruction's value to its destination, which is a temporary.
 void Lowerer::compute(const Statement &statement, const Instruction &instruction) {
   const bool signs =
       m_rules.language == NativeLanguage::Fp1 || m_rules.language == NativeLanguage::Vp2;
@@ -107,8 +110,8 @@ void Lowerer::compute(const Statement &statement, const Instruction &instruction
   writeInstruction(m_code, instruction);
 }
 
-/// True if the operand is a product with itself, which is not below zero and no negative zero: what
-/// the last write of it before has left, with no place between where something else may arrive.
+/// True if the operand is certainly a square, which is not negative and not -0. Its last write must
+/// be a product of a value with itself, without a label or jump in between.
 bool Lowerer::isSquare(const Statement &statement) const {
   const Operand &operand = statement.instruction.src[0];
   const auto wanted = std::uint8_t(1u << int(operand.swizzle[0]));
@@ -132,8 +135,9 @@ bool Lowerer::isSquare(const Statement &statement) const {
   return false;
 }
 
-/// NaN below zero, and -infinity of -0 (NV_fragment_program 3.11.5.27, NV_vertex_program2
-/// 2.14.1.10). LG2 is both of these there; the reciprocal tells -0 from 0.
+/// Computes RSQ, which is NaN below zero and -infinity for -0 (NV_fragment_program 3.11.5.27,
+/// NV_vertex_program2 2.14.1.10). LG2 gives both of these values, and the reciprocal tells -0 from
+/// 0.
 void Lowerer::signedRoot(const Instruction &instruction) {
   const Operand &value = instruction.src[0];
   const Operand inverse = component(m_code.make(Opcode::Rcp, {value}, kX), 0);
@@ -143,7 +147,8 @@ void Lowerer::signedRoot(const Instruction &instruction) {
   m_code.write(Opcode::Cmp, instruction.dst, {below, undefined, root});
 }
 
-/// EX2(b * LG2(a)), with what that makes of 0 and of what is below (NV_fragment_program 3.11.5.24).
+/// Computes POW as EX2(b * LG2(a)), with the results of LG2 for zero and below (NV_fragment_program
+/// 3.11.5.24).
 void Lowerer::powerByLogarithm(const Instruction &instruction) {
   const Operand logarithm = m_code.make(Opcode::Lg2, {instruction.src[0]}, kX);
   const Operand product =

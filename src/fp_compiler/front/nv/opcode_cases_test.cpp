@@ -1,5 +1,6 @@
-// Every opcode, suffix and rule of NVIDIA's options and languages has a case (opcode_cases.def),
-// and each case is so before optimisation and after it, and as NVIDIA's driver has it.
+// Tests that every opcode, suffix and rule of NVIDIA's options and languages has a case in
+// opcode_cases.def. Each case must hold before and after optimisation, and agree with NVIDIA's
+// driver.
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -66,7 +67,8 @@ bool near(float value, float expected) {
          std::fabs(value - expected) <= 2e-7f;
 }
 
-/// \param change of a component of the case's value, by the suffix
+/// Checks a case.
+/// \param change applies the suffix to a component of the case's value
 template <typename Change>
 void expectCase(const Language &language, const Case &each, const std::string &statements,
                 const std::string &behind, Change change) {
@@ -97,7 +99,7 @@ void expectCase(const Language &language, const Case &each, const std::string &s
   }
 }
 
-/// Each star is taken away, with the suffix behind the names of one opcode.
+/// Replaces each star by nothing, or by the suffix if it follows the given opcode.
 std::string suffixed(std::string statements, std::string_view mnemonic, const std::string &suffix) {
   for (auto star = statements.find('*'); star != std::string::npos; star = statements.find('*')) {
     const std::string_view before = std::string_view(statements).substr(0, star);
@@ -110,7 +112,7 @@ std::string suffixed(std::string statements, std::string_view mnemonic, const st
   return statements;
 }
 
-/// The opcodes with stars, and whether they write r.
+/// Returns the opcodes with stars, and whether they write r.
 std::map<std::string, bool> starred(const std::string &statements) {
   std::map<std::string, bool> result;
   for (auto star = statements.find('*'); star != std::string::npos;
@@ -197,7 +199,7 @@ TEST(NvOpcodeCases, EachRule) {
   }
 }
 
-/// The driver's answers are those of the cases.
+/// Compares the cases with the driver's answers.
 TEST(NvOpcodeCases, AreAsNvidiaHasThem) {
   const auto compare = [](const char *value, const std::string &nvidia, const char *what) {
     if (nvidia == value)
@@ -213,7 +215,7 @@ TEST(NvOpcodeCases, AreAsNvidiaHasThem) {
     compare(each.value, each.nvidia, each.rule);
 }
 
-/// A new opcode, rule or suffix fails here until it has a case.
+/// Fails for a new opcode, rule or suffix without a case.
 TEST(NvOpcodeCases, NothingLacksOne) {
   for (const Language &language : kLanguages) {
     std::set<std::string> cases;
@@ -239,7 +241,7 @@ TEST(NvOpcodeCases, NothingLacksOne) {
         std::any_of(std::begin(kConditionCases), std::end(kConditionCases),
                     [&](const ConditionCase &each) { return ruleOf(each.rule) == Rule(rule); }))
         << "no case of rule " << rule;
-  // State programs have the opcodes of !!VP1.0.
+  // State programs must have the opcodes of !!VP1.0.
   for (int i = 0; i < ir::kOpcodeRowCount; ++i)
     EXPECT_EQ(offers(NativeLanguage::Vsp1, ir::Opcode(i)),
               offers(NativeLanguage::Vp1, ir::Opcode(i)));

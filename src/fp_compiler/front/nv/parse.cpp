@@ -1,6 +1,6 @@
-// Statements of NVIDIA's options: NV_fragment_program_option 3.11.2,
-// NV_vertex_program2_option 2.14.2 and what follows them. The ARB grammar's parts are those of the
-// other files of the parser.
+// Parses statements of NVIDIA's options: NV_fragment_program_option 3.11.2,
+// NV_vertex_program2_option 2.14.2 and their successors. The other files of the parser have the
+// parts of the ARB grammar.
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ namespace arbiter::fp {
 
 using ir::Opcode;
 
-/// A byte that is no token of the ARB grammar: a bar, a colon or a parenthesis.
+/// True at a byte that is not a token of the ARB grammar: a bar, a colon or a parenthesis.
 bool Parser::atByte(char byte, int ahead) const {
   const Token &token = m_tokens.peek(ahead);
   return token.kind == TokenKind::InvalidByte && m_text[token.span.begin] == byte;
@@ -31,7 +31,7 @@ bool Parser::expectByte(char byte) {
   return acceptByte(byte) || unexpected((std::string("'") + byte + "'").c_str());
 }
 
-/// <varSize> before TEMP or OUTPUT: a free name elsewhere.
+/// True at <varSize> before TEMP or OUTPUT. Elsewhere the word is a free name.
 bool Parser::atSize() const {
   const bool offered =
       m_options.nv != ir::NvOption::None && m_language.language == ir::Language::ArbFragment;
@@ -47,7 +47,7 @@ bool Parser::parseSized() {
   return parsed;
 }
 
-/// <ccTest>: a rule and a swizzle.
+/// Parses <ccTest>: a rule and a swizzle.
 bool Parser::parseTest(nv::Test &test) {
   constexpr const char *kRules = "a condition: EQ, GE, GT, LE, LT, NE, TR or FL";
   if (!m_tokens.at(TokenKind::Identifier))
@@ -65,13 +65,13 @@ bool Parser::parseTest(nv::Test &test) {
   return parseSwizzle(false, test.swizzle);
 }
 
-/// <ccMask>, where there is one.
+/// Parses <ccMask>, if there is one.
 bool Parser::parseConditionMask(nv::Test &test) {
   return !acceptByte('(') || (parseTest(test) && expectByte(')'));
 }
 
-/// <instOperandV> or <instOperandS>: within bars the swizzle is inside, and signs are on both
-/// sides.
+/// Parses <instOperandV> or <instOperandS>. Within bars the swizzle is inside, and signs may be on
+/// both sides.
 bool Parser::parseNvSource(bool scalar, ir::Operand &operand, bool &absolute) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   const auto sign = [&] {
@@ -86,7 +86,7 @@ bool Parser::parseNvSource(bool scalar, ir::Operand &operand, bool &absolute) {
     static_cast<void>(sign()); // the bars undo it
   const TokenKind kind = m_tokens.peek().kind;
   const bool number = kind == TokenKind::Integer || kind == TokenKind::Float;
-  // A number stands for itself in every component and takes no suffix.
+  // A number has the same value in every component and takes no suffix.
   m_mayIndex = true;
   m_indexed.reset();
   const bool read = parseSourceRegister(operand);
@@ -110,7 +110,7 @@ bool Parser::parseNvOperands(nv::Statement &statement) {
     if (i > 0 && !expect(TokenKind::Comma, "','"))
       return false;
     bool absolute = false;
-    // ARL takes a vector here.
+    // ARL reads a vector in these languages.
     const bool scalar = op.shapes[i] == 'S' && instruction.op != Opcode::Arl;
     const bool parsed = instruction.op == Opcode::Ara   ? parseAddressSource(operand)
                         : instruction.op == Opcode::Swz ? parseNvSwzSource(operand, absolute)
@@ -123,14 +123,14 @@ bool Parser::parseNvOperands(nv::Statement &statement) {
   return true;
 }
 
-/// SWZ's operand, which may stand within bars.
+/// Parses SWZ's operand, which may be within bars.
 bool Parser::parseNvSwzSource(ir::Operand &operand, bool &absolute) {
   absolute = acceptByte('|');
   return parseSwzSource(operand) && (!absolute || expectByte('|'));
 }
 
-/// The number of the address register of that name, 0 where it is none, which is said; nothing
-/// where the text cannot be read on.
+/// Returns the number of the address register of that name, or 0 after an error if it is not one.
+/// Returns nothing if the statement cannot be continued.
 std::optional<std::uint16_t> Parser::readAddressVector(const Token &name) {
   note(name, Access::Read);
   const Symbol *symbol = m_symbols.find(text(name));
@@ -142,7 +142,7 @@ std::optional<std::uint16_t> Parser::readAddressVector(const Token &name) {
   return symbol && symbol->kind == SymbolKind::Address ? symbol->index : std::uint16_t(0);
 }
 
-/// <addrRegisterOperand> of ARA: a whole address register.
+/// Parses <addrRegisterOperand> of ARA: a whole address register.
 bool Parser::parseAddressSource(ir::Operand &operand) {
   const Token name = m_tokens.peek();
   if (name.kind != TokenKind::Identifier || wordOf(name).keyword != Keyword::None)
@@ -157,7 +157,7 @@ bool Parser::parseAddressSource(ir::Operand &operand) {
   return true;
 }
 
-/// <maskedAddrReg>: any components.
+/// Parses <maskedAddrReg>, with any components.
 bool Parser::parseNvAddressDestination(ir::Destination &destination) {
   const Token name = m_tokens.peek();
   ir::Operand address;
@@ -187,7 +187,7 @@ bool Parser::parseNvDestination(nv::Statement &statement) {
   return parseConditionMask(statement.test) && expect(TokenKind::Comma, "','");
 }
 
-/// Instructions may not write one result under two sizes (NV_fragment_program_option 3.11.3.4).
+/// Reports a result that is written under two sizes (NV_fragment_program_option 3.11.3.4).
 void Parser::checkSize(const ir::Destination &destination) {
   const auto [entry, isNew] = m_resultSizes.try_emplace(destination.index, m_written);
   if (!isNew && entry->second != m_written)
@@ -223,14 +223,14 @@ bool Parser::parseNvInstruction(const Token &opcode, const Word &word) {
   return true;
 }
 
-/// Counts the statement, and keeps it if the program may still come to something.
+/// Counts the statement. Keeps it if the program can still load.
 void Parser::keep(const nv::Statement &statement, Span opcode) {
   const bool fits = statement.isLabel || m_binder.count(statement.instruction, opcode);
   if (fits && !m_reporter.hasErrors())
     m_statements.push_back(statement);
 }
 
-/// A statement that begins with no word of the option.
+/// Reports a statement that does not begin with a word of the option.
 bool Parser::unknownNvStatement(const Token &first) {
   const std::string_view word = text(first);
   const bool vertex = m_language.language == ir::Language::ArbVertex;

@@ -1,4 +1,4 @@
-// Labels, blocks, branches, and what an address register chooses: NV_fragment_program2 3.11.4,
+// Parses labels, blocks, branches, and indexes by an address register: NV_fragment_program2 3.11.4,
 // NV_vertex_program2_option 2.14.4, NV_vertex_program3 2.14.3.
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace arbiter::fp {
 
 using ir::Opcode;
 
-/// "name :", before what a branch goes on with.
+/// Parses a label, "name :".
 bool Parser::parseLabel(const Token &name) {
   m_tokens.next();
   if (!m_blocks.empty())
@@ -22,7 +22,7 @@ bool Parser::parseLabel(const Token &name) {
   return true;
 }
 
-/// ELSE, ENDIF, ENDLOOP, ENDREP: what they end must be the innermost block.
+/// Parses ELSE, ENDIF, ENDLOOP or ENDREP. The innermost block must be one that it can end.
 bool Parser::endBlock(const Token &opcode, const Word &word) {
   const Opcode ended = m_blocks.empty() ? Opcode::Mov : m_blocks.back().begin;
   const bool fits = word.op == Opcode::Else      ? ended == Opcode::If
@@ -44,7 +44,7 @@ bool Parser::endBlock(const Token &opcode, const Word &word) {
   return true;
 }
 
-/// The operand of LOOP or REP: a parameter, state or a constant.
+/// Parses the operand of LOOP or REP: a parameter, state or a constant.
 bool Parser::beginLoop(nv::Statement &statement) {
   ir::Operand &operand = statement.instruction.src[0];
   const Token first = m_tokens.peek();
@@ -61,7 +61,7 @@ bool Parser::beginLoop(nv::Statement &statement) {
   return true;
 }
 
-/// PUSHA and POPA: of whole address registers, and always.
+/// Parses PUSHA or POPA, which take a whole address register and no condition.
 bool Parser::parseStack(nv::Statement &statement) {
   ir::Instruction &instruction = statement.instruction;
   if (instruction.op == Opcode::Pusha)
@@ -131,14 +131,14 @@ bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
   return true;
 }
 
-/// An index of a binding that is an address register's: "[" A0 "." x.
+/// True at a binding's index that is an address register: "[" A0 "." x.
 bool Parser::atAddress() const {
   return m_mayIndex && m_options.nv == ir::NvOption::Second &&
          m_tokens.at(TokenKind::OpenBracket) && m_tokens.peek(1).kind == TokenKind::Identifier;
 }
 
-/// "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment programs
-/// the register is A0, which has x alone and takes what is not below zero.
+/// Parses "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment
+/// programs the register is A0, which has only x and takes no negative values.
 bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
   m_tokens.next();
   const Token name = m_tokens.next();
@@ -169,7 +169,7 @@ bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
   return expect(TokenKind::CloseBracket, "']'");
 }
 
-/// The program is read: what its branches name must be there, and then it becomes code.
+/// Finishes the program: checks the blocks and labels, then lowers the statements.
 void Parser::finishNv(Span end) {
   if (!m_blocks.empty())
     error(DiagnosticId::NvFlow, end, "the program ends inside of a block",

@@ -1,5 +1,6 @@
-// Generated programs under NVIDIA's options: they load, their code is valid, and the passes change
-// nothing of what they compute. A text with a token less or more is refused or computes, too.
+// Tests generated programs under NVIDIA's options: they load, their code is valid, and the passes
+// do not change what they compute. A text with a token removed or doubled is refused, or computes
+// too.
 #include <bit>
 #include <cmath>
 #include <limits>

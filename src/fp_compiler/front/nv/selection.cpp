@@ -6,7 +6,7 @@ using ir::Opcode;
 using ir::Operand;
 using ir::Select;
 
-/// True for an IF with nothing but instructions and such IFs until its ENDIF.
+/// True for an IF that has only instructions, and IFs of that kind, up to its ENDIF.
 bool Lowerer::selects(const Statement &statement) const {
   if (statement.test.rule == Rule::Tr || statement.test.rule == Rule::Fl)
     return false;
@@ -26,7 +26,7 @@ bool Lowerer::selects(const Statement &statement) const {
   return false;
 }
 
-/// True if a RET of the function stands in the loop.
+/// True if the loop contains a RET of the function.
 bool Lowerer::returnsWithin(const Statement &loop) const {
   std::size_t depth = 0;
   for (std::size_t at = std::size_t(&loop - m_statements.data()); at < m_statements.size(); ++at) {
@@ -49,7 +49,8 @@ void Lowerer::beginSelection(const Statement &statement) {
   m_selections.push_back({*holds, false, {}});
 }
 
-/// Where the parts join: of each register that one of them has written, what is that lane's.
+/// Joins the two parts of an IF: each lane takes its part's value of every register that a part
+/// wrote.
 void Lowerer::endSelection() {
   const Selection selection = m_selections.back();
   m_selections.pop_back();
@@ -78,7 +79,7 @@ void Lowerer::endSelection() {
   }
 }
 
-/// The register that has a register's content here.
+/// Returns the register that holds the current value of a register.
 std::uint16_t Lowerer::current(std::uint16_t index) const {
   for (auto selection = m_selections.rbegin(); selection != m_selections.rend(); ++selection) {
     const auto &part = selection->parts[selection->turned];
@@ -88,8 +89,8 @@ std::uint16_t Lowerer::current(std::uint16_t index) const {
   return index;
 }
 
-/// The register to write here for another one: itself, or in a selection the part's own, which
-/// begins as a copy.
+/// Returns the register to write in place of another one: the register itself, or inside a
+/// selection the part's own, which starts as a copy.
 std::uint16_t Lowerer::aside(std::uint16_t index, std::uint8_t mask) {
   if (m_selections.empty())
     return index;
@@ -104,7 +105,7 @@ std::uint16_t Lowerer::aside(std::uint16_t index, std::uint8_t mask) {
   return entry->second.index;
 }
 
-/// What runs now, as active() says, less the lanes whose part of a selection is the other one.
+/// Returns active(), without the lanes that belong to the other part of a selection.
 std::optional<Operand> Lowerer::activeInSelections() {
   std::optional<Operand> all = active();
   for (const Selection &selection : m_selections) {

@@ -1,6 +1,6 @@
-// The words of NVIDIA's options and languages are those of the specifications' tables
-// (specified.def): an opcode, a precision, a condition or a saturation that one has and the other
-// lacks fails here. What each computes is opcode_cases.def's.
+// Compares the words of NVIDIA's options and languages with the specifications' tables
+// (specified.def). It fails for an opcode, a precision, a condition or a saturation that only one
+// side has. opcode_cases.def covers what each opcode computes.
 #include <map>
 #include <sstream>
 #include <string>
@@ -22,7 +22,7 @@ constexpr const char *kSpecified[][3] = {
 #include "fp_compiler/front/nv/specified.def"
 };
 
-/// The modifiers of each opcode of a language; rows of TAKEN come last, and count.
+/// Returns the modifiers of each opcode of a language, including the rows of TAKEN.
 std::map<std::string, std::string> specified(const std::string &language) {
   std::map<std::string, std::string> result;
   for (const auto &[name, modifiers, opcodes] : kSpecified) {

@@ -8,18 +8,19 @@
 #include "fp_compiler/front/nv/words.h"
 #include "fp_compiler/ir/ir.h"
 
-/// Programs of NVIDIA's options as they are written, before they are lowered to the IR's code.
+/// The parsed statements of programs under NVIDIA's options, before they are lowered to the IR.
 namespace arbiter::fp::nv {
 
-/// A test of a condition code register: component i of the test is component swizzle[i] of it.
+/// A test of a condition code register. Component i of the test is component swizzle[i] of the
+/// register.
 struct Test {
   Rule rule = Rule::Tr;
   std::uint8_t condition = 0; ///< CC0 or CC1
   ir::Swizzle swizzle = ir::kIdentity;
 };
 
-/// What an address register (or A0, the index of the innermost LOOP) chooses from a sequence of
-/// attributes or results: the one at address + offset.
+/// An attribute or result that an address register selects from a sequence, at address + offset. In
+/// fragment programs the address is A0, the index of the innermost LOOP.
 struct Indexed {
   std::uint16_t sequence = 0; ///< into Sequences
   std::uint8_t address = 0;   ///< of Program::addresses; not used in fragment programs
@@ -30,9 +31,10 @@ using Sequences = std::vector<std::vector<std::uint16_t>>;
 
 inline constexpr std::uint16_t kNoLabel = std::numeric_limits<std::uint16_t>::max();
 
-/// One statement. A label is one too, of no opcode: it names the place of what follows it.
+/// A statement. A label is a statement without an opcode; it names the place of the next one.
 struct Statement {
-  /// Its opcode may be one of ops.def's words. An address register is its number times four.
+  /// Its opcode may be one that the front end lowers to others (FP_NV_WORD in ops.def). An address
+  /// register is four times its number.
   ir::Instruction instruction;
   std::uint8_t absolute = 0; ///< bit i: operand i is within bars; its sign is before them
   std::array<std::optional<Indexed>, 3> indexed; ///< of operands, whose index says nothing then

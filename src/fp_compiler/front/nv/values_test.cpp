@@ -1,5 +1,5 @@
-// What programs under NVIDIA's options compute: the figures are those of NVIDIA's driver (580.159),
-// before optimisation and after it.
+// Tests what programs under NVIDIA's options compute, before and after optimisation. The figures
+// come from NVIDIA's driver (580.159).
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -21,7 +21,7 @@ using testing_support::generous;
 constexpr float kInf = std::numeric_limits<float>::infinity();
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// program.local[0..]
+/// The values of program.local[0..].
 const Vec4 kLocals[] = {{-2, 0, 2, kNan},
                         {1, 2, 3, 4},
                         {0.5f, -0.25f, 1.75f, 0.1f},
@@ -80,7 +80,7 @@ Vec4 outputOf(const ir::Program &program, const ir::Evaluation &evaluation) {
   return {};
 }
 
-/// The colour, or texcoord[0] of a vertex program, is r at the end.
+/// Expects the final value of r, read as the colour, or as texcoord[0] of a vertex program.
 void expectValue(std::string_view option, const std::string &statements, const Vec4 &expected) {
   const bool vertex = option.find("vertex") != std::string_view::npos;
   const bool open = statements.find("RET") != std::string::npos;
@@ -111,7 +111,7 @@ TEST(NvValues, EveryConditionOfNumbersAndNan) {
 TEST(NvValues, ConditionCodesAreSetAndTested) {
   expectValue(kF1, "MOV r (EQ), 1.0;", {1, 1, 1, 1}); // as they start
   expectValue(kF1, "MOVC s, p0; MOV r, 0.0; MOV r (NE.yxzw), 1.0;", {0, 1, 1, 1});
-  // Set from the value after _SAT, under both masks.
+  // The code is set from the value after _SAT, under both masks.
   expectValue(kF1, "MOVC_SAT s, p0; MOV r, 0.0; MOV r (GT), 1.0;", {0, 0, 1, 0});
   expectValue(kF1, "MOVC s.y, 1.0; MOV r, 0.0; MOV r (GT), 1.0;", {0, 1, 0, 0});
   expectValue(kF1, "MOVC s, p0; MOVC s (EQ), 3.0; MOV r, 0.0; MOV r (GT), 1.0;", {0, 1, 1, 0});
@@ -159,7 +159,7 @@ TEST(NvValues, Packing) {
   expectValue(kF1, "PK4B s, p0; UP4B r, s.x;", {-1.00787401f, 0, 1, -1.00787401f});
   expectValue(kF1, "PK4UB s, p2; UP4UB r, s.x;", {0.501960814f, 0, 1, 0.101960793f});
   expectValue(kF1, "PK4UB s, p0; UP4UB r, s.x;", {0, 0, 1, 0});
-  // The bits are a denormal's; a MOV keeps them and a sum does not.
+  // The bits are those of a denormal: a MOV keeps them, and an addition does not.
   expectValue(kF1, "PK4UB s, {1, 0, 0, 0}; MOV t, s; UP4UB r, t.x;", {1, 0, 0, 0});
   expectValue(kF1, "PK4UB s, {1, 0, 0, 0}; MOVC t (EQ), s; UP4UB r, t.x;", {1, 0, 0, 0});
   expectValue(kF1, "PK4UB s, {1, 0, 0, 0}; ADD t, s, p3.w; UP4UB r, t.x;", {0, 0, 0, 0});
@@ -188,7 +188,7 @@ TEST(NvValues, Blocks) {
   expectValue(kF2, kIf + "GT.x" + kElse, {2, 2, 2, 2});
   expectValue(kF2, kIf + "GE.w" + kElse, {2, 2, 2, 2}); // NaN
   expectValue(kF2, kIf + "FL" + kElse, {2, 2, 2, 2});
-  // What happens inside does not change which side runs.
+  // Writes inside the block do not change which part runs.
   expectValue(kF2,
               "MOV r, 0.0; MOVC s, p0; IF GT.z; MOVC s, -1.0; ADD r, r, 1.0; ELSE; ADD r, r, 10.0; "
               "ENDIF;",
@@ -222,7 +222,7 @@ TEST(NvValues, Loops) {
               "MOV r, 0.0; REP 3; REP 10; ADD r, r, 1.0; SGEC s.x, r, 5.0; IF NE.x; BRK; ENDIF; "
               "ENDREP; ADD r, r, 10.0; ENDREP;",
               {37, 37, 37, 37});
-  // No program runs for ever: 65,000 iterations of all loops.
+  // No program runs forever: all loops together run 65,000 iterations.
   expectValue(kF2, "MOV r, 0.0; REP 1e9; REP 1e9; ADD r, r, 1.0; ENDREP; ENDREP;",
               {64999, 64999, 64999, 64999});
 }
@@ -236,7 +236,7 @@ TEST(NvValues, Subroutines) {
       "MOVC r, p0; CAL a (GT.x); CAL b (GT.z); MOV result.color, r; RET; a: MOV r, 5.0; RET; "
       "b: MOV r, 6.0; RET;",
       {6, 6, 6, 6});
-  // A RET under a condition, and one in a loop, leave the subroutine alone.
+  // A RET under a condition, or in a loop, leaves only the subroutine.
   expectValue(kF2,
               "MOVC r, p0; CAL a; MOV result.color, r; RET; a: MOV r, 1.0; RET (LT.x); MOV r, 2.0;",
               {1, 1, 1, 1});
@@ -271,7 +271,7 @@ TEST(NvValues, Branches) {
               "MOV r, 0.0; CAL a; CAL a; MOV result.texcoord[0], r; RET; a: MOV s, 0.0; "
               "b: ADD r, r, 1.0; ADD s, s, 1.0; SLTC t, s, 4.0; BRA b (NE.x); RET;",
               {8, 8, 8, 8});
-  // One without an end.
+  // A loop without an end.
   const ir::Program endless = load(kV2, "a: ADD r, r, 1.0; BRA a;");
   EXPECT_FALSE(ir::evaluate(endless, inputs()).killed);
 }

@@ -23,7 +23,7 @@ static_assert(std::size(kMnemonics) == std::size_t(ir::kOpcodeRowCount));
 constexpr std::size_t kShortest = 2, kLongest = 7;
 
 using Rows = std::array<std::uint8_t, ir::kOpcodeRowCount>;
-/// The opcodes' numbers by mnemonic.
+/// The opcodes' numbers, sorted by mnemonic.
 constexpr Rows kSorted = [] {
   Rows rows = {};
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -42,7 +42,7 @@ std::optional<Opcode> find(std::string_view mnemonic) {
   return Opcode(*row);
 }
 
-/// Cuts \p prefix off.
+/// Removes \p prefix if the text begins with it. Returns whether it does.
 bool accept(std::string_view &rest, std::string_view prefix) {
   if (!rest.starts_with(prefix))
     return false;
@@ -50,7 +50,7 @@ bool accept(std::string_view &rest, std::string_view prefix) {
   return true;
 }
 
-/// What a language lets stand behind the base of a name.
+/// The suffixes that a language allows after an opcode's name.
 struct Suffixes {
   bool precision = false, condition = false, secondCondition = false;
   bool saturate = false, signedSaturate = false;
@@ -68,7 +68,7 @@ Suffixes suffixesOf(NativeLanguage language) {
           .saturate = fragment};
 }
 
-/// Reads the suffixes; false if an opcode may not be written so.
+/// Reads the suffixes. Returns false if the opcode cannot have them.
 bool readSuffix(std::string_view rest, const OpInfo &row, const Suffixes &may, Word &word) {
   if (may.precision && !row.has(ir::NoPrecision)) {
     word.nv.full = accept(rest, "R");
@@ -97,7 +97,7 @@ std::optional<Opcode> longestBase(std::string_view identifier, const Offers &off
   return std::nullopt;
 }
 
-/// The opcode that all of the identifier spells; nothing if it spells none.
+/// Returns the opcode that the whole identifier spells; nothing if it spells none.
 template <typename Offers>
 std::optional<Word> spelled(std::string_view identifier, const Suffixes &may,
                             const Offers &offered) {

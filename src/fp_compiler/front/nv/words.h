@@ -5,24 +5,26 @@
 
 #include "fp_compiler/front/words/keywords.h"
 
-/// The words of NVIDIA's options: NV_fragment_program_option, NV_fragment_program2,
-/// NV_vertex_program2_option, NV_vertex_program3; and the opcodes of its own languages.
+/// Classifies the words of NVIDIA's options (NV_fragment_program_option, NV_fragment_program2,
+/// NV_vertex_program2_option, NV_vertex_program3), and the opcodes of its own languages.
 namespace arbiter::fp::nv {
 
 /// True if programs of \p language under \p option have the opcode.
 [[nodiscard]] bool offers(const ArbLanguage &language, ir::NvOption option, ir::Opcode op);
 
-/// The opcode with the longest name that an identifier begins with; nothing if it begins with none.
+/// Returns the opcode with the longest name that an identifier begins with; nothing if there is
+/// none.
 [[nodiscard]] std::optional<ir::Opcode> baseOf(std::string_view identifier,
                                                const ArbLanguage &language, ir::NvOption option);
 
-/// Which reserved word an identifier is under \p option, which is not None: every spelling of an
-/// opcode is one (ADDR, DDXC_SAT), of names that begin alike the longest (DP2A, not DP2).
+/// Returns the reserved word that an identifier is under \p option, which is not None. Every
+/// spelling of an opcode is reserved (ADDR, DDXC_SAT). The longest opcode name wins (DP2A, not
+/// DP2).
 [[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language,
                             ir::NvOption option);
 
-// The same of NVIDIA's languages of their own. DEFINE and DECLARE are Keyword::Param; the names of
-// registers are free words.
+// These functions do the same for NVIDIA's own languages. DEFINE and DECLARE are Keyword::Param,
+// and names of registers are free words.
 [[nodiscard]] bool offers(ir::NativeLanguage language, ir::Opcode op);
 [[nodiscard]] std::optional<ir::Opcode> baseOf(std::string_view identifier,
                                                ir::NativeLanguage language);
@@ -30,7 +32,7 @@ namespace arbiter::fp::nv {
 
 /// A rule of a condition code test (section 3.11.3.X).
 enum class Rule : std::uint8_t { Eq, Ge, Gt, Le, Lt, Ne, Tr, Fl };
-/// What the word names, such as "EQ"; nothing for any other word.
+/// Returns the rule of a word such as "EQ"; nothing for any other word.
 [[nodiscard]] std::optional<Rule> ruleOf(std::string_view word);
 
 } // namespace arbiter::fp::nv

@@ -14,7 +14,7 @@ constexpr std::uint8_t kXyz = 7;
 Operand zero() { return number(Select::Zero); }
 Operand one() { return number(Select::One); }
 
-/// a.xyxy + b.x*c.xzxz + b.y*c.ywyw
+/// Computes X2D: a.xyxy + b.x*c.xzxz + b.y*c.ywyw.
 void transform(Code &code, const Instruction &i) {
   const auto [a, b, c] = i.src;
   const Operand first = code.make(
@@ -24,7 +24,7 @@ void transform(Code &code, const Instruction &i) {
              {component(b, 1), swizzled(c, {Select::Y, Select::W, Select::Y, Select::W}), first});
 }
 
-/// 2 (a.d)/(a.a) a - d
+/// Computes RFL: 2 (a.d)/(a.a) a - d.
 void reflect(Code &code, const Instruction &i) {
   const Operand &axis = i.src[0], &direction = i.src[1];
   const Operand along = code.make(Opcode::Dp3, {axis, direction}, kX);
@@ -35,7 +35,7 @@ void reflect(Code &code, const Instruction &i) {
   code.write(Opcode::Mad, i.dst, {component(factor, 0), axis, negated(direction)});
 }
 
-/// x and y alone; the third product is one of zeros.
+/// Returns the operand with only x and y, so that the third product is zero.
 Operand plane(const Operand &operand) {
   return swizzled(operand, {Select::X, Select::Y, Select::Zero, Select::Zero});
 }
@@ -62,13 +62,13 @@ void sign(Code &code, const Instruction &i) {
   code.write(Opcode::Sub, i.dst, {above, below});
 }
 
-/// The sign is the operand's where it is an infinity, the reciprocal's where it is a zero: the
-/// other of the two is a zero then.
+/// Computes RCC. The result is negative if the smaller of operand and reciprocal is. If one is a
+/// zero, whose sign CMP ignores, the other is an infinity.
 void clampedReciprocal(Code &code, const Instruction &i) {
   const Operand raw = component(code.make(Opcode::Rcp, {i.src[0]}, kX), 0);
   const Operand lower = code.make(Opcode::Min, {raw, i.src[0]}, kX);
   const Operand size = code.make(Opcode::Abs, {raw}, kX);
-  // The larger bound first: it is what stays of a NaN.
+  // Clamp to the upper bound first, because MIN turns a NaN into that bound.
   const Operand most = code.make(Opcode::Min, {component(size, 0), code.constant(0x1p64f)}, kX);
   const Operand clamped =
       component(code.make(Opcode::Max, {component(most, 0), code.constant(0x1p-64f)}, kX), 0);

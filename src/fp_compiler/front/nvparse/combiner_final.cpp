@@ -1,4 +1,4 @@
-// The final combiner (NV_register_combiners 3.8.12.3).
+// Parses the final combiner (NV_register_combiners 3.8.12.3).
 #include <utility>
 
 #include "fp_compiler/front/nvparse/combiner_parser.h"
@@ -81,7 +81,7 @@ bool CombinerParser::parseLerp() {
   return true;
 }
 
-/// A to D of A*B + (1 - A)*C + D, of which the text may leave out some.
+/// Parses A*B + (1 - A)*C + D, of which the text may leave out parts.
 bool CombinerParser::parseColor(const Token &out) {
   if (m_hasColor)
     error(DiagnosticId::RcTwice, out.span, "out.rgb is written a second time");
@@ -117,7 +117,7 @@ bool CombinerParser::parseColor(const Token &out) {
       d = first;
     }
   }
-  // No A is color_sum; factors may change places.
+  // A cannot be color_sum, but the factors may be exchanged.
   if (a.source == Register::Spare0PlusSecondary && b.source != a.source && c == kZero)
     std::swap(a, b);
   if (a.source == Register::Spare0PlusSecondary)

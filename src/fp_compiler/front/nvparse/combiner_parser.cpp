@@ -14,7 +14,7 @@ using combiners::Stage;
 
 namespace {
 
-/// What a portion is that the text does not have: it puts out nothing.
+/// Returns a portion that writes nothing, for one that the text does not have.
 Portion nothing(combiners::Usage usage) {
   Portion portion = combiners::initialPortion(usage);
   portion.inputs.fill({Register::Zero, Mapping::UnsignedIdentity, usage});
@@ -47,7 +47,7 @@ void CombinerParser::parseTop() {
     recover();
 }
 
-/// A statement outside stages.
+/// Parses a statement outside of stages.
 bool CombinerParser::parseFinalStatement() {
   constexpr const char *kWhat = "a stage, a constant or the final combiner";
   if (!m_tokens.at(TokenKind::Identifier)) {
@@ -137,7 +137,7 @@ void CombinerParser::parseStage() {
   Stage beyond;
   Pair own;
   const bool fits = m_stages < combiners::kStages;
-  // Said once; what is not offered at all is said of the header.
+  // The limit is reported once. If combiners are not offered at all, the header has the error.
   if (m_stages == int(most) && most != 0)
     (fits ? limit(DiagnosticId::LimitCombiners, brace.span,
                   "more than " + std::to_string(most) + " general stages",
@@ -197,7 +197,7 @@ void CombinerParser::parseStageBody(Stage &stage, Pair &own) {
   }
 }
 
-/// Constants that the text sets for every stage are those of each stage that has none of its own.
+/// Copies constants for every stage to each stage without its own.
 void CombinerParser::finish(texture_shader::Values &values) {
   if (m_stages == 0) // a stage is always there
     m_state.stages[0] = {nothing(Usage::Rgb), nothing(Usage::Alpha)};

@@ -7,8 +7,8 @@
 
 namespace arbiter::fp::nvparse {
 
-/// Parses what follows !!RC1.0: constants, general stages, the final combiner. One statement a
-/// function.
+/// Parses the text after !!RC1.0: constants, general stages, the final combiner. There is one
+/// function for each statement.
 class CombinerParser : Reader {
 public:
   CombinerParser(WordTokens &tokens, std::string_view text, const CompileOptions &options,
@@ -47,7 +47,7 @@ private:
   bool parseAlpha(const Token &out);
   void checkFinalInput(const combiners::Input &input, Usage usage, const Token &word);
 
-  /// A register with its components, as any input names it.
+  /// A register with its components, as an input names it.
   struct Named {
     combiners::Register name = combiners::Register::Zero;
     bool one = false;

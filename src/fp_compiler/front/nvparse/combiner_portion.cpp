@@ -1,4 +1,4 @@
-// One portion of a general stage (NV_register_combiners 3.8.12.2).
+// Parses one portion of a general stage (NV_register_combiners 3.8.12.2).
 #include <algorithm>
 
 #include "fp_compiler/front/nvparse/combiner_parser.h"
@@ -33,7 +33,7 @@ const ScaleWord *scaleWord(std::string_view word) {
   return found == std::end(kScales) ? nullptr : found;
 }
 
-/// What a mapping makes of one is what this one makes of zero.
+/// Returns the mapping whose value for zero is the given mapping's value for one.
 Mapping ofOne(Mapping mapping) {
   switch (mapping) {
   case Mapping::UnsignedInvert:
@@ -194,7 +194,8 @@ bool CombinerParser::parseProduct(Portion &portion, Usage usage, Register to, Sp
   return expect(TokenKind::Semicolon, "'*', '.' or ';'");
 }
 
-/// Components follow without a space; with one a full stop is a dot product.
+/// True at a dot that begins components: no space comes before it. After a space the dot is a dot
+/// product.
 bool CombinerParser::atComponents() const {
   if (!m_tokens.at(TokenKind::Dot) || m_tokens.peek().span.begin != m_tokens.lastEnd())
     return false;

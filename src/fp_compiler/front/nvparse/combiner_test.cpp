@@ -35,14 +35,14 @@ struct Parsed {
   }
 };
 
-/// The text is right; its first stage's colours.
+/// Returns the colour portion of the first stage. The text must parse.
 Portion rgbOf(const std::string &block) {
   const Parsed parsed("{ rgb { " + block + " } } out.rgb = spare0;");
   EXPECT_TRUE(parsed.result.text) << parsed.said();
   return parsed.result.text ? parsed.state().stages[0].rgb : Portion{};
 }
 
-/// The first finding, and the piece of the text that it is of.
+/// Expects the first diagnostic and the part of the text that it marks.
 void expectError(const std::string &body, const char *id, const std::string &piece,
                  const CompileOptions &options = wholeCard()) {
   const Parsed parsed(body, options);

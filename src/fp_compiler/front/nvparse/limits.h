@@ -4,10 +4,10 @@
 
 namespace arbiter::fp::nvparse {
 
-/// Limits of nvparse's texts: those of the card's register combiners and texture shaders, which are
-/// no program target's; what fits them is native.
+/// Returns the limits of nvparse's texts, which are those of the card's register combiners and
+/// texture shaders. They are not a program target, so a text within the limits is native.
 /// \param fragment the fragment target's, with generalCombiners, perStageConstants and
-///        textureShaders
+/// textureShaders
 [[nodiscard]] inline Limits limitsOf(Limits fragment) {
   ResourceCounts counts;
   counts.aluInstructions = fragment.generalCombiners;
@@ -15,7 +15,7 @@ namespace arbiter::fp::nvparse {
   counts.instructions = counts.aluInstructions + counts.texInstructions;
   counts.texIndirections = fragment.textureShaders != 0 ? fragment.textureUnits : 1;
   counts.temporaries = 4 + fragment.textureUnits; // both colours, both spares, a unit's each
-  // Two constant colours, two of each stage, three rows of each unit.
+  // There are two constant colours, two more for each stage, and three rows for each unit.
   counts.parameters = (fragment.generalCombiners != 0 ? 2 : 0) +
                       (fragment.perStageConstants != 0 ? 2 * fragment.generalCombiners : 0) +
                       (fragment.textureShaders != 0 ? 3 * fragment.textureUnits : 0);

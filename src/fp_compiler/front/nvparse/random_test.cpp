@@ -1,4 +1,4 @@
-// Random states as texts and back; damaged texts.
+// Tests random states written as texts and read back, and damaged texts.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/nvparse/text.h"
@@ -22,7 +22,7 @@ CompileOptions wholeCard(std::uint32_t units = 8) {
   return options;
 }
 
-/// What a text says of a stage: nothing that its operation does not have.
+/// Returns the part of a stage that a text can express for its operation.
 texture_shader::Stage spelled(const texture_shader::Stage &stage) {
   const texture_shader::Family family = texture_shader::infoOf(stage.operation).family;
   texture_shader::Stage result;
@@ -53,7 +53,7 @@ Text randomText(std::uint64_t seed, bool shaders, bool combiners) {
     options.textures = std::uint8_t((1u << unsigned(options.units)) - 1u);
   }
   if (combiners) {
-    // The factors of a product that nothing reads are in the text, too.
+    // The text also has the factors of a product that nothing reads.
     text.combiners = testing::randomCombiners(random, options);
     for (int which = 0; which < 2; ++which) {
       const bool perStage = text.combiners->perStageConstants;
@@ -115,7 +115,7 @@ TEST(NvparseTexts, MatricesScalesAndEyesComeBack) {
   EXPECT_EQ(write(*parsed.text), text);
 }
 
-/// What must hold of any answer.
+/// Checks what must hold for every result.
 void expectSound(const std::string &text) {
   const auto language = languageOfText(text).value_or(ir::Language::Combiners);
   const CheckResult result = checkProgram(language, text, wholeCard());

@@ -9,8 +9,8 @@
 
 namespace arbiter::fp::nvparse {
 
-/// What both parsers have: tokens, numbers, reports. A function that returns bool returns false for
-/// a syntax error, which it has reported; the statement is then given up.
+/// The common part of both parsers: tokens, numbers, reports. A function that returns bool returns
+/// false after it has reported a syntax error. The statement is then skipped.
 class Reader {
 public:
   Reader(WordTokens &tokens, std::string_view text, const CompileOptions &options,
@@ -21,18 +21,18 @@ protected:
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
   bool expect(TokenKind kind, const char *what, std::string hint = {});
   bool unexpected(const char *expected, std::string hint = {});
-  /// "()"
+  /// Parses "()".
   bool parseEmpty();
-  /// With a sign or without.
+  /// Parses a number with an optional sign.
   bool parseNumber(float &value);
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
   void warning(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  /// An error, or a warning where limits are only reported.
+  /// Reports an error, or a warning if limits are only reported.
   void limit(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  /// Reports a word that is none of those that may stand here.
+  /// Reports a word that is not one of the allowed words.
   bool unknownWord(const char *expected, std::initializer_list<std::string_view> words);
   void note(const Token &name, Access access, SymbolKind kind);
-  /// Skips to behind the next semicolon, or to what ends a block or the text.
+  /// Skips past the next semicolon, or up to the end of a block or of the text.
   void recover();
 
   WordTokens &m_tokens;

@@ -12,7 +12,7 @@ using texture_shader::Row;
 using texture_shader::Stage;
 
 void ShaderParser::run(texture_shader::State &state, texture_shader::Values &values) {
-  // What is not offered at all is said of the header.
+  // If texture shaders are not offered at all, the header has the error.
   const Limits &limits = m_options.limits;
   m_state.units = limits.textureShaders == 0
                       ? std::uint8_t(texture_shader::kUnits)
@@ -79,7 +79,7 @@ bool ShaderParser::parseStage() {
   return whole && expect(TokenKind::Semicolon, "';'");
 }
 
-/// The words of a run follow each other.
+/// Reports words of a run that do not follow each other.
 void ShaderParser::checkRun(const OperationWord &row, Span span) {
   const auto follows = [&] {
     return m_before && m_before->run() == row.run() && m_before->stage + 1 == row.stage;
@@ -187,7 +187,7 @@ bool ShaderParser::parseNumbers(const OperationWord &row) {
                 "this stage takes " + std::to_string(count) + " numbers behind the texture") ||
         !parseNumber(numbers[i]))
       return false;
-  // Of a run the eye vector is that of its last stage.
+  // In a run, the eye vector belongs to the last stage.
   const int unit = row.arguments == Arguments::Eye ? m_unit + row.stages - 1 : m_unit;
   if (unit >= m_state.units)
     return true;

@@ -6,14 +6,14 @@
 
 namespace arbiter::fp::nvparse {
 
-/// Parses what follows !!TS1.0: one stage for each texture unit.
+/// Parses the text after !!TS1.0: one stage for each texture unit.
 class ShaderParser : Reader {
 public:
   ShaderParser(WordTokens &tokens, std::string_view text, const CompileOptions &options,
                Reporter &reporter, NameTable *names)
       : Reader(tokens, text, options, reporter, names) {}
 
-  /// Up to the end of the text, or to a byte that begins no word: the header of what follows.
+  /// Parses up to the end of the text, or to a byte that begins no word, such as the next header.
   void run(texture_shader::State &state, texture_shader::Values &values);
 
 private:
@@ -22,7 +22,7 @@ private:
   bool parseCull(texture_shader::Stage &stage);
   bool parsePrevious(texture_shader::Stage &stage);
   bool parseMapped(texture_shader::Stage &stage);
-  /// The numbers behind a texture; none at all leave them to the application.
+  /// Parses the numbers after a texture. Without any, the application sets them.
   bool parseNumbers(const OperationWord &row);
   void checkRun(const OperationWord &row, Span span);
   void checkRunEnd(Span span);

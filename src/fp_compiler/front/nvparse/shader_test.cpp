@@ -44,7 +44,7 @@ void expectFinding(const std::string &body, const char *id, const std::string &p
       << parsed.said();
 }
 
-/// Each row as it stands in a text: in its run, behind a texture.
+/// Tests each row as a text has it: within its run, after a texture.
 TEST(ShaderText, EveryOperation) {
   for (const OperationWord &row : operationWords()) {
     std::string text = "texture_2d();\n";
@@ -65,7 +65,7 @@ TEST(ShaderText, EveryOperation) {
         text += ", 0, 1, -1";
       text += ");\n";
     }
-    // What stands alone in no run may be refused at a unit that cannot have it.
+    // An operation without a run may be refused at a unit that cannot have it.
     if (texture_shader::infoOf(row.operation).firstUnit > unit)
       continue;
     const Parsed parsed(text);

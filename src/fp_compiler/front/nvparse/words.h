@@ -9,7 +9,7 @@
 #include "fp_compiler/combiners/state.h"
 #include "fp_compiler/texture_shader/state.h"
 
-/// The words of nvparse's texts, case-sensitive as its lexers are.
+/// The words of nvparse's texts. They are case-sensitive, as in its lexers.
 namespace arbiter::fp::nvparse {
 
 /// A register that a word names.
@@ -17,14 +17,14 @@ struct NamedRegister {
   combiners::Register name = combiners::Register::Zero;
   bool one = false; ///< "one": Zero, inverted
 };
-/// Of "tex3"; nothing for any other word.
+/// Returns the register for a word such as "tex3"; nothing for any other word.
 [[nodiscard]] std::optional<NamedRegister> registerOf(std::string_view word);
-/// The word of a register: "tex3".
+/// Returns the word of a register: "tex3".
 [[nodiscard]] std::string wordOf(combiners::Register name);
-/// The words of registers, with a number where there is one, to suggest from.
+/// Returns the words of registers, with their numbers, as candidates for suggestions.
 [[nodiscard]] std::vector<std::string_view> registerWords();
 
-/// What stands in the parentheses of a texture shader's stage.
+/// The arguments in the parentheses of a texture shader's stage.
 enum class Arguments : std::uint8_t {
   None,
   Cull,     ///< four comparisons
@@ -35,7 +35,7 @@ enum class Arguments : std::uint8_t {
   Eye,      ///< the same, and three numbers
 };
 
-/// A row of stages.
+/// A row of the table of stages.
 struct OperationWord {
   std::string_view word;
   texture_shader::Operation operation = texture_shader::Operation::None;
@@ -45,13 +45,13 @@ struct OperationWord {
   std::uint8_t extension = 1; ///< the NV_texture_shader that has it
   const char *doc = "";
 
-  /// What the words of one run have in common: "dot_product_2d_" of "dot_product_2d_1of2".
+  /// Returns the common part of the words of a run: "dot_product_2d_" for "dot_product_2d_1of2".
   [[nodiscard]] std::string_view run() const {
     return stages == 1 ? word : word.substr(0, word.size() - 4);
   }
 };
 [[nodiscard]] std::span<const OperationWord> operationWords();
-/// The row of a word; nullptr for any other.
+/// Returns the row of a word; nullptr for any other word.
 [[nodiscard]] const OperationWord *operationOf(std::string_view word);
 
 } // namespace arbiter::fp::nvparse

@@ -1,4 +1,4 @@
-// The state as a text, in the words of nvparse as far as it had them.
+// Writes the state as a text, with nvparse's own words where it had them.
 #include <charconv>
 
 #include "fp_compiler/front/nvparse/text.h"
@@ -200,7 +200,7 @@ private:
     return m_state.stages[std::size_t(unit)].operation;
   }
 
-  /// Writes the longest run of nvparse's that begins there, or one stage. Returns how many stages.
+  /// Writes the longest run that begins there, or one stage. Returns the number of stages.
   int stages(int unit, int units) {
     const auto rows = operationWords();
     const OperationWord *best = nullptr;

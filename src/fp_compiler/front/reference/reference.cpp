@@ -26,7 +26,8 @@ constexpr BindingRow kBindings[] = {
 #undef FP_BINDING
 };
 
-/// Appends what the pattern's rest stands for to each of `found`, from left to right.
+/// Expands the rest of a pattern. Appends each alternative to every element of `found`, from left
+/// to right.
 class Expander {
 public:
   explicit Expander(std::string_view pattern) : m_rest(pattern), m_found(1) {}
@@ -137,7 +138,7 @@ std::vector<Entry> of(std::span<const LanguageEntry> rows, bool vertex) {
   return entries;
 }
 
-/// The rows of one of the two ARB languages, made once.
+/// Returns the rows of one of the two ARB languages. They are made once.
 template <const auto &rows> std::span<const Entry> byLanguage(Language language) {
   static const std::vector<Entry> kFragment = of(rows, false);
   static const std::vector<Entry> kVertex = of(rows, true);
@@ -158,7 +159,7 @@ constexpr std::string_view kFormulas[] = {
 };
 static_assert(std::size(kFormulas) == std::size_t(ir::kOpcodeRowCount), "every opcode has its row");
 
-// formula() takes an opcode's number for its row.
+// formula() uses an opcode's number as its row.
 enum class FormulaRow : std::uint8_t {
 #define FP_FORMULA(Enumerator, text) Enumerator,
 #include "fp_compiler/ir/formulas.def"

@@ -6,9 +6,8 @@
 
 #include "fp_compiler/ir/ir.h"
 
-/// What the words of the languages mean, for documentation, hover and completion: the tables that
-/// the parser is made of (ir/ops.def, words.def, ati/words.def,
-/// nvparse/words.def), and bindings.def beside it.
+/// Documents the words of the languages, for documentation, hover and completion. It uses the
+/// parser's tables (ir/ops.def, words.def, ati/words.def, nvparse/words.def) and bindings.def.
 namespace arbiter::fp::reference {
 
 /// A word with its documentation.
@@ -18,7 +17,7 @@ struct Entry {
   std::string_view doc;     ///< one line
 };
 
-/// Which index follows a word of a binding.
+/// Whether a word of a binding has an index.
 enum class Index : std::uint8_t { None, Optional, Required };
 
 struct Segment {
@@ -26,39 +25,39 @@ struct Segment {
   Index index = Index::None;
 };
 
-/// One binding without alternatives: "state.material.front.diffuse".
+/// A binding without alternatives: "state.material.front.diffuse".
 struct Binding {
   std::vector<Segment> segments;
   std::string_view section;
   std::string_view components; ///< what x, y, z and w hold
   std::string_view doc;
 
-  /// "state.light[n].half"; an index that may be left out is printed.
+  /// Returns a path such as "state.light[n].half". An optional index is included.
   [[nodiscard]] std::string path() const;
 };
 
-/// Every binding of a language, in the order of the table. ATI's texts have program.* only.
+/// Returns every binding of a language, in the order of the table. ATI's texts have only program.*.
 [[nodiscard]] std::span<const Binding> bindings(ir::Language language);
 
-/// The words that may stand behind those of `path` (at least one, without indexes) in a binding.
-/// Each once, in the order of the table.
+/// Returns the words that may follow those of `path` in a binding. `path` has at least one word and
+/// no indexes. Each word is returned once, in the order of the table.
 [[nodiscard]] std::vector<Segment> wordsBehind(ir::Language language,
                                                std::span<const std::string_view> path);
-/// The binding of exactly these words, or nullptr.
+/// Returns the binding of exactly these words, or nullptr.
 [[nodiscard]] const Binding *findBinding(ir::Language language,
                                          std::span<const std::string_view> path);
 
-/// The reserved words of an ARB language that are no opcodes.
+/// Returns the reserved words of an ARB language that are not opcodes.
 [[nodiscard]] std::span<const Entry> keywords(ir::Language language);
-/// The options of an ARB language.
+/// Returns the options of an ARB language.
 [[nodiscard]] std::span<const Entry> options(ir::Language language);
-/// The texture targets of fragment programs.
+/// Returns the texture targets of fragment programs.
 [[nodiscard]] std::span<const Entry> targets();
 
-/// What an opcode computes, component by component where it names none: "a*b + c".
+/// Returns what an opcode computes: "a*b + c". A formula without components holds for each.
 [[nodiscard]] std::string_view formula(ir::Opcode op);
 
-/// The words of ATI's texts.
+/// An instruction of ATI's texts.
 struct AtiOp {
   std::string_view word;
   int arguments;
@@ -67,11 +66,11 @@ struct AtiOp {
 [[nodiscard]] std::span<const AtiOp> atiOps();
 [[nodiscard]] std::span<const Entry> atiStatements();
 [[nodiscard]] std::span<const Entry> atiCoordinates();
-/// Behind a destination: scales, then "sat".
+/// Returns the words that may follow a destination: scales, then "sat".
 [[nodiscard]] std::span<const Entry> atiDestinationModifiers();
-/// Behind an argument, in the grammar's order.
+/// Returns the words that may follow an argument, in the grammar's order.
 [[nodiscard]] std::span<const Entry> atiArgumentModifiers();
-/// A source; numbered from 0 if `count` is not 0: "r" with 6 is r0 to r5.
+/// A source. If `count` is not 0 it is numbered from 0: "r" with 6 is r0 to r5.
 struct AtiSource {
   std::string_view word;
   int count;
@@ -79,10 +78,10 @@ struct AtiSource {
 };
 [[nodiscard]] std::span<const AtiSource> atiSources();
 
-/// Functions and words of nvparse's texts: of register combiners, or of texture shaders, whose
-/// texts may go on with the others.
+/// Returns the functions and words of nvparse's texts: of register combiners, or of texture
+/// shaders, whose texts may include register combiners.
 [[nodiscard]] std::span<const Entry> nvparseWords(ir::Language language);
-/// Their registers, as sources of ATI's.
+/// Returns the registers of nvparse's texts, in the form of ATI's sources.
 [[nodiscard]] std::span<const AtiSource> nvparseRegisters();
 
 } // namespace arbiter::fp::reference

@@ -1,5 +1,5 @@
-// The tables of documentation against the parser, in both directions: what they list is accepted,
-// and what the parser offers in its hints is what they list.
+// Compares the documentation's tables with the parser in both directions. The parser must accept
+// what they list, and its hints must list the same words.
 #include "fp_compiler/front/reference/reference.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ CompileOptions everything() {
   return options;
 }
 
-/// The path with 0 for every index.
+/// Returns the path with 0 for every index.
 std::string spelled(const reference::Binding &binding) {
   std::string text = binding.path();
   for (std::size_t at = text.find("[n]"); at != std::string::npos; at = text.find("[n]"))
@@ -75,7 +75,7 @@ TEST(Reference, IndexesAreWhereTheParserWantsThem) {
       }
 }
 
-/// The words of a hint "one of a, b, c".
+/// Returns the words of a hint "one of a, b, c".
 std::vector<std::string> offered(const std::string &hint) {
   std::vector<std::string> words;
   constexpr std::string_view kOneOf = "one of ";
@@ -111,7 +111,7 @@ TEST(Reference, TheParserOffersTheSameWords) {
         for (const reference::Segment &segment : reference::wordsBehind(language, path))
           listed.emplace_back(segment.word);
         std::sort(listed.begin(), listed.end());
-        // A face may stand before a property, and the hint names the properties alone.
+        // A face may come before a property, but the hint names only the properties.
         const auto isFace = [](const std::string &word) {
           return word == "front" || word == "back";
         };

@@ -14,7 +14,8 @@
 #include "fp_compiler/front/nv/words.h"
 #include "fp_compiler/ir/evaluate.h"
 
-/// Programs around the statements of opcode_cases.def, in each of NVIDIA's options and languages.
+/// Builds programs around the statements of opcode_cases.def, in each of NVIDIA's options and
+/// languages.
 namespace arbiter::fp::nv::testing {
 
 using ir::NativeLanguage;
@@ -25,7 +26,7 @@ inline constexpr float kInf = std::numeric_limits<float>::infinity();
 inline const float kNan = std::numeric_limits<float>::quiet_NaN();
 inline float bits(std::uint32_t value) { return std::bit_cast<float>(value); }
 
-/// Of the parameters; those behind them are (n, n + 1/4, n + 1/2, n + 3/4).
+/// Values of the first parameters. The later ones are (n, n + 1/4, n + 1/2, n + 3/4).
 inline const Vec4 kRows[] = {
     {-2, 0, 2, kNan},
     {1, 2, 3, 4},
@@ -84,7 +85,7 @@ inline constexpr Language kLanguages[] = {
     {"VP2", true, NvOption::None, NativeLanguage::Vp2, "!!VP2.0\n"},
 };
 
-/// A name that stands alone, in the language's words.
+/// Returns a single name in the language's words.
 inline std::string inWords(const Language &language, const std::string &name) {
   const bool native = language.option == NvOption::None;
   const std::string registers = "rstabck";
@@ -99,7 +100,7 @@ inline std::string inWords(const Language &language, const std::string &name) {
   return name == "E" && native ? "c" : name;
 }
 
-/// The statements in the language's words; a star and what may follow it is left to the caller.
+/// Returns the statements in the language's words. The caller replaces stars.
 inline std::string translated(const Language &language, const std::string &statements) {
   std::string text, name;
   bool member = false; // behind a point: a mask
@@ -116,8 +117,9 @@ inline std::string translated(const Language &language, const std::string &state
   return text;
 }
 
+/// Returns the whole text of a program.
 /// \param rows of the parameters, for a, b and c
-/// \param behind comes before the results are written
+/// \param behind statements before the results are written
 inline std::string wholeText(const Language &language, const char *rows, std::string statements,
                              const std::string &behind) {
   const bool native = language.option == NvOption::None;
@@ -141,7 +143,7 @@ inline std::string wholeText(const Language &language, const char *rows, std::st
     if (sources >> row)
       load(target, row);
   load("k", "7");
-  // NVIDIA's languages begin with zeros too.
+  // In NVIDIA's languages registers start at zero anyway.
   for (const char *const zero : {"r", "s", "t"})
     load(zero, "13");
   std::string result = behind;
@@ -156,13 +158,13 @@ inline std::string wholeText(const Language &language, const char *rows, std::st
   return text + statements + "\n" + result + "END\n";
 }
 
-/// The image of opcode_cases.def.
-/// \param x, y how the coordinate changes from a pixel to the next
+/// Returns a texel of the image of opcode_cases.def.
+/// \param x, y change of the coordinate to the next pixel
 inline Vec4 sampled(const ir::Sample &sample, const Vec4 &x, const Vec4 &y) {
   constexpr float kSize = 16, kLast = 4;
   const float longest = std::max(std::hypot(x[0], x[1]), std::hypot(y[0], y[1])) * kSize;
   const float lod = sample.lod ? *sample.lod : std::log2(longest) + sample.bias;
-  // Nearest level (OpenGL 2.1, 3.8.8): one half belongs to the lower.
+  // Nearest level (OpenGL 2.1, 3.8.8): one half rounds to the lower level.
   const float level = std::clamp(std::ceil(lod + 0.5f) - 1, 0.0f, kLast);
   const float size = std::ldexp(kSize, -int(level));
   const auto texel = [&](std::size_t i) {
@@ -171,7 +173,7 @@ inline Vec4 sampled(const ir::Sample &sample, const Vec4 &x, const Vec4 &y) {
   return {texel(0), texel(1), level, 7};
 }
 
-/// Of the lower left pixel of four.
+/// Returns the results of the lower left of four pixels.
 inline ir::Evaluation evaluated(const ir::Program &program) {
   std::array<ir::Inputs, 4> given;
   std::array<std::vector<Vec4>, 4> attributes;
@@ -195,7 +197,7 @@ inline ir::Evaluation evaluated(const ir::Program &program) {
   }
   if (vertex)
     return ir::evaluate(program, given[0]);
-  // The first run notes the coordinates that derivatives are made of.
+  // The first run records the coordinates from which derivatives are computed.
   (void)ir::evaluateQuad(program, given);
   return ir::evaluateQuad(program, given)[0];
 }

@@ -5,17 +5,16 @@
 
 #include "fp_compiler/front/testing/test_support.h"
 
-/// Programs with one planted error each.
+/// Tests programs with one planted error each.
 namespace arbiter::fp::testing_support {
 
-/// The statements of a program in which @ stands before the first wrong byte. R0 and R1 are
-/// temporaries.
+/// Statements of a program with @ before the first wrong byte. R0 and R1 are temporaries.
 struct Planted {
   const char *id;
   const char *statements;
 };
 
-/// Text between the header and the planted statements, and what a newline in them becomes.
+/// Text between the header and the planted statements, and the replacement of their newlines.
 struct Surrounding {
   const char *name;
   const char *before;
@@ -37,7 +36,7 @@ inline std::string replaceNewlines(std::string_view text, std::string_view newli
   return replaced;
 }
 
-/// Expects each ID at its position in each surrounding; returns the number of programs.
+/// Expects each ID at its position in each surrounding. Returns the number of programs.
 inline int expectPlanted(const char *header, std::span<const Planted> all) {
   int programs = 0;
   for (const Surrounding &around : kSurroundings) {

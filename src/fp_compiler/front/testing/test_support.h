@@ -6,10 +6,10 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/lexer.h"
 
-/// What the front end's tests share.
+/// Helpers for the front end's tests.
 namespace arbiter::fp::testing_support {
 
-/// Limits of the size that the first cards had: small, so that tests reach them.
+/// Returns limits like those of the first cards. They are small, so that tests reach them.
 inline CompileOptions small(LimitPolicy policy = LimitPolicy::Enforce) {
   CompileOptions options;
   Limits &limits = options.limits;
@@ -34,7 +34,7 @@ inline CompileOptions small(LimitPolicy policy = LimitPolicy::Enforce) {
   return options;
 }
 
-/// Limits of the size that software hosts have.
+/// Returns limits like those of software hosts.
 inline CompileOptions generous() {
   CompileOptions options = small();
   options.limits.api = {16384, 16384, 16384, 16384, 4096, 4096, 16, 8};
@@ -43,7 +43,8 @@ inline CompileOptions generous() {
   return options;
 }
 
-/// Small, and with NVIDIA's options and languages for the golden programs of a folder `nvidia`.
+/// Returns small limits. For the golden programs of a folder `nvidia` they include NVIDIA's options
+/// and languages.
 inline CompileOptions smallFor(const std::filesystem::path &golden) {
   CompileOptions options = small();
   if (golden.parent_path().parent_path().filename() != "nvidia")
@@ -54,12 +55,12 @@ inline CompileOptions smallFor(const std::filesystem::path &golden) {
   return options;
 }
 
-/// In the language that the header names; fragment programs where there is none.
+/// Checks a text in the language of its header; without a header, as a fragment program.
 inline CheckResult check(std::string_view text, const CompileOptions &options = small()) {
   return checkProgram(languageOfText(text).value_or(ir::Language::ArbFragment), text, options);
 }
 
-/// The statements between header and END.
+/// Returns a program with the statements between header and END.
 inline std::string wrap(std::string_view statements) {
   return "!!ARBfp1.0\n" + std::string(statements) + "\nEND\n";
 }
@@ -76,7 +77,7 @@ inline std::string repeat(std::string_view piece, std::size_t times) {
   return all;
 }
 
-/// Calls `visit` with the text without each of its tokens, and with each of them twice.
+/// Calls `visit` with the text without each of its tokens, and with each of them doubled.
 template <typename Visit> void forEachTokenEdit(const std::string &text, Visit visit) {
   constexpr std::uint32_t kHeaderBytes = 10;
   Lexer lexer(text, kHeaderBytes);
@@ -91,7 +92,7 @@ template <typename Visit> void forEachTokenEdit(const std::string &text, Visit v
   }
 }
 
-/// The ID of the first error, or "" for a program that loads.
+/// Returns the ID of the first error, or "" for a program that loads.
 inline std::string firstError(const CheckResult &result) {
   for (const Diagnostic &diagnostic : result.diagnostics)
     if (diagnostic.severity == Severity::Error)

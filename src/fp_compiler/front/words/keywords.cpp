@@ -46,7 +46,7 @@ const OpcodeRow *findOpcode(std::string_view word) {
   return row != kOpcodes.end() && row->code == code ? row : nullptr;
 }
 
-/// A word of at most eight letters as one number.
+/// Returns a word of at most eight letters as one number.
 constexpr std::uint64_t packWord(std::string_view word) {
   std::uint64_t packed = 0;
   for (const char c : word)
@@ -56,7 +56,8 @@ constexpr std::uint64_t packWord(std::string_view word) {
 
 constexpr Keyword onlyIf(bool holds, Keyword keyword) { return holds ? keyword : Keyword::None; }
 
-/// The words that are no opcodes; `language` decides about those that only one language has.
+/// Returns the keyword that is not an opcode. `language` decides about words that only one language
+/// has.
 Keyword findOther(std::string_view word, const ArbLanguage &language) {
   if (word.size() > 8)
     return Keyword::None;
@@ -79,7 +80,7 @@ Word classify(std::string_view identifier, const ArbLanguage &language) {
       language.saturates && identifier.size() == 7 && identifier.substr(3) == "_SAT";
   if (identifier.size() == 3 || saturate) {
     const OpcodeRow *row = findOpcode(identifier);
-    // KIL_SAT is neither an instruction nor reserved.
+    // KIL_SAT is not an instruction and not reserved.
     if (row && (row->traits & language.foreign) == 0 && !(saturate && (row->traits & Kills) != 0))
       return {Keyword::Opcode, row->op, saturate};
   }

@@ -7,7 +7,7 @@
 
 namespace arbiter::fp {
 
-/// What a reserved word (ARB_fragment_program 3.11.2, ARB_vertex_program 2.14.2) is. Every other
+/// The reserved words (ARB_fragment_program 3.11.2, ARB_vertex_program 2.14.2). Every other
 /// identifier is None and may name a variable.
 enum class Keyword : std::uint8_t {
   None,
@@ -27,7 +27,7 @@ enum class Keyword : std::uint8_t {
   Texture,
 };
 
-/// What NVIDIA's options let stand behind an opcode's name, beside _SAT.
+/// The suffixes that NVIDIA's options allow after an opcode's name, besides _SAT.
 struct NvSuffix {
   bool half = false;        ///< H or X: a result of 16 bits is enough
   bool full = false;        ///< R
@@ -35,7 +35,7 @@ struct NvSuffix {
   bool signedSaturate = false;
 };
 
-/// A reserved word, as classify() finds it.
+/// A reserved word, as classify() returns it.
 struct Word {
   Keyword keyword = Keyword::None;
   ir::Opcode op = ir::Opcode::Mov; ///< Keyword::Opcode
@@ -43,12 +43,12 @@ struct Word {
   NvSuffix nv = {};                ///< Keyword::Opcode, under NVIDIA's options
 };
 
-/// Which reserved word of \p language an identifier is: Keyword::None if it is none.
-/// Case-sensitive, as the grammar is. The languages reserve different words.
+/// Returns the reserved word of \p language that an identifier is, or Keyword::None. It is
+/// case-sensitive, as the grammar is. The languages reserve different words.
 [[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language);
 
-/// True for the words that can only begin a statement (or are END): where a parser that lost its
-/// way finds it again.
+/// True for words that can only begin a statement, and for END. The parser resumes at them after an
+/// error.
 [[nodiscard]] bool beginsStatement(Keyword keyword);
 
 } // namespace arbiter::fp

@@ -61,8 +61,8 @@ constexpr std::string_view kNvFragment[] = {
     "CAL", "DIV", "DP2",  "DP2A",  "ELSE",  "ENDIF", "ENDLOOP", "ENDREP", "IF",  "LOOP",
     "NRM", "REP", "RET",  "TXL",   "SHORT", "LONG",  "FLOAT",   "INT"};
 
-// NV_vertex_program2_option's and NV_vertex_program3's; SIN, COS and the samples are of fragment
-// programs too and are reported as words of those.
+// Instructions of NV_vertex_program2_option and NV_vertex_program3. SIN, COS and the samples are
+// missing because fragment programs have them too, and the error says so.
 constexpr std::string_view kNvVertex[] = {"ARA", "ARR",   "BRA",  "CAL", "RCC", "RET",
                                           "SEQ", "SFL",   "SGT",  "SLE", "SNE", "SSG",
                                           "STR", "PUSHA", "POPA", "TXL"};

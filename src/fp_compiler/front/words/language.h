@@ -9,14 +9,14 @@
 
 namespace arbiter::fp {
 
-/// Which of the ARB languages have a word.
+/// The ARB languages that have a word.
 enum class Languages : std::uint8_t { Both, Fragment, Vertex };
 [[nodiscard]] constexpr bool isOf(Languages languages, bool vertex) {
   return languages == Languages::Both || (languages == Languages::Vertex) == vertex;
 }
 
-/// What sets one ARB assembly language apart from the other, where a datum can say it. The two
-/// share everything else: tokens, statements, parameters, state, counts.
+/// The data in which the two ARB assembly languages differ. They share everything else: tokens,
+/// statements, parameters, state, counts.
 struct ArbLanguage {
   ir::Language language;
   std::string_view header;     ///< "!!ARBfp1.0"
@@ -31,16 +31,16 @@ struct ArbLanguage {
   bool addresses;              ///< ADDRESS, ARL and relative operands
 };
 
-/// The row of ArbFragment or ArbVertex.
+/// Returns the row of ArbFragment or ArbVertex.
 [[nodiscard]] const ArbLanguage &arbLanguage(ir::Language language);
 
-/// What to write instead of a word of the other language; empty if there is nothing to say.
+/// Returns what to write instead of a word of the other language; empty if there is no hint.
 [[nodiscard]] std::string_view foreignHint(std::string_view word, const ArbLanguage &language);
 
-/// True for the instructions that only the NV options of this language have.
+/// True for instructions that only NVIDIA's options of this language have.
 [[nodiscard]] bool isNvInstruction(std::string_view word, const ArbLanguage &language);
 
-/// The words that may begin a statement, to suggest from.
+/// Returns the words that may begin a statement, as candidates for suggestions.
 [[nodiscard]] std::vector<std::string_view> statementWords(const ArbLanguage &language);
 
 } // namespace arbiter::fp

@@ -22,7 +22,7 @@ const Name *NameTable::find(std::string_view text) const {
 }
 
 const NameUse *NameTable::at(std::uint32_t offset) const {
-  // Names do not touch, so that at most one begins last before the offset and reaches it.
+  // Names do not touch, so only the last one that begins before the offset can reach it.
   const auto after =
       std::upper_bound(m_uses.begin(), m_uses.end(), offset,
                        [](std::uint32_t at, const NameUse &use) { return at < use.span.begin; });

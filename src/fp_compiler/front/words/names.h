@@ -8,41 +8,41 @@
 
 namespace arbiter::fp {
 
-/// What the text does with a name where it stands.
+/// How the text uses a name at one place.
 enum class Access : std::uint8_t { Declare, Read, Write };
 
-/// One place where a name stands.
+/// A place where a name is used.
 struct NameUse {
   Span span;
   std::uint32_t name = 0; ///< into NameTable::names()
   Access access = Access::Read;
 };
 
-/// A name of the text: a variable's, or of ATI's text a register's or a constant's.
+/// A name of the text: that of a variable, or in ATI's text of a register or a constant.
 struct Name {
   std::string_view text;
   SymbolKind kind = SymbolKind::Unknown; ///< of its first declaration
   Span declared;                         ///< where it is declared first; empty if nowhere
 };
 
-/// Every place where a program's text has a name: for editors, which ask the parser to keep one.
-/// The table views the text, which must outlive it.
+/// Every place where a program's text has a name. The parser fills it for editors. The table refers
+/// to the text, which must outlive it.
 class NameTable {
 public:
-  /// Notes a use of a name; `kind` counts where it is declared.
+  /// Adds a use of a name. `kind` is used only for a declaration.
   void add(std::string_view text, Span span, Access access, SymbolKind kind = SymbolKind::Unknown);
 
   [[nodiscard]] const std::vector<Name> &names() const { return m_names; }
-  /// In text order.
+  /// Returns the uses in text order, after sort().
   [[nodiscard]] const std::vector<NameUse> &uses() const { return m_uses; }
-  /// The name of that text; nullptr if there is none.
+  /// Returns the name of that text; nullptr if there is none.
   [[nodiscard]] const Name *find(std::string_view text) const;
-  /// The use that byte \p offset is in, or directly after; nullptr if there is none. Requires
-  /// sort().
+  /// Returns the use that contains byte \p offset, or ends there; nullptr if there is none.
+  /// Requires: sort().
   [[nodiscard]] const NameUse *at(std::uint32_t offset) const;
-  /// Puts uses() in text order: a declaration is noted when its statement ends.
+  /// Sorts uses() by their place. A declaration is added at the end of its statement.
   void sort();
-  /// Every place becomes one of a longer text, which has this one from byte \p by on.
+  /// Moves every place by \p by bytes, for a longer text that has this one from there on.
   void move(std::uint32_t by);
 
 private:

@@ -1,4 +1,4 @@
-// Names and their places, as an editor asks for them.
+// Tests names and their places, as an editor uses them.
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/test_support.h"
@@ -10,7 +10,7 @@ namespace {
 using ir::Language;
 using testing_support::small;
 
-/// "kind of access:text@offset" of every place, in text order.
+/// Returns "kind of access:text@offset" of every place, in text order.
 std::string places(Language language, const std::string &text) {
   const Inspection found = inspectProgram(language, text, small());
   std::string all;
@@ -61,7 +61,7 @@ TEST(Names, WithoutAHeader) {
   ASSERT_EQ(found.check.diagnostics.size(), 2u);
   EXPECT_STREQ(found.check.diagnostics[0].id, "header-missing");
   EXPECT_STREQ(found.check.diagnostics[1].id, "undeclared-name");
-  // The plain check still says no more than the API should.
+  // The plain check still reports only what the API should.
   EXPECT_EQ(checkProgram(Language::ArbFragment, text, small()).diagnostics.size(), 1u);
 }
 

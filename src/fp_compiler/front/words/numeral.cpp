@@ -8,8 +8,8 @@ namespace arbiter::fp {
 
 namespace {
 
-/// True if a numeral that no float can hold is too large rather than too small: the place of its
-/// first digit that is not zero, counted from the point, plus its exponent.
+/// True if a numeral outside of float range is too large, false if it is too small. It adds the
+/// exponent to the place of the first nonzero digit, counted from the point.
 bool isLarge(std::string_view numeral) {
   const std::size_t exponentAt = numeral.find_first_of("eE");
   const std::string_view mantissa = numeral.substr(0, exponentAt);

@@ -4,16 +4,17 @@
 
 namespace arbiter::fp {
 
-/// A decimal <integer>; UINT32_MAX for every value from there on, which exceeds each limit.
+/// Parses a decimal <integer>. Returns UINT32_MAX for any larger value, which exceeds every limit.
 [[nodiscard]] std::uint32_t parseInteger(std::string_view digits);
 
-/// What a numeral comes to as a float.
+/// The value of a numeral as a float.
 struct FloatValue {
   float value = 0;
   bool overflow = false; ///< beyond the largest finite float, which `value` then is
 };
 
-/// The nearest float to a <floatConstant> or <integer>, whatever the locale. Too small is zero.
+/// Returns the nearest float to a <floatConstant> or <integer>, whatever the locale. A number that
+/// is too small gives zero.
 [[nodiscard]] FloatValue parseFloat(std::string_view numeral);
 
 } // namespace arbiter::fp

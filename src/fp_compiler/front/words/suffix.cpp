@@ -7,7 +7,7 @@ namespace {
 constexpr std::string_view kXyzw = "xyzw";
 constexpr std::string_view kRgba = "rgba";
 
-/// 0 to 3, or npos; `set` becomes the set's first letter.
+/// Returns 0 to 3, or npos. Sets `set` to the first letter of the component's set.
 std::size_t component(char letter, bool colors, char &set) {
   std::size_t index = kXyzw.find(letter);
   set = 'x';
@@ -18,7 +18,8 @@ std::size_t component(char letter, bool colors, char &set) {
   return index;
 }
 
-/// The component of a letter; an error if it is none, or of another set than `set` (0: any).
+/// Reads the component of a letter. It is an error if the letter is none, or of another set than
+/// `set` (0: any).
 SuffixError readComponent(std::string_view word, std::uint32_t at, bool colors, char &set,
                           std::size_t &index) {
   char own = 0;
@@ -60,7 +61,7 @@ SuffixError readMask(std::string_view word, bool colors, std::uint8_t &mask) {
     std::size_t index = 0;
     if (const SuffixError wrong = readComponent(word, i, colors, set, index))
       return wrong;
-    // Every bit from this component on must still be free.
+    // No bit from this component on may be set yet.
     if (read >> index != 0)
       return {"a component out of order", i};
     read |= std::uint8_t(1u << index);

@@ -6,24 +6,26 @@
 
 namespace arbiter::fp {
 
-/// Why a suffix is wrong, and the first wrong letter; false if it is right.
+/// The reason why a suffix is wrong, and the first wrong letter. It converts to false if the suffix
+/// is right.
 struct SuffixError {
   const char *reason = nullptr;
   std::uint32_t offset = 0;
   explicit operator bool() const { return reason != nullptr; }
 };
 
-// `colors`: r, g, b and a name components too (fragment programs).
+// `colors`: r, g, b and a are components too (fragment programs).
 
-/// A swizzle without its dot: one component, which is repeated, or four (only one if `scalar`).
+/// Reads a swizzle without its dot: one component, which is repeated, or four. If `scalar`, only
+/// one.
 [[nodiscard]] SuffixError readSwizzle(std::string_view word, bool colors, bool scalar,
                                       ir::Swizzle &swizzle);
 
-/// A write mask without its dot: one to four components in order; bit 0 is x.
+/// Reads a write mask without its dot: one to four components in order; bit 0 is x.
 [[nodiscard]] SuffixError readMask(std::string_view word, bool colors, std::uint8_t &mask);
 
-/// One selector of an extended swizzle. `set` is 0, or a letter of the set that the selectors
-/// before it belong to; it is updated.
+/// Reads one selector of an extended swizzle. `set` is 0, or a letter of the set that the earlier
+/// selectors belong to. It is updated.
 [[nodiscard]] SuffixError readSelector(std::string_view word, bool colors, char &set,
                                        ir::Select &select);
 

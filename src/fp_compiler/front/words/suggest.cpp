@@ -12,8 +12,8 @@ constexpr std::size_t kMaxCandidates = 64;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
 
-/// Optimal string alignment distance without regard to case, three rows at a time; `enough` if it
-/// is that or more.
+/// Returns the optimal string alignment distance, ignoring case. It needs only three rows. Returns
+/// `enough` for any distance from there on.
 unsigned distance(std::string_view a, std::string_view b, unsigned enough) {
   using Row = std::array<unsigned, kMaxWord + 1>;
   Row rows[3];
@@ -33,7 +33,7 @@ unsigned distance(std::string_view a, std::string_view b, unsigned enough) {
         row[j] = std::min(row[j], twoAbove[j - 2] + 1);
       least = std::min(least, row[j]);
     }
-    // A swap reaches over one row, at the price of one.
+    // A swap skips one row at a cost of one.
     if (least > enough)
       return enough;
   }
@@ -45,7 +45,7 @@ unsigned distance(std::string_view a, std::string_view b, unsigned enough) {
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
   if (word.empty() || word.size() > kMaxWord)
     return {};
-  // A third of the letters may be wrong; of one or two letters none, but for their case.
+  // A third of the letters may be wrong. Words of one or two letters may differ only in case.
   unsigned best = unsigned(word.size() / 3) + 1;
   std::string_view found;
   for (std::string_view candidate : candidates.first(std::min(candidates.size(), kMaxCandidates))) {

@@ -6,13 +6,13 @@
 
 namespace arbiter::fp {
 
-/// The candidate nearest to a misspelled word by edit distance (insertion, deletion, replacement,
-/// a swap of neighbours), ignoring case at no cost less than one; empty if none is near. Looks at a
-/// bounded number of candidates of bounded length, so its cost does not grow with the program.
+/// Returns the candidate nearest to a misspelled word by edit distance (insertion, deletion,
+/// replacement, a swap of neighbours). Case is ignored. Returns an empty text if none is near. The
+/// number and length of candidates are bounded, so the cost does not grow with the program.
 [[nodiscard]] std::string_view nearest(std::string_view word,
                                        std::span<const std::string_view> candidates);
 
-/// "did you mean 'x'?", or the fallback.
+/// Returns "did you mean 'x'?", or the fallback.
 [[nodiscard]] std::string didYouMean(std::string_view word,
                                      std::span<const std::string_view> candidates,
                                      std::string fallback = {});

@@ -5,11 +5,11 @@
 
 namespace arbiter::fp {
 
-/// The tokens of a text whose words are letters, digits and underscores ("r0", "2x", "1",
-/// "str_dr"), one ahead: ATI's and nvparse's.
+/// The tokens of ATI's and nvparse's texts, with one token of look-ahead. Words are letters, digits
+/// and underscores ("r0", "2x", "1", "str_dr").
 class WordTokens {
 public:
-  /// Begins at byte \p begin of \p text, which must outlive this.
+  /// Begins at byte \p begin of \p text, which must outlive this object.
   /// \param words Suffixes or Calls
   WordTokens(std::string_view text, std::uint32_t begin, Words words = Words::Suffixes);
 
@@ -18,18 +18,18 @@ public:
   [[nodiscard]] bool atWord(std::string_view word) const {
     return at(TokenKind::Identifier) && text(m_ahead) == word;
   }
-  /// Consumes the next token; EndOfText for ever after the last.
+  /// Consumes the next token. After the last token it always returns EndOfText.
   Token next();
-  /// Consumes the next token if it is of this kind.
+  /// Consumes the next token if it has this kind. Returns whether it did.
   bool accept(TokenKind kind);
-  /// Consumes the next token if it is this word.
+  /// Consumes the next token if it is this word. Returns whether it did.
   bool acceptWord(std::string_view word);
-  /// The next token as the grammar of numerals cuts it, which may be longer: "0.5". Consumed.
+  /// Consumes the next token by the grammar of numerals, which may be longer: "0.5".
   Token nextNumeral();
   [[nodiscard]] std::string_view text(const Token &token) const {
     return m_text.substr(token.span.begin, token.span.end - token.span.begin);
   }
-  /// The end of the token that was consumed last, in bytes of the text.
+  /// Returns the end of the last consumed token, in bytes of the text.
   [[nodiscard]] std::uint32_t lastEnd() const { return m_lastEnd; }
 
 private:

@@ -1,4 +1,4 @@
-// The small parts: keywords, numerals, suffixes, suggestions, symbols.
+// Tests the small parts: keywords, numerals, suffixes, suggestions, symbols.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
@@ -15,14 +15,14 @@ namespace {
 const ArbLanguage &kFragment = arbLanguage(ir::Language::ArbFragment);
 const ArbLanguage &kVertex = arbLanguage(ir::Language::ArbVertex);
 
-// ARB_vertex_program 2.14.2, the list of reserved keywords.
+// The list of reserved keywords in ARB_vertex_program 2.14.2.
 constexpr std::string_view kVertexReserved[] = {
     "ABS", "ADD", "ADDRESS", "ALIAS",  "ARL",    "ATTRIB",  "DP3",    "DP4",   "DPH",   "DST",
     "END", "EX2", "EXP",     "FLR",    "FRC",    "LG2",     "LIT",    "LOG",   "MAD",   "MAX",
     "MIN", "MOV", "MUL",     "OPTION", "OUTPUT", "PARAM",   "POW",    "RCP",   "RSQ",   "SGE",
     "SLT", "SUB", "SWZ",     "TEMP",   "XPD",    "program", "result", "state", "vertex"};
 
-// 3.11.2, the list of reserved keywords.
+// The list of reserved keywords in ARB_fragment_program 3.11.2.
 constexpr std::string_view kReserved[] = {
     "ABS",      "ABS_SAT", "ADD",     "ADD_SAT", "ALIAS",   "ATTRIB",  "CMP",     "CMP_SAT",
     "COS",      "COS_SAT", "DP3",     "DP3_SAT", "DP4",     "DP4_SAT", "DPH",     "DPH_SAT",

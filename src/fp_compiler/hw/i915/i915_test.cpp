@@ -7,7 +7,7 @@ namespace {
 
 using namespace testing;
 
-// Mesa's i915_fragprog.c, opcode by opcode.
+// Slots for each opcode. Source: Mesa's i915_fragprog.c.
 constexpr SlotRow kI915[] = {
     {"ABS o, a;", 1, 0},
     {"ADD o, a, b;", 1, 0},
@@ -37,7 +37,7 @@ constexpr SlotRow kI915[] = {
     {"KIL a; MOV o, a;", 1, 1},
     {"KIL -a; MOV o, a;", 2, 1},
     {"MOV result.depth.z, a.x; MOV o, a;", 3, 0},
-    // it translates what it is given
+    // dead code is not dropped
     {"FRC r, a; MOV o, a;", 2, 0},
 };
 TEST(I915, Slots) { expectSlots("i915", kI915); }
@@ -73,7 +73,7 @@ TEST(I915, PositionTakesATextureCoordinate) {
 }
 
 TEST(I915, Registers) {
-  // Three registers of the text; the moved coordinate finds a dead one where there is one.
+  // The text has three registers. The moved coordinate uses a dead one if there is one.
   EXPECT_EQ(explained("i915", "MOV r, a; MOV s, a; ADD t, r, s; TEX r, b.yxzw, texture[0], 2D;"
                               "ADD o, r, t;")
                 .counts.temporaries,

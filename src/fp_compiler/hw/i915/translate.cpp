@@ -12,7 +12,8 @@ using ir::File;
 using ir::Instruction;
 using ir::Opcode;
 
-/// Rows of constants that the driver loads for an opcode, as bits, so that each counts once.
+/// Rows of constants that the driver loads for an opcode. They are bits, so that each row counts
+/// once.
 enum OwnRows : unsigned { kSinRows = 1, kSinSeriesRow = 2, kCosSeriesRow = 4 };
 
 class Translator : SlotWriter {
@@ -49,13 +50,14 @@ private:
       arithmetic(at, instruction);
   }
 
-  /// An instruction reads one constant register; each other one is moved to a register first.
+  /// Adds the moves for constants. An instruction reads one constant register; the others are moved
+  /// to a register first.
   void constants(std::uint16_t at, std::uint32_t registers) {
     if (registers > 1)
       alu(at, SlotCause::Constant, registers - 1);
   }
 
-  /// The slots of an opcode, and those of its slots that read constants.
+  /// Adds the slots of an opcode, and the moves for the constants that they read.
   void arithmetic(std::uint16_t at, const Instruction &instruction) {
     const auto among = [&](Operands operands) {
       return different(instruction, File::Parameter, operands);
@@ -74,7 +76,7 @@ private:
     case Opcode::Lit:
       slots = 5;
       break;
-    case Opcode::Lrp: // a*b + c, then -c*a + that
+    case Opcode::Lrp: // a*b + c, then -c*a + the first result
       slots = 2;
       constants(at, among(kAll));
       constants(at, among(0b101));
@@ -95,20 +97,21 @@ private:
     wrote(at, instruction);
   }
 
-  /// Two slots of powers, then two for each of the sine and the cosine.
+  /// Returns the slots of SCS: two for powers, then two each for the sine and the cosine.
   std::uint32_t scs(const Instruction &instruction) {
     const bool cosine = instruction.dst.mask & 1, sine = instruction.dst.mask & 2;
     m_rows |= (sine ? kSinSeriesRow : 0u) | (cosine ? kCosSeriesRow : 0u);
     return 2 + (sine ? 2 : 0) + (cosine ? 2 : 0);
   }
 
-  /// A plain register or interpolant, as it is: the texture unit has no swizzle and no constants.
+  /// True if the coordinate is a plain register or interpolant. The texture unit has no swizzle and
+  /// no constants.
   [[nodiscard]] bool plain(const Instruction &instruction) const {
     const ir::Operand &coordinate = instruction.src[0];
     if (coordinate.file == File::Parameter)
       return false;
     if (coordinate.file == File::Attribute) {
-      // These arrive in part: the rest is a swizzle.
+      // These attributes have only some components, so the rest needs a swizzle.
       const ir::AttributeKind kind = m_program.attributes[coordinate.index].kind;
       if (kind == ir::AttributeKind::FogCoord || kind == ir::AttributeKind::ColorSecondary)
         return false;
@@ -126,7 +129,7 @@ private:
     }
     const bool masked = !kills && instruction.dst.mask != 0xF;
     if (!kills && !masked && instruction.dst.file == File::Output)
-      begin(at, kWholeProgram); // whatever its coordinate waits for is behind it then
+      begin(at, kWholeProgram); // the new phase also separates it from the writer of its coordinate
     else if (!inPlace)
       begin(at, at); // the move is in this phase
     else if (coordinate.file == File::Temporary && m_touched[coordinate.index].phase == m_phase + 1)
@@ -154,7 +157,8 @@ private:
     m_used[instruction.dst.index] = true;
   }
 
-  /// Registers that hold a value which a later instruction reads: where a coordinate may not go.
+  /// Finds the registers whose value a later instruction reads. A moved coordinate must not
+  /// overwrite them.
   void findLiveAfter() {
     m_liveAfter.assign(m_program.code.size(), 0);
     std::vector<std::uint8_t> live(m_program.temporaries.size(), 0);
@@ -170,7 +174,7 @@ private:
     }
   }
 
-  /// Fog as instructions of the language (LRP is two slots); the depth to where the chip takes it.
+  /// Adds fog and the colour sum as instructions (LRP is two slots), and the move of the depth.
   void options() {
     if (m_program.options.colorSum && writesColor()) {
       alu(kWholeProgram, SlotCause::ColorSum);
@@ -190,7 +194,7 @@ private:
         alu(kWholeProgram, SlotCause::Depth);
   }
 
-  /// Who wrote a register last, and in which phase, from 1; 0: nothing.
+  /// The last writer of a register, and its phase from 1. A phase of 0 means no writer.
   struct Touched {
     std::uint32_t phase = 0;
     std::uint16_t writer = 0;

@@ -7,7 +7,7 @@ namespace {
 
 using namespace testing;
 
-// NV_fragment_program table X.4: an instruction of the chip is a slot; the rest is made of them.
+// NV_fragment_program table X.4: an instruction of the chip is a slot. Other opcodes take several.
 constexpr SlotRow kNv30[] = {
     {"ABS o, a;", 1, 0},
     {"ADD o, a, k;", 1, 0},
@@ -87,8 +87,8 @@ TEST(Nv30, ReasonsNameTheInstructions) {
   EXPECT_EQ(report.model, NativeModel::Nv30);
 }
 
-// Beyond3D's measurements: a pass an instruction, two for LRP, RSQ, LIT and POW, two samples of
-// interpolated coordinates in one.
+// Beyond3D's measurements: a pass an instruction, two passes for LRP, RSQ, LIT and POW, and one
+// pass for two samples of interpolated coordinates.
 TEST(Nv30, Cycles) {
   const auto cycles = [](const char *profile, const char *body) {
     return explained(profile, body).cycles;

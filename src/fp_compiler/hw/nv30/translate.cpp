@@ -10,13 +10,13 @@ using ir::File;
 using ir::Instruction;
 using ir::Opcode;
 
-/// Slots of the instruction itself. What is not listed is one of the chip's own instructions; of
-/// those that NV_fragment_program lacks, ABS is a MOV of |a|, and CMP, DPH, SCS, SWZ, XPD and KIL
-/// with an operand are below.
+/// Returns the slots of the instruction itself. Opcodes that are not listed are instructions of the
+/// chip, or a MOV of |a| for ABS. Listed are those that NV_fragment_program lacks: CMP, DPH, SCS,
+/// SWZ, XPD and KIL with an operand.
 std::uint32_t slotsOf(const Instruction &instruction) {
   switch (instruction.op) {
   case Opcode::Cmp:
-    return 3;       // condition code from a; MOV c where it is not below zero, MOV b where it is
+    return 3;       // condition code from a; MOV c if it is not below zero, MOV b if it is
   case Opcode::Dph: // DP3, ADD of w
   case Opcode::Xpd: // MUL, MAD
     return 2;
@@ -27,8 +27,8 @@ std::uint32_t slotsOf(const Instruction &instruction) {
   }
 }
 
-/// Has constants 0 or 1, or signs that differ, among the components that matter: an operand of the
-/// chip has one sign, and selects components of its register only.
+/// True if the used components select 0 or 1, or have different signs. An operand of the chip has
+/// one sign, and selects only components of its register.
 bool needsConstants(const Instruction &instruction, int operand) {
   const ir::Operand &source = instruction.src[std::size_t(operand)];
   const std::uint8_t used = operandMask(instruction, operand);
@@ -68,7 +68,7 @@ private:
     const bool texture = info(instruction.op).has(ir::Texture);
     const bool kills = info(instruction.op).has(ir::Kills);
     if (kills)
-      alu(at, SlotCause::Instruction); // the condition code that KIL tests
+      alu(at, SlotCause::Instruction); // sets the condition code that KIL tests
     if (texture || kills) {
       put({.texture = true,
            .origin = at,
@@ -79,8 +79,9 @@ private:
       put({.origin = at, .passes = passesOf(instruction.op)});
   }
 
-  /// One attribute and one constant an instruction, however often it reads them; the others go
-  /// through a register. CMP's slots read one operand each.
+  /// Adds the moves for attributes and constants. An instruction reads one attribute and one
+  /// constant, however often; others are moved to a register first. CMP's slots read one operand
+  /// each.
   void operands(std::uint16_t at, const Instruction &instruction) {
     const int count = info(instruction.op).operandCount();
     bool constants = false;
@@ -88,10 +89,10 @@ private:
       const ir::Operand &operand = instruction.src[std::size_t(i)];
       if (needsConstants(instruction, i)) {
         constants = true;
-        // SWZ itself is the MAD; elsewhere one comes before.
+        // SWZ itself is the MAD. Other opcodes need a MAD before them.
         if (instruction.op != Opcode::Swz)
           alu(at, SlotCause::Swizzle);
-        if (reads(instruction, i, File::Parameter)) // the numbers are a constant already
+        if (reads(instruction, i, File::Parameter)) // the numbers already use the one constant
           alu(at, SlotCause::Constant);
       }
       if (operand.file == File::Attribute &&
@@ -119,8 +120,9 @@ private:
     useAttribute(ir::AttributeKind::ColorSecondary);
   }
 
-  /// The chip's own fog stage is off while a program runs (NV_fragment_program 3.11). The factor,
-  /// its blend and the alpha that it leaves alone; two rows of fog state.
+  /// Adds the slots of fog, because the chip's own fog stage is off while a program runs
+  /// (NV_fragment_program 3.11). They compute the factor, blend, and keep alpha. Fog also uses two
+  /// rows of state.
   void fog() {
     const ir::FogMode mode = m_program.options.fog;
     if (mode == ir::FogMode::None || !writesColor())
@@ -134,7 +136,7 @@ private:
   }
 
   Dataflow m_flow;
-  bool m_zeroAndOne = false; ///< the row (0, 1, -1, .) that swizzles are made with
+  bool m_zeroAndOne = false; ///< true if swizzles need the row (0, 1, -1, .)
 };
 
 } // namespace

@@ -10,7 +10,7 @@
 namespace arbiter::fp::hw::r300 {
 
 namespace {
-/// Writes the plan down with the chip's own numbers.
+/// Encodes the plan with the chip's own register and constant numbers.
 class Assembly {
 public:
   Assembly(const ir::Program &program, const Flow &flow, Plan plan)
@@ -88,7 +88,8 @@ private:
     half.modifier = item.modifier;
     half.origin = item.origin;
     half.cause = item.cause;
-    // An operation of both halves that has one is a Dp3: it is the RGB half's.
+    // Only a Dp3 is an operation of both halves and has a presubtract, which belongs to the RGB
+    // half.
     if (item.kind != Item::Kind::Both || components == 7)
       half.presubtract = item.presubtract;
   }

@@ -22,7 +22,7 @@ void expectLegal(const ir::Program &program, const CompileOptions &options, std:
     ADD_FAILURE() << "seed " << seed << ": " << fault.text << "\n" << ir::print(program);
 }
 
-/// Slots of one instruction by itself, as the peer has them.
+/// Returns the slots of one instruction alone, as the peer compiles it.
 int slotsOf(ir::Opcode op) {
   switch (op) {
   case ir::Opcode::Flr:
@@ -47,7 +47,7 @@ int slotsOf(ir::Opcode op) {
   }
 }
 
-/// Copies that bring an operand into a form that the unit has, one for each part of it.
+/// Returns how many copies bring an operand into a form that the unit has.
 int copiesOf(const ir::Operand &operand, std::uint8_t used) {
   constexpr int kNative[][3] = {{0, 1, 2}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3},
                                 {1, 2, 0}, {2, 0, 1}, {3, 2, 1}, {4, 4, 4}, {5, 5, 5}};
@@ -75,9 +75,9 @@ int copiesOf(const ir::Operand &operand, std::uint8_t used) {
   return 3;
 }
 
-/// Every instruction by itself, one after the other.
+/// Returns the pairs of a translation that compiles every instruction alone.
 int naivePairs(const ir::Program &program, const CompileOptions &options) {
-  int pairs = 1; // an empty node's
+  int pairs = 1; // an empty node has one
   for (const ir::Instruction &instruction : program.code) {
     const ir::OpInfo &row = ir::info(instruction.op);
     for (int i = 0; i < row.operandCount(); ++i) {
@@ -90,7 +90,7 @@ int naivePairs(const ir::Program &program, const CompileOptions &options) {
         pairs += copiesOf(operand, used) ? 0 : 1;
     }
     if (row.has(ir::Kills) || row.has(ir::Texture))
-      ++pairs; // a node's empty slot
+      ++pairs; // an ALU slot for the node
     else
       pairs += slotsOf(instruction.op);
     if (!row.has(ir::Texture))
@@ -166,7 +166,8 @@ TEST(R300Compile, SinesStayWithinTheirError) {
   EXPECT_GT(worst, 0x1p-12) << "it is a parabola, and the document says so";
 }
 
-// Nothing may take the square of a program's length: 20,000 statements are a quarter of a second.
+// Compile time must not grow with the square of the length: 20,000 statements take a quarter of a
+// second.
 TEST(R300Compile, LongProgramsAreCompiledWhole) {
   constexpr int kStatements = 20000;
   ir::Builder builder;

@@ -22,7 +22,7 @@ public:
   }
 
 private:
-  /// The place of a result, of as many numbers as its type has.
+  /// Returns where a result is stored, with as many numbers as its type has.
   double *placeOf(const Result &result) {
     switch (result.place) {
     case Place::Position:
@@ -44,13 +44,13 @@ private:
     return value * (m_up ? 1.0 + m_disturbance : 1.0 - m_disturbance);
   }
 
-  /// Component `i` of an argument: a scalar has one for all.
+  /// Returns component `i` of an argument. A scalar has the same value for all.
   double a(const Operation &operation, std::size_t at, std::size_t i) const {
     const std::uint32_t symbol = operation.arguments[at];
     return m_values[symbol][m_shader.symbols[symbol].type == DataType::Scalar ? 0 : i];
   }
 
-  /// r[i] of an operation that works on each component by itself.
+  /// Returns component i of an operation that works on each component alone.
   double component(const Operation &o, std::size_t i) const {
     switch (o.op) {
     case Op::Negate:
@@ -119,7 +119,8 @@ private:
                              : -a(o, 0, std::size_t(take) - std::size_t(Take::NegX));
   }
 
-  /// The value in the place of the argument after next, in the block of the second one.
+  /// Returns the value of a symbol in the second argument's block. The first argument is the
+  /// distance.
   const SymbolValue &indexed(const Operation &o) const {
     return m_values[o.arguments[1] + std::size_t(std::int64_t(m_values[o.arguments[0]][0]))];
   }
@@ -181,11 +182,11 @@ private:
     }
     std::copy_n(value.begin(), count, r);
     m_results.defined = m_results.defined && std::all_of(r, r + count, [](double each) {
-                          return std::abs(each) < kMost; // false of a NaN
+                          return std::abs(each) < kMost; // false for a NaN
                         });
   }
 
-  static constexpr double kMost = 1e9; ///< far enough from what single precision holds
+  static constexpr double kMost = 1e9; ///< a limit well inside the range of single precision
 
   const Shader &m_shader;
   std::vector<SymbolValue> m_values;

@@ -19,11 +19,11 @@ public:
     for (int i = 4 + m_random.below(20); i > 0; --i) {
       const std::size_t before = m_made.shader.code.size();
       operation();
-      // Logarithms of negative numbers and their like are undefined.
+      // Some results are undefined, such as logarithms of negative numbers. Drop the operation.
       if (!evaluateVertexShader(m_made.shader, m_made.values).defined)
         m_made.shader.code.resize(before);
     }
-    // What locals hold is seen by what they are copied to.
+    // Copies locals to outputs, so that their values can be seen.
     for (int set = 0; set < kRandomTexCoords; ++set)
       if (m_random.chance(60))
         emit(Op::Mov, {Place::TexCoord, std::uint32_t(set)}, {any(DataType::Vector)});
@@ -45,7 +45,7 @@ private:
     return numbers;
   }
 
-  /// A block of symbols of one kind.
+  /// Adds a block of symbols of one kind.
   void add(Symbol symbol, int count) {
     auto &symbols = m_made.shader.symbols;
     symbol.blockFirst = std::uint32_t(symbols.size());
@@ -85,7 +85,7 @@ private:
     symbol.state = state;
     symbol.component = std::uint8_t(component);
     add(symbol, 1);
-    if (type == DataType::Scalar) // attenuation and density, which are not negative
+    if (type == DataType::Scalar) // attenuation and density cannot be negative
       m_made.values.back()[0] = std::abs(m_made.values.back()[0]);
   }
 
@@ -105,7 +105,7 @@ private:
     for (const From from : {From::Local, From::Constant, From::Invariant})
       for (const DataType type : kTypes)
         add({.type = type, .from = from}, 1 + m_random.below(type == DataType::Matrix ? 3 : 5));
-    // Eleven of the fifteen generic attributes at most.
+    // At most eleven of the fifteen generic attributes are used.
     Symbol variant{.from = From::Attribute};
     variant.attributes[0].kind = ir::AttributeKind::Generic;
     for (const DataType type : {DataType::Scalar, DataType::Vector, DataType::Matrix}) {
@@ -115,7 +115,7 @@ private:
     declareIndices();
   }
 
-  /// Scalars by which OP_INDEX reads: the whole part is the way to go.
+  /// Declares scalars that OP_INDEX reads; their whole part is the distance.
   void declareIndices() {
     for (const From from : {From::Constant, From::Invariant})
       for (const double number : {0.0, 0.75, 1.0, 1.5, -1.25, 2.0}) {
@@ -145,7 +145,7 @@ private:
   std::uint32_t pick(const Ids &from) {
     return from[std::size_t(m_random.below(int(from.size())))];
   }
-  /// A local half of the time, for operations to build on each other.
+  /// Returns a symbol; half of the time a local, so that operations build on each other.
   std::uint32_t any(DataType type) { return pick(of(type, m_random.chance(50))); }
 
   Result result(DataType type) {
@@ -214,7 +214,7 @@ private:
       emit(Op::Index, result(type), {by, pick(bases)});
   }
 
-  /// Types at random until they are a row of the table.
+  /// Adds an operation with random types that are a row of the table.
   void ofTable(Op op) {
     for (;;) {
       const DataType to = DataType(m_random.below(2));

@@ -5,14 +5,14 @@
 #include "fp_compiler/testing/vertex_shader/evaluate.h"
 #include "fp_compiler/vertex_shader/shader.h"
 
-/// Random shaders of EXT_vertex_shader, from a seed and the same on every machine.
+/// Random shaders of EXT_vertex_shader. A seed gives the same shader on every machine.
 namespace arbiter::fp::testing {
 
 struct RandomVertexShader {
-  /// It writes the position first, as the vertex has it, then the first kRandomTexCoords sets of
-  /// coordinates, both colours and the fog coordinate in full.
+  /// The shader. It writes the position first, as the vertex has it. Then it writes the first
+  /// kRandomTexCoords sets of coordinates, both colours and the fog coordinate in full.
   vertex_shader::Shader shader;
-  /// One for each symbol, as evaluateVertexShader() takes them. Those of state are made up, and the
+  /// The value of each symbol, for evaluateVertexShader(). Values of state are made up, and the
   /// vertex is (0, 0, 0, 1).
   std::vector<SymbolValue> values;
 };

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint8_t kColorTargets = 4, kImageUnits = 16;
 constexpr std::uint8_t kRgbMask = 7, kAlphaMask = 8;
 
-/// Walks the program in its order, with what has been written so far.
+/// Checks the program in its order, and tracks which components have been written.
 class Checker {
 public:
   explicit Checker(const Code &code) : m_code(code), m_written(code.temporaries, 0) {}
@@ -38,7 +38,7 @@ private:
     m_faults.push_back({rule, m_where.empty() ? what : m_where + ": " + what});
   }
 
-  /// False where there is no such register.
+  /// Returns false if there is no such register.
   bool use(std::uint16_t reg) {
     m_highest = std::max(m_highest, std::uint32_t(reg) + 1);
     return reg < m_code.temporaries;
@@ -148,7 +148,8 @@ private:
     writes(pair.alpha, kAlphaMask);
   }
 
-  /// Addresses that nothing reads must be there all the same: the register file is asked.
+  /// Checks every address of a half, even one that nothing reads: the register file still fetches
+  /// it.
   template <typename Half> void addresses(const Half &half, const char *name) {
     m_where = m_pair + ", " + name;
     for (std::size_t i = 0; i < half.sources.size(); ++i) {
@@ -160,7 +161,7 @@ private:
     }
   }
 
-  /// The rules of one argument, whatever components of it matter.
+  /// Checks the rules that hold for an argument whichever of its components matter.
   template <typename Argument>
   void argument(const Pair &pair, const Argument &argument, std::uint8_t components) {
     bool rgb = false, alpha = false;
@@ -262,7 +263,7 @@ private:
 
   const Code &m_code;
   std::vector<Fault> m_faults;
-  std::vector<std::uint8_t> m_written; ///< components of each register
+  std::vector<std::uint8_t> m_written; ///< components of each register that have been written
   std::string m_where, m_pair;
   std::uint32_t m_nextTexture = 0, m_nextPair = 0, m_highest = 0;
 };

@@ -24,7 +24,7 @@ TEST(Legality, TheSampleIsLegal) {
   EXPECT_TRUE(overflows(sampleCode()).empty());
 }
 
-/// One change of the sample, the rule that it breaks, and what the message says.
+/// A change to the sample, the rule that it breaks, and what the message contains.
 struct Mutation {
   Rule rule;
   const char *says;
@@ -59,7 +59,7 @@ const Mutation kMutations[] = {
      [](Code &c) { c.pairs[0].rgb.arguments[2].source = 2; }},
     {Rule::SourceAddress, "pair 0, alpha, argument A: alpha source 2",
      [](Code &c) { c.pairs[0].alpha.arguments[0].source = 2; }},
-    // W of an RGB argument comes through an alpha address, X of an alpha one through an RGB one.
+    // W of an RGB argument needs an alpha address, and X of an alpha argument needs an RGB address.
     {Rule::SourceAddress, "pair 2, RGB, argument C: alpha source 0",
      [](Code &c) { c.pairs[2].rgb.arguments[2].select = RgbSelect::Www; }},
     {Rule::SourceAddress, "pair 2, RGB, argument C: alpha source 0",
@@ -74,7 +74,7 @@ const Mutation kMutations[] = {
      [](Code &c) { c.pairs[2].rgb.presubtract = Presubtract::None; }},
     {Rule::Presubtract, "pair 3, alpha, argument A: the alpha presubtract lacks",
      [](Code &c) { c.pairs[3].alpha.sources[1] = {}; }},
-    // The RGB half's presubtract result is not the alpha half's.
+    // The alpha half cannot use the RGB half's presubtract result.
     {Rule::Presubtract, "pair 3, alpha, argument A: the RGB half makes no",
      [](Code &c) { c.pairs[3].alpha.arguments[0].select = AlphaSelect::X; }},
     {Rule::PresubtractSelect, "pair 2, RGB, argument A",
@@ -119,7 +119,7 @@ const Mutation kMutations[] = {
     {Rule::Interpolants, "interpolant 1: r0 holds",
      [](Code &c) { c.interpolants[1].temporary = 0; }},
     {Rule::Interpolants, "interpolant 0: twice", [](Code &c) { c.interpolants[1].attribute = 0; }},
-    // An interpolant, a sample, and each half's result are what makes a register readable.
+    // A register is readable once an interpolant, a sample or the result of a half has written it.
     {Rule::Unwritten, "pair 2, RGB, argument A: reads r3.x",
      [](Code &c) { c.interpolants.pop_back(); }},
     {Rule::Unwritten, "pair 3, alpha, argument A: reads r3.w",
@@ -173,7 +173,7 @@ TEST(Legality, EachRuleTells) {
   EXPECT_EQ(int(seen.size()), kRuleCount) << "a rule without a test";
 }
 
-// Each of these is at the border of a rule, on its legal side.
+// Each change is at the border of a rule, on its legal side.
 const Mutation kLegal[] = {
     {Rule::SourceAddress, "Wzy reads no W where x is not written",
      [](Code &c) {

@@ -66,7 +66,7 @@ std::uint8_t componentsRead(const Half<RgbOp, RgbArgument> &half) {
 }
 
 namespace {
-/// Adds what one component of an argument reads.
+/// Adds the component of a register that one component of an argument reads.
 void add(std::vector<Read> &reads, Read read, Tap tap, std::uint8_t source, const Pair &pair) {
   if (tap.from != Tap::From::Rgb && tap.from != Tap::From::Alpha)
     return;

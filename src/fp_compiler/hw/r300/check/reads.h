@@ -3,40 +3,43 @@
 
 #include "fp_compiler/hw/r300/machine.h"
 
-/// What a pair reads, to the component: the facts that the checker, the interpreter and the
-/// disassembly share.
+/// Finds the components that a pair reads. The checker, the interpreter and the disassembly share
+/// these facts.
 namespace arbiter::fp::hw::r300 {
 
-/// Where one component of an argument comes from.
+/// The source of one component of an argument.
 struct Tap {
   enum class From : std::uint8_t { Rgb, Alpha, Zero, One, Half };
-  From from = From::Zero;     ///< the RGB or the alpha address of the argument's number
-  std::uint8_t component = 0; ///< of the register: 0..2 of an RGB address, 3 of an alpha one
+  From from = From::Zero;     ///< whether it uses the RGB or the alpha address
+  std::uint8_t component = 0; ///< of the register: 0..2 for an RGB address, 3 for an alpha one
 };
-/// \p component 0..2 of an RGB argument.
+/// Returns the source of one component of an RGB argument.
+/// \param component 0..2
 [[nodiscard]] Tap tapOf(RgbSelect select, std::size_t component);
 [[nodiscard]] Tap tapOf(AlphaSelect select);
 
-/// Components of each RGB argument that matter: those written, all three of a dot product.
+/// Returns the components of each RGB argument that matter: those written, or all three for a dot
+/// product.
 [[nodiscard]] std::uint8_t componentsRead(const Half<RgbOp, RgbArgument> &half);
 
-/// One component of one address that a pair reads.
+/// One component that a pair reads through one address.
 struct Read {
-  bool alphaHalf = false;    ///< whose argument
+  bool alphaHalf = false;    ///< the argument belongs to the alpha half
   std::uint8_t argument = 0; ///< 0..2: A, B, C
   bool presubtracted = false;
-  bool alphaAddress = false; ///< the address is one of the alpha half's
+  bool alphaAddress = false; ///< the address belongs to the alpha half
   std::uint8_t number = 0;   ///< of the address, 0..2
   std::uint8_t component = 0;
 };
-/// All of them; an argument that takes a presubtract result reads what that is made of.
+/// Returns all reads of a pair. An argument that takes a presubtract result reads the sources of
+/// it.
 [[nodiscard]] std::vector<Read> readsOf(const Pair &pair);
 
-/// Components of its source register that a texture operation looks at. The reference of a shadow
-/// target is not among them: the ALU compares.
+/// Returns the components of its source register that a texture operation reads. The reference of a
+/// shadow target is not among them: the ALU compares.
 [[nodiscard]] std::uint8_t componentsRead(const Texture &texture);
 
-/// The target that the chip samples: shadow targets give the stored depth.
+/// Returns the target that the chip samples. For a shadow target it samples the stored depth.
 [[nodiscard]] ir::TexTarget sampledTarget(ir::TexTarget target);
 
 } // namespace arbiter::fp::hw::r300

@@ -8,10 +8,10 @@
 /// The part of faults() that needs the program.
 namespace arbiter::fp::hw::r300 {
 
-/// Adds what \p code names and \p program does not have.
+/// Adds a fault for each thing that \p code refers to and \p program does not have.
 void addReferenceFaults(const Code &code, const ir::Program &program, std::vector<Fault> &faults);
 
-/// The parts, text or numbers, in a row.
+/// Joins the parts, which are text or numbers.
 template <typename... Parts> [[nodiscard]] std::string say(const Parts &...parts) {
   std::string text;
   const auto add = [&](const auto &part) {

@@ -16,7 +16,7 @@ inline constexpr const char *kSampleText = "!!ARBfp1.0\n"
                                            "LRP result.color, b.x, fragment.color, a;\n"
                                            "END\n";
 
-/// The program that kSampleText says.
+/// Returns the program of kSampleText.
 inline ir::Program sampleProgram() {
   using ir::Opcode;
   ir::Builder b;
@@ -31,7 +31,7 @@ inline ir::Program sampleProgram() {
   b.op(Opcode::Lrp, b.color(),
        {t1.read().swz("x"), b.attribute(ir::AttributeKind::ColorPrimary), t0.read()});
   ir::Program program = b.take();
-  // Statements are on lines of their own, from the third.
+  // Each statement is on a line of its own, from the third.
   const std::string_view text = kSampleText;
   std::size_t at = text.find("TEX");
   for (ir::Instruction &instruction : program.code) {
@@ -45,7 +45,7 @@ inline ir::Program sampleProgram() {
 inline Source reg(std::uint16_t index) { return {Source::Bank::Temporary, index}; }
 inline Source row(std::uint16_t index) { return {Source::Bank::Constant, index}; }
 
-/// A legal Code of sampleProgram().
+/// Returns a legal Code for sampleProgram().
 inline Code sampleCode() {
   Code code;
   code.interpolants = {{0, 0}, {1, 3}};
@@ -108,7 +108,7 @@ inline Code sampleCode() {
   difference.alpha.depth = true;
   difference.alpha.origin = 5;
 
-  Pair &alpha = code.pairs[3]; // the same in alpha
+  Pair &alpha = code.pairs[3]; // the same operations in alpha
   alpha.alpha.op = AlphaOp::Mad;
   alpha.alpha.sources = {reg(1), reg(3), {}};
   alpha.alpha.presubtract = Presubtract::S1MinusS0;

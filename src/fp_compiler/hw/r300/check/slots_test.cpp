@@ -9,8 +9,9 @@
 #include "fp_compiler/hw/r300/compile.h"
 #include "fp_compiler/hw/r300/report/disassemble.h"
 
-/// What programs take of the chip. The peer's figures are of Mesa 22.3.6's r300 compiler, built by
-/// itself and run over such statements; kUnknown where it was not.
+/// Tests how many slots, nodes and constants programs use on the chip. The peer figures come from
+/// Mesa 22.3.6's r300 compiler, built alone and run on such statements. They are kUnknown if it was
+/// not run.
 namespace arbiter::fp::hw::r300 {
 namespace {
 
@@ -18,12 +19,12 @@ constexpr int kUnknown = 1000;
 
 struct Row {
   const char *name;
-  const char *text; ///< between the header with its declarations and END
+  const char *text; ///< goes between END and the header with its declarations
   int peerPairs;
   int pairs;
   int peerNodes;
   int nodes;
-  int constants; ///< of which none costs an address where 0, 1/2 and 1 will do
+  int constants; ///< 0, 1/2 and 1 cost none where a select gives them
 };
 
 constexpr const char *kHeader = "!!ARBfp1.0\n"
@@ -35,7 +36,7 @@ constexpr const char *kHeader = "!!ARBfp1.0\n"
                                 "TEMP r, s, t, u;\n";
 
 const Row kRows[] = {
-    // One slot.
+    // Opcodes of one slot.
     {"MOV", "MOV o, v0;", 1, 1, 1, 1, 0},
     {"ADD", "ADD o, v0, v1;", 1, 1, 1, 1, 0},
     {"SUB", "SUB o, v0, v1;", 1, 1, 1, 1, 0},
@@ -57,7 +58,7 @@ const Row kRows[] = {
     {"SLT", "SLT o, v0, v1;", 1, 1, 1, 1, 0},
     {"SAT", "MAD_SAT o, v0, v1, v2;", 1, 1, 1, 1, 0},
     {"negated", "MAD o, -v0, v1, -v2;", kUnknown, 1, kUnknown, 1, 0},
-    // Two and more.
+    // Opcodes of two or more slots.
     {"SGE of a swizzle", "SGE o, v0, v1.yzxw;", kUnknown, 2, kUnknown, 1, 0},
     {"SLT of a magnitude", "ABS r, v0; SLT o, r, v1;", kUnknown, 2, kUnknown, 1, 0},
     {"FLR", "FLR o, v0;", 2, 2, 1, 1, 0},
@@ -71,7 +72,7 @@ const Row kRows[] = {
     {"COS", "COS o, v0.x;", 7, 5, 1, 1, 1},
     {"LIT", "LIT o, v0;", 9, 5, 1, 1, 1},
     {"SCS", "SCS o.xy, v0.x;", 12, 5, 1, 1, 1},
-    // A scalar in w leaves the RGB half to something else.
+    // A scalar in w leaves the RGB half free for another operation.
     {"RCP beside MUL", "MUL o.xyz, v0, v1; RCP o.w, v2.x;", kUnknown, 1, kUnknown, 1, 0},
     {"RCP in x takes both", "MUL r.xyz, v0, v1; MOV o.yzw, r; RCP o.x, v2.x;", kUnknown, 2,
      kUnknown, 1, 0},
@@ -107,7 +108,7 @@ const Row kRows[] = {
     {"one number twice", "MUL r, v0, 3.0; MAX o, r, {3.0, 3.0, 3.0, 3.0};", kUnknown, 2, kUnknown,
      1, 1},
     {"SLT of 1/2", "SLT o.xyz, v0, 0.5;", kUnknown, 1, kUnknown, 1, 1},
-    // What one other operation reads becomes a part of it.
+    // An operation with a single reader is merged into that reader.
     {"a product in a sum", "MUL r, v0, v1; ADD o, r, v2;", kUnknown, 1, kUnknown, 1, 0},
     {"a product in a difference", "MUL r, v0, v1; SUB o, v2, r;", kUnknown, 1, kUnknown, 1, 0},
     {"a sum in a product", "ADD r, v0, v1; MUL o, r, v2;", kUnknown, 1, kUnknown, 1, 0},
@@ -163,7 +164,7 @@ Code compiled(const std::string &text, bool scaleRectangles = false) {
   return code;
 }
 
-// gtest prints a parameter when a test fails.
+// gtest prints the parameter when a test fails.
 void PrintTo(const Row &row, std::ostream *stream) { *stream << row.name; }
 
 class Slots : public testing::TestWithParam<Row> {};

@@ -83,7 +83,7 @@ private:
     return texel;
   }
 
-  /// All sources are read before the first result lands.
+  /// Runs the samples of a node. All sources are read before the first result is written.
   void textures(const Node &node) {
     std::vector<Vec4> results(node.textures);
     for (std::uint32_t i = 0; i < node.textures; ++i) {
@@ -115,7 +115,7 @@ private:
     return ir::apply(op, operands, m_numerics)[0];
   }
 
-  /// What the addresses of one half give; the fourth is the presubtract result.
+  /// Returns the values at the addresses of one half. The fourth value is the presubtract result.
   template <typename Half> std::array<Vec4, 4> gather(const Half &half) const {
     std::array<Vec4, 4> values;
     for (std::size_t i = 0; i < 3; ++i)
@@ -169,7 +169,7 @@ private:
     return argument.negate ? -value : value;
   }
 
-  /// Arguments in xyz, and the alpha half's in w.
+  /// Returns the arguments, with those of the RGB half in xyz and those of the alpha half in w.
   static Operands operandsOf(const Pair &pair, const Sources &sources) {
     Operands operands = {};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -193,10 +193,10 @@ private:
     return ir::apply(op, operands, m_numerics);
   }
 
-  /// The chip chooses by C.
+  /// The operands are reversed because the chip selects by C.
   Vec4 compare(const Operands &o) const { return apply(Opcode::Cmp, {o[2], o[1], o[0]}); }
 
-  /// Before modifier and clamp; ReplAlpha is the caller's.
+  /// Returns the result before modifier and clamp. The caller handles ReplAlpha.
   Color rgbResult(RgbOp op, const Operands &operands) const {
     Vec4 result = {};
     switch (op) {

@@ -15,7 +15,7 @@ using ir::Vec4;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// One pair between three constants and colour 0.
+/// Runs one pair that reads three constants and writes colour 0.
 class Bench {
 public:
   Bench() {
@@ -64,7 +64,7 @@ TEST(Execute, OperationsOfBothHalves) {
   EXPECT_EQ(bench.run(RgbOp::Mad, AlphaOp::Mad, a, b, c), (Vec4{0.5f, 0.25f, -7, -31.5f}));
   EXPECT_EQ(bench.run(RgbOp::Min, AlphaOp::Min, a, b), (Vec4{0.5f, -2, -2, -4}));
   EXPECT_EQ(bench.run(RgbOp::Max, AlphaOp::Max, a, b), (Vec4{1, 0.25f, 3, 8}));
-  // CND chooses A above a half, not at it; CMP chooses A from zero up.
+  // CND chooses A above one half, but not at it. CMP chooses A from zero up.
   EXPECT_EQ(bench.run(RgbOp::Cnd, AlphaOp::Cnd, a, b, c), (Vec4{0.5f, -2, -2, 8}));
   EXPECT_EQ(bench.run(RgbOp::Cmp, AlphaOp::Cmp, a, b, c), (Vec4{1, -2, -2, -4}));
   EXPECT_EQ(bench.run(RgbOp::Frc, AlphaOp::Frc, {1.25f, -0.25f, 3, -1.5f}),
@@ -125,7 +125,7 @@ TEST(Execute, TheHalvesHaveAddressesOfTheirOwn) {
   Bench bench;
   bench.alpha().sources[0] = row(1);
   bench.rgb().arguments[0].select = RgbSelect::Wzy;   // w of c1, z and y of c0
-  bench.alpha().arguments[0].select = AlphaSelect::Y; // of the RGB half's c0
+  bench.alpha().arguments[0].select = AlphaSelect::Y; // y of the RGB half's c0
   bench.rgb().arguments[1] = {RgbSelect::Zero};
   bench.alpha().arguments[1] = {AlphaSelect::Zero};
   EXPECT_EQ(bench.run(RgbOp::Max, AlphaOp::Max, {1, 2, 3, 4}, {5, 6, 7, 8}), (Vec4{8, 3, 2, 2}));
@@ -152,7 +152,7 @@ TEST(Execute, PresubtractIsEachHalfsOwn) {
     bench.rgb().presubtract = bench.alpha().presubtract = operation;
     bench.rgb().arguments[0].source = bench.alpha().arguments[0].source = kPresubtracted;
     EXPECT_EQ(bench.run(RgbOp::Mad, AlphaOp::Mad, a, b), expected) << int(operation);
-    // X of an alpha argument is of the RGB half's.
+    // X of an alpha argument reads the RGB half's presubtract result.
     bench.alpha().presubtract = Presubtract::None;
     bench.alpha().arguments[0].select = AlphaSelect::X;
     EXPECT_EQ(bench.run(RgbOp::Mad, AlphaOp::Mad, a, b)[3], expected[0]) << int(operation);
@@ -207,7 +207,7 @@ TEST(Execute, APairReadsBeforeItWrites) {
     pair.rgb.arguments[2] = {RgbSelect::Half};
     pair.alpha.arguments[2] = {AlphaSelect::Half};
   }
-  // r0 = 1/2; then r0.xyz = r0.www + 1/2, r0.w = r0.x + 1/2.
+  // The code sets r0 = 1/2; then r0.xyz = r0.www + 1/2 and r0.w = r0.x + 1/2.
   Pair &second = bench.code.pairs[1];
   second.rgb.sources[0] = second.alpha.sources[0] = reg(0);
   second.rgb.arguments[0].select = RgbSelect::Www;
@@ -217,7 +217,7 @@ TEST(Execute, APairReadsBeforeItWrites) {
   EXPECT_EQ(execute(bench.code, bench.program, {}).outputs[0], (Vec4{1, 1, 1, 1}));
 }
 
-/// A texel whose components say what was asked for.
+/// Returns a texel whose components encode the request.
 Vec4 asked(const ir::Sample &s) {
   return {s.coordinate[0], s.coordinate[1], s.coordinate[2], float(s.unit) + 100 * s.bias};
 }
@@ -237,7 +237,7 @@ TEST(Execute, Samples) {
       {TexOp::Project, ir::TexTarget::Tex3D, {16, 8, 4, 3}},
       {TexOp::Bias, ir::TexTarget::Tex2D, {8, 4, 0, 53}},
       {TexOp::Bias, ir::TexTarget::Rect, {8, 4, 0, 3}},
-      // The depth, in all four; the ALU compares.
+      // The stored depth in all four components; the ALU compares.
       {TexOp::Load, ir::TexTarget::Shadow2D, {8, 8, 8, 8}},
       {TexOp::Project, ir::TexTarget::Shadow1D, {16, 16, 16, 16}},
   };
@@ -268,7 +268,7 @@ TEST(Execute, Samples) {
         << int(fetch.op) << " " << int(fetch.target);
     if (fetch.target != ir::TexTarget::Rect)
       continue;
-    // With the scale in its constants, the program gives [0,1].
+    // If its constants have the scale, the program gives coordinates in [0,1].
     bench.code.constants[2].kind = Constant::Kind::RectangleScale;
     bench.code.constants[2].index = 3;
     bench.rgb().arguments[2] = {RgbSelect::Zero};
@@ -280,7 +280,7 @@ TEST(Execute, Samples) {
 
 TEST(Execute, SamplesOfANodeReadWhatItFound) {
   Code code = sampleCode();
-  // r0 and r1 change places through two samples of node 1.
+  // Two samples of node 1 exchange r0 and r1.
   code.textures[1] = {TexOp::Load, 1, ir::TexTarget::Tex2D, 0, 2, 3};
   code.textures[2] = {TexOp::Load, 1, ir::TexTarget::Tex2D, 2, 0, 3};
   code.textures[0].destination = 2;
@@ -298,7 +298,7 @@ TEST(Execute, SamplesOfANodeReadWhatItFound) {
   inputs.texture = [](const ir::Sample &s) {
     return Vec4{s.coordinate[0] + 10, s.coordinate[1] + 10, 0, 0};
   };
-  // r2 = (11, 12), then r2 = (11, 12) of r0 and r0 = (21, 22) of the old r2: 21/2 + 11.
+  // First r2 = (11, 12). Then r2 = (11, 12) from r0, and r0 = (21, 22) from the old r2: 21/2 + 11.
   const ir::Evaluation seen = execute(code, sampleProgram(), inputs);
   ASSERT_EQ(seen.outputs.size(), 2u);
   const Vec4 &color =
@@ -330,7 +330,7 @@ TEST(Execute, TheSampleGivesWhatItsProgramDoes) {
   }
 }
 
-/// Moves interpolant 0 to colour 0.
+/// Returns colour 0 of a program that moves interpolant 0 there.
 Vec4 interpolated(ir::AttributeKind kind, const Vec4 &value) {
   Bench bench;
   ir::Builder b;

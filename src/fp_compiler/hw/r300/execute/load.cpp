@@ -22,7 +22,8 @@ ir::Parameter stateRow(ir::StateItem item) {
   return parameter;
 }
 
-/// FogFactors of state.fog.params: (density, start, end, 1/(end-start)).
+/// Returns Constant::FogFactors for state.fog.params, which is (density, start, end,
+/// 1/(end-start)).
 Vec4 fogFactors(const Vec4 &params) {
   constexpr double kLn2 = 0.693147180559945309;
   const double density = params[0], start = params[1], end = params[2];

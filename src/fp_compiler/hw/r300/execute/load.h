@@ -2,8 +2,8 @@
 #include "fp_compiler/hw/r300/machine.h"
 #include "fp_compiler/ir/evaluate.h"
 
-/// What the interpreter's chip finds before its first node: constant memory and interpolants, in
-/// the forms that execute.h states.
+/// Sets the state before the first node: constant memory and interpolants, in the forms that
+/// execute.h describes.
 namespace arbiter::fp::hw::r300 {
 
 struct Surroundings {
@@ -13,7 +13,8 @@ struct Surroundings {
 };
 
 [[nodiscard]] ir::Vec4 constantOf(const Constant &constant, const Surroundings &surroundings);
-/// \p attribute as in Interpolant.
+/// Returns the value of an interpolant.
+/// \param attribute as in Interpolant
 [[nodiscard]] ir::Vec4 interpolantOf(std::uint16_t attribute, const Surroundings &surroundings);
 
 } // namespace arbiter::fp::hw::r300

@@ -7,11 +7,11 @@ namespace arbiter::fp::hw::r300 {
 
 namespace {
 constexpr float kInverseTurn = float(0.5 / std::numbers::pi);
-/// Of the second parabola in s + p*(s|s| - s): the error of the sine stays below 0.00095.
+/// Weight of the second parabola in s + p*(s|s| - s). The error of the sine stays below 0.00095.
 constexpr float kSharpness = 0.224f;
 constexpr float kLitLimit = 128.0f - 0x1p-17f;
 
-/// Its magnitude.
+/// Returns the magnitude of the value.
 Ref absoluteOf(Ref ref) {
   if (ref.kind == Ref::Kind::Literal) {
     ref.value = std::fabs(ref.value);
@@ -149,7 +149,7 @@ Value Arithmetic::computed(ir::Opcode op, std::uint8_t mask, const std::array<Va
   return literals(0.0f);
 }
 
-/// \p result with a copy of \p value in \p mask.
+/// Returns \p result with a copy of \p value in the components of \p mask.
 Value Arithmetic::with(Value result, int mask, const Value &value, const EmitOptions &options) {
   if (mask == 0)
     return result;
@@ -162,8 +162,9 @@ Value Arithmetic::with(Value result, int mask, const Value &value, const EmitOpt
   return result;
 }
 
-/// sin(2 pi (x / 2 pi + phase - 1/2)): FRC brings the angle into one turn, one parabola is within
-/// 0.06 of the sine, a second one mends it. \p work: components that it is computed in.
+/// Returns sin(2 pi (x / 2 pi + phase - 1/2)). FRC reduces the angle to one turn. One parabola is
+/// within 0.06 of the sine, and a second one corrects it.
+/// \param work the components that hold the intermediate values
 Value Arithmetic::turned(std::uint8_t work, std::uint8_t mask, const Value &x, const Value &phase,
                          const EmitOptions &options) {
   const Value turn = m_emit.mad(work, x, literals(kInverseTurn), phase, {});

@@ -1,17 +1,18 @@
 #pragma once
 #include "fp_compiler/hw/r300/lower/emitter.h"
 
-/// The arithmetic opcodes as operations that the chip has.
+/// Lowers the arithmetic opcodes to operations that the chip has.
 namespace arbiter::fp::hw::r300 {
 
 class Arithmetic {
 public:
   explicit Arithmetic(Emitter &emit) : m_emit(emit) {}
 
+  /// Emits the operations of an opcode.
   /// Requires: \p op is neither Texture nor Kills.
   Value computed(ir::Opcode op, std::uint8_t mask, const std::array<Value, 3> &s,
                  const EmitOptions &options);
-  /// A copy: written, and readable behind.
+  /// Emits a copy. The result can be read from the copy or from what it copies.
   Value copied(std::uint8_t mask, const Value &value, const EmitOptions &options);
 
 private:

@@ -78,7 +78,7 @@ Item Emitter::like(RgbOp rgb, AlphaOp alpha, const EmitOptions &options) const {
 }
 
 namespace {
-/// 0, 1/2 and 1 are there without a source.
+/// True if a select gives the constant without a source: 0, 1/2 and 1.
 bool freeConstant(float value, std::uint8_t &select) {
   const float size = std::fabs(value);
   if (size == 0.0f)
@@ -165,7 +165,7 @@ bool Emitter::takeItems(const Refs &refs, std::uint8_t components, FlowArgument 
   }
   argument.bank = FlowArgument::Bank::Item;
   const std::span<const Ref> colour(colours.data(), colourCount), alpha(alphas.data(), alphaCount);
-  // Both first: no half of an argument may be joined if the other cannot.
+  // Check both before either commits: no half of an argument may be joined if the other cannot be.
   if ((colourCount && !join(colour, false)) || (alphaCount && !join(alpha, false)))
     return false;
   if (!commit)
@@ -218,7 +218,7 @@ bool Emitter::feasible(std::span<const Value> operands, std::uint8_t components)
   return true;
 }
 
-/// The fewest parts of \p components that each are one operation.
+/// Returns the fewest parts of \p components that are one operation each.
 std::uint32_t Emitter::phases(std::span<const Value> operands, std::uint8_t components,
                               std::array<std::uint8_t, 3> &parts) {
   if (components == 0)
@@ -240,7 +240,7 @@ std::uint32_t Emitter::phases(std::span<const Value> operands, std::uint8_t comp
   return count;
 }
 
-/// phases(), but rather reading through copies where that takes no more.
+/// Splits as phases() does, but reads through copies if that takes no more operations.
 std::uint32_t Emitter::split(std::span<const Value> operands, std::uint8_t components,
                              std::array<std::uint8_t, 3> &parts) {
   const std::uint32_t count = phases(operands, components, parts);
@@ -270,8 +270,8 @@ void Emitter::rgbPhase(const Item &like, std::uint8_t components, std::span<cons
   item.alpha = AlphaOp::None;
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (!take(operands[i], components, item.rgbArguments[i], true)) {
-      // Two arguments together may ask for joins that each could have had alone. One component
-      // always can be read.
+      // Each argument alone could join its registers, but both together cannot. A single component
+      // can always be read.
       assert(!std::has_single_bit(components));
       for (std::uint8_t bit = 1; bit < 8; bit = std::uint8_t(bit << 1))
         if (components & bit)
@@ -328,7 +328,7 @@ Value Emitter::scalar(AlphaOp op, std::uint8_t mask, const Value &operand,
   Item item = like(RgbOp::ReplAlpha, op, options);
   takeAlpha(operand, 3, item.alphaArguments[0]);
   Value result = replicated(item, mask, options.toDestination);
-  // In w alone it leaves the RGB half to others.
+  // A reader of w leaves the RGB half of this operation free.
   result.through.fill(result.direct[3]);
   return result;
 }

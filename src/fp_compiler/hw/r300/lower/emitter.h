@@ -3,30 +3,30 @@
 
 #include "fp_compiler/hw/r300/lower/rows.h"
 
-/// Writes operations that the chip has: splits by phase what no native swizzle or sign says, copies
-/// what cannot be split, and joins registers whose components are read together.
+/// Emits operations that the chip has. Splits operations whose swizzles or signs are not native,
+/// copies what cannot be split, and joins registers whose components are read together.
 namespace arbiter::fp::hw::r300 {
 
-/// A vector to read: the register as it was written, and what is behind the copies that wrote it.
-/// Either may be read; the second leaves the copies without readers.
+/// A vector to read: the register as it was written, and the sources of the copies that wrote it.
+/// Either may be read. Reading `through` leaves the copies without readers.
 struct Value {
   Refs direct = {}, through = {};
-  /// One operation alone reads it: what splits that one is as cheap as the copy.
+  /// True if a single operation reads it. To split that operation is then as cheap as the copy.
   bool once = false;
 };
 [[nodiscard]] inline Value valueOf(const Refs &refs) { return {refs, refs, false}; }
 [[nodiscard]] Ref literal(float value);
 [[nodiscard]] Value literals(float value);
-/// Whether all of \p mask are the literal \p value.
+/// True if every component in \p mask is the literal \p value.
 [[nodiscard]] bool isLiteral(const Refs &refs, std::uint8_t mask, float value);
 [[nodiscard]] Ref negated(Ref ref);
 [[nodiscard]] Value negated(Value value);
-/// Component \p component in all four.
+/// Returns component \p component in all four components.
 [[nodiscard]] Value broadcast(const Value &value, std::size_t component);
 
-/// What a result is emitted with, beside its operation.
+/// Options of a result: its destination and modifiers.
 struct EmitOptions {
-  bool toDestination = false; ///< to the instruction's destination; else to a fresh variable
+  bool toDestination = false; ///< write the instruction's destination; otherwise a fresh variable
   bool clamp = false;
   Modifier modifier = Modifier::One;
   Cause cause = Cause::Instruction;
@@ -40,38 +40,41 @@ public:
 
   [[nodiscard]] Rows &rows() { return m_rows; }
 
-  /// What follows is of instruction \p origin, which writes \p destination.
+  /// Starts instruction \p origin, which writes \p destination. What is emitted from here on
+  /// belongs to it.
   void begin(std::uint16_t origin, Variable destination);
   [[nodiscard]] std::uint16_t origin() const { return m_origin; }
 
-  /// The current version of \p variable.
+  /// Returns the current version of \p variable.
   [[nodiscard]] const Value &current(Variable variable) const { return m_current[variable]; }
-  /// \p once: see Value; of the components as a whole.
+  /// Sets the current version of components of \p variable.
+  /// \param once as in Value, for the components as a whole
   void set(Variable variable, std::uint8_t mask, const Value &value, bool once = false);
-  /// False where the value's register has been written since and must be one with what is there
-  /// now.
+  /// True if the value can still be read. False if its register has been overwritten and has
+  /// several versions, so that it cannot be split off.
   [[nodiscard]] bool readable(const Ref &ref);
 
-  /// An operation of both units, component by component. RGB and alpha are operations apart.
+  /// Emits an operation of both units, component by component, as separate RGB and alpha
+  /// operations.
   Value componentwise(RgbOp rgb, AlphaOp alpha, std::uint8_t mask, std::span<const Value> operands,
                       const EmitOptions &options);
-  /// a*b + c; the form of copies, sums and products too.
+  /// Emits a*b + c. Copies, sums and products have this form too.
   Value mad(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
             const EmitOptions &options);
   Value copy(std::uint8_t mask, const Value &value, const EmitOptions &options);
-  /// Of Ex2, Lg2, Rcp, Rsq: reads component w of \p operand.
+  /// Emits Ex2, Lg2, Rcp or Rsq of component w of \p operand.
   Value scalar(AlphaOp op, std::uint8_t mask, const Value &operand, const EmitOptions &options);
   Value dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b,
             const EmitOptions &options);
-  /// x - y < 0 ? below : notBelow, of two numbers 0 or 1.
+  /// Emits x - y < 0 ? below : notBelow. `below` and `notBelow` are 0 or 1.
   Value compare(std::uint8_t mask, const Value &x, const Value &y, float below, float notBelow,
                 const EmitOptions &options);
-  /// a*b + (1-a)*c
+  /// Emits a*b + (1-a)*c.
   Value lerp(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
              const EmitOptions &options);
-  /// 4*(u - u|u|) of u = 2f - 1: a parabola that is near sin(pi*u).
+  /// Emits 4*(u - u|u|) with u = 2f - 1, a parabola close to sin(pi*u).
   Value arch(std::uint8_t mask, const Value &f, const EmitOptions &options);
-  /// All of the result's components; those outside of \p mask are not the program's.
+  /// Emits a texture operation. It writes all components; those outside of \p mask have no meaning.
   Refs texture(TexOp op, const ir::Instruction &instruction, std::uint8_t coordinates,
                const Value &coordinate, std::uint8_t mask, bool toDestination);
   Refs interpolant(std::uint16_t attribute);
@@ -124,9 +127,10 @@ private:
   Variable m_nextVariable;
   std::uint16_t m_origin = kNone;
   Variable m_destination = kNoVariable;
-  bool m_renamed = false;       ///< into fresh variables: the destination's old value is still read
-  std::uint8_t m_written = 0;   ///< components of the destination, by this instruction
-  std::vector<ItemId> m_pieces; ///< that wrote them
+  bool m_renamed =
+      false; ///< true if fresh variables take the result: the destination's old value is still read
+  std::uint8_t m_written = 0;   ///< components of the destination that this instruction has written
+  std::vector<ItemId> m_pieces; ///< the items that wrote them
 };
 
 } // namespace arbiter::fp::hw::r300

@@ -5,16 +5,16 @@
 
 #include "fp_compiler/hw/r300/machine.h"
 
-/// The compiler's own form of a program: a flat list of operations of one half (or of both) in an
-/// order that would be right to execute, over virtual registers. An operation is what it writes, so
-/// a value is (operation, component). Operations whose components are read together share a virtual
-/// register; those are the classes of a union-find, the webs.
+/// The compiler's internal form of a program: a flat list of operations on virtual registers. An
+/// operation belongs to one half or to both, and the order is valid to execute. Each value is named
+/// by the operation that writes it and a component. Operations whose components are read together
+/// share a virtual register. A union-find groups them; a group is a web.
 namespace arbiter::fp::hw::r300 {
 
 using ItemId = std::uint32_t;
 inline constexpr ItemId kNoItem = 0xFFFFFFFF;
-/// What items write versions of, a component each: a temporary or an output of the program, or a
-/// fresh one. Numbered: temporaries, outputs, fresh ones.
+/// Something that items write component by component, giving versions: a temporary or an output of
+/// the program, or a fresh variable. They are numbered in that order.
 using Variable = std::uint32_t;
 inline constexpr Variable kNoVariable = 0xFFFFFFFF;
 
@@ -27,7 +27,7 @@ struct Ref {
   };
   Kind kind = Kind::Literal;
   std::uint8_t component = 0;
-  bool absolute = false; ///< before the sign; literals have both in their value
+  bool absolute = false; ///< applied before the sign; a literal's value includes both
   bool negate = false;
   std::uint32_t index = kNone;
   float value = 0.0f;
@@ -35,7 +35,7 @@ struct Ref {
 };
 using Refs = std::array<Ref, 4>;
 
-/// An argument of a half with virtual registers for sources.
+/// An argument of a half whose sources are virtual registers.
 struct FlowArgument {
   enum class Bank : std::uint8_t { None, Row, Item };
   Bank bank = Bank::None;  ///< None: the select is a constant
@@ -43,7 +43,8 @@ struct FlowArgument {
   bool absolute = false;
   bool negate = false;
   bool presubtracted = false;
-  /// The row in [0], or the item that result component i reads; alpha arguments use [0] alone.
+  /// For a row, [0] is the row. For items, [i] is the item that result component i reads; alpha
+  /// arguments use only [0].
   std::array<ItemId, 3> source = {kNoItem, kNoItem, kNoItem};
 };
 
@@ -52,30 +53,30 @@ struct Item {
   Kind kind = Kind::Rgb;
   RgbOp rgb = RgbOp::None;
   AlphaOp alpha = AlphaOp::None;
-  bool live = true;        ///< prune() knows
-  bool replicated = false; ///< all components have the one value; those outside the mask are free
+  bool live = true;        ///< set by prune()
+  bool replicated = false; ///< all components have the same value; those outside the mask are free
   std::uint8_t mask = 0;   ///< components of the virtual register that are written
   std::uint8_t outputMask = 0;
   std::uint8_t output = 0;
   bool depth = false, clamp = false;
   Modifier modifier = Modifier::One;
-  Presubtract presubtract = Presubtract::None; ///< of the one half that the item has
+  Presubtract presubtract = Presubtract::None; ///< only for an item of one half
   Cause cause = Cause::Instruction;
   std::uint16_t origin = kNone;
-  /// The RGB half's and the alpha half's. A texture's coordinate: x y z of rgbArguments[0], w of
-  /// alphaArguments[0].
+  /// Arguments of the RGB half and of the alpha half. A texture's coordinate has x y z in
+  /// rgbArguments[0] and w in alphaArguments[0].
   std::array<FlowArgument, 3> rgbArguments, alphaArguments;
   std::array<FlowArgument, 2> presubtracted; ///< sources 0 and 1 of the presubtract
   TexOp texture = TexOp::Load;
   std::uint8_t unit = 0;
   ir::TexTarget target = ir::TexTarget::Tex2D;
-  std::uint16_t attribute = 0; ///< Interpolant
-  /// What each component is a version of. In a web the versions of a component are all of one
-  /// variable, so that the order of the list is right for it.
+  std::uint16_t attribute = 0; ///< for an Interpolant
+  /// The variable that each component is a version of. Within a web, all versions of a component
+  /// belong to one variable, so the order of the list is valid for the web.
   std::array<Variable, 4> variables = {kNoVariable, kNoVariable, kNoVariable, kNoVariable};
 
   [[nodiscard]] bool isAlu() const { return kind >= Kind::Rgb; }
-  /// Components that count once dead ones are gone.
+  /// Returns the components written. After prune() these are the live ones.
   [[nodiscard]] std::uint8_t written() const {
     return std::uint8_t(mask | outputMask | (depth ? 8 : 0));
   }
@@ -83,16 +84,16 @@ struct Item {
 
 struct Row {
   Constant constant;
-  std::uint8_t filled = 0xF; ///< components of a Value row that are taken
-  bool known = false;        ///< its value is constant.value
+  std::uint8_t filled = 0xF; ///< used components of a Value row
+  bool known = false;        ///< the value is constant.value
 };
 
 struct Flow {
   std::vector<Item> items;
   std::vector<Row> rows;
-  std::vector<ItemId> parent;                     ///< of each item: the webs' forest
-  std::vector<std::array<Variable, 4>> variables; ///< of each web's root
-  /// How many items of a web write each component, by its root; many are 255.
+  std::vector<ItemId> parent;                     ///< the union-find of the webs, by item
+  std::vector<std::array<Variable, 4>> variables; ///< by root of a web
+  /// For the root of each web: how many of its items write each component, at most 255.
   std::vector<std::array<std::uint8_t, 4>> versions;
 
   [[nodiscard]] ItemId web(ItemId item) {
@@ -104,7 +105,7 @@ struct Flow {
   }
 };
 
-/// The component that component i of an RGB select reads; 4 where it is a constant.
+/// The component that component i of an RGB select reads; 4 for a constant.
 inline constexpr std::uint8_t kTaps[11][3] = {{0, 1, 2}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2},
                                               {3, 3, 3}, {1, 2, 0}, {2, 0, 1}, {3, 2, 1},
                                               {4, 4, 4}, {4, 4, 4}, {4, 4, 4}};
@@ -116,7 +117,7 @@ inline constexpr std::uint8_t kTaps[11][3] = {{0, 1, 2}, {0, 0, 0}, {1, 1, 1}, {
   return int(argumentCount(op, beside));
 }
 
-/// Components of the result that an RGB argument is read for.
+/// Returns the components of the result that an RGB argument is read for.
 [[nodiscard]] inline std::uint8_t rgbComponents(const Item &item) {
   return isDot(item.rgb) || item.kind == Item::Kind::Texture ? 7 : std::uint8_t(item.written() & 7);
 }

@@ -9,7 +9,7 @@ namespace arbiter::fp::hw::r300 {
 namespace {
 using Bank = FlowArgument::Bank;
 
-/// A constant of the unit: Zero is 0, One is 1 beyond the first of them.
+/// A constant that a select gives; its value is the select's distance from the first constant.
 enum : std::uint8_t { kZero, kOne };
 
 class Folder {
@@ -24,7 +24,7 @@ public:
       const Item &item = m_flow.items[id];
       if (item.live && (item.kind == Item::Kind::Rgb || item.kind == Item::Kind::Alpha ||
                         item.rgb == RgbOp::Dp3))
-        // What was folded in may itself read something that can be.
+        // An operation that was folded in may have an argument that can be folded too.
         for (int i = 0; i < 4 && one(id); ++i)
           ;
     }
@@ -32,18 +32,18 @@ public:
 
 private:
   struct Uses {
-    ItemId reader = kNoItem; ///< the last
-    bool many = false;       ///< by more than one argument
+    ItemId reader = kNoItem; ///< the last reader
+    bool many = false;       ///< read by more than one argument
   };
 
-  /// The arguments of the half that an operation of one half has.
+  /// Returns the arguments of an operation of one half.
   static auto &arguments(Item &item) {
     return item.kind == Item::Kind::Alpha ? item.alphaArguments : item.rgbArguments;
   }
   static const auto &arguments(const Item &item) {
     return item.kind == Item::Kind::Alpha ? item.alphaArguments : item.rgbArguments;
   }
-  /// A Dp3's alpha half has no arguments.
+  /// Returns the half that has the arguments. A Dp3's alpha half has none.
   static Item::Kind halfOf(const Item &item) {
     return item.kind == Item::Kind::Alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
   }
@@ -86,7 +86,7 @@ private:
         read(argument, item.kind == Item::Kind::Alpha ? 1 : components, id);
   }
 
-  /// Folds one argument; false if there is none to fold.
+  /// Folds one argument. Returns false if there is none to fold.
   bool one(ItemId id) {
     const Item &item = m_flow.items[id];
     for (int i = 0; i < argumentCount(item); ++i) {
@@ -106,7 +106,7 @@ private:
     return false;
   }
 
-  /// The operation that the argument, and nothing else, reads; of the same half.
+  /// Returns the operation of the same half that only this argument reads.
   ItemId soleSource(const Item &item, const FlowArgument &argument) const {
     if (argument.bank != Bank::Item)
       return kNoItem;
@@ -129,7 +129,7 @@ private:
     return item.kind == Item::Kind::Alpha ? std::uint8_t(1) : rgbComponents(item);
   }
 
-  /// Whether what an operation reads is still there later.
+  /// True if the sources of the operation still hold their values later.
   bool stable(const Item &item) const {
     bool result = true;
     forEachRead(item, [&](ItemId read, std::uint8_t component) {
@@ -138,7 +138,8 @@ private:
     return result;
   }
 
-  /// What \p inner reads by \p argument, as the outer operation reads it through \p outer.
+  /// Combines an argument of the inner operation with the argument through which the outer one
+  /// reads it.
   static bool composed(const Item &item, const FlowArgument &outer, const FlowArgument &argument,
                        FlowArgument &result) {
     result = argument;
@@ -174,7 +175,7 @@ private:
            argument.select == base + which;
   }
 
-  /// The factor that is not 1 of `factor*1`; 3 where there is none.
+  /// Returns the index of the factor that is not 1 in `factor*1`; 3 if there is none.
   static std::size_t soleFactor(const Item &item) {
     const auto &list = arguments(item);
     for (const std::size_t i : {0, 1})
@@ -183,7 +184,7 @@ private:
     return 3;
   }
 
-  /// The presubtract of \p inner goes along, if there is room for it.
+  /// Moves the presubtract of \p inner to the outer operation. Returns false if that has its own.
   static bool takesPresubtract(Item &item, const FlowArgument &outer, const Item &inner) {
     if (inner.presubtract == Presubtract::None)
       return true;
@@ -197,7 +198,7 @@ private:
     return true;
   }
 
-  /// A copy of \p inner that clamps or scales: the copy does inner's operation instead.
+  /// Folds a copy of \p inner that clamps or scales: the copy does inner's operation instead.
   bool copied(Item &item, std::size_t index, ItemId id) const {
     const Item &inner = m_flow.items[id];
     const FlowArgument outer = arguments(item)[index];
@@ -217,7 +218,7 @@ private:
     return true;
   }
 
-  /// a*b in a sum.
+  /// Folds a product a*b into a sum.
   bool product(Item &item, std::size_t index, ItemId id) const {
     const Item &inner = m_flow.items[id];
     if (!isMad(item) || !isMad(inner) || inner.modifier != Modifier::One ||
@@ -230,11 +231,11 @@ private:
     const FlowArgument outer = list[index];
     if (outer.absolute)
       return false;
-    // The other summand, with the sign of the 1 that it may be multiplied by.
+    // The other summand gets the sign of the 1 that it may be multiplied by.
     FlowArgument rest = list[index == 2 ? factor : 2];
     bool negate = outer.negate;
     (index == 2 ? rest.negate : negate) ^= list[1 - factor].negate;
-    // |x|*(-1) is -|x|: signs come after magnitudes.
+    // |x|*(-1) is -|x|, because the sign applies after the magnitude.
     if (!takesPresubtract(item, outer, inner))
       return false;
     FlowArgument a, b;
@@ -246,7 +247,7 @@ private:
     return true;
   }
 
-  /// Whether all that the item reads through \p argument is 2 in constant memory.
+  /// True if everything that the item reads through \p argument is 2 in constant memory.
   bool isTwo(const Item &item, const FlowArgument &argument) const {
     if (argument.bank != Bank::Row || !m_flow.rows[argument.source[0]].known)
       return false;
@@ -260,7 +261,7 @@ private:
     return true;
   }
 
-  /// x*2 - 1: how the numbers of a texture get their sign back. A zero may change its own.
+  /// Folds x*2 - 1, which restores the sign of a texture's numbers. The sign of a zero may change.
   bool expanded(Item &item, std::size_t index, ItemId id) const {
     const Item &inner = m_flow.items[id];
     const auto &list = arguments(inner);
@@ -284,7 +285,7 @@ private:
     return true;
   }
 
-  /// A presubtract takes colours in their places or one component, and no magnitudes.
+  /// True if a presubtract can take the source: plain colours or one component, without magnitudes.
   static bool isPlain(const Item &item, const FlowArgument &source) {
     if (source.bank == Bank::None || source.absolute)
       return false;
@@ -292,7 +293,7 @@ private:
                                           : source.select <= std::uint8_t(RgbSelect::Zzz);
   }
 
-  /// The argument becomes the presubtract result, with the sign under its own.
+  /// Makes the argument read the presubtract result, and applies the sign under its own.
   static void takeResult(FlowArgument &argument, std::uint8_t select, bool negate) {
     FlowArgument result;
     result.presubtracted = true;
@@ -302,7 +303,7 @@ private:
     argument = result;
   }
 
-  /// a + b or a - b before the arguments are selected.
+  /// Folds a + b or a - b into a presubtract.
   bool presubtracted(Item &item, std::size_t index, ItemId id) const {
     const Item &inner = m_flow.items[id];
     if (!isMad(inner) || inner.modifier != Modifier::One ||

@@ -3,10 +3,10 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// Operations that one other operation alone reads become a part of it where the chip has a place
-/// for both: a product in a sum is a MAD, a sum or difference is a presubtract, and a copy that
-/// clamps or scales is done by what it copies. All of it keeps every bit, but for the sign of a
-/// zero that x*2 - 1 gives.
+/// Merges an operation that has a single reader into that reader if the chip can do both at once. A
+/// product in a sum becomes a MAD, and a sum or difference a presubtract. A copy that clamps or
+/// scales is merged with what it copies. Results keep every bit, except the sign of a zero from x*2
+/// - 1.
 /// Requires: prune().
 void fold(Flow &flow);
 

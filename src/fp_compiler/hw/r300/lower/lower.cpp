@@ -37,7 +37,8 @@ private:
            m_program.outputs[dst.index].kind == ir::OutputKind::Depth;
   }
 
-  /// The components of each instruction's result that something reads, and whether one alone does.
+  /// Finds the components of each instruction's result that are read, and whether there is one
+  /// reader.
   void liveMasks() {
     std::vector<std::uint8_t> readers(m_program.temporaries.size() + m_program.outputs.size(), 0);
     std::vector<std::uint8_t> live(m_program.temporaries.size() + m_program.outputs.size(), 0);
@@ -92,7 +93,8 @@ private:
     m_emit.set(destination, mask, result, m_once[at]);
   }
 
-  /// The alpha half writes depth: what is computed for z is computed in w.
+  /// Emits an instruction that writes depth. Only the alpha half writes depth, so z is computed in
+  /// w.
   void depth(const ir::Instruction &instruction, std::array<Value, 3> &operands,
              const EmitOptions &options) {
     const ir::OpInfo &row = ir::info(instruction.op);
@@ -145,7 +147,7 @@ private:
     return m_arithmetic.copied(mask, broadcast(withinDepth(texel, operand, op), 2), last);
   }
 
-  /// Whether the reference is within the depth that was sampled: 1 or 0, in z.
+  /// Returns in z 1 if the reference is within the sampled depth, otherwise 0.
   Value withinDepth(const Refs &texel, const Value &coordinate, TexOp op) {
     EmitOptions own;
     own.cause = Cause::TextureResult;

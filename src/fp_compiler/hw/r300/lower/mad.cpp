@@ -3,11 +3,12 @@
 
 #include "fp_compiler/hw/r300/lower/emitter.h"
 
-/// MAD, which copies, sums and products are too, with the output modifier where a factor is one.
+/// Emits MAD, which also serves as copy, sum and product. A constant factor becomes the output
+/// modifier if it can.
 namespace arbiter::fp::hw::r300 {
 
 namespace {
-/// A power of two that the output modifier has, at +-1 in the argument's place.
+/// Returns whether |value| is a power of two that the output modifier has.
 bool modifierOf(float value, Modifier &modifier) {
   const float size = std::fabs(value);
   modifier = size == 2.0f     ? Modifier::X2
@@ -19,7 +20,7 @@ bool modifierOf(float value, Modifier &modifier) {
   return modifier != Modifier::One;
 }
 
-/// The factor that all of \p mask have, if it is one of the output modifier's.
+/// Returns whether all components of \p mask have one factor that the output modifier has.
 bool scaleOf(const Value &value, std::uint8_t mask, float &factor) {
   const Ref &first = value.through[std::size_t(std::countr_zero(mask))];
   Modifier ignored;
@@ -54,7 +55,7 @@ Value Emitter::mad(std::uint8_t mask, const Value &a, const Value &b, const Valu
 }
 
 Value Emitter::copy(std::uint8_t mask, const Value &value, const EmitOptions &options) {
-  // The sum with -0 keeps a zero's sign.
+  // Adding -0 keeps the sign of a zero.
   return mad(mask, value, literals(1.0f), literals(-0.0f), options);
 }
 

@@ -55,7 +55,7 @@ RgbOp otherUnit(AlphaOp op) {
 namespace {
 constexpr std::uint8_t kConstants = std::uint8_t(RgbSelect::Zero) - std::uint8_t(AlphaSelect::Zero);
 
-/// Marks what \p reader reads together with something else.
+/// Marks the items that \p reader reads together with another item. They cannot move.
 void markFixed(const Item &reader, std::vector<std::uint8_t> &movable) {
   const auto fix = [&](const FlowArgument &argument) {
     if (argument.bank == FlowArgument::Bank::Item || reader.kind == Item::Kind::Texture)

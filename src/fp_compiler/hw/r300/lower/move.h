@@ -1,21 +1,22 @@
 #pragma once
 #include "fp_compiler/hw/r300/lower/flow.h"
 
-/// A scalar that is computed component by component may be computed by either unit, if all who read
-/// it read nothing but it: the RGB one in x, the alpha one in w.
+/// Moves a scalar operation to the other unit: the RGB unit computes it in x, the alpha unit in w.
+/// All its readers must read it alone.
 namespace arbiter::fp::hw::r300 {
 
-/// The same operation of the other unit; None where it has none.
+/// Returns the operation of the other unit, or None if that has none.
 [[nodiscard]] AlphaOp otherUnit(RgbOp op);
 [[nodiscard]] RgbOp otherUnit(AlphaOp op);
 
-/// For each item whether it may change the unit. Requires: prune().
+/// Returns for each item whether it may move to the other unit.
+/// Requires: prune().
 [[nodiscard]] std::vector<std::uint8_t> movableItems(const Flow &flow);
 
-/// \p item as the other unit does it.
+/// Returns \p item as an operation of the other unit.
 [[nodiscard]] Item moved(const Item &item);
 
-/// Makes \p reader, an operation, find what \p item was in the component that it is in now.
+/// Makes \p reader read \p item in its new component.
 void readMoved(Item &reader, ItemId item, std::uint8_t component);
 
 } // namespace arbiter::fp::hw::r300

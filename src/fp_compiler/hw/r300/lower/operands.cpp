@@ -2,7 +2,7 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// fragment.position of the clip position: (x/w, y/w, z/w) * scale + offset, and 1/w.
+/// Computes fragment.position from the clip position: (x/w, y/w, z/w) * scale + offset, and 1/w.
 Refs Operands::position(std::uint16_t attribute) {
   const Value clip = valueOf(m_emit.interpolant(attribute));
   EmitOptions options;
@@ -58,7 +58,7 @@ Value Operands::whole(const ir::Operand &operand) {
     return m_emit.current(operand.index);
   case ir::File::Output:
   case ir::File::Address:
-    break; // validate() reports it
+    break; // validate() rejects it
   }
   return literals(0.0f);
 }

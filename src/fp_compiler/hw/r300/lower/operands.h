@@ -1,7 +1,7 @@
 #pragma once
 #include "fp_compiler/hw/r300/lower/emitter.h"
 
-/// What a program's operands are on the chip: interpolants, rows, registers as they are now.
+/// Maps a program's operands to the chip: interpolants, rows of constants, and current registers.
 namespace arbiter::fp::hw::r300 {
 
 class Operands {
@@ -9,11 +9,12 @@ public:
   Operands(const ir::Program &program, Emitter &emit)
       : m_program(program), m_emit(emit), m_attributes(program.attributes.size()) {}
 
-  /// An operand after swizzle and signs.
+  /// Returns an operand after swizzle and signs.
   Value read(const ir::Operand &operand);
-  /// A row of the driver's own.
+  /// Returns a constant row that the driver adds.
   Value row(Constant::Kind kind, std::uint16_t index);
-  /// What an option reads: the program's attribute of that kind, or \p otherwise.
+  /// Returns an attribute that an option reads: the program's own of that kind, or else \p
+  /// otherwise.
   Value optional(ir::AttributeKind kind, std::uint16_t otherwise);
 
 private:

@@ -8,8 +8,8 @@ public:
   Packer(const Flow &flow, Packed &packed) : m_flow(flow), m_packed(packed) {}
 
   bool run(const Item *rgb, const Item *alpha) {
-    // Those that have no choice first: presubtract sources, then arguments of both kinds of
-    // address.
+    // Place arguments without a choice first: presubtract sources, then arguments that need an RGB
+    // and an alpha address.
     bool fits =
         (!rgb || presubtract(*rgb, false)) && (!alpha || alpha == rgb || presubtract(*alpha, true));
     for (const bool tied : {true, false}) {
@@ -33,7 +33,7 @@ private:
     return root;
   }
 
-  /// The RGB and the alpha address that an RGB argument needs; kFree where none.
+  /// Returns the RGB and the alpha address that an RGB argument needs, or kFree.
   std::array<std::uint32_t, 2> addresses(const FlowArgument &argument,
                                          std::uint8_t components) const {
     std::array<std::uint32_t, 2> result = {Packed::kFree, Packed::kFree};

@@ -3,20 +3,21 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// The addresses of a pair before registers are allocated, and which of them each argument takes.
+/// The addresses of a pair before register allocation, and the address that each argument uses.
 struct Packed {
   static constexpr std::uint32_t kFree = 0xFFFFFFFF, kRow = 0x80000000;
-  /// A web's root, or kRow plus a row.
+  /// The root of a web, or kRow plus a row.
   std::array<std::uint32_t, 3> rgb = {kFree, kFree, kFree}, alpha = {kFree, kFree, kFree};
   std::array<std::uint8_t, 3> rgbSource = {}, alphaSource = {};
 };
 
-/// Puts the arguments of an RGB and an alpha operation (either may be null; an operation of both
-/// halves is both) into three RGB and three alpha addresses. False if they do not fit.
+/// Fits the arguments of an RGB and an alpha operation into three RGB and three alpha addresses.
+/// Either operation may be null; an operation of both halves is passed as both. Returns false if
+/// they do not fit.
 [[nodiscard]] bool pack(const Flow &flow, const Item *rgb, const Item *alpha, Packed &packed);
 
-/// Whether the operation fits when it stands alone: two arguments and a presubtract result, or a
-/// Dp4's alpha half that takes x, y or z, may ask for four addresses.
+/// True if the operation fits in a slot of its own. It may need four addresses: for two arguments
+/// and a presubtract result, or for a Dp4 whose alpha half takes x, y or z.
 [[nodiscard]] bool packsAlone(const Flow &flow, const Item &item);
 
 } // namespace arbiter::fp::hw::r300

@@ -3,8 +3,8 @@
 #include "fp_compiler/hw/r300/lower/emitter.h"
 #include "fp_compiler/hw/r300/lower/pack.h"
 
-/// Operations that are more than one component at a time: dot products, comparisons and
-/// interpolations on presubtracted sources.
+/// Emits operations on several components at once: dot products, and comparisons and interpolations
+/// that use a presubtract.
 namespace arbiter::fp::hw::r300 {
 
 namespace {
@@ -13,18 +13,18 @@ bool plainSource(const FlowArgument &argument) {
 }
 } // namespace
 
-/// Numbers in constant memory where \p like finds its own; also those that are there without a
-/// source.
+/// Puts numbers in constant memory so that the select of \p like reads them. Constants that need no
+/// source are also allowed.
 bool Emitter::literalLike(const Refs &refs, std::uint8_t components, const FlowArgument &like,
                           FlowArgument &argument) {
   for (std::size_t c = 0; c < 4; ++c)
     if ((components >> c & 1) && refs[c].kind != Ref::Kind::Literal)
       return false;
-  // A scalar had better stay one that either unit can compute.
+  // A scalar should stay one that either unit can compute.
   const bool alpha = components == 8;
   if (std::has_single_bit(components) && like.bank == FlowArgument::Bank::Item)
     return false;
-  // A select that repeats a component has room for one number there.
+  // A select that repeats a component has room for only one number there.
   for (std::size_t c = 1; c < 3 && !alpha; ++c)
     for (std::size_t d = 0; d < c; ++d)
       if ((components >> c & 1) && (components >> d & 1) &&
@@ -44,8 +44,8 @@ bool Emitter::literalLike(const Refs &refs, std::uint8_t components, const FlowA
   return true;
 }
 
-/// x - y as one argument of \p item: by presubtract, or because one of them is zero.
-/// \p components: of RGB, or 8 for the alpha half.
+/// Emits x - y as one argument of \p item, by a presubtract or because one of them is zero.
+/// \param components of RGB, or 8 for the alpha half
 bool Emitter::differenceOf(const Refs &x, const Refs &y, std::uint8_t components, Item &item,
                            FlowArgument &argument) {
   const bool alpha = components == 8;
@@ -73,7 +73,7 @@ bool Emitter::differenceOf(const Refs &x, const Refs &y, std::uint8_t components
     item.presubtract = Presubtract::OneMinusS0;
     negate = minusOne;
   } else {
-    // Numbers go where the other one's select finds them.
+    // Numbers are placed so that the select of the other operand reads them.
     const std::size_t at = std::size_t(std::countr_zero(components));
     const bool number = x[at].kind == Ref::Kind::Literal;
     if (number ? !takeOne(y, first) || !usable(first) : !takeOne(x, second) || !usable(second))
@@ -105,7 +105,7 @@ bool Emitter::difference(const Value &x, const Value &y, std::uint8_t components
          differenceOf(x.direct, y.direct, components, item, argument);
 }
 
-/// As two of add() do it, with one argument made by difference().
+/// Emits a compare in one half; difference() makes its argument C.
 Value Emitter::compareHalf(std::uint8_t mask, const Value &x, const Value &y, float below,
                            float notBelow, const EmitOptions &options) {
   const bool alpha = mask == 8;
@@ -202,7 +202,7 @@ Value Emitter::arch(std::uint8_t mask, const Value &f, const EmitOptions &option
     takeAlpha(f, 3, item.presubtracted[0]);
   else
     (void)take(f, mask, item.presubtracted[0], true);
-  // In terms of n = -u, which is the presubtract result: 4*(n|n| - n).
+  // The presubtract result is n = -u, so the parabola is 4*(n|n| - n).
   FlowArgument n;
   n.presubtracted = true;
   n.select = item.presubtracted[0].select;
@@ -227,7 +227,7 @@ namespace {
 constexpr std::array<std::array<std::uint8_t, 4>, 24> kPermutations = [] {
   std::array<std::array<std::uint8_t, 4>, 24> all = {};
   std::size_t count = 0;
-  // Those that leave w in its place first: a DP3 has them alone.
+  // Permutations that leave w in place come first: a DP3 can only use those.
   for (std::uint8_t w = 4; w-- > 0;)
     for (std::uint8_t x = 0; x < 4; ++x)
       for (std::uint8_t y = 0; y < 4; ++y)
@@ -245,7 +245,7 @@ bool isNegative(const Ref &ref) {
   return ref.kind == Ref::Kind::Literal ? ref.value < 0.0f : ref.negate;
 }
 
-/// Moves the signs of \p from to \p to: products do not change.
+/// Moves the signs of \p from to \p to, which leaves the products unchanged.
 void moveSigns(Refs &from, Refs &to) {
   for (std::size_t c = 0; c < 4; ++c)
     if (isNegative(from[c])) {
@@ -254,7 +254,7 @@ void moveSigns(Refs &from, Refs &to) {
     }
 }
 
-/// The ways to read two vectors, those that leave most copies without readers first.
+/// Tries the ways to read two vectors. Those that leave most copies without readers come first.
 template <typename Try> bool eachReading(const Value &a, const Value &b, Try attempt) {
   const bool one = a.direct != a.through, other = b.direct != b.through;
   return attempt(a.through, b.through) || (one && attempt(a.direct, b.through)) ||
@@ -293,14 +293,14 @@ Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b,
 
 Value Emitter::dotResult(const Item &item, std::uint8_t mask, bool toDestination) {
   Value result = replicated(item, mask, toDestination);
-  // A Dp3 that writes no w leaves the alpha half to others.
+  // A Dp3 that does not write w leaves the alpha half free.
   if (item.rgb == RgbOp::Dp3)
     result.through[3] =
         result.direct[mask & 7 ? std::size_t(std::countr_zero(mask)) : std::size_t(0)];
   return result;
 }
 
-/// One side, or both, through a register of its own.
+/// Emits a dot product after copying one or both sides to registers.
 Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Value &b,
                          bool toDestination) {
   FlowArgument ignored;
@@ -325,7 +325,7 @@ Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Val
     }
   }
   Value x = order(a, best), y = order(b, best);
-  // What a join made impossible meanwhile is copied as well.
+  // A join may have made an argument impossible meanwhile; then it is copied too.
   if (costOf(x) != 0)
     x = copy(all, x, own);
   if (costOf(y) != 0)

@@ -3,8 +3,9 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// Marks what nothing reads as not live, trims masks to the components that are read, chooses
-/// which halves a replicated operation needs, and makes every web's root its items' parent.
+/// Removes dead code: clears `live` of unread items, and trims masks to the components that are
+/// read. Also chooses the halves that a replicated operation needs, and makes each web's root its
+/// items' parent.
 void prune(Flow &flow);
 
 } // namespace arbiter::fp::hw::r300

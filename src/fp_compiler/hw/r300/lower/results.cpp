@@ -2,8 +2,8 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// A result as it is, clamped: nothing but the options reads it, so that the operations which make
-/// it can clamp.
+/// Returns a result, clamped. Only the program's options read it, so the operations that compute it
+/// can clamp.
 Value Results::clamped(Variable output, std::uint8_t mask) {
   Value value = m_emit.current(output);
   bool inPlace = true;

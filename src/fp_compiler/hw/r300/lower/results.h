@@ -1,7 +1,7 @@
 #pragma once
 #include "fp_compiler/hw/r300/lower/operands.h"
 
-/// The end of a program: what its options do to the results, and who writes them.
+/// Finishes a program: applies its options to the results and writes them.
 namespace arbiter::fp::hw::r300 {
 
 class Results {
@@ -9,9 +9,9 @@ public:
   Results(const ir::Program &program, Flow &flow, Emitter &emit, Operands &operands)
       : m_program(program), m_flow(flow), m_emit(emit), m_operands(operands) {}
 
-  /// The colour sum, then fog.
+  /// Applies the colour sum, then fog.
   void epilogue();
-  /// Lets the operations that make results write them.
+  /// Makes the operations that compute results also write them.
   void outputs();
 
 private:

@@ -76,7 +76,7 @@ bool Rows::place(Row &row, const Refs &literals, std::uint8_t components, Place 
   bool equal = true;
   for (std::size_t c = first; c < 3; ++c)
     equal &= !(components >> c & 1) || same(literals[c].value, literals[first].value);
-  if (equal) // goes into any component that is left
+  if (equal) // fits in any free component
     for (const std::uint8_t c : {3, 2, 1, 0})
       if (!(row.filled >> c & 1)) {
         row.constant.value[c] = literals[first].value;
@@ -168,7 +168,7 @@ Rows::Place Rows::alpha(const Ref &literal, std::uint16_t origin) {
   Place result;
   const auto within = [&](std::size_t i) {
     const Row &row = m_rows[i];
-    // The fourth component first: it leaves the RGB addresses alone.
+    // Try the fourth component first: it needs no RGB address.
     for (const std::uint8_t c : {3, 0, 1, 2})
       if (row.known && (row.filled >> c & 1))
         for (const bool negate : {false, true})

@@ -3,8 +3,8 @@
 
 #include "fp_compiler/hw/r300/lower/flow.h"
 
-/// Constant memory while it is being collected: equal rows are one, and numbers are found in any
-/// row that has them where an argument can take them.
+/// Collects constant memory. Equal rows are merged, and a number is found in any row where an
+/// argument can read it.
 namespace arbiter::fp::hw::r300 {
 
 class Rows {
@@ -13,9 +13,9 @@ public:
     m_ofParameter.assign(program.parameters.size(), kNone);
   }
 
-  /// The row of a program's parameter whose value is not known.
+  /// Returns the row of a program's parameter whose value is not known.
   std::uint16_t parameter(std::uint16_t index, std::uint16_t origin);
-  /// One of the driver's own whose value is not known.
+  /// Returns the row of a driver's constant whose value is not known.
   std::uint16_t own(Constant::Kind kind, std::uint16_t index, std::uint16_t origin);
 
   struct Place {
@@ -23,17 +23,18 @@ public:
     std::uint8_t select = 0;
     bool negate = false;
   };
-  /// Literals that an RGB argument takes for \p components; adds what is not there yet.
+  /// Returns where an RGB argument reads the literals for \p components, and adds missing numbers.
   Place rgb(const Refs &literals, std::uint8_t components, std::uint16_t origin);
-  /// Likewise for an alpha argument; the select is an AlphaSelect.
+  /// Returns where an alpha argument reads the literal. The select is an AlphaSelect.
   Place alpha(const Ref &literal, std::uint16_t origin);
 
-  /// Literals where \p select, an RgbSelect of colours or Www, takes them for \p components.
+  /// Returns where the literals are readable through \p select for \p components.
+  /// \param select an RgbSelect of colours, or Www
   Place at(const Refs &literals, std::uint8_t components, std::uint8_t select,
            std::uint16_t origin);
 
 private:
-  /// Beyond these nothing is looked for: a program with so many is far from fitting.
+  /// Limits how many rows are searched. A program with more rows is far from fitting.
   [[nodiscard]] std::size_t searched() const { return std::min<std::size_t>(m_rows.size(), 256); }
   bool find(const Row &row, const Refs &literals, std::uint8_t components, Place &place) const;
   bool place(Row &row, const Refs &literals, std::uint8_t components, Place &place) const;

@@ -3,7 +3,7 @@
 #include "fp_compiler/hw/r300/lower/emitter.h"
 #include "fp_compiler/hw/r300/lower/move.h"
 
-/// What fills whole registers, and what reads them whole.
+/// Emits operations that write or read whole registers: interpolants and texture operations.
 namespace arbiter::fp::hw::r300 {
 
 namespace {
@@ -25,7 +25,7 @@ Ref read(const FlowArgument &argument, std::uint8_t component, std::size_t const
   return ref;
 }
 
-/// The one component that an argument of a scalar operation reads.
+/// Returns the component that an argument of a scalar operation reads.
 Ref rgbRead(const FlowArgument &argument, std::size_t component) {
   return read(argument, kTaps[argument.select][component],
               std::size_t(argument.select) - std::size_t(RgbSelect::Zero), component);
@@ -47,8 +47,9 @@ Refs Emitter::interpolant(std::uint16_t attribute) {
   return refs;
 }
 
-/// The scalar \p item once more, in all of \p components: what a copy would take, and the first one
-/// may have no reader left. False if it is of another kind, or if its arguments are gone.
+/// Computes a scalar again in all of \p components. This is as cheap as a copy, and the first
+/// computation may become dead. Returns false if the item is not a scalar operation, or if its
+/// arguments have been overwritten.
 bool Emitter::spread(const Ref &scalar, std::uint8_t components, Refs &result) {
   const Item item = m_flow.items[scalar.index];
   const bool alpha = item.kind == Item::Kind::Alpha;
@@ -79,7 +80,7 @@ bool Emitter::spread(const Ref &scalar, std::uint8_t components, Refs &result) {
   return true;
 }
 
-/// \p coordinate in the components of one register where it stands in \p value.
+/// Returns \p coordinate with its components in one register, each in its own place.
 Refs Emitter::plainCoordinate(std::uint8_t components, const Value &value) {
   Refs plain = {};
   std::uint8_t bad = 0;
@@ -148,7 +149,7 @@ Refs Emitter::texture(TexOp op, const ir::Instruction &instruction, std::uint8_t
     return result;
   }
   const ItemId id = add(item, mask, toDestination);
-  // The whole register is written, wanted or not.
+  // A sample writes the whole register, whatever its mask.
   for (std::uint8_t c = 0; c < 4; ++c) {
     result[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
     Item &sample = m_flow.items[id];

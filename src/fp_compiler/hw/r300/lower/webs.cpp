@@ -2,7 +2,7 @@
 
 #include "fp_compiler/hw/r300/lower/emitter.h"
 
-/// Which operations share a virtual register, so that the order of the list stays right for it.
+/// Decides which operations share a virtual register. The order of the list must stay valid for it.
 namespace arbiter::fp::hw::r300 {
 
 bool Emitter::readable(const Ref &ref) {
@@ -18,8 +18,8 @@ bool Emitter::isCurrent(const Ref &ref) const {
   return now.kind == Ref::Kind::Item && now.index == ref.index && now.component == ref.component;
 }
 
-/// An operation that reads what an earlier one of the same instruction overwrites: the destination
-/// is renamed: fresh variables take its new components.
+/// Renames the destination if an operation reads what an earlier operation of the same instruction
+/// overwrites. Fresh variables then take its new components.
 void Emitter::avoidHazard(const Item &item) {
   if (m_written == 0 || m_renamed)
     return;
@@ -63,8 +63,8 @@ ItemId Emitter::add(Item item, std::uint8_t mask, bool toDestination) {
   return id;
 }
 
-/// An old version of a register's component that is alone in its web may go on beside the new one:
-/// it becomes a version of a fresh variable.
+/// Lets an old version of a component live beside the new one, as a version of a fresh variable. It
+/// must be the only version in its web.
 bool Emitter::splitOff(std::span<const Ref> refs, const Ref &ref, bool commit) {
   const ItemId root = m_flow.web(ref.index);
   if (m_flow.versions[root][ref.component] != 1)
@@ -80,7 +80,7 @@ bool Emitter::splitOff(std::span<const Ref> refs, const Ref &ref, bool commit) {
   return true;
 }
 
-/// Whether the items may be one register, and makes them so.
+/// Returns whether the items may share one register, and if \p commit is set joins them.
 bool Emitter::join(std::span<const Ref> refs, bool commit) {
   for (const Ref &ref : refs)
     if (!isCurrent(ref) && !splitOff(refs, ref, commit))

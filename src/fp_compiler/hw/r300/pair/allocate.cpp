@@ -5,7 +5,7 @@
 namespace arbiter::fp::hw::r300 {
 
 namespace {
-/// Moments: everything is read at an even one and written at the odd one after it.
+/// When each component holds a value. Reads happen at even times, writes at the odd time after.
 struct Lifetime {
   std::uint32_t first = 0xFFFFFFFF;
   std::array<std::uint32_t, 4> from = {0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF};
@@ -19,7 +19,7 @@ public:
       if (flow.items[id].live && flow.items[id].kind == Item::Kind::Interpolant)
         writes(id);
     for (const Node &node : plan.nodes) {
-      // One after the other, so that no sample lands in what a later one reads.
+      // Samples run one after the other, so that none overwrites what a later one reads.
       for (std::uint32_t i = 0; i < node.textures; ++i)
         step(plan.textures[node.firstTexture + i], kNoItem);
       for (std::uint32_t i = 0; i < node.pairs; ++i)
@@ -68,7 +68,7 @@ std::vector<std::uint16_t> allocate(const Flow &flow, const Plan &plan) {
       order.emplace_back(lifetimes.all()[id].first, id);
   std::sort(order.begin(), order.end());
   std::vector<std::uint16_t> registers(flow.items.size(), kNone);
-  std::vector<std::array<std::uint32_t, 4>> taken; // until when
+  std::vector<std::array<std::uint32_t, 4>> taken; // until when each component is taken
   for (const auto &[first, web] : order) {
     const Lifetime &life = lifetimes.all()[web];
     std::size_t at = 0;

@@ -3,8 +3,8 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// The register of each web, by its root; kNone for webs that nothing live belongs to. A linear
-/// scan component by component: a value of the alpha unit may share a register with one of the RGB
+/// Returns the register of each web, by its root; kNone for webs without live items. Uses a linear
+/// scan for each component, so a value of the alpha unit may share a register with one of the RGB
 /// unit.
 [[nodiscard]] std::vector<std::uint16_t> allocate(const Flow &flow, const Plan &plan);
 

@@ -28,12 +28,12 @@ private:
 
   struct Edge {
     ItemId from, to;
-    bool reads; ///< false: `to` overwrites what `from` reads, so that both may be TEX of a node
+    bool reads; ///< false: `to` overwrites what `from` reads, so both may be TEX of one node
   };
   struct State {
     std::uint32_t level = 0, deadline = 0, height = 0;
-    std::uint32_t waiting = 0; ///< for this many
-    std::uint32_t first = 0;   ///< into m_edges, which are sorted by `from`
+    std::uint32_t waiting = 0; ///< how many items it waits for
+    std::uint32_t first = 0;   ///< its first edge in m_edges, which are sorted by `from`
   };
 
   [[nodiscard]] bool isTexture(ItemId id) const {
@@ -66,7 +66,7 @@ private:
           last = id;
         }
     }
-    // By counting: `first` of each, then in place.
+    // Counting sort: count the edges of each item, then put them in place.
     for (const Edge &edge : edges) {
       ++m_states[edge.from].first;
       ++m_states[edge.to].waiting;
@@ -97,7 +97,8 @@ private:
       visit(m_edges[i]);
   }
 
-  /// The first node that each can stand in, the last one, and the longest way to that one's end.
+  /// Finds for each item the first and the last node it can be in, and its longest path to the end
+  /// of the last one.
   void levels() {
     for (ItemId id = 0; id < m_flow.items.size(); ++id) {
       if (!m_flow.items[id].live)
@@ -146,7 +147,7 @@ private:
     m_queue.push_back(key(id));
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<>());
   }
-  /// What may be chosen next; a bound keeps long programs from taking the square of their length.
+  /// Fills the list of candidates. The limit keeps long programs from taking quadratic time.
   void refill() {
     for (; !m_queue.empty() && m_ready.size() < kWindow; m_queue.pop_back()) {
       std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<>());
@@ -166,7 +167,8 @@ private:
     refill();
     while (m_waitingFor[index] > 0)
       slot();
-    // The last operations of a program may all be overdue; a node without any takes what there is.
+    // All operations of the last node may be overdue. A node without a slot takes whatever is
+    // ready.
     if (m_plan.slots.size() == node.firstPair)
       slot();
     node.textures = std::uint32_t(m_plan.textures.size()) - node.firstTexture;
@@ -174,7 +176,8 @@ private:
     m_plan.nodes.push_back(node);
   }
 
-  /// Lower goes first: by deadline, by the longest way, by the program's order.
+  /// Returns the priority; the lowest goes first. It orders by deadline, longest path and program
+  /// order.
   [[nodiscard]] std::uint64_t key(ItemId id) const {
     const State &state = m_states[id];
     return std::uint64_t(std::min(state.deadline, 0xFFFFu)) << 48 |
@@ -214,15 +217,15 @@ private:
     refill();
   }
 
-  /// Changes the unit of an operation that has not been placed before.
+  /// Moves an operation that has not been placed to the other unit.
   void move(ItemId id) {
     m_flow.items[id] = moved(m_flow.items[id]);
     const std::uint8_t component = m_flow.items[id].kind == Item::Kind::Alpha ? 3 : 0;
     forEachEdge(id, [&](const Edge &edge) { readMoved(m_flow.items[edge.to], id, component); });
   }
 
-  /// Whether those who read it still fit into a pair if \p id changes its unit: three arguments do
-  /// in any case, but a Dp4 has four and a presubtract takes what it needs.
+  /// True if the readers of \p id still fit into a pair after it changes its unit. Three arguments
+  /// always fit, but a Dp4 has four, and a presubtract needs addresses of its own.
   [[nodiscard]] bool mayMove(ItemId id) const {
     if (!m_movable[id])
       return false;
@@ -243,8 +246,7 @@ private:
                                        : pack(m_flow, &other, &one, packed);
   }
 
-  /// \p id with the best operation that the other half can do beside it; either may change its unit
-  /// for that.
+  /// Pairs \p id with the best operation of the other half. Either may change its unit for that.
   void partner(ItemId id, Plan::Slot &slot) {
     const Item::Kind kind = m_flow.items[id].kind;
     std::size_t best = m_ready.size();
@@ -293,10 +295,11 @@ private:
   std::vector<State> m_states;
   std::vector<std::uint8_t> m_movable;
   std::vector<Edge> m_edges;
-  std::vector<std::uint32_t> m_waitingFor; ///< operations left, by deadline
-  std::vector<ItemId> m_ready;             ///< the best of what waits for nothing
-  std::vector<std::uint64_t> m_queue;      ///< the rest: a heap of keys, lowest first
-  std::vector<ItemId> m_textures;          ///< by level
+  std::vector<std::uint32_t> m_waitingFor; ///< operations left to place, by deadline
+  std::vector<ItemId> m_ready;             ///< the best of the items that wait for nothing
+  std::vector<std::uint64_t>
+      m_queue; ///< the other items that wait for nothing: a heap of keys, lowest first
+  std::vector<ItemId> m_textures; ///< ordered by level
   std::size_t m_nextTexture = 0;
   std::uint32_t m_last = 0;
   Plan m_plan;

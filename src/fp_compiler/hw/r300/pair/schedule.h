@@ -3,10 +3,10 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// Where everything stands: nodes, their texture accesses, and pairs of operations.
+/// A schedule: nodes, their texture accesses, and pairs of operations.
 struct Plan {
   struct Slot {
-    ItemId rgb = kNoItem, alpha = kNoItem; ///< the same one if it takes both halves
+    ItemId rgb = kNoItem, alpha = kNoItem; ///< the same item if it takes both halves
     Packed packed;
   };
   std::vector<Node> nodes;
@@ -14,9 +14,10 @@ struct Plan {
   std::vector<Slot> slots;
 };
 
-/// Fewest nodes first, then fewest pairs: texture accesses stand in the first node that their
-/// coordinates allow; operations go by the node that needs them and by the longest way to go.
-/// Scalars that either unit can compute go where there is room, so that \p flow changes.
+/// Schedules for the fewest nodes, then for the fewest pairs. A texture access goes in the first
+/// node that its coordinates allow. Operations are ordered by the node that needs them, then by
+/// their longest path. A scalar that either unit can compute goes where there is room, which
+/// changes \p flow.
 /// Requires: prune().
 [[nodiscard]] Plan schedule(Flow &flow);
 

@@ -68,7 +68,7 @@ const char *reasonOf(Cause cause) {
   return kNames[std::size_t(cause)];
 }
 
-/// One half of a pair, or a texture instruction, whose text goes through all columns.
+/// One half of a pair in columns, or a texture instruction, whose text spans all columns.
 struct Row {
   std::string place, addresses, target, operation, note;
   bool texture = false;
@@ -90,7 +90,7 @@ public:
     constants();
     collect();
     std::size_t row = 0;
-    // From 1, as the reasons of a report count them.
+    // Nodes are counted from 1, as in the reasons of a report.
     for (std::size_t i = 0; i < m_code.nodes.size(); ++i) {
       m_text += "\nnode " + number(i + 1) + "\n";
       for (std::size_t end = m_nodeEnds[i]; row < end; ++row)
@@ -182,7 +182,7 @@ private:
     return std::size_t(after - m_lineStarts.begin()) + 1;
   }
 
-  /// "line 7: MUL" or, without text, "3: MUL".
+  /// Returns "line 7: MUL" or, without text, "3: MUL".
   std::string originText(std::uint16_t origin) const {
     if (origin >= m_program.code.size())
       return "";
@@ -197,7 +197,7 @@ private:
     return text.empty() || reason.empty() ? text + reason : text + ", " + reason;
   }
 
-  /// All rows, and how wide their columns are, so that halves stand under each other.
+  /// Writes all rows and measures the columns, so that the halves are aligned.
   void collect() {
     for (const Node &node : m_code.nodes) {
       for (std::uint32_t i = 0; i < node.textures; ++i)
@@ -272,7 +272,7 @@ private:
     return text;
   }
 
-  /// "r2.xyz o0.xyz =", nothing for an idle half.
+  /// Returns "r2.xyz o0.xyz =", or an empty text for an idle half.
   template <typename Half> static std::string target(const Half &half) {
     std::string text;
     if (half.mask)
@@ -299,10 +299,10 @@ private:
   const Code &m_code;
   const ir::Program &m_program;
   bool m_hasText;
-  std::vector<std::size_t> m_lineStarts; ///< of all but the first
+  std::vector<std::size_t> m_lineStarts; ///< without the first line
   const Chip &m_chip;
   std::vector<Row> m_rows;
-  std::vector<std::size_t> m_nodeEnds; ///< into m_rows
+  std::vector<std::size_t> m_nodeEnds; ///< indices into m_rows
   std::size_t m_addressWidth = 0, m_targetWidth = 0, m_operationWidth = 0;
   std::string m_text;
 };

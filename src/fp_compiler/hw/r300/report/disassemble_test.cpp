@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-/// The line that starts with \p beginning, without runs of spaces.
+/// Returns the line that starts with \p beginning, with runs of spaces removed.
 std::string line(const std::string &text, const std::string &beginning) {
   const std::size_t at = ("\n" + text).find("\n" + beginning);
   if (at == std::string::npos)

@@ -15,8 +15,9 @@ constexpr auto kParameters = &ResourceCounts::parameters;
 
 std::uint32_t placeOf(std::uint16_t origin) { return origin == kNone ? kNoInstruction : origin; }
 
-/// Calls visit(origin, cause, in the RGB half, halves of a slot that it takes) for each operation
-/// of a pair: a shared slot is one half each. An empty slot is whole, and of no instruction.
+/// Calls visit(origin, cause, in the RGB half, halves of a slot) for each operation of a pair. A
+/// shared slot gives one half to each operation. An empty slot is whole and belongs to no
+/// instruction.
 template <typename Visit> void forOperations(const Pair &pair, Visit visit) {
   const bool rgb = pair.rgb.op != RgbOp::None, alpha = pair.alpha.op != AlphaOp::None;
   if (rgb)
@@ -27,7 +28,7 @@ template <typename Visit> void forOperations(const Pair &pair, Visit visit) {
     visit(pair.rgb.origin, pair.rgb.cause, true, 2u);
 }
 
-/// What is an instruction's own, by instruction, and what it looks like.
+/// Finds for each instruction which slots are its own.
 std::vector<Extent> extentsOf(const ir::Program &program, const Code &code) {
   struct Operations {
     std::uint32_t rgb = 0, alpha = 0, slots = 0, lastSlot = 0;
@@ -51,15 +52,15 @@ std::vector<Extent> extentsOf(const ir::Program &program, const Code &code) {
   return extents;
 }
 
-/// A reason with its amount in halves of a slot.
+/// A reason, with its amount in half slots.
 struct Share {
   std::string text;
   std::uint32_t halves = 0;
   std::vector<std::uint32_t> places;
 };
 
-/// Whole slots that add up to those of the code: of the reasons with a half too much one in two is
-/// rounded up, first those that are nothing else.
+/// Rounds the reasons to whole slots that add up to the code's. Of the reasons with an odd half,
+/// one in two is rounded up. Those of a single half come first.
 std::vector<std::uint32_t> wholeSlots(const std::vector<Share> &shares, std::uint32_t total) {
   std::vector<std::uint32_t> slots;
   std::uint32_t given = 0;
@@ -93,7 +94,7 @@ void addAlu(Reasons &reasons, const ir::Program &program, const Code &code) {
   const std::vector<std::uint32_t> slots = wholeSlots(shares, std::uint32_t(code.pairs.size()));
   for (std::size_t i = 0; i < shares.size(); ++i) {
     if (slots[i] == 0)
-      continue; // half a slot that another reason has been given
+      continue; // its half slot is counted under another reason
     reasons.add(kAlu, slots[i], shares[i].text, kNoInstruction);
     for (const std::uint32_t place : shares[i].places)
       reasons.add(kAlu, 0, shares[i].text, place);
@@ -144,7 +145,7 @@ void addConstants(Reasons &reasons, const ir::Program &program, const Code &code
                                                            : placeOf(constant.origin));
 }
 
-/// The node of the pair or texture at an index of its array.
+/// Returns the node of the pair or texture at an index of its array.
 std::uint32_t nodeOf(const Code &code, std::uint32_t index, std::uint32_t Node::*first,
                      std::uint32_t Node::*count) {
   for (std::size_t i = 0; i < code.nodes.size(); ++i)
@@ -177,7 +178,7 @@ void costs(NativeReport &report, const ir::Program &program, const Code &code) {
     report.costs[i].gone = !seen[i];
 }
 
-/// Who writes a register last before a node, and in which node.
+/// The last writer of a register before a node, and the node it is in.
 struct Written {
   std::uint16_t origin = kNone;
   Cause cause = Cause::Instruction;
@@ -203,7 +204,8 @@ Written lastWrite(const Code &code, std::uint32_t before, std::uint16_t temporar
   return {};
 }
 
-/// Why a node is one of its own: the sample that waits for the latest node.
+/// Returns why a node cannot be part of the one before it: its sample that waits for the latest
+/// node.
 std::string nodeReason(const ir::Program &program, const Code &code, std::uint32_t index) {
   const Node &node = code.nodes[index];
   std::uint16_t sample = kNone;

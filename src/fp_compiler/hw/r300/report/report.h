@@ -4,10 +4,11 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// The counts of GL_PROGRAM_NATIVE_*_ARB. Fast: no strings.
+/// Returns the counts of GL_PROGRAM_NATIVE_*_ARB. Fast: makes no strings.
 [[nodiscard]] ResourceCounts counts(const Code &code);
 
-/// Reasons, costs, nodes and the chain of dependent reads. `code` is compile()'s of the program.
+/// Sets reasons, costs, nodes and the chain of dependent reads.
+/// \param code what compile() made of the program
 void report(NativeReport &report, const ir::Program &program, const Code &code);
 
 } // namespace arbiter::fp::hw::r300

@@ -96,8 +96,8 @@ ir::Instruction move(const ir::Source &source, std::uint8_t mask = 15) {
   return instruction;
 }
 
-// The table of native swizzles in machine.h: components that do not matter match anything, alpha
-// takes what it likes.
+// Native swizzles follow the table in machine.h. Components that do not matter match anything, and
+// alpha takes any component.
 TEST(R300Wording, NativeSwizzles) {
   ir::Builder b;
   const ir::Source r = b.temporary().read();

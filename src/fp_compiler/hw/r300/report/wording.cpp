@@ -10,7 +10,7 @@ namespace {
 
 using ir::Opcode;
 
-/// Why an opcode is more than one slot; nullptr for one that should not be.
+/// Returns why an opcode takes more than one slot; nullptr if it should not.
 const char *expansionOf(Opcode op) {
   switch (op) {
   case Opcode::Sin:
@@ -40,7 +40,7 @@ const char *expansionOf(Opcode op) {
   }
 }
 
-/// What is wrong with a coordinate: it must be a whole register, as it is.
+/// Returns why a coordinate needs a move: it must be a whole register without a swizzle.
 std::string coordinateFault(const ir::Program &program, const ir::Instruction &instruction) {
   const ir::Operand &coordinate = instruction.src[0];
   if (coordinate.file == ir::File::Parameter)
