@@ -1,5 +1,5 @@
-# Completion of arbiter(1) in bash. The command itself says what a word may become, so that nothing
-# here can be out of date.
+# Completes arbiter(1) in bash. The command itself lists the possible words, so that nothing here can
+# be out of date.
 
 _arbiter() {
   local line=${COMP_LINE:0:COMP_POINT} answer word kept i
@@ -7,7 +7,7 @@ _arbiter() {
   read -ra words <<<"$line"
   [[ $line == *[[:space:]] ]] && words+=('')
   local typed=${words[-1]}
-  # bash takes what stands behind a colon or an equals sign for a word of its own.
+  # bash treats the text after a colon or an equals sign as a separate word.
   kept=${typed%"${typed##*[:=]}"}
   COMPREPLY=()
   while IFS= read -r answer; do
@@ -16,7 +16,7 @@ _arbiter() {
         compopt -o filenames
         while IFS= read -r word; do COMPREPLY+=("${word#"$kept"}"); done \
           < <(compgen -f -- "$typed")
-        # The value of --option=FILE.
+        # Complete the value of --option=FILE.
         [[ $typed == --*=* ]] && while IFS= read -r word; do COMPREPLY+=("$word"); done \
           < <(compgen -f -- "${typed#*=}")
         ;;
