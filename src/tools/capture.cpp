@@ -29,7 +29,8 @@ std::string freeFolder(const std::string &command) {
   return name;
 }
 
-/// Creates or checks the folder. \returns an empty string, or why texts cannot be captured there.
+/// Creates or checks the folder.
+/// \returns an empty string, or why texts cannot be captured there.
 std::string prepareFolder(const std::string &folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
@@ -57,7 +58,8 @@ bool write(const std::string &path, const std::string &text) {
   return false;
 }
 
-/// Writes the index of the folder's content. \returns false if a file cannot be written.
+/// Writes the index of the folder's content.
+/// \returns false if a file cannot be written.
 bool assemble(const std::string &folder) {
   const CaptureIndex index = readCapture(folder);
   for (const std::string &fault : index.faults)

@@ -136,8 +136,8 @@ struct DrawArguments {
   bool bare = false;    ///< without the layer, on the host's implementation
   bool inLayer = false; ///< true in the process with the preloaded layer
 };
-/// Draws a scene or programs into a PNG file. \param argv the whole command line, which is executed
-/// again under the layer
+/// Draws a scene or programs into a PNG file.
+/// \param argv the whole command line, which is executed again under the layer
 [[nodiscard]] int draw(const DrawArguments &arguments, const std::vector<std::string> &argv);
 
 struct DebugArguments {

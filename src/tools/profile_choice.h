@@ -18,8 +18,8 @@ public:
 
   /// Returns the profile for a text. If the panel's profile does not load, returns common(); the
   /// panel's diagnostics report that.
-  /// The reference is valid as long as this object. \param path of the text's file; empty: in no
-  /// file
+  /// The reference is valid as long as this object.
+  /// \param path of the text's file; empty: in no file
   [[nodiscard]] const fp::hw::Profile &of(const std::string &path, std::string_view text);
   /// Returns the profile for a text without a panel.
   [[nodiscard]] const fp::hw::Profile &common() const { return m_common; }

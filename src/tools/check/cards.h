@@ -51,7 +51,8 @@ public:
   void addFault() { ++m_faults; }
 
   [[nodiscard]] std::size_t size() const { return m_rows.size(); }
-  /// Returns the matrix as text. \param reasons adds below the matrix why each program does not fit
+  /// Returns the matrix as text.
+  /// \param reasons adds below the matrix why each program does not fit
   [[nodiscard]] std::string text(const Style &style, bool reasons) const;
   [[nodiscard]] std::string json() const;
   /// Returns 1 if something could not be read, 2 if a program is valid for no card, 3 if one fits

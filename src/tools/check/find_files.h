@@ -17,9 +17,10 @@ struct FoundFiles {
 /// Returns the operands in order; a folder is replaced by its programs, sorted by the bytes of
 /// their paths. Subfolders are searched, without names that begin with a dot and without symbolic
 /// links to folders.
-/// A file in a folder counts if its text has a program (fp::programsOf()). It also counts if its
-/// name is one of assembly, such as .fp, .vfp or .arbvp, and its text is in no other language, such
-/// as GLSL or Cg. Other operands are returned unchanged; "-" is standard input.
+/// A file in a folder counts if its text has a program (fp::programsOf()), or if its name is one of
+/// assembly alone, such as .arbvp. Names such as .fp are shared with other languages; they count if
+/// the text is not in GLSL, Cg or HLSL. Other operands are returned unchanged; "-" is standard
+/// input.
 [[nodiscard]] FoundFiles findFiles(std::span<const std::string> operands);
 
 } // namespace arbiter::tools

@@ -14,8 +14,8 @@ Colour colourOf(fp::Severity severity) {
                                              : Colour::Note;
 }
 
-/// Colors the first line of a diagnostic. \param name length of the file name at the start, which
-/// may contain a colon
+/// Colors the first line of a diagnostic.
+/// \param name length of the file name at the start, which may contain a colon
 std::string paintedLine(const std::string &line, std::size_t name, const fp::Diagnostic &diagnostic,
                         const Style &style) {
   const std::string kind = std::string(fp::severityName(diagnostic.severity)) + ":";

@@ -1,5 +1,5 @@
-# Completion of arbiter(1) in bash. The command itself says what a word may become, so that nothing
-# here can be out of date.
+# Completes arbiter(1) in bash. The command itself lists the possible words, so that nothing here can
+# be out of date.
 
 _arbiter() {
   local line=${COMP_LINE:0:COMP_POINT} answer word before kept i
@@ -7,20 +7,20 @@ _arbiter() {
   read -ra words <<<"$line"
   [[ $line == *[[:space:]] ]] && words+=('')
   local typed=${words[-1]}
-  # bash takes what stands behind a colon or an equals sign for a word of its own.
+  # bash treats the text after a colon or an equals sign as a separate word.
   kept=${typed%"${typed##*[:=]}"}
   COMPREPLY=()
   while IFS= read -r answer; do
     case $answer in
       :files*)
-        # Behind "--option=" or "0=" too.
+        # Completes the value of --option=FILE and of 0=FILE too.
         before=${answer#:files} before=${before# }
         compopt -o filenames
         while IFS= read -r word; do word=$before$word COMPREPLY+=("${word#"$kept"}"); done \
           < <(compgen -f -- "${typed#"$before"}")
         ;;
       ':hint '*)
-        # Two of them, so that bash shows the hint and takes none.
+        # Two candidates make bash show the hint and insert neither.
         [[ -z $typed ]] && COMPREPLY+=("${answer#:hint }" ' ')
         ;;
       ':command '*)

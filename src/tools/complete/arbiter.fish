@@ -1,5 +1,5 @@
-# Completion of arbiter(1) in fish. The command itself says what a word may become, so that nothing
-# here can be out of date.
+# Completes arbiter(1) in fish. The command itself lists the possible words, so that nothing here can
+# be out of date.
 
 function __arbiter_complete
     set -l words (commandline -opc)

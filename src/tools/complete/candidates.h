@@ -25,8 +25,8 @@ using Candidates = std::vector<Candidate>;
 /// Returns the programs that a process has loaded. 0 means the only one that listens. Returns
 /// nothing if the process does not answer at once, because the shell is waiting.
 [[nodiscard]] Candidates programs(int process);
-/// Returns the kind of an action's operand, such as "ID" or "FILE", or "" if there is none. \param
-/// number counted from 0
+/// Returns the kind of an action's operand, such as "ID" or "FILE", or "" if there is none.
+/// \param number counted from 0
 [[nodiscard]] std::string operandOf(std::string_view action, std::size_t number);
 
 } // namespace arbiter::tools::complete

@@ -31,7 +31,8 @@ struct ActionRow {
 };
 [[nodiscard]] std::span<const ActionRow> actions();
 
-/// Returns the action of that name. \returns nullptr after a complaint.
+/// Returns the action of that name.
+/// \returns nullptr after a complaint.
 [[nodiscard]] const ActionRow *findAction(const std::string &name);
 /// Runs the action that the first word names.
 [[nodiscard]] int runAction(Session &session, const Words &words);

@@ -20,7 +20,8 @@ struct Failure {
 /// A connection to a controlled process.
 class Connection {
 public:
-  /// Connects to a process. \param process 0: the only one that listens
+  /// Connects to a process.
+  /// \param process 0: the only one that listens
   [[nodiscard]] static Result<std::unique_ptr<Connection>, Failure>
   open(pid_t process, std::chrono::milliseconds patience);
 

@@ -18,7 +18,9 @@ inline constexpr int kTraceSchema = 1;
 /// differs.
 [[nodiscard]] Json traceJson(const Trace &trace);
 [[nodiscard]] Json verdictJson(const Verdict &verdict, const Trace &trace);
-/// Returns a difference. \param a the trace of `row` \param b the trace of `other_row`
+/// Returns a difference.
+/// \param a the trace of `row`
+/// \param b the trace of `other_row`
 [[nodiscard]] Json differenceJson(const Difference &difference, const Trace &a, const Trace &b);
 [[nodiscard]] Json vectorJson(const Vec4 &value);
 

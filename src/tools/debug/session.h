@@ -73,7 +73,8 @@ public:
   /// True if further pixels can be traced. After an error this tells a failure at one pixel from
   /// the end of the drawing process.
   [[nodiscard]] bool isAlive() const { return m_drawer->isAlive(); }
-  /// Ends the drawing process. \returns a note about who drew, or ""
+  /// Ends the drawing process.
+  /// \returns a note about who drew, or ""
   [[nodiscard]] std::string end();
   /// Returns the watched value in each pixel of the picture, the lowest row first.
   [[nodiscard]] Result<std::vector<Vec4>, DebugError> watch(const Watch &watch);

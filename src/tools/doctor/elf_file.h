@@ -29,8 +29,8 @@ struct ElfFile {
 /// Returns a machine's name, such as "x86-64", "i386" or "AArch64", or its number.
 [[nodiscard]] std::string machineName(std::uint16_t machine);
 
-/// Returns the strings in a file that may name a library: printable, ending with NUL, containing
-/// ".so", and with one of the words in their last path component.
+/// Returns the strings in a file that may name a library. Such a string is printable, ends with
+/// NUL, contains ".so", and has one of the words in its last path component.
 [[nodiscard]] std::vector<std::string> libraryNames(const std::string &path,
                                                     const std::vector<std::string_view> &words);
 

@@ -14,7 +14,8 @@ void issueStateText(const fp::nvparse::Text &text);
 /// Disables register combiners and texture shaders.
 void disableStateTexts();
 
-/// Sets a constant color, matrix, scale or eye vector. \param parameter its env parameter
+/// Sets a constant color, matrix, scale or eye vector.
+/// \param parameter its env parameter
 void giveStateValue(int parameter, const fp::ir::Vec4 &value);
 
 } // namespace arbiter::tools

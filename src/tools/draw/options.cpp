@@ -29,7 +29,8 @@ Panel &panelOf(Drawing &drawing) {
   return document.files[std::size_t(document.passes.front().panel)].panel;
 }
 
-/// Each function below applies one option. \returns an empty string, or a complaint.
+/// Each function below applies one option.
+/// \returns an empty string, or a complaint.
 std::string applySize(const std::string &text, Panel &panel) {
   const std::size_t mark = text.find('x');
   int width = 0, height = 0;

@@ -12,7 +12,8 @@ public:
   Surface &operator=(const Surface &) = delete;
   ~Surface();
 
-  /// Opens the display and makes the context current. \returns the step that failed, or nullptr.
+  /// Opens the display and makes the context current.
+  /// \returns the step that failed, or nullptr.
   const char *open(int width, int height);
 
 private:

@@ -22,7 +22,8 @@ struct LayerFiles {
 };
 
 /// Finds the layer beside the executable in a build tree (../interposer), or else in the
-/// installation. \param library an explicit path of the preload library, or empty
+/// installation.
+/// \param library an explicit path of the preload library, or empty
 [[nodiscard]] Result<LayerFiles, LaunchError> findLayer(const std::string &library);
 
 struct Assignment {

@@ -56,8 +56,8 @@ struct Refusal {
 /// Returns a DocumentSymbol[] of the declarations, aliases and ATI passes.
 [[nodiscard]] Json documentSymbols(const View &view);
 
-/// Returns an InlayHint[] for the lines that overlap the span: each line's cost on the profile's
-/// card, and in the header line the program's use of each resource.
+/// Returns an InlayHint[] for the lines that overlap the span. A hint shows the line's cost on the
+/// profile's card; the header line's hint shows the program's use of each resource.
 [[nodiscard]] Json inlayHints(const View &view, fp::Span span);
 
 /// Returns the legend of token types and modifiers.

@@ -32,8 +32,8 @@ public:
   /// \param profiles from the command line; a client's settings may select another
   Server(Transport &transport, ProfileChoice profiles);
 
-  /// Serves until `exit` or the end of the input. \returns the exit code: 0 after `shutdown`, else
-  /// 1.
+  /// Serves until `exit` or the end of the input.
+  /// \returns the exit code: 0 after `shutdown`, else 1.
   [[nodiscard]] int run();
 
 private:

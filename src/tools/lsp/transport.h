@@ -23,7 +23,8 @@ public:
   [[nodiscard]] Read read(std::string &body);
   /// True if read() can start without waiting.
   [[nodiscard]] bool pending() const;
-  /// Writes a message. \returns false if the client has closed the connection.
+  /// Writes a message.
+  /// \returns false if the client has closed the connection.
   bool write(std::string_view body);
 
 private:

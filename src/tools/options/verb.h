@@ -51,7 +51,8 @@ class Verb {
 public:
   Verb(CLI::App &app, const std::string &name, const std::string &help);
 
-  /// Adds an option or an operand. \param names "-o,--output"; an operand has no dash
+  /// Adds an option or an operand.
+  /// \param names "-o,--output"; an operand has no dash
   Option option(const std::string &names, std::string &value, const std::string &help);
   Option option(const std::string &names, std::vector<std::string> &values,
                 const std::string &help);

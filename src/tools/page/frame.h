@@ -16,7 +16,8 @@ struct Column {
   const char *hint = ""; ///< a sentence about the column; may be empty
 };
 
-/// Returns the start of the page. \param title plain text
+/// Returns the start of the page.
+/// \param title plain text
 [[nodiscard]] std::string pageHead(std::string_view title);
 
 /// Returns the filter and the start of the table, up to its first row. A row's first cell links to

@@ -45,7 +45,8 @@ std::string_view reference(char c) {
   }
 }
 
-/// Escapes text as HTML. \param before, after written around an unprintable byte's code
+/// Escapes text as HTML.
+/// \param before, after written around an unprintable byte's code
 std::string escape(std::string_view text, std::string_view before, std::string_view after) {
   std::string html;
   html.reserve(text.size());

@@ -28,7 +28,8 @@ namespace arbiter::tools {
 [[nodiscard]] std::vector<std::string_view> linesOf(std::string_view text);
 
 /// Returns the indentation of a caret under a column: a tab for each tab before it, a space for
-/// each other character. \param column 1-based, in bytes
+/// each other character.
+/// \param column 1-based, in bytes
 [[nodiscard]] std::string caretIndent(std::string_view line, std::uint32_t column);
 
 } // namespace arbiter::tools

@@ -1,6 +1,6 @@
 "use strict";
-// Sorts and filters the table of programs, and opens what a link leads to. The page's address holds
-// the state: #sort=-cycles&filter=water&status=invalid&open=all.
+// Sorts and filters the table of programs, and opens the sections that links lead to. The page's
+// address holds the state: #sort=-cycles&filter=water&status=invalid&open=all.
 (() => {
   const table = document.getElementById("programs");
   const body = table.tBodies[0];
@@ -83,7 +83,7 @@
     history.replaceState(null, "", "#" + state);
   }
 
-  /** A hash with "=" is a state of the table; any other names what to show. */
+  /** Follows the address. A hash with "=" is a state of the table; any other is the id to show. */
   function followAddress() {
     const hash = decodeURIComponent(location.hash.slice(1));
     if (location.hash.includes("=")) {

@@ -67,7 +67,8 @@ Json countsJson(const fp::ResourceCounts &counts) {
   return object;
 }
 
-/// Adds diagnostics and counts of every file. \returns true if there are no errors
+/// Adds diagnostics and counts of every file.
+/// \returns true if there are no errors
 bool checkAll(const scene::Document &document, Json &diagnostics, Json &programs) {
   bool ok = true;
   for (std::size_t i = 0; i < document.files.size(); ++i) {

@@ -24,7 +24,8 @@ namespace arbiter::tools {
 
 /// Returns a folded section about the program: gauges, reasons, nodes, chain, cycles, source with
 /// costs and diagnostics, and disassembly. A captured program also has its parameters and textures.
-/// Parts that the NativeReport lacks are left out. \param index of the program in `set`
+/// Parts that the NativeReport lacks are left out.
+/// \param index of the program in `set`
 [[nodiscard]] std::string programSection(const ProgramSet &set, std::size_t index);
 
 } // namespace arbiter::tools

@@ -54,7 +54,8 @@ public:
   explicit Writer(const Subject &subject)
       : m_subject(subject), m_draft(subject), m_name(subject.fresh("pair")) {}
 
-  /// Returns the proposal. \param swapped true if the second chain becomes x
+  /// Returns the proposal.
+  /// \param swapped true if the second chain becomes x
   std::optional<Proposal> write(const Steps &steps, bool swapped) {
     m_swapped = swapped;
     for (const Step &step : steps)

@@ -71,7 +71,8 @@ class Functions {
 public:
   explicit Functions(const Subject &subject) : m_subject(subject), m_of(subject.size()) {}
 
-  /// Follows one scalar through the program. \returns the instructions that are functions of it.
+  /// Follows one scalar through the program.
+  /// \returns the instructions that are functions of it.
   std::vector<std::uint32_t> of(const Scalar &scalar) {
     std::vector<std::uint32_t> found;
     std::fill(m_of.begin(), m_of.end(), false);

@@ -14,7 +14,8 @@ namespace arbiter::tools::debug {
 /// stored in the opposite order, so that the last bits of its depths and colors can differ.
 class DocumentSubject : public Subject {
 public:
-  /// \param pass from 0 \param frame from 0
+  /// \param pass from 0
+  /// \param frame from 0
   DocumentSubject(scene::Document document, std::size_t pass, int frame)
       : m_document(std::move(document)), m_pass(pass), m_frame(frame) {}
 
