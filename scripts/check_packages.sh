@@ -18,22 +18,26 @@ if [[ -z ${ARBITER_CHECK_INSIDE:-} ]]; then
     env ARBITER_CHECK_INSIDE=1 "$root/scripts/check_packages.sh" "$packages"
 fi
 
-debs() { find "$packages" -maxdepth 1 -name "*_$1.deb" ! -name '*-dbgsym_*' | sort; }
+debs() { find "$packages" -maxdepth 1 -name "*_$1.deb" | sort; }
 [[ -n $(debs "$(dpkg --print-architecture)") ]] || fail "$packages has no packages; ./dev package builds them"
 native=$(dpkg --print-architecture)
 architectures=$native
 [[ $native == amd64 ]] && architectures=amd64,i386
 
+# The record of a build names packages that lie beside it.
 step "lintian"
-find "$packages" -maxdepth 1 -name '*.changes' -exec \
-  lintian --allow-root --info --fail-on error,warning {} +
+mkdir -p "$work"
+rm -rf --one-file-system "$work/lintian"
+mkdir "$work/lintian"
+find "$packages" -maxdepth 2 -type f -exec cp -t "$work/lintian" {} +
+lintian --allow-root --info --fail-on error,warning "$work"/lintian/*.changes
+rm -r "$work/lintian"
 
 # The bare system is kept; a check starts from a copy of it. The main archive alone: all packages of
 # two architectures must have one version, and another archive's may be newer in one of them.
 step "a clean $suite"
 base=$work/base-${architectures/,/-}.tar
 if [[ ! -f $base ]]; then
-  mkdir -p "$work"
   mmdebstrap --quiet --format=tar --variant=minbase --architectures="$architectures" "$suite" "$base.part" \
     "deb http://deb.debian.org/debian $suite main"
   mv "$base.part" "$base"

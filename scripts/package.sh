@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Debian packages of this tree, of the files that git knows, as they stand.
-# usage: scripts/package.sh [ARCHITECTURE]     out/packages has those of this machine's, or of another
+# usage: scripts/package.sh [ARCHITECTURE]     out/packages has those of this machine's, or of another;
+#                                              out/packages/debug what a debugger reads
 #
 # Another architecture whose programs this processor runs (i386 beside amd64) has a Debian of its own in
 # build-package, which they are built in; nothing of the running system is changed. They are the libraries
@@ -58,6 +59,11 @@ if [[ $architecture == "$native" ]]; then
 else
   as_root "$root/scripts/package_in_chroot.sh" "$architecture" "$work"
 fi
-mkdir -p "$out/packages"
-rm -f "$out"/packages/*_"$architecture".*
-cp "$work"/*.deb "$work"/*.changes "$work"/*.buildinfo "$out/packages/"
+# What is installed lies apart from a debugger's files, and from the records of the build, which name both.
+packages=$out/packages debug=$out/packages/debug
+mkdir -p "$debug"
+rm -f "$packages"/*_"$architecture".* "$debug"/*_"$architecture".*
+cp "$work"/*.changes "$work"/*.buildinfo "$debug/"
+for file in "$work"/*.deb; do
+  if [[ $file == *-dbgsym_* ]]; then cp "$file" "$debug/"; else cp "$file" "$packages/"; fi
+done

@@ -31,18 +31,18 @@ class Option:
     def __init__(self, head, text):
         names, _, rest = head.partition(' ')
         self.names, self.text = names.split(','), text
-        self.choices = re.search(r'\{([^}]*)\}', rest)
-        self.default = re.search(r'(?:^\w+|\})=(\S+)', rest)
-        self.needs = re.search(r'Needs: (.*?)(?: Excludes:|$)', rest)
-        self.excludes = re.search(r'Excludes: (.*)$', rest)
-        self.value = rest.startswith(('TEXT', 'INT', 'UINT', 'FLOAT'))
+        self.value, _, parts = rest.partition('(')
+        self.value = self.value.strip()
+        self.choices = re.fullmatch(r'\{([^}]*)\}(?: or FILE)?', self.value)
+        self.default = re.search(r'by default ([^;)]+)', parts)
+        self.needs = re.search(r'needs ([^;)]+)', parts)
+        self.excludes = re.search(r'not with ([^;)]+)', parts)
 
     def placeholder(self):
         if self.choices:
-            return '|'.join(f'\\fB{roff(word)}\\fP' for word in self.choices.group(1).split(','))
-        said = re.match(r'([A-Z][\w@,=]*): ', self.text)
-        name = said.group(1) if said else max(self.names, key=len).lstrip('-').split('-')[-1].upper()
-        return f'\\fI{name}\\fP'
+            words = '|'.join(f'\\fB{roff(word)}\\fP' for word in self.choices.group(1).split(','))
+            return words + ('|\\fIFILE\\fP' if self.value.endswith('FILE') else '')
+        return f'\\fI{self.value}\\fP'
 
     def page(self):
         head = ', '.join(f'\\fB{roff(name)}\\fP' for name in self.names)

@@ -11,14 +11,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of the window's executable: beside this command if installed, or in the build
-/// tree.
-std::string findWindow() {
+/// The folder of the command itself.
+fs::path ownFolder() {
   std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  if (error)
-    return {};
-  const fs::path here = self.parent_path();
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+/// Beside the command, as installed; or where a build tree has it.
+std::string findWindow(const fs::path &here) {
+  std::error_code error;
   for (const fs::path &place :
        {here / "arbiter-builder", here.parent_path() / "builder" / "view" / "arbiter-builder"})
     if (fs::exists(place, error))
@@ -26,13 +27,23 @@ std::string findWindow() {
   return {};
 }
 
+/// Says what to install, where there is no window.
+std::string remedy(const fs::path &here) {
+  std::error_code error;
+  if (fs::exists(here.parent_path().parent_path() / "build.ninja", error))
+    return "this build is without the window: install qt6-base-dev and qt6-base-dev-tools, then "
+           "meson setup --reconfigure " +
+           here.parent_path().parent_path().string();
+  return "the window is not installed: it is in the package arbiter-builder";
+}
+
 } // namespace
 
 int builder(const BuilderArguments &arguments) {
-  const std::string window = findWindow();
+  const fs::path here = ownFolder();
+  const std::string window = findWindow(here);
   if (window.empty()) {
-    complain("arbiter-builder is not installed beside this command; it is built where Qt 6 is "
-             "(qt6-base-dev)");
+    complain(remedy(here));
     return kExitUsage;
   }
   if (const auto path = documentPath(arguments.document); !path) {

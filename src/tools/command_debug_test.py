@@ -8,7 +8,7 @@ import random
 
 import command_session
 from command_draw_test import read_png
-from command_session import BAD, ROOT, VERTEX, Temporary, arbiter
+from command_session import BAD, ROOT, VERTEX, Temporary, arbiter, on_terminal
 
 GALLERY = ROOT / 'demos' / 'gallery'
 PANEL = '#@ size 16 8, mesh quad, camera none\n#@ texture 0 = clouds 64 64, linear, repeat\n'
@@ -137,12 +137,15 @@ class Debug(Temporary):
     def test_watch(self):
         document = self.path('simple.fp', SIMPLE)
         picture = self.path('watch.png')
-        self.debug(document, '--watch', 'fragment.texcoord[0]@6', '-o', picture)
+        text = self.debug(document, '--watch', 'fragment.texcoord[0]@6', '-o', picture)
+        self.assertEqual(text.splitlines()[-1], f'{picture}: fragment.texcoord[0]@6, written')
         width, height, rows = read_png(picture)
         self.assertEqual((width, height), (16, 8))
         self.assertEqual(list(rows[0][:4]), [round(255 * 0.5 / 16), round(255 * 7.5 / 8), 0, 255])
         self.debug(document, '--watch', 'a@7', '--range', '0,0.5', '-o', picture)
-        value = self.trace(document)['rows'][1]['value']
+        trace = self.trace(document, '--watch', 'a@7', '-o', self.path('other.png'))
+        self.assertEqual(trace['watch'], {'value': 'a@7', 'file': str(self.path('other.png'))})
+        value = trace['rows'][1]['value']
         _, _, rows = read_png(picture)
         for drawn, wanted in zip(rows[8 - 1 - 3][20:23], value):
             self.assertAlmostEqual(drawn, min(255, max(0, wanted * 2 * 255)), delta=0.51)
@@ -244,12 +247,20 @@ class Debug(Temporary):
                 (('--pixel', '1,1', '--watch', 'a@6'), 1, '--output'),
                 (('--pixel', '1,1', '--watch', 'a@6', '-o', '/nowhere/x.png'), 1, '/nowhere'),
                 (('--pixel', '1,1', '--range', '1,0', '--watch', 'a@6', '-o', png), 1, 'LOW,HIGH'),
-                (('--pixel', '1,1', '--against', 'none.fp'), 1, 'none.fp'),
+                (('--pixel', '1,1', '--line', '170'), 1, f'--line 170: {document} has 8 lines'),
+                (('--pixel', '1,1', '--line', '9'), 1, 'has 8 lines'),
+                (('--pixel', '1,1', '--against', 'none.fp'), 1,
+                 'none.fp: expected swrast, host, bare, fp24 or a file'),
                 (('--pixel', '1,1', '--profile', 'none'), 1, 'none')):
             result = arbiter('debug', document, *options)
             self.assertEqual(result.returncode, status, (options, result.stderr))
             self.assertIn(words, result.stderr, options)
-        self.assertIn('bad.fp:3:', self.debug(self.path('bad.fp', BAD), status=2))
+        self.assertEqual(arbiter('debug', document, '--pixel', '1,1', '--line', '8').returncode, 0)
+        bad = self.path('bad.fp', BAD)
+        self.assertIn('bad.fp:3:', self.debug(bad, status=2))
+        seen = on_terminal('debug', bad, '--pixel', '1,1')
+        self.assertIn(f'\x1b[1m{bad}:3:19:\x1b[0m \x1b[1;31merror:\x1b[0m', seen)
+        self.assertIn('\x1b[1;31m                  ^\x1b[0m\n', seen)
         self.assertIn('no fragment program', self.debug(self.path('v.vp', VERTEX), status=1))
         small = self.path('small.fp', SIMPLE.replace('mesh quad', 'mesh quad scale 0.25'))
         self.assertIn('covers this pixel', self.debug(small, pixel='0,0', status=1))

@@ -106,7 +106,7 @@ class Draw(Temporary):
                                       'MOV result.color, program.local[3];\nEND\n')
         for words in ((vertex,), ('--mesh', 'grid', '-', vertex)):
             local = ('--local', ('vp:' if '-' in words else '') + '3=0,1,0,1')
-            result = arbiter('draw', *self.words, '--size', '8x4', *local, *words, '-o',
+            result = arbiter('draw', *self.words, '--size', '8x4', '--opaque', *local, *words, '-o',
                              self.path('out.png'), text=GOOD)
             self.assertEqual((result.returncode, result.stderr), (0, ''))
             _, _, rows = read_png(self.path('out.png'))
@@ -127,6 +127,44 @@ class Draw(Temporary):
         self.assertEqual(rows[0][:3], b'\0\0\0')
         middle = rows[8][4 * 8:4 * 8 + 3]
         self.assertTrue(abs(middle[0] - 128) < 12 and abs(middle[1] - 128) < 12, list(middle))
+
+    def test_alpha_that_viewers_mix_is_said(self):
+        text = '!!ARBfp1.0\nMOV result.color, {1, 0.2, 0, 0.4};\nEND\n'
+        said = (f'arbiter draw: {self.path("out.png")}: alpha is not 1 everywhere, and viewers mix such pixels with '
+                'a background; --opaque writes 1\n')
+        for options, stderr, alpha in (((), said, 102), (('--opaque',), '', 255)):
+            result = self.draw(text, *options)
+            self.assertEqual((result.returncode, result.stderr), (0, stderr))
+            _, _, rows = read_png(self.output)
+            self.assertEqual(set(zip(*[iter(rows[0])] * 4)), {(255, 51, 0, alpha)}, options)
+        self.assertEqual(self.draw(text.replace('0.4', '1')).stderr, '')
+
+    def test_images_by_a_word(self):
+        sampling = '!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[0], 2D;\nEND\n'
+        seen = {word: self.pixels(sampling, '--texture', f'0={word}', size='16x16')[2]
+                for word in ('checker', 'clouds', 'landscape', 'bricks')}
+        self.assertEqual(len({b''.join(rows) for rows in seen.values()}), len(seen))
+        document = self.path('document.fp', sampling.replace('\n', '\n#@ texture 0 = landscape\n', 1))
+        result = arbiter('draw', *self.words, '--size', '16x16', document, '-o', self.path('out.png'))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(read_png(self.path('out.png'))[2], seen['landscape'])
+        for word, said in (('landscap', 'there is no such file; did you mean landscape?'),
+                           ('sky', 'a document alone can have that image: #@ texture N = sky'),
+                           ('qqq', 'there is no such file, and no such word; words are constant, checker, ')):
+            result = self.draw(sampling, '--texture', f'0={word}')
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(f'arbiter draw: --texture 0={word}: {said}', result.stderr)
+
+    def test_a_picture_among_the_programs(self):
+        program, picture = self.path('a.fp', GOOD), self.path('b.png')
+        for there in (False, True):
+            if there:
+                picture.write_bytes(b'old')
+            result = arbiter('draw', *self.words, program, picture)
+            self.assertEqual((result.returncode, result.stderr),
+                             (1, f'arbiter draw: {picture} is no program: -o {picture} writes the picture there, '
+                                 f'--texture N={picture} reads it\n'))
+        self.assertEqual(picture.read_bytes(), b'old')
 
     def test_what_has_no_effect_is_an_error(self):
         sampling = '!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[0], {};\nEND\n'

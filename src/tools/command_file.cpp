@@ -58,11 +58,17 @@ std::vector<std::string> interpreterOf(const std::string &path) {
 
 } // namespace
 
-CommandFile findCommand(std::vector<std::string> words) {
+CommandFile findCommand(std::vector<std::string> words, std::span<const std::string_view> further) {
   CommandFile command;
   command.words = std::move(words);
-  const std::string &word = command.words.front();
+  std::string &word = command.words.front();
   command.found = lookUp(word);
+  for (const std::string_view folder : further)
+    if (const fs::path file = fs::path(folder) / word;
+        command.found.empty() && isExecutable(file)) {
+      command.found = word = file;
+      command.isBeyondPath = true;
+    }
   std::error_code error;
   if (command.found.empty() || !fs::exists(command.found, error)) {
     command.found.clear();

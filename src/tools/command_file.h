@@ -1,5 +1,7 @@
 #pragma once
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "util/defaults/program.h"
@@ -8,16 +10,20 @@
 namespace arbiter::tools {
 
 struct CommandFile {
-  std::vector<std::string> words; ///< the command line
-  std::string found;              ///< the file, as a shell finds it; empty: none
-  std::string path;               ///< `found` with symbolic links resolved
+  std::vector<std::string> words; ///< the command line; beyond PATH the file is its first word
+  std::string found;              ///< the file, as a shell finds it; empty: there is none
+  std::string path;               ///< the same without symbolic links
   std::string problem;            ///< why it cannot be executed; empty: it can
-  /// The interpreter and its option in a script's "#!" line; empty for other files.
+  bool isBeyondPath = false;      ///< in a folder that PATH does not have
+  /// Of a script the words of its first line behind "#!": the interpreter, and its option.
   std::vector<std::string> interpreter;
 };
 
-/// Looks up the command's first word; searches PATH if it has no slash.
-[[nodiscard]] CommandFile findCommand(std::vector<std::string> words);
+/// Looks the command's first word up, in PATH where it has no slash.
+/// \param words not empty
+/// \param further folders, for what is not in PATH
+[[nodiscard]] CommandFile findCommand(std::vector<std::string> words,
+                                      std::span<const std::string_view> further = {});
 
 /// Returns the facts that identify the command's process (util/defaults/program.h). A script is
 /// identified by its interpreter, unless it starts Wine.

@@ -146,6 +146,11 @@ class Run(Temporary):
             seen = arbiter(*words)
             self.assertEqual((seen.returncode, seen.stdout), (1, ''))
             self.assertIn('no process that was killed left a record of', seen.stderr)
+        seen = arbiter('stats', self.path('a.json'), self.path('b.json'))
+        self.assertEqual(seen.returncode, 1)
+        self.assertRegex(seen.stderr, r'record of \S+/a\.json\n.*record of \S+/b\.json\n')
+        seen = arbiter('stats', self.path('a.json'), self.path('none/b.json'))
+        self.assertEqual(seen.stderr, f'arbiter stats: {self.path("none/b.json")}: no such folder\n')
 
 
 class Capture(Temporary):

@@ -5,6 +5,7 @@ does nothing when it is preloaded.
 """
 import os
 import pathlib
+import pty
 import subprocess
 import sys
 import tempfile
@@ -25,6 +26,25 @@ def arbiter(*words, text=None, **environment):
     return subprocess.run([ARBITER, *map(str, words)], input=text, capture_output=True,
                           env=plain(**environment), timeout=60,
                           text=not isinstance(text, bytes))
+
+
+def on_terminal(*words, **environment):
+    """What a terminal gets that is standard output and standard error, without its CR before LF."""
+    terminal, client = pty.openpty()
+    with subprocess.Popen([ARBITER, *map(str, words)], stdin=subprocess.DEVNULL, stdout=client, stderr=client,
+                          env=plain(TERM='xterm', **environment)):
+        os.close(client)
+        seen = b''
+        while True:
+            try:
+                piece = os.read(terminal, 65536)
+            except OSError:  # Linux: the other side is closed
+                piece = b''
+            if not piece:
+                break
+            seen += piece
+    os.close(terminal)
+    return seen.decode().replace('\r\n', '\n')
 
 
 def alu(count):

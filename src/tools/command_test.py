@@ -7,11 +7,14 @@ import json
 import os
 import pathlib
 import re
+import shutil
+import subprocess
+import tempfile
 import tomllib
 import unittest
 
 import command_session
-from command_session import BAD, GOOD, ROOT, VERTEX, Temporary, arbiter
+from command_session import ARBITER, BAD, GOOD, ROOT, VERTEX, Temporary, arbiter, on_terminal
 
 
 class Compile(Temporary):
@@ -235,10 +238,53 @@ class Whole(unittest.TestCase):
         self.assertEqual(arbiter('help', 'chek').stderr,
                          'arbiter: no verb chek; did you mean check? (arbiter --help)\n')
 
+    def test_help_is_in_own_words(self):
+        """None of CLI11's for what an option takes."""
+        names = re.findall(r'^  ([a-z]+)  ', arbiter('--help').stdout.partition('Subcommands:')[2], re.M)
+        for name in names:
+            text = arbiter(name, '--help').stdout
+            self.assertNotRegex(text, r'\b(TEXT|INT|FLOAT|REQUIRED)\b|Needs:|Excludes:', name)
+        text = re.sub(r'\s+', ' ', arbiter('debug', '--help').stdout)
+        for words in ('Usage: arbiter debug [OPTIONS] FILE ', ' FILE a document: ',
+                      ' --pixel X,Y (required) the pixel; ', ' --pass N (1 to 16; by default 1) which ', ' --line N (1 or more) run to ',
+                      ' --against {swrast,host,bare,fp24} or FILE (by default swrast) ',
+                      ' --range LOW,HIGH (by default 0,1; needs --watch) values of ', ' --json the whole'):
+            self.assertIn(words, text)
+        self.assertIn('Usage: arbiter draw [OPTIONS] FILE...\n', arbiter('draw', '--help').stdout)
+
+    def test_advice_has_colours_on_a_terminal(self):
+        text = ('!!ARBfp1.0\nTEMP t;\nMUL t, fragment.color, 3.0;\nMAX t, t, 0.0;\n'
+                'MIN result.color, t, 1.0;\nEND\n')
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / 'a.fp'
+            path.write_text(text)
+            place = f'\x1b[1m{path}:4:1:\x1b[0m \x1b[1;36mnote:\x1b[0m MAX and MIN clamp'
+            for options in ((), ('--brief',)):
+                seen = on_terminal('check', '--profile', 'r300', '--advise', *options, path)
+                self.assertIn(place, seen)
+            self.assertIn('\x1b[1;36m  ^~~~', on_terminal('check', '--profile', 'r300', '--advise', path))
+
+    def test_a_window_that_is_not_there(self):
+        with tempfile.TemporaryDirectory() as folder:
+            tree = pathlib.Path(folder)
+            for place, said in (('bin', 'the window is not installed: it is in the package arbiter-builder'),
+                                ('src/tools', 'this build is without the window: install qt6-base-dev')):
+                (tree / place).mkdir(parents=True)
+                shutil.copy(ARBITER, tree / place / 'arbiter')
+                result = subprocess.run([tree / place / 'arbiter', 'builder'], capture_output=True, text=True)
+                self.assertEqual(result.returncode, 1)
+                self.assertTrue(result.stderr.startswith('arbiter builder: ' + said), result.stderr)
+                (tree / 'build.ninja').write_text('')
+
     def test_one_voice(self):
         """A complaint names the command, the fault, what was expected, and how to get help."""
         rows = {
             'chek a.fp': 'arbiter: no verb chek; did you mean check? (arbiter --help)',
+            'che a.fp': 'arbiter: no verb che; did you mean check? (arbiter --help)',
+            'c a.fp': 'arbiter: no verb c (arbiter --help)',
+            'check --adv -': 'arbiter check: no option --adv; did you mean --advise? (arbiter check --help)',
+            'debug --pixel 1,1 --line 0 -': 'arbiter debug: --line 0: expected a whole number, 1 or more '
+                                            '(arbiter debug --help)',
             '--jsn check': 'arbiter: no option --jsn; did you mean --json? (arbiter --help)',
             'check': 'arbiter check: FILE is missing: expected program texts, each with one program or several '
                      '(arbiter check --help)',

@@ -53,6 +53,8 @@ FILES = {
     'good.vp': '!!ARBvp1.0\nMOV result.position, vertex.position;\n'
                'MUL result.color, vertex.color, program.local[1];\nEND\n',
     'good.atifs': '!!ATIfs1.0\nStartOutputPass;\nSampleMap r0, t0.str;\nMUL r0, r0, color0;\nEndPass;\n',
+    'good.nvrc': '!!RC1.0\nconst0 = (1, 0.5, 0, 1);\n{ rgb { spare0 = col0 * const0; } }\nout.rgb = spare0;\n',
+    'good.nvts': '!!TS1.0\ntexture_2d();\ndependent_ar(tex0);\n',
     'two.vp': '!!ARBvp1.0\nADDRESS a, b;\nPARAM p[2] = { program.env[0..1] };\n'
               'ARL a.x, vertex.color.x;\nARL b.x, vertex.color.y;\n'
               'ADD result.position, p[a.x], p[b.x];\nEND\n',
@@ -115,7 +117,7 @@ OPERANDS = {
               ['huge.fp'], ['huge.vp'], ['.'], ['none.fp'], ['good.fp', 'dependent.fp'],
               ['good.vp', 'long.fp'], ['good.fp', 'huge.fp'], ['naive.fp']],
     'compile': [['good.fp'], ['long.fp'], ['infinite.fp'], ['wasteful.fp'], ['bad.fp'], ['good.vp'],
-                ['two.vp'], ['good.atifs']],
+                ['two.vp'], ['good.atifs'], ['good.nvrc'], ['good.nvts']],
     'draw': [['good.fp'], ['good.vp', 'dependent.fp'], ['bad.fp']],
     'debug': [['good.fp'], ['bad.fp']],
     'run': [[], ['--', 'true'], ['--', './none']],
@@ -167,11 +169,11 @@ class Verb:
             name = next(each for each in names if each.startswith('--'))
             if name in ('--help', '--help-all'):
                 continue
-            if not rest.startswith(('TEXT', 'INT', 'UINT', 'FLOAT')):
+            if not rest or rest.startswith('('):
                 yield Option(name)
                 continue
-            choices = re.search(r'\{([^}]*)\}', rest)
-            default = re.search(r'(?:=|\[)([\w-]+)\]?(?: |$)', rest.split('}')[-1])
+            choices = re.match(r'\{([^}]*)\}', rest)
+            default = re.search(r'by default ([\w-]+)', rest)
             if choices:
                 values = [each for each in choices.group(1).split(',')
                           if not default or each != default.group(1)]

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "tools/commands.h"
+#include "tools/doctor/finding.h"
 #include "tools/input.h"
 #include "tools/launch/launch.h"
 #include "tools/launch/supervise.h"
@@ -51,6 +52,7 @@ int run(const RunArguments &arguments) {
       std::printf("export %s=%s\n", assignment.name.c_str(), shellQuoted(assignment.value).c_str());
     return kExitOk;
   }
+  doctor::sayWhatIsInTheWay(arguments.command, files.value());
   const std::string records = recordPattern(environment.value());
   if (records.empty())
     return execute(environment.value(), arguments.command);

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 
 #include "tools/commands.h"
 #include "tools/input.h"
@@ -8,25 +9,47 @@
 
 namespace arbiter::tools {
 
-int stats(const StatsArguments &arguments) {
+namespace {
+
+/// Makes the statistics of one FILE. \returns how many; below 0: it was complained of
+int makeOf(const std::string &file) {
   std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::absolute(arguments.file, error);
+  const std::filesystem::path absolute = std::filesystem::absolute(file, error);
   if (error || !std::filesystem::is_directory(absolute.parent_path(), error)) {
-    complain(arguments.file + ": no such folder");
+    complain(file + ": no such folder");
+    return -1;
+  }
+  return completeRecords(absolute.lexically_normal());
+}
+
+void print(const std::vector<std::string> &files, const std::vector<int> &made, int all) {
+  JsonWriter json;
+  json.beginObject().key("schema").value(1).key("file").value(files.front());
+  json.key("made").value(all).key("files").beginArray();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    json.beginObject().key("file").value(files[i]).key("made").value(made[i]).endObject();
+  std::fputs(json.endArray().endObject().take().c_str(), stdout);
+}
+
+} // namespace
+
+int stats(const StatsArguments &arguments) {
+  std::vector<int> made;
+  for (const std::string &file : arguments.files) {
+    made.push_back(makeOf(file));
+    if (made.back() < 0)
+      return kExitUsage;
+  }
+  const int all = std::accumulate(made.begin(), made.end(), 0);
+  if (all == 0) {
+    for (const std::string &file : arguments.files)
+      complain("no process that was killed left a record of " + file);
     return kExitUsage;
   }
-  const int made = completeRecords(absolute.lexically_normal());
-  if (made == 0) {
-    complain("no process that was killed left a record of " + arguments.file);
-    return kExitUsage;
-  }
-  if (arguments.json) {
-    JsonWriter json;
-    json.beginObject().key("schema").value(1).key("file").value(arguments.file);
-    std::fputs(json.key("made").value(made).endObject().take().c_str(), stdout);
-  } else {
-    std::printf("%d\n", made);
-  }
+  if (arguments.json)
+    print(arguments.files, made, all);
+  else
+    std::printf("%d\n", all);
   return kExitOk;
 }
 

@@ -42,6 +42,7 @@ class States(Controlled):
             self.assertEqual([row[name] for name in ('objects', 'bound', 'effective', 'edited', 'enabled')],
                              [self.objects, True, True, False, True])
             self.assertEqual(row['counts']['alu_instructions'], 1)
+            self.assertGreater(row['draws'], 0, row)
             text = self.ctl('get', row['id']).stdout
             self.assertTrue(text.startswith(begins), text)
             (self.folder / row['id']).write_text(text)

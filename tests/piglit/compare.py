@@ -26,7 +26,19 @@ import results
 import run as piglit
 import sharding
 
+NEED_DISPLAY = ("glx", "x11_egl", "mixed_glx_egl")
 SOURCES = ("include", "src", "tests/piglit")  # what a result depends on
+
+
+def lacking(platform, layer, environment):
+    """Says what a run lacks, or returns None.
+
+    layer: the layer's library; None for the bare host alone"""
+    if layer and not layer.is_file():
+        return "%s is not there: ./dev build makes it, --build names its folder" % layer
+    if platform in NEED_DISPLAY and not environment.get("DISPLAY"):
+        return "DISPLAY is not set: xvfb-run starts a display, --platform surfaceless_egl needs none"
+    return None
 
 
 def layer_is_active(layer, library, folder, platform):
@@ -121,6 +133,10 @@ def command(args):
 
 def run_shard(args, tests, shard):
     """(content, seconds) of the shard's part of the tests; None where the layer is not there."""
+    lack = lacking(args.platform, args.layer, os.environ)
+    if lack:
+        print(lack, file=sys.stderr)
+        return None
     tests = {name: profile for name, profile in tests.items() if shard.has(name)}
 
     def run_bare(some, name="bare-again"):
@@ -146,7 +162,11 @@ def run_shard(args, tests, shard):
 
 def main():
     args = arguments()
-    tests = profiles.select(args.set)
+    try:
+        tests = profiles.select(args.set)
+    except FileNotFoundError as error:
+        print(error, file=sys.stderr)
+        return 2
     if args.tests:
         tests = {n: p for n, p in tests.items() if any(part in n for part in args.tests)}
     if not tests:
@@ -154,6 +174,10 @@ def main():
         return 2
     args.work.mkdir(parents=True, exist_ok=True)
     if args.bare_only:
+        lack = lacking(args.platform, None, os.environ)
+        if lack:
+            print(lack, file=sys.stderr)
+            return 2
         bare = piglit.run(tests, args.work / "bare", piglit.environment(), args.jobs, args.platform)
         print("bare host: %s" % dict(collections.Counter(bare.values())))
         return 0

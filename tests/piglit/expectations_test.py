@@ -1,12 +1,27 @@
 #!/usr/bin/env python3
 """Tests of the comparison itself: that a worse result fails, and that its excuses are held to."""
 
+import pathlib
 import unittest
 
 import compare
 import expectations
 import run as piglit
 import table
+
+
+class Lacking(unittest.TestCase):
+    HERE, NONE = pathlib.Path(__file__), pathlib.Path("/none/libGLX_arbiter.so.0")
+
+    def test_a_build_that_is_not_there_is_named(self):
+        said = compare.lacking("glx", self.NONE, {"DISPLAY": ":1"})
+        self.assertIn("/none/libGLX_arbiter.so.0 is not there: ./dev build", said)
+
+    def test_a_display_is_asked_for_where_one_is_needed(self):
+        for platform in compare.NEED_DISPLAY:
+            self.assertIn("DISPLAY is not set", compare.lacking(platform, None, {}))
+            self.assertIsNone(compare.lacking(platform, self.HERE, {"DISPLAY": ":1"}))
+        self.assertIsNone(compare.lacking("surfaceless_egl", self.HERE, {}))
 
 
 class Expectations(unittest.TestCase):

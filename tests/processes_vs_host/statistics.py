@@ -110,7 +110,8 @@ def without_run(c):
     code = subprocess.run(c.foreign("sigkill"), env=env, timeout=TIMEOUT).returncode
     need(code == -signal.SIGKILL, f"ended as {code}")
     need(not c.stats.exists() and list(c.scratch.glob("*.running")), "nothing was left to be completed")
-    made = subprocess.run([c.build / "src/tools/arbiter", "stats", c.stats], capture_output=True, text=True)
+    made = subprocess.run([c.build / "src/tools/arbiter", "stats", c.scratch / "none.json", c.stats],
+                          capture_output=True, text=True)
     need(made.returncode == 0 and made.stdout == "1\n", f"arbiter stats: {made}")
     c.report()
     again = subprocess.run([c.build / "src/tools/arbiter", "stats", c.stats], capture_output=True, text=True)

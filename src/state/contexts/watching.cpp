@@ -71,8 +71,12 @@ void beforeDraw(Context &context) {
   if (!session || !session->isBusy()) [[likely]] // the common case
     return;
   session->noteActivity(false);
-  if (!session->endsFrames() && isOpen(context))
-    session->serve(context);
+  if (session->endsFrames() || !isOpen(context))
+    return;
+  // No end of a frame takes the tally, and the programs may stay the same for good.
+  programsLeave(context);
+  session->serve(context);
+  programsEnter(context);
 }
 
 constexpr ControlHooks kHooks = {frameEnds, beforeDraw, programsLeave, programsEnter};

@@ -1,9 +1,15 @@
 // Tests computations of control and of the figures in the frame that need no host.
 #include "state/control/tallies.h"
 
+#include <GL/arbiter.h>
+#include <cstdlib>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <sstream>
 
 #include "state/control/host_pixels.h"
+#include "state/core/context.h"
 #include "state/hud/font.h"
 #include "state/hud/hud_text.h"
 #include "state/programs/program_edits.h"
@@ -111,7 +117,7 @@ TEST(Hud, LettersGrowWithTheFrame) {
 
 TEST(Hud, HasALetterForAllThatIsSaid) {
   hud::Figures figures;
-  figures.version = "Arbiter 0.1.0  profile r300";
+  figures.version = hud::versionLine("r300", "ATI Radeon 9700 (R300, 2002): the API limits");
   figures.host = "llvmpipe (LLVM 15.0.6, 256 bits)";
   figures.draws = {{"host-glsl", 3}, {"rasterizer", 120}};
   figures.programs = 5;
@@ -131,6 +137,47 @@ TEST(Hud, HasALetterForAllThatIsSaid) {
         ink |= hud::glyphRow(letter, row);
       EXPECT_TRUE(letter == ' ' || ink != 0) << letter;
     }
+}
+
+TEST(Hud, NamesTheProfileAndItsCard) {
+  const std::string version = "Arbiter " ARBITER_VERSION_TEXT "  profile ";
+  EXPECT_EQ(hud::versionLine("nv30", "NVIDIA GeForce FX (NV30, 2003): 1024 instructions"),
+            version + "nv30, NVIDIA GeForce FX");
+  EXPECT_EQ(hud::versionLine("host", "The host driver's own limits"), version + "host");
+}
+
+/// The words of a line in small letters, with what they count taken out.
+std::vector<std::string> wordsOf(const std::string &line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    if (word.find_first_of("0123456789") == std::string::npos)
+      words.push_back(word);
+  return words;
+}
+
+TEST(Hud, HasItsWordsOnThePage) {
+  std::ifstream page(std::string(std::getenv("ARBITER_SOURCE_ROOT")) +
+                     "/docs/use/troubleshooting.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  const std::size_t table = text.find("## What the figures");
+  ASSERT_NE(table, std::string::npos);
+  const std::string part = text.substr(table, text.find("\n## ", table) - table);
+  hud::Figures figures;
+  for (int path = 0; path < kPathCount; ++path)
+    figures.draws.push_back({pathName(Path(path)), 1});
+  figures.times = {10, 30};
+  figures.refused = 2;
+  HudOptions options;
+  options.parts = 1u << unsigned(HudPart::Fps) | 1u << unsigned(HudPart::Draws) |
+                  1u << unsigned(HudPart::Programs);
+  int count = 0;
+  for (const std::string &line : hud::linesOf(figures, options))
+    for (const std::string &word : wordsOf(line)) {
+      ++count;
+      EXPECT_NE(part.find(word), std::string::npos) << word;
+    }
+  EXPECT_GT(count, kPathCount + 5);
 }
 
 TEST(Hud, HasThePartsThatAreAskedFor) {

@@ -1,6 +1,5 @@
 #include "state/hud/hud.h"
 
-#include <GL/arbiter.h>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "state/client_pixels/plain_transfer.h"
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
+#include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/core/texture_binding.h"
 #include "state/hud/hud_text.h"
@@ -59,11 +59,7 @@ std::shared_ptr<Counters> countersOf(const Context &context) {
   return counters;
 }
 
-std::string versionLine() {
-  return "Arbiter " ARBITER_VERSION_TEXT "  profile " + settings().profile;
-}
-
-/// Returns the host's renderer, which is queried once.
+/// The renderer that the host names. It is asked once.
 const std::string &hostOf(const Context &context, Counters &counters) {
   constexpr std::size_t kMost = 48; // letters
   if (counters.host.empty())
@@ -74,7 +70,7 @@ const std::string &hostOf(const Context &context, Counters &counters) {
 
 Figures figuresOf(Context &context, Counters &counters) {
   Figures figures;
-  figures.version = versionLine();
+  figures.version = versionLine(activeProfile().name, activeProfile().description);
   figures.host = hostOf(context, counters);
   for (std::size_t age = counters.times.count(); age-- > 0;)
     figures.times.push_back(float(counters.times.of(age)));

@@ -1,5 +1,6 @@
 #include "state/hud/hud_text.h"
 
+#include <GL/arbiter.h>
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
@@ -70,6 +71,12 @@ std::string programsOf(const Figures &figures) {
 }
 
 } // namespace
+
+std::string versionLine(std::string_view profile, std::string_view description) {
+  const std::size_t card = description.find(" (");
+  return "Arbiter " ARBITER_VERSION_TEXT "  profile " + std::string(profile) +
+         (card == std::string_view::npos ? "" : ", " + std::string(description.substr(0, card)));
+}
 
 std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options) {
   std::vector<std::string> lines;

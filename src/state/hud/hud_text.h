@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "state/control/host_pixels.h"
@@ -20,7 +21,11 @@ struct Figures {
   std::uint64_t refused = 0; ///< texts that only the profile refuses
 };
 
-/// Returns the lines of the requested parts.
+/// "Arbiter 1.0  profile r300, ATI Radeon 9700": the layer's version and the profile's own name,
+/// whatever the user called it, with the card.
+/// \param description the profile's, which begins with the card where its chip stands in brackets
+[[nodiscard]] std::string versionLine(std::string_view profile, std::string_view description);
+/// The lines of the parts that are asked for.
 [[nodiscard]] std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options);
 /// Returns how many pixels wide a letter's pixel is, so that letters stay readable in a frame of
 /// that height.

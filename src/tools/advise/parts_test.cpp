@@ -111,8 +111,10 @@ TEST(Show, HasPlaceCostAndLines) {
   const Setting setting{fp::ir::Language::ArbFragment, fp::hw::findBuiltin("r300")->fragment};
   const std::vector<Advice> all = advise(text, setting);
   ASSERT_FALSE(all.empty());
-  EXPECT_EQ(lineText("a.fp", text, all[0]).find("a.fp:4:1: note: MAX and MIN clamp"), 0u);
-  const std::string full = fullText("a.fp", text, all[0]);
+  EXPECT_EQ(lineText("a.fp:4:1: note", all[0]).find("a.fp:4:1: note: ALU 3 -> 1"), 0u);
+  const std::string note = fp::render("a.fp", text, noteOf(all[0]));
+  EXPECT_EQ(note.find("a.fp:4:1: note: MAX and MIN clamp"), 0u);
+  const std::string full = fullText(note, text, all[0]);
   for (const char *piece :
        {"[clamp-by-sat]", "^~~~", "ALU 3 -> 1", "  - MAX t, t, 0.0;\n",
         "  - MUL t, fragment.color, 3.0;\n", "  + MUL_SAT t, fragment.color, 3.0;\n"})
@@ -126,7 +128,8 @@ TEST(Show, StaysOnTheLineOfATextWithoutLines) {
   const Fixed fixed = applyAll(text, setting);
   EXPECT_EQ(fixed.applied.size(), 1u);
   EXPECT_EQ(fixed.text.find('\n'), std::string::npos);
-  EXPECT_LT(fullText("a.fp", text, advise(text, setting).at(0)).size(), 1500u);
+  const Advice first = advise(text, setting).at(0);
+  EXPECT_LT(fullText(fp::render("a.fp", text, noteOf(first)), text, first).size(), 1500u);
 }
 
 } // namespace

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "fp_compiler/diagnostic.h"
-
 namespace arbiter::tools::advise {
 
 namespace {
@@ -44,11 +42,7 @@ std::vector<std::string> linesOf(std::string_view piece) {
   return lines;
 }
 
-fp::Diagnostic noteOf(const Advice &advice) {
-  return {fp::Severity::Note, advice.rule, advice.span, advice.message, ""};
-}
-
-/// The whole lines of one or more edits that share lines.
+/// Whole lines from the first to the last edit that share them.
 struct Block {
   std::size_t begin, end;
   Edits edits;
@@ -125,14 +119,16 @@ std::vector<Change> changesOf(std::string_view text, const Edits &edits) {
   return changes;
 }
 
-std::string lineText(std::string_view file, std::string_view text, const Advice &advice) {
-  return fp::renderLine(file, text, noteOf(advice)) + ": " +
-         changeText(advice.before, advice.after) + "\n";
+fp::Diagnostic noteOf(const Advice &advice) {
+  return {fp::Severity::Note, advice.rule, advice.span, advice.message, ""};
 }
 
-std::string fullText(std::string_view file, std::string_view text, const Advice &advice) {
-  std::string result = fp::render(file, text, noteOf(advice));
-  result += "  " + changeText(advice.before, advice.after);
+std::string lineText(const std::string &note, const Advice &advice) {
+  return note + ": " + changeText(advice.before, advice.after) + "\n";
+}
+
+std::string fullText(const std::string &note, std::string_view text, const Advice &advice) {
+  std::string result = note + "  " + changeText(advice.before, advice.after);
   if (advice.isFix())
     result += advice.nearness == Nearness::Exact ? "; the same to the bit" : "; but for rounding";
   result += "\n";

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fp_compiler/diagnostic.h"
 #include "tools/advise/advise.h"
 #include "util/json.h"
 
@@ -16,12 +17,14 @@ struct Change {
 };
 [[nodiscard]] std::vector<Change> changesOf(std::string_view text, const Edits &edits);
 
-/// Returns "file:line:column: note: message [rule]: ALU 4 -> 1".
-[[nodiscard]] std::string lineText(std::string_view file, std::string_view text,
-                                   const Advice &advice);
-/// Returns lineText(), the source line with a caret, and the changed lines with - and +. For
-/// advice, adds the application's part and the condition.
-[[nodiscard]] std::string fullText(std::string_view file, std::string_view text,
+/// The advice as a compiler's note, which is rendered as diagnostics are.
+[[nodiscard]] fp::Diagnostic noteOf(const Advice &advice);
+/// "file:line:column: note: message [rule]: ALU 4 -> 1"
+/// \param note the first line of the rendered note
+[[nodiscard]] std::string lineText(const std::string &note, const Advice &advice);
+/// The note, its cost, then the changed lines with - and +; of advice what the application would
+/// do, and what must hold. \param note rendered: its line, the source line and a caret
+[[nodiscard]] std::string fullText(const std::string &note, std::string_view text,
                                    const Advice &advice);
 
 /// Writes the value of "advice": an array, described in arbiter(1).

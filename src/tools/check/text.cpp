@@ -99,10 +99,11 @@ std::string fixedText(const CheckedFile &file) {
   return text;
 }
 
-std::string adviceText(const CheckedFile &file) {
+std::string adviceText(const CheckedFile &file, const Style &style) {
   std::string text;
   for (const advise::Advice &advice : adviceOf(file))
-    text += advise::fullText(shown(file.name), file.text, advice);
+    text += advise::fullText(rendered(shown(file.name), file.text, advise::noteOf(advice), style),
+                             file.text, advice);
   if (file.advice && file.counted() && text.empty())
     text = shown(file.title()) + ": no advice\n";
   return text;
@@ -116,7 +117,8 @@ std::string briefText(const CheckedFile &file, const Style &style) {
     text += renderedLine(shown(file.name), file.text, diagnostic, style) + "\n";
   text += fixedText(file);
   for (const advise::Advice &advice : adviceOf(file))
-    text += advise::lineText(shown(file.name), file.text, advice);
+    text += advise::lineText(
+        renderedLine(shown(file.name), file.text, advise::noteOf(advice), style), advice);
   return text;
 }
 
@@ -155,7 +157,7 @@ std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
   // The number of indirections alone does not show the cause, but the chain does.
   else if (isOver(file, &fp::ResourceCounts::texIndirections))
     text += why.chain();
-  return text + adviceText(file);
+  return text + adviceText(file, options.style);
 }
 
 } // namespace arbiter::tools

@@ -2,7 +2,7 @@
 # be out of date.
 
 _arbiter() {
-  local line=${COMP_LINE:0:COMP_POINT} answer word kept i
+  local line=${COMP_LINE:0:COMP_POINT} answer word before kept i
   local -a words
   read -ra words <<<"$line"
   [[ $line == *[[:space:]] ]] && words+=('')
@@ -12,13 +12,16 @@ _arbiter() {
   COMPREPLY=()
   while IFS= read -r answer; do
     case $answer in
-      :files)
+      :files*)
+        # Behind "--option=" or "0=" too.
+        before=${answer#:files} before=${before# }
         compopt -o filenames
-        while IFS= read -r word; do COMPREPLY+=("${word#"$kept"}"); done \
-          < <(compgen -f -- "$typed")
-        # Complete the value of --option=FILE.
-        [[ $typed == --*=* ]] && while IFS= read -r word; do COMPREPLY+=("$word"); done \
-          < <(compgen -f -- "${typed#*=}")
+        while IFS= read -r word; do word=$before$word COMPREPLY+=("${word#"$kept"}"); done \
+          < <(compgen -f -- "${typed#"$before"}")
+        ;;
+      ':hint '*)
+        # Two of them, so that bash shows the hint and takes none.
+        [[ -z $typed ]] && COMPREPLY+=("${answer#:hint }" ' ')
         ;;
       ':command '*)
         i=${answer#:command }

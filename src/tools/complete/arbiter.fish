@@ -6,13 +6,15 @@ function __arbiter_complete
     set -l typed (commandline -ct)
     for answer in ($words[1] complete -- $words[2..-1] "$typed" 2>/dev/null)
         switch $answer
-            case :files
-                if string match -qr '^--[^=]+=' -- $typed
-                    set -l parts (string split -m 1 = -- $typed)
-                    printf "$parts[1]=%s\n" (__fish_complete_path $parts[2])
-                else
-                    __fish_complete_path $typed
+            case ':files*'
+                # Behind "--option=" or "0=" too.
+                set -l before (string replace -r '^:files ?' '' -- $answer)
+                set -l length (string length -- $before)
+                for path in (__fish_complete_path (string sub -s (math $length + 1) -- $typed))
+                    printf "%s\n" $before$path
                 end
+            case ':hint *'
+                # fish shows no text that is no candidate.
             case ':command *'
                 set -l first (string replace ':command ' '' -- $answer)
                 set -l command $words[(math $first + 2)..-1] $typed

@@ -6,6 +6,7 @@
 #include "fp_compiler/hw/profile.h"
 #include "tools/ctl/actions.h"
 #include "tools/draw/gallery.h"
+#include "tools/draw/options.h"
 
 namespace arbiter::tools::complete {
 
@@ -30,6 +31,14 @@ Candidates gallery() {
   Candidates found;
   for (const std::string &name : galleryNames())
     found.push_back({kGalleryScheme + name, "a document of the gallery"});
+  return found;
+}
+
+Candidates images() {
+  Candidates found;
+  for (const std::string_view word : generatorWords())
+    found.push_back({std::string(word),
+                     std::string(scene::rowOf(*scene::findWord<scene::Generator>(word)).meaning)});
   return found;
 }
 

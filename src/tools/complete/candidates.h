@@ -16,7 +16,9 @@ using Candidates = std::vector<Candidate>;
 [[nodiscard]] Candidates profiles();
 /// Returns `gallery:NAME` for each document of the gallery.
 [[nodiscard]] Candidates gallery();
-/// Returns the actions of `arbiter ctl`.
+/// Words of `draw --texture` for an image.
+[[nodiscard]] Candidates images();
+/// The actions of `arbiter ctl`.
 [[nodiscard]] Candidates actions();
 /// Returns the processes that listen to `arbiter ctl`.
 [[nodiscard]] Candidates processes();

@@ -58,7 +58,25 @@ class Answers(unittest.TestCase):
         self.assertIn('all', answers('check', '--profile', ''))
         self.assertEqual(answers('profiles', 'geforcefx5'), ['geforcefx5800', 'geforcefx5900', ':files'])
         self.assertEqual(answers('draw', '-o', ''), [':files'])
-        self.assertEqual(answers('draw', '--frames', ''), [])
+        self.assertEqual(answers('draw', '--frames', ''),
+                         [':hint draw this many times'])
+        self.assertEqual(answers('debug', '--against', ''), ['swrast', 'host', 'bare', 'fp24', ':files'])
+        self.assertEqual(answers('debug', '--against=b'), ['--against=bare', ':files --against='])
+
+    def test_a_value_of_its_own_form_is_hinted(self):
+        self.assertEqual(answers('debug', '--pixel', ''), [':hint X,Y: the pixel'])
+        self.assertEqual(answers('debug', '--pass', ''), [":hint which of the document's passes, from 1"])
+        self.assertEqual(answers('draw', '--texture', '')[0][:12], ':hint N=IMG:')
+        self.assertEqual(answers('run', '--extensions-max-year', ''),
+                         [':hint announce no extension of a later year'])
+
+    def test_a_part_of_a_value(self):
+        self.assertEqual(answers('draw', '--texture', '3=l'), ['3=landscape', ':files 3='])
+        self.assertEqual(answers('draw', '--texture=3=cl'), ['--texture=3=clouds', ':files --texture=3='])
+        words = answers('draw', '--texture', '0=')
+        self.assertIn('0=checker', words)
+        self.assertNotIn('0=sky', words)
+        self.assertEqual(answers('check', '--profile', 'r300,nv3'), ['r300,nv30', 'r300,nv35', ':files r300,'])
 
     def test_operands(self):
         names = sorted(path.stem for path in (ROOT / 'demos' / 'gallery').glob('*.fp')
@@ -128,6 +146,11 @@ class Bash(Shell):
         self.assertEqual(self.complete('arbiter check --limits=r'), ['report'])
         self.assertEqual(self.complete('arbiter draw gallery:twi'), ['twirl'])
         self.assertEqual(self.complete('arbiter compile wat'), ['water shader.fp'])
+        self.assertEqual(self.complete('arbiter compile --profile=wat'), ['water shader.fp'])
+        self.assertEqual(self.complete('arbiter draw --texture 0=wat'), ['water shader.fp'])
+        self.assertEqual(self.complete('arbiter draw --texture 0=lan'), ['landscape'])
+        self.assertEqual(self.complete('arbiter debug --pixel '), ['X,Y: the pixel', ' '])
+        self.assertEqual(self.complete('arbiter debug --pixel 5'), [''])
         self.assertIn('true', self.complete('arbiter run -- tru'))
 
 
@@ -143,6 +166,12 @@ class Fish(Shell):
         self.assertEqual([line.strip() for line in self.complete('arbiter check --limits ')], ['enforce', 'report'])
         self.assertEqual([line.split('\t')[0] for line in self.complete('arbiter draw gallery:twi')], ['gallery:twirl'])
         self.assertIn('water shader.fp', [line.split('\t')[0] for line in self.complete('arbiter compile wat')])
+        for typed in ('0=', '--texture=0='):
+            texture = self.complete('arbiter draw ' + ('' if '--' in typed else '--texture ') + typed)
+            words = [line.split('\t')[0] for line in texture]
+            self.assertIn(f'{typed}landscape', words)
+            self.assertIn(f'{typed}water shader.fp', words)
+        self.assertEqual(self.complete('arbiter debug --pixel '), [])
         self.assertIn('true', [line.split('\t')[0] for line in self.complete('arbiter run -- tru')])
 
 
@@ -185,6 +214,9 @@ class Zsh(Shell):
                 'arbiter check --limits en': 'arbiter check --limits enforce ',
                 'arbiter check --limits=en': 'arbiter check --limits=enforce ',
                 'arbiter draw gallery:twi': 'arbiter draw gallery:twirl ',
+                'arbiter draw --texture 0=landsc': 'arbiter draw --texture 0=landscape ',
+                'arbiter draw --texture 0=wat': r'arbiter draw --texture 0=water\ shader.fp ',
+                'arbiter compile --profile=wat': r'arbiter compile --profile=water\ shader.fp ',
                 'arbiter compile wat': r'arbiter compile water\ shader.fp ',
                 'arbiter run -- arbiter chec': 'arbiter run -- arbiter check '}
         self.assertEqual(self.complete(rows), list(rows.values()))

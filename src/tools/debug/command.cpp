@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <tuple>
 
@@ -104,11 +105,10 @@ private:
   int readReference(const fp::hw::Profile &profile) {
     const auto text = readInput(m_arguments.against);
     if (!text)
-      return refuse(text.error().message +
-                    " (--against takes swrast, host, bare, fp24, or a program's file)");
+      return refuse(text.error().message);
     auto checked =
         debug::checkText(m_arguments.against, text.value(), chooseProgram("auto", text.value()),
-                         profile, m_session->numerics());
+                         profile, m_session->numerics(), styleOfErrors());
     if (!checked)
       return refuse(checked.error());
     m_reference = std::move(checked).value();
@@ -146,12 +146,29 @@ private:
     options.numerics = m_arguments.numerics;
     options.backend = backend();
     options.library = m_arguments.library;
+    options.style = styleOfErrors();
     auto session = Session::open(options);
     if (!session)
       return refuse(session.error());
     m_session = std::move(session).value();
     describe();
+    if (const int code = lookAtLine(); code != kExitOk)
+      return code;
     return isFile() ? readReference(m_session->profile()) : int(kExitOk);
+  }
+
+  /// Whether the program whose instructions are shown has the line of --line.
+  int lookAtLine() {
+    const debug::CheckedText *const text =
+        m_arguments.stage == "vertex" ? m_session->vertex() : &m_session->fragment();
+    if (text == nullptr || m_arguments.line == 0)
+      return kExitOk;
+    const auto ends = std::count(text->text.begin(), text->text.end(), '\n');
+    const auto lines = ends + (text->text.ends_with('\n') ? 0 : 1);
+    if (m_arguments.line <= lines)
+      return kExitOk;
+    return refuse("--line " + std::to_string(m_arguments.line) + ": " + text->name + " has " +
+                  std::to_string(lines) + (lines == 1 ? " line" : " lines"));
   }
 
   void describe() {
@@ -209,6 +226,8 @@ private:
     const auto [width, height] = m_session->drawer().size();
     const std::string fault = scene::writePng(
         m_arguments.output, {width, height, debug::picturedValues(values.value(), m_low, m_high)});
+    m_findings.watch = m_arguments.watch;
+    m_findings.picture = m_arguments.output;
     return fault.empty() ? int(kExitOk) : refuse(fault);
   }
 

@@ -72,6 +72,11 @@ std::size_t lastRow(const Findings &findings) {
   return std::numeric_limits<std::size_t>::max();
 }
 
+std::string watchText(const Findings &findings) {
+  return findings.watch.empty() ? std::string()
+                                : findings.picture + ": " + findings.watch + ", written\n";
+}
+
 std::string breakText(const Findings &findings) {
   if (findings.breakOn.empty())
     return {};
@@ -117,7 +122,7 @@ std::string findingsText(const Findings &findings) {
   if (!findings.stopped && findings.line == 0)
     text += resultsText(findings.trace);
   return text + breakText(findings) + summaryText(findings) + "\n" +
-         (findings.note.empty() ? "" : findings.note + "\n");
+         (findings.note.empty() ? "" : findings.note + "\n") + watchText(findings);
 }
 
 Json findingsJson(const Findings &findings) {
@@ -131,6 +136,8 @@ Json findingsJson(const Findings &findings) {
   json["stopped"] = findings.stopped ? Json(*findings.stopped) : Json();
   json["verdict"] = findings.verdict ? verdictJson(*findings.verdict, findings.trace) : Json();
   json["against"] = findings.beside ? besideJson(findings.trace, *findings.beside) : Json();
+  json["watch"] =
+      findings.watch.empty() ? Json() : Json{{"value", findings.watch}, {"file", findings.picture}};
   json["note"] = findings.note;
   json["summary"] = summaryText(findings);
   return json;

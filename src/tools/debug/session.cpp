@@ -1,6 +1,7 @@
 #include "tools/debug/session.h"
 
 #include "fp_compiler/back/assembly/assembly.h"
+#include "tools/check/rendered.h"
 #include "tools/language.h"
 #include "tools/profile_choice.h"
 
@@ -17,10 +18,10 @@ Numerics besides(Numerics numerics) {
   return numerics == Numerics::Fp24 ? Numerics::Host : Numerics::Fp24;
 }
 
-std::string panelErrors(const scene::Document &document) {
+std::string panelErrors(const scene::Document &document, const Style &style) {
   std::string text;
   for (const scene::ProgramFile &file : document.files)
-    text += fp::renderAll(file.name, file.text, file.panel.diagnostics);
+    text += rendered(file.name, file.text, file.panel.diagnostics, style);
   return text;
 }
 
@@ -28,13 +29,14 @@ std::string panelErrors(const scene::Document &document) {
 
 Result<CheckedText, SessionError> checkText(std::string name, std::string text,
                                             const fp::FileProgram &program,
-                                            const fp::hw::Profile &profile, Numerics numerics) {
+                                            const fp::hw::Profile &profile, Numerics numerics,
+                                            const Style &style) {
   fp::CheckResult result = fp::checkProgramIn(
       text, program, {limitsOf(profile, program.language), fp::LimitPolicy::Enforce, numerics});
   if (!result.ok())
-    return SessionError{SessionError::Kind::Invalid, fp::renderAll(name, text, result.diagnostics)};
-  // Values inside a program are read by cut programs: ARB assembly without branches. They cannot
-  // express the instructions of NVIDIA's options.
+    return SessionError{SessionError::Kind::Invalid,
+                        rendered(name, text, result.diagnostics, style)};
+  // What is read in the middle of a program is read by assembly of the ARB's, and by straight code.
   if (result.program->options.nv != fp::ir::NvOption::None)
     return SessionError{SessionError::Kind::Invalid,
                         name + ": a program under an option of NVIDIA's cannot be traced yet\n"};
@@ -44,7 +46,7 @@ Result<CheckedText, SessionError> checkText(std::string name, std::string text,
 std::optional<SessionError> Session::read(const SessionOptions &options) {
   m_document = scene::assemble(options.path, options.text, scene::readText);
   if (!m_document.ok())
-    return SessionError{SessionError::Kind::Invalid, panelErrors(m_document)};
+    return SessionError{SessionError::Kind::Invalid, panelErrors(m_document, options.style)};
   const std::size_t passes = m_document.passes.size();
   if (options.pass < 1 || std::size_t(options.pass) > passes)
     return usage("--pass " + std::to_string(options.pass) + ": " + options.path + " has " +
@@ -61,20 +63,21 @@ std::optional<SessionError> Session::read(const SessionOptions &options) {
     return usage(options.path + ": the pass has no fragment program to be looked into; a document "
                                 "is a fragment program that names its vertex program");
   const scene::ProgramFile &file = m_document.files[std::size_t(pass.fragment)];
-  auto checked = checkText(file.name, file.text, file.program(), m_profile, m_numerics);
+  auto checked =
+      checkText(file.name, file.text, file.program(), m_profile, m_numerics, options.style);
   if (!checked)
     return checked.error();
   m_fragment = std::move(checked).value();
   m_pass = pass;
   m_frame = options.frame;
-  return readVertex();
+  return readVertex(options.style);
 }
 
-std::optional<SessionError> Session::readVertex() {
+std::optional<SessionError> Session::readVertex(const Style &style) {
   if (m_pass.vertex < 0)
     return {};
   const scene::ProgramFile &file = m_document.files[std::size_t(m_pass.vertex)];
-  auto checked = checkText(file.name, file.text, file.program(), m_profile, m_numerics);
+  auto checked = checkText(file.name, file.text, file.program(), m_profile, m_numerics, style);
   if (!checked)
     return checked.error();
   m_vertex = std::move(checked).value();

@@ -5,6 +5,7 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
+#include "tools/check/terminal.h"
 #include "tools/debug/drawn_by.h"
 #include "tools/debug/findings.h"
 #include "tools/debug/pixel/reader.h"
@@ -30,7 +31,8 @@ struct SessionOptions {
   std::string profile;  ///< a name or a file; empty: the document's, or the user's
   std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
-  std::string library; ///< the layer; empty: found automatically
+  std::string library; ///< of the layer; empty: found
+  Style style = {};    ///< of diagnostics in messages
 };
 
 /// A program's text and its compiled form.
@@ -39,11 +41,10 @@ struct CheckedText {
   std::string text;
   fp::ir::Program program;
 };
-/// Compiles a program under the profile's limits. Fails with the compiler's diagnostics.
-[[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
-                                                          const fp::FileProgram &program,
-                                                          const fp::hw::Profile &profile,
-                                                          fp::Numerics numerics);
+/// Errors: the compiler's, under the profile's limits. \param style of their text
+[[nodiscard]] Result<CheckedText, SessionError>
+checkText(std::string name, std::string text, const fp::FileProgram &program,
+          const fp::hw::Profile &profile, fp::Numerics numerics, const Style &style);
 
 class Session {
 public:
@@ -51,7 +52,9 @@ public:
   open(const SessionOptions &options);
 
   [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
-  /// Returns the profile that limits the programs.
+  /// Of the pass; null: fixed function's.
+  [[nodiscard]] const CheckedText *vertex() const { return m_vertex ? &*m_vertex : nullptr; }
+  /// What programs are held to.
   [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }
   [[nodiscard]] const scene::Document &document() const { return m_document; }
   [[nodiscard]] Drawer &drawer() { return *m_drawer; }
@@ -79,7 +82,7 @@ private:
   Session() = default;
 
   std::optional<SessionError> read(const SessionOptions &options);
-  std::optional<SessionError> readVertex();
+  std::optional<SessionError> readVertex(const Style &style);
   Result<std::vector<Vec4>, DebugError> watchOf(const Watch &watch, Fragments fragments);
   std::optional<SessionError> start(const SessionOptions &options);
 

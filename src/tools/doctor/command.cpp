@@ -16,6 +16,9 @@ using doctor::Examination;
 using doctor::Finding;
 using doctor::Level;
 
+/// Where Debian installs games. The PATH of root, of cron and of services lacks these folders.
+constexpr std::string_view kGamesFolders[] = {"/usr/games", "/usr/local/games"};
+
 const char *nameOf(Level level) {
   switch (level) {
   case Level::Obstacle:
@@ -89,9 +92,10 @@ int diagnose(const DoctorArguments &arguments) {
     return kExitUsage;
   }
   doctor::Surroundings surroundings;
-  surroundings.layer = files ? files.value().preload : std::string();
+  if (files)
+    surroundings = doctor::surroundingsOf(files.value());
   surroundings.root = arguments.root;
-  const CommandFile command = findCommand(arguments.command);
+  const CommandFile command = findCommand(arguments.command, kGamesFolders);
   Examination examination = doctor::examine(command, surroundings);
   if (!files)
     examination.add({"no_layer",

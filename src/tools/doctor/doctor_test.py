@@ -13,55 +13,13 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-CXX = sys.argv.pop(4)
-from command_session import FAKE as LAYER, Temporary, arbiter  # noqa: E402
+from command_session import FAKE as LAYER, arbiter  # noqa: E402
 from doctor_clients import CLIENT, GLX_CALL, GLX_CLIENT, GL_CALL, LONG, OPENS  # noqa: E402
+from doctor_session import CXX, Examined, of_32_bits  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 
-class Doctor(Temporary):
-    def setUp(self):
-        super().setUp()
-        self.root = pathlib.Path(self.folder.name)
-
-    def compile(self, name, source, *options):
-        path = self.path(name)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        text = self.path(name.replace('/', '_') + '.cpp', source)
-        subprocess.run([CXX, text, '-o', path, *options], check=True, capture_output=True)
-        return path
-
-    def script(self, name, text):
-        path = self.path(name, text)
-        path.chmod(0o755)
-        return path
-
-    def libgl(self, folder):
-        """Makes a libGL that is not libglvnd's."""
-        (self.root / folder).mkdir(parents=True, exist_ok=True)
-        return self.compile(f'{folder}/libGL.so.1', 'extern "C" void glFinish() {}\n', '-shared', '-fPIC',
-                            '-Wl,-soname,libGL.so.1')
-
-    def ask(self, *words, options=(), **environment):
-        """Returns the findings by their words, after checking that the text output reports the same."""
-        environment.setdefault('EGL_PLATFORM', 'surfaceless')
-        call = ['doctor', '--library', LAYER, *options]
-        text = arbiter(*call, '--', *words, **environment)
-        twin = arbiter(*call, '--json', '--', *words, **environment)
-        report = json.loads(twin.stdout)
-        self.assertEqual(twin.returncode, 0 if report['reached'] else 5, twin.stderr)
-        self.assertEqual(text.returncode, twin.returncode)
-        self.assertEqual(report['command'], [str(word) for word in words])
-        for each in report['findings']:
-            if '--run' not in options:  # sentences of --run contain times
-                self.assertIn(f'{each["level"]}: {each["what"]}\n', text.stdout)
-            self.assertTrue(each['what'].endswith('.'), each)
-            self.assertTrue(each['level'] == 'note' or each['remedy'].endswith('.'), each)
-        return {each['id']: each for each in report['findings']}
-
-    def obstacles(self, found):
-        return {name for name, each in found.items() if each['level'] == 'obstacle'}
-
+class Doctor(Examined):
     def test_nothing_is_in_the_way(self):
         game = self.compile('game', GL_CALL, '-lGL')
         self.assertEqual(self.obstacles(self.ask(game)), set())
@@ -106,17 +64,12 @@ class Doctor(Temporary):
 
     def test_another_width(self):
         game = self.compile('game', GL_CALL, '-lGL')
-        header = bytearray(game.read_bytes())
-        header[4] = 1  # ELFCLASS32
-        struct.pack_into('<H', header, 18, 3)  # EM_386
-        # A 32-bit header with one program header, PT_INTERP.
-        struct.pack_into('<IIIIHHHHHH', header, 24, 0, 52, 0, 0, 52, 32, 1, 40, 0, 0)
-        struct.pack_into('<IIIIIIII', header, 52, 3, 128, 0, 0, 20, 20, 4, 1)
-        header[128:148] = b'/lib/ld-linux.so.2\0\0'
-        game.write_bytes(header)
+        of_32_bits(game)
         found = self.ask(game)
         self.assertIn('other_width', self.obstacles(found))
         self.assertIn('32-bit (i386)', found['other_width']['what'])
+        for command in ('sudo dpkg --add-architecture i386', 'sudo apt install ./out/packages/'):
+            self.assertIn(command, found['other_width']['remedy'])
 
     def test_vulkan_alone(self):
         game = self.compile('game', OPENS.format('libvulkan.so.1', 'vkGetInstanceProcAddr'))
@@ -406,6 +359,13 @@ class Doctor(Temporary):
         found = self.ask('sleep', '60', options=('--run', '--for', '0.5'))
         self.assertIn('was ended when its time was over', found['no_context']['what'])
         self.assertEqual(self.obstacles(found), {'no_gl', 'no_context'})
+
+    def test_a_run_without_a_display_says_so(self):
+        game = self.compile('game', GL_CALL, '-lGL')
+        for display, words in (({'DISPLAY': '', 'WAYLAND_DISPLAY': ''}, 'Neither DISPLAY nor WAYLAND_DISPLAY is set'),
+                               ({'DISPLAY': ':97'}, 'Give it longer')):
+            found = self.ask(game, options=('--run',), **display)
+            self.assertIn(words, found['no_context']['remedy'])
 
 
 if __name__ == '__main__':

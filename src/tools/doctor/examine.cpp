@@ -51,8 +51,8 @@ void addSandbox(Examination &examination, const std::string &kind, const std::st
                      "Run a build of it that is installed outside of Snap."});
 }
 
-/// Examines `flatpak run` and /snap/bin/NAME, which is a link to snap. True if the command is one
-/// of them.
+} // namespace
+
 bool examineSandbox(Examination &examination, const CommandFile &command,
                     const Surroundings &surroundings) {
   const std::string called = fs::path(command.found).filename();
@@ -63,6 +63,8 @@ bool examineSandbox(Examination &examination, const CommandFile &command,
   addSandbox(examination, real, application, command.found, surroundings);
   return true;
 }
+
+namespace {
 
 void examineFile(Examination &examination, const CommandFile &command,
                  const Surroundings &surroundings, int step);
@@ -146,6 +148,11 @@ void examineFile(Examination &examination, const CommandFile &command,
 
 Examination examine(const CommandFile &command, const Surroundings &surroundings) {
   Examination examination;
+  if (command.isBeyondPath)
+    examination.add({"beyond_path", Level::Note, command.found,
+                     "It lies in " + fs::path(command.found).parent_path().string() +
+                         ", which PATH does not have.",
+                     "Name it with its folder: arbiter run -- " + command.found + "."});
   examineFile(examination, command, surroundings, 0);
   return examination;
 }

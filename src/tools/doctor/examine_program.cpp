@@ -82,15 +82,15 @@ void examineRights(Examination &examination, const std::string &path) {
 
 } // namespace
 
-bool layerServes(const std::string &layer, int bits, int machine) {
-  const std::size_t at = layer.find("$LIB");
+bool layerServes(const std::string &layers, int bits, int machine) {
+  const std::size_t at = layers.find("$LIB");
   std::vector<std::string> paths;
   if (at == std::string::npos)
-    paths.push_back(layer);
+    paths.push_back(layers);
   else
     for (const char *const folder : {"lib/x86_64-linux-gnu", "lib/i386-linux-gnu",
                                      "lib/aarch64-linux-gnu", "lib64", "lib32", "lib"})
-      paths.push_back(layer.substr(0, at) + folder + layer.substr(at + 4));
+      paths.push_back(layers.substr(0, at) + folder + layers.substr(at + 4));
   return std::any_of(paths.begin(), paths.end(), [&](const std::string &path) {
     const std::optional<ElfFile> library = readElf(path);
     return library && library->bits == bits && library->machine == machine;
@@ -99,18 +99,17 @@ bool layerServes(const std::string &layer, int bits, int machine) {
 
 namespace {
 
-void examineWidth(Program &program) {
-  const ElfFile &elf = program.elf;
-  if (program.surroundings.layer.empty() ||
-      layerServes(program.surroundings.layer, elf.bits, elf.machine))
+void examineWidth(Examination &examination, const std::string &path, const ElfFile &elf,
+                  const Surroundings &surroundings) {
+  if (surroundings.layer.empty() || layerServes(surroundings.layers, elf.bits, elf.machine))
     return;
   const std::string kind = std::to_string(elf.bits) + "-bit (" + machineName(elf.machine) + ")";
-  program.add("other_width", Level::Obstacle,
-              "It is a " + kind + " program, and the layer that is here is for another kind: " +
-                  program.surroundings.layer + ".",
-              elf.machine == EM_386
-                  ? "Install the layer for i386 beside it (libglx-arbiter0:i386 of the packages)."
-                  : "Install or build the layer for " + machineName(elf.machine) + ".");
+  examination.add(
+      {"other_width", Level::Obstacle, path,
+       "It is a " + kind +
+           " program, and the layer that is here is for another kind: " + surroundings.layer + ".",
+       elf.machine == EM_386 ? kRemedyOf32Bits
+                             : "Install or build the layer for " + machineName(elf.machine) + "."});
 }
 
 void examineMissing(Program &program) {
@@ -299,6 +298,19 @@ void addNoElf(Examination &examination, const std::string &path) {
 
 } // namespace
 
+bool examineHeader(Examination &examination, const std::string &path, const ElfFile &elf,
+                   const Surroundings &surroundings) {
+  if (elf.interpreter.empty()) {
+    examination.add({"static", Level::Obstacle, path,
+                     "It is statically linked: nothing can be loaded into it.",
+                     "Use a build of it that is linked dynamically."});
+    return false;
+  }
+  examineRights(examination, path);
+  examineWidth(examination, path, elf, surroundings);
+  return true;
+}
+
 void examineProgram(Examination &examination, const std::string &path,
                     const Surroundings &surroundings) {
   const std::optional<ElfFile> elf = readElf(path);
@@ -306,15 +318,9 @@ void examineProgram(Examination &examination, const std::string &path,
     addNoElf(examination, path);
     return;
   }
-  if (elf->interpreter.empty()) {
-    examination.add({"static", Level::Obstacle, path,
-                     "It is statically linked: nothing can be loaded into it.",
-                     "Use a build of it that is linked dynamically."});
+  if (!examineHeader(examination, path, *elf, surroundings))
     return;
-  }
-  examineRights(examination, path);
   Program program(examination, path, *elf, surroundings);
-  examineWidth(program);
   examineMissing(program);
   examineOwn(program);
   if (examineUse(program)) {

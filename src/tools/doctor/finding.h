@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/command_file.h"
+#include "tools/launch/launch.h"
 
 /// Collects obstacles between a program and the layer.
 namespace arbiter::tools::doctor {
@@ -48,9 +49,19 @@ struct Examination {
 
 /// The examiner's data about the layer and the system.
 struct Surroundings {
-  std::string layer; ///< the layer's library; empty: not found
-  std::string root;  ///< root of the examined system; empty: this system
+  std::string layer;  ///< the layer's library; empty: none was found
+  std::string layers; ///< LayerFiles::preloads
+  std::string root;   ///< of the system that is looked at; empty: this one
 };
+[[nodiscard]] inline Surroundings surroundingsOf(const LayerFiles &files) {
+  return {.layer = files.preload, .layers = files.preloads, .root = {}};
+}
+
+/// What to do where the layer of 32 bits is missing.
+inline constexpr const char *kRemedyOf32Bits =
+    "Install the layer for i386 beside it (libglx-arbiter0:i386 and libarbiter-jit0:i386): "
+    "sudo dpkg --add-architecture i386 && sudo apt update; ./dev package i386 makes the packages; "
+    "sudo apt install ./out/packages/*_i386.deb.";
 
 /// The id of the finding that the X server draws the program's contexts.
 inline constexpr const char *kIndirect = "indirect";
@@ -66,11 +77,27 @@ inline constexpr const char *kDirectRemedy =
 bool examineLauncher(Examination &examination, const CommandFile &command,
                      const Surroundings &surroundings);
 
-/// True if the layer has a library for processes of that width and machine (EM_386, ...).
-/// \param layer the library's path, which may contain $LIB
-[[nodiscard]] bool layerServes(const std::string &layer, int bits, int machine);
+/// What the file that a command starts tells at once, of what no run can disprove: Flatpak and Snap
+/// by their names, the rest by its rights and its header (start.cpp). Runs nothing.
+[[nodiscard]] Examination examineStart(const CommandFile &command,
+                                       const Surroundings &surroundings);
+/// Says it on standard error, a line each.
+void sayWhatIsInTheWay(const std::vector<std::string> &command, const LayerFiles &files);
 
-/// Examines a program's own file (examine_program.cpp).
+/// `flatpak run`, /snap/bin/NAME, which is a link to snap. \returns it is one
+bool examineSandbox(Examination &examination, const CommandFile &command,
+                    const Surroundings &surroundings);
+
+/// True if there is a library of the layer for processes of that width and machine (EM_386, ...).
+/// \param layers the libraries' path, which may have $LIB in it
+[[nodiscard]] bool layerServes(const std::string &layers, int bits, int machine);
+
+struct ElfFile;
+/// Looks at what the kernel and the loader decide a program by: a static one, its rights, its width
+/// (examine_program.cpp). \returns something can be loaded into it
+bool examineHeader(Examination &examination, const std::string &path, const ElfFile &elf,
+                   const Surroundings &surroundings);
+/// Looks at a program's own file: its header, and what it needs and uses (examine_program.cpp).
 void examineProgram(Examination &examination, const std::string &path,
                     const Surroundings &surroundings);
 

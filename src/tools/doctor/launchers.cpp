@@ -70,7 +70,7 @@ void examineWine(Examination &examination, const CommandFile &command,
   examination.files.push_back(program);
   const std::string width = std::to_string(*bits) + "-bit";
   if (surroundings.layer.empty() ||
-      layerServes(surroundings.layer, *bits, *bits == 32 ? EM_386 : EM_X86_64))
+      layerServes(surroundings.layers, *bits, *bits == 32 ? EM_386 : EM_X86_64))
     examination.add(
         {"wine", Level::Note, program, "Wine runs this " + width + " program for Windows.", {}});
   else
@@ -79,9 +79,7 @@ void examineWine(Examination &examination, const CommandFile &command,
                          " libraries, unless it was built to draw all by those of 64 bits, and the "
                          "layer for " +
                          width + " is not here.",
-                     *bits == 32 ? "Install the layer for i386 beside it (libglx-arbiter0:i386 of "
-                                   "the packages)."
-                                 : "Install or build the layer for x86-64."});
+                     *bits == 32 ? kRemedyOf32Bits : "Install or build the layer for x86-64."});
 }
 
 } // namespace

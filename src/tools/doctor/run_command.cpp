@@ -177,16 +177,28 @@ void addRefused(Examination &examination, const CommandFile &command, const Repo
                        ": arbiter run " + report.remedy + "."});
 }
 
+std::string remedyWithoutContext(const Examination &examination) {
+  const auto isSet = [](const char *name) {
+    const char *const value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  if (examination.has("no_gl"))
+    return "Name the program that draws.";
+  if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY"))
+    return "Neither DISPLAY nor WAYLAND_DISPLAY is set, so that it can open no window: run it "
+           "where "
+           "there is a display, or by xvfb-run.";
+  return "Give it longer (--for), and the window that it may ask for first; what else stands here "
+         "may be why.";
+}
+
 void add(Examination &examination, const CommandFile &command, const Report &report,
          const End &end) {
   const std::string ran = "It ran, and " + howItEnded(end);
   if (report.contexts == 0) {
     examination.add({"no_context", Level::Obstacle, command.path,
                      ran + "; no process of it made a GL context through the layer.",
-                     examination.has("no_gl")
-                         ? "Name the program that draws."
-                         : "Give it longer (--for), and the window that it may ask for first; "
-                           "what else stands here may be why."});
+                     remedyWithoutContext(examination)});
     return;
   }
   dropDisproved(examination);

@@ -109,6 +109,18 @@ void report(const DrawArguments &arguments, const Drawing &drawing, const Render
   std::printf("\n");
 }
 
+bool isOpaque(const scene::Picture &picture) {
+  for (std::size_t at = 3; at < picture.bytes.size(); at += 4)
+    if (picture.bytes[at] != 255)
+      return false;
+  return true;
+}
+
+void makeOpaque(scene::Picture &picture) {
+  for (std::size_t at = 3; at < picture.bytes.size(); at += 4)
+    picture.bytes[at] = 255;
+}
+
 int drawHere(const DrawArguments &arguments) {
   const auto read = readDrawing(arguments);
   if (!read) {
@@ -129,17 +141,23 @@ int drawHere(const DrawArguments &arguments) {
     complain("standard input has no name that the picture could have: -o PNG gives one");
     return kExitUsage;
   }
-  const auto rendering = render(document, drawing.first, drawing.last);
+  auto rendering = render(document, drawing.first, drawing.last);
   if (!rendering)
     return fail(arguments, document, rendering.error());
   for (const std::string &line : unfedSamples(document))
     complain(line);
   const std::string output = outputOf(arguments, document);
-  if (const std::string fault = scene::writePng(output, rendering.value().picture);
-      !fault.empty()) {
+  scene::Picture &picture = rendering.value().picture;
+  const bool opaque = isOpaque(picture);
+  if (arguments.opaque)
+    makeOpaque(picture);
+  if (const std::string fault = scene::writePng(output, picture); !fault.empty()) {
     complain(fault);
     return kExitUsage;
   }
+  if (!opaque && !arguments.opaque)
+    complain(output + ": alpha is not 1 everywhere, and viewers mix such pixels with a background; "
+                      "--opaque writes 1");
   report(arguments, drawing, rendering.value(), output);
   return kExitOk;
 }

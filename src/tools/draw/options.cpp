@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "scene/picture.h"
+#include "util/suggest.h"
 
 namespace arbiter::tools {
 
@@ -17,8 +18,6 @@ using Kind = GivenOption::Kind;
 using scene::Document;
 using scene::Panel;
 using scene::Setting;
-
-constexpr int kCheckerSide = 256;
 
 template <typename Number> bool readNumber(std::string_view text, Number &number) {
   const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -135,22 +134,17 @@ std::string applyParameters(const DrawArguments &arguments, Drawing &drawing) {
 }
 
 scene::TextureSource sourceOf(const std::string &name, const Document &document) {
+  using scene::Generator;
   scene::TextureSource source;
-  const auto size = [&](int width, int height) {
-    source.width = {double(width), {}};
-    source.height = {double(height), {}};
-  };
-  if (name == "checker") {
-    source.generator.value = scene::Generator::Checker;
-    size(kCheckerSide, kCheckerSide);
-  } else if (name == "noise") {
-    source.generator.value = scene::Generator::Noise;
-    size(document.width(), document.height());
-  } else {
-    // The name is relative to the working folder, not to the document's; panels have no absolute
-    // names.
+  source.generator.value = scene::findWord<Generator>(name).value_or(Generator::File);
+  // What --feedback may begin with has the picture's size.
+  if (source.generator.value == Generator::Noise || source.generator.value == Generator::Cells) {
+    source.width = {double(document.width()), {}};
+    source.height = {double(document.height()), {}};
+  }
+  if (source.generator.value == Generator::File) {
+    // Of the working folder and not of the document's; a panel has no absolute names.
     std::error_code error;
-    source.generator.value = scene::Generator::File;
     source.files = {{std::filesystem::absolute(name, error).string(), {}}};
   }
   const auto rows = scene::rowOf(source.generator.value).arguments();
@@ -167,11 +161,32 @@ scene::TextureSpec &unitOf(Panel &panel, unsigned unit) {
   return panel.textures.back();
 }
 
+/// Says what an image may be where the name is neither a word nor a file's.
+std::string faultOfImage(const std::string &name) {
+  const std::vector<std::string_view> words = generatorWords();
+  if (std::find(words.begin(), words.end(), name) != words.end())
+    return {};
+  if (scene::findWord<scene::Generator>(name))
+    return "a document alone can have that image: #@ texture N = " + name;
+  std::error_code error;
+  if (name.find_first_of("./") != std::string::npos || std::filesystem::exists(name, error))
+    return {}; // a file, of which reading tells more
+  if (const std::string_view near = closest(name, words); !near.empty())
+    return "there is no such file; did you mean " + std::string(near) + "?";
+  std::string text = "there is no such file, and no such word; words are ";
+  for (const std::string_view word : words)
+    text += (word == words.front() ? "" : ", ") + std::string(word);
+  return text;
+}
+
 std::string applyTexture(const std::string &text, Drawing &drawing) {
   GivenOption given{Kind::Texture, "--texture " + text, 0, {}};
   const std::size_t mark = text.find('=');
-  if (mark == std::string::npos || !readNumber(std::string_view(text).substr(0, mark), given.index))
-    return given.option + ": expected N=IMG (a PNG, JPEG or DDS file), N=checker or N=noise";
+  if (mark == std::string::npos || mark + 1 == text.size() ||
+      !readNumber(std::string_view(text).substr(0, mark), given.index))
+    return given.option + ": expected N=IMG, a PNG, JPEG or DDS file or a word such as checker";
+  if (const std::string fault = faultOfImage(text.substr(mark + 1)); !fault.empty())
+    return given.option + ": " + fault;
   for (const GivenOption &other : drawing.given)
     if (other.kind == Kind::Texture && other.index == given.index)
       return "--texture " + std::to_string(given.index) + " is given twice";
@@ -197,10 +212,10 @@ std::string applyFeedback(const DrawArguments &arguments, Drawing &drawing) {
   feedback.generator.value = scene::Generator::Feedback;
   if (begins)
     feedback.of = {texture.source};
-  if (begins &&
+  const bool ofOption = texture.source.generator.span.end == 0; // which has no place in a text
+  if (begins && ofOption && texture.source.generator.value != scene::Generator::File &&
       (texture.source.width.value != panel.width.value ||
-       texture.source.height.value != panel.height.value) &&
-      texture.source.generator.value == scene::Generator::Checker)
+       texture.source.height.value != panel.height.value))
     return option + ": the texture must have the size of the picture, " +
            std::to_string(drawing.document.width()) + "x" +
            std::to_string(drawing.document.height());
@@ -211,6 +226,20 @@ std::string applyFeedback(const DrawArguments &arguments, Drawing &drawing) {
 }
 
 } // namespace
+
+std::vector<std::string_view> generatorWords() {
+  using scene::Generator;
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < scene::wordsOf<Generator>().size(); ++i) {
+    const auto generator = Generator(i);
+    const bool aloneIsWhole = generator != Generator::File && generator != Generator::Normals &&
+                              generator != Generator::Feedback && generator != Generator::Picture &&
+                              generator != Generator::DepthOf;
+    if (aloneIsWhole && !scene::isCube(generator))
+      words.push_back(scene::rowOf(generator).word);
+  }
+  return words;
+}
 
 std::string applyOptions(const DrawArguments &arguments, Drawing &drawing) {
   std::string fault;

@@ -1,5 +1,7 @@
 #pragma once
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tools/draw/drawing.h"
 
@@ -8,5 +10,9 @@ namespace arbiter::tools {
 /// Applies the options in place of the settings in the first pass's panel.
 /// \returns an empty string, or the wrong option and what was expected of it.
 [[nodiscard]] std::string applyOptions(const DrawArguments &arguments, Drawing &drawing);
+
+/// The words that --texture takes for an image: those of `#@ texture` that are a 2D image by
+/// themselves.
+[[nodiscard]] std::vector<std::string_view> generatorWords();
 
 } // namespace arbiter::tools

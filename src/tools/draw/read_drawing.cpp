@@ -62,9 +62,13 @@ std::string addProgram(const std::string &path, Document &document) {
 }
 
 std::string readFiles(const DrawArguments &arguments, Document &document) {
-  for (const std::string &file : arguments.files)
+  for (const std::string &file : arguments.files) {
     if (isSameFile(file, arguments.output))
       return arguments.output + ": is the program itself";
+    if (file.ends_with(".png"))
+      return file + " is no program: -o " + file +
+             " writes the picture there, --texture N=" + file + " reads it";
+  }
   auto first = readDocument(arguments.files.front());
   if (!first)
     return first.error().message;

@@ -55,7 +55,7 @@ LayerFiles filesAt(const Place &place) {
   std::error_code error;
   LayerFiles files;
   files.preload = fs::absolute(place.preload, error).lexically_normal();
-  files.preloaded = files.preload;
+  files.preloaded = files.preloads = files.preload;
   for (const fs::path &folder : place.osmesaFolders)
     if (files.osmesaFolder.empty() && fs::exists(folder / "libOSMesa.so.8", error))
       files.osmesaFolder = fs::absolute(folder, error).lexically_normal();
@@ -64,6 +64,7 @@ LayerFiles filesAt(const Place &place) {
   if (!lib.empty() && !place.everyWidth.empty() &&
       fs::is_regular_file(folder / lib / ARBITER_PRELOAD_LIBRARY, error)) {
     files.preloaded = folder / "$LIB" / ARBITER_PRELOAD_LIBRARY;
+    files.preloads = forEveryWidth(files.preload, lib);
     files.osmesaFolder = forEveryWidth(files.osmesaFolder, lib);
   }
   return files;

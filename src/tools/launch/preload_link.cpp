@@ -61,6 +61,7 @@ Result<LayerFiles, LaunchError> preloadable(const LayerFiles &files) {
     return cannotHold(link.value(), "");
   return LayerFiles{.preload = through(files.preload, folder, link.value()),
                     .preloaded = through(files.preloaded, folder, link.value()),
+                    .preloads = files.preloads,
                     .osmesaFolder = through(files.osmesaFolder, folder, link.value())};
 }
 

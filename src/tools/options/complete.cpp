@@ -16,6 +16,7 @@ using complete::Candidates;
 using Words = std::vector<std::string>;
 
 constexpr const char *kFiles = ":files";
+constexpr std::string_view kHint = ":hint ";
 
 /// Returns the help up to its first ";" or line end: "write a picture of the window".
 std::string shortHelp(const std::string &help) { return help.substr(0, help.find_first_of(";\n")); }
@@ -36,9 +37,22 @@ Candidates wordsOf(const CLI::Option &option) {
   return found;
 }
 
-bool isNumber(const CLI::Option &option) {
+/// A number, or what the description says first, such as X,Y: no file, and no word that is known.
+bool isOfOwnForm(const CLI::Option &option) {
   const std::string type = option.get_type_name();
-  return type.starts_with("INT") || type.starts_with("UINT") || type.starts_with("FLOAT");
+  return type.starts_with("INT") || type.starts_with("FLOAT") ||
+         type.find(" to ") != std::string::npos ||
+         !saidPlaceholder(option.get_description()).empty();
+}
+
+/// Where the part of a value begins that is completed: behind the "0=" of a texture, and behind the
+/// last comma of several cards.
+std::size_t partBegin(const CLI::Option &option, const std::string &typed) {
+  const std::string &name = option.get_name();
+  const std::size_t mark = name == "--texture"   ? typed.find('=')
+                           : name == "--profile" ? typed.rfind(',')
+                                                 : std::string::npos;
+  return mark == std::string::npos ? 0 : mark + 1;
 }
 
 /// The parsed part of the command line, before the word to complete.
@@ -102,16 +116,23 @@ Candidates verbsOf(const CLI::App &app) {
   return found;
 }
 
-Candidates valuesOf(const CLI::Option &option) {
+/// \param part where partBegin() says
+Candidates valuesOf(const CLI::Option &option, std::size_t part) {
   Candidates found = wordsOf(option);
   const std::string &name = option.get_name();
   if (name == "--pid")
     return complete::processes();
   if (name == "--profile")
     found = complete::profiles();
+  if (name == "--texture" && part != 0)
+    found = complete::images();
   if (option.get_description().find("; all: ") != std::string::npos)
     found.push_back({"all", "every card"});
-  if (found.empty() ? !isNumber(option) : name == "--profile" || name == "--mesh")
+  if (found.empty() && isOfOwnForm(option))
+    return {{std::string(kHint) + shortHelp(option.get_description()), ""}};
+  const bool orFile =
+      option.get_type_name().ends_with(" OR FILE") || name == "--profile" || name == "--texture";
+  if (found.empty() || orFile)
     found.push_back({kFiles, ""});
   return found;
 }
@@ -143,12 +164,21 @@ Candidates operandsOf(const CLI::App &app, const Line &line) {
   return found;
 }
 
+/// \param typed the part of the word that is completed \param before what stands before it
 void print(const Candidates &candidates, const std::string &typed, const std::string &before) {
   for (const Candidate &each : candidates)
-    if (each.word.starts_with(":"))
+    if (each.word == kFiles)
+      std::printf("%s%s%s\n", kFiles, before.empty() ? "" : " ", before.c_str());
+    else if (each.word.starts_with(kHint))
       std::printf("%s\n", each.word.c_str());
     else if (each.word.starts_with(typed))
       std::printf("%s%s\t%s\n", before.c_str(), each.word.c_str(), each.help.c_str());
+}
+
+/// \param before what of the word is not the value: "--profile="
+void printValues(const CLI::Option &option, const std::string &typed, const std::string &before) {
+  const std::size_t part = partBegin(option, typed);
+  print(valuesOf(option, part), typed.substr(part), before + typed.substr(0, part));
 }
 
 } // namespace
@@ -172,9 +202,9 @@ int completeWords(const CLI::App &app, const Words &words, bool withCommand) {
   if (line.command != 0 || (withCommand && !line.valueOf && !typed.starts_with("-")))
     std::printf(":command %zu\n", line.command != 0 ? line.command : words.size() - 1);
   else if (line.valueOf)
-    print(valuesOf(*line.valueOf), typed, "");
+    printValues(*line.valueOf, typed, "");
   else if (assigned)
-    print(valuesOf(*assigned), typed.substr(equals + 1), typed.substr(0, equals + 1));
+    printValues(*assigned, typed.substr(equals + 1), typed.substr(0, equals + 1));
   else if (typed.starts_with("-") && typed != "-")
     print(optionsOf(*line.verb), typed, "");
   else

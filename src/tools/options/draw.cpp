@@ -10,6 +10,7 @@ void addDebugComparison(Verb &verb, DebugArguments &debug) {
               "whose picture the interpreter is compared with: swrast (the rasterizer), host "
               "(GLSL on the host), bare (the host's own implementation); fp24 (the other "
               "arithmetic alone); or another program's file")
+      .oneOfOrFile({"swrast", "host", "bare", "fp24"})
       .showDefault();
   verb.option("--break", debug.breakOn,
               "stop at the first row with nan, inf, unwritten, over1, below0, kil, differs, "
@@ -30,10 +31,11 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
       app, "draw",
       "Draw a document, or programs on a mesh, through the layer, with no display, into a PNG");
   addLayer(verb, draw.layer);
-  verb.option("--size", draw.size, "WxH in pixels, in place of the document's or of 512x512");
-  verb.option("--texture", draw.textures,
-              "N=IMG (a PNG, JPEG or DDS file), N=checker or N=noise: the 2D texture of unit N "
-              "(repeatable)")
+  verb.option("--size", draw.size, "WxH: pixels, in place of the document's or of 512x512");
+  verb.option(
+          "--texture", draw.textures,
+          "N=IMG: the 2D texture of unit N: a PNG, JPEG or DDS file, or a word that a document's "
+          "#@ texture takes: checker, noise, clouds, landscape (repeatable)")
       .repeatable();
   verb.option(
           "--mesh", draw.mesh,
@@ -61,6 +63,9 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
       .range(0, 31);
   verb.option("-o,--output", draw.output,
               "the PNG to write; without it the document's name with the ending .png, here");
+  verb.flag("--opaque", draw.opaque,
+            "write alpha 1 everywhere; without it the picture has the alpha that was drawn, and "
+            "viewers mix what is below 1 with a background");
   verb.flag("--json", draw.json, "say what was drawn as JSON");
   verb.flag("--bare", draw.bare, "without the layer: the host's own implementation");
   verb.flag("--in-layer", draw.inLayer).hidden(); // draw passes it to its own second process

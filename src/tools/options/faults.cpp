@@ -9,9 +9,17 @@ namespace arbiter::tools {
 
 namespace {
 
+/// The only one that begins so; empty: none does, or several do.
+std::string_view begunBy(std::string_view typed, const std::vector<std::string_view> &known) {
+  const auto begins = [&](std::string_view word) { return word.starts_with(typed); };
+  const auto found = std::find_if(known.begin(), known.end(), begins);
+  return std::count_if(known.begin(), known.end(), begins) == 1 ? *found : std::string_view();
+}
+
 std::string meant(std::string_view typed, const std::vector<std::string> &known) {
   const std::vector<std::string_view> views(known.begin(), known.end());
-  const std::string_view near = closest(typed, views);
+  const std::string_view begun = begunBy(typed, views);
+  const std::string_view near = begun.empty() ? closest(typed, views) : begun;
   return near.empty() ? std::string() : "; did you mean " + std::string(near) + "?";
 }
 

@@ -78,13 +78,15 @@ void addRun(CLI::App &app, RunArguments &run) {
 void addStats(CLI::App &app, StatsArguments &stats) {
   Verb verb(app, "stats",
             "Make the statistics of processes that were killed, from what they left behind");
-  verb.option("FILE", stats.file, "what ARBITER_STATS was; %p stands for any process's number")
+  verb.option("FILE", stats.files, "what ARBITER_STATS was; %p stands for any process's number")
       .required();
   verb.flag("--json", stats.json, "as one JSON document");
-  verb.footer("What `arbiter run` starts needs no such step. Prints how many were made.\n"
-              "Exit code: 0 some were; 1 usage, or there was nothing to be made.\n"
-              "Example:\n"
-              "  arbiter stats /tmp/stats-%p.json");
+  verb.footer(
+      "What `arbiter run` starts needs no such step. Prints how many were made, of all FILEs.\n"
+      "Exit code: 0 some were; 1 usage, or there was nothing to be made.\n"
+      "Example:\n"
+      "  arbiter stats /tmp/stats-%p.json\n"
+      "  arbiter stats game.json server.json");
 }
 
 void addCapture(CLI::App &app, CaptureArguments &capture) {

@@ -5,6 +5,7 @@
 namespace arbiter::tools {
 
 void addVerbs(CLI::App &app, Arguments &arguments) {
+  useOwnWords(app);
   addCheck(app, arguments.check);
   addCompile(app, arguments.compile);
   addDraw(app, arguments.draw);

@@ -43,12 +43,13 @@ std::string numberText(double value) {
 }
 
 template <typename T> CLI::Validator between(T low, T high, const char *what) {
-  const std::string range = numberText(low) + " to " + numberText(high);
+  const bool open = high == std::numeric_limits<T>::max();
+  const std::string range = numberText(low) + (open ? " or more" : " to " + numberText(high));
   const auto check = [=](std::string &text) {
     T value;
     if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high)
       return std::string();
-    return text + ": expected " + what + " from " + range;
+    return text + ": expected " + what + (open ? ", " : " from ") + range;
   };
   return {check, range};
 }
@@ -62,7 +63,7 @@ Option Option::oneOf(std::vector<std::string> words) const {
 
 Option Option::oneOfOrFile(std::vector<std::string> words) const {
   return Option(m_option->check(among(std::move(words), " or a file", [](const std::string &name) {
-    return CLI::ExistingFile(name).empty();
+    return name == "-" || CLI::ExistingFile(name).empty();
   })));
 }
 

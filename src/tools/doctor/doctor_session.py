@@ -1,0 +1,69 @@
+"""What the tests of the doctor share: programs that are compiled, and what is said of them.
+
+A test is called as TEST ARBITER LAYER SOURCE_ROOT CXX [unittest arguments].
+"""
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+CXX = sys.argv.pop(4)
+from command_session import FAKE as LAYER, Temporary, arbiter  # noqa: E402
+
+
+def of_32_bits(path):
+    """Makes a program's file one of i386, as far as its header goes."""
+    header = bytearray(path.read_bytes())
+    header[4] = 1  # ELFCLASS32
+    struct.pack_into('<H', header, 18, 3)  # EM_386
+    # The header and one program header, PT_INTERP, in the places of 32 bits.
+    struct.pack_into('<IIIIHHHHHH', header, 24, 0, 52, 0, 0, 52, 32, 1, 40, 0, 0)
+    struct.pack_into('<IIIIIIII', header, 52, 3, 128, 0, 0, 20, 20, 4, 1)
+    header[128:148] = b'/lib/ld-linux.so.2\0\0'
+    path.write_bytes(header)
+
+
+class Examined(Temporary):
+    def setUp(self):
+        super().setUp()
+        self.root = pathlib.Path(self.folder.name)
+
+    def compile(self, name, source, *options):
+        path = self.path(name)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = self.path(name.replace('/', '_') + '.cpp', source)
+        subprocess.run([CXX, text, '-o', path, *options], check=True, capture_output=True)
+        return path
+
+    def script(self, name, text):
+        path = self.path(name, text)
+        path.chmod(0o755)
+        return path
+
+    def libgl(self, folder):
+        """A libGL that is not libglvnd's."""
+        (self.root / folder).mkdir(parents=True, exist_ok=True)
+        return self.compile(f'{folder}/libGL.so.1', 'extern "C" void glFinish() {}\n', '-shared', '-fPIC',
+                            '-Wl,-soname,libGL.so.1')
+
+    def ask(self, *words, options=(), **environment):
+        """The findings by their words, after the command has said the same as text."""
+        environment.setdefault('EGL_PLATFORM', 'surfaceless')
+        call = ['doctor', '--library', LAYER, *options]
+        text = arbiter(*call, '--', *words, **environment)
+        twin = arbiter(*call, '--json', '--', *words, **environment)
+        report = json.loads(twin.stdout)
+        self.assertEqual(twin.returncode, 0 if report['reached'] else 5, twin.stderr)
+        self.assertEqual(text.returncode, twin.returncode)
+        self.assertEqual(report['command'], [str(word) for word in words])
+        for each in report['findings']:
+            if '--run' not in options:  # whose sentences have times in them
+                self.assertIn(f'{each["level"]}: {each["what"]}\n', text.stdout)
+            self.assertTrue(each['what'].endswith('.'), each)
+            self.assertTrue(each['level'] == 'note' or each['remedy'].endswith('.'), each)
+        return {each['id']: each for each in report['findings']}
+
+    def obstacles(self, found):
+        return {name for name, each in found.items() if each['level'] == 'obstacle'}

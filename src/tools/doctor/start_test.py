@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""Tests of what `arbiter run` says before it starts a program that the layer cannot reach.
+
+usage: start_test.py ARBITER LAYER SOURCE_ROOT CXX [unittest arguments]
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from command_session import ARBITER, FAKE as LAYER, arbiter  # noqa: E402
+from doctor_clients import GL_CALL  # noqa: E402
+from doctor_session import Examined, of_32_bits  # noqa: E402
+from plain_environment import plain  # noqa: E402
+
+STATIC = 'It is statically linked: nothing can be loaded into it.'
+
+
+class Start(Examined):
+    def said(self, *command, **environment):
+        """Lines of the command itself on standard error."""
+        done = arbiter('run', '--library', LAYER, '--', *command, **environment)
+        return [line for line in done.stderr.splitlines() if line.startswith('arbiter run: ')], done.returncode
+
+    def test_nothing_is_said_of_what_is_reached(self):
+        game = self.compile('game', 'int main() { return 7; }\n')
+        self.assertEqual(self.said(game), ([], 7))
+        self.assertEqual(self.said(self.script('start.sh', f'#!/bin/sh\nexec {game}\n')), ([], 7))
+
+    def test_a_static_program_runs_and_is_named(self):
+        game = self.compile('game', 'int main() { return 7; }\n', '-static')
+        (line,), status = self.said(game)
+        self.assertTrue(line.startswith(f'arbiter run: {game}: {STATIC}'), line)
+        self.assertEqual(status, 7)
+
+    def test_the_interpreter_of_a_script_is_what_is_started(self):
+        shell = self.compile('shell', 'int main() { return 7; }\n', '-static')
+        for line in (f'#!{shell}', '#!/usr/bin/env shell'):
+            script = self.script('start', line + '\n')
+            (line,), status = self.said(script, PATH=f'{self.root}:{os.environ["PATH"]}')
+            self.assertTrue(line.startswith(f'arbiter run: {shell}: {STATIC}'), line)
+            self.assertEqual(status, 7)
+
+    def test_a_program_of_32_bits(self):
+        game = self.compile('game', GL_CALL)
+        of_32_bits(game)
+        line = self.said(game)[0][0]
+        self.assertIn('It is a 32-bit (i386) program', line)
+        self.assertIn('sudo dpkg --add-architecture i386', line)
+
+    @unittest.skipUnless(os.geteuid() == 0, 'another user is wanted')
+    def test_a_set_user_id_program(self):
+        game = self.compile('game', 'int main() { return 7; }\n')
+        os.chown(game, 65533, 65533)
+        game.chmod(0o4755)
+        (line,), status = self.said(game)
+        self.assertIn('set-user-ID', line)
+        self.assertEqual(status, 7)
+
+    def test_sandboxes(self):
+        flatpak = self.script('flatpak', '#!/bin/sh\n')
+        (line,), _ = self.said(flatpak, 'run', 'org.example.Game')
+        self.assertIn('Flatpak runs org.example.Game in a sandbox', line)
+
+
+class Widths(Examined):
+    """An installation beside the command, of one width and of both."""
+
+    def setUp(self):
+        super().setUp()
+        if os.uname().machine != 'x86_64':
+            self.skipTest('a processor of one width')
+        (self.root / 'bin').mkdir()
+        self.command = self.root / 'bin' / 'arbiter'
+        shutil.copy(ARBITER, self.command)
+        self.lib = self.root / 'lib'
+        for folder in ('x86_64-linux-gnu/arbiter', 'x86_64-linux-gnu/arbiter/preload/lib/x86_64-linux-gnu'):
+            (self.lib / folder).mkdir(parents=True)
+            shutil.copy(LAYER, self.lib / folder / 'libGLX_arbiter.so.0')
+        self.game = self.compile('game', GL_CALL)
+        of_32_bits(self.game)
+
+    def said(self):
+        done = subprocess.run([self.command, 'run', '--', self.game], capture_output=True, text=True, timeout=60,
+                              env=plain())
+        if 'the layer is not there' in done.stderr:
+            self.skipTest('this build installs its libraries elsewhere')
+        return 'It is a 32-bit' in done.stderr
+
+    def test_the_layer_of_32_bits_is_found_beside_the_other(self):
+        self.assertTrue(self.said())
+        other = self.lib / 'i386-linux-gnu' / 'arbiter'
+        other.mkdir(parents=True)
+        shutil.copy(self.game, other / 'libGLX_arbiter.so.0')
+        self.assertFalse(self.said())
+
+
+if __name__ == '__main__':
+    unittest.main(argv=[sys.argv[0]] + sys.argv[4:])
