@@ -11,13 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of the command itself.
+/// Returns the folder of this command.
 fs::path ownFolder() {
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-/// Beside the command, as installed; or where a build tree has it.
+/// Returns the path of the window's executable: beside this command if installed, or in the build
+/// tree.
 std::string findWindow(const fs::path &here) {
   std::error_code error;
   for (const fs::path &place :
@@ -27,7 +28,7 @@ std::string findWindow(const fs::path &here) {
   return {};
 }
 
-/// Says what to install, where there is no window.
+/// Returns what to install if there is no window.
 std::string remedy(const fs::path &here) {
   std::error_code error;
   if (fs::exists(here.parent_path().parent_path() / "build.ninja", error))

@@ -10,18 +10,18 @@
 namespace arbiter::tools {
 
 struct CommandFile {
-  std::vector<std::string> words; ///< the command line; beyond PATH the file is its first word
-  std::string found;              ///< the file, as a shell finds it; empty: there is none
-  std::string path;               ///< the same without symbolic links
+  std::vector<std::string> words; ///< the command line; if isBeyondPath, the first word is the file
+  std::string found;              ///< the file, as a shell finds it; empty: none
+  std::string path;               ///< `found` with symbolic links resolved
   std::string problem;            ///< why it cannot be executed; empty: it can
-  bool isBeyondPath = false;      ///< in a folder that PATH does not have
-  /// Of a script the words of its first line behind "#!": the interpreter, and its option.
+  bool isBeyondPath = false;      ///< true if found in a folder outside PATH
+  /// The interpreter and its option in a script's "#!" line; empty for other files.
   std::vector<std::string> interpreter;
 };
 
-/// Looks the command's first word up, in PATH where it has no slash.
+/// Looks up the command's first word; searches PATH if it has no slash.
 /// \param words not empty
-/// \param further folders, for what is not in PATH
+/// \param further folders to search after PATH
 [[nodiscard]] CommandFile findCommand(std::vector<std::string> words,
                                       std::span<const std::string_view> further = {});
 

@@ -59,7 +59,7 @@ std::shared_ptr<Counters> countersOf(const Context &context) {
   return counters;
 }
 
-/// The renderer that the host names. It is asked once.
+/// Returns the host's renderer, which is queried once.
 const std::string &hostOf(const Context &context, Counters &counters) {
   constexpr std::size_t kMost = 48; // letters
   if (counters.host.empty())

@@ -21,11 +21,11 @@ struct Figures {
   std::uint64_t refused = 0; ///< texts that only the profile refuses
 };
 
-/// "Arbiter 1.0  profile r300, ATI Radeon 9700": the layer's version and the profile's own name,
-/// whatever the user called it, with the card.
-/// \param description the profile's, which begins with the card where its chip stands in brackets
+/// Returns "Arbiter 1.0  profile r300, ATI Radeon 9700": the layer's version, the profile's own
+/// name, and its card.
+/// \param description the profile's; the card's name comes before the chip in brackets
 [[nodiscard]] std::string versionLine(std::string_view profile, std::string_view description);
-/// The lines of the parts that are asked for.
+/// Returns the lines of the requested parts.
 [[nodiscard]] std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options);
 /// Returns how many pixels wide a letter's pixel is, so that letters stay readable in a frame of
 /// that height.

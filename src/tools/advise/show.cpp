@@ -42,7 +42,7 @@ std::vector<std::string> linesOf(std::string_view piece) {
   return lines;
 }
 
-/// Whole lines from the first to the last edit that share them.
+/// The whole lines of one or more edits that share lines.
 struct Block {
   std::size_t begin, end;
   Edits edits;

@@ -16,9 +16,9 @@ using Candidates = std::vector<Candidate>;
 [[nodiscard]] Candidates profiles();
 /// Returns `gallery:NAME` for each document of the gallery.
 [[nodiscard]] Candidates gallery();
-/// Words of `draw --texture` for an image.
+/// Returns the words of `draw --texture` for images.
 [[nodiscard]] Candidates images();
-/// The actions of `arbiter ctl`.
+/// Returns the actions of `arbiter ctl`.
 [[nodiscard]] Candidates actions();
 /// Returns the processes that listen to `arbiter ctl`.
 [[nodiscard]] Candidates processes();

@@ -27,9 +27,9 @@ struct Findings {
   std::optional<Verdict> verdict;     ///< empty: without `beside` too, the trace's two arithmetics
                                       ///< are compared
   std::optional<Beside> beside;
-  std::string note;    ///< of who drew; may be empty
-  std::string watch;   ///< REG@LINE of --watch; empty: nothing was pictured
-  std::string picture; ///< of it: the file
+  std::string note;    ///< about who drew; may be empty
+  std::string watch;   ///< REG@LINE of --watch; empty: none
+  std::string picture; ///< the file with the picture of `watch`
 };
 
 /// True if a comparison found a difference, or a run stopped.
@@ -37,8 +37,8 @@ struct Findings {
 /// Returns the comparison's outcome in one line or a few: "swrast drew 8c5a3fff: equal".
 [[nodiscard]] std::string summaryText(const Findings &findings);
 [[nodiscard]] std::string findingsText(const Findings &findings);
-/// traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against, watch,
-/// summary}.
+/// Returns traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against,
+/// watch, summary}.
 [[nodiscard]] Json findingsJson(const Findings &findings);
 
 } // namespace arbiter::tools::debug

@@ -36,7 +36,8 @@ Result<CheckedText, SessionError> checkText(std::string name, std::string text,
   if (!result.ok())
     return SessionError{SessionError::Kind::Invalid,
                         rendered(name, text, result.diagnostics, style)};
-  // What is read in the middle of a program is read by assembly of the ARB's, and by straight code.
+  // Values inside a program are read by cut programs: ARB assembly without branches. They cannot
+  // express the instructions of NVIDIA's options.
   if (result.program->options.nv != fp::ir::NvOption::None)
     return SessionError{SessionError::Kind::Invalid,
                         name + ": a program under an option of NVIDIA's cannot be traced yet\n"};

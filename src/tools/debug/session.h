@@ -31,7 +31,7 @@ struct SessionOptions {
   std::string profile;  ///< a name or a file; empty: the document's, or the user's
   std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
-  std::string library; ///< of the layer; empty: found
+  std::string library; ///< the layer; empty: found automatically
   Style style = {};    ///< of diagnostics in messages
 };
 
@@ -41,7 +41,8 @@ struct CheckedText {
   std::string text;
   fp::ir::Program program;
 };
-/// Errors: the compiler's, under the profile's limits. \param style of their text
+/// Compiles a program under the profile's limits. Fails with the compiler's diagnostics.
+/// \param style of the diagnostics
 [[nodiscard]] Result<CheckedText, SessionError>
 checkText(std::string name, std::string text, const fp::FileProgram &program,
           const fp::hw::Profile &profile, fp::Numerics numerics, const Style &style);
@@ -52,9 +53,9 @@ public:
   open(const SessionOptions &options);
 
   [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
-  /// Of the pass; null: fixed function's.
+  /// Returns the pass's vertex program, or null if fixed function transforms.
   [[nodiscard]] const CheckedText *vertex() const { return m_vertex ? &*m_vertex : nullptr; }
-  /// What programs are held to.
+  /// Returns the profile that limits the programs.
   [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }
   [[nodiscard]] const scene::Document &document() const { return m_document; }
   [[nodiscard]] Drawer &drawer() { return *m_drawer; }

@@ -49,15 +49,15 @@ struct Examination {
 
 /// The examiner's data about the layer and the system.
 struct Surroundings {
-  std::string layer;  ///< the layer's library; empty: none was found
+  std::string layer;  ///< the layer's library; empty: not found
   std::string layers; ///< LayerFiles::preloads
-  std::string root;   ///< of the system that is looked at; empty: this one
+  std::string root;   ///< root of the examined system; empty: this system
 };
 [[nodiscard]] inline Surroundings surroundingsOf(const LayerFiles &files) {
   return {.layer = files.preload, .layers = files.preloads, .root = {}};
 }
 
-/// What to do where the layer of 32 bits is missing.
+/// The remedy if the 32-bit layer is missing.
 inline constexpr const char *kRemedyOf32Bits =
     "Install the layer for i386 beside it (libglx-arbiter0:i386 and libarbiter-jit0:i386): "
     "sudo dpkg --add-architecture i386 && sudo apt update; ./dev package i386 makes the packages; "
@@ -77,27 +77,31 @@ inline constexpr const char *kDirectRemedy =
 bool examineLauncher(Examination &examination, const CommandFile &command,
                      const Surroundings &surroundings);
 
-/// What the file that a command starts tells at once, of what no run can disprove: Flatpak and Snap
-/// by their names, the rest by its rights and its header (start.cpp). Runs nothing.
+/// Examines the file that a command starts for obstacles that no run can disprove. Recognizes
+/// Flatpak and Snap by name, and other programs by their rights and header (start.cpp). Runs
+/// nothing.
 [[nodiscard]] Examination examineStart(const CommandFile &command,
                                        const Surroundings &surroundings);
-/// Says it on standard error, a line each.
+/// Prints the obstacles on standard error, one per line.
 void sayWhatIsInTheWay(const std::vector<std::string> &command, const LayerFiles &files);
 
-/// `flatpak run`, /snap/bin/NAME, which is a link to snap. \returns it is one
+/// Examines `flatpak run` and /snap/bin/NAME, which is a link to snap.
+/// \returns true if the command is one of them
 bool examineSandbox(Examination &examination, const CommandFile &command,
                     const Surroundings &surroundings);
 
-/// True if there is a library of the layer for processes of that width and machine (EM_386, ...).
-/// \param layers the libraries' path, which may have $LIB in it
+/// True if the layer has a library for processes of that width and machine (EM_386, ...).
+/// \param layers the libraries' path, which may contain $LIB
 [[nodiscard]] bool layerServes(const std::string &layers, int bits, int machine);
 
 struct ElfFile;
-/// Looks at what the kernel and the loader decide a program by: a static one, its rights, its width
-/// (examine_program.cpp). \returns something can be loaded into it
+/// Examines the properties by which kernel and loader treat a program: static linking, rights,
+/// width (examine_program.cpp).
+/// \returns true if a library can be loaded into the program
 bool examineHeader(Examination &examination, const std::string &path, const ElfFile &elf,
                    const Surroundings &surroundings);
-/// Looks at a program's own file: its header, and what it needs and uses (examine_program.cpp).
+/// Examines a program's own file: its header, and the libraries and functions that it uses
+/// (examine_program.cpp).
 void examineProgram(Examination &examination, const std::string &path,
                     const Surroundings &surroundings);
 

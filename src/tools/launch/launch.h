@@ -15,10 +15,10 @@ struct LaunchError {
 /// The paths of the layer's files.
 struct LayerFiles {
   std::string preload;      ///< absolute path of libGLX_arbiter.so.0
-  std::string preloaded;    ///< what LD_PRELOAD gets: the same, or a path with $LIB in it
-  std::string preloads;     ///< of processes of each width: the same, or with $LIB in it
-  std::string osmesaFolder; ///< absolute path of the folder of the front libOSMesa.so.8, or empty;
-                            ///< so may this
+  std::string preloaded;    ///< the value for LD_PRELOAD: `preload`, or a path with $LIB in it
+  std::string preloads;     ///< `preload`, or a path with $LIB in it for processes of each width
+  std::string osmesaFolder; ///< absolute path of the folder of the layer's libOSMesa.so.8; may be
+                            ///< empty or contain $LIB
 };
 
 /// Finds the layer beside the executable in a build tree (../interposer), or else in the

@@ -19,7 +19,7 @@ public:
   [[nodiscard]] CLI::Option *get() const { return m_option; }
   /// Accepts one of these words.
   Option oneOf(std::vector<std::string> words) const;
-  /// One of these words, or a file that is there, or standard input, "-".
+  /// Accepts one of these words, an existing file, or "-" for standard input.
   Option oneOfOrFile(std::vector<std::string> words) const;
   /// Accepts files; `gallery:NAME` names one of the gallery's.
   Option documents() const;
