@@ -170,6 +170,7 @@ bool isProgram(const std::string &path) {
 /// Words before a command that run it, or that belong to the shell's syntax.
 constexpr std::string_view kPassing[] = {"exec", "env",  "nohup", "nice", "setsid",
                                          "time", "then", "else",  "do",   "command"};
+/// Commands that are never a script's purpose.
 constexpr std::string_view kOwn[] = {
     "cd",     "export",  "if",       "[",        "test",   "unset", "set",  "echo",
     "local",  "while",   "for",      "case",     "fi",     "done",  "esac", "return",

@@ -25,7 +25,7 @@ struct Analysis {
   std::vector<fp::Token> tokens; ///< without EndOfText; also set if parsing failed
   fp::Inspection inspection;
   /// The native counts of a valid program. Empty for ATI's and nvparse's languages, which have no
-  /// native limits.
+  /// model.
   fp::hw::NativeReport native;
 };
 

@@ -18,7 +18,7 @@ struct Histogram {
 
 /// Returns the histogram. A bin's width is a power of two, so that cards' limits lie between two
 /// bins. An amount of zero counts in the first bin. The axis reaches the limit unless that is far
-/// above all amounts. It ends at twice the limit; larger amounts count in the last bin.
+/// above all amounts. It ends at twice the limit at most; larger amounts count in the last bin.
 /// \param amounts one for each program
 [[nodiscard]] Histogram histogramOf(const std::vector<std::uint32_t> &amounts, std::uint32_t limit);
 

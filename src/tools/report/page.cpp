@@ -75,8 +75,8 @@ std::string countCells(const CheckedFile &file) {
   return html + "<td class=n>" + decimal(file.native().cycles.cycles) + "</td>";
 }
 
-/// Returns the name in the table. For a captured program it is the shortest unique start of its
-/// hash.
+/// Returns the name in the table. For a captured program it is the start of its hash, with the
+/// file name's extension.
 std::string shortName(const ProgramSet &set, std::size_t index) {
   const ReportedProgram &program = set.programs[index];
   if (program.captured < 0)
