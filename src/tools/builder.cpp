@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the folder of this command's executable.
+/// Returns the folder of this command.
 fs::path ownFolder() {
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -28,7 +28,7 @@ std::string findWindow(const fs::path &here) {
   return {};
 }
 
-/// Says what to install, where there is no window.
+/// Returns what to install if there is no window.
 std::string remedy(const fs::path &here) {
   std::error_code error;
   if (fs::exists(here.parent_path().parent_path() / "build.ninja", error))

@@ -10,11 +10,11 @@
 namespace arbiter::tools {
 
 struct CommandFile {
-  std::vector<std::string> words; ///< the command line; beyond PATH its first word is the file
+  std::vector<std::string> words; ///< the command line; if isBeyondPath, the first word is the file
   std::string found;              ///< the file, as a shell finds it; empty: none
   std::string path;               ///< `found` with symbolic links resolved
   std::string problem;            ///< why it cannot be executed; empty: it can
-  bool isBeyondPath = false;      ///< found in a folder that is not in PATH
+  bool isBeyondPath = false;      ///< true if found in a folder outside PATH
   /// The interpreter and its option in a script's "#!" line; empty for other files.
   std::vector<std::string> interpreter;
 };

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with one program, which goes with it.
+/// A temporary folder with one program.
 class CommandFileTest : public testing::Test {
 protected:
   CommandFileTest() {
@@ -41,7 +41,7 @@ TEST_F(CommandFileTest, IsMissingWhereNoFolderHasIt) {
   const CommandFile none = findCommand({"arbiter-game"}, further);
   EXPECT_TRUE(none.found.empty());
   EXPECT_FALSE(none.isBeyondPath);
-  // A name with a slash is one file.
+  // A name with a slash is not searched for.
   const std::string_view here[] = {m_folder};
   EXPECT_EQ(findCommand({"./arbiter-game"}, here).problem, "./arbiter-game: no such file");
 }

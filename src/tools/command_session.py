@@ -29,7 +29,7 @@ def arbiter(*words, text=None, **environment):
 
 
 def on_terminal(*words, **environment):
-    """What a terminal gets that is standard output and standard error, without its CR before LF."""
+    """Returns the command's output on a terminal, both streams, without the CR before each LF."""
     terminal, client = pty.openpty()
     with subprocess.Popen([ARBITER, *map(str, words)], stdin=subprocess.DEVNULL, stdout=client, stderr=client,
                           env=plain(TERM='xterm', **environment)):
@@ -38,7 +38,7 @@ def on_terminal(*words, **environment):
         while True:
             try:
                 piece = os.read(terminal, 65536)
-            except OSError:  # Linux: the other side is closed
+            except OSError:  # Linux reports a closed other side as an error
                 piece = b''
             if not piece:
                 break

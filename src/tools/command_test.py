@@ -239,7 +239,7 @@ class Whole(unittest.TestCase):
                          'arbiter: no verb chek; did you mean check? (arbiter --help)\n')
 
     def test_help_is_in_own_words(self):
-        """None of CLI11's for what an option takes."""
+        """Help must not use CLI11's words for the kinds of values."""
         names = re.findall(r'^  ([a-z]+)  ', arbiter('--help').stdout.partition('Subcommands:')[2], re.M)
         for name in names:
             text = arbiter(name, '--help').stdout

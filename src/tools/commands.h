@@ -131,7 +131,7 @@ struct DrawArguments {
   int frame = -1;                   ///< the only frame to draw, from 0; -1: all
   int feedback = -1;                ///< texture unit that receives each frame's picture, or -1
   std::string output;               ///< empty: the document's name with the ending .png
-  bool opaque = false;              ///< the picture's alpha is 1, whatever was drawn
+  bool opaque = false;              ///< set the picture's alpha to 1
   bool json = false;
   bool bare = false;    ///< without the layer, on the host's implementation
   bool inLayer = false; ///< true in the process with the preloaded layer

@@ -11,7 +11,8 @@ namespace arbiter::tools {
 
 namespace {
 
-/// Makes the statistics of one FILE. \returns how many; below 0: it was complained of
+/// Completes the statistics of one FILE.
+/// \returns the number of completed statistics, or below 0 after a complaint
 int makeOf(const std::string &file) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(file, error);

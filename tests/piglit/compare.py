@@ -26,7 +26,7 @@ import run as piglit
 import sharding
 
 NEED_DISPLAY = ("glx", "x11_egl", "mixed_glx_egl")
-SOURCES = ("include", "src", "tests/piglit")  # a result depends on these
+SOURCES = ("include", "src", "tests/piglit")  # what a result depends on
 
 
 def lacking(platform, layer, environment):

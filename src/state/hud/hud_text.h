@@ -21,9 +21,9 @@ struct Figures {
   std::uint64_t refused = 0; ///< texts that only the profile refuses
 };
 
-/// Returns the layer's version and the profile's own name with its card, whatever name the user
-/// gave it: "Arbiter 1.0  profile r300, ATI Radeon 9700". \param description the profile's, which
-/// begins with the card, the chip in brackets
+/// Returns "Arbiter 1.0  profile r300, ATI Radeon 9700": the layer's version, the profile's own
+/// name, and its card.
+/// \param description the profile's; the card's name comes before the chip in brackets
 [[nodiscard]] std::string versionLine(std::string_view profile, std::string_view description);
 /// Returns the lines of the requested parts.
 [[nodiscard]] std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options);

@@ -17,13 +17,14 @@ struct Change {
 };
 [[nodiscard]] std::vector<Change> changesOf(std::string_view text, const Edits &edits);
 
-/// Returns the advice as a compiler's note, which is rendered like a diagnostic.
+/// Returns a suggestion as a compiler's note, which is rendered like other diagnostics.
 [[nodiscard]] fp::Diagnostic noteOf(const Advice &advice);
 /// Returns "file:line:column: note: message [rule]: ALU 4 -> 1".
 /// \param note the first line of the rendered note
 [[nodiscard]] std::string lineText(const std::string &note, const Advice &advice);
-/// Returns the note, its cost, and the changed lines with - and +. For advice, adds the
-/// application's part and the condition. \param note rendered: its line, the source line, a caret
+/// Returns the note with its cost, and the changed lines with - and +. For advice, adds the
+/// application's part and the condition.
+/// \param note the rendered note: its line, the source line and a caret
 [[nodiscard]] std::string fullText(const std::string &note, std::string_view text,
                                    const Advice &advice);
 

@@ -13,14 +13,14 @@ _arbiter() {
   while IFS= read -r answer; do
     case $answer in
       :files*)
-        # Completes the value of --option=FILE and of 0=FILE too.
+        # File names can also follow "--option=" or "0=".
         before=${answer#:files} before=${before# }
         compopt -o filenames
         while IFS= read -r word; do word=$before$word COMPREPLY+=("${word#"$kept"}"); done \
           < <(compgen -f -- "${typed#"$before"}")
         ;;
       ':hint '*)
-        # Two candidates make bash show the hint and insert neither.
+        # With two candidates, bash shows the hint and inserts none.
         [[ -z $typed ]] && COMPREPLY+=("${answer#:hint }" ' ')
         ;;
       ':command '*)

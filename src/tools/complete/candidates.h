@@ -16,7 +16,7 @@ using Candidates = std::vector<Candidate>;
 [[nodiscard]] Candidates profiles();
 /// Returns `gallery:NAME` for each document of the gallery.
 [[nodiscard]] Candidates gallery();
-/// Returns the words that `draw --texture` takes for an image.
+/// Returns the words of `draw --texture` for images.
 [[nodiscard]] Candidates images();
 /// Returns the actions of `arbiter ctl`.
 [[nodiscard]] Candidates actions();

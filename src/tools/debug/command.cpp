@@ -157,7 +157,7 @@ private:
     return isFile() ? readReference(m_session->profile()) : int(kExitOk);
   }
 
-  /// Whether the program whose instructions are shown has the line of --line.
+  /// Checks that the displayed program has the line of --line.
   int lookAtLine() {
     const debug::CheckedText *const text =
         m_arguments.stage == "vertex" ? m_session->vertex() : &m_session->fragment();

@@ -28,8 +28,8 @@ struct Findings {
                                       ///< are compared
   std::optional<Beside> beside;
   std::string note;    ///< about who drew; may be empty
-  std::string watch;   ///< REG@LINE of --watch; empty: nothing was pictured
-  std::string picture; ///< the file with the picture of --watch
+  std::string watch;   ///< REG@LINE of --watch; empty: none
+  std::string picture; ///< the file with the picture of `watch`
 };
 
 /// True if a comparison found a difference, or a run stopped.
@@ -38,7 +38,7 @@ struct Findings {
 [[nodiscard]] std::string summaryText(const Findings &findings);
 [[nodiscard]] std::string findingsText(const Findings &findings);
 /// Returns traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against,
-/// summary}.
+/// watch, summary}.
 [[nodiscard]] Json findingsJson(const Findings &findings);
 
 } // namespace arbiter::tools::debug

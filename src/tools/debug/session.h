@@ -42,7 +42,7 @@ struct CheckedText {
   fp::ir::Program program;
 };
 /// Compiles a program under the profile's limits. Fails with the compiler's diagnostics.
-/// \param style of the diagnostics' text
+/// \param style of the diagnostics
 [[nodiscard]] Result<CheckedText, SessionError>
 checkText(std::string name, std::string text, const fp::FileProgram &program,
           const fp::hw::Profile &profile, fp::Numerics numerics, const Style &style);
@@ -53,7 +53,7 @@ public:
   open(const SessionOptions &options);
 
   [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
-  /// Returns the vertex program of the pass; null: fixed function.
+  /// Returns the pass's vertex program, or null if fixed function transforms.
   [[nodiscard]] const CheckedText *vertex() const { return m_vertex ? &*m_vertex : nullptr; }
   /// Returns the profile that limits the programs.
   [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }

@@ -16,7 +16,7 @@ using doctor::Examination;
 using doctor::Finding;
 using doctor::Level;
 
-/// Where Debian installs games. The PATH of root, of cron and of services lacks these folders.
+/// Debian's folders of games, which the PATH of root, of cron and of services lacks.
 constexpr std::string_view kGamesFolders[] = {"/usr/games", "/usr/local/games"};
 
 const char *nameOf(Level level) {

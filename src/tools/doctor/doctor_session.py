@@ -1,4 +1,4 @@
-"""What the tests of the doctor share: programs that are compiled, and what is said of them.
+"""The compiled programs and the examination that the doctor's tests share.
 
 A test is called as TEST ARBITER LAYER SOURCE_ROOT CXX [unittest arguments].
 """
@@ -14,11 +14,11 @@ from command_session import FAKE as LAYER, Temporary, arbiter  # noqa: E402
 
 
 def of_32_bits(path):
-    """Makes a program's file one of i386, as far as its header goes."""
+    """Gives a program's file the header of an i386 program."""
     header = bytearray(path.read_bytes())
     header[4] = 1  # ELFCLASS32
     struct.pack_into('<H', header, 18, 3)  # EM_386
-    # The header and one program header, PT_INTERP, in the places of 32 bits.
+    # A 32-bit header with one program header, PT_INTERP.
     struct.pack_into('<IIIIHHHHHH', header, 24, 0, 52, 0, 0, 52, 32, 1, 40, 0, 0)
     struct.pack_into('<IIIIIIII', header, 52, 3, 128, 0, 0, 20, 20, 4, 1)
     header[128:148] = b'/lib/ld-linux.so.2\0\0'
@@ -43,13 +43,13 @@ class Examined(Temporary):
         return path
 
     def libgl(self, folder):
-        """A libGL that is not libglvnd's."""
+        """Makes a libGL that is not libglvnd's."""
         (self.root / folder).mkdir(parents=True, exist_ok=True)
         return self.compile(f'{folder}/libGL.so.1', 'extern "C" void glFinish() {}\n', '-shared', '-fPIC',
                             '-Wl,-soname,libGL.so.1')
 
     def ask(self, *words, options=(), **environment):
-        """The findings by their words, after the command has said the same as text."""
+        """Returns the findings by their words, after checking that the text output reports the same."""
         environment.setdefault('EGL_PLATFORM', 'surfaceless')
         call = ['doctor', '--library', LAYER, *options]
         text = arbiter(*call, '--', *words, **environment)
@@ -59,7 +59,7 @@ class Examined(Temporary):
         self.assertEqual(text.returncode, twin.returncode)
         self.assertEqual(report['command'], [str(word) for word in words])
         for each in report['findings']:
-            if '--run' not in options:  # whose sentences have times in them
+            if '--run' not in options:  # sentences of --run contain times
                 self.assertIn(f'{each["level"]}: {each["what"]}\n', text.stdout)
             self.assertTrue(each['what'].endswith('.'), each)
             self.assertTrue(each['level'] == 'note' or each['remedy'].endswith('.'), each)

@@ -57,7 +57,7 @@ struct Surroundings {
   return {.layer = files.preload, .layers = files.preloads, .root = {}};
 }
 
-/// What to do where the layer of 32 bits is missing.
+/// The remedy if the 32-bit layer is missing.
 inline constexpr const char *kRemedyOf32Bits =
     "Install the layer for i386 beside it (libglx-arbiter0:i386 and libarbiter-jit0:i386): "
     "sudo dpkg --add-architecture i386 && sudo apt update; ./dev package i386 makes the packages; "
@@ -77,15 +77,16 @@ inline constexpr const char *kDirectRemedy =
 bool examineLauncher(Examination &examination, const CommandFile &command,
                      const Surroundings &surroundings);
 
-/// Examines what the command's file alone tells, which no run can disprove: names of Flatpak and
-/// Snap, the file's rights, its header (start.cpp). Runs nothing.
+/// Examines the file that a command starts for obstacles that no run can disprove. Recognizes
+/// Flatpak and Snap by name, and other programs by their rights and header (start.cpp). Runs
+/// nothing.
 [[nodiscard]] Examination examineStart(const CommandFile &command,
                                        const Surroundings &surroundings);
-/// Prints the obstacles of examineStart() on standard error, one a line.
+/// Prints the obstacles on standard error, one per line.
 void sayWhatIsInTheWay(const std::vector<std::string> &command, const LayerFiles &files);
 
-/// Examines `flatpak run` and /snap/bin/NAME, which is a link to snap. Returns true if the command
-/// is one of them.
+/// Examines `flatpak run` and /snap/bin/NAME, which is a link to snap.
+/// \returns true if the command is one of them
 bool examineSandbox(Examination &examination, const CommandFile &command,
                     const Surroundings &surroundings);
 
@@ -94,11 +95,12 @@ bool examineSandbox(Examination &examination, const CommandFile &command,
 [[nodiscard]] bool layerServes(const std::string &layers, int bits, int machine);
 
 struct ElfFile;
-/// Examines what makes the kernel and the loader refuse the layer: a static program, its rights,
-/// its width (examine_program.cpp). Returns true if a library can be loaded into it.
+/// Examines the properties by which kernel and loader treat a program: static linking, rights,
+/// width (examine_program.cpp).
+/// \returns true if a library can be loaded into the program
 bool examineHeader(Examination &examination, const std::string &path, const ElfFile &elf,
                    const Surroundings &surroundings);
-/// Examines a program's own file: its header, and the libraries that it needs and uses
+/// Examines a program's own file: its header, and the libraries and functions that it uses
 /// (examine_program.cpp).
 void examineProgram(Examination &examination, const std::string &path,
                     const Surroundings &surroundings);

@@ -8,7 +8,8 @@ namespace arbiter::tools::doctor {
 
 namespace {
 
-/// The file that the kernel starts: a script's interpreter, or what `env` looks up as one.
+/// Returns the file that the kernel starts: the program, or a script's interpreter. `env` is
+/// replaced by the program that it looks up.
 std::string startedFile(const CommandFile &command) {
   if (command.interpreter.empty())
     return command.path;
@@ -21,7 +22,7 @@ std::string startedFile(const CommandFile &command) {
 Examination examineStart(const CommandFile &command, const Surroundings &surroundings) {
   Examination examination;
   if (command.found.empty() || !command.problem.empty())
-    return examination; // the kernel says so
+    return examination; // the kernel reports the problem
   if (examineSandbox(examination, command, surroundings))
     return examination;
   const std::string file = startedFile(command);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of what `arbiter run` says before it starts a program that the layer cannot reach.
+"""Tests of the warnings by `arbiter run` before it starts a program that the layer cannot reach.
 
 usage: start_test.py ARBITER LAYER SOURCE_ROOT CXX [unittest arguments]
 """
@@ -21,7 +21,7 @@ STATIC = 'It is statically linked: nothing can be loaded into it.'
 
 class Start(Examined):
     def said(self, *command, **environment):
-        """Lines of the command itself on standard error."""
+        """Returns the command's own lines on standard error, and its exit code."""
         done = arbiter('run', '--library', LAYER, '--', *command, **environment)
         return [line for line in done.stderr.splitlines() if line.startswith('arbiter run: ')], done.returncode
 
@@ -67,7 +67,7 @@ class Start(Examined):
 
 
 class Widths(Examined):
-    """An installation beside the command, of one width and of both."""
+    """Installs the layer for one width or for both beside the command."""
 
     def setUp(self):
         super().setUp()

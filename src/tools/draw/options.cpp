@@ -137,7 +137,7 @@ scene::TextureSource sourceOf(const std::string &name, const Document &document)
   using scene::Generator;
   scene::TextureSource source;
   source.generator.value = scene::findWord<Generator>(name).value_or(Generator::File);
-  // An image that --feedback may begin with has the picture's size.
+  // Feedback must begin with an image of the picture's size.
   if (source.generator.value == Generator::Noise || source.generator.value == Generator::Cells) {
     source.width = {double(document.width()), {}};
     source.height = {double(document.height()), {}};
@@ -162,7 +162,8 @@ scene::TextureSpec &unitOf(Panel &panel, unsigned unit) {
   return panel.textures.back();
 }
 
-/// Says what an image may be where the name is neither a word nor a file's.
+/// Returns a complaint if an image is named by neither a word nor a file, or "". It lists the
+/// possible words.
 std::string faultOfImage(const std::string &name) {
   const std::vector<std::string_view> words = generatorWords();
   if (std::find(words.begin(), words.end(), name) != words.end())
@@ -171,7 +172,7 @@ std::string faultOfImage(const std::string &name) {
     return "a document alone can have that image: #@ texture N = " + name;
   std::error_code error;
   if (name.find_first_of("./") != std::string::npos || std::filesystem::exists(name, error))
-    return {}; // a file, of which reading tells more
+    return {}; // reading the file gives a better error
   if (const std::string_view near = closest(name, words); !near.empty())
     return "there is no such file; did you mean " + std::string(near) + "?";
   std::string text = "there is no such file, and no such word; words are ";
@@ -213,7 +214,8 @@ std::string applyFeedback(const DrawArguments &arguments, Drawing &drawing) {
   feedback.generator.value = scene::Generator::Feedback;
   if (begins)
     feedback.of = {texture.source};
-  const bool ofOption = texture.source.generator.span.end == 0; // which has no place in a text
+  const bool ofOption = texture.source.generator.span.end == 0; // an option has no position in a
+                                                                // text
   if (begins && ofOption && texture.source.generator.value != scene::Generator::File &&
       (texture.source.width.value != panel.width.value ||
        texture.source.height.value != panel.height.value))

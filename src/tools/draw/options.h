@@ -11,8 +11,8 @@ namespace arbiter::tools {
 /// \returns an empty string, or the wrong option and what was expected of it.
 [[nodiscard]] std::string applyOptions(const DrawArguments &arguments, Drawing &drawing);
 
-/// The words that --texture takes for an image: those of `#@ texture` that are a 2D image by
-/// themselves.
+/// Returns the words of --texture for images: those of `#@ texture` that make a 2D image without
+/// arguments.
 [[nodiscard]] std::vector<std::string_view> generatorWords();
 
 } // namespace arbiter::tools

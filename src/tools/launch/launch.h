@@ -16,7 +16,7 @@ struct LaunchError {
 struct LayerFiles {
   std::string preload;      ///< absolute path of libGLX_arbiter.so.0
   std::string preloaded;    ///< the value for LD_PRELOAD: `preload`, or a path with $LIB in it
-  std::string preloads;     ///< the same for processes of either width, with $LIB where it can be
+  std::string preloads;     ///< `preload`, or a path with $LIB in it for processes of each width
   std::string osmesaFolder; ///< absolute path of the folder of the layer's libOSMesa.so.8; may be
                             ///< empty or contain $LIB
 };

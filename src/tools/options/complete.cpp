@@ -37,7 +37,8 @@ Candidates wordsOf(const CLI::Option &option) {
   return found;
 }
 
-/// A number, or what the description says first, such as X,Y: no file, and no word that is known.
+/// True if the value is a number or a form such as X,Y, so that neither files nor known words can
+/// complete it.
 bool isOfOwnForm(const CLI::Option &option) {
   const std::string type = option.get_type_name();
   return type.starts_with("INT") || type.starts_with("FLOAT") ||
@@ -45,7 +46,7 @@ bool isOfOwnForm(const CLI::Option &option) {
          !saidPlaceholder(option.get_description()).empty();
 }
 
-/// Where the part of a value begins that is completed: behind the "0=" of a texture, and behind the
+/// Returns the start of the part of a value to complete: after the "0=" of a texture, and after the
 /// last comma of several cards.
 std::size_t partBegin(const CLI::Option &option, const std::string &typed) {
   const std::string &name = option.get_name();
@@ -116,7 +117,7 @@ Candidates verbsOf(const CLI::App &app) {
   return found;
 }
 
-/// \param part where partBegin() says
+/// Returns the possible values of an option. \param part from partBegin()
 Candidates valuesOf(const CLI::Option &option, std::size_t part) {
   Candidates found = wordsOf(option);
   const std::string &name = option.get_name();
@@ -164,7 +165,9 @@ Candidates operandsOf(const CLI::App &app, const Line &line) {
   return found;
 }
 
-/// \param typed the part of the word that is completed \param before what stands before it
+/// Prints the candidates that begin with `typed`.
+/// \param typed the part of the word to complete
+/// \param before the part of the word before it
 void print(const Candidates &candidates, const std::string &typed, const std::string &before) {
   for (const Candidate &each : candidates)
     if (each.word == kFiles)
@@ -175,7 +178,8 @@ void print(const Candidates &candidates, const std::string &typed, const std::st
       std::printf("%s%s\t%s\n", before.c_str(), each.word.c_str(), each.help.c_str());
 }
 
-/// \param before what of the word is not the value: "--profile="
+/// Prints the possible values of an option.
+/// \param before the part of the word before the value: "--profile="
 void printValues(const CLI::Option &option, const std::string &typed, const std::string &before) {
   const std::size_t part = partBegin(option, typed);
   print(valuesOf(option, part), typed.substr(part), before + typed.substr(0, part));

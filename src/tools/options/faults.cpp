@@ -9,7 +9,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// The only one that begins so; empty: none does, or several do.
+/// Returns the only word that begins with `typed`; empty if there is none, or more than one.
 std::string_view begunBy(std::string_view typed, const std::vector<std::string_view> &known) {
   const auto begins = [&](std::string_view word) { return word.starts_with(typed); };
   const auto found = std::find_if(known.begin(), known.end(), begins);

@@ -1,5 +1,5 @@
-// How help shows an option: "--frames N (1 to 1000000; by default 1)". CLI11's own words are
-// "TEXT", "INT", "REQUIRED", "Needs", "Excludes".
+// Formats an option for help: "--frames N (1 to 1000000; by default 1)". Replaces CLI11's words
+// "TEXT", "INT", "REQUIRED", "Needs" and "Excludes".
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
@@ -18,7 +18,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// CLI11's name of the type: "TEXT:{a,b} OR FILE", "INT:1 to 16".
+/// Parses CLI11's name of a type: "TEXT:{a,b} OR FILE", "INT:1 to 16".
 struct Type {
   explicit Type(const std::string &text) {
     const std::size_t colon = std::min(text.find(':'), text.size());
@@ -30,7 +30,7 @@ struct Type {
     isNumber = name == "INT" || name == "FLOAT" || !range.empty();
   }
   bool isNumber = false;
-  std::string words; ///< "{a,b}", "{a,b} or FILE"; empty: others too
+  std::string words; ///< "{a,b}", "{a,b} or FILE"; empty: any
   std::string range; ///< of a number; empty: any
 };
 
@@ -63,7 +63,7 @@ public:
     return option->get_required() ? name : "[" + name + "]";
   }
 
-  /// What the placeholder says already is not said again.
+  /// Leaves out the part that the placeholder already shows.
   [[nodiscard]] std::string make_option_desc(const CLI::Option *option) const override {
     const std::string &description = option->get_description();
     const std::string said = saidPlaceholder(description);
@@ -80,8 +80,8 @@ private:
     return CLI::detail::join(names, "");
   }
 
-  /// What stands for the value: its words, what the description begins with, N for a number, or the
-  /// last word of the name.
+  /// Returns the placeholder of a value: its words, the start of the description, N for a number,
+  /// or the last word of the name.
   static std::string placeholder(const CLI::Option &option, const Type &type) {
     if (!type.words.empty())
       return type.words;

@@ -38,12 +38,12 @@ inline constexpr const char *kLayerGroup = "Options of the layer";
 /// The verb that shows the help of another verb; its words are replaced by that verb's --help.
 inline constexpr const char *kHelpVerb = "help";
 
-/// Makes help show options in this project's words. Verbs that are added later do so too.
+/// Makes help show options in this project's words, also for verbs that are added later.
 void useOwnWords(CLI::App &app);
 /// Adds every verb; parsing fills \p arguments, which must outlive the application.
 void addVerbs(CLI::App &app, Arguments &arguments);
 
-/// Returns "X,Y" of a description "X,Y: the pixel"; empty if it does not begin so.
+/// Returns "X,Y" for the description "X,Y: the pixel", or "" if the description has no such start.
 [[nodiscard]] std::string saidPlaceholder(const std::string &description);
 
 /// Returns the complaint about an unknown option: "no option --jsn; did you mean --json?"
@@ -56,8 +56,9 @@ void addVerbs(CLI::App &app, Arguments &arguments);
 /// The hidden verb that runs completeWords(); no help shows it.
 inline constexpr const char *kCompleteVerb = "complete";
 /// Prints the possible completions of the last word, one per line: the word, a tab, a help text. A
-/// line ":files" stands for file names. A line ":command N" says that another command line begins
-/// at word N.
+/// line ":files" stands for file names; ":files TEXT" for those after TEXT, with which the word
+/// begins. A line ":hint TEXT" says what is expected. A line ":command N" says that another command
+/// line begins at word N.
 /// \param words after `arbiter`; the last one may be empty
 /// \param withCommand true if the verb takes another command line
 int completeWords(const CLI::App &app, const std::vector<std::string> &words, bool withCommand);

@@ -19,7 +19,7 @@ public:
   [[nodiscard]] CLI::Option *get() const { return m_option; }
   /// Accepts one of these words.
   Option oneOf(std::vector<std::string> words) const;
-  /// Accepts one of these words, or an existing file.
+  /// Accepts one of these words, an existing file, or "-" for standard input.
   Option oneOfOrFile(std::vector<std::string> words) const;
   /// Accepts files; `gallery:NAME` names one of the gallery's.
   Option documents() const;
