@@ -28,7 +28,7 @@ IN_SDK = {'threads', 'libpng', 'libjpeg', 'epoxy', 'libelf'}
 # Meson's own, as far as the manifest may set them.
 OF_MESON = {'buildtype', 'b_pch', 'optimization', 'debug'}
 # Left out by options of the manifest.
-LEFT_OUT = ('src/builder/', 'demos/', 'tests/', 'bench/')
+LEFT_OUT = ('src/apps/builder/', 'demos/', 'tests/', 'bench/')
 
 
 def needs(*commands):

@@ -264,7 +264,7 @@ def flags():
 
 def diagnostics():
     source = 'src/fp_compiler/front/diagnostic_ids.def'
-    panel = 'src/scene/diagnostic_ids.def'
+    panel = 'src/apps/scene/diagnostic_ids.def'
     out = ['# Diagnostics\n', GENERATED.format(source=f'{source}` and `{panel}'),
            'An ID stands in brackets at the end of a diagnostic\'s line and in the JSON of '
            '`arbiter check`. It keeps its meaning for ever.\n', '| ID | meaning |', '|---|---|']
@@ -300,7 +300,7 @@ def panel_argument(row):
 
 
 def panel_words():
-    source = 'src/scene/words.def'
+    source = 'src/apps/scene/words.def'
     out = ['# Words of `#@` lines\n', GENERATED.format(source=source),
            '[The Shader Builder](../write/builder.md) says how a line is written. An argument is its name and '
            'a number; the tables have its default and its range.\n',

@@ -77,7 +77,7 @@ def spread(picture):
 
 def parts(build, folder):
     """The two pictures of the sample, and the lines of check."""
-    command = str(build / "src/tools/arbiter")
+    command = str(build / "src/apps/tools/arbiter")
     bare = shown([], folder)
     under = shown([command, "run", "--profile", CARD, "--"], folder)
     if spread(bare) > NOTHING or spread(under) < SOMETHING:

@@ -105,7 +105,7 @@ def run_vendor_only(setting):
 
 def run_arbiter(setting):
     """Tests that `arbiter run` sets everything."""
-    tool = setting.build / "src/tools/arbiter"
+    tool = setting.build / "src/apps/tools/arbiter"
     if not tool.exists():
         raise Skip("arbiter is not built")
     for command in (["client_libgl"], ["client_egl_direct"], ["client_osmesa_dynamic", "dlsym"],
@@ -126,7 +126,7 @@ def run_selected_host(setting):
     client = [setting.clients / "client_count", "10", "surfaceless"]
     selected = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd), "COUNTING_HOST": "libEGL_mesa.so.0",
                 "COUNTING_FILE": str(counts), "ARBITER_STATS": str(setting.stats)}
-    tool = [setting.build / "src/tools/arbiter", "run", "--"]
+    tool = [setting.build / "src/apps/tools/arbiter", "run", "--"]
     for command, layer in ((client, True), (tool + client, False), (tool + tool + client, False)):
         counts.unlink(missing_ok=True)
         setting.stats.unlink(missing_ok=True)

@@ -1,9 +1,9 @@
 #pragma once
+#include "apps/scene/document.h"
+#include "apps/scene/mesh/mesh.h"
 #include "fp_compiler/ir/evaluate.h"
 #include "raster.h"
 #include "sample.h"
-#include "scene/document.h"
-#include "scene/mesh/mesh.h"
 
 /// Runs one program of a pass by the compiler's interpreter.
 namespace gallery {

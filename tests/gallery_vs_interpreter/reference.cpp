@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 
-#include "scene/texture/generate.h"
+#include "apps/scene/texture/generate.h"
 
 namespace gallery {
 

@@ -2,8 +2,8 @@
 #include <map>
 #include <string>
 
+#include "apps/scene/picture.h"
 #include "program.h"
-#include "scene/picture.h"
 
 /// Draws documents without GL: programs by the interpreter, everything else in plain C++.
 namespace gallery {

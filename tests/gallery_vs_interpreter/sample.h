@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "apps/scene/panel/panel.h"
+#include "apps/scene/texture/image.h"
 #include "fp_compiler/ir/evaluate.h"
-#include "scene/panel/panel.h"
-#include "scene/texture/image.h"
 
 /// Samples textures in plain C++ (GL 2.1, 3.8), without mipmaps.
 namespace gallery {

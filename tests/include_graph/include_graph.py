@@ -58,7 +58,7 @@ FORBIDDEN_OUTSIDE = {
 def room_of(path, root):
     parts = path.relative_to(root).parts
     if parts[0] == "src" and len(parts) > 2:
-        return parts[1]
+        return parts[2] if parts[1] == "apps" else parts[1]
     if parts[0] == "demos":
         return "demos"
     if parts[0] == "include":
@@ -82,8 +82,8 @@ def target_room(name, quoted, source, root):
                 return room, str(pathlib.Path(*inside.parts[1:]))
     if (root / "include" / name).exists():
         return "public", name
-    first = name.split("/")[0]
-    if "/" in name and (first in ALLOWED or (root / "src" / first).is_dir()):
+    first = name.removeprefix("apps/").split("/")[0]
+    if "/" in name and (first in ALLOWED or (root / "src" / name.split("/")[0]).is_dir()):
         return first, name  # generated into a room by the build
     return None, name
 
@@ -129,7 +129,7 @@ PLANTED = [
     ({"src/dispatch/generated.cpp": '#include "interposer/fronts.h"\n'}, 1),
     ({"src/state/context.cpp": '#include <epoxy/gl.h>\n'}, 1),
     ({"src/state/context.cpp": '#include "host/table.h"\n#include "util/hash.h"\n'}, 0),
-    ({"src/scene/mesh.cpp": "#include <GL/gl.h>\n#include <QImage>\n"}, 2),
+    ({"src/apps/scene/mesh.cpp": "#include <GL/gl.h>\n#include <QImage>\n"}, 2),
     ({"src/kitchen/sink.h": ""}, 1),
     ({"demos/twirl.cpp": '#include "fp_compiler/compiler.h"\n'}, 1),
     ({"demos/twirl.cpp": '#include <epoxy/gl.h>\n#include "common/window.h"\n'}, 0),

@@ -20,9 +20,11 @@ import tree
 
 # The rooms of each room, the lowest first. include_graph.py has those of src itself.
 ORDER = {
-    "builder": ["model", "view"],
-    "builder/model": ["text", "language", "render", "panels", "attach"],
-    "builder/view": ["editor", "picture", "panels", "window"],
+    # The document, the command, the window.
+    "apps": ["scene", "tools", "builder"],
+    "apps/builder": ["model", "view"],
+    "apps/builder/model": ["text", "language", "render", "panels", "attach"],
+    "apps/builder/view": ["editor", "picture", "panels", "window"],
     "fp_compiler": ["ir", "analysis", "ati", "combiners", "hw", "opt", "back", "texture_shader", "vertex_shader",
                     "front"],
     "fp_compiler/back": ["assembly", "llvm", "glsl"],
@@ -32,7 +34,7 @@ ORDER = {
     "fp_compiler/hw/r300": ["check", "execute", "lower", "pair", "report"],
     "interposer": ["preload"],
     # Words and panels come first; textures and meshes are made of them; the document has all.
-    "scene": ["panel", "texture", "mesh"],
+    "apps/scene": ["panel", "texture", "mesh"],
     # What a host can do, and what its state is; plain objects; a context; what it draws with, and by which of
     # two ways; lists, which execute commands; who watches; entry points; what makes and frees contexts.
     "state": ["capabilities", "mirror", "primitives", "objects", "share", "core", "client_pixels", "era", "imaging",
@@ -43,10 +45,10 @@ ORDER = {
     "state/programs": ["nv", "variants", "combiners", "texture_shaders", "vertex_shaders"],
     "state/raster_draw": ["functions", "fixed_function", "frames", "vertices", "immediate"],
     "swrast": ["image", "setup", "cover", "strokes", "queue"],
-    "tools": ["advise", "check", "launch", "draw", "debug", "ctl", "complete", "doctor", "lsp", "options", "page",
+    "apps/tools": ["advise", "check", "launch", "draw", "debug", "ctl", "complete", "doctor", "lsp", "options", "page",
               "render", "report"],
-    "tools/advise": ["rules"],
-    "tools/debug": ["trace", "pixel", "draws", "gl"],
+    "apps/tools/advise": ["rules"],
+    "apps/tools/debug": ["trace", "pixel", "draws", "gl"],
     "util": ["cache", "defaults", "hud", "record"],
 }
 # Generated headers that another room than their folder's implements.
@@ -184,9 +186,9 @@ PLANTED = [
       "src/swrast/draw.cpp": '#include "swrast/setup/a.h"\n'}, 0),
     ({"src/state/lists/a.cpp": '#include "host/handlers.h"\n'}, 1),
     ({"src/state/handlers/a.cpp": '#include "host/handlers.h"\n'}, 0),
-    ({"src/tools/check/a.cpp": '#include "tools/draw/b.h"\n', "src/tools/draw/b.h": ""}, 1),
-    ({"src/builder/model/text/a.h": '#include "builder/view/window/b.h"\n',
-      "src/builder/view/window/b.h": ""}, 1),
+    ({"src/apps/tools/check/a.cpp": '#include "apps/tools/draw/b.h"\n', "src/apps/tools/draw/b.h": ""}, 1),
+    ({"src/apps/builder/model/text/a.h": '#include "apps/builder/view/window/b.h"\n',
+      "src/apps/builder/view/window/b.h": ""}, 1),
     ({"src/fp_compiler/front/words/a.h": '#include "fp_compiler/front/ati/words.def"\n',
       "src/fp_compiler/front/ati/words.def": ""}, 1),
     ({"src/state/host_draw/variants/a.h": ""}, 1),

@@ -40,7 +40,7 @@ class Case:
 
     def start(self, command, stats=None):
         self.env["FOREIGN_SEED"] = str(int(time.time() * 1000) % 100000)
-        return subprocess.Popen([self.build / "src/tools/arbiter", "run", "--stats", stats or self.stats,
+        return subprocess.Popen([self.build / "src/apps/tools/arbiter", "run", "--stats", stats or self.stats,
                                  "--log", f"info:{self.log}", "--", *command], env=self.env,
                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                 text=True)
@@ -110,11 +110,11 @@ def without_run(c):
     code = subprocess.run(c.foreign("sigkill"), env=env, timeout=TIMEOUT).returncode
     need(code == -signal.SIGKILL, f"ended as {code}")
     need(not c.stats.exists() and list(c.scratch.glob("*.running")), "nothing was left to be completed")
-    made = subprocess.run([c.build / "src/tools/arbiter", "stats", c.scratch / "none.json", c.stats],
+    made = subprocess.run([c.build / "src/apps/tools/arbiter", "stats", c.scratch / "none.json", c.stats],
                           capture_output=True, text=True)
     need(made.returncode == 0 and made.stdout == "1\n", f"arbiter stats: {made}")
     c.report()
-    again = subprocess.run([c.build / "src/tools/arbiter", "stats", c.stats], capture_output=True, text=True)
+    again = subprocess.run([c.build / "src/apps/tools/arbiter", "stats", c.stats], capture_output=True, text=True)
     need(again.returncode == 1, "there was something to be completed twice")
 
 

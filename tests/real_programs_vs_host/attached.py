@@ -89,7 +89,7 @@ def main() -> int:
         folder = out / name
         folder.mkdir(parents=True, exist_ok=True)
         try:
-            said = _attach(options.build.absolute() / "src/tools/arbiter", name, folder)
+            said = _attach(options.build.absolute() / "src/apps/tools/arbiter", name, folder)
             print(f"attached: {name}: pass: {said}")
         except (live.Failure, session.SessionError, FileNotFoundError) as failure:
             print(f"attached: {name}: FAIL: {failure}; see {folder}")

@@ -48,7 +48,7 @@ def main() -> int:
     shutil.rmtree(out / "mplayer.capture", ignore_errors=True)
     out.mkdir(parents=True, exist_ok=True)
     try:
-        _steps(options.build.absolute() / "src/tools/arbiter", out)
+        _steps(options.build.absolute() / "src/apps/tools/arbiter", out)
     except (Failure, session.SessionError, FileNotFoundError) as failure:
         print(f"live: FAIL: {failure}; see {out}")
         return 1

@@ -72,7 +72,7 @@ def steps(build: Path, out: Path) -> int:
         shell(["wine", "wineboot", "-i"], environment=setting)
         try:
             bare = drawn(out / "bare", "glsl", ["wine", client, "inline"], setting)
-            command = [build / "src/tools/arbiter", "run", "--profile", "nv40", "--", "wine", client]
+            command = [build / "src/apps/tools/arbiter", "run", "--profile", "nv40", "--", "wine", client]
             layers = {}
             for backend in BACKENDS:
                 folder = out / backend

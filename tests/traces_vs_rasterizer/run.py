@@ -28,7 +28,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / 'src' / 'tools' / 'lsp'))
+sys.path.insert(0, str(ROOT / 'src' / 'apps' / 'tools' / 'lsp'))
 sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
 from lsp_client import Client  # noqa: E402
 from plain_environment import plain  # noqa: E402
@@ -142,7 +142,7 @@ class Count:
 
 class Suite:
     def __init__(self, build, seed):
-        self.arbiter = str(build / 'src' / 'tools' / 'arbiter')
+        self.arbiter = str(build / 'src' / 'apps' / 'tools' / 'arbiter')
         self.random = random.Random(seed)
         self.process_times, self.request_times = Times(), Times()
         self.discarded = self.opaque = self.pictures = self.bare = 0

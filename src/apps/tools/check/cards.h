@@ -1,0 +1,73 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "apps/tools/check/checked_file.h"
+#include "apps/tools/check/terminal.h"
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/hw/profile.h"
+#include "fp_compiler/resources.h"
+
+/// Implements `arbiter check --profile all`, which shows the cards that a set of programs fits.
+namespace arbiter::tools {
+
+/// The profile name that stands for all cards.
+inline constexpr const char *kAllCards = "all";
+
+/// A resource of which a program needs more than a card has natively.
+struct OverCount {
+  const fp::ResourceRow *row;
+  std::uint32_t used, limit; ///< native
+};
+
+/// The result of one program on one card.
+struct CardCell {
+  FileStatus status = FileStatus::Valid;
+  bool hasLanguage = true; ///< false if the card runs no program of the language
+  std::vector<OverCount> over;
+  /// For an invalid program, the first error with its line and column. Over the native limits, that
+  /// the card has no such programs, or the first reason of its model if there is one.
+  std::string why;
+};
+
+struct CardRow {
+  std::string name; ///< its titleOf(); "-" is shown as "<stdin>"
+  fp::ir::Language language = fp::ir::Language::ArbFragment;
+  std::vector<CardCell> cells; ///< one for each card
+  [[nodiscard]] bool loadsNowhere() const;
+  [[nodiscard]] bool fitsNowhere() const;
+};
+
+/// A matrix with a row for each program and a column for each built-in profile of a card.
+class CardMatrix {
+public:
+  /// \param language as for checkFile()
+  CardMatrix(std::string language, fp::LimitPolicy policy);
+
+  /// Reads and checks one file for every card; "-" is standard input.
+  /// \returns an empty string, or "name: reason"
+  [[nodiscard]] std::string add(const std::string &path);
+  /// Counts an operand that could not be read or searched.
+  void addFault() { ++m_faults; }
+
+  [[nodiscard]] std::size_t size() const { return m_rows.size(); }
+  /// Returns the matrix as text.
+  /// \param reasons adds below the matrix why each program does not fit
+  [[nodiscard]] std::string text(const Style &style, bool reasons) const;
+  [[nodiscard]] std::string json() const;
+  /// Returns 1 if something could not be read, 2 if a program is valid for no card, 3 if one fits
+  /// no card, else 0.
+  [[nodiscard]] int exitCode() const;
+
+private:
+  [[nodiscard]] std::size_t fitting(std::size_t card) const;
+
+  const std::string m_language;
+  const fp::LimitPolicy m_policy;
+  std::vector<const fp::hw::Profile *> m_cards;
+  std::vector<CardRow> m_rows;
+  std::size_t m_files = 0;
+  std::size_t m_faults = 0;
+};
+
+} // namespace arbiter::tools

@@ -1,0 +1,163 @@
+#include "apps/tools/check/text.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "apps/tools/advise/show.h"
+#include "apps/tools/check/rendered.h"
+#include "apps/tools/check/why.h"
+#include "fp_compiler/resources.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+constexpr const char *kOverApi = "  over the API limit";
+constexpr const char *kOverBoth = "  over the API limit and the native limit";
+constexpr const char *kOverNative = "  over the native limit";
+
+std::string tableHead(const Style &style) {
+  char line[128];
+  std::snprintf(line, sizeof line, "  %-18s%8s%8s%8s%8s", "resource", "used", "limit", "native",
+                "limit");
+  const int cells = style.blocks ? 10 : 12;
+  char bars[64] = "";
+  if (style.gauges)
+    std::snprintf(bars, sizeof bars, "  %-*s native", cells, "API");
+  return painted(std::string(line) + bars, Colour::Dim, style) + "\n";
+}
+
+/// Returns a row that always begins with the four numbers, because scripts read them.
+std::string tableRow(const CheckedFile &file, const fp::ResourceRow &row, const Style &style) {
+  const std::uint32_t used = file.result.counts.*row.member;
+  const std::uint32_t limit = file.limits.api.*row.member;
+  const std::uint32_t nativeUsed = file.result.nativeCounts.*row.member;
+  const std::uint32_t nativeLimit = file.limits.native.*row.member;
+  char line[128];
+  std::snprintf(line, sizeof line, "  %-18s%8u%8u%8u%8u", row.title, used, limit, nativeUsed,
+                nativeLimit);
+  std::string text = line;
+  if (style.gauges)
+    text += "  " + gauge(used, limit, style) + " " + gauge(nativeUsed, nativeLimit, style);
+  const bool overNative = nativeUsed > nativeLimit;
+  if (used > limit)
+    text += painted(overNative ? kOverBoth : kOverApi, Colour::Bad, style);
+  else if (overNative)
+    text += painted(kOverNative, Colour::Bad, style);
+  return text + "\n";
+}
+
+bool isOver(const CheckedFile &file, std::uint32_t fp::ResourceCounts::*resource) {
+  return file.result.nativeCounts.*resource > file.limits.native.*resource;
+}
+
+/// True if a row's reasons explain why the program does not fit.
+bool isToBlame(const CheckedFile &file, const fp::ResourceRow &row) {
+  using fp::ResourceCounts;
+  const auto rows = fp::resourceRows();
+  const bool counted = std::any_of(rows.begin(), rows.end(), [&](const fp::ResourceRow &each) {
+    return isOver(file, each.member);
+  });
+  // If no count is over its limit, any reason may be the cause.
+  if (!counted)
+    return file.status == FileStatus::OverNative;
+  const bool part = row.member == &ResourceCounts::aluInstructions ||
+                    row.member == &ResourceCounts::texInstructions;
+  return isOver(file, row.member) || (part && isOver(file, &ResourceCounts::instructions));
+}
+
+std::string table(const CheckedFile &file, const Why &why, const TextOptions &options) {
+  std::string text = tableHead(options.style);
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
+    if (!row.of(file.language))
+      continue;
+    text += tableRow(file, row, options.style);
+    if (options.why || isToBlame(file, row))
+      text += why.reasons(row);
+  }
+  return text;
+}
+
+const std::vector<advise::Advice> &adviceOf(const CheckedFile &file) {
+  static const std::vector<advise::Advice> kNone;
+  return file.advice ? *file.advice : kNone;
+}
+
+/// Returns "file: 3 fixes made: ALU 40 -> 31", and a list of the fixes.
+std::string fixedText(const CheckedFile &file) {
+  if (!file.fixed)
+    return "";
+  const std::size_t count = file.fixed->applied.size();
+  std::string text = shown(file.title()) + ": " + std::to_string(count) +
+                     (count == 1 ? " fix made" : " fixes made");
+  if (count != 0)
+    text += ": " + advise::changeText(file.fixed->before, file.fixed->after);
+  text += "\n";
+  for (const advise::Advice &advice : file.fixed->applied)
+    text += "  " + advice.message + " [" + advice.rule +
+            "]: " + advise::changeText(advice.before, advice.after) + "\n";
+  return text;
+}
+
+std::string adviceText(const CheckedFile &file, const Style &style) {
+  std::string text;
+  for (const advise::Advice &advice : adviceOf(file))
+    text += advise::fullText(rendered(shown(file.name), file.text, advise::noteOf(advice), style),
+                             file.text, advice);
+  if (file.advice && file.counted() && text.empty())
+    text = shown(file.title()) + ": no advice\n";
+  return text;
+}
+
+} // namespace
+
+std::string briefText(const CheckedFile &file, const Style &style) {
+  std::string text;
+  for (const fp::Diagnostic &diagnostic : file.result.diagnostics)
+    text += renderedLine(shown(file.name), file.text, diagnostic, style) + "\n";
+  text += fixedText(file);
+  for (const advise::Advice &advice : adviceOf(file))
+    text += advise::lineText(
+        renderedLine(shown(file.name), file.text, advise::noteOf(advice), style), advice);
+  return text;
+}
+
+std::string verdict(const CheckedFile &file, const fp::hw::Profile &profile) {
+  switch (file.status) {
+  case FileStatus::Valid:
+    return "valid, within the native limits of " + profile.name;
+  case FileStatus::OverNative:
+    return "valid, but over the native limits of " + profile.name;
+  case FileStatus::Invalid:
+  case FileStatus::Unreadable:
+    break;
+  }
+  return name(file.status);
+}
+
+std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
+                     const TextOptions &options) {
+  std::string text = fixedText(file);
+  for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
+    text += rendered(shown(file.name), file.text, diagnostic, options.style);
+    if (text.back() != '\n')
+      text += '\n';
+  }
+  const Colour colour = file.status == FileStatus::Valid        ? Colour::Good
+                        : file.status == FileStatus::OverNative ? Colour::Close
+                                                                : Colour::Bad;
+  text +=
+      shown(file.title()) + ": " + painted(verdict(file, profile), colour, options.style) + "\n";
+  if (!file.counted())
+    return text;
+  const Why why(file, options.style, options.why);
+  text += table(file, why, options) + why.headline();
+  if (options.why)
+    text += why.nodes() + why.chain() + why.cycles() + why.costs();
+  // The number of indirections alone does not show the cause, but the chain does.
+  else if (isOver(file, &fp::ResourceCounts::texIndirections))
+    text += why.chain();
+  return text + adviceText(file, options.style);
+}
+
+} // namespace arbiter::tools

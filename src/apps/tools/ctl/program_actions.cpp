@@ -1,0 +1,277 @@
+// Shows and changes programs' texts and parameters.
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "apps/tools/commands.h"
+#include "apps/tools/ctl/actions.h"
+#include "apps/tools/input.h"
+#include "control/base64.h"
+
+namespace arbiter::tools::ctl {
+
+namespace {
+
+using wire::Json;
+
+/// The time during which draws are counted before they are shown.
+constexpr std::chrono::milliseconds kCounted{250};
+
+std::string textAt(const Json &object, const char *name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+bool trueAt(const Json &object, const char *name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
+std::int64_t integerAt(const Json &object, const char *name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
+}
+
+double numberAt(const Json &object, const char *name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0;
+}
+
+const Json &arrayAt(const Json &object, const char *name) {
+  static const Json s_none = Json::array();
+  const auto found = object.find(name);
+  return found != object.end() && found->is_array() ? *found : s_none;
+}
+
+/// Returns the text that is drawn with, from an answer to program.get.
+std::string drawnText(const Json &answer) {
+  if (const std::string edit = textAt(answer, "edit"); !edit.empty())
+    return edit;
+  if (const auto bytes = wire::fromBase64(textAt(answer, "text_base64")); bytes && !bytes->empty())
+    return {bytes->begin(), bytes->end()};
+  return textAt(answer, "text");
+}
+
+/// Sends a request and ignores its result.
+int request(Session &session, const std::string &method, Json params) {
+  const auto answer = session.connection.ask(method, std::move(params));
+  if (!answer)
+    return fail(answer.error());
+  session.changed = true;
+  if (session.json)
+    printJson(answer.value());
+  return kExitOk;
+}
+
+void printDiagnostics(const std::string &file, const Json &answer) {
+  for (const Json &each : arrayAt(answer, "diagnostics")) {
+    if (!each.is_object())
+      continue;
+    std::fprintf(stderr, "%s:%lld:%lld: %s: %s [%s]\n", file.c_str(),
+                 static_cast<long long>(integerAt(each, "line")),
+                 static_cast<long long>(integerAt(each, "column")),
+                 textAt(each, "severity").c_str(), textAt(each, "message").c_str(),
+                 textAt(each, "id").c_str());
+    if (const std::string hint = textAt(each, "hint"); !hint.empty())
+      std::fprintf(stderr, "  %s\n", hint.c_str());
+  }
+}
+
+/// Parses NAME=X,Y,Z,W; missing components are 0, as in `arbiter draw`.
+bool parseValue(const std::string &word, std::string &name, Json &value) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos)
+    return false;
+  name = word.substr(0, equals);
+  double numbers[4] = {};
+  const char *at = word.c_str() + equals + 1;
+  for (double &number : numbers) {
+    char *end = nullptr;
+    number = std::strtod(at, &end);
+    if (end == at)
+      return false;
+    if (*end == '\0') {
+      value = Json::array({numbers[0], numbers[1], numbers[2], numbers[3]});
+      return true;
+    }
+    if (*end != ',')
+      return false;
+    at = end + 1;
+  }
+  return false;
+}
+
+/// True if a name from the process, which may be hostile, stays in its folder.
+bool isFileName(const std::string &name) {
+  return !name.empty() && name.find('/') == std::string::npos && name[0] != '.';
+}
+
+} // namespace
+
+int listPrograms(Session &session, const Words &) {
+  // The process counts draws only since its first client connected.
+  session.connection.awaitAge(kCounted);
+  const auto answer = session.connection.ask("program.list", Json::object());
+  if (!answer)
+    return fail(answer.error());
+  if (session.json) {
+    printJson(answer.value());
+    return kExitOk;
+  }
+  std::printf("%-38s %-12s %7s %7s %9s %10s  %s\n", "ID", "TARGET", "SLOTS", "NATIVE", "DRAWS",
+              "MS", "STATE");
+  for (const Json &row : arrayAt(answer.value(), "programs")) {
+    if (!row.is_object())
+      continue;
+    const auto instructions = [&](const char *counts) {
+      const auto found = row.find(counts);
+      return found != row.end() && found->is_object() ? integerAt(*found, "instructions") : 0;
+    };
+    std::string state = trueAt(row, "effective") ? "drawn with"
+                        : trueAt(row, "bound")   ? "bound"
+                                                 : "";
+    for (const auto &[name, word] :
+         {std::pair("edited", "edited"), std::pair("replaced", "replaced")})
+      if (trueAt(row, name))
+        state += (state.empty() ? "" : ", ") + std::string(word);
+    if (!trueAt(row, "enabled"))
+      state += (state.empty() ? "" : ", ") + std::string("off");
+    if (!trueAt(row, "under_native_limits"))
+      state += (state.empty() ? "" : ", ") + std::string("over native limits");
+    std::printf("%-38s %-12s %7lld %7lld %9lld %10.2f  %s\n", textAt(row, "id").c_str(),
+                textAt(row, "target").c_str(), static_cast<long long>(instructions("counts")),
+                static_cast<long long>(instructions("native_counts")),
+                static_cast<long long>(integerAt(row, "draws")), numberAt(row, "milliseconds"),
+                state.c_str());
+  }
+  return kExitOk;
+}
+
+int getText(Session &session, const Words &words) {
+  const auto answer = session.connection.ask("program.get", {{"id", words[0]}});
+  if (!answer)
+    return fail(answer.error());
+  if (session.json) {
+    printJson(answer.value());
+    return kExitOk;
+  }
+  const std::string fault =
+      writeOutput(session.output.empty() ? "-" : session.output, drawnText(answer.value()));
+  return fault.empty() ? int(kExitOk) : fail({kExitUsage, fault});
+}
+
+int setText(Session &session, const std::string &id, const std::string &file) {
+  const auto text = readInput(file);
+  if (!text)
+    return fail({kExitUsage, text.error().message});
+  const auto answer = session.connection.ask(
+      "program.set", {{"id", id}, {"text", text.value()}, {"revision", ++session.revision}});
+  if (!answer)
+    return fail(answer.error());
+  session.changed = true;
+  if (session.json)
+    printJson(answer.value());
+  printDiagnostics(file, answer.value());
+  if (trueAt(answer.value(), "ok"))
+    return kExitOk;
+  complain(file + " is not valid; what was drawn with before stays");
+  return kExitInvalid;
+}
+
+int setProgram(Session &session, const Words &words) {
+  const int code = setText(session, words[0], words[1]);
+  if (code == kExitOk && words[1] != "-")
+    session.watched.insert(session.watched.end(), {words[0], words[1]});
+  return code;
+}
+
+int resetPrograms(Session &session, const Words &words) {
+  Json params = Json::object();
+  if (!words.empty()) {
+    params["id"] = words[0];
+    for (std::size_t i = 0; i < session.watched.size();)
+      if (session.watched[i] == words[0])
+        session.watched.erase(session.watched.begin() + std::ptrdiff_t(i),
+                              session.watched.begin() + std::ptrdiff_t(i) + 2);
+      else
+        i += 2;
+  } else {
+    session.watched.clear();
+    for (const char *method : {"param.reset", "texture.reset"})
+      if (const int code = request(session, method, Json::object()); code != kExitOk)
+        return code;
+  }
+  return request(session, "program.reset", std::move(params));
+}
+
+int enableProgram(Session &session, const Words &words) {
+  return request(session, "program.enable", {{"id", words[0]}, {"enabled", true}});
+}
+
+int disableProgram(Session &session, const Words &words) {
+  return request(session, "program.enable", {{"id", words[0]}, {"enabled", false}});
+}
+
+int listParameters(Session &session, const Words &words) {
+  Json params = Json::object();
+  if (!words.empty())
+    params["id"] = words[0];
+  const auto answer = session.connection.ask("param.list", std::move(params));
+  if (!answer)
+    return fail(answer.error());
+  if (session.json) {
+    printJson(answer.value());
+    return kExitOk;
+  }
+  for (const Json &row : arrayAt(answer.value(), "parameters"))
+    if (row.is_object())
+      std::printf("%-38s %-32s %s%s\n", textAt(row, "id").c_str(), textAt(row, "name").c_str(),
+                  row.value("value", Json()).dump().c_str(), trueAt(row, "held") ? "  held" : "");
+  return kExitOk;
+}
+
+int setParameter(Session &session, const Words &words) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::string name;
+    Json value;
+    if (!parseValue(words[i], name, value))
+      return fail(
+          {kExitUsage, "expected NAME=X,Y,Z,W, as program.local[0]=0.5,1,0,1, not " + words[i]});
+    const int code =
+        request(session, "param.set", {{"id", words[0]}, {"name", name}, {"value", value}});
+    if (code != kExitOk)
+      return code;
+  }
+  return kExitOk;
+}
+
+int exportFolder(Session &session, const Words &words) {
+  const auto list = session.connection.ask("program.list", Json::object());
+  if (!list)
+    return fail(list.error());
+  std::error_code error;
+  std::filesystem::create_directory(words[0], error);
+  if (error)
+    return fail({kExitUsage, words[0] + ": " + error.message()});
+  std::size_t own = 0, edited = 0;
+  for (const Json &row : arrayAt(list.value(), "programs")) {
+    const std::string id = row.is_object() ? textAt(row, "id") : std::string();
+    if (!isFileName(id))
+      continue;
+    const auto program = session.connection.ask("program.get", {{"id", id}});
+    if (!program)
+      return fail(program.error());
+    ++(textAt(program.value(), "edit").empty() ? own : edited);
+    const std::string fault = writeOutput(words[0] + "/" + id, drawnText(program.value()));
+    if (!fault.empty())
+      return fail({kExitUsage, fault});
+  }
+  std::printf("%s: %zu edited, %zu as the application has them\n"
+              "arbiter run --replace %s -- COMMAND draws with them\n",
+              words[0].c_str(), edited, own, words[0].c_str());
+  return kExitOk;
+}
+
+} // namespace arbiter::tools::ctl

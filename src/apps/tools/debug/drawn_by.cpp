@@ -1,0 +1,69 @@
+#include "apps/tools/debug/drawn_by.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "apps/tools/input.h"
+
+namespace arbiter::tools::debug {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::uint64_t countOf(const Json &draws, const char *name) {
+  const auto found = draws.find(name);
+  return found != draws.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
+}
+
+/// Lists the reasons why the rasterizer left draws to the host.
+std::string reasonsOf(const Json &draws) {
+  std::string text;
+  const auto reasons = draws.find("reasons");
+  if (reasons != draws.end() && reasons->is_object())
+    for (const auto &[reason, count] : reasons->items())
+      text += (text.empty() ? ": " : ", ") + reason;
+  return text;
+}
+
+} // namespace
+
+DrawnBy::DrawnBy() {
+  std::error_code error;
+  std::string name =
+      (std::filesystem::temp_directory_path(error) / "arbiter-debug-XXXXXX").string();
+  const int file = error ? -1 : ::mkstemp(name.data());
+  if (file < 0)
+    return;
+  ::close(file);
+  m_path = name;
+}
+
+DrawnBy::~DrawnBy() {
+  if (!m_path.empty())
+    ::unlink(m_path.c_str());
+}
+
+std::string DrawnBy::note() const {
+  if (m_path.empty())
+    return {};
+  const auto text = readInput(m_path);
+  return text ? drawnByNote(text.value()) : std::string();
+}
+
+std::string drawnByNote(const std::string &statistics) {
+  const Json json = Json::parse(statistics, nullptr, false);
+  const auto draws = json.is_object() ? json.find("draws") : json.end();
+  if (!json.is_object() || draws == json.end() || !draws->is_object())
+    return {};
+  const std::uint64_t own = countOf(*draws, "rasterizer");
+  const std::uint64_t hosts = countOf(*draws, "host_glsl") + countOf(*draws, "host_assembly");
+  if (hosts == 0)
+    return {};
+  return "the rasterizer left " + std::to_string(hosts) + " of " + std::to_string(own + hosts) +
+         " draws to the host" + reasonsOf(*draws);
+}
+
+} // namespace arbiter::tools::debug

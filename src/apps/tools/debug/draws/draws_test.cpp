@@ -1,0 +1,95 @@
+#include <csignal>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "apps/tools/debug/drawn_by.h"
+#include "apps/tools/debug/draws/client.h"
+#include "apps/tools/debug/draws/server.h"
+#include "apps/tools/debug/testing/fake_drawer.h"
+
+namespace arbiter::tools::debug {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char *kText = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n";
+
+/// Starts a process that draws with the fake drawer, and returns its client.
+std::unique_ptr<DrawClient> started() {
+  auto client = DrawClient::start("another", [] {
+    ::_exit(serveDraws(
+        0, [](const nlohmann::json &what) -> Result<std::unique_ptr<Drawer>, DebugError> {
+          if (!what.is_string())
+            return DebugError{"what is no text"};
+          return std::unique_ptr<Drawer>(new FakeDrawer(what.get<std::string>(), 5, 3));
+        }));
+  });
+  return std::move(client).value();
+}
+
+TEST(Draws, WhatTheOtherProcessDrawsComesBack) {
+  const auto client = started();
+  ASSERT_FALSE(client->open(kText));
+  EXPECT_EQ(client->size(), (std::array<int, 2>{5, 3}));
+  FakeDrawer here(kText, 5, 3);
+  const Region region{1, 0, 4, 3};
+  const std::string text =
+      "!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[0], fragment.color;\n"
+      "RCP result.color[1], fragment.texcoord[0].z;\nEND\n";
+  const auto there = client->draw(text, 2, region);
+  ASSERT_TRUE(there) << there.error().message;
+  EXPECT_EQ(there.value(), here.draw(text, 2, region).value());
+  EXPECT_EQ(client->picture(region).value(), here.picture(region).value());
+  EXPECT_EQ(client->textureSize(0, fp::ir::TexTarget::Tex2D).value(),
+            (std::array<int, 3>{64, 32, 1}));
+}
+
+TEST(Draws, WrongRequestsAreErrors) {
+  const auto client = started();
+  EXPECT_THAT(client->draw(kText, 1, {}).error().message, HasSubstr("nothing is open"));
+  EXPECT_THAT(client->open(7)->message, HasSubstr("no text"));
+  ASSERT_FALSE(client->open(kText));
+  for (const Region &region : {Region{5, 0, 1, 1}, {0, 0, 6, 1}, {-1, 0, 1, 1}, {0, 0, 0, 1}})
+    EXPECT_THAT(client->draw(kText, 1, region).error().message, HasSubstr("outside the picture"));
+  EXPECT_THAT(client->draw(kText, 5, {}).error().message, HasSubstr("targets"));
+  EXPECT_THAT(client->draw("!!ARBfp1.0\nMOV result.color, q;\nEND\n", 1, {}).error().message,
+              HasSubstr("'q'"));
+  EXPECT_TRUE(client->draw(kText, 1, {})) << "it goes on after errors";
+}
+
+TEST(Draws, AProcessThatDiesIsNamed) {
+  auto client = DrawClient::start("swrast", [] { ::raise(SIGSEGV); });
+  ASSERT_TRUE(client);
+  const auto error = client.value()->open("x");
+  ASSERT_TRUE(error);
+  EXPECT_THAT(error->message, HasSubstr("swrast"));
+  EXPECT_THAT(error->message, HasSubstr("signal 11"));
+  EXPECT_THAT(client.value()->draw(kText, 1, {}).error().message, HasSubstr("gone"));
+}
+
+TEST(Draws, AnAnswerThatIsNonsenseIsAnError) {
+  auto client = DrawClient::start("odd", [] {
+    Channel channel(0);
+    for (const char *answer : {"[1]", "{\"bytes\": 3}", "{\"bytes\": \"x\"}", "{\"width\": \"x\"}"})
+      if (!channel.receive(-1) || !channel.send(answer))
+        break;
+    ::_exit(0);
+  });
+  EXPECT_THAT(client.value()->open("x")->message, HasSubstr("nonsense"));
+  EXPECT_THAT(client.value()->draw(kText, 1, {}).error().message, HasSubstr("number of pixels"));
+  EXPECT_THAT(client.value()->draw(kText, 1, {}).error().message, HasSubstr("number of pixels"));
+  EXPECT_THAT(client.value()->open("x")->message, HasSubstr("no picture"));
+}
+
+TEST(DrawnBy, SaysWhatTheRasterizerLeft) {
+  EXPECT_EQ(drawnByNote(R"({"draws": {"rasterizer": 5, "host_glsl": 0, "reasons": {}}})"), "");
+  EXPECT_EQ(
+      drawnByNote(R"({"draws": {"rasterizer": 2, "host_glsl": 3, "reasons": {"target": 3}}})"),
+      "the rasterizer left 3 of 5 draws to the host: target");
+  for (const char *text : {"", "[]", "{}", R"({"draws": 7})", R"({"draws": {"host_glsl": "x"}})"})
+    EXPECT_EQ(drawnByNote(text), "") << text;
+}
+
+} // namespace
+} // namespace arbiter::tools::debug

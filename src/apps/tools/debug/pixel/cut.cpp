@@ -1,0 +1,182 @@
+#include "apps/tools/debug/pixel/cut.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "fp_compiler/ir/builder.h"
+
+namespace arbiter::tools::debug {
+
+namespace {
+
+using fp::ir::Builder;
+using fp::ir::File;
+using fp::ir::Instruction;
+using fp::ir::Opcode;
+using fp::ir::Program;
+
+/// Returns a program with the tables of another, but without code and outputs.
+Program shell(const Program &program, std::size_t targets) {
+  Program bare = program;
+  bare.language = fp::ir::Language::ArbFragment;
+  bare.code.clear();
+  bare.outputs.clear();
+  bare.options.fog = fp::ir::FogMode::None;
+  bare.options.colorSum = false;
+  bare.options.drawBuffers = targets > 1;
+  for (std::size_t i = 0; i < targets; ++i)
+    bare.outputs.push_back({fp::ir::OutputKind::Color, std::uint8_t(i)});
+  return bare;
+}
+
+fp::ir::Destination colorTarget(std::size_t index) {
+  fp::ir::Destination dst;
+  dst.file = File::Output;
+  dst.index = std::uint16_t(index);
+  return dst;
+}
+
+Instruction moved(std::size_t target, const fp::ir::Operand &from) {
+  Instruction move;
+  move.op = Opcode::Mov;
+  move.dst = colorTarget(target);
+  move.src[0] = from;
+  return move;
+}
+
+class Cutter {
+public:
+  Cutter(const Program &program, std::size_t targets, Fragments fragments)
+      : m_program(program), m_fragments(fragments), m_cut(shell(program, targets)),
+        m_firstOutput(program.temporaries.size()) {
+    for (std::size_t i = 0; i < program.outputs.size(); ++i)
+      m_cut.temporaries.push_back({"o" + std::to_string(i)});
+  }
+
+  Program withProbes(const std::vector<Probe> &probes) {
+    const bool whole = m_fragments == Fragments::Surviving;
+    const std::size_t end = whole ? m_program.code.size() : probes.back().row + 1;
+    for (std::size_t row = 0; row < end; ++row) {
+      addProbes(probes, row, false);
+      keep(m_program.code[row]);
+      addProbes(probes, row, true);
+    }
+    addDepth();
+    return std::move(m_cut);
+  }
+
+  Program withOperands(const std::vector<fp::ir::Operand> &operands) {
+    for (std::size_t i = 0; i < operands.size(); ++i)
+      m_cut.code.push_back(moved(i, operands[i]));
+    if (m_fragments == Fragments::Surviving)
+      for (const Instruction &instruction : m_program.code)
+        keep(instruction);
+    addDepth();
+    return std::move(m_cut);
+  }
+
+private:
+  /// Redirects outputs to temporaries, which can be read.
+  fp::ir::Destination kept(fp::ir::Destination dst) const {
+    if (dst.file == File::Output) {
+      dst.file = File::Temporary;
+      dst.index = std::uint16_t(m_firstOutput + dst.index);
+    }
+    return dst;
+  }
+
+  void keep(const Instruction &instruction) {
+    if (fp::ir::info(instruction.op).has(fp::ir::Kills)) {
+      if (m_fragments == Fragments::Surviving)
+        m_cut.code.push_back(instruction);
+      return;
+    }
+    m_cut.code.push_back(instruction);
+    m_cut.code.back().dst = kept(instruction.dst);
+  }
+
+  /// Writes the program's own depth, if the program has one.
+  void addDepth() {
+    if (m_fragments != Fragments::Surviving)
+      return;
+    for (std::size_t i = 0; i < m_program.outputs.size(); ++i) {
+      if (m_program.outputs[i].kind != fp::ir::OutputKind::Depth)
+        continue;
+      fp::ir::Operand depth;
+      depth.index = std::uint16_t(m_firstOutput + i);
+      m_cut.code.push_back(moved(m_cut.outputs.size(), depth));
+      m_cut.code.back().dst.mask = 4;
+      m_cut.outputs.push_back(m_program.outputs[i]);
+      return;
+    }
+  }
+
+  /// Adds the probes of a row that come before or after its instruction.
+  void addProbes(const std::vector<Probe> &probes, std::size_t row, bool behind) {
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      if (probes[i].row == row && (probes[i].kind == Probe::Kind::Value) == behind)
+        addProbe(probes[i].kind, i, m_program.code[row]);
+  }
+
+  void addProbe(Probe::Kind kind, std::size_t target, const Instruction &instruction) {
+    if (kind == Probe::Kind::Texel) {
+      Instruction access = instruction;
+      access.dst = colorTarget(target);
+      m_cut.code.push_back(access);
+      return;
+    }
+    const bool kills = fp::ir::info(instruction.op).has(fp::ir::Kills);
+    fp::ir::Operand from = instruction.src[0];
+    if (kind == Probe::Kind::Value && !kills) {
+      const fp::ir::Destination dst = kept(instruction.dst);
+      from = {};
+      from.file = dst.file;
+      from.index = dst.index;
+    }
+    m_cut.code.push_back(moved(target, from));
+  }
+
+  const Program &m_program;
+  const Fragments m_fragments;
+  Program m_cut;
+  std::size_t m_firstOutput;
+};
+
+} // namespace
+
+bool decidesFragments(const Program &program) {
+  return std::any_of(program.code.begin(), program.code.end(),
+                     [](const Instruction &instruction) {
+                       return fp::ir::info(instruction.op).has(fp::ir::Kills);
+                     }) ||
+         std::any_of(
+             program.outputs.begin(), program.outputs.end(),
+             [](const fp::ir::Output &output) { return output.kind == fp::ir::OutputKind::Depth; });
+}
+
+Program cutProgram(const Program &program, const std::vector<Probe> &probes, Fragments fragments) {
+  assert(!probes.empty() && probes.size() <= kMostTargets);
+  return Cutter(program, probes.size(), fragments).withProbes(probes);
+}
+
+Program showOperands(const Program &program, const std::vector<fp::ir::Operand> &operands,
+                     Fragments fragments) {
+  assert(!operands.empty() && operands.size() <= kMostTargets);
+  return Cutter(program, operands.size(), fragments).withOperands(operands);
+}
+
+Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget target,
+                   bool biased) {
+  Builder b;
+  b.options().shadow = program.options.shadow;
+  const auto side = b.temporary(), lower = b.temporary(), upper = b.temporary();
+  // Negative in the left pixels, and in the lower pixels.
+  b.op(Opcode::Sub, side, {b.attribute(fp::ir::AttributeKind::Position), b.local(4)});
+  b.op(Opcode::Cmp, lower, {side.read().swz("x"), b.local(0), b.local(1)});
+  b.op(Opcode::Cmp, upper, {side.read().swz("x"), b.local(2), b.local(3)});
+  b.op(Opcode::Cmp, lower, {side.read().swz("y"), lower.read(), upper.read()});
+  b.tex(biased ? Opcode::Txb : Opcode::Tex, b.color(), lower.read(), unit, target);
+  return b.take();
+}
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,67 @@
+#include <GL/arbiter.h>
+#include <cstdio>
+#include <cstdlib>
+
+#include "apps/tools/commands.h"
+#include "apps/tools/doctor/finding.h"
+#include "apps/tools/input.h"
+#include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/supervise.h"
+#include "util/record/live_record.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+/// Quotes a text for a POSIX shell: 'text', with each ' written as '\''.
+std::string shellQuoted(const std::string &text) {
+  std::string quoted = "'";
+  for (const char c : text)
+    quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+/// Returns the file pattern for statistics, with %p for process numbers; empty: no statistics.
+std::string recordPattern(const std::vector<Assignment> &environment) {
+  for (const Assignment &assignment : environment)
+    if (assignment.name == ARBITER_ENV_STATS)
+      return assignment.value;
+  const char *const inherited = std::getenv(ARBITER_ENV_STATS);
+  return inherited ? inherited : "";
+}
+
+} // namespace
+
+int run(const RunArguments &arguments) {
+  const auto files = findLayer(arguments.layer.library);
+  if (!files) {
+    complain(files.error().message);
+    return kExitUsage;
+  }
+  const auto environment = layerEnvironment(files.value(), arguments.layer);
+  if (!environment) {
+    complain(environment.error().message);
+    return kExitUsage;
+  }
+  if (arguments.printEnvironment) {
+    if (!arguments.command.empty()) {
+      complain(arguments.command[0] + " has no effect with --print-environment");
+      return kExitUsage;
+    }
+    for (const Assignment &assignment : environment.value())
+      std::printf("export %s=%s\n", assignment.name.c_str(), shellQuoted(assignment.value).c_str());
+    return kExitOk;
+  }
+  doctor::sayWhatIsInTheWay(arguments.command, files.value());
+  const std::string records = recordPattern(environment.value());
+  if (records.empty())
+    return execute(environment.value(), arguments.command);
+  // A killed process cannot complete its own statistics, so that this process outlives it.
+  const int status = supervise(environment.value(), arguments.command,
+                               [&] { static_cast<void>(completeRecords(records)); });
+  if (status < 0)
+    return kExitInternal;
+  endAs(status);
+}
+
+} // namespace arbiter::tools
