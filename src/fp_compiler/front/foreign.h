@@ -1,11 +1,18 @@
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace arbiter::fp {
 
-/// Says what a text without a header is, where it is in another language or no text at all: "GLSL",
-/// "an ELF file". Empty where that is not certain, and always where a statement of an assembly
-/// program is in it, so that a program with a wrong header is judged as a program.
-[[nodiscard]] std::string_view foreignKind(std::string_view text);
+/// What a text is that is no program.
+struct Foreign {
+  std::string kind;        ///< "GLSL", "an ELF file"; empty: that is not certain
+  std::string_view advice; ///< what helps
+};
+
+/// Says what a text without a header is, where it is in another language or no text at all. Of no
+/// kind where that is not certain, and always where a statement of an assembly program is in it, so
+/// that a program with a wrong header is judged as a program.
+[[nodiscard]] Foreign foreignText(std::string_view text);
 
 } // namespace arbiter::fp
