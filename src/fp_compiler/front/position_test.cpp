@@ -1,5 +1,6 @@
-// Programs with one planted error each: GL_PROGRAM_ERROR_POSITION_ARB is the first wrong byte,
-// whatever newlines and comments come before it (3.11.2).
+// Programs with one planted error each: GL_PROGRAM_ERROR_POSITION_ARB is the first wrong byte, or
+// the end of a statement that lacks its semicolon, whatever newlines and comments come before it
+// (3.11.2).
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/testing/planted.h"
@@ -13,8 +14,8 @@ using testing_support::Planted;
 
 constexpr Planted kPlanted[] = {
     {"syntax", "MOV R0 @R1;\nEND"},
-    {"syntax", "MOV R0, R1\n@MOV R1, R0;\nEND"},
-    {"syntax", "MOV R0, R1\n@END"},
+    {"syntax", "MOV R0, R1@\nMOV R1, R0;\nEND"},
+    {"syntax", "MOV R0, R1@\nEND"},
     {"syntax", "MOV R0,@;\nEND"},
     {"syntax", "MOV @, R0;\nEND"},
     {"syntax", "@;\nEND"},
@@ -35,7 +36,7 @@ constexpr Planted kPlanted[] = {
     {"syntax", "TEMP a @b;\nEND"},
     {"syntax", "TEMP a,@;\nEND"},
     {"syntax", "TEMP @7;\nEND"},
-    {"syntax", "TEMP a\n@TEMP b;\nEND"},
+    {"syntax", "TEMP a@\nTEMP b;\nEND"},
     {"syntax", "PARAM p @{1, 2};\nEND"},
     {"syntax", "PARAM p = @;\nEND"},
     {"syntax", "PARAM p = program.local[0@..3];\nEND"},

@@ -23,10 +23,12 @@ struct OverCount {
 /// One program under one card.
 struct CardCell {
   FileStatus status = FileStatus::Valid;
-  bool hasLanguage = true; ///< false: the card runs no program of the language
+  bool hasLanguage = true; ///< false: the card has no programs of the language
+  bool runsItself = true;  ///< false: it does not run those of the language, as lackOf() says
   std::vector<OverCount> over;
-  /// Not valid: the first error with its line and column. Over native: that the card has no such
-  /// programs, or the first reason of its model, if it has one.
+  /// What the card lacks, whatever the program is. Else, of one that is not valid, the first error
+  /// with its line and column; of one that is over native the first reason of its model, if it has
+  /// one.
   std::string why;
 };
 

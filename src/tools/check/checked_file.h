@@ -8,6 +8,7 @@
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/advise/advise.h"
+#include "tools/language.h"
 #include "tools/profile_choice.h"
 
 /// One program that `arbiter check` looked at, as data for every way to show it.
@@ -44,6 +45,18 @@ public:
   }
   /// The name; of a program that has siblings with its language and its line.
   [[nodiscard]] std::string title() const;
+  /// lackOf() the card; empty of a file that cannot be read.
+  [[nodiscard]] std::string_view lack() const {
+    return status == FileStatus::Unreadable ? std::string_view() : lackOf(limits, language);
+  }
+  /// False if the card has no programs of the language: its limits and counts say nothing.
+  [[nodiscard]] bool hasPrograms() const {
+    return lack().empty() || tools::hasPrograms(limits, language);
+  }
+  /// Those that the profile's card is the right judge of.
+  [[nodiscard]] bool isShown(const fp::Diagnostic &diagnostic) const {
+    return hasPrograms() || !isOfLimit(diagnostic);
+  }
   /// There is a program, and it has counts.
   [[nodiscard]] bool counted() const {
     return status == FileStatus::Valid || status == FileStatus::OverNative;

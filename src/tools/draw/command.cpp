@@ -28,6 +28,22 @@ void print(const scene::ProgramFile &file, const std::vector<fp::Diagnostic> &di
   std::fputs(rendered(file.name, file.text, diagnostics, styleOfErrors()).c_str(), stderr);
 }
 
+/// Warns of a profile whose card has no programs of a document's language: the layer draws them all
+/// the same.
+void warnOfLack(const scene::Document &document) {
+  const auto profile = fp::hw::loadProfile(settings().profile);
+  if (!profile)
+    return;
+  for (const scene::ProgramFile &file : document.files) {
+    const fp::Limits limits = limitsOf(profile.value(), file.language);
+    if (hasPrograms(limits, file.language))
+      continue;
+    complain(profile.value().name + ": " + std::string(lackOf(limits, file.language)) +
+             "; this picture is the layer's alone");
+    return;
+  }
+}
+
 /// With the file's name and carets. Where the compiler of this command has no complaint (the host
 /// alone refused, or the layer runs under other limits), GL's own words at GL's own position.
 void explain(const DrawArguments &arguments, const scene::ProgramFile &program,
@@ -128,6 +144,8 @@ int drawHere(const DrawArguments &arguments) {
     complain("standard input has no name that the picture could have: -o PNG gives one");
     return kExitUsage;
   }
+  if (!arguments.bare)
+    warnOfLack(document);
   const auto rendering = render(document, drawing.first, drawing.last);
   if (!rendering)
     return fail(arguments, document, rendering.error());

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "fp_compiler/resources.h"
+#include "tools/language.h"
 #include "tools/lsp/answers.h"
 #include "tools/lsp/native_text.h"
 
@@ -27,8 +28,13 @@ Json hint(const View &view, std::uint32_t line, std::string label, std::string t
   return json;
 }
 
-/// "12/64 ALU instructions" for each resource of the target; those that are over are marked.
+/// "12/64 ALU instructions" for each resource of the target; those that are over are marked. Of a
+/// card that does not run the program itself that.
 Json total(const View &view) {
+  const std::uint32_t header = view.document.map().lineOf(view.analysis.program.span.begin);
+  if (const std::string_view lack = lackOf(view.analysis.limits, view.analysis.language);
+      !lack.empty())
+    return hint(view, header, view.profile.name + ": " + std::string(lack), {});
   const fp::ResourceCounts &counts = view.analysis.native.counts;
   const fp::ResourceCounts &limits = view.analysis.limits.native;
   std::string text = view.profile.name + ":";
@@ -44,9 +50,7 @@ Json total(const View &view) {
   std::string tooltip = "used / native limit of " + view.profile.description;
   if (!cycles.bound.empty())
     tooltip += "\nthe " + cycles.bound + " unit decides the cycles; " + cycles.limits;
-  const TextMap &map = view.document.map();
-  return hint(view, map.lineOf(view.analysis.program.span.begin), std::move(text),
-              std::move(tooltip));
+  return hint(view, header, std::move(text), std::move(tooltip));
 }
 
 /// The reasons that name one of the instructions.

@@ -51,6 +51,8 @@ public:
   /// The options are over: their debits hold from here.
   void setOptions(const ir::Options &options);
 
+  /// The program is read.
+  void finish() { m_budget.finish(); }
   [[nodiscard]] const ResourceCounts &counts() const { return m_budget.counts(); }
   [[nodiscard]] ir::Program takeProgram() { return std::move(m_program); }
 
