@@ -36,6 +36,13 @@ std::optional<ParseResult> parseNative(ir::Language target, std::string_view tex
   return refused;
 }
 
+/// Says of a program that loads with more indirections than the card has whether the card runs it.
+void sayHowItRuns(std::vector<Diagnostic> &diagnostics, bool fits) {
+  for (Diagnostic &each : diagnostics)
+    if (each.severity == Severity::Warning && each.id == info(DiagnosticId::LimitIndirections).id)
+      each.message += fits ? "; what the card makes of it fits" : ", but not natively";
+}
+
 CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
                             const CompileOptions &options, NameTable *names) {
   std::optional<ParseResult> own = parseNative(language.language, text, options, names);
@@ -49,6 +56,8 @@ CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
     const hw::NativeCounts native = hw::countNative(*result.program, parsed.counts, options.limits);
     result.nativeCounts = native.counts;
     result.underNativeLimits = native.fits;
+    if (options.policy == LimitPolicy::Enforce)
+      sayHowItRuns(result.diagnostics, native.fits);
   }
   return result;
 }

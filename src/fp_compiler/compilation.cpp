@@ -12,7 +12,8 @@ namespace arbiter::fp {
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
           buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs,
-          nvOptions, nvVertexProgram, model, rectangles, combiners, stageConstants, textureShaders)
+          nvOptions, nvVertexProgram, model, rectangles, combiners, stageConstants, textureShaders,
+          card)
 FP_FIELDS(CompileOptions, limits, policy, numerics)
 FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes, clipDistances, alphaDepths,
           spriteUnits, spriteS, bitEncoding, negativeFogDistances)

@@ -59,6 +59,7 @@ struct Limits {
   std::uint32_t generalCombiners = 0;
   std::uint32_t perStageConstants = 0;
   std::uint32_t textureShaders = 0;
+  std::string card = {}; ///< what messages call the card: "ATI Radeon 9700 (r300)"; empty: nothing
 };
 
 /// Limits of the text itself, for every profile. A program string is untrusted input.

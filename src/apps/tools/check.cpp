@@ -63,8 +63,10 @@ public:
         m_full(!m_brief && (!m_many || arguments.why || arguments.gauges == "always")) {}
 
   [[nodiscard]] std::string of(const CheckedFile &file) const {
-    return m_full ? fullText(file, file.profile ? *file.profile : m_profile, m_options)
-                  : briefText(file, m_options.style);
+    const fp::hw::Profile &profile = file.profile ? *file.profile : m_profile;
+    if (m_full)
+      return fullText(file, profile, m_options);
+    return (m_brief ? lackText(file, profile) : "") + briefText(file, m_options.style);
   }
   void end(const Summary &summary) const {
     if (m_brief || !m_several)

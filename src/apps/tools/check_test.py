@@ -160,13 +160,13 @@ class Many(Temporary):
         self.assertEqual(result.stderr, '')
         self.assertEqual(result.stdout, '''\
 ./a.fp:2:19: error: 'q' is not declared [undeclared-name]
-./b/B.fp:67:1: error: more than 64 ALU instructions [limit-alu-instructions]
+./b/B.fp:67:1: error: more than 64 ALU instructions, the limit of ATI Radeon 9700 (r300) [limit-alu-instructions]
 5 files under r300: 3 valid, 2 invalid
 ''' + result.stdout[result.stdout.index('the fullest'):])
         self.assertIn('the fullest of 1 ARBvp1.0 program:\n', result.stdout)
         self.assertIn('''\
 do not fit:
-  ALU instructions         -       -  ./b/B.fp: more than 64 ALU instructions
+  ALU instructions         -       -  ./b/B.fp: more than 64 ALU instructions, the limit of ATI Radeon 9700 (r300)
 ''', result.stdout)
         files = json.loads(check('--json', 'b', 'a.fp', cwd=self.folder).stdout)['files']
         self.assertEqual([file['file'] for file in files],

@@ -65,7 +65,7 @@ class Check(Temporary):
                            (picture, 'a PNG picture')):
             path = self.path('text.fp')
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
-            said = f'{path}:1:1: error: this is {kind}, Arbiter reads assembly programs [header-missing]\n'
+            said = f'{path}:1:1: error: this is {kind}, which Arbiter does not read [header-missing]\n'
             result = arbiter('check', '--brief', path)
             self.assertEqual((result.returncode, result.stdout), (2, said))
             self.assertTrue(arbiter('compile', path).stderr.startswith(said))

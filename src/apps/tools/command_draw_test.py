@@ -255,6 +255,12 @@ class Layered(Draw):
         self.assertEqual(self.draw(alu(65), '--limits', 'report').returncode, 0)
         self.assertEqual(self.draw(GOOD, '--texture', '16=checker').returncode, 1)
 
+    def test_a_card_without_fragment_programs_is_said_once(self):
+        said = 'nv25: the card has no fragment programs'
+        result = self.draw(GOOD, '--profile', 'geforce4')
+        self.assertEqual((result.returncode, result.stderr.count(said)), (0, 1), result.stderr)
+        self.assertNotIn(said, self.draw(GOOD).stderr)
+
     def test_the_statistics_agree_with_check(self):
         stats = self.path('stats.json')
         for program in ('life_naive.fp', 'life_packed.fp', 'lighting.fp'):

@@ -87,4 +87,20 @@ fp::Limits limitsOf(const fp::hw::Profile &profile, Language language) {
   return language == Language::ArbVertex ? profile.vertex : profile.fragment;
 }
 
+bool hasPrograms(const fp::Limits &limits, Language language) {
+  return language != Language::ArbFragment || limits.native.instructions != 0;
+}
+
+std::string_view lackOf(const fp::Limits &limits, Language language) {
+  if (!hasPrograms(limits, language))
+    return "the card has no fragment programs";
+  if (language == Language::ArbVertex && limits.native.instructions == 0)
+    return "the card has no vertex programs of its own: its driver runs them on the processor";
+  return {};
+}
+
+bool isOfLimit(const fp::Diagnostic &diagnostic) {
+  return std::string_view(diagnostic.id).starts_with("limit-");
+}
+
 } // namespace arbiter::tools

@@ -50,4 +50,12 @@ inline constexpr std::size_t kLanguageCount = 5;
 /// languages have the limits of the card's combiners and texture shaders.
 [[nodiscard]] fp::Limits limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
 
+/// False if the card has no programs of the language, so that its limits say nothing.
+[[nodiscard]] bool hasPrograms(const fp::Limits &limits, fp::ir::Language language);
+/// What a card lacks that runs no program of the language itself: "the card has no fragment
+/// programs". Empty of any other.
+[[nodiscard]] std::string_view lackOf(const fp::Limits &limits, fp::ir::Language language);
+/// A diagnostic of a limit of the API, which is none of a card's that has no such programs.
+[[nodiscard]] bool isOfLimit(const fp::Diagnostic &diagnostic);
+
 } // namespace arbiter::tools

@@ -36,7 +36,7 @@ constexpr ResourceRow kRows[kResourceCount] = {
 
 Budget::Budget(const CompileOptions &options, Reporter &reporter)
     : m_reporter(reporter), m_policy(options.policy), m_limits(options.limits.api),
-      m_refuseIndirections(options.limits.refuseIndirections != 0) {}
+      m_refuseIndirections(options.limits.refuseIndirections != 0), m_card(options.limits.card) {}
 
 void Budget::debit(const ir::Options &options) {
   if (options.positionInvariant) {
@@ -56,37 +56,76 @@ void Budget::debit(const ir::Options &options) {
   m_debits.aluInstructions = m_debits.instructions;
 }
 
+/// True if a program over the limit loads all the same.
+bool Budget::loads(Resource resource) const {
+  return m_policy == LimitPolicy::Report ||
+         (resource == Resource::TexIndirections && !m_refuseIndirections);
+}
+
+std::uint32_t Budget::limitOf(Resource resource) const {
+  const ResourceRow &row = kRows[std::size_t(resource)];
+  const std::uint32_t whole = m_limits.*row.count;
+  return whole - std::min(whole, m_debits.*row.count);
+}
+
+std::string Budget::amount(Resource resource) const {
+  const ResourceRow &row = kRows[std::size_t(resource)];
+  std::string text = std::to_string(limitOf(resource)) + " " + row.plural;
+  if (const std::uint32_t debit = m_debits.*row.count; debit != 0)
+    text += " (" + std::to_string(m_limits.*row.count) + " less " + std::to_string(debit) +
+            " for " + m_debitor + ")";
+  return text;
+}
+
 bool Budget::spend(Resource resource, Span where) {
   const ResourceRow &row = kRows[std::size_t(resource)];
   const std::uint32_t count = ++(m_counts.*row.count);
-  const std::uint32_t whole = m_limits.*row.count;
-  const std::uint32_t limit = whole - std::min(whole, m_debits.*row.count);
-  if (count > limit && !m_reported[std::size_t(resource)]) {
-    m_reported[std::size_t(resource)] = true;
-    report(resource, where, limit, false);
+  std::optional<Span> &over = m_over[std::size_t(resource)];
+  if (count > limitOf(resource) && !over) {
+    over = where;
+    if (!loads(resource))
+      m_reporter.error(row.id, where,
+                       "more than " + amount(resource) +
+                           (m_card.empty() ? "" : ", the limit of " + m_card),
+                       row.hint);
   }
   if (count <= row.ceiling)
     return true;
   if (!m_ceilingReported[std::size_t(resource)]) {
     m_ceilingReported[std::size_t(resource)] = true;
-    report(resource, where, row.ceiling, true);
+    reportCeiling(resource, where);
   }
   return false;
 }
 
-void Budget::report(Resource resource, Span where, std::uint32_t limit, bool ceiling) {
+/// No program has so much. Not said where the limit below has been an error already.
+void Budget::reportCeiling(Resource resource, Span where) {
   const ResourceRow &row = kRows[std::size_t(resource)];
-  std::string message =
-      "more than " + std::to_string(limit) + " " + row.plural + (ceiling ? " in any program" : "");
-  if (const std::uint32_t debit = m_debits.*row.count; debit != 0 && !ceiling)
-    message += " (" + std::to_string(m_limits.*row.count) + " less " + std::to_string(debit) +
-               " for " + m_debitor + ")";
-  const bool loads = m_policy == LimitPolicy::Report ||
-                     (resource == Resource::TexIndirections && !m_refuseIndirections);
-  if (loads && !ceiling)
-    m_reporter.warning(row.id, where, std::move(message), row.hint);
-  else if (!ceiling || loads || limit < m_limits.*row.count)
-    m_reporter.error(row.id, where, std::move(message), row.hint);
+  if (loads(resource) || row.ceiling < m_limits.*row.count)
+    m_reporter.error(row.id, where,
+                     "more than " + std::to_string(row.ceiling) + " " + row.plural +
+                         " in any program",
+                     row.hint);
+}
+
+void Budget::finish() {
+  for (std::size_t i = 0; i < m_over.size(); ++i) {
+    const auto resource = Resource(i);
+    if (!m_over[i] || !loads(resource))
+      continue;
+    const ResourceRow &row = kRows[i];
+    const char *const has = resource == Resource::TexIndirections ? " runs " : " has ";
+    const std::string count = std::to_string(m_counts.*row.count);
+    // A statement in error is not counted.
+    const std::string needs = m_reporter.hasErrors()            ? "at least " + count
+                              : m_policy == LimitPolicy::Report ? count + ": it loads, as limits "
+                                                                          "are only reported"
+                                                                : count + ": it loads";
+    m_reporter.warning(row.id, *m_over[i],
+                       (m_card.empty() ? "the limit is " : m_card + has) + amount(resource) +
+                           ", and this program needs " + needs,
+                       row.hint);
+  }
 }
 
 } // namespace arbiter::fp

@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/reporter.h"
@@ -36,20 +38,28 @@ public:
   void debit(const ir::Options &options);
   /// Counts one unit. Returns false if it is over the ceiling, so that the caller cannot number it.
   bool spend(Resource resource, Span where);
+  /// Ends the count. Reports what exceeds a limit and still loads: a warning with the whole count.
+  void finish();
   /// Returns the counts, including what exceeds the limits, and without the debits.
   [[nodiscard]] const ResourceCounts &counts() const { return m_counts; }
 
 private:
-  void report(Resource resource, Span where, std::uint32_t limit, bool ceiling);
+  [[nodiscard]] bool loads(Resource resource) const;
+  [[nodiscard]] std::uint32_t limitOf(Resource resource) const;
+  /// "4 texture indirections", with what an option takes of them.
+  [[nodiscard]] std::string amount(Resource resource) const;
+  void reportCeiling(Resource resource, Span where);
 
   Reporter &m_reporter;
   LimitPolicy m_policy;
   ResourceCounts m_limits;
   bool m_refuseIndirections;
+  std::string m_card;
   ResourceCounts m_debits;
   const char *m_debitor = ""; ///< the option that m_debits are for
   ResourceCounts m_counts;
-  std::array<bool, kResourceCount> m_reported{};
+  /// Where each is first over its limit.
+  std::array<std::optional<Span>, kResourceCount> m_over{};
   std::array<bool, kResourceCount> m_ceilingReported{};
 };
 

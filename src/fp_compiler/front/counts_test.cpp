@@ -230,6 +230,31 @@ TEST(Limits, IndirectionsThatTheProfileDoesNotRefuseLoadAndAreNotNative) {
   EXPECT_FALSE(loaded.underNativeLimits);
   ASSERT_EQ(loaded.diagnostics.size(), 1u);
   EXPECT_EQ(loaded.diagnostics[0].severity, Severity::Warning);
+  EXPECT_EQ(loaded.diagnostics[0].message,
+            "the limit is 2 texture indirections, and this program needs 3: it loads, but not "
+            "natively");
+  options.limits.native.texIndirections = 3;
+  options.limits.card = "A card (a)";
+  EXPECT_EQ(check(text, options).diagnostics[0].message,
+            "A card (a) runs 2 texture indirections, and this program needs 3: it loads; what the "
+            "card makes of it fits");
+  const CheckResult wrong = check(text + "!", options);
+  EXPECT_FALSE(wrong.ok());
+  EXPECT_EQ(wrong.diagnostics[0].message,
+            "A card (a) runs 2 texture indirections, and this program needs at least 3");
+}
+
+TEST(Limits, AreSaidWithTheCardAndWithWhetherTheProgramLoads) {
+  CompileOptions options = generous();
+  options.limits.api.aluInstructions = 2;
+  options.limits.card = "A card (a)";
+  const std::string text = wrap(repeat("MOV result.color, 0;\n", 4));
+  EXPECT_EQ(check(text, options).diagnostics.at(0).message,
+            "more than 2 ALU instructions, the limit of A card (a)");
+  options.policy = LimitPolicy::Report;
+  EXPECT_EQ(check(text, options).diagnostics.at(0).message,
+            "A card (a) has 2 ALU instructions, and this program needs 4: it loads, as limits are "
+            "only reported");
 }
 
 TEST(Limits, AZeroLimitWithAFogOptionDoesNotWrapAround) {

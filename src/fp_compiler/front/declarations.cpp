@@ -39,7 +39,7 @@ bool Parser::parseRegisters(SymbolKind kind) {
             : m_options.nv == ir::NvOption::None ? m_binder.addressRegister(text(name), name.span)
                                                  : m_binder.addressVector(text(name), name.span));
   } while (m_tokens.accept(TokenKind::Comma));
-  return expect(TokenKind::Semicolon, "',' or ';'");
+  return endStatement("',' or ';'");
 }
 
 bool Parser::parseAttrib() {
@@ -56,7 +56,7 @@ bool Parser::parseAttrib() {
     unexpected((std::string(m_language.attributes) + ".*").c_str());
   const bool parsed = isBinding && parseAttributeBinding(Place::Declaration, row);
   declare(name, parsed ? SymbolKind::Attribute : SymbolKind::Unknown, row);
-  return parsed && expect(TokenKind::Semicolon, "';'");
+  return parsed && endStatement();
 }
 
 bool Parser::parseOutput() {
@@ -69,7 +69,7 @@ bool Parser::parseOutput() {
     unexpected("result.*");
   const bool parsed = isBinding && parseResultBinding(Place::Declaration, row);
   declare(name, parsed ? SymbolKind::Output : SymbolKind::Unknown, row);
-  return parsed && expect(TokenKind::Semicolon, "';'");
+  return parsed && endStatement();
 }
 
 bool Parser::parseAlias() {
@@ -96,7 +96,7 @@ bool Parser::parseAlias() {
           "ALIAS of " + quote(text(target)) + ", which is not declared",
           m_symbols.suggest(text(target)));
   declare(name, symbol.kind, symbol.index);
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 bool Parser::parseParam() {
@@ -125,7 +125,7 @@ bool Parser::parseParam() {
   }
   const bool known = parsed && !rows.empty();
   declare(name, known ? SymbolKind::Parameter : SymbolKind::Unknown, known ? rows[0] : 0);
-  return parsed && expect(TokenKind::Semicolon, "';'");
+  return parsed && endStatement();
 }
 
 bool Parser::parseParamArray(const Token &name) {
@@ -151,7 +151,7 @@ bool Parser::parseParamArray(const Token &name) {
           std::uint16_t(m_arrays.size()));
   if (known)
     m_arrays.push_back({std::move(rows), std::nullopt});
-  return parsed && expect(TokenKind::Semicolon, "';'");
+  return parsed && endStatement();
 }
 
 bool Parser::parseArraySize(std::optional<std::uint32_t> &size) {

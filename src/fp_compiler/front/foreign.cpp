@@ -11,31 +11,50 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr std::string_view kCompile =
+    "Arbiter reads OpenGL's assembly programs; a compiler makes one of it: cgc -profile arbfp1, or "
+    "arbvp1 of a vertex shader";
+constexpr std::string_view kCompileGlsl =
+    "Arbiter reads OpenGL's assembly programs; a compiler makes one of it: cgc -oglsl -profile "
+    "arbfp1, or arbvp1 of a vertex shader";
+constexpr std::string_view kCapture =
+    "Arbiter reads OpenGL's assembly programs; Wine makes them of it where its shader_backend is "
+    "arb, and arbiter capture writes what a game loads";
+constexpr std::string_view kSpirv =
+    "Arbiter reads OpenGL's assembly programs; SPIR-V is of later cards";
+constexpr std::string_view kPicture = "arbiter draw --texture 0=FILE draws a program with it";
+constexpr std::string_view kUnpack = "unpack it first";
+constexpr std::string_view kSave = "save the file as ASCII or UTF-8, without a byte order mark";
+
 struct Magic {
   std::string_view begin;
   std::string_view kind;
+  std::string_view advice;
 };
 constexpr Magic kMagics[] = {
     {"\x7F"
      "ELF"sv,
-     "an ELF file"},
-    {"\x03\x02\x23\x07"sv, "a SPIR-V module"},
-    {"\x07\x23\x02\x03"sv, "a SPIR-V module"},
-    {"DXBC"sv, "compiled HLSL (DXBC)"},
-    {"\x89PNG"sv, "a PNG picture"},
-    {"\xFF\xD8\xFF"sv, "a JPEG picture"},
-    {"DDS "sv, "a DDS picture"},
-    {"GIF8"sv, "a GIF picture"},
-    {"PK\x03\x04"sv, "a ZIP archive"},
-    {"\x1F\x8B"sv, "a file of gzip"},
-    {"\xFF\xFE"sv, "text in UTF-16"},
-    {"\xFE\xFF"sv, "text in UTF-16"},
-    {"[require]"sv, "a shader_test of piglit"},
-    {"; SPIR-V"sv, "SPIR-V assembly"},
+     "an ELF file", "arbiter run -- FILE runs an application"},
+    {"\x03\x02\x23\x07"sv, "a SPIR-V module", kSpirv},
+    {"\x07\x23\x02\x03"sv, "a SPIR-V module", kSpirv},
+    {"DXBC"sv, "compiled HLSL (DXBC)", kCapture},
+    {"\x89PNG"sv, "a PNG picture", kPicture},
+    {"\xFF\xD8\xFF"sv, "a JPEG picture", kPicture},
+    {"DDS "sv, "a DDS picture", kPicture},
+    {"GIF8"sv, "a GIF picture", "arbiter draw takes PNG, JPEG and DDS files as textures"},
+    {"PK\x03\x04"sv, "a ZIP archive", kUnpack},
+    {"\x1F\x8B"sv, "a file of gzip", kUnpack},
+    {"\xFF\xFE"sv, "text in UTF-16", kSave},
+    {"\xFE\xFF"sv, "text in UTF-16", kSave},
+    {"[require]"sv, "a shader_test of piglit",
+     "the program is what stands below [fragment program] or [vertex program], to END"},
+    {"; SPIR-V"sv, "SPIR-V assembly", kSpirv},
 };
 
 /// The number of bytes that are examined. They are enough to recognise a text.
 constexpr std::size_t kLooked = 64u << 10;
+/// Of a version's name: "ps_2_x"
+constexpr std::size_t kMostVersion = 8;
 
 /// Words that begin a statement of an assembly program and do not occur in the languages below.
 constexpr std::string_view kStatements[] = {
@@ -99,8 +118,9 @@ bool isOfWord(char c) {
 /// The signs of each language among a text's words.
 struct Seen {
   bool assembly = false; ///< a statement of a program
-  bool direct3d = false; ///< the first word is a version of Direct3D's shader assembly
-  bool glsl = false;     ///< a word that GLSL alone has
+  /// The first word, if it is a version of Direct3D's shader assembly: "ps_2_0".
+  std::string_view direct3d;
+  bool glsl = false; ///< a word that GLSL alone has
   bool hlsl = false;
   bool cg = false;
   bool cgOrHlsl = false;
@@ -158,7 +178,8 @@ Seen wordsOf(std::string_view text) {
     } else if (isOfWord(rest[0])) {
       const auto *const end = std::find_if_not(rest.begin(), rest.end(), isOfWord);
       const std::string_view word = rest.substr(0, std::size_t(end - rest.begin()));
-      seen.direct3d = seen.direct3d || (first && isVersion(word, rest.substr(word.size())));
+      if (first && isVersion(word, rest.substr(word.size())))
+        seen.direct3d = rest.substr(0, rest.find_first_of(" \t\r\n;/"));
       look(seen, word, statement, before);
       before = word;
       first = statement = false;
@@ -175,27 +196,29 @@ Seen wordsOf(std::string_view text) {
 
 } // namespace
 
-std::string_view foreignKind(std::string_view text) {
+Foreign foreignText(std::string_view text) {
   for (const Magic &magic : kMagics)
     if (text.starts_with(magic.begin))
-      return magic.kind;
+      return {std::string(magic.kind), magic.advice};
   text = text.substr(0, kLooked);
   if (text.substr(0, 512).find('\0') != std::string_view::npos)
-    return "a binary file";
+    return {"a binary file", "Arbiter reads programs as text"};
   if (text.find("!!") != std::string_view::npos)
     return {};
   const Seen seen = wordsOf(text);
   if (seen.assembly)
     return {};
-  if (seen.direct3d)
-    return "Direct3D's shader assembly";
+  if (!seen.direct3d.empty())
+    return {"Direct3D's shader assembly (" + std::string(seen.direct3d.substr(0, kMostVersion)) +
+                ")",
+            kCapture};
   if (seen.glsl || (seen.vectors && seen.main))
-    return "GLSL";
+    return {"GLSL", kCompileGlsl};
   if (seen.hlsl && (seen.cgOrHlsl || seen.main))
-    return "HLSL";
+    return {"HLSL", kCompile};
   if (seen.cg)
-    return "Cg";
-  return seen.cgOrHlsl ? "Cg or HLSL" : std::string_view();
+    return {"Cg", kCompile};
+  return seen.cgOrHlsl ? Foreign{"Cg or HLSL", kCompile} : Foreign{};
 }
 
 } // namespace arbiter::fp

@@ -13,6 +13,8 @@ namespace {
 
 using namespace std::string_literals;
 
+std::string foreignKind(std::string_view text) { return foreignText(text).kind; }
+
 TEST(Foreign, OtherLanguagesAreKnown) {
   EXPECT_EQ(foreignKind("#version 120\nuniform sampler2D image;\nvoid main() {\n"
                         "  gl_FragColor = texture2D(image, gl_TexCoord[0].st);\n}\n"),
@@ -32,8 +34,9 @@ TEST(Foreign, OtherLanguagesAreKnown) {
   EXPECT_EQ(foreignKind("float4 main(float2 uv : TEXCOORD0) : COLOR { return uv.xyxy; }\n"),
             "Cg or HLSL");
   EXPECT_EQ(foreignKind("ps_2_0\ndcl t0\ndef c0, 1, 0, 0, 0\nmov oC0, c0\n"),
-            "Direct3D's shader assembly");
-  EXPECT_EQ(foreignKind("// of 2001\nvs.1.1\nmov oPos, v0\n"), "Direct3D's shader assembly");
+            "Direct3D's shader assembly (ps_2_0)");
+  EXPECT_EQ(foreignKind("// of 2001\nvs.1.1\nmov oPos, v0\n"),
+            "Direct3D's shader assembly (vs.1.1)");
   EXPECT_EQ(foreignKind("; SPIR-V\n; Version: 1.0\nOpCapability Shader\n"), "SPIR-V assembly");
   EXPECT_EQ(foreignKind("[require]\nGL >= 2.1\n\n[fragment program]\n!!ARBfp1.0\nEND\n"),
             "a shader_test of piglit");
@@ -69,12 +72,35 @@ TEST(Foreign, ProgramsWithAWrongHeaderAreNot) {
     EXPECT_EQ(foreignKind(text), "") << text;
 }
 
+Diagnostic first(std::string_view text) {
+  const CheckResult result = checkProgram(ir::Language::ArbFragment, text, {});
+  EXPECT_EQ(result.diagnostics.size(), 1u) << text;
+  return result.diagnostics.at(0);
+}
+
 TEST(Foreign, TheDiagnosticSaysSo) {
-  const CheckResult result =
-      checkProgram(ir::Language::ArbFragment, "void main() { gl_FragColor; }", {});
-  ASSERT_EQ(result.diagnostics.size(), 1u);
-  EXPECT_EQ(result.diagnostics[0].message, "this is GLSL, Arbiter reads assembly programs");
-  EXPECT_STREQ(result.diagnostics[0].id, "header-missing");
+  const Diagnostic glsl = first("void main() { gl_FragColor; }");
+  EXPECT_EQ(glsl.message, "this is GLSL, which Arbiter does not read");
+  EXPECT_STREQ(glsl.id, "header-missing");
+  EXPECT_NE(glsl.hint.find("cgc -oglsl"), std::string::npos);
+  const Diagnostic direct3d = first("ps_2_0\ndcl t0\nmov oC0, t0\n");
+  EXPECT_EQ(direct3d.message,
+            "this is Direct3D's shader assembly (ps_2_0), which Arbiter does not read");
+  EXPECT_NE(direct3d.hint.find("arbiter capture"), std::string::npos);
+}
+
+TEST(Foreign, NoHeaderInFrontHelps) {
+  for (const char *const text :
+       {"void main() { gl_FragColor; }", "ps_2_0\nmov oC0, c0\n", "vs.1.1\nmov oPos, v0\n",
+        "float4 main() : SV_Target { return 1; }", "float4 main() : COLOR { return 1; }",
+        "fixed4 main() : COLOR { return texRECT(a, b); }", "; SPIR-V\n", "\x89PNG\r\n", "DXBC",
+        "[require]\nGL >= 2.1\n"}) {
+    const Diagnostic said = first(text);
+    EXPECT_FALSE(said.hint.empty()) << text;
+    EXPECT_EQ(said.hint.find("!!"), std::string::npos) << text << ": " << said.hint;
+  }
+  EXPECT_NE(first("MOV result.color, fragment.color;\nEND\n").hint.find("!!ARBfp1.0"),
+            std::string::npos);
 }
 
 } // namespace

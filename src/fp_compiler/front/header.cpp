@@ -59,12 +59,13 @@ bool checkHeader(std::string_view header, std::string_view text, Reporter &repor
   for (const HeaderRow &row : kHeaders)
     if (text.starts_with(row.begin))
       hint = row.hint;
-  const std::string kind(foreignKind(text));
+  const Foreign foreign = foreignText(text);
+  const bool other = !foreign.kind.empty();
   reporter.error(DiagnosticId::HeaderMissing,
                  {wrong, std::min(wrong + 1, std::uint32_t(text.size()))},
-                 kind.empty() ? "the header " + std::string(header) + " is missing"
-                              : "this is " + kind + ", Arbiter reads assembly programs",
-                 std::move(hint));
+                 other ? "this is " + foreign.kind + ", which Arbiter does not read"
+                       : "the header " + std::string(header) + " is missing",
+                 other ? std::string(foreign.advice) : std::move(hint));
   return false;
 }
 

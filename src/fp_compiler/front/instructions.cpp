@@ -1,5 +1,5 @@
-
 #include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/numeral.h"
 #include "fp_compiler/front/words/suffix.h"
 #include "fp_compiler/front/words/suggest.h"
@@ -34,29 +34,47 @@ bool Parser::parseInstruction(const Token &opcode, const Word &word) {
   instruction.op = word.op;
   if (!op.has(ir::Kills)) {
     const bool loadsAddress = word.op == ir::Opcode::Arl;
-    if (!(loadsAddress ? parseAddressDestination(instruction.dst)
-                       : parseDestination(instruction.dst)) ||
-        !expect(TokenKind::Comma, "','"))
+    if (!expectPart(word.op, {PartKind::Destination}) ||
+        !(loadsAddress ? parseAddressDestination(instruction.dst)
+                       : parseDestination(instruction.dst)))
       return false;
     instruction.dst.saturate = word.saturate;
   }
   for (int i = 0; i < op.operandCount(); ++i) {
     ir::Operand &operand = instruction.src[std::size_t(i)];
-    if (i > 0 && !expect(TokenKind::Comma, "','"))
+    if (!expectPart(word.op, {PartKind::Operand, i}))
       return false;
     if (word.op == ir::Opcode::Swz ? !parseSwzSource(operand)
                                    : !parseSource(op.shapes[i] == 'S', operand))
       return false;
   }
-  if (word.op == ir::Opcode::Swz && !parseExtendedSwizzle(instruction.src[0]))
+  if (word.op == ir::Opcode::Swz && !parseExtendedSwizzle(instruction))
     return false;
   if (op.has(ir::Texture) && !parseTexture(instruction))
     return false;
   instruction.span = spanFrom(opcode.span.begin);
-  if (!expect(TokenKind::Semicolon, "';'"))
+  if (!endInstruction(word.op))
     return false;
   m_binder.instruction(instruction, opcode.span);
   return true;
+}
+
+/// Expects the comma before a part of an instruction, unless it is the first, and the part itself.
+bool Parser::expectPart(ir::Opcode op, Part part) {
+  const bool begins = beginsInstruction(op, part);
+  const auto missing = missingPart(m_tokens, m_text, begins, [this](const Token &token) {
+    return beginsStatement(wordOf(token).keyword);
+  });
+  if (!missing)
+    return begins || m_tokens.accept(TokenKind::Comma) ||
+           unexpected(("',' before " + partName(op, part)).c_str());
+  error(DiagnosticId::Syntax, *missing, partName(op, part) + " is missing", usageHint(op));
+  return false;
+}
+
+/// Returns the hint for an instruction that has more parts than its opcode.
+std::string Parser::surplusHint(ir::Opcode op) const {
+  return m_tokens.at(TokenKind::Comma) ? usageHint(op) : std::string();
 }
 
 /// Parses <maskedDstReg>.
@@ -177,11 +195,12 @@ bool Parser::parseMask(std::uint8_t &mask) {
 }
 
 /// Parses <extendedSwizzle>, from the comma before it.
-bool Parser::parseExtendedSwizzle(ir::Operand &operand) {
+bool Parser::parseExtendedSwizzle(ir::Instruction &instruction) {
+  ir::Operand &operand = instruction.src[0];
   char set = 0;
   operand.negate = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!expect(TokenKind::Comma, "','"))
+    if (!expectPart(instruction.op, {PartKind::Selector, int(i)}))
       return false;
     if (m_tokens.at(TokenKind::Minus))
       operand.negate |= std::uint8_t(1u << i);
@@ -219,7 +238,7 @@ bool Parser::parseTarget(Token &word) {
 
 /// Parses <texImageUnit> "," <texTarget>, from the comma before them.
 bool Parser::parseTexture(ir::Instruction &instruction) {
-  if (!expect(TokenKind::Comma, "','"))
+  if (!expectPart(instruction.op, {PartKind::Unit}))
     return false;
   const bool inVertices = m_options.nv == ir::NvOption::Second && atWord(0, "texture");
   if (keywordAt().keyword != Keyword::Texture && !inVertices)
@@ -229,7 +248,7 @@ bool Parser::parseTexture(ir::Instruction &instruction) {
   const std::size_t errorsBefore = m_reporter.errorCount();
   if (!parseOptionalIndex(byteLimit(m_limits.textureImageUnits), DiagnosticId::ImageUnit,
                           "texture image unit", unit) ||
-      !expect(TokenKind::Comma, "','"))
+      !expectPart(instruction.op, {PartKind::Target}))
     return false;
   const bool unitKnown = m_reporter.errorCount() == errorsBefore;
   const TargetRow *row = nullptr;

@@ -207,7 +207,7 @@ Token Lexer::next() {
 }
 
 TokenStream::TokenStream(std::string_view text, std::uint32_t begin)
-    : m_text(text), m_lexer(text, begin), m_lastEnd(begin) {
+    : m_text(text), m_lexer(text, begin), m_last{begin, begin} {
   for (Token &token : m_ahead)
     token = m_lexer.next();
 }
@@ -216,7 +216,7 @@ Token TokenStream::next() {
   const Token token = m_ahead[0];
   m_ahead[0] = m_ahead[1];
   m_ahead[1] = m_lexer.next();
-  m_lastEnd = token.span.end;
+  m_last = token.span;
   return token;
 }
 

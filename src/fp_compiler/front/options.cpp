@@ -84,7 +84,7 @@ bool Parser::parseOption(bool late) {
           "options come directly after the header");
   else
     applyOption(name);
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 void Parser::applyOption(const Token &token) {

@@ -5,7 +5,6 @@
 #include "fp_compiler/front/header.h"
 #include "fp_compiler/front/nv/words.h"
 #include "fp_compiler/front/unexpected.h"
-#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp {
 
@@ -19,6 +18,7 @@ ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
         good ? std::uint32_t(language.header.size()) : endOfWrongHeader(text);
     Parser parser(language, text, options, reporter, begin, names);
     parser.parse();
+    parser.binder().finish();
     if (!reporter.hasErrors()) {
       result.counts = parser.binder().counts();
       result.program = parser.binder().takeProgram();
@@ -146,6 +146,26 @@ std::string Parser::nvOptionsHint(std::string_view word) const {
                : "the profiles from nv30 to nv40 have them, and host";
 }
 
+/// The words that may begin a statement, to suggest from.
+Vocabulary Parser::vocabulary() const {
+  const ir::NvOption nv = m_options.nv;
+  Vocabulary result{.words = statementWords(m_language),
+                    .saturate = m_language.saturates ? "_SAT" : "",
+                    .parts = {}};
+  for (int i = ir::kOpcodeCount; i < ir::kOpcodeRowCount; ++i)
+    if (nv != ir::NvOption::None && nv::offers(m_language, nv, ir::Opcode(i)))
+      result.words.emplace_back(info(ir::Opcode(i)).mnemonic);
+  if (nv == ir::NvOption::Second)
+    result.saturate = "_SAT";
+  result.parts = [this](std::string_view word) {
+    const Word known = m_options.nv == ir::NvOption::None
+                           ? classify(word, m_language)
+                           : nv::classify(word, m_language, m_options.nv);
+    return known.keyword == Keyword::Opcode ? partCount(known.op) : 0;
+  };
+  return result;
+}
+
 bool Parser::unknownStatement(const Token &first) {
   const std::string_view word = text(first);
   if (isForeignStatement(word)) {
@@ -168,7 +188,7 @@ bool Parser::unknownStatement(const Token &first) {
           "write KIL");
   } else {
     error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
-          didYouMean(word, statementWords(m_language)));
+          statementHint(word, partsBehind(m_text, first.span.end), vocabulary()));
   }
   return false;
 }
@@ -202,6 +222,15 @@ bool Parser::expect(TokenKind kind, const char *what, const char *hint) {
   if (m_tokens.accept(kind))
     return true;
   return unexpected(what, hint);
+}
+
+bool Parser::endStatement(const char *expected, std::string hint) {
+  if (m_tokens.accept(TokenKind::Semicolon))
+    return true;
+  if (reportLostSemicolon(m_reporter, m_text, m_tokens.last(), m_tokens.peek(),
+                          beginsStatement(keywordAt().keyword), expected))
+    return false;
+  return unexpected(expected, std::move(hint));
 }
 
 bool Parser::unexpected(const char *expected, std::string hint) {

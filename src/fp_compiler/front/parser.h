@@ -12,6 +12,8 @@
 #include "fp_compiler/front/words/keywords.h"
 #include "fp_compiler/front/words/language.h"
 #include "fp_compiler/front/words/names.h"
+#include "fp_compiler/front/words/other_words.h"
+#include "fp_compiler/front/words/parts.h"
 #include "fp_compiler/native_interface.h"
 
 namespace arbiter::fp {
@@ -69,6 +71,12 @@ private:
   bool isForeignStatement(std::string_view word) const;
   void recover();
   bool expect(TokenKind kind, const char *what, const char *hint = "");
+  /// The semicolon of a statement.
+  bool endStatement(const char *expected = "';'", std::string hint = {});
+  /// The same of an instruction, which may have too many operands.
+  bool endInstruction(ir::Opcode op) { return endStatement("';'", surplusHint(op)); }
+  [[nodiscard]] std::string surplusHint(ir::Opcode op) const;
+  [[nodiscard]] Vocabulary vocabulary() const;
   bool unexpected(const char *expected, std::string hint = {});
   bool unexpectedToken(const Token &token, const char *expected, std::string hint = {});
   [[nodiscard]] std::string describe(const Token &token) const;
@@ -145,12 +153,13 @@ private:
 
   // instructions.cpp
   bool parseInstruction(const Token &opcode, const Word &word);
+  bool expectPart(ir::Opcode op, Part part);
   bool parseDestination(ir::Destination &destination);
   bool parseDestinationRegister(ir::Destination &destination);
   bool parseAddressDestination(ir::Destination &destination);
   bool readOnlyDestination(const Token &first, const Word &word);
   bool parseMask(std::uint8_t &mask);
-  bool parseExtendedSwizzle(ir::Operand &operand);
+  bool parseExtendedSwizzle(ir::Instruction &instruction);
   bool parseTexture(ir::Instruction &instruction);
   bool parseTarget(Token &word);
 
@@ -188,6 +197,7 @@ private:
   bool endBlock(const Token &opcode, const Word &word);
   bool beginLoop(nv::Statement &statement);
   bool parseStack(nv::Statement &statement);
+  std::string unknownNvHint(const Token &first) const;
   bool unknownNvStatement(const Token &first);
   bool parseLabel(const Token &name);
   bool atAddress() const;

@@ -13,8 +13,8 @@ using testing_support::Planted;
 
 constexpr Planted kPlanted[] = {
     {"syntax", "MOV R0 @R1;\nEND"},
-    {"syntax", "MOV R0, R1\n@MOV R1, R0;\nEND"},
-    {"syntax", "MOV R0, R1\n@END"},
+    {"syntax", "MOV R0, R1@\nMOV R1, R0;\nEND"},
+    {"syntax", "MOV R0, R1@\nEND"},
     {"syntax", "MOV R0,@;\nEND"},
     {"syntax", "MOV @, R0;\nEND"},
     {"syntax", "@;\nEND"},
@@ -35,7 +35,7 @@ constexpr Planted kPlanted[] = {
     {"syntax", "TEMP a @b;\nEND"},
     {"syntax", "TEMP a,@;\nEND"},
     {"syntax", "TEMP @7;\nEND"},
-    {"syntax", "TEMP a\n@TEMP b;\nEND"},
+    {"syntax", "TEMP a@\nTEMP b;\nEND"},
     {"syntax", "PARAM p @{1, 2};\nEND"},
     {"syntax", "PARAM p = @;\nEND"},
     {"syntax", "PARAM p = program.local[0@..3];\nEND"},

@@ -41,6 +41,23 @@ void reportUnexpected(Reporter &reporter, std::string_view text, const Token &to
   }
 }
 
+bool isOnLaterLine(std::string_view text, std::uint32_t from, std::uint32_t to) {
+  return text.substr(from, to - from).find_first_of("\r\n") != std::string_view::npos;
+}
+
+bool reportLostSemicolon(Reporter &reporter, std::string_view text, Span last, const Token &next,
+                         bool begins, std::string_view expected) {
+  const bool ends = begins || next.kind == TokenKind::EndOfText;
+  const bool later =
+      next.kind == TokenKind::Identifier && isOnLaterLine(text, last.end, next.span.begin);
+  if (!ends && !later)
+    return false;
+  reporter.error(DiagnosticId::Syntax, {last.end, last.end},
+                 "expected " + std::string(ends ? "';'" : expected) + " after " +
+                     quote(text.substr(last.begin, last.end - last.begin)));
+  return true;
+}
+
 void reportBehindEnd(Reporter &reporter, std::string_view text, const Token &token) {
   if (token.kind == TokenKind::EndOfText)
     return;

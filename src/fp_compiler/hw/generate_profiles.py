@@ -263,9 +263,10 @@ are the API's. A file that inherits nothing gets the rows of `r300` for the vert
 nothing of it, and `documented` for a model. `identity = false` in place of the table is no identity,
 whatever was inherited.
 
-API limits are what `glGetProgramivARB` answers and what a program is refused for; native limits
-decide `GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB` and never refuse a program. With `from_host = true` the
-layer asks the host's driver for every number it can give.
+API limits are what `glGetProgramivARB` answers and what a program is refused for, but for that of
+texture indirections: where `state.refuse_indirections` is 0, a program over it loads with a warning, as
+under the card's driver. Native limits decide `GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB` and never refuse a
+program. With `from_host = true` the layer asks the host's driver for every number it can give.
 
 Which rows an application is answered, in a compatibility context:
 

@@ -102,6 +102,7 @@ bool readProfile(Reader &reader, Profile &profile, const toml::table &root) {
                      : readNamedTable(reader, profile, name, node, seen)))
       return false;
   }
+  profile.nameCard();
   return fillAbsent(reader, profile, root, seen);
 }
 

@@ -61,6 +61,7 @@ std::vector<Profile> makeBuiltins() {
     profile.name = from.name;
     profile.description = from.description;
     profile.fromHost = from.fromHost;
+    profile.nameCard();
     for (const RowInfo &info : kRows) {
       const BuiltinRow &row = from.rows[std::size_t(info.row)];
       profile.set(info.row, row.value, row.source);
@@ -101,6 +102,13 @@ std::span<const ChoiceInfo> choices() {
 }
 
 std::span<const IdentityKey> identityKeys() { return kIdentityKeys; }
+
+void Profile::nameCard() {
+  const std::size_t chip = description.find(" (");
+  const bool named = chip != std::string::npos && chip < description.find(':');
+  fragment.card = named ? description.substr(0, chip) + " (" + name + ")" : name;
+  vertex.card = fragment.card;
+}
 
 std::uint32_t Profile::value(Row row) const {
   return member(const_cast<Profile &>(*this), row); // read only

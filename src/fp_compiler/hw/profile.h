@@ -111,6 +111,11 @@ struct Profile {
   std::array<std::string, kChoiceCount> choiceSources;
   Identity identity;
 
+  /// Gives the limits the card's name for messages: what the description begins with where it names
+  /// a card before its chip, and the profile's name: "ATI Radeon 9700 (r300)". Call when both are
+  /// there.
+  void nameCard();
+
   [[nodiscard]] std::uint32_t value(Row row) const;
   void set(Row row, std::uint32_t value, std::string source);
   /// Returns an index into the choice's names.

@@ -149,6 +149,21 @@ TEST(Profiles, ACardIsKnownByWhatPeopleCallIt) {
             "fragment shaders have the same limits under every profile");
 }
 
+TEST(Profiles, MessagesCallACardByItsNameAndItsProfiles) {
+  const Profile &r300 = *findBuiltin("r300");
+  EXPECT_EQ(r300.fragment.card, "ATI Radeon 9700 (r300)");
+  EXPECT_EQ(r300.vertex.card, r300.fragment.card);
+  EXPECT_EQ(findBuiltin("r300-catalyst-2004")->fragment.card, "r300-catalyst-2004");
+  EXPECT_EQ(findBuiltin("host")->fragment.card, "host");
+  const auto own = parseProfile("name = 'half'\ninherits = 'r300'\n", "p.toml");
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own.value().fragment.card, "ATI Radeon 9700 (half)");
+  const auto described =
+      parseProfile("name = 'half'\ninherits = 'r300'\ndescription = 'a test: of (it)'\n", "p.toml");
+  ASSERT_TRUE(described);
+  EXPECT_EQ(described.value().vertex.card, "half");
+}
+
 TEST(Profiles, TheVertexTargetHasItsOwnNumbers) {
   const Limits &vertex = findBuiltin(kDefaultProfile)->vertex;
   EXPECT_EQ(vertex.api.instructions, 256u);

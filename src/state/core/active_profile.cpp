@@ -47,6 +47,7 @@ fp::Limits limitsUnder(const fp::hw::Profile &profile, Target target, const host
   // The host has only the two targets of the ARB extensions.
   const GLenum asked = infoOf(vertex ? Target::Vertex : Target::Fragment).name;
   fp::Limits limits = fromHost ? queryHostLimits(asked, host, caps) : ofProfile;
+  limits.card = ofProfile.card;
   limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
   limits.nvVertexProgram = caps.drawsNvOptions() ? ofProfile.nvVertexProgram : 0;
   // A vertex program that samples may name the units of all stages.

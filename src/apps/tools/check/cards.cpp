@@ -32,10 +32,12 @@ CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::Lim
   const fp::Limits limits = limitsOf(card, language);
   const fp::CheckResult result = fp::checkProgramIn(text, program, {limits, policy});
   CardCell cell;
-  cell.hasLanguage = language != fp::ir::Language::ArbFragment || limits.native.instructions != 0;
+  const std::string_view lack = lackOf(limits, language);
+  cell.hasLanguage = hasPrograms(limits, language);
+  cell.runsItself = lack.empty();
   if (!result.ok()) {
     cell.status = FileStatus::Invalid;
-    cell.why = firstError(result, text);
+    cell.why = cell.hasLanguage ? firstError(result, text) : std::string(lack);
     return cell;
   }
   if (result.underNativeLimits)
@@ -44,10 +46,11 @@ CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::Lim
   for (const fp::ResourceRow &row : fp::resourceRows())
     if (row.of(language) && result.nativeCounts.*row.member > limits.native.*row.member)
       cell.over.push_back({&row, result.nativeCounts.*row.member, limits.native.*row.member});
+  cell.why = lack;
+  if (!lack.empty())
+    return cell;
   const auto report = fp::hw::explainNative(*result.program, result.counts, limits, text);
-  if (!cell.hasLanguage)
-    cell.why = "the card has no fragment programs";
-  else if (!report.reasons.empty())
+  if (!report.reasons.empty())
     cell.why = report.reasons.front().text;
   return cell;
 }
@@ -71,9 +74,11 @@ std::string padded(const std::string &text, std::size_t width) {
 }
 
 std::string reasonOf(const CardCell &cell) {
+  if (!cell.hasLanguage)
+    return cell.why;
   if (cell.status == FileStatus::Invalid)
     return "not valid: " + cell.why;
-  if (!cell.hasLanguage)
+  if (!cell.runsItself)
     return cell.why;
   std::string text = "over the native limits";
   const char *between = ": ";

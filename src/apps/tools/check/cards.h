@@ -23,10 +23,12 @@ struct OverCount {
 /// The result of one program on one card.
 struct CardCell {
   FileStatus status = FileStatus::Valid;
-  bool hasLanguage = true; ///< false if the card runs no program of the language
+  bool hasLanguage = true; ///< false if the card has no programs of the language
+  bool runsItself = true;  ///< false if the card does not run them itself, as lackOf() says
   std::vector<OverCount> over;
-  /// For an invalid program, the first error with its line and column. Over the native limits, that
-  /// the card has no such programs, or the first reason of its model if there is one.
+  /// What the card lacks, whatever the program is. Otherwise, for an invalid program, the first
+  /// error with its line and column. Over the native limits, the first reason of the card's model
+  /// if there is one.
   std::string why;
 };
 

@@ -93,6 +93,9 @@ class Cards(unittest.TestCase):
         self.assertTrue(any(reason.endswith('simple.fp: nv10: the card has no fragment programs')
                             for reason in reasons), reasons)
         self.assertNotIn(' of 0', result.stdout)
+        # What a card lacks comes before what the program does wrong by limits that say nothing.
+        for card in PROGRAMLESS:
+            self.assertIn(f'{deep}: {card}: the card has no fragment programs', reasons)
         self.assertEqual(total.split(), 'fit, of 2 1 1 1 1 1 0 0 0 2 2 2 1'.split())
         self.assertTrue(legend.startswith('fits:'))
         self.assertEqual(len(reasons), 12)

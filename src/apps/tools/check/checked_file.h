@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/tools/advise/advise.h"
+#include "apps/tools/language.h"
 #include "apps/tools/profile_choice.h"
 #include "fp_compiler/file_programs.h"
 #include "fp_compiler/hw/native.h"
@@ -44,6 +45,18 @@ public:
   }
   /// Returns the name. If the file has other programs, adds the language and line.
   [[nodiscard]] std::string title() const;
+  /// Returns lackOf() of the card; empty for a file that cannot be read.
+  [[nodiscard]] std::string_view lack() const {
+    return status == FileStatus::Unreadable ? std::string_view() : lackOf(limits, language);
+  }
+  /// False if the card has no programs of the language: its limits and counts say nothing.
+  [[nodiscard]] bool hasPrograms() const {
+    return lack().empty() || tools::hasPrograms(limits, language);
+  }
+  /// True for diagnostics that make sense for the profile's card.
+  [[nodiscard]] bool isShown(const fp::Diagnostic &diagnostic) const {
+    return hasPrograms() || !isOfLimit(diagnostic);
+  }
   /// True if the program has counts.
   [[nodiscard]] bool counted() const {
     return status == FileStatus::Valid || status == FileStatus::OverNative;

@@ -71,7 +71,8 @@ std::vector<Line> linesOf(const Side &a, const Side &b) {
       if (!row.of(file.language))
         continue;
       line.api[i] = file.result.counts.*row.member;
-      line.native[i] = file.result.nativeCounts.*row.member;
+      if (file.lack().empty())
+        line.native[i] = file.result.nativeCounts.*row.member;
       line.apiLimits[i] = file.limits.api.*row.member;
       line.nativeLimits[i] = file.limits.native.*row.member;
     }
@@ -143,10 +144,11 @@ std::string Comparison::text(const Style &style) const {
   std::string text;
   const Side *const sides[] = {&m_a, &m_b};
   for (const Side *side : sides) {
+    const bool named = side->file.counted() || !side->file.hasPrograms(); // by the verdict
     text += briefText(side->file, style);
     text += (side == &m_a ? "A: " : "B: ") + shown(side->file.name) + ": " +
-            verdict(side->file, *side->profile) +
-            (side->file.counted() ? "" : " under " + side->profile->name) + "\n";
+            verdict(side->file, *side->profile) + (named ? "" : " under " + side->profile->name) +
+            "\n";
   }
   if (!counted())
     return text;

@@ -195,6 +195,8 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile 
     json.key("fault").value(file.fault).endObject();
     return;
   }
+  if (!file.lack().empty())
+    json.key("why").value(file.lack());
   const SourceText source(file.text);
   json.key("language").value(languageTitle(file.language, file.source()));
   if (file.part) {

@@ -66,7 +66,7 @@ void Summary::add(const CheckedFile &file) {
   m_last = file.name;
   if (m_detail == Detail::Counts)
     return;
-  if (file.counted()) {
+  if (file.counted() && file.lack().empty()) {
     ++m_programs[std::size_t(file.language)];
     addFullest(file);
   }
@@ -90,6 +90,10 @@ void Summary::addFullest(const CheckedFile &file) {
 }
 
 void Summary::addMisfit(const CheckedFile &file) {
+  if (!file.hasPrograms() || (file.counted() && !file.lack().empty())) {
+    m_misfits.push_back({file.title(), nullptr, {}, 0, std::string(file.lack())});
+    return;
+  }
   if (file.status == FileStatus::Invalid) {
     for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
       if (diagnostic.severity != fp::Severity::Error)

@@ -15,6 +15,12 @@ namespace {
 constexpr const char *kOverApi = "  over the API limit";
 constexpr const char *kOverBoth = "  over the API limit and the native limit";
 constexpr const char *kOverNative = "  over the native limit";
+constexpr const char *kNotEnforced = "  over the API limit, which is not enforced";
+constexpr const char *kOverNativeAlone = "  over the native limit; the API limit is not enforced";
+
+bool isOver(const CheckedFile &file, std::uint32_t fp::ResourceCounts::*resource) {
+  return file.result.nativeCounts.*resource > file.limits.native.*resource;
+}
 
 std::string tableHead(const Style &style) {
   char line[128];
@@ -25,6 +31,24 @@ std::string tableHead(const Style &style) {
   if (style.gauges)
     std::snprintf(bars, sizeof bars, "  %-*s native", cells, "API");
   return painted(std::string(line) + bars, Colour::Dim, style) + "\n";
+}
+
+/// Says which limits a count exceeds, in the words of the compiler's warning. A card may announce a
+/// limit of indirections and still load a program that exceeds it. A card that does not run the
+/// program itself has no limits.
+std::string overText(const CheckedFile &file, const fp::ResourceRow &row, const Style &style) {
+  const bool overApi = file.result.counts.*row.member > file.limits.api.*row.member;
+  const bool overNative = isOver(file, row.member) && file.lack().empty();
+  const bool unenforced = overApi && row.member == &fp::ResourceCounts::texIndirections &&
+                          file.limits.refuseIndirections == 0;
+  if (!overApi && !overNative)
+    return {};
+  const char *text = overApi ? kOverApi : kOverNative;
+  if (unenforced)
+    text = overNative ? kOverNativeAlone : kNotEnforced;
+  else if (overApi && overNative)
+    text = kOverBoth;
+  return painted(text, Colour::Bad, style);
 }
 
 /// Returns a row that always begins with the four numbers, because scripts read them.
@@ -39,16 +63,7 @@ std::string tableRow(const CheckedFile &file, const fp::ResourceRow &row, const 
   std::string text = line;
   if (style.gauges)
     text += "  " + gauge(used, limit, style) + " " + gauge(nativeUsed, nativeLimit, style);
-  const bool overNative = nativeUsed > nativeLimit;
-  if (used > limit)
-    text += painted(overNative ? kOverBoth : kOverApi, Colour::Bad, style);
-  else if (overNative)
-    text += painted(kOverNative, Colour::Bad, style);
-  return text + "\n";
-}
-
-bool isOver(const CheckedFile &file, std::uint32_t fp::ResourceCounts::*resource) {
-  return file.result.nativeCounts.*resource > file.limits.native.*resource;
+  return text + overText(file, row, style) + "\n";
 }
 
 /// True if a row's reasons explain why the program does not fit.
@@ -114,7 +129,8 @@ std::string adviceText(const CheckedFile &file, const Style &style) {
 std::string briefText(const CheckedFile &file, const Style &style) {
   std::string text;
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics)
-    text += renderedLine(shown(file.name), file.text, diagnostic, style) + "\n";
+    if (file.isShown(diagnostic))
+      text += renderedLine(shown(file.name), file.text, diagnostic, style) + "\n";
   text += fixedText(file);
   for (const advise::Advice &advice : adviceOf(file))
     text += advise::lineText(
@@ -122,7 +138,15 @@ std::string briefText(const CheckedFile &file, const Style &style) {
   return text;
 }
 
+std::string lackText(const CheckedFile &file, const fp::hw::Profile &profile) {
+  return file.hasPrograms() ? "" : shown(file.title()) + ": " + verdict(file, profile) + "\n";
+}
+
 std::string verdict(const CheckedFile &file, const fp::hw::Profile &profile) {
+  if (!file.hasPrograms())
+    return profile.name + ": " + std::string(file.lack());
+  if (file.status == FileStatus::OverNative && !file.lack().empty())
+    return "valid; " + std::string(file.lack());
   switch (file.status) {
   case FileStatus::Valid:
     return "valid, within the native limits of " + profile.name;
@@ -137,17 +161,23 @@ std::string verdict(const CheckedFile &file, const fp::hw::Profile &profile) {
 
 std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
                      const TextOptions &options) {
-  std::string text = fixedText(file);
+  const Colour colour = file.status == FileStatus::Valid ? Colour::Good
+                        : file.status == FileStatus::OverNative && file.hasPrograms()
+                            ? Colour::Close
+                            : Colour::Bad;
+  const std::string line =
+      shown(file.title()) + ": " + painted(verdict(file, profile), colour, options.style) + "\n";
+  std::string text = (file.hasPrograms() ? "" : line) + fixedText(file);
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
+    if (!file.isShown(diagnostic))
+      continue;
     text += rendered(shown(file.name), file.text, diagnostic, options.style);
     if (text.back() != '\n')
       text += '\n';
   }
-  const Colour colour = file.status == FileStatus::Valid        ? Colour::Good
-                        : file.status == FileStatus::OverNative ? Colour::Close
-                                                                : Colour::Bad;
-  text +=
-      shown(file.title()) + ": " + painted(verdict(file, profile), colour, options.style) + "\n";
+  if (!file.hasPrograms())
+    return text;
+  text += line;
   if (!file.counted())
     return text;
   const Why why(file, options.style, options.why);

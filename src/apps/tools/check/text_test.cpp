@@ -141,6 +141,66 @@ TEST(Text, OverBothLimitsSaysBoth) {
             std::string::npos);
 }
 
+TEST(Text, AnUnenforcedLimitIsNoneThatRefuses) {
+  CheckedFile file = overFile();
+  file.native() = {};
+  file.result.counts.texIndirections = file.result.nativeCounts.texIndirections = 5;
+  ASSERT_EQ(file.limits.refuseIndirections, 0u);
+  const auto row = [&] {
+    const std::string text = fullText(file, r300(), {ascii(), false});
+    const std::size_t at = text.find("  TEX indirections");
+    const std::size_t words = text.find("]  ", at) + 1;
+    return text.substr(words, text.find('\n', at) - words);
+  };
+  EXPECT_EQ(row(), "  over the native limit; the API limit is not enforced");
+  file.result.nativeCounts.texIndirections = 4;
+  EXPECT_EQ(row(), "  over the API limit, which is not enforced");
+  file.limits.refuseIndirections = 1;
+  EXPECT_EQ(row(), "  over the API limit");
+  file.result.nativeCounts.texIndirections = 5;
+  EXPECT_EQ(row(), "  over the API limit and the native limit");
+}
+
+TEST(Text, ACardWithoutProgramsSaysThatAlone) {
+  const fp::hw::Profile &card = *fp::hw::findBuiltin("nv25");
+  CheckedFile file = overFile();
+  file.limits = card.fragment;
+  file.result.diagnostics = {
+      {fp::Severity::Error, "limit-tex-indirections", {}, "more than 4 texture indirections", ""}};
+  EXPECT_EQ(fullText(file, card, {ascii(), true}),
+            "deep.fp: nv25: the card has no fragment programs\n");
+  EXPECT_EQ(lackText(file, card), "deep.fp: nv25: the card has no fragment programs\n");
+  EXPECT_EQ(briefText(file, ascii()), "");
+  EXPECT_EQ(lackText(overFile(), r300()), "");
+  // What is wrong under any card is still said.
+  file.status = FileStatus::Invalid;
+  file.result.diagnostics = {{fp::Severity::Error, "syntax", {0, 1}, "wrong", ""}};
+  EXPECT_NE(fullText(file, card, {ascii(), false}).find(": error: wrong [syntax]"),
+            std::string::npos);
+  Summary summary;
+  summary.add(file);
+  EXPECT_EQ(summary.tables(ascii()), "do not fit:\n  " + std::string(18, ' ') +
+                                         "       -       -  deep.fp: the card has no fragment "
+                                         "programs\n");
+}
+
+TEST(Text, ACardThatLeavesVertexProgramsToItsDriverIsNotOverLimits) {
+  const fp::hw::Profile &card = *fp::hw::findBuiltin("i915");
+  CheckedFile file;
+  file.name = "v.vp";
+  file.language = fp::ir::Language::ArbVertex;
+  file.text = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND\n";
+  file.limits = card.vertex;
+  file.result = fp::checkProgram(file.language, file.text, {file.limits});
+  file.status = FileStatus::OverNative;
+  const std::string text = fullText(file, card, {ascii(), false});
+  EXPECT_NE(text.find("v.vp: valid; the card has no vertex programs of its own: its driver runs "
+                      "them on the processor\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("over the"), std::string::npos) << text;
+}
+
 TEST(Text, OverByWhatNoCountShowsGivesEveryReason) {
   CheckedFile file = overFile();
   file.native().counts = file.result.nativeCounts = file.result.counts;
@@ -250,6 +310,7 @@ TEST(Summary, TheFullestAndThoseThatDoNotFit) {
   CheckedFile bad;
   bad.name = "bad\x1b.fp";
   bad.status = FileStatus::Invalid;
+  bad.limits = r300().fragment;
   bad.result.diagnostics = {{fp::Severity::Error, "limit-tex-instructions", {}, "too many", ""}};
   summary.add(bad);
   EXPECT_EQ(summary.line(r300()),

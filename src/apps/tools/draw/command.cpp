@@ -28,6 +28,22 @@ void print(const scene::ProgramFile &file, const std::vector<fp::Diagnostic> &di
   std::fputs(rendered(file.name, file.text, diagnostics, styleOfErrors()).c_str(), stderr);
 }
 
+/// Warns if the profile's card has no programs of a document's language. The layer still draws
+/// them.
+void warnOfLack(const scene::Document &document) {
+  const auto profile = fp::hw::loadProfile(settings().profile);
+  if (!profile)
+    return;
+  for (const scene::ProgramFile &file : document.files) {
+    const fp::Limits limits = limitsOf(profile.value(), file.language);
+    if (hasPrograms(limits, file.language))
+      continue;
+    complain(profile.value().name + ": " + std::string(lackOf(limits, file.language)) +
+             "; this picture is the layer's alone");
+    return;
+  }
+}
+
 /// Prints the errors of a program with the file's name and carets. If this command's compiler finds
 /// none, prints GL's message at GL's position. That happens if only the host rejects the program,
 /// or if the layer's limits differ.
@@ -141,6 +157,8 @@ int drawHere(const DrawArguments &arguments) {
     complain("standard input has no name that the picture could have: -o PNG gives one");
     return kExitUsage;
   }
+  if (!arguments.bare)
+    warnOfLack(document);
   auto rendering = render(document, drawing.first, drawing.last);
   if (!rendering)
     return fail(arguments, document, rendering.error());

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "apps/scene/document.h"
+#include "apps/tools/language.h"
 #include "apps/tools/lsp/answers.h"
 #include "apps/tools/lsp/uri.h"
 #include "fp_compiler/resources.h"
@@ -104,6 +105,12 @@ Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string 
   return json;
 }
 
+/// What the card lacks that does not run the program itself.
+void addLack(const View &view, std::string_view lack, Json &all) {
+  all.push_back(made(view, header(view), kWarning, "over-native",
+                     view.profile.name + ": " + std::string(lack)));
+}
+
 void addNative(const View &view, Json &all) {
   const fp::hw::NativeReport &native = view.analysis.native;
   std::size_t reasons = 0;
@@ -129,14 +136,20 @@ void addNative(const View &view, Json &all) {
 Json diagnostics(const View &view) {
   Json all = Json::array();
   const fp::CheckResult &check = view.analysis.inspection.check;
+  const bool programs = hasPrograms(view.analysis.limits, view.analysis.language);
   for (const fp::Diagnostic &diagnostic : check.diagnostics)
-    all.push_back(ofCompiler(view, diagnostic));
+    if (programs || !isOfLimit(diagnostic))
+      all.push_back(ofCompiler(view, diagnostic));
   if (view.analysis.isFirst)
     for (const fp::Diagnostic &diagnostic :
          scene::checkPanel(pathOf(view.document.uri()), view.document.text()))
       all.push_back(ofCompiler(view, diagnostic));
-  if (check.ok() && view.analysis.language != fp::ir::Language::AtiFragment &&
-      !isNvparse(view.analysis.language) && !view.analysis.native.fits)
+  const bool judged =
+      view.analysis.language != fp::ir::Language::AtiFragment && !isNvparse(view.analysis.language);
+  const std::string_view lack = lackOf(view.analysis.limits, view.analysis.language);
+  if (judged && !lack.empty() && (check.ok() || !programs))
+    addLack(view, lack, all);
+  else if (judged && check.ok() && !view.analysis.native.fits)
     addNative(view, all);
   return all;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "apps/tools/language.h"
 #include "apps/tools/lsp/answers.h"
 #include "apps/tools/lsp/native_text.h"
 #include "fp_compiler/resources.h"
@@ -30,6 +31,10 @@ Json hint(const View &view, std::uint32_t line, std::string label, std::string t
 /// Returns "12/64 ALU instructions" for each resource of the target, with a mark if it is over its
 /// limit.
 Json total(const View &view) {
+  const std::uint32_t header = view.document.map().lineOf(view.analysis.program.span.begin);
+  if (const std::string_view lack = lackOf(view.analysis.limits, view.analysis.language);
+      !lack.empty())
+    return hint(view, header, view.profile.name + ": " + std::string(lack), {});
   const fp::ResourceCounts &counts = view.analysis.native.counts;
   const fp::ResourceCounts &limits = view.analysis.limits.native;
   std::string text = view.profile.name + ":";
@@ -45,9 +50,7 @@ Json total(const View &view) {
   std::string tooltip = "used / native limit of " + view.profile.description;
   if (!cycles.bound.empty())
     tooltip += "\nthe " + cycles.bound + " unit decides the cycles; " + cycles.limits;
-  const TextMap &map = view.document.map();
-  return hint(view, map.lineOf(view.analysis.program.span.begin), std::move(text),
-              std::move(tooltip));
+  return hint(view, header, std::move(text), std::move(tooltip));
 }
 
 /// Returns the reasons that name one of the instructions.

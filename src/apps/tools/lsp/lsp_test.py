@@ -227,6 +227,19 @@ class Diagnostics(Session):
         self.assertTrue(found)
         self.assertTrue(any('indirections' in d['message'] for d in found), found)
 
+    def test_a_card_without_fragment_programs(self):
+        self.client.notify('workspace/didChangeConfiguration', {'settings': {'arbiter': {'profile': 'nv25'}}})
+        chain = 'TEX a, a, texture[0], 2D;\nMUL a, a, a;\n' * 6
+        said = 'nv25: the card has no fragment programs'
+        for body in ('', chain):  # the second is over limits that say nothing of the card
+            uri = f'file:///programless{len(body)}.fp'
+            found = self.client.open(uri, f'!!ARBfp1.0\nTEMP a;\n{body}MOV result.color, a;\nEND\n')
+            self.assertEqual([(d['code'], d['message']) for d in found], [('over-native', said)])
+        whole = {'start': {'line': 0, 'character': 0}, 'end': {'line': 9, 'character': 0}}
+        hints = self.client.request('textDocument/inlayHint', {
+            'textDocument': {'uri': 'file:///programless0.fp'}, 'range': whole})
+        self.assertEqual(hints[0]['label'], said)
+
     def test_over_the_native_limits_alone(self):
         # The driver's announced limits are above the chip's.
         self.client.notify('workspace/didChangeConfiguration',

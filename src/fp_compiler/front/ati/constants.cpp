@@ -9,11 +9,11 @@
 namespace arbiter::fp::ati {
 
 void Parser::parseConstants() {
-  if (!expect(TokenKind::Semicolon, "';'"))
+  if (!endStatement())
     recover();
   while (!m_reporter.full()) {
     if (m_tokens.acceptWord("EndConstants")) {
-      if (!expect(TokenKind::Semicolon, "';'"))
+      if (!endStatement())
         recover();
       return;
     }
@@ -56,7 +56,7 @@ bool Parser::parseConstant() {
   if (!bound)
     return false;
   m_shader.constants[index] = constant;
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 bool Parser::parseConstantName(const char *what, Token &token, std::uint8_t &index) {

@@ -1,6 +1,7 @@
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/ati/words.h"
 #include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/words/parts.h"
 #include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp::ati {
@@ -19,7 +20,7 @@ bool Parser::parseInstruction(const Token &first, Op op) {
   statement.span = {first.span.begin, m_tokens.lastEnd()};
   checkPairing(statement);
   addToPairs(statement);
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 bool Parser::parseDestination(Statement &statement) {
@@ -68,9 +69,11 @@ bool Parser::parseArguments(Statement &statement) {
     // The printed grammar lacks the first comma, but the examples have it.
     if (i == 0)
       m_tokens.accept(TokenKind::Comma);
-    else if (!expect(TokenKind::Comma, "','",
-                     std::string(name(statement.operation.op)) + " takes " + std::to_string(count) +
-                         " arguments"))
+    if (m_tokens.at(TokenKind::Semicolon))
+      return missingArgument(statement.operation.op, i);
+    if (i > 0 && !expect(TokenKind::Comma, "','",
+                         std::string(name(statement.operation.op)) + " takes " +
+                             std::to_string(count) + " arguments"))
       return false;
     if (!parseArgument(statement, i, statement.operation.arguments[std::size_t(i)]))
       return false;
@@ -79,6 +82,16 @@ bool Parser::parseArguments(Statement &statement) {
     return unexpected("';'", std::string(name(statement.operation.op)) + " takes " +
                                  std::to_string(count) + (count == 1 ? " argument" : " arguments"));
   return true;
+}
+
+bool Parser::missingArgument(Op op, int at) {
+  const int count = argumentCount(op);
+  const std::string which = count == 1 ? "argument" : std::string(ordinal(at)) + " argument";
+  error(DiagnosticId::Syntax, m_tokens.peek().span,
+        "the " + which + " of " + std::string(name(op)) + " is missing",
+        std::string(name(op)) + " takes a register and " + std::to_string(count) +
+            (count == 1 ? " argument" : " arguments"));
+  return false;
 }
 
 bool Parser::parseArgument(const Statement &statement, int at, Argument &argument) {

@@ -61,7 +61,7 @@ void Parser::parsePass(bool prelim) {
   m_prelim = prelim;
   m_hasInstructions = m_openPair = m_openDot4 = false;
   m_pairs = 0;
-  if (!expect(TokenKind::Semicolon, "';'"))
+  if (!endStatement())
     recover();
   while (!m_reporter.full()) {
     if (m_tokens.atWord("EndPass"))
@@ -106,6 +106,20 @@ void Parser::parsePassStatement() {
     recover();
 }
 
+/// The words that may begin a statement of a pass, to suggest from.
+Vocabulary Parser::vocabulary() {
+  constexpr int kSetupParts = 2;
+  return {.words = {"MOV", "ADD", "MUL", "SUB", "DOT3", "DOT4", "MAD", "LERP", "CND", "CND0",
+                    "DOT2ADD", "PassTexCoord", "SampleMap", "EndPass"},
+          .saturate = ".sat",
+          .parts = [](std::string_view word) {
+            const std::optional<Op> op = opOf(word);
+            return op                                              ? 1 + argumentCount(*op)
+                   : word == "PassTexCoord" || word == "SampleMap" ? kSetupParts
+                                                                   : 0;
+          }};
+}
+
 void Parser::unknownStatement(const Token &first) {
   const std::string_view word = text(first);
   if (word == "CONSTANT")
@@ -117,8 +131,7 @@ void Parser::unknownStatement(const Token &first) {
     if (bare.size() > suffix.size() && bare.ends_with(suffix))
       bare.remove_suffix(suffix.size());
   error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
-        didYouMean(bare, {"MOV", "ADD", "MUL", "SUB", "DOT3", "DOT4", "MAD", "LERP", "CND", "CND0",
-                          "DOT2ADD", "PassTexCoord", "SampleMap", "EndPass"}));
+        statementHint(bare, partsBehind(m_text, first.span.end), vocabulary()));
 }
 
 void Parser::closePass() {
@@ -126,7 +139,7 @@ void Parser::closePass() {
   if (m_prelim && !m_hasInstructions)
     error(DiagnosticId::AtiPrelimPassEmpty, token.span, "a preliminary pass without an instruction",
           "move its setups to the output pass, or give it an instruction");
-  if (!expect(TokenKind::Semicolon, "';'"))
+  if (!endStatement())
     recover();
 }
 
@@ -157,6 +170,13 @@ bool Parser::expect(TokenKind kind, const char *what, std::string hint) {
   if (m_tokens.accept(kind))
     return true;
   return unexpected(what, std::move(hint));
+}
+
+bool Parser::endStatement() {
+  const bool begins = m_tokens.at(TokenKind::Identifier) && beginsStatement(text(m_tokens.peek()));
+  return m_tokens.accept(TokenKind::Semicolon) ||
+         (!reportLostSemicolon(m_reporter, m_text, m_tokens.last(), m_tokens.peek(), begins) &&
+          unexpected("';'"));
 }
 
 bool Parser::unexpected(const char *expected, std::string hint) {

@@ -8,6 +8,7 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/words/names.h"
+#include "fp_compiler/front/words/other_words.h"
 #include "fp_compiler/front/words/word_tokens.h"
 
 /// Parses the text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed
@@ -51,9 +52,12 @@ private:
   void parsePassStatement();
   void closePass();
   void parseEnd();
+  [[nodiscard]] static Vocabulary vocabulary();
   void unknownStatement(const Token &first);
   void recover();
   bool expect(TokenKind kind, const char *what, std::string hint = {});
+  /// The semicolon of a statement.
+  bool endStatement();
   bool unexpected(const char *expected, std::string hint = {});
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
   /// Reads the word after a full stop. Reports an error if there is none.
@@ -91,6 +95,7 @@ private:
   bool parseInstruction(const Token &first, Op op);
   bool parseDestination(Statement &statement);
   bool parseArguments(Statement &statement);
+  bool missingArgument(Op op, int at);
   bool parseArgument(const Statement &statement, int at, Argument &argument);
   bool parseSource(Argument &argument, Token &token);
   bool parseArgumentSuffixes(Argument &argument);

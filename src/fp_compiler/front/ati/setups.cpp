@@ -22,7 +22,7 @@ bool Parser::parseSetup(const Token &first, SetupKind kind) {
     return false;
   setup.span = {first.span.begin, m_tokens.lastEnd()};
   m_pass->setups[index] = setup;
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 bool Parser::isRegister(const Token &token, Access access, std::uint8_t &index) {

@@ -52,6 +52,8 @@ public:
   /// Ends the options. Their debits apply from here.
   void setOptions(const ir::Options &options);
 
+  /// The program is read.
+  void finish() { m_budget.finish(); }
   [[nodiscard]] const ResourceCounts &counts() const { return m_budget.counts(); }
   [[nodiscard]] ir::Program takeProgram() { return std::move(m_program); }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/native/parser.h"
+#include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp::native {
@@ -20,6 +21,7 @@ constexpr TargetRow kTargets[] = {
 #define FP_TARGET(word, Enumerator, shadow, doc) {word, ir::TexTarget::Enumerator, shadow},
 #include "fp_compiler/front/words/words.def"
 };
+constexpr std::string_view kUnit = "TEX0"; // in usageHint()
 } // namespace
 
 bool NativeParser::parseInstruction(const Token &opcode, const Word &word) {
@@ -38,10 +40,10 @@ bool NativeParser::parseInstruction(const Token &opcode, const Word &word) {
   } else {
     const bool loadsAddress =
         word.op == Opcode::Arl || word.op == Opcode::Arr || word.op == Opcode::Ara;
-    if (!(loadsAddress ? parseAddressDestination(instruction.dst)
+    if (!expectPart(word.op, {PartKind::Destination}) ||
+        !(loadsAddress ? parseAddressDestination(instruction.dst)
                        : parseDestination(instruction.dst)) ||
-        !parseConditionMask(statement.test) || !expect(TokenKind::Comma, "','") ||
-        !parseOperands(statement))
+        !parseConditionMask(statement.test) || !parseOperands(statement))
       return false;
   }
   instruction.dst.saturate = word.saturate;
@@ -49,10 +51,25 @@ bool NativeParser::parseInstruction(const Token &opcode, const Word &word) {
   if (op.has(ir::Texture) && !parseTexture(instruction))
     return false;
   instruction.span = spanFrom(opcode.span.begin);
-  if (!expect(TokenKind::Semicolon, "';'"))
+  const bool surplus = m_tokens.at(TokenKind::Comma) && !op.has(ir::Kills);
+  if (!endStatement("';'", surplus ? usageHint(word.op, kUnit) : ""))
     return false;
   keep(statement, opcode.span);
   return true;
+}
+
+/// The comma before a part of an instruction, if it is not the first one, and something behind it.
+bool NativeParser::expectPart(ir::Opcode op, Part part) {
+  const bool begins = beginsInstruction(op, part);
+  // A name may be a word that begins statements (newName()).
+  const auto missing = missingPart(m_tokens, m_text, begins, [this](const Token &token) {
+    return beginsStatement(token) && !m_named.contains(text(token));
+  });
+  if (!missing)
+    return begins || m_tokens.accept(TokenKind::Comma) ||
+           unexpected(("',' before " + partName(op, part)).c_str());
+  error(DiagnosticId::Syntax, *missing, partName(op, part) + " is missing", usageHint(op, kUnit));
+  return false;
 }
 
 bool NativeParser::parseOperands(nv::Statement &statement) {
@@ -60,7 +77,7 @@ bool NativeParser::parseOperands(nv::Statement &statement) {
   const ir::OpInfo &op = info(instruction.op);
   for (int i = 0; i < op.operandCount(); ++i) {
     ir::Operand &operand = instruction.src[std::size_t(i)];
-    if (i > 0 && !expect(TokenKind::Comma, "','"))
+    if (!expectPart(instruction.op, {PartKind::Operand, i}))
       return false;
     bool absolute = false;
     // ARL reads a vector in !!VP2.0.
@@ -94,7 +111,7 @@ bool NativeParser::parseConditionMask(nv::Test &test) {
 
 /// Parses <texImageUnit> "," <texImageTarget>, from the comma before them.
 bool NativeParser::parseTexture(ir::Instruction &instruction) {
-  if (!expect(TokenKind::Comma, "','"))
+  if (!expectPart(instruction.op, {PartKind::Unit}))
     return false;
   constexpr std::uint32_t kNamed = 16; // TEX0 to TEX15
   const std::uint32_t limit = std::min(m_limits.textureImageUnits, kNamed);
@@ -109,7 +126,7 @@ bool NativeParser::parseTexture(ir::Instruction &instruction) {
     error(DiagnosticId::ImageUnit, unit.span, "there is no image unit " + quote(text(unit)),
           "units are TEX0 to TEX" + std::to_string(limit - 1));
   instruction.unit = std::uint8_t(there ? *number : 0);
-  return expect(TokenKind::Comma, "','") && parseTarget(unit.span, instruction);
+  return expectPart(instruction.op, {PartKind::Target}) && parseTarget(unit.span, instruction);
 }
 
 bool NativeParser::parseTarget(Span unitSpan, ir::Instruction &instruction) {
@@ -157,7 +174,7 @@ bool NativeParser::parseFlow(const Token &opcode, const Word &word) {
   if (!parseConditionMask(statement.test))
     return false;
   statement.instruction.span = spanFrom(opcode.span.begin);
-  if (!expect(TokenKind::Semicolon, "';'"))
+  if (!endStatement())
     return false;
   keep(statement, opcode.span);
   return true;

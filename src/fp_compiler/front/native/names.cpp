@@ -12,7 +12,7 @@ bool NativeParser::parseDefine() {
   Token name;
   Named named;
   if (!newName(name) || !expect(TokenKind::Equals, "'='", "a constant has a value") ||
-      !parseValue(named) || !expect(TokenKind::Semicolon, "';'"))
+      !parseValue(named) || !endStatement())
     return false;
   declare(name, named);
   m_interface.constants.emplace_back(text(name));
@@ -24,7 +24,7 @@ bool NativeParser::parseDeclare() {
   Token name;
   Named named;
   if (!newName(name) || (m_tokens.accept(TokenKind::Equals) && !parseValue(named)) ||
-      !expect(TokenKind::Semicolon, "'=' or ';'"))
+      !endStatement("'=' or ';'"))
     return false;
   named.kind = Named::Kind::Local;
   const std::size_t number = m_interface.named.size();

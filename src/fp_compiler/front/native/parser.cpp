@@ -4,7 +4,6 @@
 
 #include "fp_compiler/front/header.h"
 #include "fp_compiler/front/unexpected.h"
-#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp::native {
 
@@ -18,8 +17,10 @@ CompileOptions optionsOf(const Traits &traits, CompileOptions options) {
   api.parameters = Budget::kCeiling;
   api.attribs = Budget::kCeiling;
   api.addressRegisters = traits.addresses;
-  if (traits.instructions != 0)
+  if (traits.instructions != 0) {
     api.instructions = traits.instructions;
+    options.limits.card.clear();
+  }
   return options;
 }
 
@@ -32,6 +33,7 @@ ParseResult parse(ir::NativeLanguage language, std::string_view text, const Comp
   if (checkLength(text, reporter)) {
     NativeParser parser(language, text, options, reporter, names);
     parser.parse();
+    parser.binder().finish();
     if (!reporter.hasErrors()) {
       result.counts = parser.binder().counts();
       result.program = parser.binder().takeProgram();
@@ -96,7 +98,7 @@ bool NativeParser::parseOption() {
     error(DiagnosticId::UnsupportedOption, name.span,
           "OPTION " + quote(text(name)) + " is none of " + header(),
           "the one option is NV_position_invariant");
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 void NativeParser::parseStatement() {
@@ -124,6 +126,21 @@ void NativeParser::parseStatement() {
     recover();
 }
 
+/// The words that may begin a statement, to suggest from.
+Vocabulary NativeParser::vocabulary() const {
+  Vocabulary result{.words = {"END"}, .saturate = fragment() ? "_SAT" : "", .parts = {}};
+  if (fragment())
+    result.words.insert(result.words.end(), {"DEFINE", "DECLARE"});
+  for (int i = 0; i < ir::kOpcodeRowCount; ++i)
+    if (nv::offers(m_traits.language, ir::Opcode(i)))
+      result.words.emplace_back(info(ir::Opcode(i)).mnemonic);
+  result.parts = [this](std::string_view word) {
+    const Word known = nv::classify(word, m_traits.language);
+    return known.keyword == Keyword::Opcode ? partCount(known.op) : 0;
+  };
+  return result;
+}
+
 bool NativeParser::unknownStatement(const Token &first) {
   const std::string_view word = text(first);
   if (word == "OPTION") {
@@ -134,16 +151,13 @@ bool NativeParser::unknownStatement(const Token &first) {
           m_traits.invariance ? "options come directly after the header" : "remove it");
     return false;
   }
-  std::string hint;
-  if (const auto base = nv::baseOf(word, m_traits.language)) {
+  const int parts = partsBehind(m_text, first.span.end);
+  std::string hint = meaningHint(word, parts, vocabulary());
+  const auto base = hint.empty() ? nv::baseOf(word, m_traits.language) : std::nullopt;
+  if (base)
     hint = std::string(info(*base).mnemonic) + " has no such suffix here";
-  } else {
-    std::vector<std::string_view> words = {"END"};
-    for (int i = 0; i < ir::kOpcodeRowCount; ++i)
-      if (nv::offers(m_traits.language, ir::Opcode(i)))
-        words.emplace_back(info(ir::Opcode(i)).mnemonic);
-    hint = didYouMean(word, words);
-  }
+  else if (hint.empty())
+    hint = spellingHint(word, parts, vocabulary());
   error(DiagnosticId::UnknownInstruction, first.span,
         quote(word) + " is no instruction of " + header(), std::move(hint));
   return false;
@@ -212,6 +226,13 @@ bool NativeParser::expectByte(char byte) {
 
 bool NativeParser::expect(TokenKind kind, const char *what, const char *hint) {
   return m_tokens.accept(kind) || unexpected(what, hint);
+}
+
+bool NativeParser::endStatement(const char *expected, std::string hint) {
+  return m_tokens.accept(TokenKind::Semicolon) ||
+         (!reportLostSemicolon(m_reporter, m_text, m_tokens.last(), m_tokens.peek(),
+                               beginsStatement(m_tokens.peek()), expected) &&
+          unexpected(expected, std::move(hint)));
 }
 
 bool NativeParser::unexpected(const char *expected, std::string hint) {

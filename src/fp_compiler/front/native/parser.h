@@ -54,6 +54,7 @@ private:
   bool parseOption();
   void parseStatement();
   bool unknownStatement(const Token &first);
+  [[nodiscard]] Vocabulary vocabulary() const;
   void parseEnd();
   void finish(Span end);
   void bindAllRows(Span where);
@@ -63,6 +64,8 @@ private:
   bool acceptByte(char byte);
   bool expectByte(char byte);
   bool expect(TokenKind kind, const char *what, const char *hint = "");
+  /// The semicolon of a statement.
+  bool endStatement(const char *expected = "';'", std::string hint = {});
   bool unexpected(const char *expected, std::string hint = {});
   [[nodiscard]] bool atWord(std::string_view word) const;
   [[nodiscard]] bool atBinding(std::string_view letter) const;
@@ -82,6 +85,7 @@ private:
 
   // instructions.cpp
   bool parseInstruction(const Token &opcode, const Word &word);
+  bool expectPart(ir::Opcode op, Part part);
   bool parseOperands(nv::Statement &statement);
   bool parseTest(nv::Test &test);
   bool parseConditionMask(nv::Test &test);

@@ -8,7 +8,6 @@
 #include "fp_compiler/front/nv/lowering.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/front/words/suffix.h"
-#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp {
 
@@ -107,7 +106,7 @@ bool Parser::parseNvOperands(nv::Statement &statement) {
   const ir::OpInfo &op = info(instruction.op);
   for (int i = 0; i < op.operandCount(); ++i) {
     ir::Operand &operand = instruction.src[std::size_t(i)];
-    if (i > 0 && !expect(TokenKind::Comma, "','"))
+    if (!expectPart(instruction.op, {PartKind::Operand, i}))
       return false;
     bool absolute = false;
     // ARL reads a vector in these languages.
@@ -178,13 +177,15 @@ bool Parser::parseNvDestination(nv::Statement &statement) {
   m_written = RegisterSize::Long;
   m_mayIndex = true;
   m_indexed.reset();
+  if (!expectPart(instruction.op, {PartKind::Destination}))
+    return false;
   if (!(address ? parseNvAddressDestination(instruction.dst) : parseDestination(instruction.dst)))
     return false;
   m_mayIndex = false;
   statement.indexedResult = std::exchange(m_indexed, {});
   if (instruction.dst.file == ir::File::Output && !statement.indexedResult)
     checkSize(instruction.dst);
-  return parseConditionMask(statement.test) && expect(TokenKind::Comma, "','");
+  return parseConditionMask(statement.test);
 }
 
 /// Reports a result that is written under two sizes (NV_fragment_program_option 3.11.3.4).
@@ -212,12 +213,12 @@ bool Parser::parseNvInstruction(const Token &opcode, const Word &word) {
   if (statement.tests ? !parseTest(statement.test)
                       : !((kills || parseNvDestination(statement)) && parseNvOperands(statement)))
     return false;
-  if (word.op == Opcode::Swz && !parseExtendedSwizzle(instruction.src[0]))
+  if (word.op == Opcode::Swz && !parseExtendedSwizzle(instruction))
     return false;
   if (op.has(ir::Texture) && !parseTexture(instruction))
     return false;
   instruction.span = spanFrom(opcode.span.begin);
-  if (!expect(TokenKind::Semicolon, "';'"))
+  if (!(statement.tests ? endStatement() : endInstruction(word.op)))
     return false;
   keep(statement, opcode.span);
   return true;
@@ -230,23 +231,32 @@ void Parser::keep(const nv::Statement &statement, Span opcode) {
     m_statements.push_back(statement);
 }
 
-/// Reports a statement that does not begin with a word of the option.
-bool Parser::unknownNvStatement(const Token &first) {
+/// Returns the hint for a statement that does not begin with a word of the option.
+std::string Parser::unknownNvHint(const Token &first) const {
   const std::string_view word = text(first);
   const bool vertex = m_language.language == ir::Language::ArbVertex;
-  std::string message = "unknown instruction " + quote(word), hint;
-  if (!vertex && (word == "SHORT" || word == "LONG")) {
-    message = std::string(word) + " stands before TEMP or OUTPUT";
-  } else if (const auto base = nv::baseOf(word, m_language, m_options.nv)) {
-    hint = std::string(info(*base).mnemonic) + " has no such suffix here";
-  } else if (m_options.nv == ir::NvOption::First &&
-             nv::classify(word, m_language, ir::NvOption::Second).keyword == Keyword::Opcode) {
-    hint = std::string("OPTION ") + (vertex ? "NV_vertex_program3" : "NV_fragment_program2") +
+  const bool later =
+      m_options.nv == ir::NvOption::First &&
+      nv::classify(word, m_language, ir::NvOption::Second).keyword == Keyword::Opcode;
+  const int parts = partsBehind(m_text, first.span.end);
+  if (std::string hint = later ? "" : meaningHint(word, parts, vocabulary()); !hint.empty())
+    return hint;
+  if (const auto base = nv::baseOf(word, m_language, m_options.nv))
+    return std::string(info(*base).mnemonic) + " has no such suffix here";
+  if (later)
+    return std::string("OPTION ") + (vertex ? "NV_vertex_program3" : "NV_fragment_program2") +
            " has it";
-  } else {
-    hint = didYouMean(word, statementWords(m_language));
-  }
-  error(DiagnosticId::UnknownInstruction, first.span, std::move(message), std::move(hint));
+  return spellingHint(word, parts, vocabulary());
+}
+
+bool Parser::unknownNvStatement(const Token &first) {
+  const std::string_view word = text(first);
+  if (m_language.language == ir::Language::ArbFragment && (word == "SHORT" || word == "LONG"))
+    error(DiagnosticId::UnknownInstruction, first.span,
+          std::string(word) + " stands before TEMP or OUTPUT");
+  else
+    error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
+          unknownNvHint(first));
   return false;
 }
 

@@ -125,7 +125,7 @@ bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
     parsed = parseStack(statement);
   }
   statement.instruction.span = spanFrom(opcode.span.begin);
-  if (!parsed || !expect(TokenKind::Semicolon, "';'"))
+  if (!parsed || !endStatement())
     return false;
   keep(statement, opcode.span);
   return true;

@@ -67,7 +67,7 @@ bool CombinerParser::parseFinalProduct() {
     if (input.source == Register::ETimesF || input.source == Register::Spare0PlusSecondary)
       error(DiagnosticId::RcRegister, {whole.begin, m_tokens.lastEnd()},
             wordOf(input.source) + " cannot be a factor of final_product");
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 bool CombinerParser::parseLerp() {
@@ -123,7 +123,7 @@ bool CombinerParser::parseColor(const Token &out) {
   if (a.source == Register::Spare0PlusSecondary)
     error(DiagnosticId::RcRegister, {out.span.begin, m_tokens.lastEnd()},
           "color_sum cannot be what lerp() chooses by, nor be squared");
-  return expect(TokenKind::Semicolon, "'*', '+' or ';'");
+  return endStatement("'*', '+' or ';'");
 }
 
 bool CombinerParser::parseAlpha(const Token &out) {
@@ -131,7 +131,7 @@ bool CombinerParser::parseAlpha(const Token &out) {
     error(DiagnosticId::RcTwice, out.span, "out.a is written a second time");
   m_hasAlpha = true;
   return expect(TokenKind::Equals, "'='") && parseFinalInput(Usage::Alpha, m_state.finals[6]) &&
-         expect(TokenKind::Semicolon, "';'");
+         endStatement();
 }
 
 } // namespace arbiter::fp::nvparse

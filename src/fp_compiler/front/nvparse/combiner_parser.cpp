@@ -66,14 +66,14 @@ bool CombinerParser::parseFinalStatement() {
   const Token first = m_tokens.next();
   if (word == "per_stage_constants") {
     m_perStage = true;
-    return parseEmpty() && expect(TokenKind::Semicolon, "';'");
+    return parseEmpty() && endStatement();
   }
   m_final = true;
   if (word == "clamp_color_sum") {
     if (m_clamps)
       error(DiagnosticId::RcTwice, first.span, "clamp_color_sum() stands here a second time");
     m_clamps = m_state.sumClamp = true;
-    return parseEmpty() && expect(TokenKind::Semicolon, "';'");
+    return parseEmpty() && endStatement();
   }
   if (word == "final_product") {
     if (m_hasProduct)
@@ -125,7 +125,7 @@ bool CombinerParser::parseConstant(Pair &to, const char *where) {
             "a component outside 0.0 to 1.0, to which constants are clamped",
             "scale the constant, and the result by scale_by_two()");
   constant = clamped;
-  return expect(TokenKind::Semicolon, "';'");
+  return endStatement();
 }
 
 void CombinerParser::parseStage() {

@@ -119,7 +119,7 @@ bool CombinerParser::parsePortionStatement(Portion &portion, Usage usage) {
     m_hasSum = true;
     portion.sum = to;
     portion.mux = mux;
-    return parseEmpty() && expect(TokenKind::Semicolon, "';'");
+    return parseEmpty() && endStatement();
   }
   return parseProduct(portion, usage, to, span);
 }
@@ -131,7 +131,7 @@ bool CombinerParser::parseScale(Portion &portion, const Token &word) {
   m_hasScale = true;
   portion.scale = row.scale;
   portion.bias = row.bias;
-  return parseEmpty() && expect(TokenKind::Semicolon, "';'");
+  return parseEmpty() && endStatement();
 }
 
 bool CombinerParser::parseOutput(Usage usage, Register &to, Span &span) {
@@ -191,7 +191,7 @@ bool CombinerParser::parseProduct(Portion &portion, Usage usage, Register to, Sp
     (first == 0 ? portion.abDot : portion.cdDot) = dot && usage == Usage::Rgb;
     ++m_products;
   }
-  return expect(TokenKind::Semicolon, "'*', '.' or ';'");
+  return endStatement("'*', '.' or ';'");
 }
 
 /// True at a dot that begins components: no space comes before it. After a space the dot is a dot

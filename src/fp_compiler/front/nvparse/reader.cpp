@@ -10,6 +10,13 @@ bool Reader::expect(TokenKind kind, const char *what, std::string hint) {
   return m_tokens.accept(kind) || unexpected(what, std::move(hint));
 }
 
+bool Reader::endStatement(const char *expected) {
+  return m_tokens.accept(TokenKind::Semicolon) ||
+         (!reportLostSemicolon(m_reporter, m_text, m_tokens.last(), m_tokens.peek(),
+                               m_tokens.at(TokenKind::CloseBrace), expected) &&
+          unexpected(expected));
+}
+
 bool Reader::unexpected(const char *expected, std::string hint) {
   const Token &token = m_tokens.peek();
   if (hint.empty() && token.kind == TokenKind::InvalidByte && m_text[token.span.begin] == '/')

@@ -21,6 +21,8 @@ protected:
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
   bool expect(TokenKind kind, const char *what, std::string hint = {});
   bool unexpected(const char *expected, std::string hint = {});
+  /// Expects the semicolon of a statement.
+  bool endStatement(const char *expected = "';'");
   /// Parses "()".
   bool parseEmpty();
   /// Parses a number with an optional sign.

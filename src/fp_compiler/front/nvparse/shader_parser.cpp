@@ -76,7 +76,7 @@ bool ShaderParser::parseStage() {
   }
   ++m_unit;
   m_before = row;
-  return whole && expect(TokenKind::Semicolon, "';'");
+  return whole && endStatement();
 }
 
 /// Reports words of a run that do not follow each other.

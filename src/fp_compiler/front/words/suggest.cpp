@@ -8,7 +8,7 @@ namespace arbiter::fp {
 namespace {
 
 constexpr std::size_t kMaxWord = 32;
-constexpr std::size_t kMaxCandidates = 64;
+constexpr std::size_t kMaxCandidates = 128;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
 
@@ -42,23 +42,31 @@ unsigned distance(std::string_view a, std::string_view b, unsigned enough) {
 
 } // namespace
 
-std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
+std::vector<std::string_view> allNearest(std::string_view word,
+                                         std::span<const std::string_view> candidates) {
+  std::vector<std::string_view> found;
   if (word.empty() || word.size() > kMaxWord)
-    return {};
+    return found;
   // A third of the letters may be wrong. Words of one or two letters may differ only in case.
-  unsigned best = unsigned(word.size() / 3) + 1;
-  std::string_view found;
+  unsigned best = unsigned(word.size() / 3);
   for (std::string_view candidate : candidates.first(std::min(candidates.size(), kMaxCandidates))) {
-    if (candidate.size() > kMaxWord || candidate.size() + best <= word.size() ||
-        word.size() + best <= candidate.size())
+    if (candidate.size() > kMaxWord || candidate.size() + best < word.size() ||
+        word.size() + best < candidate.size())
       continue;
-    const unsigned d = distance(word, candidate, best);
-    if (d < best) {
-      best = d;
-      found = candidate;
-    }
+    const unsigned d = distance(word, candidate, best + 1);
+    if (d > best)
+      continue;
+    if (d < best)
+      found.clear();
+    best = d;
+    found.push_back(candidate);
   }
   return found;
+}
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::vector<std::string_view> found = allNearest(word, candidates);
+  return found.empty() ? std::string_view() : found.front();
 }
 
 std::string didYouMean(std::string_view word, std::span<const std::string_view> candidates,

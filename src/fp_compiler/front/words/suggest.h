@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace arbiter::fp {
 
@@ -11,6 +12,10 @@ namespace arbiter::fp {
 /// number and length of candidates are bounded, so the cost does not grow with the program.
 [[nodiscard]] std::string_view nearest(std::string_view word,
                                        std::span<const std::string_view> candidates);
+
+/// Returns all candidates that are as near as the nearest, in their order.
+[[nodiscard]] std::vector<std::string_view>
+allNearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// Returns "did you mean 'x'?", or the fallback.
 [[nodiscard]] std::string didYouMean(std::string_view word,

@@ -3,13 +3,13 @@
 namespace arbiter::fp {
 
 WordTokens::WordTokens(std::string_view text, std::uint32_t begin, Words words)
-    : m_text(text), m_words(words), m_lexer(text, begin, words), m_ahead(m_lexer.next()),
-      m_lastEnd(begin) {}
+    : m_text(text), m_words(words), m_lexer(text, begin, words),
+      m_ahead(m_lexer.next()), m_last{begin, begin} {}
 
 Token WordTokens::next() {
   const Token token = m_ahead;
   m_ahead = m_lexer.next();
-  m_lastEnd = token.span.end;
+  m_last = token.span;
   return token;
 }
 
@@ -31,7 +31,7 @@ Token WordTokens::nextNumeral() {
   const Token token = Lexer(m_text, m_ahead.span.begin).next();
   m_lexer = Lexer(m_text, token.span.end, m_words);
   m_ahead = m_lexer.next();
-  m_lastEnd = token.span.end;
+  m_last = token.span;
   return token;
 }
 

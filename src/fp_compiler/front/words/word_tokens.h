@@ -29,15 +29,16 @@ public:
   [[nodiscard]] std::string_view text(const Token &token) const {
     return m_text.substr(token.span.begin, token.span.end - token.span.begin);
   }
-  /// Returns the end of the last consumed token, in bytes of the text.
-  [[nodiscard]] std::uint32_t lastEnd() const { return m_lastEnd; }
+  /// Returns the last consumed token; before the first, an empty span at the start of the text.
+  [[nodiscard]] Span last() const { return m_last; }
+  [[nodiscard]] std::uint32_t lastEnd() const { return m_last.end; }
 
 private:
   std::string_view m_text;
   Words m_words;
   Lexer m_lexer;
   Token m_ahead;
-  std::uint32_t m_lastEnd;
+  Span m_last;
 };
 
 } // namespace arbiter::fp
