@@ -141,11 +141,11 @@ TEST(Extensions, LaterYearsAndUnknownOnesAreCut) {
 
 // An application may keep the pointers of GetString after another context became current.
 TEST(Identity, EqualOnesAreOneForTheLifeOfTheProcess) {
-  const Identity &first = internIdentity(makeIdentity(caps(), true, {}));
-  const Identity &again = internIdentity(makeIdentity(caps(), true, {}));
-  EXPECT_EQ(&first, &again);
-  EXPECT_NE(&first, &internIdentity(makeIdentity(caps(), true, {nullptr, 2001, 0})));
-  EXPECT_EQ(first.extensions.joined, makeIdentity(caps(), true, {}).extensions.joined);
+  const Identity *const first = &internIdentity(makeIdentity(caps(), true, {}));
+  const Identity *const again = &internIdentity(makeIdentity(caps(), true, {}));
+  EXPECT_EQ(first, again);
+  EXPECT_NE(first, &internIdentity(makeIdentity(caps(), true, {nullptr, 2001, 0})));
+  EXPECT_EQ(first->extensions.joined, makeIdentity(caps(), true, {}).extensions.joined);
 }
 
 TEST(Extensions, ACardsYearCutsToo) {
