@@ -10,10 +10,17 @@ namespace arbiter::fp {
 
 // A new member does not compile here until it is in its structure's list (ir/fields.h).
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
-FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
-          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs,
-          nvOptions, nvVertexProgram, model, rectangles, combiners, stageConstants, textureShaders,
-          card)
+/// Limits are part of a key, so they are written and never read.
+void fields(ArchiveWriter &archive, Limits &value) {
+  auto &[api, native, locals, envs, coords, images, units, matrices, depth, lights, buffers,
+         palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs, nvOptions,
+         nvVertexProgram, model, rectangles, combiners, stageConstants, textureShaders, card] =
+      value;
+  archive(api, native, locals, envs, coords, images, units, matrices, depth, lights, buffers,
+          palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs, nvOptions,
+          nvVertexProgram, model, rectangles, combiners, stageConstants, textureShaders,
+          std::string_view(card));
+}
 FP_FIELDS(CompileOptions, limits, policy, numerics)
 FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes, clipDistances, alphaDepths,
           spriteUnits, spriteS, bitEncoding, negativeFogDistances)

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <string>
 
 namespace arbiter::fp {
 
@@ -59,7 +58,9 @@ struct Limits {
   std::uint32_t generalCombiners = 0;
   std::uint32_t perStageConstants = 0;
   std::uint32_t textureShaders = 0;
-  std::string card = {}; ///< what messages call the card: "ATI Radeon 9700 (r300)"; empty: nothing
+  /// The card's name in messages, "ATI Radeon 9700 (r300)"; empty: none. Lives as long as the
+  /// process.
+  const char *card = "";
 };
 
 /// Limits of the text itself, for every profile. A program string is untrusted input.

@@ -1,6 +1,10 @@
 #include "fp_compiler/hw/profile.h"
 
 #include <algorithm>
+#include <mutex>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "fp_compiler/hw/builtin.h"
 #include "fp_compiler/hw/names.h"
@@ -103,10 +107,22 @@ std::span<const ChoiceInfo> choices() {
 
 std::span<const IdentityKey> identityKeys() { return kIdentityKeys; }
 
+namespace {
+
+/// Returns a copy of `name` that is never freed, the same for equal names.
+const char *kept(std::string name) {
+  static std::mutex &mutex = *new std::mutex;
+  static std::set<std::string> &names = *new std::set<std::string>;
+  const std::lock_guard lock(mutex);
+  return names.insert(std::move(name)).first->c_str();
+}
+
+} // namespace
+
 void Profile::nameCard() {
   const std::size_t chip = description.find(" (");
   const bool named = chip != std::string::npos && chip < description.find(':');
-  fragment.card = named ? description.substr(0, chip) + " (" + name + ")" : name;
+  fragment.card = kept(named ? description.substr(0, chip) + " (" + name + ")" : name);
   vertex.card = fragment.card;
 }
 

@@ -151,17 +151,17 @@ TEST(Profiles, ACardIsKnownByWhatPeopleCallIt) {
 
 TEST(Profiles, MessagesCallACardByItsNameAndItsProfiles) {
   const Profile &r300 = *findBuiltin("r300");
-  EXPECT_EQ(r300.fragment.card, "ATI Radeon 9700 (r300)");
+  EXPECT_STREQ(r300.fragment.card, "ATI Radeon 9700 (r300)");
   EXPECT_EQ(r300.vertex.card, r300.fragment.card);
-  EXPECT_EQ(findBuiltin("r300-catalyst-2004")->fragment.card, "r300-catalyst-2004");
-  EXPECT_EQ(findBuiltin("host")->fragment.card, "host");
+  EXPECT_STREQ(findBuiltin("r300-catalyst-2004")->fragment.card, "r300-catalyst-2004");
+  EXPECT_STREQ(findBuiltin("host")->fragment.card, "host");
   const auto own = parseProfile("name = 'half'\ninherits = 'r300'\n", "p.toml");
   ASSERT_TRUE(own);
-  EXPECT_EQ(own.value().fragment.card, "ATI Radeon 9700 (half)");
+  EXPECT_STREQ(own.value().fragment.card, "ATI Radeon 9700 (half)");
   const auto described =
       parseProfile("name = 'half'\ninherits = 'r300'\ndescription = 'a test: of (it)'\n", "p.toml");
   ASSERT_TRUE(described);
-  EXPECT_EQ(described.value().vertex.card, "half");
+  EXPECT_STREQ(described.value().vertex.card, "half");
 }
 
 TEST(Profiles, TheVertexTargetHasItsOwnNumbers) {

@@ -19,7 +19,7 @@ CompileOptions optionsOf(const Traits &traits, CompileOptions options) {
   api.addressRegisters = traits.addresses;
   if (traits.instructions != 0) {
     api.instructions = traits.instructions;
-    options.limits.card.clear();
+    options.limits.card = "";
   }
   return options;
 }
