@@ -247,15 +247,15 @@ class Debug(Temporary):
                 (('--pixel', '1,1', '--watch', 'a@6'), 1, '--output'),
                 (('--pixel', '1,1', '--watch', 'a@6', '-o', '/nowhere/x.png'), 1, '/nowhere'),
                 (('--pixel', '1,1', '--range', '1,0', '--watch', 'a@6', '-o', png), 1, 'LOW,HIGH'),
-                (('--pixel', '1,1', '--line', '170'), 1, f'--line 170: {document} has 8 lines'),
-                (('--pixel', '1,1', '--line', '9'), 1, 'has 8 lines'),
+                (('--pixel', '1,1', '--line', '170'), 1, f'--line 170: {document} has 9 lines'),
+                (('--pixel', '1,1', '--line', '10'), 1, 'has 9 lines'),
                 (('--pixel', '1,1', '--against', 'none.fp'), 1,
                  'none.fp: expected swrast, host, bare, fp24 or a file'),
                 (('--pixel', '1,1', '--profile', 'none'), 1, 'none')):
             result = arbiter('debug', document, *options)
             self.assertEqual(result.returncode, status, (options, result.stderr))
             self.assertIn(words, result.stderr, options)
-        self.assertEqual(arbiter('debug', document, '--pixel', '1,1', '--line', '8').returncode, 0)
+        self.assertEqual(arbiter('debug', document, '--pixel', '1,1', '--line', '9').returncode, 0)
         bad = self.path('bad.fp', BAD)
         self.assertIn('bad.fp:3:', self.debug(bad, status=2))
         seen = on_terminal('debug', bad, '--pixel', '1,1')

@@ -246,8 +246,8 @@ class Whole(unittest.TestCase):
             self.assertNotRegex(text, r'\b(TEXT|INT|FLOAT|REQUIRED)\b|Needs:|Excludes:', name)
         text = re.sub(r'\s+', ' ', arbiter('debug', '--help').stdout)
         for words in ('Usage: arbiter debug [OPTIONS] FILE ', ' FILE a document: ',
-                      ' --pixel X,Y (required) the pixel; ', ' --pass N (1 to 16; by default 1) which ',
-                      ' --line N (1 or more) run to ',
+                      ' --pixel X,Y (required) the pixel; ',
+                      ' --pass N (1 to 16; by default 1) which ', ' --line N (1 or more) run to ',
                       ' --against {swrast,host,bare,fp24} or FILE (by default swrast) ',
                       ' --range LOW,HIGH (by default 0,1; needs --watch) values of ', ' --json the whole'):
             self.assertIn(words, text)

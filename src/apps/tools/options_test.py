@@ -53,8 +53,9 @@ FILES = {
     'good.vp': '!!ARBvp1.0\nMOV result.position, vertex.position;\n'
                'MUL result.color, vertex.color, program.local[1];\nEND\n',
     'good.atifs': '!!ATIfs1.0\nStartOutputPass;\nSampleMap r0, t0.str;\nMUL r0, r0, color0;\nEndPass;\n',
-    'good.nvrc': '!!RC1.0\nconst0 = (1, 0.5, 0, 1);\n{ rgb { spare0 = col0 * const0; } }\nout.rgb = spare0;\n',
-    'good.nvts': '!!TS1.0\ntexture_2d();\ndependent_ar(tex0);\n',
+    'good.nvrc': '!!RC1.0\n#@ profile nv25\nconst0 = (1, 0.5, 0, 1);\n'
+                 '{ rgb { spare0 = col0 * const0; } }\nout.rgb = spare0;\n',
+    'good.nvts': '!!TS1.0\n#@ profile nv25\ntexture_2d();\ndependent_ar(tex0);\n',
     'two.vp': '!!ARBvp1.0\nADDRESS a, b;\nPARAM p[2] = { program.env[0..1] };\n'
               'ARL a.x, vertex.color.x;\nARL b.x, vertex.color.y;\n'
               'ADD result.position, p[a.x], p[b.x];\nEND\n',

@@ -1,7 +1,6 @@
 // Tests computations of control and of the figures in the frame that need no host.
 #include "state/control/tallies.h"
 
-#include <GL/arbiter.h>
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -140,10 +139,11 @@ TEST(Hud, HasALetterForAllThatIsSaid) {
 }
 
 TEST(Hud, NamesTheProfileAndItsCard) {
-  const std::string version = "Arbiter " ARBITER_VERSION_TEXT "  profile ";
-  EXPECT_EQ(hud::versionLine("nv30", "NVIDIA GeForce FX (NV30, 2003): 1024 instructions"),
-            version + "nv30, NVIDIA GeForce FX");
-  EXPECT_EQ(hud::versionLine("host", "The host driver's own limits"), version + "host");
+  const std::string line =
+      hud::versionLine("nv30", "NVIDIA GeForce FX (NV30, 2003): 1024 instructions");
+  EXPECT_TRUE(line.starts_with("Arbiter ")) << line;
+  EXPECT_TRUE(line.ends_with("  profile nv30, NVIDIA GeForce FX")) << line;
+  EXPECT_TRUE(hud::versionLine("host", "The host driver's own limits").ends_with("profile host"));
 }
 
 /// The words of a line in small letters, with what they count taken out.

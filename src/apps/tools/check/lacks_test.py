@@ -4,13 +4,14 @@
 usage: lacks_test.py ARBITER
 """
 import json
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-ARBITER = sys.argv[1]
+ARBITER = os.path.abspath(sys.argv[1])
 GOOD = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
 VERTEX = '!!ARBvp1.0\nMOV result.position, vertex.position;\nEND\n'
 BAD = '!!ARBfp1.0\nMOV result.color, q;\nEND\n'

@@ -12,7 +12,6 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from command_session import ARBITER, FAKE as LAYER, arbiter  # noqa: E402
-from doctor_clients import GL_CALL  # noqa: E402
 from doctor_session import Examined, of_32_bits  # noqa: E402
 from plain_environment import plain  # noqa: E402
 
@@ -45,7 +44,7 @@ class Start(Examined):
             self.assertEqual(status, 7)
 
     def test_a_program_of_32_bits(self):
-        game = self.compile('game', GL_CALL)
+        game = self.compile('game', 'int main() {}\n')
         of_32_bits(game)
         line = self.said(game)[0][0]
         self.assertIn('It is a 32-bit (i386) program', line)
@@ -80,7 +79,7 @@ class Widths(Examined):
         for folder in ('x86_64-linux-gnu/arbiter', 'x86_64-linux-gnu/arbiter/preload/lib/x86_64-linux-gnu'):
             (self.lib / folder).mkdir(parents=True)
             shutil.copy(LAYER, self.lib / folder / 'libGLX_arbiter.so.0')
-        self.game = self.compile('game', GL_CALL)
+        self.game = self.compile('game', 'int main() {}\n')
         of_32_bits(self.game)
 
     def said(self):

@@ -27,7 +27,7 @@ struct Type {
       words = rest.substr(1, end) + (rest.ends_with(" OR FILE") ? " or FILE" : "");
     else if (rest.size() > 1)
       range = rest.substr(1);
-    isNumber = name == "INT" || name == "FLOAT" || !range.empty();
+    isNumber = name == "INT" || name == "FLOAT";
   }
   bool isNumber = false;
   std::string words; ///< "{a,b}", "{a,b} or FILE"; empty: any
@@ -39,7 +39,7 @@ public:
   [[nodiscard]] std::string make_option_opts(const CLI::Option *option) const override {
     std::vector<std::string> parts;
     std::string text;
-    if (option->get_type_size() != 0) {
+    if (option->get_items_expected_max() != 0) {
       const Type type(option->get_type_name());
       if (!option->get_positional())
         text = " " + placeholder(*option, type);
