@@ -9,7 +9,6 @@ namespace {
 using fp::vertex_shader::DataType;
 using fp::vertex_shader::From;
 using fp::vertex_shader::Op;
-using fp::vertex_shader::Operation;
 using fp::vertex_shader::Place;
 using fp::vertex_shader::Result;
 using fp::vertex_shader::Symbol;
@@ -89,7 +88,7 @@ Verdict VertexShaderRecorder::argument(GLuint name, std::uint32_t &symbol) {
   return {};
 }
 
-void VertexShaderRecorder::add(const Operation &operation) {
+void VertexShaderRecorder::add(const fp::vertex_shader::Operation &operation) {
   m_work += 1;
   if (operation.op == Op::Index)
     m_work += kWorkOfIndexed * m_recorded.shader.symbols[operation.arguments[1]].blockCount;
@@ -114,7 +113,7 @@ Verdict VertexShaderRecorder::operation(GLenum op, GLuint resultName, int count,
                                         const std::array<GLuint, 3> &arguments) {
   if (op < GL_OP_INDEX_EXT || op > GL_OP_MOV_EXT)
     return {GL_INVALID_ENUM, "ShaderOp: op"};
-  Operation operation{.op = Op(op - GL_OP_INDEX_EXT)};
+  fp::vertex_shader::Operation operation{.op = Op(op - GL_OP_INDEX_EXT)};
   if (fp::vertex_shader::argumentCount(operation.op) != count)
     return {GL_INVALID_OPERATION, "ShaderOp: the operation has another number of arguments"};
   if (const Verdict verdict = result(resultName, operation.result); isError(verdict))
@@ -131,7 +130,8 @@ Verdict VertexShaderRecorder::operation(GLenum op, GLuint resultName, int count,
   return {};
 }
 
-Verdict VertexShaderRecorder::vectors(GLuint resultName, GLuint in, Operation &operation) {
+Verdict VertexShaderRecorder::vectors(GLuint resultName, GLuint in,
+                                      fp::vertex_shader::Operation &operation) {
   if (const Verdict verdict = result(resultName, operation.result); isError(verdict))
     return verdict;
   if (const Verdict verdict = argument(in, operation.arguments[0]); isError(verdict))
@@ -144,7 +144,7 @@ Verdict VertexShaderRecorder::vectors(GLuint resultName, GLuint in, Operation &o
 
 Verdict VertexShaderRecorder::swizzle(GLuint resultName, GLuint in,
                                       const std::array<GLenum, 4> &takes) {
-  Operation operation{.op = Op::Swizzle};
+  fp::vertex_shader::Operation operation{.op = Op::Swizzle};
   for (std::size_t i = 0; i < takes.size(); ++i) {
     if (takes[i] < GL_X_EXT || takes[i] > GL_NEGATIVE_ONE_EXT)
       return {GL_INVALID_ENUM, "Swizzle: a component"};
@@ -158,7 +158,7 @@ Verdict VertexShaderRecorder::swizzle(GLuint resultName, GLuint in,
 
 Verdict VertexShaderRecorder::writeMask(GLuint resultName, GLuint in,
                                         const std::array<GLenum, 4> &writes) {
-  Operation operation{.op = Op::WriteMask, .mask = 0};
+  fp::vertex_shader::Operation operation{.op = Op::WriteMask, .mask = 0};
   for (std::size_t i = 0; i < writes.size(); ++i) {
     if (writes[i] != GL_TRUE && writes[i] != GL_FALSE)
       return {GL_INVALID_ENUM, "WriteMask: neither TRUE nor FALSE"};
@@ -173,7 +173,7 @@ Verdict VertexShaderRecorder::writeMask(GLuint resultName, GLuint in,
 Verdict VertexShaderRecorder::move(Op op, GLuint resultName, GLuint source, GLuint number) {
   if (number > 3)
     return {GL_INVALID_VALUE, "InsertComponent or ExtractComponent: the number is above 3"};
-  Operation operation{.op = op, .component = std::uint8_t(number)};
+  fp::vertex_shader::Operation operation{.op = op, .component = std::uint8_t(number)};
   if (const Verdict verdict = result(resultName, operation.result); isError(verdict))
     return verdict;
   if (const Verdict verdict = argument(source, operation.arguments[0]); isError(verdict))
