@@ -110,6 +110,9 @@ EFFECTS = ('check', 'compile', 'report')
 NO_EFFECT = {
     ('check', '--limits', '--language=atifs'): 'a shader that loads fits: the language has no limits',
     ('compile', '--profile', '--language=atifs'): 'likewise',
+    ('compile', '--profile', '--language=rc'): 'two cards may have the same combiners',
+    ('compile', '--profile', '--language=ts'): 'likewise',
+    ('compile', '--numerics', '--language=rc'): 'legacy is as host where there is no infinity',
     ('compile', '--profile', '--language=arbvp'): 'two profiles may have the same limits of vertices',
 }
 # The words after the options that each verb is run with.
