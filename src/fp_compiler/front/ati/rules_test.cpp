@@ -78,7 +78,7 @@ TEST(AtiText, Blocks) {
   refuses("ati-pass-open", "StartOutputPass;\nMOV r0, 0;\n@");
   refuses("ati-pass-open", "StartPrelimPass;\nMOV r0, 0;\n@" + kNop);
   refuses("syntax", "StartConstants;\n@" + kNop);
-  refuses("syntax", "StartOutputPass\n@MOV r0, 0;\nEndPass;");
+  refuses("syntax", "StartOutputPass@\nMOV r0, 0;\nEndPass;");
   refuses("syntax", "StartOutputPass;\nMOV r0, 0;\nEndPass@");
   refuses("syntax", output("@CONSTANT c0 = {1};"));
   const std::string nul = "!!ATIfs1.0\n" + kNop + std::string(1, '\0');
@@ -102,7 +102,7 @@ TEST(AtiText, Constants) {
   refuses("syntax", constants("CONSTANT c0 = program.@param[1];") + kNop);
   refuses("syntax", constants("CONSTANT c0 = program.env[@1.0];") + kNop);
   refuses("syntax", constants("CONSTANT c0 = program.env[@c0];") + kNop);
-  refuses("syntax", constants("CONSTANT c0 = {1} @CONSTANT c1 = {1};") + kNop);
+  refuses("syntax", constants("CONSTANT c0 = {1}@ CONSTANT c1 = {1};") + kNop);
   refuses("parameter-index", constants("CONSTANT c0 = program.env[@8];") + kNop);
   refuses("parameter-index", constants("CONSTANT c0 = program.local[@4294967296];") + kNop);
   refuses("ati-constant-range", constants("CONSTANT c0 = {@1.5};") + kNop);
