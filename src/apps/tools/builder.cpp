@@ -31,10 +31,11 @@ std::string findWindow(const fs::path &here) {
 /// Returns what to install if there is no window.
 std::string remedy(const fs::path &here) {
   std::error_code error;
-  if (fs::exists(here.parent_path().parent_path() / "build.ninja", error))
+  const fs::path tree = here.parent_path().parent_path().parent_path(); // of src/apps/tools
+  if (fs::exists(tree / "build.ninja", error))
     return "this build is without the window: install qt6-base-dev and qt6-base-dev-tools, then "
            "meson setup --reconfigure " +
-           here.parent_path().parent_path().string();
+           tree.string();
   return "the window is not installed: it is in the package arbiter-builder";
 }
 

@@ -260,7 +260,7 @@ class Debug(Temporary):
         self.assertIn('bad.fp:3:', self.debug(bad, status=2))
         seen = on_terminal('debug', bad, '--pixel', '1,1')
         self.assertIn(f'\x1b[1m{bad}:3:19:\x1b[0m \x1b[1;31merror:\x1b[0m', seen)
-        self.assertIn('\x1b[1;31m                  ^\x1b[0m\n', seen)
+        self.assertIn('\x1b[1;31m                    ^\x1b[0m\n', seen)
         self.assertIn('no fragment program', self.debug(self.path('v.vp', VERTEX), status=1))
         small = self.path('small.fp', SIMPLE.replace('mesh quad', 'mesh quad scale 0.25'))
         self.assertIn('covers this pixel', self.debug(small, pixel='0,0', status=1))

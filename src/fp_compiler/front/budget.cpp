@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fp_compiler/front/limit_words.h"
+
 namespace arbiter::fp {
 
 namespace {
@@ -117,10 +119,11 @@ void Budget::finish() {
     const char *const has = resource == Resource::TexIndirections ? " runs " : " has ";
     const std::string count = std::to_string(m_counts.*row.count);
     // A statement in error is not counted.
-    const std::string needs = m_reporter.hasErrors()            ? "at least " + count
-                              : m_policy == LimitPolicy::Report ? count + ": it loads, as limits "
-                                                                          "are only reported"
-                                                                : count + ": it loads";
+    std::string needs = m_reporter.hasErrors() ? "at least " + count : count;
+    if (!m_reporter.hasErrors())
+      needs += kItLoads;
+    if (!m_reporter.hasErrors() && m_policy == LimitPolicy::Report)
+      needs += ", as limits are only reported";
     m_reporter.warning(row.id, *m_over[i],
                        (m_card.empty() ? "the limit is " : m_card + has) + amount(resource) +
                            ", and this program needs " + needs,

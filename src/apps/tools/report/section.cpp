@@ -10,6 +10,7 @@
 #include "apps/tools/report/gauges.h"
 #include "apps/tools/report/line_costs.h"
 #include "apps/tools/report/source_table.h"
+#include "fp_compiler/front/limit_words.h"
 #include "fp_compiler/resources.h"
 
 namespace arbiter::tools {
@@ -244,7 +245,8 @@ std::vector<std::string> excesses(const ReportedProgram &program) {
     return texts;
   // Some options lower a limit. The counts do not show that, but the diagnostic does.
   if (program.refused && !file.result.diagnostics.empty())
-    texts.push_back("refused: " + escaped(file.result.diagnostics[0].message));
+    texts.push_back("refused: " +
+                    escaped(std::string(fp::exceededLimit(file.result.diagnostics[0].message))));
   else
     texts.emplace_back("no count is over its limit, but the card cannot hold it");
   return texts;
