@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fp_compiler/front/limit_words.h"
+#include "fp_compiler/front/words/limit_words.h"
 
 namespace arbiter::fp {
 

@@ -10,7 +10,7 @@
 #include "apps/tools/report/gauges.h"
 #include "apps/tools/report/line_costs.h"
 #include "apps/tools/report/source_table.h"
-#include "fp_compiler/front/limit_words.h"
+#include "fp_compiler/front/words/limit_words.h"
 #include "fp_compiler/resources.h"
 
 namespace arbiter::tools {
