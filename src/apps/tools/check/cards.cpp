@@ -50,8 +50,16 @@ CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::Lim
   if (!lack.empty())
     return cell;
   const auto report = fp::hw::explainNative(*result.program, result.counts, limits, text);
-  if (!report.reasons.empty())
-    cell.why = report.reasons.front().text;
+  // A reason without instructions holds for every program.
+  const auto isOver = [&cell](const fp::hw::Reason &reason) {
+    return !reason.instructions.empty() &&
+           std::any_of(cell.over.begin(), cell.over.end(), [&reason](const OverCount &over) {
+             return over.row->member == reason.resource;
+           });
+  };
+  const auto found = std::find_if(report.reasons.begin(), report.reasons.end(), isOver);
+  if (found != report.reasons.end())
+    cell.why = found->text;
   return cell;
 }
 

@@ -99,7 +99,7 @@ class Cards(unittest.TestCase):
         self.assertEqual(total.split(), 'fit, of 2 1 1 1 1 1 0 0 0 2 2 2 1'.split())
         self.assertTrue(legend.startswith('fits:'))
         self.assertEqual(len(reasons), 12)
-        self.assertIn(f'{deep}: r300: over the native limits: TEX indirections 5 of 4', reasons[0])
+        self.assertIn(f'{deep}: r300: over the native limits: TEX indirections 5 of 4 (TEX reads a, ', reasons[0])
         brief = run('--profile', 'all', '--brief', deep)
         self.assertEqual(len(brief.stdout.splitlines()), 3)
 
