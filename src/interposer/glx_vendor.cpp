@@ -1,6 +1,5 @@
 /// The GLX side of the vendor library: libglvnd's vendor interface around the host's own vendor.
-/// Context calls update the registry, GetProcAddress returns the layer's entry points, and the host
-/// handles everything else.
+/// Context calls update the registry; GetProcAddress returns the layer's entry points.
 // This include must precede Xlib's macros.
 #include "state/objects/drawable.h"
 #include "state/residency/window_frames.h"
@@ -311,8 +310,7 @@ const char *queryExtensionsString(Display *display, int screen) {
 
 void *getProcAddress(const GLubyte *name);
 
-// The initializers are only casts: with a call the table would be filled at run time, in writable
-// memory.
+// The initializers are only casts: a call would fill the table at run time, in writable memory.
 const Hook kHooks[] = {
     {"glXCreateContext", reinterpret_cast<void *>(registry::Guarded<createContext>::call),
      &g_host->createContext.function},
@@ -444,8 +442,7 @@ extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t 
     return True;
   imports->getProcAddress = registry::Guarded<getProcAddress>::call;
   imports->getDispatchAddress = registry::Guarded<getDispatchAddress>::call;
-  // These would write the host's addresses into libglvnd's stubs, bypassing its dispatch table and
-  // the layer.
+  // These would write the host's addresses into libglvnd's stubs, past the layer.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;
   imports->releasePatch = nullptr;

@@ -52,10 +52,10 @@ inline constexpr std::size_t kLanguageCount = 5;
 
 /// False if the card has no programs of the language, so that its limits say nothing.
 [[nodiscard]] bool hasPrograms(const fp::Limits &limits, fp::ir::Language language);
-/// What a card lacks that runs no program of the language itself: "the card has no fragment
-/// programs". Empty of any other.
+/// Says why a card runs no program of the language: "the card has no fragment programs". Empty if
+/// it runs them.
 [[nodiscard]] std::string_view lackOf(const fp::Limits &limits, fp::ir::Language language);
-/// A diagnostic of a limit of the API, which is none of a card's that has no such programs.
+/// True for a diagnostic of an API limit. A card without such programs has no such limit.
 [[nodiscard]] bool isOfLimit(const fp::Diagnostic &diagnostic);
 
 } // namespace arbiter::tools

@@ -26,9 +26,9 @@ struct CardCell {
   bool hasLanguage = true; ///< false if the card has no programs of the language
   bool runsItself = true;  ///< false if the card does not run them itself, as lackOf() says
   std::vector<OverCount> over;
-  /// What the card lacks, whatever the program is. Otherwise, for an invalid program, the first
-  /// error with its line and column. Over the native limits, the first reason of the card's model
-  /// if there is one.
+  /// Says why the card runs no such program. If it runs them: the first error of an invalid
+  /// program, with its line and column, or the first reason of the card's model for a count that is
+  /// over its native limit.
   std::string why;
 };
 

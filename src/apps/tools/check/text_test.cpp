@@ -172,7 +172,7 @@ TEST(Text, ACardWithoutProgramsSaysThatAlone) {
   EXPECT_EQ(lackText(file, card), "deep.fp: nv25: the card has no fragment programs\n");
   EXPECT_EQ(briefText(file, ascii()), "");
   EXPECT_EQ(lackText(overFile(), r300()), "");
-  // What is wrong under any card is still said.
+  // An error that holds for any card is still reported.
   file.status = FileStatus::Invalid;
   file.result.diagnostics = {{fp::Severity::Error, "syntax", {0, 1}, "wrong", ""}};
   EXPECT_NE(fullText(file, card, {ascii(), false}).find(": error: wrong [syntax]"),

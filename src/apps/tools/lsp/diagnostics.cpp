@@ -105,7 +105,7 @@ Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string 
   return json;
 }
 
-/// What the card lacks that does not run the program itself.
+/// Adds a warning that says why the card does not run the program itself.
 void addLack(const View &view, std::string_view lack, Json &all) {
   all.push_back(made(view, header(view), kWarning, "over-native",
                      view.profile.name + ": " + std::string(lack)));
