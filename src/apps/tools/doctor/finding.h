@@ -59,9 +59,10 @@ struct Surroundings {
 
 /// The remedy if the 32-bit layer is missing.
 inline constexpr const char *kRemedyOf32Bits =
-    "Install the layer for i386 beside it (libglx-arbiter0:i386 and libarbiter-jit0:i386): "
-    "sudo dpkg --add-architecture i386 && sudo apt update; ./dev package i386 makes the packages; "
-    "sudo apt install ./out/packages/*_i386.deb.";
+    "Install the layer for i386 beside it (libglx-arbiter0:i386 and libarbiter-jit0:i386). "
+    "Allow such packages: `sudo dpkg --add-architecture i386 && sudo apt update`. "
+    "Make them in Arbiter's source tree: `./dev package i386`. "
+    "Install them: `sudo apt install ./out/packages/*_i386.deb`.";
 
 /// The id of the finding that the X server draws the program's contexts.
 inline constexpr const char *kIndirect = "indirect";
