@@ -58,7 +58,7 @@ private:
   ResourceCounts m_debits;
   const char *m_debitor = ""; ///< the option that m_debits are for
   ResourceCounts m_counts;
-  /// Where each is first over its limit.
+  /// The place at which each resource first exceeds its limit.
   std::array<std::optional<Span>, kResourceCount> m_over{};
   std::array<bool, kResourceCount> m_ceilingReported{};
 };

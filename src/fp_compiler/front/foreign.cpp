@@ -53,7 +53,7 @@ constexpr Magic kMagics[] = {
 
 /// The number of bytes that are examined. They are enough to recognise a text.
 constexpr std::size_t kLooked = 64u << 10;
-/// Of a version's name: "ps_2_x"
+/// The longest name of a shader version that is shown, in bytes: "ps_2_x" has 6.
 constexpr std::size_t kMostVersion = 8;
 
 /// Words that begin a statement of an assembly program and do not occur in the languages below.

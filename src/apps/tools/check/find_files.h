@@ -8,8 +8,8 @@ namespace arbiter::tools {
 
 struct FoundFiles {
   std::vector<std::string> paths;
-  /// As "path: reason": folders that cannot be listed or contain no program, and files that are
-  /// named twice; these are in `paths` once.
+  /// Faults, each as "path: reason". A folder cannot be listed or contains no program, or a file is
+  /// named twice; such a file is in `paths` once.
   std::vector<std::string> faults;
   bool folders = false; ///< true if an operand was a folder
 };

@@ -18,7 +18,7 @@ namespace arbiter::tools {
                             const std::function<void()> &afterwards);
 
 /// Ends this process as a child with that status ended: with its exit code, or by the same signal.
-/// So a shell sees the child's result. No second core is dumped.
+/// A shell then sees the child's result. No second core is dumped.
 [[noreturn]] void endAs(int status);
 
 } // namespace arbiter::tools

@@ -82,7 +82,7 @@ void keepFitting(std::vector<std::string_view> &words, int parts, const Vocabula
     std::erase_if(words, misfits);
 }
 
-/// What a row says where the language has none of its words; empty if it says nothing.
+/// Returns a row's advice if the language has all opcodes that it names; else an empty text.
 std::string advice(const Row &row, const Vocabulary &vocabulary) {
   const std::vector<std::string_view> opcodes = split(row.opcodes);
   const bool all = std::all_of(opcodes.begin(), opcodes.end(), [&](std::string_view each) {

@@ -7,7 +7,7 @@
 
 namespace arbiter::fp {
 
-/// What a language has to begin a statement with.
+/// The words of a language that may begin a statement, and its suffix for saturation.
 struct Vocabulary {
   std::vector<std::string_view> words;
   std::string_view saturate; ///< what clamps a result to [0,1] behind an opcode; empty: nothing
