@@ -29,6 +29,7 @@
 #include "interposer/x_display.h"
 #include "interposer/x_keys.h"
 #include "interposer/x_present.h"
+#include "interposer/x_server.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {
@@ -87,6 +88,7 @@ registry::Key key(Display *display, GLXContext context) {
 GLXContext remember(Display *display, GLXContext context, GLXContext share) {
   if (!context)
     return nullptr;
+  closeServerQuery();
   watchDisplay(display);
   offerHudKey();
   const HostFunction<decltype(glXIsDirect)> isDirect{hostLookup("glXIsDirect")};

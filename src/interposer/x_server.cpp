@@ -1,10 +1,12 @@
 #include "interposer/x_server.h"
 
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 
 #include <sys/uio.h>
+#include <unistd.h>
 
 #include "interposer/x_connection.h"
 
@@ -35,6 +37,9 @@ struct Reply {
 };
 
 xcb_extension_t g_glx = {"GLX", 0};
+
+std::atomic<xcb_connection_t *> g_connection; ///< the layer's own; null: closed
+std::atomic<pid_t> g_owner;                   ///< the process that opened g_connection
 
 std::string queryVendorNames(const Xcb &xcb, xcb_connection_t *connection, int screen) {
   const xcb_query_extension_reply_t *const glx = xcb.xcb_get_extension_data(connection, &g_glx);
@@ -74,9 +79,18 @@ std::string serverVendorNames() {
   std::string names;
   if (connection && !xcb.xcb_connection_has_error(connection))
     names = queryVendorNames(xcb, connection, screen);
-  if (connection)
-    xcb.xcb_disconnect(connection);
+  g_owner = getpid();
+  if (xcb_connection_t *const previous = g_connection.exchange(connection))
+    xcb.xcb_disconnect(previous);
   return names;
+}
+
+void closeServerQuery() {
+  // A child of fork() shares the socket, and closing it there would end it for the parent too.
+  if (!g_connection || g_owner != getpid())
+    return;
+  if (xcb_connection_t *const connection = g_connection.exchange(nullptr))
+    xcb().xcb_disconnect(connection);
 }
 
 } // namespace arbiter::interposer
