@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "util/half.h"
+
 namespace arbiter::fp::ir {
 
 namespace {
@@ -52,16 +54,6 @@ std::uint16_t halfOf(float value) {
   return std::uint16_t(sign | ((near - 0x38000000) >> 13));
 }
 
-float floatOf(std::uint16_t half) {
-  const std::uint32_t sign = std::uint32_t(half & 0x8000) << 16;
-  const std::uint32_t size = half & 0x7FFF;
-  if (size >= 0x7C00)
-    return std::bit_cast<float>(sign | 0x7F800000 | (size & 0x3FF) << 13);
-  if (size < 0x400)
-    return std::copysign(float(size) * 0x1p-24f, sign ? -1.0f : 1.0f);
-  return std::bit_cast<float>(sign | ((size << 13) + 0x38000000));
-}
-
 Vec4 packed(Packing packing, const Vec4 &value) {
   const std::uint32_t bits = bitsOf(packing, value);
   return std::bit_cast<Vec4>(std::array{bits, bits, bits, bits});
@@ -72,7 +64,8 @@ Vec4 unpacked(Packing packing, float value) {
   const auto byte = [&](int i) { return bits >> (8 * i) & 0xFF; };
   switch (packing) {
   case Packing::Half2: {
-    const float low = floatOf(std::uint16_t(bits)), high = floatOf(std::uint16_t(bits >> 16));
+    const float low = halfToFloat(std::uint16_t(bits)),
+                high = halfToFloat(std::uint16_t(bits >> 16));
     return {low, high, low, high};
   }
   case Packing::Unsigned2: {

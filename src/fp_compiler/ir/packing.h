@@ -17,6 +17,5 @@ enum class Packing : std::uint8_t { Half2, Unsigned2, Signed4, Unsigned4 };
 
 /// Converts a float to the bits of a 16-bit float. From 65520 on the half is an infinity.
 [[nodiscard]] std::uint16_t halfOf(float value);
-[[nodiscard]] float floatOf(std::uint16_t half);
 
 } // namespace arbiter::fp::ir

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "swrast/image/pixel_values.h"
+#include "util/half.h"
 
 namespace arbiter::swrast {
 namespace {

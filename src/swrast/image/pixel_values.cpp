@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "util/half.h"
+
 namespace arbiter::swrast {
 namespace {
 
@@ -122,18 +124,6 @@ int sourceOf(const abi::Swizzle &swizzle, int stored) {
     if (int(swizzle[std::size_t(component)]) == stored)
       return component;
   return 4;
-}
-
-float halfToFloat(std::uint16_t half) {
-  const std::uint32_t sign = std::uint32_t(half & 0x8000u) << 16;
-  const std::uint32_t exponent = (half >> 10) & 31u, fraction = half & 0x3FFu;
-  if (exponent == 31)
-    return std::bit_cast<float>(sign | 0x7F800000u | (fraction << 13));
-  if (exponent == 0) {
-    const float value = std::ldexp(float(fraction), -24);
-    return sign ? -value : value;
-  }
-  return std::bit_cast<float>(sign | ((exponent + 112) << 23) | (fraction << 13));
 }
 
 std::uint16_t floatToHalf(float value) {

@@ -6,7 +6,6 @@
 /// Converts pixels to four floats and back, where speed does not matter.
 namespace arbiter::swrast {
 
-[[nodiscard]] float halfToFloat(std::uint16_t half);
 /// Rounds towards zero, as the software host does. Values that are too large become the largest
 /// half.
 [[nodiscard]] std::uint16_t floatToHalf(float value);

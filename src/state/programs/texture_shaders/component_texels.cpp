@@ -13,6 +13,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/texture_shaders/component_formats.h"
+#include "util/half.h"
 
 namespace arbiter::state {
 
@@ -46,12 +47,8 @@ template <typename T> T read(const std::uint8_t *at, bool swaps) {
 }
 
 GLfloat half(std::uint16_t bits) {
-  const int exponent = bits >> 10 & 31, fraction = bits & 1023;
-  const double sign = (bits & 0x8000) != 0 ? -1.0 : 1.0;
-  if (exponent == 31)
-    return fraction != 0 ? 0.0f : GLfloat(sign * HUGE_VAL);
-  return exponent == 0 ? GLfloat(sign * std::ldexp(fraction, -24))
-                       : GLfloat(sign * std::ldexp(1024 + fraction, exponent - 25));
+  const float value = halfToFloat(bits);
+  return std::isnan(value) ? 0.0f : value;
 }
 
 template <typename T> GLfloat signedValue(T value) {

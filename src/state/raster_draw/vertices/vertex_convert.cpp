@@ -9,6 +9,8 @@
 
 #include <GL/glext.h>
 
+#include "util/half.h"
+
 namespace arbiter::state::software {
 
 namespace {
@@ -28,18 +30,6 @@ template <typename T> T load(const std::uint8_t *from) {
   T value;
   std::memcpy(&value, from, sizeof value);
   return value;
-}
-
-float fromHalf(std::uint16_t half) {
-  const std::uint32_t sign = std::uint32_t(half & 0x8000u) << 16;
-  const std::uint32_t exponent = half >> 10 & 31u;
-  const std::uint32_t mantissa = half & 0x3FFu;
-  if (exponent == 31)
-    return std::bit_cast<float>(sign | 0x7F800000u | mantissa << 13);
-  if (exponent != 0)
-    return std::bit_cast<float>(sign | (exponent + 112) << 23 | mantissa << 13);
-  const float small = float(mantissa) * 0x1p-24f;
-  return sign != 0 ? -small : small;
 }
 
 /// Converts a fixed-point number of `bits` bits. It divides in doubles, or the largest wide number
@@ -63,7 +53,7 @@ constexpr auto kByteFractions = [] {
 
 template <typename T, Rule rule> float number(T value) {
   if constexpr (std::is_same_v<T, Half>)
-    return fromHalf(value.bits);
+    return halfToFloat(value.bits);
   else if constexpr (std::is_same_v<T, Fixed>)
     return float(double(value.bits) / 65536.0);
   else if constexpr (rule == Rule::Plain || std::is_floating_point_v<T>)
