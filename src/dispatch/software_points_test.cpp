@@ -229,7 +229,7 @@ TEST_F(SoftwarePoints, AnErrorBetweenBeginAndEndLeavesThePrimitiveRecorded) {
   entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ONE, GL_ZERO);
   entry<void(GLenum)>("glBegin")(GL_LINES);
   EXPECT_TRUE(g_calls.empty()) << "neither the command nor the primitive went to the host";
-  EXPECT_EQ(m_context->pendingError, GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(m_context->errors.pending, GLenum(GL_INVALID_OPERATION));
   EXPECT_EQ(m_context->dirty, 0u) << "no state has changed";
   EXPECT_TRUE(m_context->insideBeginEnd);
   EXPECT_EQ(m_context->recorder->count(), 1u);
@@ -241,7 +241,7 @@ TEST_F(SoftwarePoints, TheHostTellsOfTheErrorWhereItsMessagesAreListenedTo) {
   entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
   entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ONE, GL_ZERO);
   EXPECT_EQ(g_calls, (std::vector<std::string>{"Begin 1", "Vertex2 1 0", "BlendFunc 1"}));
-  EXPECT_EQ(m_context->pendingError, GLenum(GL_NO_ERROR));
+  EXPECT_EQ(m_context->errors.pending, GLenum(GL_NO_ERROR));
   EXPECT_EQ(m_context->recorder, nullptr);
 }
 

@@ -31,7 +31,7 @@ GLenum bufferOf(PixelStore way) {
 } // namespace
 
 PlainArithmetic::PlainArithmetic(Context &context)
-    : m_context(context), m_errors(*context.host, context.pendingError) {
+    : m_context(context), m_errors(*context.host, context.errors.pending) {
   const host::HostTable &host = *context.host;
   for (std::size_t i = 0; i < kTransfer.size(); ++i) {
     host.GetFloatv(kTransfer[i], &m_transfer[i]);

@@ -10,7 +10,7 @@ namespace arbiter::state {
 namespace {
 
 void dropLinkedPrograms(Context &context, const CompiledProgram &compiled) {
-  context.linkedPrograms->drop(context, &compiled);
+  context.hostSide.linkedPrograms->drop(context, &compiled);
 }
 
 bool rasterizerDraws(const Context &context) {

@@ -82,7 +82,7 @@ fp::Numerics numericsOf(const Context &context) {
 constexpr Context::Context(NullTag) {
   host = &host::kNullHost;
   passThrough = true;
-  drawCounter = &draws[int(Path::NotOffered)];
+  drawCounter = &counters.draws[int(Path::NotOffered)];
 }
 
 namespace {
@@ -113,15 +113,16 @@ Context *currentContext() {
 
 Context::Context(Provider contextProvider, const host::HostTable *table,
                  std::shared_ptr<ShareGroup> shareGroup)
-    : provider(contextProvider), group(std::move(shareGroup)),
-      linkedPrograms(std::make_unique<LinkedProgramCache>()),
-      samplerOverride(std::make_unique<SamplerOverride>()),
-      hostAssembly(std::make_unique<HostAssembly>()),
-      stagePipeline(std::make_unique<StagePipeline>()), list(std::make_unique<ListCompiler>()) {
+    : provider(contextProvider),
+      group(std::move(shareGroup)), hostSide{std::make_unique<LinkedProgramCache>(),
+                                             std::make_unique<SamplerOverride>(),
+                                             std::make_unique<HostAssembly>(),
+                                             std::make_unique<StagePipeline>()},
+      list(std::make_unique<ListCompiler>()) {
   host = table;
   hooks = &kContextHooks;
   passThrough = true; // until it is first current
-  drawCounter = &draws[std::size_t(Path::NotOffered)];
+  drawCounter = &counters.draws[std::size_t(Path::NotOffered)];
   for (std::size_t i = 0; i < targets.size(); ++i) {
     targets[i].target = Target(i);
     targets[i].bound = group->defaultProgram(Target(i));
@@ -138,9 +139,9 @@ Context::~Context() {
   software::removeNeighbour(*this);
   group->contexts.fetch_sub(1);
   try {
-    LinkedProgramCache::Names names = linkedPrograms->abandon();
+    LinkedProgramCache::Names names = hostSide.linkedPrograms->abandon();
     group->addGarbage({std::move(names.programs), std::move(names.shaders),
-                       samplerOverride->abandon(), std::move(names.assembly)});
+                       hostSide.samplerOverride->abandon(), std::move(names.assembly)});
   } catch (const std::exception &) { // they stay in the host until the share group is gone
   }
 }
@@ -149,8 +150,8 @@ namespace {
 
 /// Queries the host's limits and extensions. Called once, while the context is current.
 void initialise(Context &context) {
-  context.initialised = true;
-  const HostErrorScope scope(*context.host, context.pendingError);
+  context.life.initialised = true;
+  const HostErrorScope scope(*context.host, context.errors.pending);
   const bool indirect = context.caps.indirect; // the window system has said so
   context.caps = queryHostCaps(*context.host);
   context.caps.indirect = indirect;
@@ -165,8 +166,8 @@ void initialise(Context &context) {
   context.offered = context.caps.obstacle() == nullptr;
   offerTargets(context);
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
-  context.path = Path::NoProgram;
-  context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
+  context.effective.path = Path::NoProgram;
+  context.drawCounter = &context.counters.draws[std::size_t(Path::NoProgram)];
   if (settings().alwaysFixedFunction)
     context.attention |= attention::kProgram; // makes the first draw validate
   if (!settings().extensions.empty())
@@ -179,7 +180,7 @@ void initialiseWhole(Context &context) {
   try {
     initialise(context);
   } catch (const std::exception &) {
-    context.initialised = context.offered = false;
+    context.life.initialised = context.offered = false;
     context.passThrough = true;
     throw;
   }
@@ -193,7 +194,7 @@ void release(Context *context) {
   bool dead = false;
   {
     const std::lock_guard lock(g_lifecycle);
-    dead = context->destroyed && context->currentCount == 0;
+    dead = context->life.destroyed && context->life.currentCount == 0;
   }
   if (!dead)
     return;
@@ -232,7 +233,7 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
   context->caps.indirect = indirect;
   noteContextCreated(*context);
   if (!withinMemory(*context, "capture", [&] { captureContextMade(*context); }))
-    context->pendingError = GL_NO_ERROR; // the context is just not captured; that is no GL error
+    context->errors.pending = GL_NO_ERROR; // the context is just not captured; that is no GL error
   logFlag(DebugFlag::Contexts, "state", "context %u: created%s", context->serial,
           share ? ", shared" : "");
   return context.release();
@@ -301,8 +302,8 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     {
       const std::lock_guard lock(g_lifecycle);
       if (context)
-        ++context->currentCount;
-      leaves = old && --old->currentCount == 0;
+        ++context->life.currentCount;
+      leaves = old && --old->life.currentCount == 0;
     }
     if (leaves)
       software::ceasesToBeCurrent(*old);
@@ -318,7 +319,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
   }
   if (context)
     software::becomesCurrent(*context, drawable ? *drawable : software::Drawable{});
-  if (context && !context->initialised) {
+  if (context && !context->life.initialised) {
     initialiseWhole(*context);
     software::expect(*context);
     noteProgress(*context);
@@ -339,7 +340,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
 void destroyContext(Context *context) {
   {
     const std::lock_guard lock(g_lifecycle);
-    context->destroyed = true;
+    context->life.destroyed = true;
   }
   release(context);
 }
@@ -372,7 +373,7 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
   }
   if ((mask & GL_ENABLE_BIT) == 0)
     return;
-  to.hostAssembly->enablesCopied();
+  to.hostSide.assembly->enablesCopied();
   invalidateProgram(to);
   for (ProgramTarget &row : to.targets)
     setEnabled(to, row, from.row(row.target).enabled);
@@ -394,11 +395,11 @@ void frameEnd(Context *context) {
     return;
   withinMemory(*context, "SwapBuffers", [&] {
     captureFrame(*context);
-    ++context->frames;
+    ++context->counters.frames;
     noteTextureChange(*context); // commands that the layer does not see may have changed textures
     if (const ControlHooks *const hooks = controlHooks()) [[unlikely]]
       hooks->frameEnds(*context);
-    if (context->frames >= software::kEarlyFrames && context->group->lists.hasEarly())
+    if (context->counters.frames >= software::kEarlyFrames && context->group->lists.hasEarly())
       forgetEarlyLists(*context);
     noteProgress(*context);
     software::leaveOrReturn(*context);

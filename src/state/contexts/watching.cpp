@@ -20,28 +20,28 @@ bool isOpen(const Context &context) { return !context.insideBeginEnd && context.
 
 /// Returns the draws that took the path of the effective program, on the host or by the rasterizer.
 std::uint64_t drawsOf(const Context &context, std::size_t path) {
-  return context.draws[path] + context.draws[std::size_t(Path::Rasterizer)];
+  return context.counters.draws[path] + context.counters.draws[std::size_t(Path::Rasterizer)];
 }
 
 void programsLeave(Context &context) {
   if (remote::Session *const session = remote::Session::instance(); session && session->isBusy())
     session->tallies().end(
         context.serial, [&](std::size_t path) { return drawsOf(context, path); },
-        context.draws[std::size_t(Path::Rasterizer)]);
+        context.counters.draws[std::size_t(Path::Rasterizer)]);
 }
 
 void programsEnter(Context &context) {
   remote::Session *const session = remote::Session::instance();
-  if (!session || !session->isBusy() || !context.linkedProgram)
+  if (!session || !session->isBusy() || !context.effective.linkedProgram)
     return;
   remote::Tallies::Begun begun;
-  const auto stages = context.linkedProgram->stages();
+  const auto stages = context.effective.linkedProgram->stages();
   for (std::size_t i = 0; i < stages.size(); ++i)
     if (const CompiledProgram *const compiled = stages[i]->compiled)
       begun.programs[i] = textFileName(compiled->target, compiled->hash);
-  begun.path = std::size_t(context.path);
+  begun.path = std::size_t(context.effective.path);
   begun.drawsBefore = drawsOf(context, begun.path);
-  begun.rasterizedBefore = context.draws[std::size_t(Path::Rasterizer)];
+  begun.rasterizedBefore = context.counters.draws[std::size_t(Path::Rasterizer)];
   begun.since = remote::nowNanoseconds();
   session->tallies().begin(context.serial, std::move(begun));
 }

@@ -34,7 +34,7 @@ std::vector<DepthReplica::Value> DepthReplica::read(GLuint framebuffer) const {
 }
 
 std::string DepthReplica::meet() {
-  const HostErrorScope errors(m_host, m_context.pendingError);
+  const HostErrorScope errors(m_host, m_context.errors.pending);
   const TargetScope state(m_host);
   m_host.Disable(GL_SCISSOR_TEST);
   if (!m_known) {
@@ -55,7 +55,7 @@ std::string DepthReplica::meet() {
 }
 
 void DepthReplica::follow(const Redraw &redraw) {
-  const HostErrorScope errors(m_host, m_context.pendingError);
+  const HostErrorScope errors(m_host, m_context.errors.pending);
   const TargetScope state(m_host);
   m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, m_target.name());
   if (limitTo(m_host, m_region))

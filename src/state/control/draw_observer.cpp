@@ -65,7 +65,7 @@ DrawObserver::~DrawObserver() {
     m_context.host = &m_host;
   else if (m_context.trueHost != &m_table)
     return; // another context has this one's address
-  const HostErrorScope errors(m_host, m_context.pendingError);
+  const HostErrorScope errors(m_host, m_context.errors.pending);
   if (m_madeList)
     m_host.DeleteLists(kList, 1);
   if (m_madeQuery)
@@ -74,7 +74,7 @@ DrawObserver::~DrawObserver() {
 
 /// True if the draw can be repeated without the application noticing.
 bool DrawObserver::isObservable(GLuint framebuffer) {
-  const HostErrorScope errors(m_host, m_context.pendingError);
+  const HostErrorScope errors(m_host, m_context.errors.pending);
   if (m_wish.aim != Observation::Aim::Measure) {
     if (framebuffer != m_wish.framebuffer)
       return false;
@@ -132,9 +132,9 @@ ObservedDraw DrawObserver::describe(const char *command) const {
   ObservedDraw draw;
   draw.number = m_count;
   draw.command = command;
-  if (!m_context.linkedProgram)
+  if (!m_context.effective.linkedProgram)
     return draw;
-  const auto stages = m_context.linkedProgram->stages();
+  const auto stages = m_context.effective.linkedProgram->stages();
   if (const CompiledProgram *const vertex = stages[0]->compiled)
     draw.vertex = textFileName(vertex->target, vertex->hash);
   draw.compiled = stages[1]->compiled;
@@ -173,7 +173,7 @@ void DrawObserver::measure(ObservedDraw draw, const Redraw &redraw) {
   const bool counts = m_context.caps.occlusionQuery && m_host.lookup &&
                       m_host.lookup("glBeginQuery") && m_host.lookup("glGetQueryObjectuiv");
   {
-    const HostErrorScope errors(m_host, m_context.pendingError);
+    const HostErrorScope errors(m_host, m_context.errors.pending);
     m_host.Finish();
     if (counts)
       functionOf<void (*)(GLenum, GLuint)>(m_host, "glBeginQuery")(GL_SAMPLES_PASSED, kQuery);
@@ -182,7 +182,7 @@ void DrawObserver::measure(ObservedDraw draw, const Redraw &redraw) {
   const std::int64_t before = nowNanoseconds();
   redraw(m_host);
   {
-    HostErrorScope errors(m_host, m_context.pendingError);
+    HostErrorScope errors(m_host, m_context.errors.pending);
     GLuint pixels = 0;
     if (counts)
       functionOf<void (*)(GLenum)>(m_host, "glEndQuery")(GL_SAMPLES_PASSED);

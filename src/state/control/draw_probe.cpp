@@ -35,7 +35,7 @@ public:
     for (std::size_t i = 0; i < m_enabled.size(); ++i)
       m_enabled[i] = std::exchange(context.row(kFragments[i]).enabled, i == 0);
     invalidateProgram(context);
-    m_valid = m_valid && validate(context) && context.linkedProgram;
+    m_valid = m_valid && validate(context) && context.effective.linkedProgram;
   }
   ~ProgramSwap() {
     m_context.row(Target::Fragment).bound = std::move(m_bound);
@@ -108,7 +108,7 @@ std::string DrawProbe::bindTarget(const Wish &wish) {
 }
 
 Result<std::vector<Vec4>, std::string> DrawProbe::draw(const Redraw &redraw, const Wish &wish) {
-  HostErrorScope errors(m_host, m_context.pendingError);
+  HostErrorScope errors(m_host, m_context.errors.pending);
   const TargetScope state(m_host);
   const Region &r = wish.region;
   std::vector<Vec4> values(wish.targets * std::size_t(r.width) * std::size_t(r.height), wish.clear);

@@ -13,8 +13,8 @@ wire::Answer stats(Call &call) {
   const Context &context = call.context;
   Json draws = Json::object();
   for (int i = 0; i < kPathCount; ++i)
-    if (context.draws[std::size_t(i)] != 0)
-      draws[pathName(Path(i))] = context.draws[std::size_t(i)];
+    if (context.counters.draws[std::size_t(i)] != 0)
+      draws[pathName(Path(i))] = context.counters.draws[std::size_t(i)];
   Json given = Json::object();
   if (context.software)
     for (int i = 0; i < software::kFallbackCount; ++i)

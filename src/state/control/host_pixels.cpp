@@ -134,7 +134,7 @@ Picture readDrawable(Context &context, const char *&why) {
   }
   picture.bytes.resize(std::size_t(picture.width) * std::size_t(picture.height) * 4);
   const PlainTransfer plain(context, PixelStore::Pack);
-  HostErrorScope errors(*context.host, context.pendingError);
+  HostErrorScope errors(*context.host, context.errors.pending);
   {
     const WindowRead window(context);
     if (context.software &&
@@ -167,7 +167,7 @@ std::vector<BoundTexture> boundTextures(Context &context) {
   if (context.passThrough || !context.caps.compatibility)
     return found;
   const host::HostTable &host = *context.host;
-  const HostErrorScope errors(host, context.pendingError);
+  const HostErrorScope errors(host, context.errors.pending);
   const auto &targets = textureTargets();
   std::array<bool, 5> seenDefault{}; // by target
   for (GLint unit = 0; unit < context.caps.maxTextureImageUnits; ++unit) {
@@ -213,7 +213,7 @@ Picture readTexture(Context &context, const BoundTexture &texture, const char *&
   bringHostUpToDate(context);
   const host::HostTable &host = *context.host;
   const PlainTransfer plain(context, PixelStore::Pack);
-  HostErrorScope errors(host, context.pendingError);
+  HostErrorScope errors(host, context.errors.pending);
   Picture picture = {texture.width, std::max(texture.height, 1), {}};
   picture.bytes.resize(std::size_t(pixels) * 4);
   {
@@ -246,7 +246,7 @@ bool writeTexture(Context &context, const BoundTexture &texture, const Picture &
     context.software->residency.textureRedefined(target.target);
   context.dirty |= software::dirty::kTextureBindings;
   const PlainTransfer plain(context, PixelStore::Unpack);
-  HostErrorScope errors(host, context.pendingError);
+  HostErrorScope errors(host, context.errors.pending);
   Picture level = picture;
   for (GLint i = 0;; ++i) {
     host.TexSubImage2D(target.target, i, 0, 0, level.width, level.height, GL_RGBA, GL_UNSIGNED_BYTE,

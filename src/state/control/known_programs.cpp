@@ -13,8 +13,9 @@ namespace {
 /// Returns the text name of the combiner or texture-shader state that the context draws with; empty
 /// if it draws with none.
 std::string effectiveState(const Context &context) {
-  const CompiledProgram *const fragment =
-      context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
+  const CompiledProgram *const fragment = context.effective.linkedProgram
+                                              ? context.effective.linkedProgram->fragment.compiled
+                                              : nullptr;
   return fragment && isOfState(fragment->target) ? textFileName(fragment->target, fragment->hash)
                                                  : std::string();
 }

@@ -76,7 +76,7 @@ std::optional<wire::Answer> answerRequest(Session &session, Context &context, wi
     if (method->writes)
       if (std::optional<wire::Fault> fault = session.becomeWriter(client))
         return std::move(*fault);
-    const HostErrorScope errors(*context.host, context.pendingError);
+    const HostErrorScope errors(*context.host, context.errors.pending);
     Call call = {session, context, request, client, wire::Params(request.params)};
     wire::Answer answer = method->answer(call);
     if (call.later)
@@ -95,7 +95,7 @@ wire::Answer frameWant(Call &call) {
   if (!call.params.ok())
     return call.params.fault();
   int w = 0, h = 0;
-  if (every != 0 && (!drawableSize(call.context, w, h) || call.context.frames == 0))
+  if (every != 0 && (!drawableSize(call.context, w, h) || call.context.counters.frames == 0))
     return wire::Fault{wire::kNotPossible, "this context shows no frames", {}};
   call.session.wantFrames(call.client, every, width, height);
   return wire::Json::object();

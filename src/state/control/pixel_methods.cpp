@@ -44,7 +44,7 @@ wire::Answer observe(Call &call, Observation wish) {
   if (!call.params.ok())
     return call.params.fault();
   int width = 0, height = 0;
-  if (!drawableSize(call.context, width, height) || call.context.frames == 0)
+  if (!drawableSize(call.context, width, height) || call.context.counters.frames == 0)
     return wire::Fault{wire::kNotPossible, "this context shows no frames", {}};
   if (wish.aim != Observation::Aim::Measure)
     if (const char *const why = whyNoProbe(call.context))

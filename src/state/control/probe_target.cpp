@@ -52,7 +52,7 @@ ProbeTarget::ProbeTarget(Context &context, const host::HostTable &host, Use use)
 ProbeTarget::~ProbeTarget() {
   if (!m_made)
     return;
-  const HostErrorScope errors(m_host, m_context.pendingError);
+  const HostErrorScope errors(m_host, m_context.errors.pending);
   m_host.DeleteFramebuffers(1, &m_framebuffer);
   for (std::size_t i = 0; i <= kDepth; ++i) {
     const GLuint name = m_firstTexture + GLuint(i);
@@ -106,7 +106,7 @@ void ProbeTarget::copyDepths(GLuint source, const Region &part) {
 
 std::string ProbeTarget::attachDepthsOf(GLuint source, std::size_t colors, const Region &region) {
   const auto copied = [&](GLenum format) {
-    HostErrorScope errors(m_host, m_context.pendingError);
+    HostErrorScope errors(m_host, m_context.errors.pending);
     m_depthFormat = format;
     if (!attach(colors, region, format))
       return false;
@@ -144,7 +144,7 @@ bool textureSize(Context &context, const host::HostTable &host, GLuint name, GLi
   for (const TextureTarget &target : textureTargets()) {
     if (target.target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
       continue;
-    HostErrorScope errors(host, context.pendingError);
+    HostErrorScope errors(host, context.errors.pending);
     const TextureBinding bound(host, target.target, name, sharingOf(context));
     if (errors.failed())
       continue;
@@ -158,7 +158,7 @@ bool textureSize(Context &context, const host::HostTable &host, GLuint name, GLi
 } // namespace
 
 bool framebufferSize(Context &context, const host::HostTable &host, int &width, int &height) {
-  const HostErrorScope errors(host, context.pendingError);
+  const HostErrorScope errors(host, context.errors.pending);
   for (const GLenum place : {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT, GL_COLOR_ATTACHMENT1}) {
     const auto ask = [&](GLenum name) {
       GLint value = 0;

@@ -100,6 +100,54 @@ enum class Path : std::uint8_t {
 inline constexpr int kPathCount = 11;
 [[nodiscard]] const char *pathName(Path path);
 
+/// The layer's own errors (2.5). While `pending` is empty, the host is asked.
+struct PendingErrors {
+  GLenum pending = GL_NO_ERROR;
+  GLint position = -1; ///< PROGRAM_ERROR_POSITION_ARB, shared by all targets
+  std::string text;    ///< PROGRAM_ERROR_STRING_ARB
+};
+
+/// The application's own GLSL program: cached, and queried again after possible changes.
+struct ApplicationProgram {
+  GLuint program = 0;
+  bool programKnown = true;
+  bool pipelinesUsed = false;
+};
+
+/// What draws use now: the path, and the programs that were chosen for it.
+struct DrawChoice {
+  Path path = Path::NoProgram;
+  LinkedProgram *linkedProgram = nullptr; ///< the current one, or null
+  /// GlslHost::alphaDepths that `linkedProgram` was compiled with; nothing if it does not matter.
+  std::optional<std::uint32_t> alphaDepths;
+  bool hostPartWaits = false;   ///< `linkedProgram` is not built on the host yet (path_choice.h)
+  std::uint64_t selections = 0; ///< counts changes of the effective programs
+};
+
+/// What the layer holds on the host: programs and bindings. All are null only in the null
+/// context.
+struct HostSide {
+  std::unique_ptr<LinkedProgramCache> linkedPrograms;
+  std::unique_ptr<SamplerOverride> samplerOverride;
+  std::unique_ptr<HostAssembly> assembly;
+  std::unique_ptr<StagePipeline> stagePipeline;
+};
+
+/// Figures of the statistics and of the window with figures.
+struct Counters {
+  std::array<std::uint64_t, kPathCount> draws{};
+  std::uint64_t frames = 0;
+  std::uint64_t readBufferCalls = 0;
+  FeedbackTracker feedback;
+};
+
+/// From the context's creation to its end (contexts/lifecycle.h).
+struct Life {
+  bool initialised = false; ///< the host has been asked for its limits
+  bool destroyed = false;   ///< to be freed when it is last made un-current
+  int currentCount = 0;     ///< guarded by the lifecycle's lock
+};
+
 /// The layer's state of one GL context. Only the thread that the context is current on uses it.
 /// State that other threads may touch is in the ShareGroup.
 class Context : public ContextHot {
@@ -117,9 +165,7 @@ public:
   /// The layer implements the program targets here: a compatibility context with GLSL that was
   /// current once.
   bool offered = false;
-  bool initialised = false; ///< the host has been asked for its limits
-  bool destroyed = false;   ///< to be freed when it is last made un-current
-  int currentCount = 0;     ///< guarded by the lifecycle's lock
+  Life life;
   std::uint32_t serial = 0; ///< its number in statistics
 
   const ContextHooks *hooks = nullptr; ///< null in the null context alone
@@ -128,10 +174,7 @@ public:
   HostCaps caps;
   fp::Numerics numerics = fp::Numerics::Host; ///< programs are compiled for these; never changes
 
-  // --- Errors (2.5): the layer's slot; while it is empty, the host is asked ---
-  GLenum pendingError = GL_NO_ERROR;
-  GLint errorPosition = -1; ///< PROGRAM_ERROR_POSITION_ARB, shared by all targets
-  std::string errorString;  ///< PROGRAM_ERROR_STRING_ARB
+  PendingErrors errors;
 
   // --- The program targets, indexed by Target ---
   std::array<ProgramTarget, kTargetCount> targets{};
@@ -169,26 +212,12 @@ public:
 
   ClipPlanes clipPlanes; ///< choose the variant of vertex programs
 
-  // --- The application's GLSL program: cached, and queried again after possible changes ---
-  GLuint applicationProgram = 0;
-  bool applicationProgramKnown = true;
-  bool pipelinesUsed = false;
-
-  // --- The path that draws take ---
-  Path path = Path::NoProgram;
-  LinkedProgram *linkedProgram = nullptr; ///< the current one, or null
-  /// GlslHost::alphaDepths that `linkedProgram` was compiled with; nothing if it does not matter.
-  std::optional<std::uint32_t> alphaDepths;
-  bool hostPartWaits = false;   ///< `linkedProgram` is not built on the host yet (path_choice.h)
-  std::uint64_t selections = 0; ///< counts changes of the effective programs
-  bool rasterizes = true;       ///< the render mode is RENDER
+  ApplicationProgram application;
+  DrawChoice effective;
+  HostSide hostSide;
+  bool rasterizes = true;           ///< the render mode is RENDER
   bool vertexResultsMatter = false; ///< RasterPos is being validated: it needs all results of a
                                     ///< vertex program
-  // These are null only in the null context, as `list` is.
-  std::unique_ptr<LinkedProgramCache> linkedPrograms;
-  std::unique_ptr<SamplerOverride> samplerOverride;
-  std::unique_ptr<HostAssembly> hostAssembly;
-  std::unique_ptr<StagePipeline> stagePipeline;
 
   AttribStack attribStack;
   /// The host's real table, while `host` points at the one that defers commands for a recorded
@@ -197,7 +226,7 @@ public:
   std::unique_ptr<ListRecorder> list; ///< a ListCompiler
   int listDepth = 0;                  ///< nesting of called lists that hold the layer's commands
 
-  CaptureEffective effective; ///< used while there is a capture
+  CaptureEffective captured; ///< used while there is a capture
 
   /// The rasterizer's state; null if the rasterizer is not used here.
   std::unique_ptr<software::ContextState> software;
@@ -207,11 +236,7 @@ public:
   software::Drawable drawable;                    ///< from the last make-current
   software::NeighbourEpoch neighbours;
 
-  // --- Counters ---
-  std::array<std::uint64_t, kPathCount> draws{};
-  std::uint64_t frames = 0;
-  std::uint64_t readBufferCalls = 0;
-  FeedbackTracker feedback;
+  Counters counters;
 
   const Identity *identity = nullptr; ///< made at the first query; interned
 };

@@ -31,23 +31,23 @@ void raise(Context &context, GLenum error, const char *why) {
             why);
   else
     logInfo("state", "context %u: GL_%s: %s", context.serial, errorName(error), why);
-  if (context.pendingError != GL_NO_ERROR)
+  if (context.errors.pending != GL_NO_ERROR)
     return;
   // GetError is itself an error between Begin and End, so the order of errors cannot be known.
   const GLenum earlier =
       context.insideBeginEnd ? GLenum(GL_NO_ERROR) : takeHostErrors(*context.host);
-  context.pendingError = earlier != GL_NO_ERROR ? earlier : error;
+  context.errors.pending = earlier != GL_NO_ERROR ? earlier : error;
 }
 
 GLenum takeError(Context &context) {
   if (context.insideBeginEnd)
     return context.host->GetError(); // raises INVALID_OPERATION there, as it should
-  if (context.pendingError == GL_NO_ERROR)
+  if (context.errors.pending == GL_NO_ERROR)
     return context.host->GetError();
   (void)takeHostErrors(*context.host); // raised after the layer's error, so GL would not have
                                        // recorded them
-  const GLenum error = context.pendingError;
-  context.pendingError = GL_NO_ERROR;
+  const GLenum error = context.errors.pending;
+  context.errors.pending = GL_NO_ERROR;
   return error;
 }
 

@@ -33,7 +33,7 @@ TEST(Errors, AScopeKeepsWhatWaitedAndDropsItsOwn) {
   const CurrentContext context(host);
   host.error = GL_INVALID_ENUM;
   {
-    HostErrorScope scope(*context->host, context->pendingError);
+    HostErrorScope scope(*context->host, context->errors.pending);
     EXPECT_FALSE(scope.failed());
     host.error = GL_OUT_OF_MEMORY;
     EXPECT_TRUE(scope.failed());

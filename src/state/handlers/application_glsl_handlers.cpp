@@ -30,7 +30,7 @@ void takeUpExecutable(Context &context, GLuint program) {
   if (GLuint(current) != program || program == 0)
     return;
   const HostErrorScope scope(*context.host,
-                             context.pendingError); // if the link failed, nothing changes
+                             context.errors.pending); // if the link failed, nothing changes
   context.host->UseProgram(program);
 }
 
@@ -69,8 +69,8 @@ void BindProgramPipeline(Context &context, GLuint pipeline) {
   if (context.hostProgramIsOurs && !context.listMode)
     releaseHostState(context);
   context.host->BindProgramPipeline(guardedPipeline(context, pipeline));
-  context.stagePipeline->lookAgain(context); // in case a list is being compiled
-  context.pipelinesUsed = true;
+  context.hostSide.stagePipeline->lookAgain(context); // in case a list is being compiled
+  context.application.pipelinesUsed = true;
   invalidateProgram(context);
 }
 

@@ -72,7 +72,7 @@ void CopyTexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffs
 }
 
 void ReadBuffer(Context &context, GLenum src) {
-  ++context.readBufferCalls;
+  ++context.counters.readBufferCalls;
   context.host->ReadBuffer(src);
 }
 

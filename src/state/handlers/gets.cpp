@@ -174,7 +174,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_VERTEX_ARRAY_BINDING:
     return eraValue(context, pname, value);
   case GL_PROGRAM_ERROR_POSITION_ARB:
-    value = context.errorPosition;
+    value = context.errors.position;
     return true;
   case GL_MAX_TEXTURE_COORDS:
     value = GLint(context.row(Target::Fragment).limits.textureCoords);
@@ -204,7 +204,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     return true;
   }
   case GL_FEEDBACK_COPIES_ARBITER:
-    value = GLint(std::min<std::uint64_t>(context.feedback.copies(), INT_MAX));
+    value = GLint(std::min<std::uint64_t>(context.counters.feedback.copies(), INT_MAX));
     return context.offered;
   case GL_FEEDBACK_COPIES_AVOIDED_ARBITER:
     value = context.software ? GLint(std::min<std::uint64_t>(
@@ -218,9 +218,9 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     return true;
   case GL_PROGRAM_PIPELINE_BINDING: // the layer's pipeline reads as none
     value = 0;
-    return context.stagePipeline->isBound();
+    return context.hostSide.stagePipeline->isBound();
   case GL_SAMPLER_BINDING:
-    if (context.samplerOverride->active())
+    if (context.hostSide.samplerOverride->active())
       releaseSamplers(context);
     return false;
   default:
@@ -366,8 +366,8 @@ const GLubyte *GetString(Context &context, GLenum name) {
   if (context.insideBeginEnd)
     return context.host->GetString(name);
   if (name == GL_PROGRAM_ERROR_STRING_ARB)
-    return reinterpret_cast<const GLubyte *>(context.errorString.c_str());
-  if (!context.initialised)
+    return reinterpret_cast<const GLubyte *>(context.errors.text.c_str());
+  if (!context.life.initialised)
     return context.host->GetString(name);
   const Identity &identity = applicationIdentity(context);
   switch (name) {

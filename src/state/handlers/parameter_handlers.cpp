@@ -74,7 +74,7 @@ bool isImmediate(const Context &context) {
   object.locals[index].store(value);
   object.changed(row.seenVersion);
   if (context.attention == 0 && row.target == Target::Vertex &&
-      context.hostAssembly->sendLocal(context, index, value))
+      context.hostSide.assembly->sendLocal(context, index, value))
     return;
   context.attention |= row.parameterBits;
 }

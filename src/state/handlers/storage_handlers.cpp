@@ -52,9 +52,9 @@ void ImportMemoryFdEXT(Context &context, GLuint memory, GLuint64 size, GLenum ha
 }
 
 void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
-  if (context.feedback.levels() != 0 && textures && n > 0)
+  if (context.counters.feedback.levels() != 0 && textures && n > 0)
     for (GLsizei i = 0; i < n; ++i)
-      context.feedback.forget(textures[i]);
+      context.counters.feedback.forget(textures[i]);
   if (context.softwarePossible && !context.insideBeginEnd)
     context.software->residency.texturesDeleted(n, textures);
   if (context.group && !context.insideBeginEnd) {

@@ -35,7 +35,7 @@ void askHost(Context &context) {
 
 /// True if the effective GLSL writes distances to certain planes only.
 bool drawsWithDistances(const Context &context) {
-  const LinkedProgram *const linked = context.linkedProgram;
+  const LinkedProgram *const linked = context.effective.linkedProgram;
   return linked && linked->vertex.compiled && writesClipDistances(*linked->vertex.compiled);
 }
 
@@ -111,13 +111,13 @@ void copyClipPlanes(const Context &from, Context &to) {
 }
 
 void noteClipPlanesOfLists(Context &context) {
-  if (!listsEnablePlanes(context) || !context.linkedProgram)
+  if (!listsEnablePlanes(context) || !context.effective.linkedProgram)
     return;
-  const CompiledProgram *const vertex = context.linkedProgram->vertex.compiled;
+  const CompiledProgram *const vertex = context.effective.linkedProgram->vertex.compiled;
   if (!vertex || !vertex->clipped || !vertex->program)
     return;
   // The host's own vertex programs are clipped by the host, as ARB vertex programs must be.
-  if (!context.linkedProgram->vertexAssembly || assemblyClipsOtherwise(context, *vertex))
+  if (!context.effective.linkedProgram->vertexAssembly || assemblyClipsOtherwise(context, *vertex))
     invalidateProgram(context);
 }
 

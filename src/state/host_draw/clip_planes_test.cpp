@@ -26,11 +26,11 @@ struct GlslHost : FakeHost {
 /// Draws, and returns whether the effective vertex program is clipped.
 bool clips(Context &context) {
   EXPECT_TRUE(draw(context));
-  if (!context.linkedProgram || !context.linkedProgram->vertex.compiled) {
+  if (!context.effective.linkedProgram || !context.effective.linkedProgram->vertex.compiled) {
     ADD_FAILURE() << "no vertex program of the layer's is effective";
     return false;
   }
-  return context.linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex") !=
+  return context.effective.linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex") !=
          std::string::npos;
 }
 
@@ -45,7 +45,7 @@ TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
   handlers::PopAttrib(*context);
   EXPECT_FALSE(clips(*context));
   EXPECT_EQ(host.count("IsEnabled"), 0);
-  EXPECT_EQ(context->linkedPrograms->size(), 1u);
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 1u);
 }
 
 TEST(ClipPlanes, EachPlaneChoosesTheForm) {
@@ -64,7 +64,7 @@ TEST(ClipPlanes, EachPlaneChoosesTheForm) {
     handlers::Disable(*context, plane);
     EXPECT_FALSE(clips(*context)) << plane;
   }
-  EXPECT_EQ(context->linkedPrograms->size(), 2u) << "a form is made once";
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 2u) << "a form is made once";
 }
 
 TEST(ClipPlanes, OneEnabledBeforeTheProgramIsKnown) {
@@ -102,7 +102,7 @@ TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
   handlers::EndList(*context);
   makeCurrent(&*other);
   handlers::CallList(*other, 7); // the host makes this list's draws
-  EXPECT_NE(other->linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex"),
+  EXPECT_NE(other->effective.linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex"),
             std::string::npos);
   EXPECT_TRUE(clips(*other));
 }
@@ -145,7 +145,7 @@ TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
   handlers::Enable(*context, GL_CLIP_PLANE0);
   EXPECT_TRUE(clips(*context));
   handlers::DeleteProgramsARB(*context, 1, &name);
-  EXPECT_EQ(context->linkedPrograms->size(), 0u);
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 0u);
   EXPECT_TRUE(host.shaders.empty());
 }
 
@@ -154,10 +154,10 @@ TEST(ClipPlanes, TheFormThatClipsIsGlslBesideAssemblyToo) {
   const CurrentContext context(host);
   use(*context, kText, kVertex);
   ASSERT_TRUE(draw(*context));
-  ASSERT_TRUE(context->linkedProgram->vertexAssembly);
+  ASSERT_TRUE(context->effective.linkedProgram->vertexAssembly);
   const auto whole = context->group->compiledOf(*context->row(Target::Vertex).bound);
   const LinkedProgram *const clipped =
-      context->linkedPrograms->get(*context, {whole->clipped->of(*whole, 0), nullptr});
+      context->hostSide.linkedPrograms->get(*context, {whole->clipped->of(*whole, 0), nullptr});
   EXPECT_FALSE(clipped->vertexAssembly);
   EXPECT_NE(clipped->hostProgram, 0u);
   EXPECT_FALSE(clipped->refused);
@@ -186,7 +186,8 @@ TEST(ClipPlanes, AProgramOfNvidiasOptionsIsClippedByWhatItWrites) {
       kVertex);
   const auto writes = [&](const char *statement) {
     EXPECT_FALSE(clips(*context)) << "gl_ClipVertex";
-    return context->linkedProgram->vertex.compiled->glsl.text.find(statement) != std::string::npos;
+    return context->effective.linkedProgram->vertex.compiled->glsl.text.find(statement) !=
+           std::string::npos;
   };
   EXPECT_FALSE(writes("gl_ClipDistance"));
   host.enabled = {GL_CLIP_PLANE0};
@@ -200,7 +201,8 @@ TEST(ClipPlanes, AProgramOfNvidiasOptionsIsClippedByWhatItWrites) {
   host.enabled = {GL_CLIP_PLANE0};
   handlers::Disable(*context, GL_CLIP_PLANE1);
   EXPECT_FALSE(writes("gl_ClipDistance[1]"));
-  EXPECT_EQ(context->linkedPrograms->size(), 3u) << "a form for each set of planes, made once";
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 3u)
+      << "a form for each set of planes, made once";
 }
 
 } // namespace

@@ -69,16 +69,16 @@ namespace {
 bool isDropped(Path path) { return path == Path::InvalidProgram || path == Path::HostRefused; }
 
 void setPath(Context &context, Path path) {
-  context.path = path;
-  context.drawCounter = &context.draws[std::size_t(path)];
+  context.effective.path = path;
+  context.drawCounter = &context.counters.draws[std::size_t(path)];
 }
 
 /// Returns the attention bits that every draw needs while this path is in use.
 std::uint32_t stickyAttention(const Context &context) {
   std::uint32_t bits = 0;
-  if (isDropped(context.path))
+  if (isDropped(context.effective.path))
     bits |= attention::kInvalid;
-  if (context.hostPartWaits)
+  if (context.effective.hostPartWaits)
     bits |= attention::kHostPart;
   if (nativeInputsMayChange(context) || vertexShaderFollows(context))
     bits |= attention::kState;
@@ -88,24 +88,25 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kDepth;
   if (mayFollowSprites(context))
     bits |= attention::kSprites;
-  if (context.linkedProgram) {
-    if (context.linkedProgram->readsState)
+  if (context.effective.linkedProgram) {
+    if (context.effective.linkedProgram->readsState)
       bits |= attention::kState;
-    if (context.linkedProgram->hasPlainSamplers && context.caps.samplerObjects &&
+    if (context.effective.linkedProgram->hasPlainSamplers && context.caps.samplerObjects &&
         context.group->compareModeUsed.load(std::memory_order_relaxed))
       bits |= attention::kCompare;
   }
-  const bool needsLayer = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
-                          isDropped(context.path) || context.row(Target::AtiText).enabled ||
-                          context.row(Target::AtiApi).enabled ||
-                          context.row(Target::Combiners).enabled ||
-                          context.row(Target::VertexShader).enabled;
+  const bool needsLayer =
+      context.effective.path == Path::HostGlsl || context.effective.path == Path::HostAssembly ||
+      isDropped(context.effective.path) || context.row(Target::AtiText).enabled ||
+      context.row(Target::AtiApi).enabled || context.row(Target::Combiners).enabled ||
+      context.row(Target::VertexShader).enabled;
   if (needsLayer && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
   if (context.softwarePossible)
     bits |= attention::kSoftware;
   // A client may also switch a program on again.
-  if ((needsLayer ? replacing() : controlled()) && context.frames == 0 && !context.passThrough)
+  if ((needsLayer ? replacing() : controlled()) && context.counters.frames == 0 &&
+      !context.passThrough)
     bits |= attention::kWatch;
   return bits;
 }
@@ -113,7 +114,7 @@ std::uint32_t stickyAttention(const Context &context) {
 void releaseHostProgram(Context &context) {
   if (!context.hostProgramIsOurs)
     return;
-  context.stagePipeline->release(context);
+  context.hostSide.stagePipeline->release(context);
   context.host->UseProgram(0);
   context.hostProgramIsOurs = false;
 }
@@ -121,10 +122,11 @@ void releaseHostProgram(Context &context) {
 /// Makes the layer's GLSL current on the host.
 void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
   if (linkedProgram.vertexProgram != 0) {
-    context.stagePipeline->use(context, linkedProgram.vertexProgram, linkedProgram.hostProgram);
+    context.hostSide.stagePipeline->use(context, linkedProgram.vertexProgram,
+                                        linkedProgram.hostProgram);
     context.hostProgramIsOurs = true;
   } else {
-    context.stagePipeline->useAlone(context, linkedProgram.hostProgram);
+    context.hostSide.stagePipeline->useAlone(context, linkedProgram.hostProgram);
   }
 }
 
@@ -132,34 +134,34 @@ void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
 void install(Context &context, HostPart part) {
   setPath(context, choosePath(context, part));
   context.attention |= attention::kParameters;
-  if (context.hostPartWaits)
+  if (context.effective.hostPartWaits)
     return;
-  if (context.path == Path::HostAssembly && !context.linkedProgram) {
-    if (context.samplerOverride->active())
-      context.samplerOverride->release(context);
+  if (context.effective.path == Path::HostAssembly && !context.effective.linkedProgram) {
+    if (context.hostSide.samplerOverride->active())
+      context.hostSide.samplerOverride->release(context);
     return releaseHostProgram(context);
   }
-  if (context.path == Path::NoProgram && settings().alwaysFixedFunction &&
+  if (context.effective.path == Path::NoProgram && settings().alwaysFixedFunction &&
       !applicationShades(context))
     context.hooks->engageRasterizer(context);
-  if (!context.linkedProgram)
+  if (!context.effective.linkedProgram)
     return releaseHostState(context);
-  if (context.linkedProgram->fragment.compiled || settings().alwaysFixedFunction)
+  if (context.effective.linkedProgram->fragment.compiled || settings().alwaysFixedFunction)
     context.hooks->engageRasterizer(context);
-  context.hostAssembly->apply(context, *context.linkedProgram);
-  if (context.linkedProgram->hostProgram == 0)
+  context.hostSide.assembly->apply(context, *context.effective.linkedProgram);
+  if (context.effective.linkedProgram->hostProgram == 0)
     return releaseHostProgram(context);
-  useHostPrograms(context, *context.linkedProgram);
+  useHostPrograms(context, *context.effective.linkedProgram);
 }
 
 /// Brings the effective programs into the host, if that was deferred.
 void installHostPart(Context &context) {
-  const LinkedProgram *const before = context.linkedProgram;
+  const LinkedProgram *const before = context.effective.linkedProgram;
   context.attention |=
       attention::kProgram; // until it is done: if memory runs out, the next draw chooses again
   install(context, HostPart::Now);
-  if (context.linkedProgram != before)
-    ++context.selections;
+  if (context.effective.linkedProgram != before)
+    ++context.effective.selections;
 }
 
 void select(Context &context, HostPart part) {
@@ -167,7 +169,7 @@ void select(Context &context, HostPart part) {
   const ControlHooks *const hooks = controlHooks();
   if (hooks) [[unlikely]]
     hooks->programsLeave(context);
-  ++context.selections;
+  ++context.effective.selections;
   install(context, part);
   captureEnter(context);
   if (hooks) [[unlikely]]
@@ -202,7 +204,7 @@ void refreshInputs(Context &context) {
 /// those that the application sets. Returns null otherwise.
 AssemblyProgram *verticesOfOwnLocals(const Context &context) {
   AssemblyProgram *const vertices =
-      context.linkedProgram ? context.linkedProgram->vertexAssembly : nullptr;
+      context.effective.linkedProgram ? context.effective.linkedProgram->vertexAssembly : nullptr;
   return vertices && vertices->stage.compiled->target == Target::Vertex && !controlHooks()
              ? vertices
              : nullptr;
@@ -221,7 +223,7 @@ void refreshEffective(Context &context, HostPart part) {
     refreshReplacements(context);
   if ((context.attention & attention::kProgram) != 0)
     select(context, part);
-  else if (context.hostPartWaits && part == HostPart::Now)
+  else if (context.effective.hostPartWaits && part == HostPart::Now)
     installHostPart(context);
 }
 
@@ -237,12 +239,12 @@ bool validatePrograms(Context &context) {
   if (capturing()) [[unlikely]]
     return validate(context);
   if (known) [[likely]]
-    return !isDropped(context.path);
+    return !isDropped(context.effective.path);
   // A client of the control interface is told how the programs draw, so the choice cannot wait.
   refreshEffective(context, controlHooks() ? HostPart::Now : HostPart::WhenItDraws);
   context.attention = stickyAttention(context) |
                       (context.attention & (attention::kRemains | attention::kParameters));
-  return !isDropped(context.path);
+  return !isDropped(context.effective.path);
 }
 
 bool sendParametersAlone(Context &context) {
@@ -254,17 +256,17 @@ bool sendParametersAlone(Context &context) {
   if (context.vertexShaders && context.vertexShaders->effective)
     return false;
   // validatePrograms() does not update these, and leaves parameters to be sent.
-  if (context.samplerOverride->active() || !spritesAreTheHosts(context))
+  if (context.hostSide.samplerOverride->active() || !spritesAreTheHosts(context))
     return false;
-  if (LinkedProgram *const linkedProgram = context.linkedProgram) {
+  if (LinkedProgram *const linkedProgram = context.effective.linkedProgram) {
     if (linkedProgram->fragmentAssembly && linkedProgram->fragmentAssembly->changesOften)
       return false; // validate() will choose anew
     uploadParameters(context, *linkedProgram, context.attention);
-  } else if (context.path == Path::HostAssembly) {
-    context.hostAssembly->uploadParameters(context, context.attention);
+  } else if (context.effective.path == Path::HostAssembly) {
+    context.hostSide.assembly->uploadParameters(context, context.attention);
   }
   context.attention = 0;
-  context.hostAssembly->sendDirectly(verticesOfOwnLocals(context));
+  context.hostSide.assembly->sendDirectly(verticesOfOwnLocals(context));
   return true;
 }
 
@@ -277,37 +279,38 @@ bool validate(Context &context) {
   followTextureChanges(context);
   followSprites(context);
   refreshEffective(context, HostPart::Now);
-  if (context.linkedProgram && context.linkedProgram->fragmentAssembly && assemblyIsOver(context)) {
+  if (context.effective.linkedProgram && context.effective.linkedProgram->fragmentAssembly &&
+      assemblyIsOver(context)) {
     invalidateProgram(context);
     refreshEffective(context, HostPart::Now);
   }
   applySprites(context);
   const std::uint32_t sticky = stickyAttention(context);
-  if (context.linkedProgram) {
-    LinkedProgram &linkedProgram = *context.linkedProgram;
+  if (context.effective.linkedProgram) {
+    LinkedProgram &linkedProgram = *context.effective.linkedProgram;
     uploadParameters(context, linkedProgram, context.attention);
     if ((sticky & attention::kCompare) != 0)
-      context.samplerOverride->apply(context, linkedProgram);
-    else if (context.samplerOverride->active())
-      context.samplerOverride->release(context);
-  } else if (context.path == Path::HostAssembly &&
+      context.hostSide.samplerOverride->apply(context, linkedProgram);
+    else if (context.hostSide.samplerOverride->active())
+      context.hostSide.samplerOverride->release(context);
+  } else if (context.effective.path == Path::HostAssembly &&
              (context.attention & attention::kParameters) != 0) {
-    context.hostAssembly->uploadParameters(context, context.attention);
+    context.hostSide.assembly->uploadParameters(context, context.attention);
   }
   context.attention = sticky | (context.attention & attention::kRemains);
-  context.hostAssembly->sendDirectly(verticesOfOwnLocals(context));
-  return !isDropped(context.path);
+  context.hostSide.assembly->sendDirectly(verticesOfOwnLocals(context));
+  return !isDropped(context.effective.path);
 }
 
 void releaseHostState(Context &context) {
-  if (context.samplerOverride->active())
-    context.samplerOverride->release(context);
-  context.hostAssembly->release(context);
+  if (context.hostSide.samplerOverride->active())
+    context.hostSide.samplerOverride->release(context);
+  context.hostSide.assembly->release(context);
   releaseHostProgram(context);
 }
 
 void refuseDraws(Context &context) {
-  if (context.hostAssembly->refuse(context))
+  if (context.hostSide.assembly->refuse(context))
     return;
   // Without assembly programs, the host cannot be made to refuse draws, only to draw nothing.
   static const std::shared_ptr<const CompiledProgram> s_mute = [] {
@@ -315,7 +318,7 @@ void refuseDraws(Context &context) {
     program->glsl.text = "#version 120\nvoid main() { discard; }\n";
     return program;
   }();
-  const LinkedProgram &mute = *context.linkedPrograms->get(context, {nullptr, s_mute});
+  const LinkedProgram &mute = *context.hostSide.linkedPrograms->get(context, {nullptr, s_mute});
   if (mute.hostProgram == 0)
     return;
   useHostPrograms(context, mute);
@@ -334,15 +337,15 @@ void afterHostList(Context &context) {
     return;
   GLint current = 0;
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
-  context.stagePipeline->forgetCurrent();
+  context.hostSide.stagePipeline->forgetCurrent();
   // An earlier program of the layer's may be current while the host part is deferred.
   if (context.hostProgramIsOurs && (context.group->ownsHostProgram(GLuint(current)) ||
-                                    (current == 0 && context.stagePipeline->isBound())))
+                                    (current == 0 && context.hostSide.stagePipeline->isBound())))
     return;
-  context.stagePipeline->release(context);
+  context.hostSide.stagePipeline->release(context);
   context.hostProgramIsOurs = false;
-  context.applicationProgram = GLuint(current);
-  context.applicationProgramKnown = true;
+  context.application.program = GLuint(current);
+  context.application.programKnown = true;
   invalidateProgram(context);
 }
 

@@ -86,7 +86,7 @@ TEST(Draw, AParameterAloneIsSentAndNothingElseIsLookedAt) {
   const CurrentContext context(host);
   use(*context, kFour);
   ASSERT_TRUE(draw(*context));
-  const std::uint64_t selections = context->selections;
+  const std::uint64_t selections = context->effective.selections;
   for (int i = 1; i < 4; ++i) {
     handlers::ProgramEnvParameter4fARB(*context, kFragment, 5, GLfloat(i), 0, 0, 0);
     EXPECT_EQ(context->attention, attention::kFragmentParameters);
@@ -96,7 +96,7 @@ TEST(Draw, AParameterAloneIsSentAndNothingElseIsLookedAt) {
     EXPECT_EQ(host.count("Uniform4fv"), 1);
     EXPECT_EQ(context->attention, 0u);
   }
-  EXPECT_EQ(context->selections, selections);
+  EXPECT_EQ(context->effective.selections, selections);
   EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 4u);
 }
 
@@ -254,7 +254,7 @@ TEST(Draw, AUseProgramThatFailsLeavesTheApplicationsProgram) {
   handlers::GetIntegerv(*context, GL_CURRENT_PROGRAM, &current);
   EXPECT_EQ(current, 0);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->path, Path::HostGlsl);
+  EXPECT_EQ(context->effective.path, Path::HostGlsl);
 }
 
 TEST(Draw, PathsAreCountedWithTheirReason) {
@@ -286,15 +286,15 @@ TEST(Draw, AContextOfTheGroupSeesAReloadWhenItIsMadeCurrent) {
     load(*second, kFour);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->linkedProgram->fragment.compiled->text, kFour) << "it selects programs anew";
+    EXPECT_EQ(first->effective.linkedProgram->fragment.compiled->text, kFour) << "it selects programs anew";
     handlers::BindProgramARB(*first, kFragment, name);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->linkedProgram->fragment.compiled->text, kFour);
+    EXPECT_EQ(first->effective.linkedProgram->fragment.compiled->text, kFour);
     makeCurrent(&*second);
     load(*second, kThree);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->linkedProgram->fragment.compiled->text, kThree)
+    EXPECT_EQ(first->effective.linkedProgram->fragment.compiled->text, kThree)
         << "with two contexts each draw looks";
     makeCurrent(&*second);
   }
@@ -331,7 +331,7 @@ TEST(Draw, VariantsDoNotPileUp) {
     else
       handlers::DeleteProgramsARB(*context, 1, &name);
   }
-  EXPECT_LE(context->linkedPrograms->size(), 2u);
+  EXPECT_LE(context->hostSide.linkedPrograms->size(), 2u);
   EXPECT_LE(host.programs.size(), 2u);
   EXPECT_LE(host.shaders.size(), 2u) << "a shader goes with its program";
 }
@@ -364,7 +364,7 @@ TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
   EXPECT_EQ(host.count("LinkProgram"), 5);
   EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 9u);
   handlers::DeleteProgramsARB(*context, 2, vertices);
-  EXPECT_EQ(context->linkedPrograms->size(), 0u);
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 0u);
   EXPECT_EQ(host.shaders.size(), 2u);
 }
 

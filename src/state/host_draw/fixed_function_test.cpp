@@ -50,10 +50,10 @@ TEST(FixedFunctionState, WhatChangesItIsSeen) {
   handlers::Enable(*context, GL_FRAGMENT_SHADER_ATI);
   host.enabled = {GL_TEXTURE_2D};
   ASSERT_TRUE(draw(*context));
-  const LinkedProgram *const flat = context->linkedProgram;
+  const LinkedProgram *const flat = context->effective.linkedProgram;
   const auto expectAnother = [&](const char *after) {
     ASSERT_TRUE(draw(*context));
-    EXPECT_NE(context->linkedProgram, flat) << after;
+    EXPECT_NE(context->effective.linkedProgram, flat) << after;
   };
   host.enabled = {GL_TEXTURE_2D, GL_TEXTURE_3D};
   handlers::Enable(*context, GL_TEXTURE_3D);
@@ -61,19 +61,19 @@ TEST(FixedFunctionState, WhatChangesItIsSeen) {
   host.enabled = {GL_TEXTURE_2D};
   handlers::Disable(*context, GL_TEXTURE_3D);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->linkedProgram, flat) << "a form is made once";
+  EXPECT_EQ(context->effective.linkedProgram, flat) << "a form is made once";
   host.enabled = {GL_TEXTURE_2D, GL_FOG};
   handlers::PopAttrib(*context);
   expectAnother("PopAttrib");
-  const LinkedProgram *const fog = context->linkedProgram;
+  const LinkedProgram *const fog = context->effective.linkedProgram;
   host.integers[GL_FOG_MODE] = GL_LINEAR;
   handlers::Fogi(*context, GL_FOG_MODE, GL_LINEAR);
   expectAnother("Fog");
-  EXPECT_NE(context->linkedProgram, fog);
+  EXPECT_NE(context->effective.linkedProgram, fog);
   host.enabled = {GL_TEXTURE_2D, GL_COLOR_SUM};
   handlers::CallList(*context, 7);
   expectAnother("CallList");
-  EXPECT_EQ(context->linkedPrograms->size(), 5u);
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 5u);
 }
 
 TEST(FixedFunctionState, UnitsThatAreNotSampledMakeNoForms) {
@@ -85,7 +85,7 @@ TEST(FixedFunctionState, UnitsThatAreNotSampledMakeNoForms) {
   host.enabled = {GL_TEXTURE_CUBE_MAP};
   handlers::Enable(*context, GL_TEXTURE_CUBE_MAP);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->linkedPrograms->size(), 1u);
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 1u);
   EXPECT_EQ(host.count("ActiveTexture"), 0) << "no unit is looked at";
 }
 

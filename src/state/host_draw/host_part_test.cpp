@@ -40,17 +40,17 @@ protected:
 TEST_F(HostPartWaits, UntilTheHostDraws) {
   use(*m_context, kRed);
   rasterize();
-  ASSERT_NE(m_context->linkedProgram, nullptr);
-  EXPECT_NE(m_context->linkedProgram->fragment.compiled, nullptr);
+  ASSERT_NE(m_context->effective.linkedProgram, nullptr);
+  EXPECT_NE(m_context->effective.linkedProgram->fragment.compiled, nullptr);
   EXPECT_TRUE(m_host.shaders.empty());
   EXPECT_EQ(callsOf("UseProgram"), 0);
-  const std::uint64_t selections = m_context->selections;
+  const std::uint64_t selections = m_context->effective.selections;
 
   ASSERT_TRUE(draw(*m_context));
-  EXPECT_EQ(m_host.currentProgram, m_context->linkedProgram->hostProgram);
+  EXPECT_EQ(m_host.currentProgram, m_context->effective.linkedProgram->hostProgram);
   EXPECT_NE(m_host.currentProgram, 0u);
   // The rasterizer's choice for these programs must stay valid.
-  EXPECT_EQ(m_context->selections, selections);
+  EXPECT_EQ(m_context->effective.selections, selections);
   EXPECT_EQ(m_context->attention & attention::kHostPart, 0u);
 
   m_host.calls.clear();
@@ -90,8 +90,8 @@ TEST_F(HostPartWaits, ARefusalIsMetAtTheHostsDraw) {
   rasterize();
   m_host.linkFails = true;
   EXPECT_FALSE(draw(*m_context));
-  EXPECT_EQ(m_context->path, Path::HostRefused);
-  EXPECT_EQ(m_context->linkedProgram, nullptr);
+  EXPECT_EQ(m_context->effective.path, Path::HostRefused);
+  EXPECT_EQ(m_context->effective.linkedProgram, nullptr);
 }
 
 TEST_F(HostPartWaits, AnEarlierProgramOfOursIsNotTakenForTheApplications) {
@@ -102,9 +102,9 @@ TEST_F(HostPartWaits, AnEarlierProgramOfOursIsNotTakenForTheApplications) {
   rasterize();
   m_context->group->hostListsChangeProgram = true;
   afterHostList(*m_context);
-  EXPECT_EQ(m_context->applicationProgram, 0u);
+  EXPECT_EQ(m_context->application.program, 0u);
   ASSERT_TRUE(draw(*m_context));
-  EXPECT_EQ(m_context->path, Path::HostGlsl);
+  EXPECT_EQ(m_context->effective.path, Path::HostGlsl);
 }
 
 TEST_F(HostPartWaits, AProgramThatIsDeletedMeanwhileLeavesNothing) {
@@ -123,7 +123,7 @@ TEST_F(HostPartWaits, FixedFunctionInsteadLetsTheHostGo) {
   handlers::Disable(*m_context, kFragment);
   ASSERT_TRUE(draw(*m_context));
   EXPECT_EQ(m_host.currentProgram, 0u);
-  EXPECT_FALSE(m_context->hostPartWaits);
+  EXPECT_FALSE(m_context->effective.hostPartWaits);
 }
 
 } // namespace

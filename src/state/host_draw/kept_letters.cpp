@@ -10,7 +10,7 @@ void drawKeptLetters(Context &context) {
     return; // not possible now; a later draw will do it
   context.attention &= ~attention::kLetters;
   // Clear is an error if the framebuffer is incomplete.
-  const HostErrorScope errors(*context.host, context.pendingError);
+  const HostErrorScope errors(*context.host, context.errors.pending);
   context.host->Clear(0);
 }
 

@@ -39,8 +39,8 @@ TEST(Numerics, AHostWithoutTheExtensionsIsGivenLegacy) {
     EXPECT_EQ(context->numerics, fp::Numerics::Legacy);
     use(*context, kFragmentText);
     ASSERT_TRUE(draw(*context));
-    EXPECT_TRUE(has(*context->linkedProgram->fragment.compiled, "arb_mul("));
-    EXPECT_FALSE(has(*context->linkedProgram->fragment.compiled, "arb_round("));
+    EXPECT_TRUE(has(*context->effective.linkedProgram->fragment.compiled, "arb_mul("));
+    EXPECT_FALSE(has(*context->effective.linkedProgram->fragment.compiled, "arb_round("));
   }
   FakeHost able;
   addExtensions(able);
@@ -55,14 +55,14 @@ TEST(Numerics, EveryStageAndFormFollows) {
   use(*context, kFragmentText);
   use(*context, kVertexText, kVertex);
   ASSERT_TRUE(draw(*context));
-  EXPECT_TRUE(has(*context->linkedProgram->fragment.compiled, "arb_round("));
-  EXPECT_TRUE(has(*context->linkedProgram->vertex.compiled, "arb_mul("));
-  EXPECT_FALSE(has(*context->linkedProgram->vertex.compiled, "arb_round("));
+  EXPECT_TRUE(has(*context->effective.linkedProgram->fragment.compiled, "arb_round("));
+  EXPECT_TRUE(has(*context->effective.linkedProgram->vertex.compiled, "arb_mul("));
+  EXPECT_FALSE(has(*context->effective.linkedProgram->vertex.compiled, "arb_round("));
   handlers::Enable(*context, GL_CLIP_PLANE0);
   host.enabled.insert(GL_CLIP_PLANE0);
   ASSERT_TRUE(draw(*context));
-  EXPECT_TRUE(has(*context->linkedProgram->vertex.compiled, "gl_ClipVertex"));
-  EXPECT_TRUE(has(*context->linkedProgram->vertex.compiled, "arb_mul("));
+  EXPECT_TRUE(has(*context->effective.linkedProgram->vertex.compiled, "gl_ClipVertex"));
+  EXPECT_TRUE(has(*context->effective.linkedProgram->vertex.compiled, "arb_mul("));
 }
 
 TEST(Numerics, AnAtiShaderFollows) {
@@ -75,8 +75,8 @@ TEST(Numerics, AnAtiShaderFollows) {
       "MUL r0, r0, color0;\nEndPass;\n",
       GL_TEXT_FRAGMENT_SHADER_ATI);
   ASSERT_TRUE(draw(*context));
-  EXPECT_TRUE(has(*context->linkedProgram->fragment.compiled, "arb_round("))
-      << context->linkedProgram->fragment.compiled->glsl.text;
+  EXPECT_TRUE(has(*context->effective.linkedProgram->fragment.compiled, "arb_round("))
+      << context->effective.linkedProgram->fragment.compiled->glsl.text;
 }
 
 TEST(Numerics, TheStatisticsSayBoth) {

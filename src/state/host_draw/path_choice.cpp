@@ -37,18 +37,18 @@ namespace {
 /// layer's is bound. Only the host knows whether a UseProgram succeeded and what a list did, so it
 /// is queried once after each.
 GLuint applicationProgram(Context &context) {
-  if (!context.applicationProgramKnown && !context.hostProgramIsOurs) {
+  if (!context.application.programKnown && !context.hostProgramIsOurs) {
     GLint current = 0;
     context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
-    context.applicationProgram = GLuint(current);
-    context.applicationProgramKnown = true;
+    context.application.program = GLuint(current);
+    context.application.programKnown = true;
   }
-  return context.applicationProgram;
+  return context.application.program;
 }
 
 GLuint applicationPipeline(Context &context) {
   GLint pipeline = 0;
-  if (context.pipelinesUsed && !context.stagePipeline->isBound())
+  if (context.application.pipelinesUsed && !context.hostSide.stagePipeline->isBound())
     context.host->GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &pipeline);
   return GLuint(pipeline);
 }
@@ -144,14 +144,14 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
     if (planes != 0) { // needs GLSL 1.30
       if (context.group->alphaDepthsUsed.load(std::memory_order_relaxed))
         depths = alphaDepthsOf(context, pair);
-      context.alphaDepths = depths;
+      context.effective.alphaDepths = depths;
       if (pair.fragment && pair.fragment->depths)
         pair.fragment = pair.fragment->depths->of(*pair.fragment, depths);
     }
     pair.vertex = pair.vertex->clipped->of(*pair.vertex, planes, depths);
   }
-  LinkedProgram *const linkedProgram =
-      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair)); // as in link()
+  LinkedProgram *const linkedProgram = context.hostSide.linkedPrograms->get(
+      context, pair, fragmentsOf(context, pair)); // as in link()
   context.stagesAreLinked =
       context.stagesAreLinked || (pair.fragment && linkedProgram->vertexProgram == 0);
   return linkedProgram;
@@ -174,7 +174,7 @@ bool isClippedOtherwise(Context &context, const CompiledProgram &vertex) {
 /// Draws both stages with the host's own assembly. Returns false if that is not possible.
 bool applyAssembly(Context &context, const ProgramPair &pair) {
   return !(pair.vertex && isClippedOtherwise(context, *pair.vertex)) &&
-         context.hostAssembly->apply(context, pair);
+         context.hostSide.assembly->apply(context, pair);
 }
 
 LinkedProgram *link(Context &context, const ProgramPair &pair) {
@@ -182,7 +182,7 @@ LinkedProgram *link(Context &context, const ProgramPair &pair) {
       (!drawsVerticesByAssembly(context) || isClippedOtherwise(context, *pair.vertex)))
     return linkGlsl(context, pair);
   LinkedProgram *const linkedProgram =
-      context.linkedPrograms->get(context, pair, fragmentsOf(context, pair));
+      context.hostSide.linkedPrograms->get(context, pair, fragmentsOf(context, pair));
   if (pair.vertex && !linkedProgram->vertexAssembly) // the host refuses it as assembly
     return linkGlsl(context, pair);
   return linkedProgram;
@@ -195,10 +195,10 @@ bool applicationShades(Context &context) {
 }
 
 Path choosePath(Context &context, HostPart part) {
-  context.linkedProgram = nullptr;
-  context.hostPartWaits = false;
+  context.effective.linkedProgram = nullptr;
+  context.effective.hostPartWaits = false;
   context.stagesAreLinked = false;
-  context.alphaDepths.reset();
+  context.effective.alphaDepths.reset();
   context.followsFixedFunction = false;
   if (context.textureShaders)
     context.textureShaders->effective = false;
@@ -247,14 +247,14 @@ Path choosePath(Context &context, HostPart part) {
   if (isTooLongForGlsl(context, pair) && applyAssembly(context, pair))
     return Path::HostAssembly;
   if (part == HostPart::WhenItDraws && mayWait(context, pair)) {
-    context.linkedProgram = context.linkedPrograms->place(context, pair);
-    context.hostPartWaits = true;
+    context.effective.linkedProgram = context.hostSide.linkedPrograms->place(context, pair);
+    context.effective.hostPartWaits = true;
     return Path::HostGlsl;
   }
   LinkedProgram *const linkedProgram = link(context, pair);
   if (linkedProgram->refused)
     return Path::HostRefused;
-  context.linkedProgram = linkedProgram;
+  context.effective.linkedProgram = linkedProgram;
   return linkedProgram->hostProgram != 0 ? Path::HostGlsl : Path::HostAssembly;
 }
 

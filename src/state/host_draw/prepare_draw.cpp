@@ -37,7 +37,7 @@ void prepareListDraw(Context &context) {
   if (context.listMode != GL_COMPILE_AND_EXECUTE)
     return;
   const std::uint32_t rest = context.attention & ~attention::kList;
-  if (rest == 0 || (rest == attention::kInvalid && context.hostAssembly->refuses()))
+  if (rest == 0 || (rest == attention::kInvalid && context.hostSide.assembly->refuses()))
     return;
   // Validation calls the host, and these calls must not be recorded in the application's list. The
   // segment that is opened next draws with the result.

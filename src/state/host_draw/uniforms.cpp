@@ -84,7 +84,7 @@ void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint3
   if ((attention & attention::kState) != 0 && linkedProgram.readsState)
     attention |= assembly;
   if ((attention & assembly) != 0)
-    context.hostAssembly->uploadParameters(context, attention);
+    context.hostSide.assembly->uploadParameters(context, attention);
 }
 
 } // namespace arbiter::state

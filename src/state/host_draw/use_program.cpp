@@ -33,7 +33,7 @@ void useProgram(Context &context, GLuint name) {
     releaseHostState(context);
   // The application cannot have created an object with a name of the layer's.
   context.host->UseProgram(guardedName(context, name));
-  context.applicationProgramKnown = false;
+  context.application.programKnown = false;
   invalidateProgram(context);
   if (!context.aliases) [[likely]]
     return;
@@ -154,7 +154,7 @@ void popAttrib(Context &context) {
     settleCurrentValues(*context.host);
   context.host->PopAttrib();
   // The enables that the layer itself made on the host must be neither saved nor restored.
-  context.hostAssembly->restoreEnables(context);
+  context.hostSide.assembly->restoreEnables(context);
   popEnables(context);
   noteFixedFunctionChange(context);
   noteTextureChange(context);

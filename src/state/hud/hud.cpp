@@ -75,7 +75,8 @@ Figures figuresOf(Context &context, Counters &counters) {
   for (std::size_t age = counters.times.count(); age-- > 0;)
     figures.times.push_back(float(counters.times.of(age)));
   for (std::size_t i = 0; i < counters.draws.size(); ++i) {
-    const std::uint64_t now = context.draws[i], before = std::exchange(counters.draws[i], now);
+    const std::uint64_t now = context.counters.draws[i],
+                        before = std::exchange(counters.draws[i], now);
     if (now != before)
       figures.draws.push_back({pathName(Path(i)), now - before});
   }
@@ -197,7 +198,7 @@ private:
 bool blit(Context &context, const Picture &picture, const swrast::Rect &place) {
   if (!context.caps.framebufferObjects)
     return false;
-  HostErrorScope errors(*context.host, context.pendingError);
+  HostErrorScope errors(*context.host, context.errors.pending);
   upload(context, picture);
   {
     const BlitState state(context);

@@ -91,7 +91,7 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
 void followAttribStack(Context &context) {
   if (context.insideBeginEnd)
     return;
-  context.hostAssembly->restoreEnables(context);
+  context.hostSide.assembly->restoreEnables(context);
   if (!context.group->hostListsNest.load(std::memory_order_relaxed))
     return;
   GLint depth = 0;

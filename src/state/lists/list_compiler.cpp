@@ -106,7 +106,7 @@ void ListCompiler::setMode(Context &context, std::uint16_t mode) {
   }
   context.attention |= attention::kList;
   if (mode == GL_COMPILE)
-    context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
+    context.drawCounter = &context.counters.draws[std::size_t(Path::Recorded)];
 }
 
 /// Makes an item of the segment, which the host has closed. Also adds an item for each push in it

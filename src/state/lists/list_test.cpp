@@ -219,7 +219,7 @@ TEST(Lists, TheHostRefusesDrawsWhileTheProgramIsNotValid) {
   const std::string enable = "Enable " + std::to_string(kFragment);
   const auto called = std::find(host.calls.begin(), host.calls.end(), "CallList 1");
   EXPECT_NE(std::find(host.calls.begin(), called, enable), called);
-  EXPECT_FALSE(context->hostAssembly->active()) << "left enabled on the host";
+  EXPECT_FALSE(context->hostSide.assembly->active()) << "left enabled on the host";
   EXPECT_EQ(host.currentProgram, 0u);
 }
 
@@ -230,14 +230,14 @@ TEST(Lists, FeedbackCopiesAreCountedWhenExecuted) {
   handlers::NewList(*context, 1, GL_COMPILE);
   handlers::CopyTexSubImage2D(*context, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
   handlers::EndList(*context);
-  EXPECT_EQ(context->feedback.copies(), 0u);
+  EXPECT_EQ(context->counters.feedback.copies(), 0u);
   handlers::CallList(*context, 1);
   handlers::CallList(*context, 1);
-  EXPECT_EQ(context->feedback.copies(), 2u);
+  EXPECT_EQ(context->counters.feedback.copies(), 2u);
   handlers::CopyTextureSubImage2DEXT(*context, 7, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
   handlers::CopyTextureSubImage2D(*context, 7, 0, 0, 0, 0, 0, 8, 8);
   handlers::CopyMultiTexSubImage2DEXT(*context, GL_TEXTURE0, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
-  EXPECT_EQ(context->feedback.copies(), 5u);
+  EXPECT_EQ(context->counters.feedback.copies(), 5u);
 }
 
 void point(Context &context) {

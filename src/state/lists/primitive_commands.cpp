@@ -57,7 +57,7 @@ void issueBegin(Context &context, GLenum mode) {
     return; // begins no primitive
   if (context.listMode)
     listCompiler(context).notePrimitive(Primitive::Open);
-  if (context.listMode != GL_COMPILE && !context.hostAssembly->refuses())
+  if (context.listMode != GL_COMPILE && !context.hostSide.assembly->refuses())
     context.insideBeginEnd = true;
 }
 

@@ -57,7 +57,7 @@ void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const Co
   if (context.caps.framebufferObjects)
     source.framebuffer = get(GL_READ_FRAMEBUFFER_BINDING);
   source.buffer = get(GL_READ_BUFFER);
-  context.feedback.record(to, kind, source, region, context.frames);
+  context.counters.feedback.record(to, kind, source, region, context.counters.frames);
 }
 
 namespace {

@@ -195,8 +195,8 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
   // For a repeated text, only named parameters and the last error may change.
   if (old && old->text == text) {
-    context.errorPosition = -1;
-    context.errorString = old->warnings;
+    context.errors.position = -1;
+    context.errors.text = old->warnings;
     if (!old->native.named.empty()) {
       storeFirstValues(object, old->native);
       noteLocalsChanged(context, object);
@@ -207,8 +207,8 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   const ProgramTarget &row = context.row(object.target);
   const fp::Compilation own = compileText(context, row, text);
   const fp::CheckResult &result = own.check;
-  context.errorPosition = result.errorPosition();
-  context.errorString = result.errorString(text);
+  context.errors.position = result.errorPosition();
+  context.errors.text = result.errorString(text);
   if (debugFlag(DebugFlag::Text))
     logText(LogLevel::Debug, "state", toHex(hashBytes(text)), text);
   std::optional<Replacement> replacement;
@@ -221,17 +221,17 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   captureLoad(context, object, text, result, compiled.get());
   if (!compiled) {
     logInfo("state", "context %u: program %u refused:\n%s", context.serial, object.name,
-            context.errorString.c_str());
+            context.errors.text.c_str());
     raise(context, GL_INVALID_OPERATION, "ProgramString: the program is not valid");
     return false;
   }
 
-  if (!context.errorString.empty()) // over a limit with ARBITER_LIMITS=report, or replaced
+  if (!context.errors.text.empty()) // over a limit with ARBITER_LIMITS=report, or replaced
     logInfo("state", "context %u: program %u loads with warnings:\n%s", context.serial, object.name,
-            context.errorString.c_str());
+            context.errors.text.c_str());
   if (!result.ok()) { // only the replacement is valid
-    context.errorPosition = -1;
-    context.errorString.clear();
+    context.errors.position = -1;
+    context.errors.text.clear();
   }
   if (controlled())
     noteLoadedText(object, compiled->hash);

@@ -17,7 +17,7 @@ TEST(Programs, FragmentProgramsNeverReachTheHost) {
   load(*context, "!!ARBfp1.0 junk");
   EXPECT_EQ(host.count("ProgramString"), 0);
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
-  EXPECT_EQ(context->errorPosition, 11);
+  EXPECT_EQ(context->errors.position, 11);
 }
 
 TEST(Programs, GenSkipsNamesThatWereBoundWithoutIt) {
@@ -50,7 +50,7 @@ TEST(Programs, NeitherTargetsTextReachesTheHost) {
   ASSERT_TRUE(draw(*context));
   load(*context, "!!ARBvp1.0 junk", kVertex);
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
-  EXPECT_EQ(context->errorPosition, 11);
+  EXPECT_EQ(context->errors.position, 11);
   ASSERT_EQ(host.assembly.size(), 1u);
   EXPECT_EQ(host.assembly.begin()->second,
             "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND\n")

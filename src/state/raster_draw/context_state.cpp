@@ -26,7 +26,7 @@ bool keepsLists(const Context &context) {
 }
 
 bool keepsEarlyLists(const Context &context) {
-  return !context.software && !context.softwareRefused && context.frames < kEarlyFrames &&
+  return !context.software && !context.softwareRefused && context.counters.frames < kEarlyFrames &&
          mayBeUsed(context);
 }
 
@@ -57,7 +57,7 @@ void engage(Context &context) {
 ContextState::ContextState(Context &context)
     : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps,
              context.attributesAlias ? context.aliases.get() : nullptr),
-      residency({context, context.caps, context.pendingError, context.neighbours,
+      residency({context, context.caps, context.errors.pending, context.neighbours,
                  context.group->deletedNames, context.group->textureViews, context.group->contexts,
                  draws, context.serial}) {}
 ContextState::~ContextState() = default;

@@ -27,11 +27,11 @@ namespace {
     return Fallback::List;
   if (isObserved(context)) [[unlikely]]
     return observed(context);
-  if (!context.linkedProgram) {
+  if (!context.effective.linkedProgram) {
     // The rasterizer also draws fixed function, without any program.
-    if (context.path == Path::HostAssembly && !applicationShades(context))
+    if (context.effective.path == Path::HostAssembly && !applicationShades(context))
       return Fallback::NotCompiled; // too long
-    if (context.path != Path::NoProgram || applicationShades(context))
+    if (context.effective.path != Path::NoProgram || applicationShades(context))
       return Fallback::NoFragmentProgram;
   }
   if (!context.software->residency.syncWithNeighbours()) [[unlikely]] {
@@ -119,8 +119,8 @@ void noteDrawn(Context &context, std::uint32_t draws) {
   ContextState &state = *context.software;
   state.drawn += draws;
   state.depthsTested = state.depthsTested || pipelineOf(context).testsDepth();
-  state.drawsPlain = state.drawsPlain && !context.linkedProgram;
-  context.draws[std::size_t(Path::Rasterizer)] += draws;
+  state.drawsPlain = state.drawsPlain && !context.effective.linkedProgram;
+  context.counters.draws[std::size_t(Path::Rasterizer)] += draws;
 }
 
 void giveToHost(Context &context, Fallback reason) {

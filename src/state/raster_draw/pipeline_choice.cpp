@@ -150,7 +150,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
 
 Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
                                   const Kind *vertices) {
-  Basis basis = {context.selections, context.software->residency.version(),
+  Basis basis = {context.effective.selections, context.software->residency.version(),
                  context.software->mayTestDepth(), context.software->history.mixesInVain,
                  context.software->history.look.side()};
   if (vertices) {
@@ -240,7 +240,7 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
   const bool keeps = keepsLooks(state);
   if (keeps && keepsLook(context, needsWhole(state, testsDepths)).isHosts())
     return Fallback::Look;
-  const bool isPlain = state.drawsPlain && !context.linkedProgram;
+  const bool isPlain = state.drawsPlain && !context.effective.linkedProgram;
   const bool mayWait = isMixed(state, testsDepths) || isPlain;
   m_wait = state.steady || keeps || m_readsRasterValues             ? Wait::UntilDone
            : mayWait && state.mayGoUnjudged(isPlain)                ? Wait::Not
@@ -252,7 +252,8 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
 Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *vertices) {
   if (context.numerics == fp::Numerics::Fp24)
     return Fallback::NotCompiled;
-  m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
+  m_compiled = context.effective.linkedProgram ? context.effective.linkedProgram->fragment.compiled
+                                               : nullptr;
   Outcome outcome;
   const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
   if (!outcome.ok())
@@ -294,7 +295,7 @@ Outcome Pipeline::chooseVertices(Context &context, Mirror &mirror, const Kind &k
   if (const char *const obstacle = mirror.obstacleOf(m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const CompiledProgram *const vertexProgram =
-      context.linkedProgram ? context.linkedProgram->vertex.compiled : nullptr;
+      context.effective.linkedProgram ? context.effective.linkedProgram->vertex.compiled : nullptr;
   return m_vertices.choose(context, mirror, vertexProgram,
                            m_program->functions->prepared()->shape(),
                            {mirror.drawsPoints(m_topology), kind.materials}, m_floatTarget, m_wait);

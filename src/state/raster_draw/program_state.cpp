@@ -127,7 +127,7 @@ bool ProgramValues::update(Context &context, const GenerationCounter &clock,
   bool changed = false;
   if (target) {
     // Read before the values, so that a concurrent change by another thread is seen next time.
-    const Versions now = {context.selections,
+    const Versions now = {context.effective.selections,
                           target->bound->version.load(std::memory_order_acquire),
                           target->envVersion};
     if (!(now == m_versions)) {

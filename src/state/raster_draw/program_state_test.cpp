@@ -70,7 +70,7 @@ TEST(ProgramValues, FollowEnvAndLocalParameters) {
   row.bound = std::make_shared<ProgramObject>(78, Target::Vertex);
   row.bound->locals.resize(8);
   row.bound->version = version;
-  ++context.selections;
+  ++context.effective.selections;
   EXPECT_TRUE(values.update(context, clock, &row));
   EXPECT_EQ(valueOf(values, local), Vec4{});
 }

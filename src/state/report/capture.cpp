@@ -108,18 +108,18 @@ void captureLoad(const Context &context, const ProgramObject &object, std::strin
                  const fp::CheckResult &result, const CompiledProgram *compiled) {
   if (capturing())
     CaptureRecord::instance()->loaded(context.serial, object.target, text, result,
-                                      context.errorString, compiled);
+                                      context.errors.text, compiled);
 }
 
 void captureEnter(Context &context) {
-  if (!capturing() || !context.linkedProgram)
+  if (!capturing() || !context.effective.linkedProgram)
     return;
-  CaptureEffective &effective = context.effective;
-  effective.path = std::size_t(context.path);
-  effective.hostBefore = context.draws[effective.path];
-  effective.rasterizedBefore = context.draws[std::size_t(Path::Rasterizer)];
-  const HostErrorScope scope(*context.host, context.pendingError);
-  for (const LinkedProgramStage *const stage : context.linkedProgram->stages()) {
+  CaptureEffective &effective = context.captured;
+  effective.path = std::size_t(context.effective.path);
+  effective.hostBefore = context.counters.draws[effective.path];
+  effective.rasterizedBefore = context.counters.draws[std::size_t(Path::Rasterizer)];
+  const HostErrorScope scope(*context.host, context.errors.pending);
+  for (const LinkedProgramStage *const stage : context.effective.linkedProgram->stages()) {
     if (!stage->compiled)
       continue;
     const auto slot = std::size_t(stage->compiled->target);
@@ -134,16 +134,16 @@ void captureEnter(Context &context) {
 void captureLeave(Context &context) {
   if (!capturing())
     return;
-  CaptureEffective &effective = context.effective;
-  const std::uint64_t host = context.draws[effective.path] - effective.hostBefore;
+  CaptureEffective &effective = context.captured;
+  const std::uint64_t host = context.counters.draws[effective.path] - effective.hostBefore;
   const std::uint64_t rasterized =
-      context.draws[std::size_t(Path::Rasterizer)] - effective.rasterizedBefore;
+      context.counters.draws[std::size_t(Path::Rasterizer)] - effective.rasterizedBefore;
   for (std::size_t i = 0; i < kTargetCount; ++i) {
     const std::shared_ptr<const CompiledProgram> program = std::move(effective.programs[i]);
     if (!program || host + rasterized == 0)
       continue;
     const std::vector<Vec4> *held = nullptr;
-    if (LinkedProgram *const linkedProgram = context.linkedProgram)
+    if (LinkedProgram *const linkedProgram = context.effective.linkedProgram)
       for (const LinkedProgramStage *const stage : linkedProgram->stages())
         if (stage->compiled == program.get())
           held = &stage->uploaded;
@@ -151,7 +151,7 @@ void captureLeave(Context &context) {
         {Target(i),
          program,
          context.serial,
-         context.frames,
+         context.counters.frames,
          {{{pathName(Path(effective.path)), host}, {pathName(Path::Rasterizer), rasterized}}},
          held,
          &effective.textures[i]});

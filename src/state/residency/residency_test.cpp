@@ -149,8 +149,8 @@ TEST_F(Residency, ErrorsThatWaitStay) {
   gl().Enable(GLenum(0x1234));
   drawAll(0x10203040);
   residency().synchronise("test");
-  EXPECT_EQ(context().pendingError, GLenum(GL_INVALID_ENUM));
-  context().pendingError = GL_NO_ERROR;
+  EXPECT_EQ(context().errors.pending, GLenum(GL_INVALID_ENUM));
+  context().errors.pending = GL_NO_ERROR;
 }
 
 TEST_F(Residency, ClearIsInMemoryWhereTheShadowIsValid) {

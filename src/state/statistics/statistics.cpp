@@ -36,14 +36,14 @@ struct Totals {
 
   void add(const Context &context) {
     for (int i = 0; i < kPathCount; ++i)
-      draws[std::size_t(i)] += context.draws[std::size_t(i)];
+      draws[std::size_t(i)] += context.counters.draws[std::size_t(i)];
     for (int i = 0; i < kCopyKindCount; ++i) {
-      const auto &from = context.feedback.totals(CopyKind(i));
+      const auto &from = context.counters.feedback.totals(CopyKind(i));
       copies[std::size_t(i)].copies += from.copies;
       copies[std::size_t(i)].pixels += from.pixels;
     }
-    frames += context.frames;
-    readBuffers += context.readBufferCalls;
+    frames += context.counters.frames;
+    readBuffers += context.counters.readBufferCalls;
     software.add(context);
   }
 };
@@ -224,7 +224,7 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
   row.underNativeLimits = result.underNativeLimits;
   row.errorPosition = result.errorPosition();
   row.refusal = refusal;
-  (result.ok() ? row.warning : row.error) = context.errorString;
+  (result.ok() ? row.warning : row.error) = context.errors.text;
   addProgram(row);
 }
 

@@ -60,7 +60,7 @@ inline bool draw(Context &context) {
 }
 
 inline std::uint64_t drawsBy(const Context &context, Path path) {
-  return context.draws[std::size_t(path)];
+  return context.counters.draws[std::size_t(path)];
 }
 
 } // namespace arbiter::state::testing

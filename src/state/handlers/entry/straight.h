@@ -131,7 +131,9 @@ ARBITER_EVALUATES(EvalPoint2)
 }
 
 /// True if the layer has raised no error.
-[[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
+[[nodiscard]] inline bool GetError(Context &context) {
+  return context.errors.pending == GL_NO_ERROR;
+}
 
 /// True for texture parameters that the layer handles: comparison and ranges. It handles all of
 /// them if textures choose among programs.

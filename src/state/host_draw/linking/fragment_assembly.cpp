@@ -84,21 +84,22 @@ Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
     return Fragments::Glsl;
   if (mayStayAssembly(context))
     return isHostsAsItIs(*pair.fragment) &&
-                   !changesOften(context.linkedPrograms->find(pair, Fragments::Assembly))
+                   !changesOften(context.hostSide.linkedPrograms->find(pair, Fragments::Assembly))
                ? Fragments::Assembly
                : Fragments::Glsl;
   if (!mayBeginAsAssembly(context) || !isPlain(*pair.fragment))
     return Fragments::Glsl;
-  const LinkedProgram *const before = context.linkedPrograms->find(pair, Fragments::Assembly);
-  return before && before->built && before->frame != context.frames ? Fragments::Glsl
-                                                                    : Fragments::Assembly;
+  const LinkedProgram *const before =
+      context.hostSide.linkedPrograms->find(pair, Fragments::Assembly);
+  return before && before->built && before->frame != context.counters.frames ? Fragments::Glsl
+                                                                             : Fragments::Assembly;
 }
 
 bool assemblyIsOver(Context &context) {
-  LinkedProgram &linkedProgram = *context.linkedProgram;
+  LinkedProgram &linkedProgram = *context.effective.linkedProgram;
   if (mayStayAssembly(context))
     return changesOften(&linkedProgram);
-  if (linkedProgram.frame != context.frames || !mayBeginAsAssembly(context))
+  if (linkedProgram.frame != context.counters.frames || !mayBeginAsAssembly(context))
     return true;
   GLint model = GL_SMOOTH;
   if (readsColors(*linkedProgram.fragment.compiled))

@@ -106,7 +106,7 @@ TEST_F(FragmentAssembly, ItIsGlslWhereTheHostDrawsWithItInALaterFrame) {
   const GLuint name = use(*m_context, kShading);
   ASSERT_TRUE(drawsByAssembly());
   ASSERT_TRUE(drawsByAssembly());
-  ++m_context->frames;
+  ++m_context->counters.frames;
   EXPECT_TRUE(drawsByGlsl());
   use(*m_context, kReading);
   EXPECT_TRUE(drawsByAssembly()) << "another one, whose first frame this is";
@@ -180,12 +180,12 @@ TEST_F(OwnFragments, APlainProgramIsForGood) {
   m_host.integers[GL_SHADE_MODEL] = GL_FLAT;
   const GLuint name = use(*m_context, kShading);
   EXPECT_TRUE(drawsByAssembly());
-  ++m_context->frames;
+  ++m_context->counters.frames;
   EXPECT_TRUE(drawsByAssembly());
   use(*m_context, kReading);
   use(*m_context, kVertices, kVertex);
   EXPECT_TRUE(drawsByAssembly()) << "beside a vertex program too";
-  ++m_context->frames;
+  ++m_context->counters.frames;
   handlers::BindProgramARB(*m_context, kFragment, name);
   EXPECT_TRUE(drawsByAssembly());
   EXPECT_EQ(m_host.assembly.size(), 4u) << "each is loaded once, that of vertices in two forms";
@@ -205,7 +205,7 @@ TEST_F(OwnFragments, AProgramWhoseParametersChangeBeforeEachDrawBecomesGlsl) {
   handlers::BindProgramARB(*m_context, kFragment, reading);
   EXPECT_TRUE(drawsByAssembly()) << "another one";
   handlers::BindProgramARB(*m_context, kFragment, changing);
-  ++m_context->frames;
+  ++m_context->counters.frames;
   EXPECT_TRUE(drawsByGlsl()) << "for good";
   use(*m_context, kVertices, kVertex);
   EXPECT_TRUE(drawsByGlsl()) << "in every pair";

@@ -93,7 +93,7 @@ bool HostAssembly::apply(Context &context, const ProgramPair &pair) {
                                                                                 &pair.fragment};
   for (std::size_t stage = 0; stage < wanted.size(); ++stage)
     if (*wanted[stage]) {
-      programs[stage] = context.linkedPrograms->assemblyOf(context, *wanted[stage]);
+      programs[stage] = context.hostSide.linkedPrograms->assemblyOf(context, *wanted[stage]);
       if (!programs[stage]) {
         release(context);
         return false;

@@ -162,12 +162,12 @@ GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
     return 0;
   const host::HostTable &host = *context.host;
   GLuint name = 0;
-  HostErrorScope scope(*context.host, context.pendingError);
+  HostErrorScope scope(*context.host, context.errors.pending);
   host.GenProgramsARB(1, &name);
   host.BindProgramARB(target, name);
   host.ProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.data());
   const bool refused = scope.failed();
-  context.hostAssembly->bindAgain(context, target);
+  context.hostSide.assembly->bindAgain(context, target);
   if (!refused)
     return name;
   logWarn("state", "the host's own compiler refuses program %s", toHex(compiled.hash).c_str());

@@ -61,7 +61,7 @@ bool hasPlainSamplers(const CompiledProgram &compiled) {
 /// Makes the host's program current, and looks up the uniforms of the given stages.
 void setUp(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
            LinkedProgram &linkedProgram) {
-  context.stagePipeline->useAlone(context, hostProgram);
+  context.hostSide.stagePipeline->useAlone(context, hostProgram);
   for (LinkedProgramStage *const stage : stages) {
     if (!stage->compiled)
       continue;
@@ -82,7 +82,7 @@ void destroy(Context &context, const LinkedProgram &linkedProgram) {
   for (const GLuint program : ownPrograms(linkedProgram)) {
     if (program == 0)
       continue;
-    context.stagePipeline->forget(context, program);
+    context.hostSide.stagePipeline->forget(context, program);
     context.group->removeHostProgram(program);
     context.host->DeleteProgram(program); // if current, deleted when it no longer is
   }
@@ -204,7 +204,7 @@ bool LinkedProgramCache::takeFragmentAssembly(
 /// program belongs to this pair alone. All others are linked once for all of their pairs.
 bool LinkedProgramCache::buildApart(Context &context, const ProgramPair &pair,
                                     LinkedProgram &linkedProgram) {
-  if (!context.stagePipeline->make(context))
+  if (!context.hostSide.stagePipeline->make(context))
     return false;
   LinkedProgram *const fragments = get(context, {nullptr, pair.fragment});
   const std::string whole =
@@ -230,7 +230,7 @@ bool LinkedProgramCache::buildApart(Context &context, const ProgramPair &pair,
 
 void LinkedProgramCache::build(Context &context, const ProgramPair &pair, Fragments fragments,
                                LinkedProgram &linkedProgram) {
-  const HostErrorScope scope(*context.host, context.pendingError);
+  const HostErrorScope scope(*context.host, context.errors.pending);
   if (pair.vertex && drawsVerticesByAssembly(context) &&
       buildOnAssembly(context, pair, fragments, linkedProgram))
     return;
@@ -296,7 +296,7 @@ LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair
     throw;
   }
   linkedProgram->built = true;
-  linkedProgram->frame = context.frames;
+  linkedProgram->frame = context.counters.frames;
   return linkedProgram;
 }
 
@@ -313,7 +313,7 @@ void LinkedProgramCache::deleteObjects(Context &context, const HostObjects &obje
   for (const auto &assembly : objects.assembly) {
     if (assembly->name == 0)
       continue;
-    context.hostAssembly->forget(context, assembly.get());
+    context.hostSide.assembly->forget(context, assembly.get());
     context.host->DeleteProgramsARB(1, &assembly->name);
   }
 }
@@ -325,9 +325,9 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
   std::erase_if(m_linkedPrograms, [&](const auto &entry) {
     if (entry.first.vertex != compiled && entry.first.fragment != compiled)
       return false;
-    if (context.linkedProgram == entry.second.get()) {
+    if (context.effective.linkedProgram == entry.second.get()) {
       captureLeave(context); // a capture reads the parameters of its last draw
-      context.linkedProgram = nullptr;
+      context.effective.linkedProgram = nullptr;
     }
     destroy(context, *entry.second);
     return true;
@@ -340,10 +340,10 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
 void LinkedProgramCache::sweep(Context &context) {
   std::vector<const CompiledProgram *> left;
   for (const auto &[compiled, objects] : m_objects) {
-    const bool effective =
-        context.hostAssembly->runs(compiled) ||
-        (context.linkedProgram && (context.linkedProgram->vertex.compiled == compiled ||
-                                   context.linkedProgram->fragment.compiled == compiled));
+    const bool effective = context.hostSide.assembly->runs(compiled) ||
+                           (context.effective.linkedProgram &&
+                            (context.effective.linkedProgram->vertex.compiled == compiled ||
+                             context.effective.linkedProgram->fragment.compiled == compiled));
     if (!effective && objects.compiled.use_count() == 1)
       left.push_back(compiled);
   }

@@ -24,14 +24,15 @@ GLuint guardedName(const Context &context, GLuint name) {
 }
 
 GLuint guardedPipeline(const Context &context, GLuint name) {
-  return context.stagePipeline && context.stagePipeline->owns(name) ? kUnknown : name;
+  return context.hostSide.stagePipeline && context.hostSide.stagePipeline->owns(name) ? kUnknown
+                                                                                      : name;
 }
 
 std::optional<GlslStages> attachedStages(Context &context, GLuint program) {
   constexpr GLsizei kMaxShaders = 32;
   GLuint shaders[kMaxShaders] = {};
   GLsizei count = 0;
-  const HostErrorScope scope(*context.host, context.pendingError);
+  const HostErrorScope scope(*context.host, context.errors.pending);
   context.host->GetAttachedShaders(program, kMaxShaders, &count, shaders);
   GlslStages stages;
   for (GLsizei i = 0; i < count; ++i) {
@@ -52,7 +53,7 @@ GlslStages stagesOf(Context &context, GLuint program) {
 
 GlslStages stagesOfPipeline(Context &context, GLuint pipeline) {
   GLint vertex = 0, fragment = 0;
-  const HostErrorScope scope(*context.host, context.pendingError);
+  const HostErrorScope scope(*context.host, context.errors.pending);
   context.host->GetProgramPipelineiv(pipeline, GL_VERTEX_SHADER, &vertex);
   context.host->GetProgramPipelineiv(pipeline, GL_FRAGMENT_SHADER, &fragment);
   return {vertex != 0, fragment != 0};

@@ -152,13 +152,13 @@ TEST_F(StagePipelines, TheApplicationsProgramsGoFirst) {
   handlers::UseProgram(*m_context, 77);
   EXPECT_EQ(boundPipeline(), 0u);
   ASSERT_TRUE(draw(*m_context));
-  EXPECT_EQ(m_context->path, Path::ApplicationGlsl);
+  EXPECT_EQ(m_context->effective.path, Path::ApplicationGlsl);
   handlers::UseProgram(*m_context, 0);
   ASSERT_TRUE(drawsApart());
   handlers::BindProgramPipeline(*m_context, 88); // it has no stages here
   EXPECT_EQ(boundPipeline(), 88u);
   ASSERT_TRUE(draw(*m_context));
-  EXPECT_EQ(m_context->path, Path::ApplicationPipeline);
+  EXPECT_EQ(m_context->effective.path, Path::ApplicationPipeline);
   EXPECT_EQ(boundPipeline(), 88u);
   handlers::BindProgramPipeline(*m_context, 0);
   ASSERT_TRUE(drawsApart());
@@ -171,7 +171,7 @@ TEST_F(StagePipelines, TheApplicationsProgramsGoFirst) {
   handlers::CallList(*m_context, 7);
   EXPECT_EQ(boundPipeline(), 0u);
   ASSERT_TRUE(draw(*m_context));
-  EXPECT_EQ(m_context->path, Path::ApplicationGlsl);
+  EXPECT_EQ(m_context->effective.path, Path::ApplicationGlsl);
 }
 
 TEST_F(StagePipelines, ProgramsThatAreDeletedLeaveNothing) {
@@ -217,7 +217,7 @@ TEST_F(StagePipelines, WhatTheHostDoesNotLinkIsRefused) {
   use(*m_context, choosing(), kVertex);
   use(*m_context, kShading);
   EXPECT_FALSE(draw(*m_context));
-  EXPECT_EQ(m_context->path, Path::HostRefused);
+  EXPECT_EQ(m_context->effective.path, Path::HostRefused);
   EXPECT_EQ(boundPipeline(), 0u);
 }
 

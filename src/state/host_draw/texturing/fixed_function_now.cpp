@@ -68,7 +68,7 @@ FogMode queryFog(Context &context) {
 }
 
 bool vertexProgramEffective(const Context &context) {
-  return context.applicationProgram != 0 || context.row(Target::Vertex).enabled ||
+  return context.application.program != 0 || context.row(Target::Vertex).enabled ||
          (context.vertexShaders && context.vertexShaders->effective);
 }
 

@@ -139,9 +139,9 @@ std::vector<GLuint> SamplerOverride::abandon() {
 }
 
 void releaseSamplers(Context &context) {
-  if (!context.samplerOverride->active())
+  if (!context.hostSide.samplerOverride->active())
     return;
-  context.samplerOverride->release(context);
+  context.hostSide.samplerOverride->release(context);
   context.attention |= attention::kCompare;
 }
 

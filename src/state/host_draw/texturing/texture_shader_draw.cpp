@@ -161,10 +161,10 @@ void followTextures(Context &context) {
     return; // the choice will look anyway
   TextureShaderState &shaders = *context.textureShaders;
   if (!shaders.effective) {
-    const LinkedProgram *const linked = context.linkedProgram;
+    const LinkedProgram *const linked = context.effective.linkedProgram;
     const bool combines = linked && linked->fragment.compiled &&
                           linked->fragment.compiled->target == Target::Combiners;
-    if ((combines || context.path == Path::NoProgram) && texturesNeedLayer(context))
+    if ((combines || context.effective.path == Path::NoProgram) && texturesNeedLayer(context))
       invalidateProgram(context);
     return;
   }

@@ -36,16 +36,16 @@ TEST(CombinerState, ADrawHasTheirProgram) {
   handlers::Enable(*context, GL_REGISTER_COMBINERS_NV);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 1u);
-  ASSERT_TRUE(context->linkedProgram);
-  EXPECT_EQ(context->linkedProgram->fragment.compiled->target, Target::Combiners);
-  const LinkedProgram *const linked = context->linkedProgram;
+  ASSERT_TRUE(context->effective.linkedProgram);
+  EXPECT_EQ(context->effective.linkedProgram->fragment.compiled->target, Target::Combiners);
+  const LinkedProgram *const linked = context->effective.linkedProgram;
   input(*context, GL_SECONDARY_COLOR_NV);
   ASSERT_TRUE(draw(*context));
-  EXPECT_NE(context->linkedProgram, linked);
+  EXPECT_NE(context->effective.linkedProgram, linked);
   input(*context, GL_PRIMARY_COLOR_NV);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->linkedProgram, linked) << "made once";
-  EXPECT_EQ(context->linkedPrograms->size(), 2u);
+  EXPECT_EQ(context->effective.linkedProgram, linked) << "made once";
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 2u);
 }
 
 TEST(CombinerState, WhatIsNotReadMakesNoProgram) {
@@ -53,11 +53,11 @@ TEST(CombinerState, WhatIsNotReadMakesNoProgram) {
   const CurrentContext context(host);
   handlers::Enable(*context, GL_REGISTER_COMBINERS_NV);
   ASSERT_TRUE(draw(*context));
-  const LinkedProgram *const linked = context->linkedProgram;
+  const LinkedProgram *const linked = context->effective.linkedProgram;
   handlers::CombinerInputNV(*context, GL_COMBINER3_NV, GL_RGB, GL_VARIABLE_A_NV, GL_FOG,
                             GL_SIGNED_NEGATE_NV, GL_RGB); // only one stage is active
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->linkedProgram, linked);
+  EXPECT_EQ(context->effective.linkedProgram, linked);
 }
 
 TEST(CombinerState, AConstantChoosesNothing) {
@@ -66,12 +66,12 @@ TEST(CombinerState, AConstantChoosesNothing) {
   handlers::Enable(*context, GL_REGISTER_COMBINERS_NV);
   input(*context, GL_CONSTANT_COLOR1_NV);
   ASSERT_TRUE(draw(*context));
-  const std::uint64_t selections = context->selections;
+  const std::uint64_t selections = context->effective.selections;
   const GLfloat color[] = {0.25f, 0, 0, 1};
   handlers::CombinerParameterfvNV(*context, GL_CONSTANT_COLOR1_NV, color);
   input(*context, GL_CONSTANT_COLOR1_NV); // unchanged
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->selections, selections);
+  EXPECT_EQ(context->effective.selections, selections);
   EXPECT_EQ(context->row(Target::Combiners).env[1][0], 0.25f);
 }
 

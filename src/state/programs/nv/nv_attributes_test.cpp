@@ -166,7 +166,7 @@ TEST(NvArrays, AProgramReadsThemWhereTheyAreEnabled) {
   handlers::Enable(*context, kNvVertex);
   ASSERT_TRUE(draw(*context));
   const auto reads = [&] {
-    LinkedProgram *const program = context->linkedProgram;
+    LinkedProgram *const program = context->effective.linkedProgram;
     std::set<int> generic;
     for (const fp::ir::Attribute &attribute : program->stages()[0]->compiled->program->attributes)
       if (attribute.kind == fp::ir::AttributeKind::Generic)

@@ -15,7 +15,7 @@ protected:
   void SetUp() override {
     loadNv(*m_context, kNvState, 102, kVsp);
     loadNv(*m_context, kNvFragment, 103, kFp);
-    ASSERT_EQ(error(*m_context), kNoError) << m_context->errorString;
+    ASSERT_EQ(error(*m_context), kNoError) << m_context->errors.text;
   }
   template <typename Function> void compile(GLuint list, Function &&commands) {
     handlers::NewList(*m_context, list, GL_COMPILE);

@@ -34,8 +34,8 @@ TEST(NvLoad, EachTargetTakesItsLanguagesAndTheArbs) {
          "!!VP1.1\nOPTION NV_position_invariant;\nMOV o[COL0], c[0];\nEND");
   loadNv(*context, kNvVertex, 107, "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND");
   loadNv(*context, kNvFragment, 108, "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND");
-  EXPECT_EQ(error(*context), kNoError) << context->errorString;
-  EXPECT_EQ(context->errorPosition, -1);
+  EXPECT_EQ(error(*context), kNoError) << context->errors.text;
+  EXPECT_EQ(context->errors.position, -1);
   EXPECT_EQ(query(*context, 101, GL_PROGRAM_TARGET_NV), GLint(kNvVertex));
   EXPECT_EQ(query(*context, 102, GL_PROGRAM_TARGET_NV), GLint(kNvState));
   EXPECT_EQ(query(*context, 103, GL_PROGRAM_TARGET_NV), GLint(kNvFragment));
@@ -76,7 +76,7 @@ TEST(NvLoad, ATextOfAnotherTargetFails) {
   for (const auto &[target, text] : wrong) {
     loadNv(*context, target, 108, text);
     EXPECT_EQ(error(*context), kOperation) << target << text;
-    EXPECT_GE(context->errorPosition, 0);
+    EXPECT_GE(context->errors.position, 0);
     EXPECT_FALSE(handlers::IsProgramARB(*context, 108));
   }
 }
@@ -281,7 +281,7 @@ TEST(NvExecute, AnInstructionReadsWhatOneBeforeItWrote) {
   loadNv(
       *context, kNvState, 102,
       "!!VSP1.0\nMOV c[90].x, v[0];\nADD c[90].x, c[90], v[0];\nMUL c[91], c[90], v[0].wwww;\nEND");
-  EXPECT_EQ(error(*context), kNoError) << context->errorString;
+  EXPECT_EQ(error(*context), kNoError) << context->errors.text;
   handlers::ProgramParameter4fNV(*context, kNvVertex, 90, 7, 7, 7, 7);
   const GLfloat input[] = {1, 2, 3, 4};
   handlers::ExecuteProgramNV(*context, kNvState, 102, input);

@@ -17,7 +17,7 @@ TEST(NvVertexProgram, TheCardTakesItsOwnLanguages) {
   loadNv(*context, kNvVertex, 2,
          "!!VP1.1\nOPTION NV_position_invariant;\nMOV o[COL0], c[95];\nEND");
   loadNv(*context, kNvState, 3, kVsp);
-  EXPECT_EQ(error(*context), kNoError) << context->errorString;
+  EXPECT_EQ(error(*context), kNoError) << context->errors.text;
   handlers::BindProgramNV(*context, kNvVertex, 1);
   handlers::Enable(*context, kNvVertex);
   handlers::ProgramParameter4fNV(*context, kNvVertex, 95, 1, 2, 3, 4);
@@ -32,13 +32,13 @@ TEST(NvVertexProgram, LaterLanguagesAreRefusedAndTheirProfilesNamed) {
   const CurrentContext context(host);
   loadNv(*context, kNvVertex, 1, "!!VP2.0\nMOV o[HPOS], v[OPOS];\nEND");
   EXPECT_EQ(error(*context), kOperation);
-  EXPECT_NE(context->errorString.find("nv30 to nv40"), std::string::npos) << context->errorString;
+  EXPECT_NE(context->errors.text.find("nv30 to nv40"), std::string::npos) << context->errors.text;
   loadNv(*context, kNvVertex, 1,
          "!!ARBvp1.0\nOPTION NV_vertex_program2;\nMOV result.position, vertex.position;\nEND");
   EXPECT_EQ(error(*context), kOperation);
   testing::load(*context, kFp, kFragment);
   EXPECT_EQ(error(*context), kOperation);
-  EXPECT_NE(context->errorString.find("nv30 to nv40"), std::string::npos) << context->errorString;
+  EXPECT_NE(context->errors.text.find("nv30 to nv40"), std::string::npos) << context->errors.text;
 }
 
 // The enumerants belong to NV_fragment_program.

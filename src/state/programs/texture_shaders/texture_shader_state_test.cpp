@@ -49,16 +49,16 @@ TEST(TextureShaderState, ADrawHasTheirProgram) {
   handlers::Enable(*context, GL_TEXTURE_SHADER_NV);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 1u);
-  ASSERT_TRUE(context->linkedProgram);
-  EXPECT_EQ(context->linkedProgram->fragment.compiled->target, Target::TextureShaders);
-  const LinkedProgram *const linked = context->linkedProgram;
+  ASSERT_TRUE(context->effective.linkedProgram);
+  EXPECT_EQ(context->effective.linkedProgram->fragment.compiled->target, Target::TextureShaders);
+  const LinkedProgram *const linked = context->effective.linkedProgram;
   operation(*context, GL_CULL_FRAGMENT_NV);
   ASSERT_TRUE(draw(*context));
-  EXPECT_NE(context->linkedProgram, linked);
+  EXPECT_NE(context->effective.linkedProgram, linked);
   operation(*context, GL_PASS_THROUGH_NV);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->linkedProgram, linked) << "made once";
-  EXPECT_EQ(context->linkedPrograms->size(), 2u);
+  EXPECT_EQ(context->effective.linkedProgram, linked) << "made once";
+  EXPECT_EQ(context->hostSide.linkedPrograms->size(), 2u);
 }
 
 TEST(TextureShaderState, AParameterChoosesNothing) {
@@ -67,11 +67,11 @@ TEST(TextureShaderState, AParameterChoosesNothing) {
   operation(*context, GL_PASS_THROUGH_NV);
   handlers::Enable(*context, GL_TEXTURE_SHADER_NV);
   ASSERT_TRUE(draw(*context));
-  const std::uint64_t selections = context->selections;
+  const std::uint64_t selections = context->effective.selections;
   handlers::TexEnvf(*context, GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_SCALE_NV, 3);
   operation(*context, GL_PASS_THROUGH_NV); // unchanged
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->selections, selections);
+  EXPECT_EQ(context->effective.selections, selections);
   const int row = fp::texture_shader::parameter(0, fp::texture_shader::Row::ScaleBias);
   EXPECT_EQ(context->row(Target::TextureShaders).env[std::size_t(row)][0], 3.0f);
 }

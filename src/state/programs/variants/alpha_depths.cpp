@@ -52,13 +52,14 @@ std::uint32_t alphaDepthsOf(Context &context, const ProgramPair &pair) {
 }
 
 bool mayFollowAlphaDepths(const Context &context) {
-  return context.alphaDepths && context.group->alphaDepthsUsed.load(std::memory_order_relaxed);
+  return context.effective.alphaDepths &&
+         context.group->alphaDepthsUsed.load(std::memory_order_relaxed);
 }
 
 void followAlphaDepths(Context &context) {
-  const LinkedProgram *const linked = context.linkedProgram;
-  if (linked &&
-      unitsOf(context, linked->vertex.compiled, linked->fragment.compiled) != *context.alphaDepths)
+  const LinkedProgram *const linked = context.effective.linkedProgram;
+  if (linked && unitsOf(context, linked->vertex.compiled, linked->fragment.compiled) !=
+                    *context.effective.alphaDepths)
     invalidateProgram(context);
 }
 

@@ -86,8 +86,8 @@ void applySprites(Context &context) {
   PointSprites *const sprites = spritesOf(context);
   if (!sprites || (sprites->form.units == 0 && sprites->hidden == 0)) [[likely]]
     return;
-  const bool draws = context.path == Path::HostGlsl && context.linkedProgram &&
-                     context.linkedProgram->fragment.compiled && sprites->form.units != 0;
+  const bool draws = context.effective.path == Path::HostGlsl && context.effective.linkedProgram &&
+                     context.effective.linkedProgram->fragment.compiled && sprites->form.units != 0;
   if (!draws)
     return releaseSprites(context);
   const auto more = std::uint8_t(sprites->form.units & ~sprites->hidden);

@@ -56,7 +56,7 @@ void leave(Context &context, LeftAlone &left) {
   const std::uint64_t patience = left.patience;
   // An early return, made because frame times changed, must not postpone the regular one.
   const std::uint64_t until =
-      left.until > context.frames ? left.until : context.frames + kFramesAlone;
+      left.until > context.counters.frames ? left.until : context.counters.frames + kFramesAlone;
   const bool keepsLists = left.refusedFrames < kRefusedAgain;
   state.residency.leave();
   context.software = nullptr;
@@ -66,7 +66,7 @@ void leave(Context &context, LeftAlone &left) {
   left.mostGainless = kRefusedAgain;
   left.keepsLists = keepsLists;
   left.figures = figures;
-  left.since = context.frames;
+  left.since = context.counters.frames;
   left.until = until;
   left.patience = patience;
 }
@@ -116,7 +116,8 @@ void leaveOrReturn(Context &context, Clock::time_point now) {
     judge(*state, left);
     if (gainsNothing(left))
       leave(context, left);
-  } else if (!state && context.leftAlone && isToReturn(*context.leftAlone, context.frames, now)) {
+  } else if (!state && context.leftAlone &&
+             isToReturn(*context.leftAlone, context.counters.frames, now)) {
     context.leftAlone->returns = true;
     context.softwareRefused = false; // the next draw calls engage()
     invalidateProgram(context);

@@ -27,7 +27,7 @@ protected:
     for (int i = 0; i < count; ++i) {
       if (context().software)
         context().software->fellBack(reason);
-      ++context().frames;
+      ++context().counters.frames;
       leaveOrReturn(context(), m_now);
     }
   }
@@ -142,7 +142,7 @@ TEST_F(Leave, FramesOfAnotherTimeAreLookedAtSoon) {
     int count = 0;
     for (; context().softwareRefused && count < most; ++count) {
       m_now += std::chrono::milliseconds(milliseconds);
-      ++context().frames;
+      ++context().counters.frames;
       leaveOrReturn(context(), m_now);
     }
     return count;

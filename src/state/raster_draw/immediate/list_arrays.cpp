@@ -39,7 +39,7 @@ bool applicationShadesVertices(Context &context) {
     return false;
   if (const GLuint program = name(GL_CURRENT_PROGRAM))
     return stagesOf(context, program).vertex;
-  const GLuint pipeline = context.pipelinesUsed ? name(GL_PROGRAM_PIPELINE_BINDING) : 0;
+  const GLuint pipeline = context.application.pipelinesUsed ? name(GL_PROGRAM_PIPELINE_BINDING) : 0;
   return pipeline != 0 && stagesOfPipeline(context, pipeline).vertex;
 }
 

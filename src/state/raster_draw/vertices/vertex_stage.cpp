@@ -125,7 +125,7 @@ Outcome VertexStage::bindTextures(Context &context, Mirror &mirror, Wait wait) {
 
 void VertexStage::findUnwritten(const Context &context) {
   m_unwritten.clear();
-  if (!m_compiled || context.linkedProgram->fragment.compiled)
+  if (!m_compiled || context.effective.linkedProgram->fragment.compiled)
     return;
   const auto &results = m_shape->outputs;
   for (std::size_t i = 0; i < m_fragments->inputs.size(); ++i) {

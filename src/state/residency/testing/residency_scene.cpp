@@ -72,7 +72,7 @@ void Residency::TearDown() {
   if (!m_context)
     return;
   EXPECT_EQ(gl().GetError(), GLenum(GL_NO_ERROR));
-  EXPECT_EQ(m_context->pendingError, GLenum(GL_NO_ERROR));
+  EXPECT_EQ(m_context->errors.pending, GLenum(GL_NO_ERROR));
   destroyContext(m_context);
   makeCurrent(nullptr);
   osMesa().destroy(m_osmesa);
