@@ -13,6 +13,7 @@
 #include "state/capabilities/host_caps.h"
 #include "state/core/attrib_stack.h"
 #include "state/core/context_hot.h"
+#include "state/core/draw_needs.h"
 #include "state/core/identity.h"
 #include "state/core/provider.h"
 #include "state/objects/capture_effective.h"
@@ -47,41 +48,6 @@ struct ContextState;
 struct LeftAlone;
 } // namespace software
 
-/// Reasons why a draw must do more than call the host: bits of ContextHot::attention. "Sticky" bits
-/// stay set after a draw has handled them.
-namespace attention {
-inline constexpr std::uint32_t kProgram = 1; ///< the effective program may have changed
-// Env or local parameters may have changed, for targets whose programs become the host's shader of
-// that stage.
-inline constexpr std::uint32_t kFragmentParameters = 2;
-inline constexpr std::uint32_t kVertexParameters = 4;
-inline constexpr std::uint32_t kParameters = kFragmentParameters | kVertexParameters;
-inline constexpr std::uint32_t kState = 8;      ///< sticky: a program reads GL state
-inline constexpr std::uint32_t kCompare = 16;   ///< sticky: a texture of a plain target must not
-                                                ///< compare depths
-inline constexpr std::uint32_t kInvalid = 32;   ///< sticky: draws are errors
-inline constexpr std::uint32_t kShared = 64;    ///< sticky: another context may load a program
-inline constexpr std::uint32_t kList = 128;     ///< sticky: a display list is being compiled
-inline constexpr std::uint32_t kSoftware = 512; ///< sticky: the rasterizer may draw
-/// Sticky: draws check replacement files and serve clients of control, as no frame ends here.
-inline constexpr std::uint32_t kWatch = 256;
-/// Sticky until validate(): the host has not been given the effective program.
-inline constexpr std::uint32_t kHostPart = 1024;
-inline constexpr std::uint32_t kDepth = 2048; ///< sticky: the host's shader has a depth texture
-                                              ///< mode compiled in
-/// An ended primitive is held back and not drawn yet (raster_draw/immediate/held.h). Every command
-/// but Begin and attributes draws it first.
-inline constexpr std::uint32_t kHeld = 4096;
-/// A primitive is being recorded (raster_draw/immediate/replay.h). Commands that are errors between
-/// Begin and End are refused.
-inline constexpr std::uint32_t kRecorded = 16384;
-/// The host defers bitmaps to its next draw (host_draw/kept_letters.h).
-inline constexpr std::uint32_t kLetters = 32768;
-/// Bits that stay set when the effective program changes or is validated.
-inline constexpr std::uint32_t kRemains = kList | kLetters;
-inline constexpr std::uint32_t kSprites = 8192; ///< sticky: points may need their own variant
-} // namespace attention
-
 /// Who draws, and why the host draws untouched. Each value is a row of the statistics.
 enum class Path : std::uint8_t {
   HostGlsl,             ///< the host, with GLSL made from the program
@@ -99,6 +65,10 @@ enum class Path : std::uint8_t {
 };
 inline constexpr int kPathCount = 11;
 [[nodiscard]] const char *pathName(Path path);
+/// True if draws of this path are errors, or draw nothing.
+[[nodiscard]] constexpr bool isDropped(Path path) {
+  return path == Path::InvalidProgram || path == Path::HostRefused;
+}
 
 /// The layer's own errors (2.5). While `pending` is empty, the host is asked.
 struct PendingErrors {

@@ -11,6 +11,7 @@
 #include "state/core/errors.h"
 #include "state/core/garbage.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/draw_needs.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/kept_letters.h"
 #include "state/host_draw/linking/fragment_assembly.h"
@@ -66,49 +67,9 @@ const char *pathName(Path path) {
 
 namespace {
 
-bool isDropped(Path path) { return path == Path::InvalidProgram || path == Path::HostRefused; }
-
 void setPath(Context &context, Path path) {
   context.effective.path = path;
   context.drawCounter = &context.counters.draws[std::size_t(path)];
-}
-
-/// Returns the attention bits that every draw needs while this path is in use.
-std::uint32_t stickyAttention(const Context &context) {
-  std::uint32_t bits = 0;
-  if (isDropped(context.effective.path))
-    bits |= attention::kInvalid;
-  if (context.effective.hostPartWaits)
-    bits |= attention::kHostPart;
-  if (nativeInputsMayChange(context) || vertexShaderFollows(context))
-    bits |= attention::kState;
-  if (mayFollowAlphaDepths(context))
-    bits |= attention::kDepth;
-  if (mayFollowCombinedDepths(context) || mayFollowTextures(context))
-    bits |= attention::kDepth;
-  if (mayFollowSprites(context))
-    bits |= attention::kSprites;
-  if (context.effective.linkedProgram) {
-    if (context.effective.linkedProgram->readsState)
-      bits |= attention::kState;
-    if (context.effective.linkedProgram->hasPlainSamplers && context.caps.samplerObjects &&
-        context.group->compareModeUsed.load(std::memory_order_relaxed))
-      bits |= attention::kCompare;
-  }
-  const bool needsLayer =
-      context.effective.path == Path::HostGlsl || context.effective.path == Path::HostAssembly ||
-      isDropped(context.effective.path) || context.row(Target::AtiText).enabled ||
-      context.row(Target::AtiApi).enabled || context.row(Target::Combiners).enabled ||
-      context.row(Target::VertexShader).enabled;
-  if (needsLayer && context.group->contexts.load(std::memory_order_relaxed) > 1)
-    bits |= attention::kShared;
-  if (context.softwarePossible)
-    bits |= attention::kSoftware;
-  // A client may also switch a program on again.
-  if ((needsLayer ? replacing() : controlled()) && context.counters.frames == 0 &&
-      !context.passThrough)
-    bits |= attention::kWatch;
-  return bits;
 }
 
 void releaseHostProgram(Context &context) {
@@ -227,6 +188,43 @@ void refreshEffective(Context &context, HostPart part) {
     installHostPart(context);
 }
 
+void sendKeptLetters(Context &context) {
+  if ((context.attention & attention::kLetters) != 0) [[unlikely]]
+    drawKeptLetters(context);
+}
+
+void followDepths(Context &context) {
+  if (mayFollowAlphaDepths(context)) [[unlikely]]
+    followAlphaDepths(context);
+}
+
+/// Chooses anew if the effective programs are assembly that the host should not have any more.
+void leaveCrowdedAssembly(Context &context) {
+  const LinkedProgram *const linkedProgram = context.effective.linkedProgram;
+  if (!linkedProgram || !linkedProgram->fragmentAssembly || !assemblyIsOver(context))
+    return;
+  invalidateProgram(context);
+  refreshEffective(context, HostPart::Now);
+}
+
+/// Sends env and local parameters to the host, for the stages that `needs` names.
+void sendParameters(Context &context, std::uint32_t needs) {
+  if (LinkedProgram *const linkedProgram = context.effective.linkedProgram)
+    uploadParameters(context, *linkedProgram, needs);
+  else if (context.effective.path == Path::HostAssembly && (needs & attention::kParameters) != 0)
+    context.hostSide.assembly->uploadParameters(context, needs);
+}
+
+/// Binds sampler objects that do not compare depths where `needed`, and else the application's.
+void applySamplers(Context &context, bool needed) {
+  LinkedProgram *const linkedProgram = context.effective.linkedProgram;
+  SamplerOverride &samplers = *context.hostSide.samplerOverride;
+  if (linkedProgram && needed)
+    samplers.apply(context, *linkedProgram);
+  else if (linkedProgram && samplers.active())
+    samplers.release(context);
+}
+
 } // namespace
 
 bool validatePrograms(Context &context) {
@@ -242,8 +240,8 @@ bool validatePrograms(Context &context) {
     return !isDropped(context.effective.path);
   // A client of the control interface is told how the programs draw, so the choice cannot wait.
   refreshEffective(context, controlHooks() ? HostPart::Now : HostPart::WhenItDraws);
-  context.attention = stickyAttention(context) |
-                      (context.attention & (attention::kRemains | attention::kParameters));
+  context.attention =
+      lastingNeeds(context) | (context.attention & (attention::kRemains | attention::kParameters));
   return !isDropped(context.effective.path);
 }
 
@@ -258,46 +256,29 @@ bool sendParametersAlone(Context &context) {
   // validatePrograms() does not update these, and leaves parameters to be sent.
   if (context.hostSide.samplerOverride->active() || !spritesAreTheHosts(context))
     return false;
-  if (LinkedProgram *const linkedProgram = context.effective.linkedProgram) {
-    if (linkedProgram->fragmentAssembly && linkedProgram->fragmentAssembly->changesOften)
-      return false; // validate() will choose anew
-    uploadParameters(context, *linkedProgram, context.attention);
-  } else if (context.effective.path == Path::HostAssembly) {
-    context.hostSide.assembly->uploadParameters(context, context.attention);
-  }
+  const LinkedProgram *const linkedProgram = context.effective.linkedProgram;
+  if (linkedProgram && linkedProgram->fragmentAssembly &&
+      linkedProgram->fragmentAssembly->changesOften)
+    return false; // validate() will choose anew
+  sendParameters(context, context.attention);
   context.attention = 0;
   context.hostSide.assembly->sendDirectly(verticesOfOwnLocals(context));
   return true;
 }
 
 bool validate(Context &context) {
-  if ((context.attention & attention::kLetters) != 0) [[unlikely]]
-    drawKeptLetters(context);
+  sendKeptLetters(context);
   refreshInputs(context);
-  if (mayFollowAlphaDepths(context)) [[unlikely]]
-    followAlphaDepths(context);
+  followDepths(context);
   followTextureChanges(context);
   followSprites(context);
   refreshEffective(context, HostPart::Now);
-  if (context.effective.linkedProgram && context.effective.linkedProgram->fragmentAssembly &&
-      assemblyIsOver(context)) {
-    invalidateProgram(context);
-    refreshEffective(context, HostPart::Now);
-  }
+  leaveCrowdedAssembly(context);
   applySprites(context);
-  const std::uint32_t sticky = stickyAttention(context);
-  if (context.effective.linkedProgram) {
-    LinkedProgram &linkedProgram = *context.effective.linkedProgram;
-    uploadParameters(context, linkedProgram, context.attention);
-    if ((sticky & attention::kCompare) != 0)
-      context.hostSide.samplerOverride->apply(context, linkedProgram);
-    else if (context.hostSide.samplerOverride->active())
-      context.hostSide.samplerOverride->release(context);
-  } else if (context.effective.path == Path::HostAssembly &&
-             (context.attention & attention::kParameters) != 0) {
-    context.hostSide.assembly->uploadParameters(context, context.attention);
-  }
-  context.attention = sticky | (context.attention & attention::kRemains);
+  const std::uint32_t lasting = lastingNeeds(context);
+  sendParameters(context, context.attention);
+  applySamplers(context, (lasting & attention::kCompare) != 0);
+  context.attention = lasting | (context.attention & attention::kRemains);
   context.hostSide.assembly->sendDirectly(verticesOfOwnLocals(context));
   return !isDropped(context.effective.path);
 }
