@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes src/state/core/extension_years.def: the year in which each OpenGL extension was first written.
+"""Writes src/state/identity/extension_years.def: the year in which each OpenGL extension was first written.
 
-usage: scripts/extension_years.py --registry DIR > src/state/core/extension_years.def
+usage: scripts/extension_years.py --registry DIR > src/state/identity/extension_years.def
        DIR: a checkout of Khronos' OpenGL-Registry (https://github.com/KhronosGroup/OpenGL-Registry)
 
 The year of an extension is the earliest date in its specification's header or revision history.

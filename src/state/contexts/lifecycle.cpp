@@ -9,7 +9,6 @@
 #include "host/null_host.h"
 #include "state/contexts/context_hooks.h"
 #include "state/contexts/watching.h"
-#include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
@@ -24,6 +23,7 @@
 #include "state/host_draw/linking/linked_program_cache.h"
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/texturing/sampler_override.h"
+#include "state/identity/active_profile.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_aliases.h" // its destructor

@@ -3,16 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "state/core/era_offers.h"
 #include "state/era/fences.h"
 #include "state/era/point_sprites.h"
 #include "state/era/vertex_array_objects.h"
 #include "state/era/vertex_array_range.h"
+#include "state/identity/era_offers.h"
 #include "state/objects/hints.h"
 
 /// Extensions from the years of the first fragment programs that today's hosts have dropped. They
 /// keep a little state in a context: fences, vertex array ranges, hints. The table of
-/// core/era_offers.cpp lists them and says where each is offered.
+/// identity/era_offers.cpp lists them and says where each is offered.
 namespace arbiter::state {
 
 /// The client state that PushClientAttrib saves.

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "state/contexts/lifecycle.h"
-#include "state/core/active_profile.h"
+#include "state/identity/active_profile.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/program_cache.h"
 #include "state/programs/variants/clipped_variant.h"

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "host/host_table.h"
-#include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/core/context_hooks.h"
+#include "state/identity/active_profile.h"
 #include "state/mirror/attribute_aliases.h"
 #include "util/flags.h"
 

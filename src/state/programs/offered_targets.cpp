@@ -6,9 +6,9 @@
 
 #include "fp_compiler/ati/limits.h"
 #include "host/host_table.h"
-#include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/era/era_state.h"
+#include "state/identity/active_profile.h"
 #include "state/imaging/imaging_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "fp_compiler/compiler.h"
-#include "state/core/active_profile.h"
+#include "state/identity/active_profile.h"
 #include "util/exit_lock.h"
 #include "util/file.h"
 #include "util/flags.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <mutex>
 
-#include "state/core/active_profile.h"
+#include "state/identity/active_profile.h"
 #include "util/hash.h"
 #include "util/log.h"
 

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "fp_compiler/resources.h"
-#include "state/core/active_profile.h"
+#include "state/identity/active_profile.h"
 #include "state/statistics/statistics.h"
 #include "util/defaults/report.h"
 #include "util/flags.h"

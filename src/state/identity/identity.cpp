@@ -1,4 +1,4 @@
-#include "state/core/identity.h"
+#include "state/identity/identity.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "state/core/active_profile.h"
-#include "state/core/era_offers.h"
+#include "state/identity/active_profile.h"
+#include "state/identity/era_offers.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -24,7 +24,7 @@ struct ExtensionYear {
 };
 constexpr ExtensionYear kYears[] = {
 #define EXTENSION_YEAR(name, year) {name, year},
-#include "state/core/extension_years.def"
+#include "state/identity/extension_years.def"
 #undef EXTENSION_YEAR
 };
 

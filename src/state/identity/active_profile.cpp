@@ -1,4 +1,4 @@
-#include "state/core/active_profile.h"
+#include "state/identity/active_profile.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 /// The identity shows the card's strings, and no more than host and layer can do.
-#include "state/core/identity.h"
+#include "state/identity/identity.h"
 
 #include <algorithm>
 #include <sstream>
@@ -286,7 +286,7 @@ TEST(ExtensionYears, AreThoseOfTheSpecifications) {
   std::size_t rows = 0;
   for (const char *name : {
 #define EXTENSION_YEAR(name, year) name,
-#include "state/core/extension_years.def"
+#include "state/identity/extension_years.def"
 #undef EXTENSION_YEAR
        }) {
     EXPECT_LT(std::string(before), name); // the search is binary

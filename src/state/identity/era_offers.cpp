@@ -1,9 +1,9 @@
-#include "state/core/era_offers.h"
+#include "state/identity/era_offers.h"
 
 #include <string>
 
 #include "state/capabilities/host_caps.h"
-#include "state/core/active_profile.h"
+#include "state/identity/active_profile.h"
 #include "util/flags.h"
 
 namespace arbiter::state {
