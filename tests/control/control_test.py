@@ -190,7 +190,7 @@ class Windows(Painting):
     def test_figures_are_in_the_frame(self):
         for more, words in self.CASES:
             with self.subTest(options=more, words=words), \
-                    self.painting(*words, options=('--hud', *more)) as output:
+                    self.painting(*words, options=('--hud=version,host,fps,graph,draws', *more)) as output:
                 self.assertTrue(output.waits_for('middle 255 255 0'))
                 end, counts = time.monotonic() + PATIENCE, []
                 while time.monotonic() < end and not (counts and counts[-1] > 1000):
@@ -212,6 +212,13 @@ class Windows(Painting):
             if last is not None and is_enough(last):
                 return True
         return False
+
+    def test_figures_leave_a_small_window_visible(self):
+        for more, words in self.CASES:
+            with self.subTest(options=more, words=words), \
+                    self.painting(*words, options=('--hud=top-right', *more)) as output:
+                self.assertTrue(self.counts_reach(output, 'upper right', lambda count: 500 < count < 2500))
+                self.assertTrue(self.counts_reach(output, 'shown', lambda count: count == 0))
 
     def test_figures_stand_in_the_corner_that_is_asked_for(self):
         for more, words in self.CASES:

@@ -108,10 +108,37 @@ TEST(Hud, DrawsABarAFrame) {
 }
 
 TEST(Hud, LettersGrowWithTheFrame) {
-  EXPECT_EQ(hud::scaleOf({}, 240), 1);
-  EXPECT_EQ(hud::scaleOf({}, 600), 2);
-  EXPECT_EQ(hud::scaleOf({}, 2160), 4);
-  EXPECT_EQ(hud::scaleOf({.scale = 3}, 240), 3);
+  EXPECT_EQ(hud::scaleOf({}, 320, 240), 1);
+  EXPECT_EQ(hud::scaleOf({}, 640, 480), 2);
+  EXPECT_EQ(hud::scaleOf({}, 800, 600), 2);
+  EXPECT_EQ(hud::scaleOf({}, 3840, 2160), 4);
+  EXPECT_EQ(hud::scaleOf({}, 320, 2160), 1) << "lines do not leave a narrow frame";
+  EXPECT_EQ(hud::scaleOf({.scale = 3}, 320, 240), 3);
+}
+
+/// Returns the number of lines, and adds 100 for a graph.
+int partsIn(int frameHeight, const HudOptions &options = {}) {
+  const HudOptions fitted = hud::fitted(options, frameHeight);
+  return int(hud::linesOf({}, fitted).size()) + (fitted.has(HudPart::Graph) ? 100 : 0);
+}
+
+TEST(Hud, LeavesSmallFramesVisible) {
+  EXPECT_EQ(partsIn(480), 105);
+  EXPECT_EQ(partsIn(400), 5);
+  EXPECT_EQ(partsIn(300), 3);
+  EXPECT_EQ(partsIn(200), 2);
+  EXPECT_EQ(partsIn(1), 1);
+  EXPECT_EQ(hud::linesOf({}, hud::fitted({}, 1)), std::vector<std::string>{"no frames yet"});
+  for (int height = 120; height < 480; ++height) {
+    const HudOptions fitted = hud::fitted({}, height);
+    EXPECT_LE(hud::pictureOf(hud::linesOf({}, fitted), {}, hud::scaleOf({}, 640, height)).height,
+              height / 8)
+        << height;
+  }
+  HudOptions asked;
+  asked.parts &= std::uint8_t(~(1u << unsigned(HudPart::Host)));
+  EXPECT_EQ(partsIn(200, asked), 104) << "parts that were asked for stay";
+  EXPECT_EQ(partsIn(200, {.scale = 1}), 105) << "and so do all where a scale was";
 }
 
 TEST(Hud, HasALetterForAllThatIsSaid) {

@@ -250,14 +250,14 @@ void draw(Context &context) {
   counters->times.frameEnded(remote::nowNanoseconds());
   if (!isShown())
     return;
-  const HudOptions &options = settings().hud;
   int width = 0, height = 0;
   if (!remote::drawableSize(context, width, height))
     return;
+  const HudOptions options = fitted(settings().hud, height);
   const Figures figures = figuresOf(context, *counters);
   const Picture picture = pictureOf(
       linesOf(figures, options), options.has(HudPart::Graph) ? figures.times : std::vector<float>(),
-      scaleOf(options, height));
+      scaleOf(options, width, height));
   const WindowDraw window(context);
   if (writeHere(context, picture))
     return;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kAdvance = kGlyphWidth + 1, kLine = kGlyphHeight + 2, kBorder = 2;
 constexpr int kGraphHeight = 24, kGraphBar = 2; ///< in pixels of a letter
+constexpr int kLarge = 480; ///< rows of a frame from which on letters are twice as high
 constexpr std::uint8_t kPaper = 24, kInk = 236, kBar = 120, kSlowBar = 200;
 
 std::string formatted(const char *format, double a, double b, double c) {
@@ -93,11 +94,29 @@ std::vector<std::string> linesOf(const Figures &figures, const HudOptions &optio
   return lines;
 }
 
-int scaleOf(const HudOptions &options, int frameHeight) {
-  constexpr int kLarge = 480; // from this height on letters are twice as high
+int scaleOf(const HudOptions &options, int frameWidth, int frameHeight) {
+  constexpr int kUsual = 48 * kAdvance + 2 * kBorder; // a line of 48 letters
   if (options.scale != 0)
     return options.scale;
-  return frameHeight < kLarge ? 1 : std::max(2, frameHeight / kLarge);
+  const int byHeight = frameHeight < kLarge ? 1 : std::max(2, frameHeight / kLarge);
+  return std::clamp(frameWidth / kUsual, 1, byHeight);
+}
+
+HudOptions fitted(HudOptions options, int frameHeight) {
+  // The part that goes first comes first.
+  constexpr HudPart kLeast[] = {HudPart::Graph, HudPart::Host, HudPart::Version, HudPart::Programs,
+                                HudPart::Draws};
+  if (options.parts != HudOptions{}.parts || options.scale != 0 || frameHeight >= kLarge)
+    return options;
+  for (const HudPart part : kLeast) {
+    int height = 2 * kBorder + (options.has(HudPart::Graph) ? kGraphHeight + 2 : 0);
+    for (unsigned i = 0; i < kHudParts; ++i)
+      height += options.has(HudPart(i)) && HudPart(i) != HudPart::Graph ? kLine : 0;
+    if (height <= frameHeight / 8)
+      break;
+    options.parts &= std::uint8_t(~(1u << unsigned(part)));
+  }
+  return options;
 }
 
 remote::Picture pictureOf(const std::vector<std::string> &lines, const std::vector<float> &times,

@@ -28,8 +28,12 @@ struct Figures {
 /// Returns the lines of the requested parts.
 [[nodiscard]] std::vector<std::string> linesOf(const Figures &figures, const HudOptions &options);
 /// Returns how many pixels wide a letter's pixel is, so that letters stay readable in a frame of
-/// that height.
-[[nodiscard]] int scaleOf(const HudOptions &options, int frameHeight);
+/// that size, and usual lines fit into its width.
+[[nodiscard]] int scaleOf(const HudOptions &options, int frameWidth, int frameHeight);
+/// Returns the options with as many parts as leave a small frame visible: they take an eighth of
+/// its height, or one line. Parts that the user chose among them all stay, and with a chosen scale
+/// all do.
+[[nodiscard]] HudOptions fitted(HudOptions options, int frameHeight);
 /// Draws lines, light on dark, above a graph of frame times; bottom row first.
 /// \param times ms; empty: no graph
 /// \param scale the width of a letter's pixel
