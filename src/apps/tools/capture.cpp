@@ -7,6 +7,7 @@
 
 #include "apps/tools/capture_page.h"
 #include "apps/tools/commands.h"
+#include "apps/tools/doctor/finding.h"
 #include "apps/tools/input.h"
 #include "apps/tools/launch/launch.h"
 #include "apps/tools/launch/supervise.h"
@@ -112,6 +113,7 @@ int capture(const CaptureArguments &arguments) {
   }
   const int status = supervise(environment.value(), arguments.command, [] {});
   if (status < 0)
+  doctor::sayWhatIsInTheWay(arguments.command, files.value());
     return kExitInternal;
   const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   if (fs::remove(layer.capture, error)) { // only an empty folder can be removed

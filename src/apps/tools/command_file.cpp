@@ -1,5 +1,6 @@
 #include "apps/tools/command_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -85,6 +86,20 @@ CommandFile findCommand(std::vector<std::string> words, std::span<const std::str
     command.problem = command.found + ": is not executable";
   command.interpreter = interpreterOf(command.path);
   return command;
+}
+
+std::optional<GivenToLoader> givenToLoader(const CommandFile &command) {
+  if (!defaults::isSystemLoader(fs::path(command.found).filename().native()))
+    return std::nullopt;
+  const defaults::Facts facts = factsOf(command);
+  const std::string program = defaults::programOf(facts).path;
+  if (program == facts.executable)
+    return std::nullopt;
+  GivenToLoader given{findCommand({program}), {}};
+  const auto option = std::find(command.words.begin(), command.words.end(), "--library-path");
+  if (option != command.words.end() && option + 1 != command.words.end())
+    given.libraryPath = option[1];
+  return given;
 }
 
 defaults::Facts factsOf(const CommandFile &command) {

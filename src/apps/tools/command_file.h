@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,15 @@ struct CommandFile {
 /// \param further folders to search after PATH
 [[nodiscard]] CommandFile findCommand(std::vector<std::string> words,
                                       std::span<const std::string_view> further = {});
+
+/// The program that a call of the C library's loader names.
+struct GivenToLoader {
+  CommandFile program;
+  std::string libraryPath; ///< the value of --library-path; empty: the option is not there
+};
+/// Returns the program of `ld-linux.so.2 --library-path lib ./game`. Returns nothing for other
+/// commands, and if the loader is given no file that exists.
+[[nodiscard]] std::optional<GivenToLoader> givenToLoader(const CommandFile &command);
 
 /// Returns the facts that identify the command's process (util/defaults/program.h). A script is
 /// identified by its interpreter, unless it starts Wine.

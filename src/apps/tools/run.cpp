@@ -6,20 +6,13 @@
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/input.h"
 #include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/shell_text.h"
 #include "apps/tools/launch/supervise.h"
 #include "util/record/live_record.h"
 
 namespace arbiter::tools {
 
 namespace {
-
-/// Quotes a text for a POSIX shell: 'text', with each ' written as '\''.
-std::string shellQuoted(const std::string &text) {
-  std::string quoted = "'";
-  for (const char c : text)
-    quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
 
 /// Returns the file pattern for statistics, with %p for process numbers; empty: no statistics.
 std::string recordPattern(const std::vector<Assignment> &environment) {

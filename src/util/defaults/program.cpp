@@ -51,9 +51,8 @@ bool isOf(std::string_view name, std::string_view stem) {
 
 /// True for loaders that are given the program's own file as a word.
 bool isElfLoader(std::string_view name) {
-  return name.starts_with("ld-linux") || name.starts_with("ld-2.") || name == "ld.so" ||
-         isOf(name, "box64") || isOf(name, "box86") || name.starts_with("FEX") ||
-         name.starts_with("qemu-");
+  return isSystemLoader(name) || isOf(name, "box64") || isOf(name, "box86") ||
+         name.starts_with("FEX") || name.starts_with("qemu-");
 }
 
 /// Returns the first word that is not an option. ld.so's options with a separate value are known.
@@ -150,6 +149,10 @@ void takeWindowsWord(Program &program, const Facts &facts, const std::string &wo
 bool isWine(std::string_view name) { return isOf(name, "wine"); }
 
 bool isLoader(std::string_view name) { return isWine(name) || isElfLoader(name); }
+
+bool isSystemLoader(std::string_view name) {
+  return name.starts_with("ld-linux") || name.starts_with("ld-2.") || name == "ld.so";
+}
 
 Facts ownFacts() {
   Facts facts;

@@ -43,6 +43,9 @@ struct Facts {
 /// True if it is Wine's, or a loader's for other machines (box64, qemu-i386) or for any program
 /// (ld-linux-x86-64.so.2).
 [[nodiscard]] bool isLoader(std::string_view name);
+/// True if it is the C library's loader (ld-linux-x86-64.so.2), by which a program runs as by the
+/// kernel.
+[[nodiscard]] bool isSystemLoader(std::string_view name);
 
 /// Returns the 128-bit XXH3 of a file as 32 hexadecimal digits, or "" if it cannot be read.
 [[nodiscard]] std::string hashOfFile(const std::string &path);

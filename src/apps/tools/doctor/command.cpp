@@ -6,6 +6,7 @@
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/input.h"
 #include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/shell_text.h"
 #include "util/json.h"
 
 namespace arbiter::tools {
@@ -36,7 +37,7 @@ bool isReached(const Examination &examination) {
                       [](const Finding &each) { return each.level == Level::Obstacle; });
 }
 
-void print(const Examination &examination, bool ran) {
+void print(const Examination &examination, const std::string &look, bool ran) {
   for (const Finding &each : examination.findings) {
     std::printf("%s: %s\n", nameOf(each.level), each.what.c_str());
     if (!each.file.empty())
@@ -44,11 +45,15 @@ void print(const Examination &examination, bool ran) {
     if (!each.remedy.empty())
       std::printf("  %s\n", each.remedy.c_str());
   }
-  if (isReached(examination))
-    std::printf(ran ? examination.has("refused") ? "Nothing else is in the way.\n"
-                                                 : "Nothing is in the way.\n"
-                    : "Nothing that a look at the files can tell is in the way (--run looks at a "
-                      "run of it).\n");
+  if (!isReached(examination))
+    return;
+  if (ran)
+    std::puts(examination.has("refused") ? "Nothing else is in the way."
+                                         : "Nothing is in the way.");
+  else
+    std::printf("Nothing that a look at the files can tell is in the way. To look at a run of it: "
+                "`%s`\n",
+                look.c_str());
 }
 
 void printJson(const Examination &examination, const DoctorArguments &arguments) {
@@ -80,7 +85,19 @@ void printJson(const Examination &examination, const DoctorArguments &arguments)
 /// True if there is a program that a run could tell more about.
 bool canRun(const Examination &examination) {
   return !examination.has("missing") && !examination.has("not_executable") &&
-         !examination.has("unknown_format") && !examination.has("windows_program");
+         !examination.has("unknown_format") && !examination.has("windows_program") &&
+         !examination.has("missing_interpreter");
+}
+
+/// Returns the command line that looks at a run of the command, with the layer's library if the
+/// user named one.
+std::string lookAtRun(const DoctorArguments &arguments, const std::vector<std::string> &command) {
+  std::vector<std::string> words = {"arbiter", "doctor", "--run"};
+  if (!arguments.library.empty())
+    words.insert(words.end(), {"--library", arguments.library});
+  words.emplace_back("--");
+  words.insert(words.end(), command.begin(), command.end());
+  return shellLine(words);
 }
 
 } // namespace
@@ -96,6 +113,7 @@ int diagnose(const DoctorArguments &arguments) {
     surroundings = doctor::surroundingsOf(files.value());
   surroundings.root = arguments.root;
   const CommandFile command = findCommand(arguments.command, kGamesFolders);
+  surroundings.look = lookAtRun(arguments, command.words);
   Examination examination = doctor::examine(command, surroundings);
   if (!files)
     examination.add({"no_layer",
@@ -103,8 +121,11 @@ int diagnose(const DoctorArguments &arguments) {
                      {},
                      "The layer itself is not there.",
                      "Install it, or name its library with --library."});
-  if (arguments.root.empty())
+  if (arguments.root.empty()) {
     doctor::examineHost(examination);
+    if (canRun(examination))
+      doctor::examineDisplay(examination, command.words);
+  }
   if (arguments.run && canRun(examination))
     doctor::runAndLook(examination, command, {arguments.library, arguments.seconds});
   std::stable_sort(examination.findings.begin(), examination.findings.end(),
@@ -112,7 +133,7 @@ int diagnose(const DoctorArguments &arguments) {
   if (arguments.json)
     printJson(examination, arguments);
   else
-    print(examination, arguments.run);
+    print(examination, surroundings.look, arguments.run);
   return isReached(examination) ? kExitOk : kExitDiffers;
 }
 

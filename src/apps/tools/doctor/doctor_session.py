@@ -4,6 +4,7 @@ A test is called as TEST ARBITER LAYER SOURCE_ROOT CXX [unittest arguments].
 """
 import json
 import pathlib
+import re
 import struct
 import subprocess
 import sys
@@ -23,6 +24,11 @@ def of_32_bits(path):
     struct.pack_into('<IIIIIIII', header, 52, 3, 128, 0, 0, 20, 20, 4, 1)
     header[128:148] = b'/lib/ld-linux.so.2\0\0'
     path.write_bytes(header)
+
+
+def loader_of(path):
+    """Returns the loader that a program's file names."""
+    return re.search(rb'/lib[\w./-]*ld-linux[\w.-]*', path.read_bytes()).group().decode()
 
 
 class Examined(Temporary):

@@ -6,6 +6,7 @@ usage: doctor_test.py ARBITER LAYER SOURCE_ROOT CXX [unittest arguments]
 import json
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -15,7 +16,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from command_session import FAKE as LAYER, arbiter  # noqa: E402
 from doctor_clients import CLIENT, GLX_CALL, GLX_CLIENT, GL_CALL, LONG, OPENS  # noqa: E402
-from doctor_session import CXX, Examined, of_32_bits  # noqa: E402
+from doctor_session import CXX, Examined, loader_of, of_32_bits  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 
@@ -23,6 +24,15 @@ class Doctor(Examined):
     def test_nothing_is_in_the_way(self):
         game = self.compile('game', GL_CALL, '-lGL')
         self.assertEqual(self.obstacles(self.ask(game)), set())
+
+    def test_each_finding_is_on_the_page(self):
+        ids = set()
+        for path in pathlib.Path(__file__).parent.glob('*.[ch]*'):
+            ids |= set(re.findall(r'(?:\{|\()"([a-z_]+)",\s*(?:Level::|opens)|\*k\w+ = "([a-z_]+)";', path.read_text()))
+        page = (pathlib.Path(__file__).parents[4] / 'docs/use/doctor.md').read_text()
+        names = {first or second for first, second in ids}
+        self.assertGreater(len(names), 30)
+        self.assertEqual([name for name in sorted(names) if f'`{name}`' not in page], [])
 
     def test_a_missing_file(self):
         found = self.ask(self.root / 'none')
@@ -40,6 +50,53 @@ class Doctor(Examined):
     def test_statically_linked_at_any_address(self):
         game = self.compile('game', 'int main() {}\n', '-static-pie')
         self.assertEqual(self.obstacles(self.ask(game)), {'static'})
+
+    def test_a_program_that_the_loader_is_given(self):
+        game = self.compile('game', GL_CALL, '-lGL')
+        loader = loader_of(game)
+        self.assertEqual(self.obstacles(self.ask(loader, game)), set())
+        self.libgl('own')
+        found = self.ask(loader, '--library-path', self.root / 'own', game, '-window')
+        self.assertEqual(self.obstacles(found), {'own_libgl'})
+        self.assertIn("by the loader's --library-path", found['own_libgl']['what'])
+        self.assertEqual(self.obstacles(self.ask(loader, self.compile('alone', 'int main() {}\n', '-static'))),
+                         {'static'})
+        self.assertEqual(self.obstacles(self.ask(loader, '--list')), set())
+
+    def test_a_loader_that_is_missing(self):
+        game = self.compile('game', GL_CALL, '-lGL', '-Wl,--dynamic-linker=/none/ld-linux-x86-64.so.2')
+        found = self.ask(game, options=('--run',))
+        self.assertEqual(self.obstacles(found), {'missing_interpreter'})
+        self.assertIn('its loader /none/ld-linux-x86-64.so.2 is not', found['missing_interpreter']['what'])
+        game = self.compile('lsb', GL_CALL, '-lGL', '-Wl,--dynamic-linker=/none/ld-lsb-x86-64.so.3')
+        self.assertIn('.so.2 /none/ld-lsb-x86-64.so.3`', self.ask(game)['missing_interpreter']['remedy'])
+
+    def test_an_interpreter_that_is_missing(self):
+        for line in ('#!/none/python2', '#!/usr/bin/env no-such-python'):
+            found = self.ask(self.script('game.py', line + '\n'))
+            self.assertEqual(self.obstacles(found), {'missing_interpreter'})
+            self.assertIn(f'names {line.split()[-1].strip("#!")},', found['missing_interpreter']['what'])
+
+    def test_commands_are_whole(self):
+        game = self.script('game.py', '#!/usr/bin/env python3\n')
+        look = f"`arbiter doctor --run --library {LAYER} -- {game} 'two words' -x=1`"
+        self.assertEqual(self.ask(game, 'two words', '-x=1')['interpreter']['remedy'], f'Run it: {look}.')
+        done = arbiter('doctor', '--library', LAYER, '--', game, 'two words', '-x=1')
+        self.assertEqual(done.stdout.splitlines()[-1],
+                         f'Nothing that a look at the files can tell is in the way. To look at a run of it: {look}')
+
+    def test_no_display(self):
+        none = {'DISPLAY': '', 'WAYLAND_DISPLAY': ''}
+        game = self.compile('game', GL_CALL, '-lGL')
+        found = self.ask(game, '-window', **none)
+        self.assertEqual((self.obstacles(found), found['no_display']['level']), (set(), 'possible'))
+        self.assertIn(f'`xvfb-run -a -s -noreset arbiter run -- {game} -window`', found['no_display']['remedy'])
+        for name in none:
+            self.assertNotIn('no_display', self.ask(game, **none | {name: ':97'}))
+        self.assertNotIn('no_display', self.ask(self.compile('other', 'int main() {}\n'), **none))
+        found = self.ask(self.compile('egl', CLIENT, '-lEGL'), options=('--run',), **none)
+        if 'host_unknown' not in found:
+            self.assertNotIn('no_display', found, 'it drew without one')
 
     def test_set_user_id(self):
         game = self.compile('game', GL_CALL, '-lGL')
@@ -68,7 +125,8 @@ class Doctor(Examined):
         found = self.ask(game)
         self.assertIn('other_width', self.obstacles(found))
         self.assertIn('32-bit (i386)', found['other_width']['what'])
-        for command in ('sudo dpkg --add-architecture i386', 'sudo apt install ./out/packages/'):
+        for command in ('sudo dpkg --add-architecture i386', './dev package i386',
+                        'sudo apt install ./libglx-arbiter0_*_i386.deb ./libarbiter-jit0_*_i386.deb'):
             self.assertIn(command, found['other_width']['remedy'])
 
     def test_vulkan_alone(self):
@@ -191,7 +249,10 @@ class Doctor(Examined):
                                   check=True).stdout.strip()
             shutil.copy(real, folder / name)
         found = self.ask(game, options=options)
-        self.assertEqual(self.obstacles(found), {'missing_library', 'no_libglvnd'})
+        self.assertEqual(self.obstacles(found), {'missing_interpreter', 'missing_library', 'no_libglvnd'})
+        loader = pathlib.Path(str(system) + loader_of(game))
+        loader.parent.mkdir(exist_ok=True)
+        loader.symlink_to('/lib/elsewhere')  # a link of that system
         self.assertIn('There is no libGL.so.1', found['no_libglvnd']['what'])
         shutil.copy(self.libgl('own'), folder / 'libGL.so.1')
         found = self.ask(game, options=options)
@@ -227,7 +288,7 @@ class Doctor(Examined):
         self.assertIn('64-bit', found['wine']['what'])
         found = self.ask(wine, self.windows_program(0x14C))
         self.assertEqual((self.obstacles(found), found['wine']['level']), (set(), 'possible'))
-        self.assertIn('libglx-arbiter0:i386', found['wine']['remedy'])
+        self.assertIn('libglx-arbiter0_*_i386.deb', found['wine']['remedy'])
         for words in (('explorer',), (self.path('none.exe'),), (self.windows_program(0x200),)):
             found = self.ask(wine, *words)
             self.assertIn('width its command line does not tell', found['wine']['what'])
@@ -301,6 +362,7 @@ class Doctor(Examined):
         for part in ('The profile r300 refuses 1 program ', 'line 66: more than 64 ALU instructions'):
             self.assertIn(part, found['refused']['what'])
         self.assertIn('--limits report or --profile host', found['refused']['remedy'])
+        self.assertIn(f'`arbiter run --limits report -- {game}`', found['refused']['remedy'])
         self.assertNotIn('refused', self.ask(game, options=('--run',), ARBITER_LIMITS='report'))
 
     def test_a_refused_program_is_named_once_and_in_the_statistics(self):
@@ -360,12 +422,13 @@ class Doctor(Examined):
         self.assertIn('was ended when its time was over', found['no_context']['what'])
         self.assertEqual(self.obstacles(found), {'no_gl', 'no_context'})
 
-    def test_a_run_without_a_display_says_so(self):
+    def test_a_run_without_a_display_says_so_once(self):
         game = self.compile('game', GL_CALL, '-lGL')
         for display, words in (({'DISPLAY': '', 'WAYLAND_DISPLAY': ''}, 'Neither DISPLAY nor WAYLAND_DISPLAY is set'),
                                ({'DISPLAY': ':97'}, 'Give it longer')):
             found = self.ask(game, options=('--run',), **display)
             self.assertIn(words, found['no_context']['remedy'])
+            self.assertNotIn('no_display', found)
 
 
 if __name__ == '__main__':

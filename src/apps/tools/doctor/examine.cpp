@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "apps/tools/doctor/finding.h"
+#include "apps/tools/launch/shell_text.h"
 
 namespace arbiter::tools::doctor {
 
@@ -71,15 +72,14 @@ void examineFile(Examination &examination, const CommandFile &command,
 
 void examineScript(Examination &examination, const CommandFile &command,
                    const Surroundings &surroundings, int step) {
-  const std::string interpreter =
-      command.interpreter.front().ends_with("/env") && command.interpreter.size() > 1
-          ? command.interpreter[1]
-          : fs::path(command.interpreter.front()).filename().string();
+  if (!examineInterpreter(examination, command))
+    return;
+  const std::string interpreter = fs::path(interpreterOf(command)).filename();
   if (!isShell(interpreter)) {
     examination.add({"interpreter", Level::Possible, command.path,
                      "It is a program for " + interpreter +
                          ", which loads GL by itself, if at all: its file does not tell.",
-                     "Run it: arbiter doctor --run."});
+                     runIt(surroundings) + "."});
     return;
   }
   const Script script = readScript(command.path);
@@ -95,7 +95,7 @@ void examineScript(Examination &examination, const CommandFile &command,
   if (script.starts.empty()) {
     examination.add({"launcher", Level::Possible, command.path,
                      "It is a script, and which program it starts its text does not tell.",
-                     "Run it, to see which processes draw: arbiter doctor --run."});
+                     runIt(surroundings, "Run it, to see which processes draw") + "."});
     return;
   }
   examination.add({"launcher",
@@ -107,7 +107,7 @@ void examineScript(Examination &examination, const CommandFile &command,
     examination.add({"library_path", Level::Possible, command.path,
                      "The script sets LD_LIBRARY_PATH: the program may get other libraries of GL "
                      "than are looked at here.",
-                     "Run it: arbiter doctor --run."});
+                     runIt(surroundings) + "."});
   if (step < kMostSteps)
     examineFile(examination, findCommand({script.starts}), surroundings, step + 1);
 }
@@ -132,15 +132,23 @@ void examineFile(Examination &examination, const CommandFile &command,
     examineScript(examination, command, surroundings, step);
     return;
   }
+  if (const auto given = givenToLoader(command); given && step < kMostSteps) {
+    Surroundings there = surroundings;
+    there.byLoader = true;
+    there.libraryPath = given->libraryPath;
+    examineFile(examination, given->program, there, step + 1);
+    return;
+  }
   examineProgram(examination, command.path, surroundings);
   const std::string name = fs::path(command.path).filename();
   if (beginsWithOne(name, kInterpreters) || isShell(name) || defaults::isLoader(name)) {
-    std::erase_if(examination.findings, [](const Finding &each) {
-      return each.id == "no_gl" || each.id == "vulkan_only" || each.id == "gl_unsure";
+    std::erase_if(examination.findings, [&](const Finding &each) {
+      return each.id == "no_gl" || each.id == "vulkan_only" || each.id == "gl_unsure" ||
+             (each.id == "static" && defaults::isSystemLoader(name));
     });
     examination.add({"interpreter", Level::Possible, command.path,
                      "It runs other programs, which load GL by themselves, if at all.",
-                     "Run it: arbiter doctor --run."});
+                     runIt(surroundings) + "."});
   }
 }
 
@@ -149,10 +157,11 @@ void examineFile(Examination &examination, const CommandFile &command,
 Examination examine(const CommandFile &command, const Surroundings &surroundings) {
   Examination examination;
   if (command.isBeyondPath)
-    examination.add({"beyond_path", Level::Note, command.found,
-                     "It lies in " + fs::path(command.found).parent_path().string() +
-                         ", which PATH does not have.",
-                     "Name it with its folder: arbiter run -- " + command.found + "."});
+    examination.add(
+        {"beyond_path", Level::Note, command.found,
+         "It lies in " + fs::path(command.found).parent_path().string() +
+             ", which PATH does not have.",
+         "Name it with its folder: `arbiter run -- " + shellLine(command.words) + "`."});
   examineFile(examination, command, surroundings, 0);
   return examination;
 }

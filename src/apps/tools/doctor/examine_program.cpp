@@ -10,6 +10,7 @@
 
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/doctor/libraries.h"
+#include "apps/tools/launch/shell_text.h"
 
 namespace arbiter::tools::doctor {
 
@@ -38,7 +39,11 @@ struct Program {
           const Surroundings &around)
       : examination(to), path(file), elf(parsed), surroundings(around),
         folder(fs::path(file).parent_path()),
-        libraries(around.root, [](const char *name) -> const char * { return std::getenv(name); }),
+        libraries(around.root,
+                  [&](const char *name) -> const char * {
+                    return around.libraryPath.empty() ? std::getenv(name)
+                                                      : around.libraryPath.c_str();
+                  }),
         loaded(libraries.closure(file, parsed)),
         names(libraryNames(file, {std::begin(kGlLibraries), std::end(kGlLibraries)})) {}
 
@@ -124,7 +129,7 @@ void examineMissing(Program &program) {
                 "Install what has it.");
 }
 
-const char *wayOf(FoundBy by) {
+const char *wayOf(const Program &program, FoundBy by) {
   switch (by) {
   case FoundBy::Path:
     return "by its path";
@@ -133,7 +138,8 @@ const char *wayOf(FoundBy by) {
   case FoundBy::Runpath:
     return "by the DT_RUNPATH of the file";
   case FoundBy::Environment:
-    return "by LD_LIBRARY_PATH";
+    return program.surroundings.libraryPath.empty() ? "by LD_LIBRARY_PATH"
+                                                    : "by the loader's --library-path";
   default:
     return "from the system";
   }
@@ -179,12 +185,13 @@ void examineOwn(Program &program) {
     }
   for (const Libraries::Loaded &each : program.loaded)
     if (beginsWithOne(each.library.name, kGlLibraries) && isOwn(each.library)) {
-      addOwn(program, each.library, wayOf(each.library.by));
+      addOwn(program, each.library, wayOf(program, each.library.by));
       return;
     }
   for (const std::string &name : program.names)
     if (const Library library = opened(program, name); isOwn(library)) {
-      addOwn(program, library, std::string(wayOf(library.by)) + " (its name is in the file)");
+      addOwn(program, library,
+             std::string(wayOf(program, library.by)) + " (its name is in the file)");
       return;
     }
   for (const char *const beside : {"", "lib", "lib64", "libs"})
@@ -195,7 +202,7 @@ void examineOwn(Program &program) {
         program.add("bundled_libgl", Level::Possible,
                     "A libGL that is not libglvnd's lies beside it (" + library.path +
                         "); if that is loaded the layer is not.",
-                    "Run it: arbiter doctor --run; move the file away if it is in the way.");
+                    runIt(program.surroundings) + "; move the file away if it is in the way.");
         return;
       }
     }
@@ -255,15 +262,17 @@ bool examineUse(Program &program) {
   if (hasLibrary(program, [](std::string_view name) { return beginsWithOne(name, kToolkits); })) {
     program.add("gl_unsure", Level::Possible,
                 "It has nothing of GL itself, and a library that can load it.",
-                "Run it: arbiter doctor --run.");
+                runIt(program.surroundings) + ".");
     return true;
   }
   const bool opens = program.imports([](const std::string &name) { return name == "dlopen"; });
-  program.add("no_gl", opens ? Level::Possible : Level::Obstacle,
-              std::string("It uses no GL: neither it nor a library of it links or names one") +
-                  (opens ? "; it opens others while it runs." : "."),
-              opens ? "If it should draw, run it, to see which process does: arbiter doctor --run."
-                    : "If something draws, it is another program that this one starts; name that.");
+  program.add(
+      "no_gl", opens ? Level::Possible : Level::Obstacle,
+      std::string("It uses no GL: neither it nor a library of it links or names one") +
+          (opens ? "; it opens others while it runs." : "."),
+      opens ? runIt(program.surroundings, "If it should draw, run it, to see which process does") +
+                  "."
+            : "If something draws, it is another program that this one starts; name that.");
   return false;
 }
 
@@ -289,7 +298,7 @@ void addNoElf(Examination &examination, const std::string &path) {
   }
   if (start == "MZ")
     examination.add({"windows_program", Level::Obstacle, path, "It is a program for Windows.",
-                     "Run it by Wine: arbiter run -- wine " + path + "."});
+                     "Run it by Wine: `arbiter run -- " + shellLine({"wine", path}) + "`."});
   else
     examination.add({"unknown_format", Level::Obstacle, path,
                      "It is neither a program for Linux (ELF) nor a script that says what runs it.",
@@ -306,7 +315,9 @@ bool examineHeader(Examination &examination, const std::string &path, const ElfF
                      "Use a build of it that is linked dynamically."});
     return false;
   }
-  examineRights(examination, path);
+  examineLoader(examination, path, elf, surroundings);
+  if (!surroundings.byLoader) // the kernel then starts the loader, whose rights hold
+    examineRights(examination, path);
   examineWidth(examination, path, elf, surroundings);
   return true;
 }

@@ -33,6 +33,8 @@ struct Finding {
   std::string remedy; ///< a sentence; empty: no remedy exists
 };
 
+struct ElfFile;
+
 /// The result of examining a command.
 struct Examination {
   std::vector<std::string> files; ///< the examined files: the command's, then those that it starts
@@ -49,20 +51,33 @@ struct Examination {
 
 /// The examiner's data about the layer and the system.
 struct Surroundings {
-  std::string layer;  ///< the layer's library; empty: not found
-  std::string layers; ///< LayerFiles::preloads
-  std::string root;   ///< root of the examined system; empty: this system
+  std::string layer;       ///< the layer's library; empty: not found
+  std::string layers;      ///< LayerFiles::preloads
+  std::string root;        ///< root of the examined system; empty: this system
+  std::string look;        ///< the command line that looks at a run of the command
+  bool byLoader = false;   ///< the C library's loader is given the program, not the kernel
+  std::string libraryPath; ///< the loader's --library-path; empty: LD_LIBRARY_PATH holds
 };
 [[nodiscard]] inline Surroundings surroundingsOf(const LayerFiles &files) {
-  return {.layer = files.preload, .layers = files.preloads, .root = {}};
+  Surroundings surroundings;
+  surroundings.layer = files.preload;
+  surroundings.layers = files.preloads;
+  return surroundings;
 }
 
-/// The remedy if the 32-bit layer is missing.
+/// Returns "Run it: `arbiter doctor --run -- ./game`", the remedy if only a run can tell.
+[[nodiscard]] inline std::string runIt(const Surroundings &surroundings,
+                                       std::string_view how = "Run it") {
+  return std::string(how) + ": `" + surroundings.look + "`";
+}
+
+/// The remedy if the 32-bit layer is missing. Its packages come from where the installed ones do:
+/// no archive has them.
 inline constexpr const char *kRemedyOf32Bits =
-    "Install the layer for i386 beside it (libglx-arbiter0:i386 and libarbiter-jit0:i386). "
-    "Allow such packages: `sudo dpkg --add-architecture i386 && sudo apt update`. "
-    "Make them in Arbiter's source tree: `./dev package i386`. "
-    "Install them: `sudo apt install ./out/packages/*_i386.deb`.";
+    "Install the layer for i386 beside it. First `sudo dpkg --add-architecture i386 && sudo apt "
+    "update`. Its packages have the version of those that are installed: `sudo apt install "
+    "./libglx-arbiter0_*_i386.deb ./libarbiter-jit0_*_i386.deb`. Who has none makes them from "
+    "Arbiter's sources: `./dev package i386` there writes them into out/packages.";
 
 /// The id of the finding that the X server draws the program's contexts.
 inline constexpr const char *kIndirect = "indirect";
@@ -72,6 +87,23 @@ inline constexpr const char *kDirectRemedy =
 
 /// Examines the command's file, the file that a script starts, and their libraries. Runs nothing.
 [[nodiscard]] Examination examine(const CommandFile &command, const Surroundings &surroundings);
+
+/// Examines the loader that an ELF file names (PT_INTERP). The kernel says "No such file" of the
+/// program if that is missing (interpreter.cpp).
+void examineLoader(Examination &examination, const std::string &path, const ElfFile &elf,
+                   const Surroundings &surroundings);
+/// Examines the interpreter that a script's first line names.
+/// \returns true if it is there
+bool examineInterpreter(Examination &examination, const CommandFile &command);
+/// Returns the program that runs a script. `env` is replaced by the program that it looks up.
+/// \param command a script's
+[[nodiscard]] std::string interpreterOf(const CommandFile &command);
+
+/// Adds that no display is named, which a program that opens a window needs (display.cpp).
+/// \param command the command's words
+void examineDisplay(Examination &examination, const std::vector<std::string> &command);
+/// The id of that finding.
+inline constexpr const char *kNoDisplay = "no_display";
 
 /// Examines launchers of other programs, such as Wine and Steam (launchers.cpp). True if the
 /// command is one.
@@ -95,7 +127,6 @@ bool examineSandbox(Examination &examination, const CommandFile &command,
 /// \param layers the libraries' path, which may contain $LIB
 [[nodiscard]] bool layerServes(const std::string &layers, int bits, int machine);
 
-struct ElfFile;
 /// Examines the properties by which kernel and loader treat a program: static linking, rights,
 /// width (examine_program.cpp).
 /// \returns true if a library can be loaded into the program

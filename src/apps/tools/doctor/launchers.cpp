@@ -64,7 +64,7 @@ void examineWine(Examination &examination, const CommandFile &command,
   if (!bits) {
     examination.add({"wine", Level::Possible, command.found,
                      "Wine runs a program for Windows, whose width its command line does not tell.",
-                     "Run it: arbiter doctor --run."});
+                     runIt(surroundings) + "."});
     return;
   }
   examination.files.push_back(program);

@@ -16,6 +16,7 @@
 #include "apps/tools/doctor/finding.h"
 #include "apps/tools/input.h"
 #include "apps/tools/launch/launch.h"
+#include "apps/tools/launch/shell_text.h"
 #include "util/record/live_record.h"
 
 namespace arbiter::tools::doctor {
@@ -174,20 +175,17 @@ void addRefused(Examination &examination, const CommandFile &command, const Repo
                        "): what is drawn with " + (count == 1 ? "it" : "them") +
                        " may look different.",
                    "If something looks wrong, load " + std::string(count == 1 ? "it" : "them") +
-                       ": arbiter run " + report.remedy + "."});
+                       " (" + report.remedy + "): `arbiter run " +
+                       report.remedy.substr(0, report.remedy.find(" or ")) + " -- " +
+                       shellLine(command.words) + "`."});
 }
 
 std::string remedyWithoutContext(const Examination &examination) {
-  const auto isSet = [](const char *name) {
-    const char *const value = std::getenv(name);
-    return value != nullptr && *value != '\0';
-  };
   if (examination.has("no_gl"))
     return "Name the program that draws.";
-  if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY"))
-    return "Neither DISPLAY nor WAYLAND_DISPLAY is set, so that it can open no window: run it "
-           "where "
-           "there is a display, or by xvfb-run.";
+  for (const Finding &each : examination.findings)
+    if (each.id == kNoDisplay)
+      return each.what + " " + each.remedy;
   return "Give it longer (--for), and the window that it may ask for first; what else stands here "
          "may be why.";
 }
@@ -199,6 +197,7 @@ void add(Examination &examination, const CommandFile &command, const Report &rep
     examination.add({"no_context", Level::Obstacle, command.path,
                      ran + "; no process of it made a GL context through the layer.",
                      remedyWithoutContext(examination)});
+    std::erase_if(examination.findings, [](const Finding &each) { return each.id == kNoDisplay; });
     return;
   }
   dropDisproved(examination);

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <optional>
 
 #include "apps/tools/doctor/elf_file.h"
@@ -6,28 +7,27 @@
 
 namespace arbiter::tools::doctor {
 
-namespace {
-
-/// Returns the file that the kernel starts: the program, or a script's interpreter. `env` is
-/// replaced by the program that it looks up.
-std::string startedFile(const CommandFile &command) {
-  if (command.interpreter.empty())
-    return command.path;
-  const bool byEnv = command.interpreter.front().ends_with("/env");
-  return findCommand({command.interpreter[byEnv && command.interpreter.size() > 1 ? 1 : 0]}).path;
-}
-
-} // namespace
-
 Examination examineStart(const CommandFile &command, const Surroundings &surroundings) {
   Examination examination;
   if (command.found.empty() || !command.problem.empty())
     return examination; // the kernel reports the problem
   if (examineSandbox(examination, command, surroundings))
     return examination;
-  const std::string file = startedFile(command);
+  Surroundings there = surroundings;
+  std::string file = command.path;
+  if (!command.interpreter.empty()) {
+    if (!examineInterpreter(examination, command))
+      return examination;
+    file = findCommand({interpreterOf(command)}).path;
+  } else if (defaults::isSystemLoader(std::filesystem::path(command.found).filename().native())) {
+    const std::optional<GivenToLoader> given = givenToLoader(command);
+    if (!given)
+      return examination; // the loader itself says that it has no program
+    file = given->program.path;
+    there.byLoader = true;
+  }
   if (const std::optional<ElfFile> elf = readElf(file); elf && elf->executable)
-    examineHeader(examination, file, *elf, surroundings);
+    examineHeader(examination, file, *elf, there);
   return examination;
 }
 

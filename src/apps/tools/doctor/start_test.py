@@ -12,7 +12,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from command_session import ARBITER, FAKE as LAYER, arbiter  # noqa: E402
-from doctor_session import Examined, of_32_bits  # noqa: E402
+from doctor_session import Examined, loader_of, of_32_bits  # noqa: E402
 from plain_environment import plain  # noqa: E402
 
 STATIC = 'It is statically linked: nothing can be loaded into it.'
@@ -46,9 +46,25 @@ class Start(Examined):
     def test_a_program_of_32_bits(self):
         game = self.compile('game', 'int main() {}\n')
         of_32_bits(game)
-        line = self.said(game)[0][0]
+        line = self.said(game)[0][-1]
         self.assertIn('It is a 32-bit (i386) program', line)
         self.assertIn('sudo dpkg --add-architecture i386', line)
+
+    def test_a_loader_that_is_missing(self):
+        game = self.compile('game', 'int main() {}\n')
+        of_32_bits(game)
+        game.write_bytes(game.read_bytes().replace(b'/lib/ld-linux.so.2', b'/nil/ld-linux.so.2'))
+        lines, status = self.said(game)
+        self.assertIn('a 32-bit (i386) program, and its loader /nil/ld-linux.so.2 is not on this system', lines[0])
+        self.assertIn('sudo dpkg --add-architecture i386 && sudo apt update && sudo apt install libc6:i386', lines[0])
+        self.assertEqual(status, 127)
+        line, *_ = self.said(self.script('start', '#!/none/python2\n'))[0]
+        self.assertIn('its first line names /none/python2, which is not on this system', line)
+
+    def test_a_program_that_the_loader_is_given(self):
+        game = self.compile('game', 'int main() { return 7; }\n')
+        self.assertEqual(self.said(loader_of(game), game), ([], 7))
+        self.assertEqual(self.said(loader_of(game), '--library-path', self.root, game), ([], 7))
 
     @unittest.skipUnless(os.geteuid() == 0, 'another user is wanted')
     def test_a_set_user_id_program(self):
