@@ -68,7 +68,7 @@
  * `arbiter capture` (index.json, process-*.json), `arbiter report --json`,
  * `arbiter defaults --json` and `arbiter doctor --json` write.
  * It changes when a member changes its meaning or is removed; a new member does not change it. */
-#define ARBITER_STATS_SCHEMA 2
+#define ARBITER_STATS_SCHEMA 3
 #define ARBITER_CHECK_SCHEMA 1
 #define ARBITER_CAPTURE_SCHEMA 1
 #define ARBITER_REPORT_SCHEMA 1

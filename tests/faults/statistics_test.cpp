@@ -3,12 +3,14 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "state/statistics/statistics.h"
 #include "state/testing/current_context.h"
@@ -26,6 +28,54 @@ std::string read(const std::string &path) {
 }
 bool exists(const std::string &path) { return access(path.c_str(), F_OK) == 0; }
 
+/// The members that the page of statistics describes.
+constexpr const char *kMembers[] = {
+#define ARBITER_MEMBER(place, doc) place,
+#include "state/statistics/members.def"
+#undef ARBITER_MEMBER
+};
+constexpr const char *kPaths[] = {
+#define ARBITER_PATH(name, word, doc) word,
+#include "state/host_draw/paths.def"
+#undef ARBITER_PATH
+};
+
+/// Adds the places of a value's members: "programs[].counts".
+void addPlaces(std::set<std::string> &places, const nlohmann::json &value, const std::string &at) {
+  // The names in these are words, resources, commands or settings.
+  static const std::set<std::string> kFree = {
+      "defaults",       "programs[].counts",      "programs[].native_counts",
+      "feedback.kinds", "software.given_to_host", "draws.reasons"};
+  if (value.is_array())
+    for (const nlohmann::json &each : value)
+      addPlaces(places, each, at + "[]");
+  if (!value.is_object() || value.empty() || kFree.count(at) != 0) {
+    if (!value.is_array())
+      places.insert(at);
+    return;
+  }
+  for (const auto &[name, each] : value.items())
+    addPlaces(places, each, at.empty() ? name : at + "." + name);
+}
+
+/// Expects that the statistics have the members of members.def, and no others.
+void expectDescribed(const std::string &text) {
+  std::set<std::string> places;
+  addPlaces(places, nlohmann::json::parse(text), "");
+  std::set<std::string> described(std::begin(kMembers), std::end(kMembers));
+  for (const char *path : kPaths)
+    described.insert(std::string("draws.") + path);
+  for (const std::string &place : places)
+    EXPECT_EQ(described.count(place), 1u) << place << " is in no row of members.def";
+  // Some need a driver that is too old, a profile that refuses, or a warning.
+  for (const std::string place : kMembers) {
+    if (place.find("obstacle") == place.npos && place.find("refused") == place.npos &&
+        place.find("warning") == place.npos && place != "draws") {
+      EXPECT_EQ(places.count(place), 1u) << place << " is in no file";
+    }
+  }
+}
+
 TEST(Statistics, ProgramsAndDrawsAreInTheFile) {
   FakeHost host;
   {
@@ -41,10 +91,11 @@ TEST(Statistics, ProgramsAndDrawsAreInTheFile) {
   const std::string text = read(g_path);
   const std::string schema = "\"schema\": " + std::to_string(kStatisticsSchema);
   EXPECT_NE(text.find(schema), std::string::npos) << text;
-  EXPECT_NE(text.find("\"host_glsl\": 2"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"host-glsl\": 2"), std::string::npos) << text;
   EXPECT_NE(text.find("\"position\": 15"), std::string::npos) << text;
   EXPECT_NE(text.find("\"pixels\": 128"), std::string::npos) << text;
   EXPECT_NE(text.find("\"frames\": 1"), std::string::npos) << text;
+  expectDescribed(text);
   struct stat info {};
   ASSERT_EQ(stat(g_path.c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0777, mode_t(0600));

@@ -115,7 +115,7 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
   if (app.got_subcommand("report"))
     return report(arguments.report);
   if (app.got_subcommand("stats"))
-    return stats(arguments.stats);
+    return sumStatistics(arguments.stats);
   if (app.got_subcommand("defaults"))
     return defaultsCommand(app, arguments.defaults, std::move(command));
   if (app.got_subcommand("doctor"))

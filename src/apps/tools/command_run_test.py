@@ -145,12 +145,64 @@ class Run(Temporary):
         for words in (('stats', self.path('none.json')), ('stats', self.path('none-%p.json'))):
             seen = arbiter(*words)
             self.assertEqual((seen.returncode, seen.stdout), (1, ''))
-            self.assertIn('no process that was killed left a record of', seen.stderr)
+            self.assertIn('and no process that was killed left a record of it', seen.stderr)
         seen = arbiter('stats', self.path('a.json'), self.path('b.json'))
         self.assertEqual(seen.returncode, 1)
-        self.assertRegex(seen.stderr, r'record of \S+/a\.json\n.*record of \S+/b\.json\n')
+        self.assertRegex(seen.stderr, r'no statistics in \S+/a\.json,.*\n.*no statistics in \S+/b\.json,.*\n')
         seen = arbiter('stats', self.path('a.json'), self.path('none/b.json'))
         self.assertEqual(seen.stderr, f'arbiter stats: {self.path("none/b.json")}: no such folder\n')
+
+
+    def statistics(self, name, program, frames=1, schema=3, draws=None, given=None, errors=(None,)):
+        """Writes a file as the layer does, with the members that are added."""
+        draws = {'reasons': {}, 'host_untouched': 5, 'dropped': 7} | (draws or {})
+        defaults = {'program': {'name': program, 'windows': None}}
+        programs = [{'error': error, 'under_native_limits': True} for error in errors]
+        self.path(name, json.dumps({
+            'schema': schema, 'defaults': defaults, 'contexts': [{'id': 1}], 'contexts_not_listed': 0,
+            'programs': programs, 'programs_not_listed': 0, 'frames': frames, 'draws': draws,
+            'software': {'given_to_host': given or {}}}))
+
+    def test_statistics_of_several_files_end_with_a_sum(self):
+        self.statistics('s-1.json', 'game', 3, draws={'host-glsl': 2, 'rasterizer': 9, 'reasons': {'no-program': 5}},
+                        given={'not-compiled': 2})
+        refused = {'text': '', 'refused_by_profile': {'reason': 'long', 'remedy': ''}}
+        self.statistics('s-2.json', 'tool', draws={'host-glsl': 1}, given={'not-compiled': 1, 'look': 9},
+                        errors=(None, refused))
+        self.statistics('s-2.json.77', 'child', draws={'recorded-in-list': 1})
+        self.statistics('other.json', 'other')
+        pattern = self.path('s-%p.json')
+        self.assertEqual(arbiter('stats', pattern).stdout.splitlines(), [
+            's-1.json (game): frames 3  programs 1  rasterizer 9  no-program 5  host-glsl 2',
+            's-2.json (tool): frames 1  programs 2  refused 1  host-glsl 1',
+            's-2.json.77 (child): frames 1  programs 1  recorded-in-list 1',
+            'sum of 3: frames 5  programs 4  refused 1  rasterizer 9  no-program 5  host-glsl 3  recorded-in-list 1',
+            'given to the host: look 9  not-compiled 3'])
+        twice = json.loads(arbiter('stats', '--json', self.path('s-1.json'), pattern).stdout)
+        self.assertEqual([[each['program'] for each in of['reports']] for of in twice['files']],
+                         [['game'], ['tool', 'child']])
+        self.assertEqual(twice['sum'], {
+            'files': 3, 'contexts': 3, 'frames': 5, 'programs': 4, 'over_native': 0, 'refused': 1,
+            'draws': {'host-glsl': 3, 'no-program': 5, 'rasterizer': 9, 'recorded-in-list': 1},
+            'given_to_host': {'look': 9, 'not-compiled': 3}})
+        self.assertEqual(arbiter('stats', self.path('other.json')).stdout,
+                         'other.json (other): frames 1  programs 1  no draws\n')
+
+    def test_statistics_of_the_earlier_schema_have_the_words_of_today(self):
+        self.statistics('old.json', 'game', schema=2, draws={'host_glsl': 2, 'host_assembly': 3, 'recorded': 4})
+        self.assertEqual(json.loads(arbiter('stats', '--json', self.path('old.json')).stdout)['sum']['draws'],
+                         {'host-assembly': 3, 'host-glsl': 2, 'recorded-in-list': 4})
+
+    def test_files_that_are_no_statistics_are_named(self):
+        self.statistics('good.json', 'game')
+        self.statistics('later.json', 'game', schema=99)
+        for text in ('', '[]', '{"schema": 3}', '{"schema": "3"}'):
+            bad = self.path('bad.json', text)
+            seen = arbiter('stats', bad, self.path('good.json'), self.path('later.json'))
+            self.assertEqual((seen.returncode, seen.stdout),
+                             (0, 'good.json (game): frames 1  programs 1  no draws\n'))
+            self.assertEqual(seen.stderr, f'arbiter stats: {bad}: is no file of statistics\narbiter stats: '
+                             f'{self.path("later.json")}: was written by a later version of Arbiter\n')
 
 
 class Capture(Temporary):

@@ -98,7 +98,8 @@ struct StatsArguments {
   bool json = false;
 };
 /// Completes the statistics of processes that were killed, unless another process already has.
-[[nodiscard]] int stats(const StatsArguments &arguments);
+/// Prints the figures of all statistics that are there, and their sum.
+[[nodiscard]] int sumStatistics(const StatsArguments &arguments);
 
 struct CaptureArguments {
   LayerArguments layer;

@@ -39,28 +39,11 @@ namespace arbiter::state {
 
 const char *pathName(Path path) {
   switch (path) {
-  case Path::HostGlsl:
-    return "host-glsl";
-  case Path::Rasterizer:
-    return "rasterizer";
-  case Path::NoProgram:
-    return "no-program";
-  case Path::ApplicationGlsl:
-    return "application-glsl";
-  case Path::ApplicationPipeline:
-    return "application-pipeline";
-  case Path::HostAssembly:
-    return "host-assembly";
-  case Path::ApplicationStageGlsl:
-    return "application-glsl-of-one-stage";
-  case Path::NotOffered:
-    return "not-offered";
-  case Path::Recorded:
-    return "recorded-in-list";
-  case Path::InvalidProgram:
-    return "invalid-program";
-  case Path::HostRefused:
-    return "host-refused";
+#define ARBITER_PATH(name, word, doc)                                                              \
+  case Path::name:                                                                                 \
+    return word;
+#include "state/host_draw/paths.def"
+#undef ARBITER_PATH
   }
   return "";
 }

@@ -18,7 +18,7 @@ struct ProgramObject;
 struct Refusal;
 
 /// Version of the JSON's schema: grows when a member changes its meaning or is removed.
-inline constexpr int kStatisticsSchema = 2;
+inline constexpr int kStatisticsSchema = 3;
 
 void noteContextCreated(Context &context);
 /// Adds the counters of a context that is about to be freed to those of freed contexts.

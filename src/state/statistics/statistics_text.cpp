@@ -68,15 +68,15 @@ bool isFallback(Path path) {
 }
 
 void writeDraws(JsonWriter &json) {
-  const auto path = [&](const char *key, Path of) {
-    json.key(key).raw(counterPlace(kDraws + unsigned(of)));
+  const auto path = [&](Path of) {
+    json.key(pathName(of)).raw(counterPlace(kDraws + unsigned(of)));
   };
   json.key("draws").beginObject();
-  path("host_glsl", Path::HostGlsl);
-  path("rasterizer", Path::Rasterizer);
-  path("host_assembly", Path::HostAssembly);
+  path(Path::HostGlsl);
+  path(Path::Rasterizer);
+  path(Path::HostAssembly);
   json.key("host_untouched").raw(counterPlace(kUntouched));
-  path("recorded", Path::Recorded);
+  path(Path::Recorded);
   json.key("dropped").raw(counterPlace(kDropped));
   std::vector<NamedCounter> reasons;
   for (int i = 0; i < kPathCount; ++i)

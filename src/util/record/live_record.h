@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "util/record/record_text.h"
 
@@ -62,5 +63,8 @@ private:
 /// which %p stands for any number.
 /// \returns how many were made.
 int completeRecords(const std::string &pattern);
+/// Returns the paths of the reports of a target, sorted. %p stands for any number, and numbers may
+/// stand behind dots, as in the reports of forked children.
+[[nodiscard]] std::vector<std::string> reportsOf(const std::string &pattern);
 
 } // namespace arbiter

@@ -19,12 +19,11 @@ std::uint64_t countOf(const Json &draws, const char *name) {
 }
 
 /// Lists the reasons why the rasterizer left draws to the host.
-std::string reasonsOf(const Json &draws) {
+std::string reasonsOf(const Json &statistics) {
   std::string text;
-  const auto reasons = draws.find("reasons");
-  if (reasons != draws.end() && reasons->is_object())
-    for (const auto &[reason, count] : reasons->items())
-      text += (text.empty() ? ": " : ", ") + reason;
+  const Json given = statistics.value("/software/given_to_host"_json_pointer, Json());
+  for (const auto &[reason, count] : given.items())
+    text += (text.empty() ? ": " : ", ") + reason;
   return text;
 }
 
@@ -59,11 +58,11 @@ std::string drawnByNote(const std::string &statistics) {
   if (!json.is_object() || draws == json.end() || !draws->is_object())
     return {};
   const std::uint64_t own = countOf(*draws, "rasterizer");
-  const std::uint64_t hosts = countOf(*draws, "host_glsl") + countOf(*draws, "host_assembly");
+  const std::uint64_t hosts = countOf(*draws, "host-glsl") + countOf(*draws, "host-assembly");
   if (hosts == 0)
     return {};
   return "the rasterizer left " + std::to_string(hosts) + " of " + std::to_string(own + hosts) +
-         " draws to the host" + reasonsOf(*draws);
+         " draws to the host" + reasonsOf(json);
 }
 
 } // namespace arbiter::tools::debug

@@ -77,16 +77,19 @@ void addRun(CLI::App &app, RunArguments &run) {
 
 void addStats(CLI::App &app, StatsArguments &stats) {
   Verb verb(app, "stats",
-            "Make the statistics of processes that were killed, from what they left behind");
-  verb.option("FILE", stats.files, "what ARBITER_STATS was; %p stands for any process's number")
+            "Show the statistics that processes wrote, and their sum; killed processes' are made "
+            "of what they left");
+  verb.option("FILE", stats.files, "what --stats was; %p stands for any process's number")
       .required();
   verb.flag("--json", stats.json, "as one JSON document");
   verb.footer(
-      "What `arbiter run` starts needs no such step. Prints how many were made, of all FILEs.\n"
-      "Exit code: 0 some were; 1 usage, or there was nothing to be made.\n"
-      "Example:\n"
+      "A line for each file, and the sum of several: frames, programs, draws by path, and why the "
+      "rasterizer gave draws to the driver. docs/reference/statistics.md explains the words and "
+      "the files.\n"
+      "Exit code: 0; 1 usage, or there are no statistics.\n"
+      "Examples:\n"
       "  arbiter stats /tmp/stats-%p.json\n"
-      "  arbiter stats game.json server.json");
+      "  arbiter stats --json game.json server.json");
 }
 
 void addCapture(CLI::App &app, CaptureArguments &capture) {
