@@ -149,15 +149,28 @@ class Capture(Folder):
 
     def test_a_process_that_is_killed_leaves_what_it_loaded(self):
         with subprocess.Popen([ARBITER, 'capture', '-o', self.folder, '--', TICKER], text=True,
-                              stdout=subprocess.PIPE, env=plain()) as process:
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=plain()) as process:
             process.stdout.readline()  # it has drawn
             pid = int(next(self.folder.glob('process-*.json')).name.split('-')[1])
             os.kill(pid, signal.SIGKILL)
-            self.assertEqual(process.wait(60), 128 + signal.SIGKILL)
+            said = process.communicate(timeout=60)[1]
+            self.assertEqual(process.returncode, 128 + signal.SIGKILL)
+        self.assertIn(f'cut short: process {pid} (capture_ticker) was ended before', said)
         index = json.loads((self.folder / 'index.json').read_text())
         self.assertEqual([p['complete'] for p in index['processes']], [False])
         self.assertEqual(sorted(p['error'] is None for p in index['programs']), [False, True])
         self.assertEqual([p.name for p in self.folder.glob('*.tmp')], [])
+
+    def test_a_text_that_cannot_be_written_is_said(self):
+        """The size of the client's files is limited to 8 KiB, which its text does not fit."""
+        result = run(ARBITER, 'capture', '-o', self.folder, '--', 'sh', '-c',
+                     f"trap '' XFSZ; ulimit -f 16; exec '{TICKER}' long 1")
+        self.assertEqual((result.returncode, result.stdout), (0, '0 255 0\n'))
+        self.assertIn('(capture_ticker) could not write 1 file (File too large); its record holds 2 programs',
+                      result.stderr)
+        process, = json.loads((self.folder / 'index.json').read_text())['processes']
+        self.assertEqual((process['complete'], process['files_not_written']), (True, 1))
+        self.assertIn('could not write 1 file', (self.folder / 'index.html').read_text())
 
     def test_a_record_that_is_damaged_or_lost_leaves_the_texts(self):
         self.capture(LIGHTING, '--headless', '--size', '8x8', '--frames', '1')

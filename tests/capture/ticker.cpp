@@ -2,7 +2,8 @@
 // It never swaps buffers, sets a local parameter around each draw, queries its program string and
 // counts, and reloads its program now and then, and one that is refused.
 //
-//   ticker [KIND [FRAMES]]     KIND: fragment, vertex or ati
+//   ticker [KIND [FRAMES]]     KIND: fragment, long (the same, with 16 KiB of comment), vertex or
+//   ati
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -26,7 +27,11 @@ struct Kind {
   const char *program;
   const char *refused;
 };
+const std::string kLong = "!!ARBfp1.0\n#" + std::string(16384, 'x') +
+                          "\nADD result.color, program.local[0].yyyy, {0, 1, 0, 1};\nEND\n";
 const Kind kKinds[] = {
+    {"long", GL_FRAGMENT_PROGRAM_ARB, kLong.c_str(),
+     "!!ARBfp1.0\nMOV result.color, missing;\nEND\n"},
     {"fragment", GL_FRAGMENT_PROGRAM_ARB,
      "!!ARBfp1.0\n# caf\xe9\nADD result.color, program.local[0].yyyy, {0, 1, 0, 1};\nEND\n",
      "!!ARBfp1.0\n# \xe9\nMOV result.color, missing;\nEND\n"},

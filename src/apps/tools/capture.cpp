@@ -78,6 +78,8 @@ bool assemble(const std::string &folder) {
   }
   good = write(folder + "/index.json", indexJson(index)) && good;
   good = write(folder + "/index.html", indexPage(index)) && good;
+  for (const std::string &missing : whatIsMissing(index))
+    complain("cut short: " + missing);
   if (good)
     complain("programs: " + std::to_string(index.programs.size()) + ", refused: " +
              std::to_string(refused) + ", processes: " + std::to_string(index.processes.size()) +
@@ -111,9 +113,9 @@ int capture(const CaptureArguments &arguments) {
     complain(fault);
     return kExitUsage;
   }
+  doctor::sayWhatIsInTheWay(arguments.command, files.value());
   const int status = supervise(environment.value(), arguments.command, [] {});
   if (status < 0)
-  doctor::sayWhatIsInTheWay(arguments.command, files.value());
     return kExitInternal;
   const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   if (fs::remove(layer.capture, error)) { // only an empty folder can be removed

@@ -123,6 +123,9 @@ void mergeRecord(const Json &json, CaptureIndex &index, Programs &programs) {
   process.contexts = json.at("contexts").get<std::uint64_t>();
   process.notListed = json.at("not_listed").get<std::uint64_t>();
   process.complete = json.at("complete").get<bool>();
+  process.programs = json.at("programs").size();
+  process.notWritten = json.value("not_written", std::uint64_t{0}); // earlier records lack it
+  process.whyNotWritten = json.value("why_not_written", "");
   for (const Json &program : json.at("programs"))
     mergeProgram(program, process.id, programs);
   index.profile = process.profile;
@@ -315,6 +318,36 @@ CaptureIndex readCapture(const std::string &folder) {
   return index;
 }
 
+std::vector<std::string> whatIsMissing(const CaptureIndex &index) {
+  std::vector<std::string> missing;
+  const auto counted = [](std::uint64_t count, const std::string &what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  };
+  for (const CapturedProcess &process : index.processes) {
+    const std::string name =
+        "process " + std::to_string(process.id) + " (" + process.command + ") ";
+    const std::string holds =
+        counted(process.programs, "program") + " and " + counted(process.frames, "frame");
+    if (!process.complete)
+      missing.push_back(name + "was ended before it could complete its record, which holds " +
+                        holds + "; what came in its last second may be missing");
+    if (process.notListed != 0)
+      missing.push_back(name + "reached the limit of a record, which holds " + holds + "; " +
+                        counted(process.notListed, "load") + " of further texts " +
+                        (process.notListed == 1 ? "is" : "are") + " missing");
+    if (process.notWritten != 0)
+      missing.push_back(name + "could not write " + counted(process.notWritten, "file") + " (" +
+                        process.whyNotWritten + "); its record holds " + holds);
+  }
+  const auto alone = std::count_if(index.programs.begin(), index.programs.end(),
+                                   [](const CapturedProgram &each) { return !each.recorded; });
+  if (alone != 0)
+    missing.push_back(counted(std::uint64_t(alone), "text") +
+                      " came without a record: the process was ended too early, or could not "
+                      "write it");
+  return missing;
+}
+
 std::string indexJson(const CaptureIndex &index) {
   JsonWriter json;
   json.beginObject();
@@ -325,7 +358,8 @@ std::string indexJson(const CaptureIndex &index) {
     json.beginObject().key("process").value(process.id).key("command").value(process.command);
     json.key("profile").value(process.profile).key("contexts").value(process.contexts);
     json.key("frames").value(process.frames).key("complete").value(process.complete);
-    json.key("programs_not_listed").value(process.notListed).endObject();
+    json.key("programs_not_listed").value(process.notListed);
+    json.key("files_not_written").value(process.notWritten).endObject();
   }
   json.endArray();
   json.key("programs").beginArray();

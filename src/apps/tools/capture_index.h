@@ -67,8 +67,12 @@ struct CapturedProgram {
 struct CapturedProcess {
   std::uint64_t id = 0;
   std::string command, profile;
-  std::uint64_t frames = 0, contexts = 0, notListed = 0;
-  bool complete = false; ///< true if it ended by exit(), so that nothing is missing
+  std::uint64_t frames = 0, contexts = 0;
+  std::uint64_t programs = 0;   ///< texts in its record
+  std::uint64_t notListed = 0;  ///< loads of texts beyond the limit of the record
+  std::uint64_t notWritten = 0; ///< files of texts and GLSL
+  std::string whyNotWritten;    ///< of the first: "No space left on device"
+  bool complete = false;        ///< true if it ended by exit(), so that nothing is missing
 };
 
 struct CaptureIndex {
@@ -88,6 +92,10 @@ struct CaptureIndex {
 /// Reads a folder. A damaged record is reported and skipped. Its data about a program is then
 /// compiled from the text as far as possible.
 [[nodiscard]] CaptureIndex readCapture(const std::string &folder);
+
+/// Returns sentences about what the capture lacks, and how much it holds; none: nothing is known to
+/// be missing.
+[[nodiscard]] std::vector<std::string> whatIsMissing(const CaptureIndex &index);
 
 /// Returns the content of index.json (ARBITER_CAPTURE_SCHEMA).
 [[nodiscard]] std::string indexJson(const CaptureIndex &index);

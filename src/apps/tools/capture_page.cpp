@@ -120,9 +120,10 @@ std::string indexPage(const CaptureIndex &index) {
     html += "<p>process " + number(process.id) + " <code>" + escaped(process.command) +
             "</code>: " + number(process.contexts) + " contexts, " + number(process.frames) +
             " frames, profile " + escaped(process.profile);
-    html += process.complete ? "" : "; it was killed, so its last second may be missing";
     html += "</p>\n";
   }
+  for (const std::string &missing : whatIsMissing(index))
+    html += "<p class=bad>" + escaped(missing) + "</p>\n";
   for (const std::string &fault : index.faults)
     html += "<p class=bad>" + escaped(fault) + "</p>\n";
   html += sortableTable(kColumns);

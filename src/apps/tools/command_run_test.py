@@ -228,6 +228,36 @@ class Capture(Temporary):
         seen = self.capture('--', 'sh', '-c', 'basename "$ARBITER_CAPTURE"')
         self.assertEqual(seen.stdout, 'sh.capture-2\n')
 
+    def test_what_a_capture_lacks_is_said(self):
+        folder = self.path('cut')
+        folder.mkdir()
+        record = {'schema': 1, 'process': 7, 'command': 'game', 'profile': 'r300', 'frames': 300, 'contexts': 1,
+                  'not_listed': 0, 'complete': True, 'programs': []}
+
+        def said(**more):
+            (folder / 'process-7-1.json').write_text(json.dumps(record | more))
+            result = self.capture('--index-only', '-o', 'cut')
+            self.assertEqual(result.returncode, 0, result.stderr)
+            cut = [line.removeprefix('arbiter capture: cut short: ') for line in result.stderr.splitlines()
+                   if 'cut short' in line]
+            for line in cut:
+                self.assertIn(line, (folder / 'index.html').read_text())
+            return cut
+        self.assertEqual(said(), [])
+        self.assertEqual(said(complete=False), [
+            'process 7 (game) was ended before it could complete its record, which holds 0 programs and 300 frames; '
+            'what came in its last second may be missing'])
+        self.assertEqual(said(not_listed=17), [
+            'process 7 (game) reached the limit of a record, which holds 0 programs and 300 frames; '
+            '17 loads of further texts are missing'])
+        self.assertEqual(said(not_written=1, why_not_written='No space left on device'), [
+            'process 7 (game) could not write 1 file (No space left on device); '
+            'its record holds 0 programs and 300 frames'])
+        text = b'!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
+        (folder / ('0' * 32 + '.fp')).write_bytes(text)
+        self.assertEqual(said(), ['1 text came without a record: the process was ended too early, or could not '
+                                  'write it'])
+
     def test_signals(self):
         result = self.capture('--', 'sh', '-c', 'kill -SEGV $$')
         self.assertEqual(result.returncode, 128 + 11)

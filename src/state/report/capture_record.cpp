@@ -49,7 +49,7 @@ void CaptureRecord::afterFork() {
   m_process = process;
   m_order.clear();
   m_rows.clear();
-  m_notListed = m_contexts = m_frames = 0;
+  m_notListed = m_notWritten = m_contexts = m_frames = 0;
   m_nextWrite = 0;
   // The start time tells the process from an earlier one with its number, and from a program that
   // it becomes by exec.
@@ -65,7 +65,8 @@ CaptureRow *CaptureRecord::rowOf(Target target, const Hash128 &hash) {
   if (it != m_rows.end())
     return it->second.get();
   if (m_order.size() >= kMaxRows) {
-    ++m_notListed;
+    if (m_notListed++ == 0)
+      logWarn("state", "%zu programs are captured; no others are", kMaxRows);
     return nullptr;
   }
   auto made = std::make_unique<CaptureRow>();
@@ -80,12 +81,13 @@ CaptureRow *CaptureRecord::rowOf(Target target, const Hash128 &hash) {
 void CaptureRecord::writeFile(const std::string &name, std::string_view text, bool keep) {
   const std::string path = m_folder + "/" + name;
   m_bytes += text.size();
-  errno = EFBIG;
-  if (m_bytes <= kMaxTextBytesInAll &&
-      (keep ? createPrivateFile(path, text) : replacePrivateFile(path, text)))
+  const bool fits = m_bytes <= kMaxTextBytesInAll;
+  if (fits && (keep ? createPrivateFile(path, text) : replacePrivateFile(path, text)))
     return;
+  if (m_notWritten++ == 0)
+    m_whyNotWritten = fits ? std::strerror(errno) : "more than 256 MiB of texts";
   if (!m_complained)
-    logWarn("state", "cannot capture %s: %s", path.c_str(), std::strerror(errno));
+    logWarn("state", "cannot capture %s: %s", path.c_str(), m_whyNotWritten.c_str());
   m_complained = true;
 }
 
@@ -201,6 +203,9 @@ std::string CaptureRecord::json(bool complete) const {
   json.key("complete").value(complete);
   json.key("contexts").value(m_contexts).key("frames").value(m_frames);
   json.key("not_listed").value(m_notListed);
+  json.key("not_written").value(m_notWritten);
+  if (m_notWritten != 0)
+    json.key("why_not_written").value(m_whyNotWritten);
   json.key("programs").beginArray();
   for (const CaptureRow *row : m_order)
     row->write(json);

@@ -76,6 +76,8 @@ private:
   std::uint64_t m_frames = 0;
   std::int64_t m_nextWrite = 0; ///< monotonic ns
   std::uint64_t m_bytes = 0;    ///< bytes of texts written
+  std::uint64_t m_notWritten = 0;
+  std::string m_whyNotWritten; ///< of the first file that was not written
   bool m_dirty = false;
   bool m_complained = false;
 };
