@@ -31,8 +31,8 @@ struct Figures {
 /// that size, and usual lines fit into its width.
 [[nodiscard]] int scaleOf(const HudOptions &options, int frameWidth, int frameHeight);
 /// Returns the options with as many parts as leave a small frame visible: they take an eighth of
-/// its height, or one line. Parts that the user chose among them all stay, and with a chosen scale
-/// all do.
+/// its height, or one line. If the user chose parts or a scale, all
+/// parts stay.
 [[nodiscard]] HudOptions fitted(HudOptions options, int frameHeight);
 /// Draws lines, light on dark, above a graph of frame times; bottom row first.
 /// \param times ms; empty: no graph
