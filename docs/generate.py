@@ -356,21 +356,23 @@ def statistics():
     source = 'src/state/{statistics/members,host_draw/paths,raster_draw/reasons}.def'
     state = ROOT / 'src' / 'state'
     out = ['# Statistics\n', GENERATED.format(source=source),
-           '`arbiter run --stats FILE` writes this JSON for each process that makes a context. `arbiter stats FILE...` adds '
-           'several files. Words with hyphens are the same in the figures in the frame, in `arbiter ctl stats` and in '
-           'captures.\n',
+           '`arbiter run --stats FILE` writes this JSON for each process that makes a context. `arbiter stats FILE...` '
+           'adds several files. Words with hyphens are the same in the figures in the frame, in `arbiter ctl stats` '
+           'and in captures.\n',
            '## Members\n', '`[]` stands for each element of a list.\n',
            '| member | what it is |', '|---|---|']
     for place, doc in rows_of(state / 'statistics' / 'members.def', 'ARBITER_MEMBER'):
         out.append(f'| `{place}` | {doc} |')
     out += ['\n## Paths: who drew\n',
-            'Each draw is counted once. The first four are members of `draws`, the others of `draws.reasons`. Files of schema '
-            '2 have `host_glsl`, `host_assembly` and `recorded` for `host-glsl`, `host-assembly` and `recorded-in-list`.\n',
+            'Each draw is counted once. The first four are members of `draws`, the others of `draws.reasons`. Files of '
+            'schema 2 have `host_glsl`, `host_assembly` and `recorded` for `host-glsl`, `host-assembly` and '
+            '`recorded-in-list`.\n',
             '| path | draws |', '|---|---|']
     for _, word, doc in rows_of(state / 'host_draw' / 'paths.def', 'ARBITER_PATH'):
         out.append(f'| `{word}` | {doc} |')
     out += ['\n## Reasons of the rasterizer\n',
-            'Members of `software.given_to_host`: why the driver did a draw or a copy that the rasterizer might have done.\n',
+            'Members of `software.given_to_host`: why the driver did a draw or a copy that the rasterizer might have '
+            'done.\n',
             '| reason | what it means |', '|---|---|']
     for _, word, doc in rows_of(state / 'raster_draw' / 'reasons.def', 'ARBITER_FALLBACK'):
         out.append(f'| `{word}` | {doc} |')

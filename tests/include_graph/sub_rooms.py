@@ -46,7 +46,7 @@ ORDER = {
     "state/raster_draw": ["functions", "fixed_function", "frames", "vertices", "immediate"],
     "swrast": ["image", "setup", "cover", "strokes", "queue"],
     "apps/tools": ["advise", "check", "launch", "draw", "debug", "ctl", "complete", "doctor", "lsp", "options", "page",
-              "render", "report"],
+              "render", "report", "stats"],
     "apps/tools/advise": ["rules"],
     "apps/tools/debug": ["trace", "pixel", "draws", "gl"],
     "util": ["cache", "defaults", "hud", "record"],

@@ -152,7 +152,6 @@ class Run(Temporary):
         seen = arbiter('stats', self.path('a.json'), self.path('none/b.json'))
         self.assertEqual(seen.stderr, f'arbiter stats: {self.path("none/b.json")}: no such folder\n')
 
-
     def statistics(self, name, program, frames=1, schema=3, draws=None, given=None, errors=(None,)):
         """Writes a file as the layer does, with the members that are added."""
         draws = {'reasons': {}, 'host_untouched': 5, 'dropped': 7} | (draws or {})
