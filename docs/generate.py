@@ -353,7 +353,7 @@ def manual7():
 
 
 def statistics():
-    source = 'src/state/{statistics/members,host_draw/paths,raster_draw/reasons}.def'
+    source = 'src/state/{statistics/members,core/paths,raster_draw/reasons}.def'
     state = ROOT / 'src' / 'state'
     out = ['# Statistics\n', GENERATED.format(source=source),
            '`arbiter run --stats FILE` writes this JSON for each process that makes a context. `arbiter stats FILE...` '
@@ -368,7 +368,7 @@ def statistics():
             'schema 2 have `host_glsl`, `host_assembly` and `recorded` for `host-glsl`, `host-assembly` and '
             '`recorded-in-list`.\n',
             '| path | draws |', '|---|---|']
-    for _, word, doc in rows_of(state / 'host_draw' / 'paths.def', 'ARBITER_PATH'):
+    for _, word, doc in rows_of(state / 'core' / 'paths.def', 'ARBITER_PATH'):
         out.append(f'| `{word}` | {doc} |')
     out += ['\n## Reasons of the rasterizer\n',
             'Members of `software.given_to_host`: why the driver did a draw or a copy that the rasterizer might have '

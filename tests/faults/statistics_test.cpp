@@ -36,7 +36,7 @@ constexpr const char *kMembers[] = {
 };
 constexpr const char *kPaths[] = {
 #define ARBITER_PATH(name, word, doc) word,
-#include "state/host_draw/paths.def"
+#include "state/core/paths.def"
 #undef ARBITER_PATH
 };
 

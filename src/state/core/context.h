@@ -14,6 +14,7 @@
 #include "state/core/attrib_stack.h"
 #include "state/core/context_hot.h"
 #include "state/core/draw_needs.h"
+#include "state/core/path.h"
 #include "state/core/provider.h"
 #include "state/identity/identity.h"
 #include "state/objects/capture_effective.h"
@@ -47,28 +48,6 @@ namespace software {
 struct ContextState;
 struct LeftAlone;
 } // namespace software
-
-/// Who draws, and why the host draws untouched. Each value is a row of the statistics.
-enum class Path : std::uint8_t {
-  HostGlsl,             ///< the host, with GLSL made from the program
-  Rasterizer,           ///< the layer's rasterizer
-  NoProgram,            ///< host untouched: no program target is enabled
-  ApplicationGlsl,      ///< host untouched: the application's own GLSL program wins
-  ApplicationPipeline,  ///< host untouched: the application's program pipeline wins
-  HostAssembly,         ///< the host's ARB path, beside fixed function or the application's GLSL
-  ApplicationStageGlsl, ///< host untouched: GLSL has one stage, and the host refuses the ARB
-                        ///< program for the other
-  NotOffered,           ///< host untouched: the layer offers no program targets in this context
-  Recorded,             ///< into a display list: counted when it is compiled
-  InvalidProgram,       ///< dropped: the bound program object holds no valid program
-  HostRefused,          ///< dropped: the host did not compile or link the layer's shader
-};
-inline constexpr int kPathCount = 11;
-[[nodiscard]] const char *pathName(Path path);
-/// True if draws of this path are errors, or draw nothing.
-[[nodiscard]] constexpr bool isDropped(Path path) {
-  return path == Path::InvalidProgram || path == Path::HostRefused;
-}
 
 /// The layer's own errors (2.5). While `pending` is empty, the host is asked.
 struct PendingErrors {

@@ -37,17 +37,6 @@
 
 namespace arbiter::state {
 
-const char *pathName(Path path) {
-  switch (path) {
-#define ARBITER_PATH(name, word, doc)                                                              \
-  case Path::name:                                                                                 \
-    return word;
-#include "state/host_draw/paths.def"
-#undef ARBITER_PATH
-  }
-  return "";
-}
-
 namespace {
 
 void setPath(Context &context, Path path) {
