@@ -51,26 +51,26 @@ void hostReads(Context &context, const char *name) {
 
 void hostWaits(Context &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (!isHosts(context) && context.software)
+    if (executesNow(context) && context.software)
       context.software->residency.synchronise(name);
   });
 }
 
 void hostTakesColor(Context &context) {
-  if (!isHosts(context))
+  if (executesNow(context))
     settleCurrentValues(*context.host);
 }
 
 void hostWrites(Context &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (!isHosts(context) && context.software)
+    if (executesNow(context) && context.software)
       context.software->hostDraws(name);
   });
 }
 
 void hostDoesUnknown(Context &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (isHosts(context))
+    if (!executesNow(context))
       return;
     if (context.software)
       context.software->residency.hostDoesAnything(name);

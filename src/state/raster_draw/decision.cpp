@@ -58,10 +58,10 @@ bool meetsDepths(const ContextState &state) {
 
 } // namespace
 
-bool isHosts(Context &context) {
+bool executesNow(Context &context) {
   if (context.listMode != 0)
     context.list->notePixels();
-  return context.insideBeginEnd || context.listMode != 0;
+  return !context.insideBeginEnd && context.listMode == 0;
 }
 
 bool usesRasterizer(Context &context) {

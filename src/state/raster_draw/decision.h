@@ -16,15 +16,15 @@ namespace arbiter::state::software {
 
 class Pipeline;
 
-/// True if the host must record the command in a list, or refuse it between Begin and End. Notes in
-/// an open list that pixels may change.
-[[nodiscard]] bool isHosts(Context &context);
+/// True if the command is executed now. False if the host must record it in a list, or refuse it
+/// between Begin and End. Notes in an open list that pixels may change.
+[[nodiscard]] bool executesNow(Context &context);
 /// True if programs are valid and the rasterizer is in use, so that decide() may be called. If
 /// false, nothing has been prepared for the host.
 [[nodiscard]] bool usesRasterizer(Context &context);
 /// True if a command is executed now and the rasterizer may do it.
 [[nodiscard]] inline bool isCandidate(Context &context) {
-  return !isHosts(context) && usesRasterizer(context);
+  return executesNow(context) && usesRasterizer(context);
 }
 
 /// Returns why the host must do any draw now, or ok, without looking at state: the path, lists,

@@ -14,28 +14,31 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Keeps the arrays of one draw open, and closes them.
-struct OpenArrays {
-  OpenArrays(Context &inContext, ArraySource &ofSource) : context(inContext), source(ofSource) {}
-  ~OpenArrays() { source.close(context); }
-  OpenArrays(const OpenArrays &) = delete;
-  OpenArrays &operator=(const OpenArrays &) = delete;
+/// Closes the arrays of a draw at the end of its scope, because the host cannot draw with them
+/// open.
+struct ArraysCloser {
+  ArraysCloser(Context &inContext, ArraySource &ofSource) : context(inContext), source(ofSource) {}
+  ~ArraysCloser() { source.close(context); }
+  ArraysCloser(const ArraysCloser &) = delete;
+  ArraysCloser &operator=(const ArraysCloser &) = delete;
   Context &context;
   ArraySource &source;
 };
 
-/// Returns the slots that a draw reads, including edge flags. Requires that the pipeline has
-/// chosen.
+/// Returns the slots that a draw reads, including edge flags. Requires that decide() has chosen the
+/// vertex function.
 std::uint32_t slotsOf(const Pipeline &pipeline) {
   return std::uint32_t(pipeline.slots()) | 1u << kEdgeFlag;
 }
 
-/// True if a draw refused as mixed has arrays that the rasterizer lacks anyway. The draw then makes
-/// the frame a mixed one, as it would if it had been tried (Units::judge()).
-bool isHostsTurn(Context &context, const Outcome &outcome, const DrawCommand &command) {
+/// True if a draw was refused only because the frames are mixed, and the rasterizer lacks its
+/// arrays too. The arrays are then the reason. Otherwise a frame of such draws would look as if the
+/// rasterizer could draw all of it, the next frame would be tried in vain, and frames would
+/// alternate (ContextState::hostTurns).
+bool alsoLacksArrays(Context &context, const Outcome &outcome, const DrawCommand &command) {
   ContextState &state = *context.software;
   if (outcome.ok() || outcome.reason() != Fallback::Mixed || state.hostTurns != 0)
-    return false;
+    return false; // also if the frame is known to be mixed already
   state.mirror.refreshArrays();
   return ArraySource::lacks(state.mirror, slotsOf(pipelineOf(context)), command);
 }
@@ -46,7 +49,7 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   mirror.refreshArrays();
   const std::uint32_t slots = slotsOf(pipeline);
   ArraySource &arrays = pipeline.arrays();
-  const OpenArrays open(context, arrays);
+  const ArraysCloser closer(context, arrays);
   if (!arrays.open(context, mirror, slots, command))
     return Fallback::Vertices;
   const VertexSequence sequence = {std::uint32_t(command.first), std::uint32_t(command.count),
@@ -79,27 +82,29 @@ bool drawArrays(Context &context, const DrawCommand &command) {
   return conclude(context, outcomeOf(context, [&] {
                     const Outcome outcome =
                         decide(context, command.mode, std::uint32_t(command.count));
-                    if (isHostsTurn(context, outcome, command))
+                    if (alsoLacksArrays(context, outcome, command))
                       return Outcome(Fallback::Vertices);
                     return outcome.ok() ? drawFromArrays(context, command) : outcome;
                   }));
 }
 
-/// Leaves a multi-draw to the host, and notes it in an open list. Returns false.
-bool leavesToHost(Context &context) {
-  (void)isHosts(context);
+/// Leaves a whole multi-draw to the host. Always returns false, for the caller to return.
+bool leaveMultiDraw(Context &context) {
+  (void)executesNow(context); // an open list notes the draw
   return false;
 }
 
-/// True if each draw of a multi-draw is decided on its own.
-bool isEach(Context &context) {
+/// True if each draw of a multi-draw is decided on its own, and the layer calls the host for those
+/// that the rasterizer does not draw.
+bool decidesEach(Context &context) {
   if (context.listMode != 0 && context.list->keeps())
     return true;
-  return !isHosts(context) && usesRasterizer(context);
+  return executesNow(context) && usesRasterizer(context);
 }
 
-/// Draws or records one draw of a multi-draw. Returns false if the host must. Requires isEach().
-bool takes(Context &context, const DrawCommand &command) {
+/// Draws or records one draw of a multi-draw. Returns false if the host must. Requires
+/// decidesEach().
+bool tryOne(Context &context, const DrawCommand &command) {
   if (context.listMode == 0)
     return drawArrays(context, command);
   if (recordArrays(context, command))
@@ -108,8 +113,10 @@ bool takes(Context &context, const DrawCommand &command) {
   return false;
 }
 
-bool takesOrAliases(Context &context, const DrawCommand &command) {
-  return command.count == 0 || takes(context, command) || aliasedDraw(context, command);
+/// Like tryOne(), and also draws with the host if it would misread the arrays (aliasedDraw()). A
+/// draw of no vertices is done at once.
+bool tryOneOrAliased(Context &context, const DrawCommand &command) {
+  return command.count == 0 || tryOne(context, command) || aliasedDraw(context, command);
 }
 
 } // namespace
@@ -123,23 +130,24 @@ bool tryDraw(Context &context, const DrawCommand &command) {
     // arrays in a list of the host's may change current values (2.8)
     context.dirty |= dirty::kCurrent;
   }
-  return !isHosts(context) && draws && usesRasterizer(context) && drawArrays(context, command);
+  return executesNow(context) && draws && usesRasterizer(context) && drawArrays(context, command);
 }
 
 bool tryDrawRange(Context &context, GLuint start, GLuint end, const DrawCommand &command) {
+  // An end before the start is an error, which the host raises.
   return end >= start && tryDraw(context, command);
 }
 
 bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
                         GLsizei drawCount) {
   if (mode > GL_POLYGON || drawCount <= 0 || !first || !count)
-    return leavesToHost(context);
+    return leaveMultiDraw(context);
   for (GLsizei i = 0; i < drawCount; ++i)
     if (first[i] < 0 || count[i] < 0)
-      return leavesToHost(context);
-  if (!isEach(context))
+      return leaveMultiDraw(context);
+  if (!decidesEach(context))
     return false;
-  drawEach(context, {mode, first, count, drawCount}, takesOrAliases);
+  drawEach(context, {mode, first, count, drawCount}, tryOneOrAliased);
   return true;
 }
 
@@ -147,13 +155,14 @@ bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, G
                           const void *const *indices, GLsizei drawCount,
                           const GLint *baseVertices) {
   if (mode > GL_POLYGON || drawCount <= 0 || !count || !indices || !isIndexType(type))
-    return leavesToHost(context);
+    return leaveMultiDraw(context);
   for (GLsizei i = 0; i < drawCount; ++i)
     if (count[i] < 0)
-      return leavesToHost(context);
-  if (!isEach(context))
+      return leaveMultiDraw(context);
+  if (!decidesEach(context))
     return false;
-  drawEach(context, {mode, nullptr, count, drawCount, type, indices, baseVertices}, takesOrAliases);
+  drawEach(context, {mode, nullptr, count, drawCount, type, indices, baseVertices},
+           tryOneOrAliased);
   return true;
 }
 
