@@ -9,7 +9,7 @@
 
 namespace arbiter::state {
 
-std::shared_ptr<const CompiledProgram> atiShaderEffective(Context &context) {
+std::shared_ptr<const CompiledProgram> chooseAtiShaderProgram(Context &context) {
   for (const Target target : {Target::AtiText, Target::AtiApi}) {
     ProgramTarget &row = context.row(target);
     if (!row.enabled)

@@ -18,7 +18,7 @@ struct CompiledProgram;
 /// preferred if its target is enabled, else the API form is used. Returns null if neither is
 /// enabled with a valid shader. Both specifications leave such draws undefined, and here fixed
 /// function does them.
-[[nodiscard]] std::shared_ptr<const CompiledProgram> atiShaderEffective(Context &context);
+[[nodiscard]] std::shared_ptr<const CompiledProgram> chooseAtiShaderProgram(Context &context);
 
 /// Notes that fixedFunctionNow() may have changed, so that the next draw that depends on it queries
 /// again. It only takes a test if no program does.

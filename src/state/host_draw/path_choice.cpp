@@ -112,11 +112,11 @@ bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &
   if (rows.fragment)
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);
   else if (rows.ati)
-    pair.fragment = atiShaderEffective(context);
+    pair.fragment = chooseAtiShaderProgram(context);
   if (rows.textureShaders && !pair.fragment)
-    pair.fragment = texturesEffective(context, glslHost(context.caps), rows.combiners);
+    pair.fragment = chooseTextureShaderProgram(context, glslHost(context.caps), rows.combiners);
   else if (rows.combiners && !pair.fragment)
-    pair.fragment = combinersEffective(context, glslHost(context.caps));
+    pair.fragment = chooseCombinerProgram(context, glslHost(context.caps));
   return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment) && targetsAgree(pair);
 }
 

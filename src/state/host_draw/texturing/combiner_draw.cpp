@@ -38,6 +38,7 @@ const DepthTarget *depthTargetOf(TexTarget target) {
   return row == std::end(kDepthTargets) ? nullptr : row;
 }
 
+/// True if the active unit compares depths of `target` with the r coordinate.
 bool comparesNow(Context &context, GLenum target) {
   GLint sampler = 0, mode = GL_NONE;
   if (context.caps.samplerObjects)
@@ -53,10 +54,11 @@ bool comparesNow(Context &context, GLenum target) {
 void askDepth(Context &context, const DepthTarget &target, Texel &texel, TexTarget &sampled) {
   const host::HostTable &host = *context.host;
   const TextureNames names = textureNames(target.plain);
-  constexpr GLint kMostLevels = 12; // every host has as many levels
+  // A query of a level that textures cannot have is an error. Every host has this many.
+  constexpr GLint kSafeLevels = 12;
   GLint base = 0, depth = 0;
   host.GetTexParameteriv(names.target, GL_TEXTURE_BASE_LEVEL, &base);
-  host.GetTexLevelParameteriv(names.level, base < kMostLevels ? base : 0, GL_TEXTURE_DEPTH_SIZE,
+  host.GetTexLevelParameteriv(names.level, base < kSafeLevels ? base : 0, GL_TEXTURE_DEPTH_SIZE,
                               &depth);
   texel = Texel::Color;
   sampled = target.plain;
@@ -85,6 +87,7 @@ void askDepths(Context &context, Surroundings &around) {
   }
 }
 
+/// Queries the state around the combiners that their program depends on.
 Surroundings surroundingsNow(Context &context, const fp::combiners::State &state) {
   const std::uint32_t read =
       fp::combiners::texturesRead(state) & ((1u << unsigned(context.combiners->units())) - 1u);
@@ -114,8 +117,8 @@ bool combinersSwitchedOff(Context &context) {
              textOf(context, fp::combiners::essential(context.combiners->state())).hash));
 }
 
-std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
-                                                          const fp::GlslHost &host) {
+std::shared_ptr<const CompiledProgram> chooseCombinerProgram(Context &context,
+                                                             const fp::GlslHost &host) {
   CombinerState &combiners = *context.combiners;
   fp::combiners::State state = fp::combiners::essential(combiners.state());
   const StateText *text = nullptr;
@@ -136,7 +139,7 @@ bool mayFollowCombinedDepths(const Context &context) {
 
 void followCombinedDepths(Context &context) {
   if ((context.attention & attention::kProgram) != 0)
-    return; // the choice will look anyway
+    return; // the program is about to be chosen, which asks for the depths
   Surroundings now = context.combiners->drawnUnder;
   askDepths(context, now);
   if (!(now == context.combiners->drawnUnder))

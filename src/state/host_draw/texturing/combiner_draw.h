@@ -12,8 +12,8 @@ struct CompiledProgram;
 
 /// Returns the program of the combiners' current state. Queries the host. Requires that
 /// REGISTER_COMBINERS_NV is enabled.
-[[nodiscard]] std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
-                                                                        const fp::GlslHost &host);
+[[nodiscard]] std::shared_ptr<const CompiledProgram>
+chooseCombinerProgram(Context &context, const fp::GlslHost &host);
 
 /// True if a client of control has switched off the combiners' current program, and no texture
 /// shaders precede them. Draws are then done as if REGISTER_COMBINERS_NV were disabled.

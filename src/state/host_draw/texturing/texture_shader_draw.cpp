@@ -111,8 +111,8 @@ bool texturesSwitchedOff(Context &context, bool combines) {
   return off;
 }
 
-std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const fp::GlslHost &host,
-                                                         bool combines) {
+std::shared_ptr<const CompiledProgram>
+chooseTextureShaderProgram(Context &context, const fp::GlslHost &host, bool combines) {
   TextureShaderState &shaders = keepTextures(context);
   fp::texture_shader::Key key;
   const StateText *const text =

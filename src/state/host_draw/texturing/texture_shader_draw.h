@@ -17,7 +17,7 @@ struct CompiledProgram;
 /// shaders.
 /// \param combines true if register combiners take the units' results
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
-texturesEffective(Context &context, const fp::GlslHost &host, bool combines);
+chooseTextureShaderProgram(Context &context, const fp::GlslHost &host, bool combines);
 
 /// True if a client of control has switched off the current program of texture shaders. Draws are
 /// then done as if TEXTURE_SHADER_NV were disabled. The functions below use the last answer.

@@ -24,8 +24,9 @@ bool readsAlpha(Context &context, const fp::GlslSampler &sampler) {
   GLint base = 0;
   GLint depth = 0;
   host.GetTexParameteriv(image.target, GL_TEXTURE_BASE_LEVEL, &base);
-  constexpr GLint kMostLevels = 12; // every host has as many levels
-  host.GetTexLevelParameteriv(image.level, base < kMostLevels ? base : 0, GL_TEXTURE_DEPTH_SIZE,
+  // A query of a level that textures cannot have is an error. Every host has this many.
+  constexpr GLint kSafeLevels = 12;
+  host.GetTexLevelParameteriv(image.level, base < kSafeLevels ? base : 0, GL_TEXTURE_DEPTH_SIZE,
                               &depth);
   return depth != 0;
 }
