@@ -15,12 +15,12 @@ namespace arbiter::state {
 enum class Capability : std::uint8_t {
   Host,              ///< the host alone
   ProgramTarget,     ///< the layer, if it offers the target
-  ChoosesForm,       ///< the host; chooses the variant of an ATI shader (fixed_function.h)
-  ClipPlane,         ///< the host; chooses the variant of a vertex program (clip_planes.h)
+  FixedFunction,     ///< the host; selects the variant of an ATI shader (fixed_function.h)
+  ClipPlane,         ///< the host; selects the variant of a vertex program (clip_planes.h)
   EvaluatorMap,      ///< the layer, if it offers NV_vertex_program
   PerStageConstants, ///< the layer, if it offers NV_register_combiners2
   Imaging,           ///< the layer, if it implements ARB_imaging
-  PointSprite,       ///< the host; chooses how points are drawn (variants/point_sprites.h)
+  PointSprite,       ///< the host; selects the variant that draws points (variants/point_sprites.h)
 };
 
 /// A row of the table of capabilities. Its eight bytes are a scale that x86 can index with.
@@ -56,14 +56,14 @@ inline constexpr CapabilityRow kCapabilities[] = {
     {GL_SEPARABLE_2D, Capability::Imaging, 0},
     {GL_HISTOGRAM, Capability::Imaging, 0},
     {GL_MINMAX, Capability::Imaging, 0},
-    {GL_FOG, Capability::ChoosesForm, kFog | kLighting},
-    {GL_LIGHTING, Capability::ChoosesForm, kLighting},
-    {GL_COLOR_SUM, Capability::ChoosesForm, kFog | kLighting},
-    {GL_TEXTURE_1D, Capability::ChoosesForm, kTextureBindings},
-    {GL_TEXTURE_2D, Capability::ChoosesForm, kTextureBindings},
-    {GL_TEXTURE_3D, Capability::ChoosesForm, kTextureBindings},
-    {GL_TEXTURE_CUBE_MAP, Capability::ChoosesForm, kTextureBindings},
-    {GL_TEXTURE_RECTANGLE, Capability::ChoosesForm, kTextureBindings},
+    {GL_FOG, Capability::FixedFunction, kFog | kLighting},
+    {GL_LIGHTING, Capability::FixedFunction, kLighting},
+    {GL_COLOR_SUM, Capability::FixedFunction, kFog | kLighting},
+    {GL_TEXTURE_1D, Capability::FixedFunction, kTextureBindings},
+    {GL_TEXTURE_2D, Capability::FixedFunction, kTextureBindings},
+    {GL_TEXTURE_3D, Capability::FixedFunction, kTextureBindings},
+    {GL_TEXTURE_CUBE_MAP, Capability::FixedFunction, kTextureBindings},
+    {GL_TEXTURE_RECTANGLE, Capability::FixedFunction, kTextureBindings},
     {GL_CLIP_PLANE0, Capability::ClipPlane, kTransform}, // CLIP_DISTANCEi has the same values
     {GL_CLIP_PLANE1, Capability::ClipPlane, kTransform},
     {GL_CLIP_PLANE2, Capability::ClipPlane, kTransform},

@@ -22,7 +22,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// Records the command in a list. A separate function, as a Command takes much stack.
+/// Records the command in a list. It is a separate function because a Command takes much stack.
 [[gnu::noinline]] void record(Context &context, const ProgramTarget &row, bool enabled) {
   const auto kind = enabled ? Command::Kind::Enable : Command::Kind::Disable;
   listCompiler(context).record(context, {.kind = kind, .target = row.info().name});
@@ -30,7 +30,7 @@ namespace {
 
 /// Executes Enable and Disable of a program target.
 void enable(Context &context, ProgramTarget &row, bool enabled) {
-  if (context.insideBeginEnd) [[unlikely]] {
+  if (context.insideBeginEnd) [[unlikely]] { // tested here to save a call
     (void)outsideBeginEnd(context, enabled ? "Enable between Begin and End"
                                            : "Disable between Begin and End");
     return;
@@ -66,7 +66,8 @@ void setPerStageConstants(Context &context, bool enabled) {
 void setImaging(Context &context, GLenum cap, bool enabled) {
   if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
     return;
-  // Programs often disable all of it before they draw pixels, and use none of it.
+  // Applications often disable all of it before they draw pixels, though they never enabled any.
+  // Outside lists a command that changes nothing is therefore skipped.
   const bool isEnabled = (context.imaging->settings.enabled & imagingBitOf(cap)) != 0;
   if (enabled != isEnabled || context.listMode != 0)
     issueImaging(context, {.kind = ImagingCommand::Kind::Enable, .flag = enabled, .pname = cap});
@@ -78,14 +79,16 @@ bool hasPerStageConstants(const Context &context) {
 
 /// Notes that the host has executed an Enable or Disable.
 void noteCapability(Context &context, Capability capability, bool enabled) {
-  if (capability == Capability::ChoosesForm)
+  if (capability == Capability::FixedFunction)
     noteFixedFunctionCommand(context);
   else if (capability == Capability::ClipPlane)
     noteClipPlane(context, enabled);
   else if (capability == Capability::PointSprite)
     noteSpriteCommand(context);
   else if (capability == Capability::ProgramTarget)
-    context.dirty |= software::dirty::kQueries; // a driver's own extension (mirror_obstacles.cpp)
+    // The driver has the extension and not the layer. The mirror asks for the capability again
+    // together with the queries (mirror_obstacles.cpp).
+    context.dirty |= software::dirty::kQueries;
 }
 
 /// Executes Enable and Disable of a capability that is not the host's alone.
@@ -127,8 +130,8 @@ void Disable(Context &context, GLenum cap) {
 
 void Enablei(Context &context, GLenum target, GLuint index) {
   context.host->Enablei(target, index);
-  noteCapability(context, rowOfCapability(target).capability,
-                 true); // EXT_direct_state_access: enables a unit's target
+  // EXT_direct_state_access enables a unit's texture target so, which a shader variant depends on.
+  noteCapability(context, rowOfCapability(target).capability, true);
 }
 
 void Disablei(Context &context, GLenum target, GLuint index) {
