@@ -22,8 +22,8 @@ void record(Context &context, GLenum target, GLuint index, GLsizei count,
   listCompiler(context).record(context, std::move(command));
 }
 
-/// Converts parameters of any type. Returns none if the count is an error, which the execution
-/// raises.
+/// Converts parameters of any type. If the count is an error, returns no values, because none may
+/// be read then. setNvParameters() raises the error when the command is executed.
 template <typename T> std::vector<Vec4> gather(GLsizei count, const T *params) {
   std::vector<Vec4> values(count > 0 && GLuint(count) <= NvState::kParameters ? std::size_t(count)
                                                                               : 0);
@@ -33,6 +33,7 @@ template <typename T> std::vector<Vec4> gather(GLsizei count, const T *params) {
   return values;
 }
 
+/// Sets parameters, or records the command in a list.
 void set(Context &context, GLenum target, GLuint index, GLsizei count, std::vector<Vec4> values) {
   if (!outsideBeginEnd(context, "ProgramParameter between Begin and End"))
     return;
@@ -41,7 +42,8 @@ void set(Context &context, GLenum target, GLuint index, GLsizei count, std::vect
   setNvParameters(context, target, index, count, values.data());
 }
 
-/// Sets one parameter. Allocates nothing if it takes effect at once.
+/// Sets one parameter. It allocates nothing unless a list records it, because applications call it
+/// often.
 void set(Context &context, GLenum target, GLuint index, const Vec4 &value) {
   if (context.insideBeginEnd || context.listMode) [[unlikely]]
     return set(context, target, index, 1, {value});
@@ -55,6 +57,7 @@ void getParameter(Context &context, GLenum target, GLuint index, GLenum pname, T
   if (target != GL_VERTEX_PROGRAM_NV || pname != GL_PROGRAM_PARAMETER_NV)
     return raise(context, GL_INVALID_ENUM, "GetProgramParameter: target or pname");
   const ProgramTarget &row = context.row(Target::Vertex);
+  // The target may have more env parameters than NV_vertex_program, or fewer.
   const std::size_t size = std::min<std::size_t>(NvState::kParameters, row.env.size());
   if (!isRange(context, index, 1, size, "GetProgramParameter: index"))
     return;
