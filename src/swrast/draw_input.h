@@ -26,7 +26,7 @@ enum class PolygonMode : std::uint8_t { Point, Line, Fill };
 struct Vertices {
   std::uint32_t count = 0;
   const float *position[4] = {};
-  /// Fragment input i is components[i][c]; null components are 0, 0, 0, 1.
+  /// Component c of fragment input i is inputs[i][c]; null components are 0, 0, 0, 1.
   const float *inputs[abi::kMaxInputs][4] = {};
   /// Two-sided colours: a back-facing polygon takes input i from here where an array is set.
   const float *backInputs[abi::kMaxInputs][4] = {};
@@ -69,13 +69,15 @@ struct RasterState {
   Rect clip; ///< intersection of the scissor and the target's size
   bool cullFront = false, cullBack = false;
   bool frontIsClockwise = false;
-  bool flatShade = false;        ///< inputs whose key is Flat take the provoking vertex's value
-  bool provokingIsFirst = false; ///< as set by the application
-  /// for quads and quad strips, which may ignore the convention
+  bool flatShade = false; ///< colours are the provoking vertex's (Interpolation::Flat)
+  /// True if the application has made the first vertex of a primitive the provoking one, instead of
+  /// the last (ARB_provoking_vertex).
+  bool provokingIsFirst = false;
+  /// The same for quads and quad strips, where a host may ignore the application's choice.
   bool quadsProvokingIsFirst = false;
-  /// True if the triangles were cut from fans or polygons, whose provoking vertex follows the other
-  /// convention. Hosts still choose the order of a triangle's vertices by the application's
-  /// convention.
+  /// True for triangles that joined strips, fans or polygons consist of, if the provoking vertex is
+  /// first where provokingIsFirst says last, or the reverse. (A polygon's is always its first.)
+  /// Hosts still choose the order of a triangle's vertices by provokingIsFirst.
   bool partsProvokeOtherwise = false;
   bool depthClamp = false;
   PolygonMode front = PolygonMode::Fill, back = PolygonMode::Fill;
@@ -108,8 +110,9 @@ struct RasterState {
   /// in display lists, with indices, and where the provoking vertex matters: the fourth vertex is
   /// then in both triangles.
   bool secondDiagonal = false;
-  /// True if the host draws this with its clipping path (cutsOtherwise()).
-  bool inOtherPath = false;
+  /// True if the host draws this with its clipping path though nothing is clipped. That path splits
+  /// quads along the other diagonal (cutsOtherwise()).
+  bool inClippingPath = false;
   /// Height of a target that the host stores upside down (a window, but no framebuffer object),
   /// else 0. Rounding and ties then match the host's.
   std::int32_t upsideDownHeight = 0;
@@ -127,9 +130,9 @@ struct DepthTest {
 /// The machine code of one program and state. At least one of `row` and `quad` is set. If both are,
 /// large primitives are shaded by rows and small ones by blocks.
 struct Shading {
-  abi::ShadeFunction row = nullptr;
-  abi::ShadeFunction quad = nullptr;
-  std::uint32_t pixelCost = 1; ///< approximate cost of a pixel on one thread, in nanoseconds
+  abi::ShadeFunction row = nullptr;  ///< code for Lanes::Row, which shades rows
+  abi::ShadeFunction quad = nullptr; ///< code for Lanes::Quad, which shades blocks of 2x2 quads
+  std::uint32_t pixelCost = 1;       ///< approximate cost of a pixel on one thread, in nanoseconds
   int lanes = 16, blockWidth = 4, blockHeight = 4; ///< the engine's lanes, and block size
   const abi::FragmentData *data = nullptr;
   std::uint32_t inputCount = 0; ///< includes the input of abi::Coverage
@@ -146,7 +149,9 @@ struct Shading {
   /// fragment.
   abi::PackedShadeFunction packed = nullptr;
   DepthTest depth;
-  bool packsQuads = false; ///< true if the code needs a level of detail or a derivative
+  /// True if `packed` takes whole 2x2 quads, because the code needs a level of detail or a
+  /// derivative.
+  bool packsQuads = false;
   /// True if a fragment that passes the depth test replaces the unmasked components without reading
   /// them.
   bool replaces = false;

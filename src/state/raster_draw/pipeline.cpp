@@ -227,7 +227,7 @@ namespace {
 
 /// True if llvmpipe draws with its clipping path. It does so for every primitive while smooth lines
 /// or points are enabled, and then lacks polygon offset and two-sidedness of its fast path.
-bool takesOtherPath(const Mirror &mirror, bool twoSided) {
+bool takesClippingPath(const Mirror &mirror, bool twoSided) {
   const swrast::RasterState &raster = mirror.raster;
   return (mirror.smoothLines || mirror.smoothPoints) &&
          (raster.offsetFill || raster.offsetLine || raster.offsetPoint || twoSided);
@@ -240,7 +240,6 @@ bool hasFlatInput(const swrast::Shading &shading) {
 
 /// True if no vertex has a colour of its own. Fixed function's fragments then have no such inputs
 /// on hosts.
-/// inputs then.
 bool hasOneColor(const VertexSource &source) {
   return !source.arrays[kColor].base && !source.arrays[kSecondary].base;
 }
@@ -269,7 +268,7 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
     return outcome;
   m_raster.partsProvokeOtherwise = primitives.provokingIsFirst != m_raster.provokingIsFirst;
   m_raster.secondDiagonal = cutsSecondDiagonal(context, source, indices, *shading);
-  m_raster.inOtherPath = takesOtherPath(context.software->mirror, m_vertices.isTwoSided());
+  m_raster.inClippingPath = takesClippingPath(context.software->mirror, m_vertices.isTwoSided());
   swrast::DrawQueue &draws = context.software->draws;
   if (draws.add(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0, count,
                 m_use))

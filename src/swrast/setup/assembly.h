@@ -30,7 +30,7 @@ struct LineEnds {
 /// paths. The one that clips and stipples always splits quads so. The plain one does it if the
 /// provoking vertex matters or is the first, for indices, and in lists, but never for quad strips.
 [[nodiscard]] inline bool cutsOtherwise(const RasterState &state, Topology topology, bool clipped) {
-  return clipped || state.inOtherPath || state.polygonStipple != nullptr ||
+  return clipped || state.inClippingPath || state.polygonStipple != nullptr ||
          (topology != Topology::QuadStrip && (state.secondDiagonal || state.provokingIsFirst));
 }
 /// Returns the number of triangles that `count` vertices make, or 0 for points and lines. Vertices

@@ -5,17 +5,17 @@
 
 /// Draws smooth lines as rectangles around the line (OpenGL 2.1, 3.4.2, figure 3.4). The rectangle
 /// is half a pixel larger on each side, and coverage falls to zero across its border. The
-/// specification leaves the formula of coverage open. This is the software host's, so that frames
-/// of both look alike: coverage is interpolated with perspective over two triangles.
+/// specification leaves the formula of coverage open. The formula here is llvmpipe's, so that
+/// frames of both look alike: coverage is interpolated with perspective over two triangles.
 namespace arbiter::swrast {
 namespace {
 
-/// A line's direction, and half the size of its rectangle. It is computed by the host's steps,
+/// A line's direction, and half the size of its rectangle. It is computed by the steps of llvmpipe,
 /// because depths only match if the corners are equal. A line of zero length points along x.
 struct Extent {
   Extent(const WindowVertex &a, const WindowVertex &b, const RasterState &state)
       : length(lengthOf(b.x - a.x, b.y - a.y)),
-        // NaN becomes 1.
+        // A width of NaN counts as 1, because the comparison is then false.
         halfWidth(0.5f * (state.lineWidth > 1 ? std::min(state.lineWidth, 8192.0f) : 1.0f) + 0.5f),
         halfLength(0.5f * length + 0.5f) {
     if (state.lineEndsAsEdges) { // these hosts divide, others use an angle
@@ -55,36 +55,40 @@ struct Corner {
 /// Computes all planes of a triangle, including the input for abi::Coverage::Line.
 void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
                const Corner *const corner[3], Shape &shape) {
-  // Hosts begin with the second corner.
+  // llvmpipe gives the corners of these triangles in this order. Planes must begin at the same
+  // corner as the host's, because rounding depends on it.
   constexpr int kOrder[3] = {1, 0, 2};
   Triangle plane = stroke.primitive(*corner[0]->end, *corner[1]->end, *corner[2]->end);
   float scale[3];
-  const std::uint32_t number = draw.shading.inputCount - 1;
-  const bool isDivided = draw.shading.interpolation[number] == abi::Interpolation::Perspective;
+  // The input for coverage comes after those of the program.
+  const std::uint32_t coverageInput = draw.shading.inputCount - 1;
+  const bool isDivided =
+      draw.shading.interpolation[coverageInput] == abi::Interpolation::Perspective;
   for (int k = 0; k < 3; ++k) {
     plane.corner[k] = corner[k]->window;
     scale[k] = isDivided ? plane.corner[k].inverseW : 1.0f;
   }
-  const HostOrder order(
-      draw.state, {{plane.corner[kOrder[0]], plane.corner[kOrder[1]], plane.corner[kOrder[2]]},
-                   {0, 1, 2},
-                   draw.state.provokingIsFirst ? 0u : 2u});
-  int walked[3];
+  const HostOrder turn(draw.state,
+                       {{plane.corner[kOrder[0]], plane.corner[kOrder[1]], plane.corner[kOrder[2]]},
+                        {0, 1, 2},
+                        draw.state.provokingIsFirst ? 0u : 2u});
+  int order[3]; // corners in the order that llvmpipe computes planes with
   for (int k = 0; k < 3; ++k)
-    walked[k] = kOrder[order.corner[k]];
+    order[k] = kOrder[turn.corner[k]];
   const PlaneSteps steps(
-      draw.state, {&plane.corner[walked[0]], &plane.corner[walked[1]], &plane.corner[walked[2]]});
+      draw.state, {&plane.corner[order[0]], &plane.corner[order[1]], &plane.corner[order[2]]});
+  // The ends of an unfilled polygon's sides have its offset already.
   if (draw.plan.wantsDepth)
     shape.primitive.z = makeDepthPlane(draw.state, steps, false);
-  makePlanes(draw.plan, plane, steps, walked, shape.primitive);
+  makePlanes(draw.plan, plane, steps, order, shape.primitive);
   const auto planeOf = [&](float a, float b, float c) {
     const float values[3] = {a * scale[0], b * scale[1], c * scale[2]};
-    return steps.plane({values[walked[0]], values[walked[1]], values[walked[2]]});
+    return steps.plane({values[order[0]], values[order[1]], values[order[2]]});
   };
   // A line shorter than a pixel covers proportionally less.
   const float share = extent.length < 1 ? extent.length / extent.halfLength : 1.0f;
   const float reach = extent.halfLength * share, width = extent.halfWidth;
-  abi::Plane *const input = shape.primitive.inputs[number];
+  abi::Plane *const input = shape.primitive.inputs[coverageInput];
   input[0] = planeOf(corner[0]->across, corner[1]->across, corner[2]->across);
   input[1] = planeOf(corner[0]->along * share, corner[1]->along * share, corner[2]->along * share);
   input[2] = planeOf(width, width, width);
@@ -113,7 +117,8 @@ bool shapeOfSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &
   if (!setBounds(draw.state.clip, place, corners, shape) || areaOf(place) == 0)
     return false;
   shape.edgeCount = corners;
-  shape.stippled = false;
+  shape.stippled = false; // polygon stipple does not apply to lines
+  // The corners are counterclockwise in the host's coordinates, which may run downwards.
   for (int i = 0; i < corners; ++i) {
     const WindowVertex &next = place[(i + 1) % corners];
     shape.edges[i] = height == 0 ? edgeBetween(place[i], next) : edgeBetween(next, place[i]);
