@@ -13,10 +13,11 @@ namespace {
 using fp::ir::AttributeKind;
 using fp::ir::OutputKind;
 
-/// Vertices that one call of the function transforms; few enough for the results to stay in the
-/// cache.
+/// Most vertices that one call of the program's machine code transforms. The results of so few stay
+/// in the cache.
 constexpr std::uint32_t kStretch = swrast::Vertices::kStretch;
 
+/// Returns the results that the program of fixed function must compute.
 VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, const VertexStage::Use &use) {
   VertexNeeds needs;
   needs.pointSize = use.points;
@@ -40,13 +41,14 @@ VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, const VertexStage::
     case AttributeKind::Normal:
     case AttributeKind::Generic:
     case AttributeKind::Facing:
-      break; // vertices give no such fragment attribute
+      break; // no vertex result is interpolated for these
     }
   }
   return needs;
 }
 
-/// Returns the vertex result that a fragment attribute interpolates.
+/// Returns the vertex result that a fragment attribute interpolates. `back` selects the colours of
+/// back faces.
 fp::ir::Output resultOf(const fp::ir::Attribute &attribute, bool back) {
   switch (attribute.kind) {
   case AttributeKind::ColorPrimary:
@@ -67,8 +69,8 @@ bool isColor(const fp::ir::Attribute &attribute) {
 
 } // namespace
 
-void VertexStage::take(Context &context, const std::shared_ptr<const fp::ir::Program> &source,
-                       Wait wait) {
+void VertexStage::selectProgram(Context &context,
+                                const std::shared_ptr<const fp::ir::Program> &source, Wait wait) {
   m_program = &m_programs.find(source, m_program);
   if (!m_program->functions)
     m_program->functions = vertexFunctions(source, context.numerics, wait);
@@ -82,11 +84,12 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
   mirror.refreshVertexState(floatTarget);
   m_clipPlanes = mirror.vertex.clipPlanes;
   if (!compiled) {
-    take(context, m_fixed.get(mirror.vertex, needsOf(fragments, use)), wait);
+    selectProgram(context, m_fixed.get(mirror.vertex, needsOf(fragments, use)), wait);
     m_twoSided = mirror.vertex.lighting && mirror.vertex.twoSided;
     m_pointSize = use.points && mirror.vertex.pointAttenuation;
   } else {
-    take(context, m_extended.get(compiled->program, m_clipPlanes, mirror.vertex.clampColors), wait);
+    selectProgram(context,
+                  m_extended.get(compiled->program, m_clipPlanes, mirror.vertex.clampColors), wait);
     m_twoSided = mirror.twoSidedColor;
     m_pointSize = use.points && mirror.pointSizeFromProgram;
   }
@@ -126,7 +129,7 @@ Outcome VertexStage::bindTextures(Context &context, Mirror &mirror, Wait wait) {
 void VertexStage::findUnwritten(const Context &context) {
   m_unwritten.clear();
   if (!m_compiled || context.effective.linkedProgram->fragment.compiled)
-    return;
+    return; // only a program's vertices with the fragments of fixed function need them
   const auto &results = m_shape->outputs;
   for (std::size_t i = 0; i < m_fragments->inputs.size(); ++i) {
     const fp::ir::Attribute &attribute = m_fragments->inputs[i].attribute;
@@ -155,7 +158,7 @@ std::uint32_t VertexStage::currentSlots() const {
 void VertexStage::transformStretch(std::uint32_t begin, std::uint32_t end) const {
   m_fetcher.convert(begin, end);
   // The pointers lie on the stack, because several threads transform stretches at a time.
-  constexpr std::size_t kMost = 4 * 64;
+  constexpr std::size_t kMost = 4 * 64; // components of 64 attributes or results, more than exist
   const float *inputs[kMost];
   float *results[kMost];
   const std::size_t inputCount = m_shape->inputs.size(), outputCount = m_shape->outputs.size();
@@ -240,8 +243,8 @@ void VertexStage::connect(float *const *outputs) {
   for (std::uint8_t plane = 0; plane < 8; ++plane) {
     if ((m_clipPlanes >> plane & 1u) == 0)
       continue;
-    // The layer's clip distances come first: a position-invariant program may write some of its
-    // own.
+    // The layer passes its own clip distances in texture coordinates that no application has. They
+    // come first, because a position-invariant program may write result.clip too.
     if (float *const *const distances =
             find({OutputKind::TexCoord, std::uint8_t(kClipDistanceOutput + plane / 4)}))
       out.clipDistance[plane] = distances[plane % 4];

@@ -66,9 +66,14 @@ private:
     std::unique_ptr<ProgramValues> values;
     RecentFunctions<VertexFunctions, abi::VertexKey> recent; ///< for a program that samples
   };
-  void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, Wait wait);
+  /// Makes m_program the entry of `source`, and requests its functions at the first use.
+  void selectProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source,
+                     Wait wait);
+  /// Points m_vertices at the outputs of the chosen program.
   void connect(float *const *outputs);
+  /// Fills m_unwritten for the chosen program.
   void findUnwritten(const Context &context);
+  /// Points the unwritten inputs at current values. Returns false if there is no memory.
   [[nodiscard]] bool connectUnwritten(const Mirror &mirror);
   void transformStretch(std::uint32_t begin, std::uint32_t end) const;
   void transformAll(std::uint32_t count) const;
