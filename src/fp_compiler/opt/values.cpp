@@ -11,7 +11,7 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-constexpr std::size_t kMaxRows = 0xFFFF;
+constexpr std::size_t kMaxRows = 0xFFFF; // an operand's index has 16 bits
 
 std::array<std::uint32_t, 4> bitsOf(const ir::Vec4 &value) {
   return std::bit_cast<std::array<std::uint32_t, 4>>(value);
@@ -32,6 +32,7 @@ std::optional<float> constantAt(const ir::Program &program, const Operand &opera
       return {};
     const float given = parameter.constant[std::size_t(select)];
     const Numerics mode = ir::numericsOf(program.language, numerics);
+    // NVIDIA's MOV would copy the bits of a denormal, which arithmetic reads as zero.
     if (program.options.nv != ir::NvOption::None && mode != Numerics::Fp24 &&
         ir::flushed(given) != given)
       return {};

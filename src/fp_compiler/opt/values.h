@@ -10,7 +10,8 @@
 namespace arbiter::fp::opt {
 
 /// Returns the value of one operand component as an instruction reads it, if it is known. It is not
-/// known for a denormal, where MOV, SWZ and CMP would copy its bits (bits.h).
+/// known for a denormal in a program with NVIDIA's options, where MOV, SWZ and CMP would copy its
+/// bits (bits.h).
 [[nodiscard]] std::optional<float>
 constantAt(const ir::Program &program, const ir::Operand &operand, int position, Numerics numerics);
 
@@ -52,7 +53,7 @@ private:
 class ConstantRows {
 public:
   explicit ConstantRows(ir::Program &program);
-  /// Returns an operand that reads \p value.
+  /// Returns an operand that reads \p value, and gives it the \p span. Requires hasRoom().
   [[nodiscard]] ir::Operand operand(const ir::Vec4 &value, const Span &span);
   /// False if the table is full.
   [[nodiscard]] bool hasRoom() const;

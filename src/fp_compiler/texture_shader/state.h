@@ -82,7 +82,11 @@ enum class Base : std::uint8_t {
   Dudv, ///< from ATI_envmap_bumpmap
 };
 /// The signedness of a texture's components.
-enum class Signs : std::uint8_t { Unsigned, Signed, SignedRgb };
+enum class Signs : std::uint8_t {
+  Unsigned,
+  Signed,
+  SignedRgb, ///< signed red, green and blue, and unsigned alpha
+};
 
 /// The texture of a stage's target.
 struct Texture {
@@ -91,7 +95,8 @@ struct Texture {
   bool compares = false; ///< a depth texture with TEXTURE_COMPARE_MODE
   bool operator==(const Texture &) const = default;
 };
-/// True for format type RGBA in the consistency rules. DSDT_MAG_INTENSITY is not one.
+/// True for format type RGBA in the consistency rules, which includes ALPHA, LUMINANCE and
+/// INTENSITY. DSDT_MAG_INTENSITY is not one, though texture environments read it so.
 [[nodiscard]] constexpr bool isRgba(Base base) { return base >= Base::Alpha && base <= Base::Rgba; }
 
 /// The stages and their textures. It has no padding, so that it can be compared and hashed as
@@ -99,12 +104,13 @@ struct Texture {
 struct State {
   std::array<Stage, kUnits> stages;
   std::array<Texture, kUnits> textures;
-  /// ATI_envmap_bumpmap with conventional texturing. A unit's entry is 1 plus the unit whose
-  /// coordinates its rotated texel is added to. 0 means that it does not bump.
+  /// ATI_envmap_bumpmap with conventional texturing. A unit that bumps adds its rotated texel to
+  /// the coordinates of another unit, its target. The entry is 1 plus the target's number, or 0 if
+  /// the unit does not bump.
   std::array<std::uint8_t, kUnits> bumps{};
   std::uint8_t units = kUnits; ///< number of units
-  /// True for conventional texturing (TEXTURE_SHADER_NV disabled) expressed as stages. ALPHA
-  /// textures are then (0, 0, 0, A).
+  /// True for conventional texturing (TEXTURE_SHADER_NV disabled) expressed as stages. A texel of
+  /// an ALPHA texture is then (0, 0, 0, A). In texture shaders it is (1, 1, 1, A).
   bool conventional = false;
   bool operator==(const State &) const = default;
 };
@@ -113,10 +119,10 @@ struct State {
 /// become NONE, and fields that an operation does not read get their default.
 [[nodiscard]] State essential(const State &state);
 
-/// The env parameters of a unit. They follow those of register combiners: OFFSET_TEXTURE_MATRIX_NV
-/// (a1, a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV. After those
-/// of all units come the rows of BUMP_ROT_MATRIX_ATI (r00, r01, r10, r11), which program texts
-/// cannot set.
+/// The env parameters of a unit. Register combiners have the numbers before them. Each unit has
+/// three in a row: OFFSET_TEXTURE_MATRIX_NV as (a1, a2, a3, a4), then (OFFSET_TEXTURE_SCALE_NV,
+/// OFFSET_TEXTURE_BIAS_NV), then CONST_EYE_NV. BUMP_ROT_MATRIX_ATI as (r00, r01, r10, r11) comes
+/// after those of all units, one row for each. Program texts cannot set it.
 enum class Row : std::uint8_t { Matrix, ScaleBias, Eye, Bump };
 inline constexpr int kRows = 4;
 [[nodiscard]] constexpr int parameter(int unit, Row row) {

@@ -8,6 +8,7 @@ Refs Operands::position(std::uint16_t attribute) {
   EmitOptions options;
   options.cause = Cause::Position;
   const Value inverse = m_emit.scalar(AlphaOp::Rcp, 8, clip, options);
+  // Adding -0 keeps the sign of a zero.
   const Value device = m_emit.mad(7, clip, inverse, literals(-0.0f), options);
   const Value window = m_emit.mad(7, device, row(Constant::Kind::ViewportScale, 0),
                                   row(Constant::Kind::ViewportOffset, 0), options);
@@ -74,6 +75,7 @@ Value Operands::read(const ir::Operand &operand) {
     } else {
       value.direct[c] = source.direct[std::size_t(select)];
       const Ref &through = source.through[std::size_t(select)];
+      // The source of a copy may have been overwritten since. The copy then stays.
       value.through[c] = m_emit.readable(through) ? through : value.direct[c];
     }
     if (operand.negate >> c & 1) {
@@ -91,7 +93,7 @@ std::uint16_t Operands::attributeOf(ir::AttributeKind kind, std::uint16_t otherw
   return otherwise;
 }
 
-Value Operands::optional(ir::AttributeKind kind, std::uint16_t otherwise) {
+Value Operands::attributeOr(ir::AttributeKind kind, std::uint16_t otherwise) {
   const std::uint16_t index = attributeOf(kind, otherwise);
   return index == otherwise ? valueOf(m_emit.interpolant(index)) : attribute(index);
 }

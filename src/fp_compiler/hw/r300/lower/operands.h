@@ -13,9 +13,10 @@ public:
   Value read(const ir::Operand &operand);
   /// Returns a constant row that the driver adds.
   Value row(Constant::Kind kind, std::uint16_t index);
-  /// Returns an attribute that an option reads: the program's own of that kind, or else \p
-  /// otherwise.
-  Value optional(ir::AttributeKind kind, std::uint16_t otherwise);
+  /// Returns an attribute that an option of the program reads, such as fog. It is the program's
+  /// attribute of that kind. If the program declares none, it is the
+  /// interpolant \p otherwise (kFogCoordinate, kSecondaryColour).
+  Value attributeOr(ir::AttributeKind kind, std::uint16_t otherwise);
 
 private:
   struct Attribute {
@@ -24,10 +25,12 @@ private:
   };
 
   Refs position(std::uint16_t attribute);
+  /// Returns an attribute, and emits what computes it at the first use only.
   const Value &attribute(std::uint16_t index);
   static Value rowValue(std::uint16_t index);
   Value parameter(std::uint16_t index);
   [[nodiscard]] std::uint16_t attributeOf(ir::AttributeKind kind, std::uint16_t otherwise) const;
+  /// Returns an operand's register before swizzle and signs.
   Value whole(const ir::Operand &operand);
 
   const ir::Program &m_program;

@@ -30,7 +30,7 @@ void Results::epilogue() {
   const ir::Options &options = m_program.options;
   if (options.colorSum) {
     const Value secondary =
-        m_operands.optional(ir::AttributeKind::ColorSecondary, kSecondaryColour);
+        m_operands.attributeOr(ir::AttributeKind::ColorSecondary, kSecondaryColour);
     for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
       if (isColour(i)) {
         EmitOptions sum;
@@ -48,7 +48,7 @@ void Results::epilogue() {
 
 Value Results::fogFactor() {
   const Value coordinate =
-      broadcast(m_operands.optional(ir::AttributeKind::FogCoord, kFogCoordinate), 0);
+      broadcast(m_operands.attributeOr(ir::AttributeKind::FogCoord, kFogCoordinate), 0);
   const Value factors = m_operands.row(Constant::Kind::FogFactors, 0);
   EmitOptions partial, last;
   partial.cause = last.cause = Cause::Fog;
