@@ -52,6 +52,7 @@ std::string prepareFolder(const std::string &folder) {
   return error ? folder + ": " + error.message() : std::string();
 }
 
+/// Writes a file that only its owner can read. Complains and returns false if it cannot.
 bool write(const std::string &path, const std::string &text) {
   if (replacePrivateFile(path, text))
     return true;
@@ -80,6 +81,7 @@ bool assemble(const std::string &folder) {
   good = write(folder + "/index.html", indexPage(index)) && good;
   for (const std::string &missing : whatIsMissing(index))
     complain("cut short: " + missing);
+  // This is printed on standard error too, because standard output is the application's.
   if (good)
     complain("programs: " + std::to_string(index.programs.size()) + ", refused: " +
              std::to_string(refused) + ", processes: " + std::to_string(index.processes.size()) +
@@ -114,7 +116,8 @@ int capture(const CaptureArguments &arguments) {
     return kExitUsage;
   }
   doctor::sayWhatIsInTheWay(arguments.command, files.value());
-  const int status = supervise(environment.value(), arguments.command, [] {});
+  const auto nothing = [] {}; // if this process is killed, the folder stays without an index
+  const int status = supervise(environment.value(), arguments.command, nothing);
   if (status < 0)
     return kExitInternal;
   const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);

@@ -63,7 +63,7 @@ std::string languageTitle(Language language, std::string_view text) {
   const fp::ir::NativeLanguage own = fp::nativeLanguageOf(text);
   const std::string_view header =
       own == fp::ir::NativeLanguage::None ? languageRow(language).header : fp::ir::headerOf(own);
-  return std::string(header.substr(2));
+  return std::string(header.substr(2)); // without "!!"
 }
 
 std::string titleOf(const std::string &name, std::string_view file,
@@ -88,6 +88,8 @@ fp::Limits limitsOf(const fp::hw::Profile &profile, Language language) {
 }
 
 bool hasPrograms(const fp::Limits &limits, Language language) {
+  // Only ARBfp can be missing. Drivers run vertex programs on the processor, and limitsOf() gives
+  // limits of the other languages for every card.
   return language != Language::ArbFragment || limits.native.instructions != 0;
 }
 

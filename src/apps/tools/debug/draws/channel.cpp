@@ -50,16 +50,16 @@ bool Channel::fill(int seconds) {
 }
 
 std::optional<std::string> Channel::receive(int seconds) {
-  std::size_t looked = 0;
+  std::size_t searched = 0; // the part of m_waiting that has no end of a line
   for (;;) {
-    const std::size_t end = m_waiting.find('\n', looked);
+    const std::size_t end = m_waiting.find('\n', searched);
     if (end != std::string::npos) {
       std::string line = m_waiting.substr(0, end);
       m_waiting.erase(0, end + 1);
       return line;
     }
-    looked = m_waiting.size();
-    if (looked > kMostLine || !fill(seconds))
+    searched = m_waiting.size();
+    if (searched > kMostLine || !fill(seconds))
       return {};
   }
 }

@@ -21,11 +21,13 @@ public:
   /// Returns the next line without its end. Returns nothing if the other end is closed, if a line
   /// is longer than kMostLine, or after a silence of `seconds` (negative: waits forever).
   std::optional<std::string> receive(int seconds);
+  /// Receives the bytes that follow a line. Returns false if fewer come.
   bool receive(void *bytes, std::size_t count, int seconds);
 
   static constexpr std::size_t kMostLine = 8u << 20;
 
 private:
+  /// Waits for data, and adds it to m_waiting. Returns false if none comes.
   bool fill(int seconds);
   bool write(const char *bytes, std::size_t count);
 

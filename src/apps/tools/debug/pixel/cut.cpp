@@ -15,7 +15,8 @@ using fp::ir::Instruction;
 using fp::ir::Opcode;
 using fp::ir::Program;
 
-/// Returns a program with the tables of another, but without code and outputs.
+/// Returns a program with the tables of another, without its code. Its only outputs are colours,
+/// one for each target, and no option changes them after they are written.
 Program shell(const Program &program, std::size_t targets) {
   Program bare = program;
   bare.language = fp::ir::Language::ArbFragment;
@@ -36,7 +37,8 @@ fp::ir::Destination colorTarget(std::size_t index) {
   return dst;
 }
 
-Instruction moved(std::size_t target, const fp::ir::Operand &from) {
+/// Returns a MOV of an operand to a target.
+Instruction moveToTarget(std::size_t target, const fp::ir::Operand &from) {
   Instruction move;
   move.op = Opcode::Mov;
   move.dst = colorTarget(target);
@@ -44,21 +46,24 @@ Instruction moved(std::size_t target, const fp::ir::Operand &from) {
   return move;
 }
 
+/// Builds a program that shows values: it copies instructions of the original program, and inserts
+/// writes of its colour targets.
 class Cutter {
 public:
   Cutter(const Program &program, std::size_t targets, Fragments fragments)
       : m_program(program), m_fragments(fragments), m_cut(shell(program, targets)),
-        m_firstOutput(program.temporaries.size()) {
+        m_standIns(program.temporaries.size()) {
     for (std::size_t i = 0; i < program.outputs.size(); ++i)
       m_cut.temporaries.push_back({"o" + std::to_string(i)});
   }
 
   Program withProbes(const std::vector<Probe> &probes) {
+    // KIL and depth after the last probe also decide which fragments survive.
     const bool whole = m_fragments == Fragments::Surviving;
     const std::size_t end = whole ? m_program.code.size() : probes.back().row + 1;
     for (std::size_t row = 0; row < end; ++row) {
       addProbes(probes, row, false);
-      keep(m_program.code[row]);
+      copy(m_program.code[row]);
       addProbes(probes, row, true);
     }
     addDepth();
@@ -67,35 +72,36 @@ public:
 
   Program withOperands(const std::vector<fp::ir::Operand> &operands) {
     for (std::size_t i = 0; i < operands.size(); ++i)
-      m_cut.code.push_back(moved(i, operands[i]));
+      m_cut.code.push_back(moveToTarget(i, operands[i]));
     if (m_fragments == Fragments::Surviving)
       for (const Instruction &instruction : m_program.code)
-        keep(instruction);
+        copy(instruction);
     addDepth();
     return std::move(m_cut);
   }
 
 private:
   /// Redirects outputs to temporaries, which can be read.
-  fp::ir::Destination kept(fp::ir::Destination dst) const {
+  fp::ir::Destination readable(fp::ir::Destination dst) const {
     if (dst.file == File::Output) {
       dst.file = File::Temporary;
-      dst.index = std::uint16_t(m_firstOutput + dst.index);
+      dst.index = std::uint16_t(m_standIns + dst.index);
     }
     return dst;
   }
 
-  void keep(const Instruction &instruction) {
+  /// Copies an instruction of the original program. KIL is left out if all fragments are shown.
+  void copy(const Instruction &instruction) {
     if (fp::ir::info(instruction.op).has(fp::ir::Kills)) {
       if (m_fragments == Fragments::Surviving)
         m_cut.code.push_back(instruction);
       return;
     }
     m_cut.code.push_back(instruction);
-    m_cut.code.back().dst = kept(instruction.dst);
+    m_cut.code.back().dst = readable(instruction.dst);
   }
 
-  /// Writes the program's own depth, if the program has one.
+  /// Writes the program's own depth, if the program has one and fragments are tested with it.
   void addDepth() {
     if (m_fragments != Fragments::Surviving)
       return;
@@ -103,9 +109,9 @@ private:
       if (m_program.outputs[i].kind != fp::ir::OutputKind::Depth)
         continue;
       fp::ir::Operand depth;
-      depth.index = std::uint16_t(m_firstOutput + i);
-      m_cut.code.push_back(moved(m_cut.outputs.size(), depth));
-      m_cut.code.back().dst.mask = 4;
+      depth.index = std::uint16_t(m_standIns + i);
+      m_cut.code.push_back(moveToTarget(m_cut.outputs.size(), depth));
+      m_cut.code.back().dst.mask = 4; // result.depth is a z component
       m_cut.outputs.push_back(m_program.outputs[i]);
       return;
     }
@@ -126,20 +132,20 @@ private:
       return;
     }
     const bool kills = fp::ir::info(instruction.op).has(fp::ir::Kills);
-    fp::ir::Operand from = instruction.src[0];
+    fp::ir::Operand from = instruction.src[0]; // the coordinate, or KIL's operand
     if (kind == Probe::Kind::Value && !kills) {
-      const fp::ir::Destination dst = kept(instruction.dst);
+      const fp::ir::Destination dst = readable(instruction.dst);
       from = {};
       from.file = dst.file;
       from.index = dst.index;
     }
-    m_cut.code.push_back(moved(target, from));
+    m_cut.code.push_back(moveToTarget(target, from));
   }
 
   const Program &m_program;
   const Fragments m_fragments;
   Program m_cut;
-  std::size_t m_firstOutput;
+  std::size_t m_standIns; ///< the temporary that stands for the original output 0
 };
 
 } // namespace
@@ -169,8 +175,9 @@ Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget 
                    bool biased) {
   Builder b;
   b.options().shadow = program.options.shadow;
+  // Parameters 0 to 3 are coordinates, and parameter 4 is the middle of the quad.
   const auto side = b.temporary(), lower = b.temporary(), upper = b.temporary();
-  // Negative in the left pixels, and in the lower pixels.
+  // x is negative in the left pixels, and y in the lower pixels.
   b.op(Opcode::Sub, side, {b.attribute(fp::ir::AttributeKind::Position), b.local(4)});
   b.op(Opcode::Cmp, lower, {side.read().swz("x"), b.local(0), b.local(1)});
   b.op(Opcode::Cmp, upper, {side.read().swz("x"), b.local(2), b.local(3)});
