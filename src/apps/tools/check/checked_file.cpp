@@ -6,6 +6,7 @@
 #include "apps/scene/document.h"
 #include "apps/tools/input.h"
 #include "apps/tools/language.h"
+#include "fp_compiler/doubts.h"
 
 namespace arbiter::tools {
 
@@ -43,6 +44,7 @@ void addPanel(const std::string &path, CheckedFile &file) {
 
 void check(CheckedFile &file, fp::LimitPolicy policy) {
   file.result = fp::checkProgramIn(file.text, file.program(), {file.limits, policy});
+  fp::addDoubts(file.text, file.program(), file.result);
   file.status = !file.result.ok()                ? FileStatus::Invalid
                 : !file.result.underNativeLimits ? FileStatus::OverNative
                                                  : FileStatus::Valid;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "apps/tools/language.h"
+#include "fp_compiler/doubts.h"
 #include "fp_compiler/front/lexer.h"
 
 namespace arbiter::tools::lsp {
@@ -137,6 +138,7 @@ Analysis Document::analysed(const fp::FileProgram &program, const fp::hw::Profil
   fp::CompileOptions options;
   options.limits = made.limits;
   made.inspection = fp::inspectProgramIn(m_text, program, options);
+  fp::addDoubts(m_text, program, made.inspection.check);
   const fp::CheckResult &check = made.inspection.check;
   if (check.ok() && made.language != Language::AtiFragment && !isNvparse(made.language))
     made.native = fp::hw::explainNative(*check.program, check.counts, made.limits);

@@ -1,6 +1,7 @@
 #include "apps/tools/check/json.h"
 #include "apps/tools/language.h"
 #include "apps/tools/lsp/server.h"
+#include "fp_compiler/doubts.h"
 #include "util/json.h"
 
 namespace arbiter::tools::lsp {
@@ -29,6 +30,7 @@ Server::Reply Server::reportOf(const Json &params) {
   file.limits = limitsOf(profile, file.language);
   file.result =
       fp::checkProgramIn(file.text, analysis.program, {file.limits, fp::LimitPolicy::Enforce});
+  fp::addDoubts(file.text, analysis.program, file.result);
   if (!file.result.ok())
     file.status = FileStatus::Invalid;
   else if (!file.result.underNativeLimits)
