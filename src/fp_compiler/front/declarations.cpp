@@ -3,6 +3,10 @@
 
 namespace arbiter::fp {
 
+namespace {
+constexpr std::size_t kShownName = 40; ///< how much of a name a hint shows, in bytes
+} // namespace
+
 /// Parses <establishName>: any identifier that is not reserved. declare() reports a name that is
 /// already declared, after the rest of the statement is read.
 bool Parser::newName(Token &name) {
@@ -39,12 +43,30 @@ bool Parser::parseRegisters(SymbolKind kind) {
             : m_options.nv == ir::NvOption::None ? m_binder.addressRegister(text(name), name.span)
                                                  : m_binder.addressVector(text(name), name.span));
   } while (m_tokens.accept(TokenKind::Comma));
-  return endStatement("',' or ';'");
+  const std::string name(m_text.substr(m_tokens.last().begin, kShownName)
+                             .substr(0, m_tokens.lastEnd() - m_tokens.last().begin));
+  return endStatement("',' or ';'", m_tokens.at(TokenKind::Equals) && kind == SymbolKind::Temporary
+                                        ? "a declaration gives no value: MOV " + name +
+                                              ", ... gives one, and PARAM " + name +
+                                              " = ...; is a constant"
+                                        : "");
+}
+
+/// Expects the '=' of a declaration that binds a name, and tells how one is written.
+bool Parser::expectBinding(const Token &name, const char *declaration, const char *binding) {
+  if (m_tokens.accept(TokenKind::Equals))
+    return true;
+  declare(name, SymbolKind::Unknown, 0);
+  return unexpected("'='", std::string("write ") + declaration + " " +
+                               std::string(text(name).substr(0, kShownName)) + " = " + binding +
+                               ";");
 }
 
 bool Parser::parseAttrib() {
   Token name;
-  if (!newName(name) || !expect(TokenKind::Equals, "'='"))
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  if (!newName(name) ||
+      !expectBinding(name, "ATTRIB", vertex ? "vertex.position" : "fragment.texcoord[0]"))
     return false;
   std::uint16_t row = 0;
   const bool isBinding = keywordAt().keyword == Keyword::Attributes;
@@ -61,7 +83,7 @@ bool Parser::parseAttrib() {
 
 bool Parser::parseOutput() {
   Token name;
-  if (!newName(name) || !expect(TokenKind::Equals, "'='"))
+  if (!newName(name) || !expectBinding(name, "OUTPUT", "result.color"))
     return false;
   std::uint16_t row = 0;
   const bool isBinding = keywordAt().keyword == Keyword::Result;
@@ -74,7 +96,7 @@ bool Parser::parseOutput() {
 
 bool Parser::parseAlias() {
   Token name;
-  if (!newName(name) || !expect(TokenKind::Equals, "'='"))
+  if (!newName(name) || !expectBinding(name, "ALIAS", "other"))
     return false;
   Symbol symbol;
   if (!m_tokens.at(TokenKind::Identifier)) {
@@ -105,7 +127,10 @@ bool Parser::parseParam() {
     return false;
   if (m_tokens.at(TokenKind::OpenBracket))
     return parseParamArray(name);
-  bool parsed = expect(TokenKind::Equals, "'=' or '['");
+  bool parsed =
+      m_tokens.accept(TokenKind::Equals) ||
+      unexpected("'=' or '['", "write PARAM " + std::string(text(name).substr(0, kShownName)) +
+                                   " = program.local[0]; or a constant behind '='");
   Rows rows;
   if (parsed) {
     const Token first = m_tokens.peek();

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/numeral.h"
@@ -32,6 +34,7 @@ bool Parser::parseInstruction(const Token &opcode, const Word &word) {
   const ir::OpInfo &op = info(word.op);
   ir::Instruction instruction;
   instruction.op = word.op;
+  m_behindOpcode = opcode.span.end;
   if (!op.has(ir::Kills)) {
     const bool loadsAddress = word.op == ir::Opcode::Arl;
     if (!expectPart(word.op, {PartKind::Destination}) ||
@@ -68,13 +71,13 @@ bool Parser::expectPart(ir::Opcode op, Part part) {
   if (!missing)
     return begins || m_tokens.accept(TokenKind::Comma) ||
            unexpected(("',' before " + partName(op, part)).c_str());
-  error(DiagnosticId::Syntax, *missing, partName(op, part) + " is missing", usageHint(op));
+  error(DiagnosticId::Syntax, *missing, partName(op, part) + " is missing", usageHint(op, parts()));
   return false;
 }
 
 /// Returns the hint for an instruction that has more parts than its opcode.
 std::string Parser::surplusHint(ir::Opcode op) const {
-  return m_tokens.at(TokenKind::Comma) ? usageHint(op) : std::string();
+  return m_tokens.at(TokenKind::Comma) ? usageHint(op, parts()) : std::string();
 }
 
 /// Parses <maskedDstReg>.
@@ -236,13 +239,22 @@ bool Parser::parseTarget(Token &word) {
   return true;
 }
 
+/// Returns the hint for something else in place of a texture image unit: "0" or "tex0".
+std::string Parser::unitHint() const {
+  const std::string_view word = text(m_tokens.peek());
+  const std::size_t digits = std::min(word.find_last_not_of("0123456789") + 1, word.size());
+  const bool numbered = word.size() > digits && word.size() < digits + 3;
+  return "write texture[" + std::string(numbered ? word.substr(digits) : "0") +
+         "]: the units have numbers and no names";
+}
+
 /// Parses <texImageUnit> "," <texTarget>, from the comma before them.
 bool Parser::parseTexture(ir::Instruction &instruction) {
   if (!expectPart(instruction.op, {PartKind::Unit}))
     return false;
   const bool inVertices = m_options.nv == ir::NvOption::Second && atWord(0, "texture");
   if (keywordAt().keyword != Keyword::Texture && !inVertices)
-    return unexpected("texture[n]");
+    return unexpected("texture[n]", unitHint());
   m_tokens.next();
   std::uint32_t unit = 0;
   const std::size_t errorsBefore = m_reporter.errorCount();

@@ -1,3 +1,4 @@
+#include "fp_compiler/front/c_like/statements.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/front/words/numeral.h"
 #include "fp_compiler/front/words/suffix.h"
@@ -15,7 +16,7 @@ bool Parser::parseSource(bool scalar, ir::Operand &operand) {
     operand.negate = 0xF;
   if (m_tokens.at(TokenKind::Minus) || m_tokens.at(TokenKind::Plus))
     m_tokens.next();
-  if (!parseSourceRegister(operand) || !parseSwizzle(scalar, operand.swizzle))
+  if (!parseSourceRegister(operand) || !parseSwizzle(scalar, operand.swizzle, begin))
     return false;
   operand.span = spanFrom(begin);
   return true;
@@ -73,6 +74,10 @@ bool Parser::parseSourceRegister(ir::Operand &operand) {
     error(DiagnosticId::WriteOnly, first.span, "a result cannot be read",
           "compute in a temporary and move it to the result");
     return parseResultBinding(Place::Operand, operand.index);
+  case Keyword::Texture:
+    return unexpected("an operand", "the coordinate stands before the unit: TEX " +
+                                        shownPart(parts(), 0, "dst") + ", " +
+                                        shownPart(parts(), 2, "coord") + ", texture[0], 2D;");
   default:
     return unexpected("an operand");
   }
@@ -230,22 +235,26 @@ bool Parser::undeclared(const Token &name) {
   const bool attribute = (word == "vertex" || word == "fragment") && m_tokens.at(TokenKind::Dot);
   if (attribute)
     foreign(name, "a " + std::string(word) + " attribute");
-  else
+  else {
+    const std::string hint = c_like::operandHint(
+        m_text, name.span, c_like::dialectOf(m_language.language), vocabulary());
     error(DiagnosticId::UndeclaredName, name.span, quote(word) + " is not declared",
-          m_symbols.suggest(word));
+          hint.empty() ? m_symbols.suggest(word) : hint);
+  }
   m_symbols.declare(word, {});
-  if (attribute)
+  if (attribute || c_like::isCall(m_text, name.span))
     return false;
   return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
 }
 
 /// Parses <optionalSuffix> or <scalarSuffix>, with its dot.
-bool Parser::parseSwizzle(bool scalar, ir::Swizzle &swizzle) {
+/// \param begin of a scalar operand, for the hint
+bool Parser::parseSwizzle(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin) {
   if (!m_tokens.at(TokenKind::Dot)) {
     if (scalar)
       error(DiagnosticId::ScalarSuffix, m_tokens.peek().span,
             "this operand is a scalar and needs one component",
-            "choose one of x, y, z, w: write .x behind it");
+            componentHint(m_text.substr(begin, m_tokens.lastEnd() - begin)));
     return true;
   }
   m_tokens.next();
@@ -257,12 +266,21 @@ bool Parser::parseSwizzle(bool scalar, ir::Swizzle &swizzle) {
     error(scalar ? DiagnosticId::ScalarSuffix : DiagnosticId::BadSwizzle,
           {token.span.begin + wrong.offset, token.span.end},
           "bad suffix " + quote(text(token)) + ": " + wrong.reason,
-          std::string(scalar ? "a scalar operand takes one of x, y, z, w"
-                             : "a suffix is one or four of x, y, z, w") +
-              (!m_language.colorLetters ? ""
-               : scalar                 ? " or r, g, b, a"
-                                        : ", or of r, g, b, a"));
+          suffixHint(text(token), scalar));
   return true;
+}
+
+/// Returns the hint for a suffix that is wrong: what it is in four components, if it is GLSL's.
+std::string Parser::suffixHint(std::string_view suffix, bool scalar) const {
+  ir::Swizzle ignored = ir::kIdentity;
+  const std::string four = scalar ? "" : c_like::fourComponents(suffix);
+  std::string hint =
+      scalar ? "a scalar operand takes one of x, y, z, w" : "a suffix is one or four of x, y, z, w";
+  if (m_language.colorLetters)
+    hint += scalar ? " or r, g, b, a" : ", or of r, g, b, a";
+  if (four.empty() || readSwizzle(four, m_language.colorLetters, false, ignored))
+    return hint;
+  return hint + ": write ." + four;
 }
 
 } // namespace arbiter::fp

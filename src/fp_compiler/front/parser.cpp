@@ -2,11 +2,17 @@
 
 #include <algorithm>
 
+#include "fp_compiler/front/c_like/statements.h"
+#include "fp_compiler/front/c_like/tokens.h"
 #include "fp_compiler/front/header.h"
 #include "fp_compiler/front/nv/words.h"
 #include "fp_compiler/front/unexpected.h"
 
 namespace arbiter::fp {
+
+namespace {
+constexpr const char *kStatement = "an instruction, a declaration or END";
+} // namespace
 
 ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
                             const CompileOptions &options, NameTable *names) {
@@ -56,7 +62,9 @@ void Parser::parse() {
 
 void Parser::parseStatement() {
   if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected("an instruction, a declaration or END");
+    unexpected(kStatement, m_tokens.at(TokenKind::OpenBrace) || m_tokens.at(TokenKind::CloseBrace)
+                               ? "there are no blocks: END ends the program"
+                               : "");
     if (!m_tokens.accept(TokenKind::Semicolon)) {
       m_tokens.next();
       recover();
@@ -105,7 +113,7 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   case Keyword::Result:
   case Keyword::State:
   case Keyword::Texture:
-    return unexpectedToken(first, "an instruction, a declaration or END");
+    return unexpectedToken(first, kStatement, statementHintInC(first));
   case Keyword::Option:
   case Keyword::End:
     break; // the callers took these
@@ -166,8 +174,31 @@ Vocabulary Parser::vocabulary() const {
   return result;
 }
 
+std::string Parser::statementHintInC(const Token &first) const {
+  return c_like::statementHint(m_text, first.span, c_like::dialectOf(m_language.language),
+                               vocabulary());
+}
+
+/// Goes on behind an unknown statement: accepts the names that it may declare or write, so that
+/// their uses give no further errors, and skips the line of a call, which may have semicolons.
+void Parser::settle(const Token &first) {
+  for (std::string_view part : partsBehind(m_text, first.span.end)) {
+    part = part.substr(0, part.find('='));
+    const std::size_t end = part.find_last_not_of(" \t");
+    part = part.substr(0, end == std::string_view::npos ? 0 : end + 1);
+    part = part.substr(part.find_last_of(" \t\r\n") + 1);
+    Lexer lexer(part);
+    if (lexer.next().kind == TokenKind::Identifier && lexer.next().kind == TokenKind::EndOfText)
+      m_symbols.declare(part, {});
+  }
+  while (c_like::isCall(m_text, first.span) && !m_tokens.at(TokenKind::EndOfText) &&
+         !isOnLaterLine(m_text, m_tokens.lastEnd(), m_tokens.peek().span.begin))
+    m_tokens.next();
+}
+
 bool Parser::unknownStatement(const Token &first) {
   const std::string_view word = text(first);
+  const PartTexts parts = partsBehind(m_text, first.span.end);
   if (isForeignStatement(word)) {
     const bool saturated = word.ends_with("_SAT");
     const Word unsaturated = classify(word.substr(0, 3), m_language);
@@ -181,14 +212,18 @@ bool Parser::unknownStatement(const Token &first) {
     if (word == "ADDRESS" && m_tokens.at(TokenKind::Identifier))
       m_symbols.declare(text(m_tokens.peek()), {});
   } else if (isNvInstruction(word, m_language) || isNvVariant(word)) {
+    const std::string hint = isNvVariant(word) ? "write " + std::string(word.substr(0, 3))
+                                               : meaningHint(word, parts, vocabulary());
     error(DiagnosticId::NvOnly, first.span, quote(word) + ofNvOptions(),
-          isNvVariant(word) ? "write " + std::string(word.substr(0, 3)) : nvOptionsHint(word));
+          hint.empty() ? nvOptionsHint(word) : hint);
   } else if (word == "KIL_SAT" && m_language.saturates) {
     error(DiagnosticId::UnknownInstruction, first.span, "KIL writes nothing and takes no _SAT",
           "write KIL");
   } else {
+    const std::string hint = statementHintInC(first);
     error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
-          statementHint(word, partsBehind(m_text, first.span.end), vocabulary()));
+          hint.empty() ? statementHint(word, parts, vocabulary()) : hint);
+    settle(first);
   }
   return false;
 }
@@ -200,7 +235,8 @@ void Parser::parseEnd() {
 
 void Parser::recover() {
   while (!m_tokens.at(TokenKind::EndOfText)) {
-    if (beginsStatement(keywordAt().keyword))
+    if (beginsStatement(keywordAt().keyword) ||
+        beginsLine(m_text, m_tokens.last(), m_tokens.peek()))
       return;
     const Token token = m_tokens.next();
     if (token.kind == TokenKind::Semicolon)
@@ -246,7 +282,8 @@ bool Parser::unexpectedToken(const Token &token, const char *expected, std::stri
     return false;
   }
   if (token.kind == TokenKind::InvalidByte &&
-      std::string_view("|()<>").find(m_text[token.span.begin]) != std::string_view::npos)
+      std::string_view("|()<>").find(m_text[token.span.begin]) != std::string_view::npos &&
+      c_like::tokenHint(m_text, token).empty())
     hint = std::string("absolute values and condition codes belong to the ") +
            m_language.nvOptions + " options";
   reportUnexpected(m_reporter, m_text, token, expected, std::move(hint));

@@ -63,6 +63,8 @@ private:
   bool parseStatementBody(const Token &first, const Word &word);
   void parseEnd();
   bool unknownStatement(const Token &first);
+  [[nodiscard]] std::string statementHintInC(const Token &first) const;
+  void settle(const Token &first);
   bool isNvVariant(std::string_view word) const;
   /// Returns the end of the error that refuses a word of NVIDIA's options. The second function
   /// returns its hint.
@@ -77,6 +79,7 @@ private:
   bool endInstruction(ir::Opcode op) { return endStatement("';'", surplusHint(op)); }
   [[nodiscard]] std::string surplusHint(ir::Opcode op) const;
   [[nodiscard]] Vocabulary vocabulary() const;
+  [[nodiscard]] PartTexts parts() const { return partsBehind(m_text, m_behindOpcode); }
   bool unexpected(const char *expected, std::string hint = {});
   bool unexpectedToken(const Token &token, const char *expected, std::string hint = {});
   [[nodiscard]] std::string describe(const Token &token) const;
@@ -100,6 +103,7 @@ private:
 
   // declarations.cpp
   bool parseRegisters(SymbolKind kind);
+  bool expectBinding(const Token &name, const char *declaration, const char *binding);
   bool parseAttrib();
   bool parseOutput();
   bool parseAlias();
@@ -161,6 +165,7 @@ private:
   bool parseMask(std::uint8_t &mask);
   bool parseExtendedSwizzle(ir::Instruction &instruction);
   bool parseTexture(ir::Instruction &instruction);
+  [[nodiscard]] std::string unitHint() const;
   bool parseTarget(Token &word);
 
   // operands.cpp
@@ -172,7 +177,8 @@ private:
   bool parseRelativeElement(const Token &name, const Symbol &array, ir::Operand &operand);
   bool parseAddressComponent();
   bool parseRelativeOffset(std::int16_t &offset);
-  bool parseSwizzle(bool scalar, ir::Swizzle &swizzle);
+  bool parseSwizzle(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin = 0);
+  [[nodiscard]] std::string suffixHint(std::string_view suffix, bool scalar) const;
   bool undeclared(const Token &name);
   bool skipIndex();
 
@@ -236,6 +242,7 @@ private:
     ir::TexTarget target = ir::TexTarget::Tex2D;
   };
   std::vector<UnitUse> m_units;
+  std::uint32_t m_behindOpcode = 0; ///< the end of the opcode of the instruction that is read
   // State for NVIDIA's options.
   std::vector<nv::Statement> m_statements;
   nv::Labels m_labels{m_text, m_reporter};

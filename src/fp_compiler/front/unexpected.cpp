@@ -1,5 +1,6 @@
 #include "fp_compiler/front/unexpected.h"
 
+#include "fp_compiler/front/c_like/tokens.h"
 #include "fp_compiler/limits.h"
 
 namespace arbiter::fp {
@@ -17,6 +18,8 @@ std::string describe(std::string_view text, const Token &token) {
 
 void reportUnexpected(Reporter &reporter, std::string_view text, const Token &token,
                       std::string_view expected, std::string hint) {
+  if (hint.empty())
+    hint = c_like::tokenHint(text, token);
   switch (token.kind) {
   case TokenKind::InvalidByte: {
     const char c = text[token.span.begin];
@@ -39,10 +42,6 @@ void reportUnexpected(Reporter &reporter, std::string_view text, const Token &to
                    "expected " + std::string(expected) + ", found " + describe(text, token),
                    std::move(hint));
   }
-}
-
-bool isOnLaterLine(std::string_view text, std::uint32_t from, std::uint32_t to) {
-  return text.substr(from, to - from).find_first_of("\r\n") != std::string_view::npos;
 }
 
 bool reportLostSemicolon(Reporter &reporter, std::string_view text, Span last, const Token &next,

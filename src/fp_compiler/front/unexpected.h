@@ -6,6 +6,7 @@
 #include "fp_compiler/front/lexer.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/token.h"
+#include "fp_compiler/front/words/parts.h"
 
 namespace arbiter::fp {
 
@@ -17,9 +18,6 @@ namespace arbiter::fp {
 /// otherwise that something else was \p expected.
 void reportUnexpected(Reporter &reporter, std::string_view text, const Token &token,
                       std::string_view expected, std::string hint = {});
-
-/// True if a line ends between two positions of a text.
-[[nodiscard]] bool isOnLaterLine(std::string_view text, std::uint32_t from, std::uint32_t to);
 
 /// Returns the place of a missing part of a statement, and consumes the comma before it. Returns
 /// nothing if the part is there. The place is the semicolon or comma in the part's stead, or the

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/ati/words.h"
+#include "fp_compiler/front/c_like/statements.h"
 #include "fp_compiler/front/header.h"
 #include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/suggest.h"
@@ -130,8 +131,11 @@ void Parser::unknownStatement(const Token &first) {
   for (const std::string_view suffix : {"ATI", "_"})
     if (bare.size() > suffix.size() && bare.ends_with(suffix))
       bare.remove_suffix(suffix.size());
+  const std::string hint =
+      c_like::statementHint(m_text, first.span, c_like::Dialect::Ati, vocabulary());
   error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
-        statementHint(bare, partsBehind(m_text, first.span.end), vocabulary()));
+        hint.empty() ? statementHint(bare, partsBehind(m_text, first.span.end), vocabulary())
+                     : hint);
 }
 
 void Parser::closePass() {
@@ -159,7 +163,8 @@ void Parser::parseEnd() {
 
 void Parser::recover() {
   while (!m_tokens.at(TokenKind::EndOfText)) {
-    if (m_tokens.at(TokenKind::Identifier) && beginsStatement(text(m_tokens.peek())))
+    if ((m_tokens.at(TokenKind::Identifier) && beginsStatement(text(m_tokens.peek()))) ||
+        beginsLine(m_text, m_tokens.last(), m_tokens.peek()))
       return;
     if (m_tokens.next().kind == TokenKind::Semicolon)
       return;
@@ -180,6 +185,8 @@ bool Parser::endStatement() {
 }
 
 bool Parser::unexpected(const char *expected, std::string hint) {
+  if (hint.empty() && m_tokens.at(TokenKind::Identifier))
+    hint = c_like::nameHint(text(m_tokens.peek()), c_like::Dialect::Ati);
   reportUnexpected(m_reporter, m_text, m_tokens.peek(), expected, std::move(hint));
   return false;
 }

@@ -62,9 +62,11 @@ bool Parser::parseOptionalIndex(std::uint32_t limit, DiagnosticId id, const char
 /// Parses <fragAttribBinding> or <vtxAttribBinding>, from its first word on.
 bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   const std::uint32_t begin = m_tokens.next().span.begin;
-  if (!expect(TokenKind::Dot, "'.'"))
-    return false;
   const bool vertex = m_language.language == ir::Language::ArbVertex;
+  if (!expect(TokenKind::Dot, "'.'",
+              vertex ? "name the attribute: vertex.position, vertex.color, vertex.texcoord[0]"
+                     : "name the attribute: fragment.color, fragment.texcoord[0]"))
+    return false;
   ir::Attribute attribute;
   if (atWord(0, "color")) {
     if (!parseColorAttribute(place, attribute))
@@ -146,10 +148,12 @@ bool Parser::parseTexCoord(std::uint8_t &index) {
 /// Parses <resultBinding>, from "result" on.
 bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
   m_tokens.next();
-  if (!expect(TokenKind::Dot, "'.'"))
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  if (!expect(TokenKind::Dot, "'.'",
+              vertex ? "name the result: result.position, result.color, result.texcoord[0]"
+                     : "name the result: result.color or result.depth"))
     return false;
   ir::Output output;
-  const bool vertex = m_language.language == ir::Language::ArbVertex;
   if (!(vertex ? parseVertexResult(output) : parseFragmentResult(output)))
     return false;
   if (place == Place::Declaration && m_tokens.at(TokenKind::Dot))
@@ -191,7 +195,7 @@ bool Parser::parseFragmentResult(ir::Output &output) {
 
 /// Parses <programSingleItem> or <programMultipleItem>, after "program".
 bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
-  if (!expect(TokenKind::Dot, "'.'"))
+  if (!expect(TokenKind::Dot, "'.'", "name the parameter: program.local[0] or program.env[0]"))
     return false;
   const bool env = atWord(0, "env");
   if (!env && !atWord(0, "local"))

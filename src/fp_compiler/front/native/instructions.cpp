@@ -29,6 +29,7 @@ bool NativeParser::parseInstruction(const Token &opcode, const Word &word) {
   nv::Statement statement;
   ir::Instruction &instruction = statement.instruction;
   instruction.op = word.op;
+  m_behindOpcode = opcode.span.end;
   m_attribute.reset();
   m_parameter.reset();
   m_scalars.clear();
@@ -52,7 +53,7 @@ bool NativeParser::parseInstruction(const Token &opcode, const Word &word) {
     return false;
   instruction.span = spanFrom(opcode.span.begin);
   const bool surplus = m_tokens.at(TokenKind::Comma) && !op.has(ir::Kills);
-  if (!endStatement("';'", surplus ? usageHint(word.op, kUnit) : ""))
+  if (!endStatement("';'", surplus ? usageHint(word.op, parts(), kUnit) : ""))
     return false;
   keep(statement, opcode.span);
   return true;
@@ -68,7 +69,8 @@ bool NativeParser::expectPart(ir::Opcode op, Part part) {
   if (!missing)
     return begins || m_tokens.accept(TokenKind::Comma) ||
            unexpected(("',' before " + partName(op, part)).c_str());
-  error(DiagnosticId::Syntax, *missing, partName(op, part) + " is missing", usageHint(op, kUnit));
+  error(DiagnosticId::Syntax, *missing, partName(op, part) + " is missing",
+        usageHint(op, parts(), kUnit));
   return false;
 }
 

@@ -75,7 +75,7 @@ bool NativeParser::parseSource(bool scalar, ir::Operand &operand, bool &absolute
     negative &= absolute;
   } else {
     bool hasSuffix = true;
-    if (!parseBase(operand, hasSuffix) || (hasSuffix && !parseSuffix(scalar, suffix)))
+    if (!parseBase(operand, hasSuffix) || (hasSuffix && !parseSuffix(scalar, suffix, begin)))
       return false;
   }
   if (absolute && !expectByte('|'))
@@ -121,10 +121,11 @@ bool NativeParser::parseBase(ir::Operand &operand, bool &hasSuffix) {
     return parseNamed(first, operand, hasSuffix);
   if (!fragment() || numberBehind(text(first), "R") || numberBehind(text(first), "H"))
     return notThere(first, "a register");
+  const std::string hint = c_like::operandHint(m_text, first.span, dialect(), vocabulary());
   error(DiagnosticId::UndeclaredName, first.span, quote(text(first)) + " is not declared",
-        "DEFINE a constant or DECLARE a parameter before it is used");
+        hint.empty() ? "DEFINE a constant or DECLARE a parameter before it is used" : hint);
   m_named.emplace(text(first), Named{});
-  return true;
+  return !c_like::isCall(m_text, first.span);
 }
 
 /// Parses "f" or "v", "[" <name or number> "]". An instruction may read only one attribute.
@@ -299,12 +300,12 @@ bool NativeParser::parseAddressSource(ir::Operand &operand) {
 }
 
 /// Parses <swizzleSuffix> or <scalarSuffix>, with its dot.
-bool NativeParser::parseSuffix(bool scalar, ir::Swizzle &swizzle) {
+bool NativeParser::parseSuffix(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin) {
   if (!m_tokens.at(TokenKind::Dot)) {
     if (scalar)
       error(DiagnosticId::ScalarSuffix, m_tokens.peek().span,
             "this operand is a scalar and needs one component",
-            "choose one of x, y, z, w: write .x behind it");
+            componentHint(m_text.substr(begin, m_tokens.lastEnd() - begin)));
     return true;
   }
   m_tokens.next();

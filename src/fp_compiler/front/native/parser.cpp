@@ -104,7 +104,9 @@ bool NativeParser::parseOption() {
 void NativeParser::parseStatement() {
   constexpr const char *kStatement = "an instruction or END";
   if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected(kStatement);
+    unexpected(kStatement, m_tokens.at(TokenKind::OpenBrace) || m_tokens.at(TokenKind::CloseBrace)
+                               ? "there are no blocks: END ends the program"
+                               : "");
     if (!m_tokens.accept(TokenKind::Semicolon)) {
       m_tokens.next();
       recover();
@@ -151,8 +153,10 @@ bool NativeParser::unknownStatement(const Token &first) {
           m_traits.invariance ? "options come directly after the header" : "remove it");
     return false;
   }
-  const int parts = partsBehind(m_text, first.span.end);
-  std::string hint = meaningHint(word, parts, vocabulary());
+  const PartTexts parts = partsBehind(m_text, first.span.end);
+  std::string hint = c_like::statementHint(m_text, first.span, dialect(), vocabulary());
+  if (hint.empty())
+    hint = meaningHint(word, parts, vocabulary());
   const auto base = hint.empty() ? nv::baseOf(word, m_traits.language) : std::nullopt;
   if (base)
     hint = std::string(info(*base).mnemonic) + " has no such suffix here";
@@ -198,7 +202,7 @@ bool NativeParser::beginsStatement(const Token &token) const {
 
 void NativeParser::recover() {
   while (!m_tokens.at(TokenKind::EndOfText)) {
-    if (beginsStatement(m_tokens.peek()))
+    if (beginsStatement(m_tokens.peek()) || beginsLine(m_text, m_tokens.last(), m_tokens.peek()))
       return;
     const Token token = m_tokens.next();
     if (token.kind == TokenKind::Semicolon)

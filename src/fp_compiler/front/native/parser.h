@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fp_compiler/front/bindings/binder.h"
+#include "fp_compiler/front/c_like/statements.h"
 #include "fp_compiler/front/lexer.h"
 #include "fp_compiler/front/native/language.h"
 #include "fp_compiler/front/nv/labels.h"
@@ -77,6 +78,10 @@ private:
   [[nodiscard]] bool fragment() const { return m_traits.language == ir::NativeLanguage::Fp1; }
   [[nodiscard]] bool statesOnly() const { return m_traits.language == ir::NativeLanguage::Vsp1; }
   [[nodiscard]] std::string header() const { return std::string(ir::headerOf(m_traits.language)); }
+  [[nodiscard]] c_like::Dialect dialect() const {
+    return fragment() ? c_like::Dialect::OwnFragment : c_like::Dialect::OwnVertex;
+  }
+  [[nodiscard]] PartTexts parts() const { return partsBehind(m_text, m_behindOpcode); }
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
   void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
     if (m_names)
@@ -126,7 +131,7 @@ private:
   bool parseOffset(std::int16_t &offset);
   bool parseAddressComponent(std::uint8_t &component);
   bool parseAddressSource(ir::Operand &operand);
-  bool parseSuffix(bool scalar, ir::Swizzle &swizzle);
+  bool parseSuffix(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin = 0);
   void useParameter(const ir::Operand &operand, Span where);
   void useConstant(const ir::Vec4 &value, Span where);
   void tooManyParameters(Span where);
@@ -159,6 +164,7 @@ private:
   std::optional<std::uint16_t> m_nullRegister;
   std::array<std::optional<std::uint16_t>, 2> m_addresses;
   std::unordered_map<std::string_view, Named> m_named;
+  std::uint32_t m_behindOpcode = 0; ///< the end of the opcode of the instruction that is read
   nv::Labels m_labels{m_text, m_reporter};
   std::array<std::optional<ir::TexTarget>, 32> m_targets; ///< by image unit
 

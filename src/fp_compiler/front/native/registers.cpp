@@ -89,7 +89,8 @@ bool NativeParser::notThere(const Token &name, const char *expected) {
           "the address register " + quote(word) + " cannot stand here",
           m_traits.addresses != 0 ? "ARL loads it, and an index reads it: c[A0.x]" : "");
   else
-    reportUnexpected(m_reporter, m_text, name, expected, {});
+    reportUnexpected(m_reporter, m_text, name, expected,
+                     c_like::operandHint(m_text, name.span, dialect(), vocabulary()));
   return false;
 }
 

@@ -90,7 +90,7 @@ bool Parser::parseNvSource(bool scalar, ir::Operand &operand, bool &absolute) {
   m_indexed.reset();
   const bool read = parseSourceRegister(operand);
   m_mayIndex = false;
-  if (!read || (!number && !parseSwizzle(scalar, operand.swizzle)))
+  if (!read || (!number && !parseSwizzle(scalar, operand.swizzle, begin)))
     return false;
   if (absolute && !expectByte('|'))
     return false;
@@ -203,6 +203,7 @@ bool Parser::parseNvInstruction(const Token &opcode, const Word &word) {
   nv::Statement statement;
   ir::Instruction &instruction = statement.instruction;
   instruction.op = word.op;
+  m_behindOpcode = opcode.span.end;
   instruction.dst.saturate = word.saturate;
   statement.suffix = word.nv;
   const bool kills = op.has(ir::Kills);
@@ -238,7 +239,9 @@ std::string Parser::unknownNvHint(const Token &first) const {
   const bool later =
       m_options.nv == ir::NvOption::First &&
       nv::classify(word, m_language, ir::NvOption::Second).keyword == Keyword::Opcode;
-  const int parts = partsBehind(m_text, first.span.end);
+  const PartTexts parts = partsBehind(m_text, first.span.end);
+  if (std::string hint = statementHintInC(first); !hint.empty())
+    return hint;
   if (std::string hint = later ? "" : meaningHint(word, parts, vocabulary()); !hint.empty())
     return hint;
   if (const auto base = nv::baseOf(word, m_language, m_options.nv))
@@ -257,6 +260,7 @@ bool Parser::unknownNvStatement(const Token &first) {
   else
     error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
           unknownNvHint(first));
+  settle(first);
   return false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/front/c_like/statements.h"
 #include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/suggest.h"
 
@@ -92,6 +93,8 @@ bool CombinerParser::parseFinalStatement() {
   std::string hint = "the final combiner writes out.rgb and out.a, stages stand in braces";
   if (registerOf(word))
     hint = "only a stage writes this: { rgb { ... } alpha { ... } }";
+  else if (const std::string named = c_like::hintFor(m_text, first.span); !named.empty())
+    hint = named;
   error(DiagnosticId::Syntax, first.span,
         "expected " + std::string(kWhat) + ", found " + describe(m_text, first),
         didYouMean(

@@ -1,5 +1,6 @@
 #include "fp_compiler/front/nvparse/reader.h"
 
+#include "fp_compiler/front/c_like/names.h"
 #include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/numeral.h"
 #include "fp_compiler/front/words/suggest.h"
@@ -21,6 +22,8 @@ bool Reader::unexpected(const char *expected, std::string hint) {
   const Token &token = m_tokens.peek();
   if (hint.empty() && token.kind == TokenKind::InvalidByte && m_text[token.span.begin] == '/')
     hint = "a comment begins with # or //, or stands between /* and */";
+  if (hint.empty() && token.kind == TokenKind::Identifier)
+    hint = c_like::nameHint(text(token), c_like::Dialect::Combiners);
   reportUnexpected(m_reporter, m_text, token, expected, std::move(hint));
   return false;
 }

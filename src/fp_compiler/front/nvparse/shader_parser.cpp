@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "fp_compiler/front/c_like/statements.h"
 #include "fp_compiler/front/words/suggest.h"
 #include "fp_compiler/texture_shader/operations.h"
 
@@ -50,7 +51,7 @@ bool ShaderParser::parseStage() {
     for (const OperationWord &each : operationWords())
       words.push_back(each.word);
     error(DiagnosticId::TsOperation, word.span, "there is no stage " + quote(text(word)),
-          didYouMean(text(word), words));
+          didYouMean(text(word), words, c_like::hintFor(m_text, word.span)));
     ++m_unit;
     return false;
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fp_compiler/front/lexer.h"
 #include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp {
@@ -76,21 +75,45 @@ std::string asked(std::string_view word, const Cut &whole) {
 }
 
 /// Leaves those that have as many parts, if any has.
-void keepFitting(std::vector<std::string_view> &words, int parts, const Vocabulary &vocabulary) {
-  const auto misfits = [&](std::string_view word) { return vocabulary.parts(word) != parts; };
-  if (parts != 0 && !std::all_of(words.begin(), words.end(), misfits))
+void keepFitting(std::vector<std::string_view> &words, const PartTexts &parts,
+                 const Vocabulary &vocabulary) {
+  const auto misfits = [&](std::string_view word) {
+    return vocabulary.parts(word) != int(parts.size());
+  };
+  if (!parts.empty() && !std::all_of(words.begin(), words.end(), misfits))
     std::erase_if(words, misfits);
 }
 
+/// Returns an example with the author's parts in place of $0 to $3. "$1.x" is one component.
+std::string example(std::string_view pattern, const PartTexts &parts) {
+  constexpr std::string_view kOthers[] = {"dst", "first", "second", "third"};
+  std::string text;
+  for (std::size_t at = 0; at < pattern.size(); ++at) {
+    if (pattern[at] != '$') {
+      text += pattern[at];
+      continue;
+    }
+    const auto index = std::size_t(pattern[++at] - '0');
+    const bool scalar = pattern.substr(at + 1).starts_with(".x");
+    text += shownPart(parts, index, kOthers[index], scalar);
+    at += scalar ? 2 : 0;
+  }
+  return text;
+}
+
 /// Returns a row's advice if the language has all opcodes that it names; else an empty text.
-std::string advice(const Row &row, const Vocabulary &vocabulary) {
+std::string advice(const Row &row, const PartTexts &parts, const Vocabulary &vocabulary) {
   const std::vector<std::string_view> opcodes = split(row.opcodes);
   const bool all = std::all_of(opcodes.begin(), opcodes.end(), [&](std::string_view each) {
     return !spelled(each, vocabulary).empty();
   });
-  if (!all || !row.advice.empty())
+  const bool shows = row.advice.find('$') != std::string_view::npos;
+  if (!all || (!row.advice.empty() && !shows))
     return all ? std::string(row.advice) : std::string();
-  return opcodes.empty() ? "" : listed(opcodes, " and ") + " together do it";
+  if (opcodes.empty())
+    return {};
+  const std::string done = listed(opcodes, " and ") + " together do it";
+  return shows ? done + ": " + example(row.advice, parts) : done;
 }
 
 std::string saturationHint(const Vocabulary &vocabulary) {
@@ -104,51 +127,65 @@ std::string saturationHint(const Vocabulary &vocabulary) {
 
 } // namespace
 
-int partsBehind(std::string_view text, std::uint32_t begin) {
-  constexpr int kLooked = 64;
-  Lexer lexer(text, begin);
-  int parts = 1, braces = 0;
-  for (int i = 0; i < kLooked; ++i) {
-    const TokenKind kind = lexer.next().kind;
-    if (kind == TokenKind::Semicolon || kind == TokenKind::EndOfText)
-      return i == 0 ? 0 : parts;
-    braces += kind == TokenKind::OpenBrace ? 1 : kind == TokenKind::CloseBrace ? -1 : 0;
-    parts += kind == TokenKind::Comma && braces == 0 ? 1 : 0;
-  }
-  return 0;
-}
-
-std::string meaningHint(std::string_view word, int parts, const Vocabulary &vocabulary) {
-  const std::string capitals = upper(word);
-  const Cut whole = cut(capitals, vocabulary);
-  if (std::find(std::begin(kSaturations), std::end(kSaturations), whole.base) !=
-      std::end(kSaturations))
-    return saturationHint(vocabulary);
-  if (const std::string_view own = spelled(whole.base, vocabulary); !own.empty())
-    return asked(own, whole);
-  std::vector<std::string_view> meant;
+namespace {
+/// The meanings of a word in the language, or what is advised where it has none.
+struct Meaning {
+  std::vector<std::string_view> words;
   std::string instead;
+};
+
+Meaning meaningOf(std::string_view capitals, const PartTexts &parts, const Vocabulary &vocabulary) {
+  Meaning meaning;
   for (const Row &row : kRows) {
     const std::vector<std::string_view> words = split(row.words);
-    if (!contains(words, whole.base))
+    if (!contains(words, capitals))
       continue;
     std::string_view found;
     for (const std::string_view each : words)
       found = found.empty() ? spelled(each, vocabulary) : found;
     if (!found.empty())
-      meant.push_back(found);
-    else if (instead.empty())
-      instead = advice(row, vocabulary);
+      meaning.words.push_back(found);
+    else if (meaning.instead.empty())
+      meaning.instead = advice(row, parts, vocabulary);
   }
-  keepFitting(meant, parts, vocabulary);
-  if (meant.empty())
-    return instead;
-  if (meant.size() > 1)
-    return "the words for it are " + listed(meant, " and ");
-  return asked(meant[0], whole);
+  return meaning;
 }
 
-std::string spellingHint(std::string_view word, int parts, const Vocabulary &vocabulary) {
+bool isSaturation(std::string_view capitals) {
+  return std::find(std::begin(kSaturations), std::end(kSaturations), capitals) !=
+         std::end(kSaturations);
+}
+} // namespace
+
+std::string meaningHint(std::string_view word, const PartTexts &parts,
+                        const Vocabulary &vocabulary) {
+  const std::string capitals = upper(word);
+  const Cut whole = cut(capitals, vocabulary);
+  if (isSaturation(whole.base))
+    return saturationHint(vocabulary);
+  if (const std::string_view own = spelled(whole.base, vocabulary); !own.empty())
+    return asked(own, whole);
+  Meaning meaning = meaningOf(whole.base, parts, vocabulary);
+  keepFitting(meaning.words, parts, vocabulary);
+  if (meaning.words.empty())
+    return meaning.instead;
+  if (meaning.words.size() > 1)
+    return "the words for it are " + listed(meaning.words, " and ");
+  return asked(meaning.words[0], whole);
+}
+
+std::string callHint(std::string_view word, const Vocabulary &vocabulary) {
+  const std::string capitals = upper(word);
+  if (isSaturation(capitals))
+    return saturationHint(vocabulary);
+  const Meaning meaning = meaningOf(capitals, {}, vocabulary);
+  if (meaning.words.empty())
+    return meaning.instead;
+  return listed(meaning.words, " or ") + " does what " + std::string(word) + " does";
+}
+
+std::string spellingHint(std::string_view word, const PartTexts &parts,
+                         const Vocabulary &vocabulary) {
   const std::string capitals = upper(word);
   const Cut whole = cut(capitals, vocabulary);
   std::vector<std::string_view> near = allNearest(whole.base, vocabulary.words);
@@ -156,7 +193,8 @@ std::string spellingHint(std::string_view word, int parts, const Vocabulary &voc
   return near.empty() ? std::string() : asked(near[0], whole);
 }
 
-std::string statementHint(std::string_view word, int parts, const Vocabulary &vocabulary) {
+std::string statementHint(std::string_view word, const PartTexts &parts,
+                          const Vocabulary &vocabulary) {
   if (std::string hint = meaningHint(word, parts, vocabulary); !hint.empty())
     return hint;
   return spellingHint(word, parts, vocabulary);

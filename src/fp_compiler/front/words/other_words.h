@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fp_compiler/front/words/parts.h"
+
 namespace arbiter::fp {
 
 /// The words of a language that may begin a statement, and its suffix for saturation.
@@ -15,22 +17,23 @@ struct Vocabulary {
   std::function<int(std::string_view)> parts;
 };
 
-/// The parts between \p begin, behind the statement's first word, and the statement's end; 0 if
-/// there is none, or if so many tokens of it tell nothing.
-[[nodiscard]] int partsBehind(std::string_view text, std::uint32_t begin);
-
 /// What a word of another language is here, as a hint: "did you mean 'MAD'?" or "DP3, RSQ and MUL
-/// together do it". Empty for a word that other_words.def does not have.
-/// \param parts of the statement: of several meanings those that have as many are the ones
-[[nodiscard]] std::string meaningHint(std::string_view word, int parts,
+/// together do it" with an example. Empty for a word that other_words.def does not have.
+/// \param parts of the statement: of several meanings those that have as many are the ones, and the
+/// example has the author's names
+[[nodiscard]] std::string meaningHint(std::string_view word, const PartTexts &parts,
                                       const Vocabulary &vocabulary);
 
+/// What stands in place of a call of another language: "TEX does what texture2D does". Empty for a
+/// word that other_words.def does not have.
+[[nodiscard]] std::string callHint(std::string_view word, const Vocabulary &vocabulary);
+
 /// The word that is nearest in its letters, and of equally near ones one that has as many parts.
-[[nodiscard]] std::string spellingHint(std::string_view word, int parts,
+[[nodiscard]] std::string spellingHint(std::string_view word, const PartTexts &parts,
                                        const Vocabulary &vocabulary);
 
 /// meaningHint(), or else spellingHint().
-[[nodiscard]] std::string statementHint(std::string_view word, int parts,
+[[nodiscard]] std::string statementHint(std::string_view word, const PartTexts &parts,
                                         const Vocabulary &vocabulary);
 
 } // namespace arbiter::fp

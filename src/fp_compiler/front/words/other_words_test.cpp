@@ -50,8 +50,8 @@ TEST(OtherWords, AreTheInstructionsThatMeanTheSame) {
   EXPECT_EQ(fragment("DISCARD r;"), meant("KIL"));
   EXPECT_EQ(fragment("FRACT r, s;"), meant("FRC"));
   EXPECT_EQ(fragment("INVERSESQRT r, s.x;"), meant("RSQ"));
-  EXPECT_EQ(fragment("float4 r;"), meant("TEMP"));
-  EXPECT_EQ(fragment("uniform r = 1;"), meant("PARAM"));
+  EXPECT_EQ(fragment("VAR r;"), meant("TEMP"));
+  EXPECT_EQ(fragment("DEFINE r = 1;"), meant("PARAM"));
   EXPECT_EQ(vertex("mova r.x, s.x;"), meant("ARL"));
 }
 
@@ -66,11 +66,18 @@ TEST(OtherWords, KeepTheSaturation) {
 }
 
 TEST(OtherWords, AreMadeOfOthersWhereTheLanguageHasNone) {
-  EXPECT_EQ(fragment("NORMALIZE r, s;"), "DP3, RSQ and MUL together do it");
+  const std::string normalize =
+      "DP3, RSQ and MUL together do it: DP3 tmp.w, s, s; RSQ tmp.w, tmp.w; MUL r, s, tmp.w;";
+  EXPECT_EQ(fragment("NORMALIZE r, s;"), normalize);
   EXPECT_EQ(option("NV_fragment_program2", "NORMALIZE r, s;"), meant("NRM"));
-  EXPECT_EQ(option("NV_fragment_program", "NORMALIZE r, s;"), "DP3, RSQ and MUL together do it");
-  EXPECT_EQ(vertex("LERP r, r, s, s;"), "SUB and MAD together do it");
-  EXPECT_EQ(fragment("SQRT r, s.x;"), "RSQ and RCP together do it");
+  EXPECT_EQ(option("NV_fragment_program", "NORMALIZE r, s;"), normalize);
+  EXPECT_EQ(vertex("LERP r, r, s, {1};"),
+            "SUB and MAD together do it: SUB tmp, s, {1}; MAD r, r, tmp, {1};");
+  EXPECT_EQ(fragment("SQRT r, s;"), "RSQ and RCP together do it: RSQ tmp.x, s.x; RCP r, tmp.x;");
+  EXPECT_EQ(fragment("DIVIDE r, s, 2.0;"),
+            "RCP and MUL together do it: RCP tmp.x, {2.0}.x; MUL r, s, tmp.x;");
+  EXPECT_EQ(fragment("DISTANCE r.x, s * 2;").substr(0, 62),
+            "SUB, DP3, RSQ and RCP together do it: SUB tmp, first, second; ");
   EXPECT_EQ(fragment("CEIL r, s;"), "FLR of the negated operand, negated, is the same");
   EXPECT_EQ(hintOf("!!VP1.0\nSUB R0, R0, R1;\nEND\n"),
             "write ADD with a minus before the second operand");
@@ -99,11 +106,11 @@ TEST(Spelling, OfEquallyNearOpcodesTheOperandsDecide) {
 }
 
 TEST(Parts, AreCountedToTheStatementsEnd) {
-  EXPECT_EQ(partsBehind(" a, b, {1, 2, 3}; c, d", 0), 3);
-  EXPECT_EQ(partsBehind(" a", 0), 1);
-  EXPECT_EQ(partsBehind(";", 0), 0);
-  EXPECT_EQ(partsBehind("", 0), 0);
-  EXPECT_EQ(partsBehind(testing_support::repeat("a,", 1000), 0), 0);
+  EXPECT_EQ(partsBehind(" a, b, {1, 2, 3}; c, d", 0).size(), 3u);
+  EXPECT_EQ(partsBehind(" a", 0).size(), 1u);
+  EXPECT_EQ(partsBehind(";", 0).size(), 0u);
+  EXPECT_EQ(partsBehind("", 0).size(), 0u);
+  EXPECT_EQ(partsBehind(testing_support::repeat("a,", 1000), 0).size(), 0u);
 }
 
 TEST(OtherWords, AreInCapitalsAndOnceInARow) {

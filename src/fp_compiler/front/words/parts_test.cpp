@@ -38,39 +38,40 @@ void judge(std::initializer_list<Row> rows) {
 
 TEST(Parts, ThatAreMissingAreNamed) {
   judge({{"!!ARBfp1.0\nTEMP r;\nTEX r, r, texture[0]@;\nEND",
-          "the texture target of TEX is missing", "write TEX dst, a, texture[n], 2D;"},
+          "the texture target of TEX is missing", "write TEX r, r, texture[0], 2D;"},
          {"!!ARBfp1.0\nTEMP r;\nTEX r, r@;\nEND", "the texture image unit of TEX is missing",
-          "write TEX dst, a, texture[n], 2D;"},
+          "write TEX r, r, texture[0], 2D;"},
          {"!!ARBfp1.0\nTEMP r;\nTEX r@;\nEND", "the coordinate of TEX is missing",
-          "write TEX dst, a, texture[n], 2D;"},
+          "write TEX r, coord, texture[0], 2D;"},
          {"!!ARBfp1.0\nTEMP r;\nMAD r, r, r@;\nEND", "the third operand of MAD is missing",
-          "write MAD dst, a, b, c;"},
+          "write MAD r, r, r, third;"},
          {"!!ARBfp1.0\nTEMP r;\nADD r, r,@;\nEND", "the second operand of ADD is missing",
-          "write ADD dst, a, b;"},
+          "write ADD r, r, second;"},
          {"!!ARBfp1.0\nTEMP r;\nADD r,@, r;\nEND", "the first operand of ADD is missing",
-          "write ADD dst, a, b;"},
+          "write ADD r, first, r;"},
          {"!!ARBfp1.0\nTEMP r;\nRCP r@;\nEND", "the operand of RCP is missing",
-          "write RCP dst, a.x;"},
-         {"!!ARBfp1.0\nADD@;\nEND", "the destination of ADD is missing", "write ADD dst, a, b;"},
-         {"!!ARBfp1.0\nKIL@;\nEND", "the operand of KIL is missing", "write KIL a;"},
+          "write RCP r, value.x;"},
+         {"!!ARBfp1.0\nADD@;\nEND", "the destination of ADD is missing",
+          "write ADD dst, first, second;"},
+         {"!!ARBfp1.0\nKIL@;\nEND", "the operand of KIL is missing", "write KIL value;"},
          {"!!ARBfp1.0\nTEMP r;\nSWZ r, r, x, y, z@;\nEND", "the fourth selector of SWZ is missing",
-          "write SWZ dst, a, x, y, z, w;"},
+          "write SWZ r, r, x, y, z, w;"},
          {"!!ARBfp1.0\nTEMP r;\nADD r, r@\nMOV r, r;\nEND", "the second operand of ADD is missing",
-          "write ADD dst, a, b;"},
+          "write ADD r, r, second;"},
          {"!!ARBfp1.0\nTEMP r;\nADD r, r,@\nMOV r, r;\nEND", "the second operand of ADD is missing",
-          "write ADD dst, a, b;"}});
+          "write ADD r, r, second;"}});
 }
 
 TEST(Parts, ThatAreMissingAreNamedInNvidiasLanguages) {
   judge({{"!!ARBfp1.0\nOPTION NV_fragment_program;\nTEMP r;\nTEX r, r, texture[0]@;\nEND",
-          "the texture target of TEX is missing", "write TEX dst, a, texture[n], 2D;"},
+          "the texture target of TEX is missing", "write TEX r, r, texture[0], 2D;"},
          {"!!ARBfp1.0\nOPTION NV_fragment_program;\nTEMP r;\nADD r (EQ), r@;\nEND",
-          "the second operand of ADD is missing", "write ADD dst, a, b;"},
+          "the second operand of ADD is missing", "write ADD dst, r, second;"},
          {"!!FP1.0\nTEX R0, f[TEX0], TEX0@;\nEND", "the texture target of TEX is missing",
-          "write TEX dst, a, TEX0, 2D;"},
+          "write TEX R0, f[TEX0], TEX0, 2D;"},
          {"!!FP1.0\nADD R0, R1@;\nEND", "the second operand of ADD is missing",
-          "write ADD dst, a, b;"},
-         {"!!VP1.0\nMOV@;\nEND", "the destination of MOV is missing", "write MOV dst, a;"}});
+          "write ADD R0, R1, second;"},
+         {"!!VP1.0\nMOV@;\nEND", "the destination of MOV is missing", "write MOV dst, value;"}});
 }
 
 TEST(Parts, ThatAreMissingAreNamedInAtis) {
@@ -87,8 +88,8 @@ TEST(Parts, WithoutTheirCommaAndTooManyAreNamed) {
        {"!!ARBfp1.0\nTEMP r;\nTEX r, r, texture[0] @2D;\nEND",
         "expected ',' before the texture target of TEX, found '2D'", ""},
        {"!!ARBfp1.0\nTEMP r;\nADD r, r, r@, r;\nEND", "expected ';', found ','",
-        "write ADD dst, a, b;"},
-       {"!!FP1.0\nADD R0, R1, R1@, R1;\nEND", "expected ';', found ','", "write ADD dst, a, b;"}});
+        "write ADD r, r, r;"},
+       {"!!FP1.0\nADD R0, R1, R1@, R1;\nEND", "expected ';', found ','", "write ADD R0, R1, R1;"}});
 }
 
 TEST(LostSemicolon, IsSaidAtTheEndOfTheStatementThatLacksIt) {
@@ -131,6 +132,35 @@ TEST(Parts, AreAsManyAsTheInstructionHas) {
   EXPECT_EQ(partCount(ir::Opcode::Txd), 6);
   EXPECT_EQ(partCount(ir::Opcode::Swz), 6);
   EXPECT_EQ(partCount(ir::Opcode::Brk), 0);
+}
+
+/// "line: message" of every error, one a line.
+std::string errorsOf(const std::string &text) {
+  std::string all;
+  CompileOptions options = generous();
+  options.limits.nvOptions = 2;
+  for (const Diagnostic &each : check(text, options).diagnostics)
+    all += std::to_string(locate(text, each.span.begin).line) + ": " + each.message + "\n";
+  return all;
+}
+
+TEST(Recovery, ReadsOnAtTheLineBehindALostSemicolon) {
+  EXPECT_EQ(errorsOf("!!ARBfp1.0\nTEMP r\nMOVV r, fragment.color;\nADDD r, r\nMUL r, r, q;\nEND"),
+            "2: expected ',' or ';' after 'r'\n3: unknown instruction 'MOVV'\n"
+            "4: unknown instruction 'ADDD'\n5: 'q' is not declared\n");
+  EXPECT_EQ(errorsOf("!!FP1.0\nMOV R0, R1\nMOVV R0, R1;\nMOV o[COLR], R0;\nEND"),
+            "2: expected ';' after 'R1'\n3: 'MOVV' is no instruction of !!FP1.0\n");
+  EXPECT_EQ(errorsOf("!!ATIfs1.0\nStartOutputPass;\nMOV r0, r1\nMULL r0, r0, r1;\nEndPass;\n"),
+            "3: expected ';' after 'r1'\n4: unknown instruction 'MULL'\n");
+}
+
+TEST(Recovery, MakesNoErrorOfALineThatGoesOn) {
+  EXPECT_EQ(errorsOf("!!ARBfp1.0\nTEMP r;\nMUL r, r\n  r;\nMAD r, r,\n  q r, r;\nEND"),
+            "4: expected ',' before the second operand of MUL, found 'r'\n"
+            "6: 'q' is not declared\n6: expected ',' before the third operand of MAD, found 'r'\n");
+  EXPECT_EQ(errorsOf("!!ARBfp1.0\nTEMPP a,\n  b;\nMOV a, b;\nEND"),
+            "2: unknown instruction 'TEMPP'\n")
+      << "the names are accepted";
 }
 
 } // namespace
