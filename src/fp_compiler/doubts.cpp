@@ -69,6 +69,8 @@ private:
   [[nodiscard]] std::string lineOf(const Instruction &instruction) const {
     return "line " + std::to_string(locate(m_file, instruction.span.begin).line);
   }
+  /// True if no further warning would be kept.
+  [[nodiscard]] bool full() const { return m_found.size() >= kMaxDiagnostics; }
   void warn(DiagnosticId id, Span span, std::string message, std::string hint) {
     m_found.push_back({Severity::Warning, info(id).id, span, std::move(message), std::move(hint)});
   }
@@ -112,7 +114,7 @@ void Doubts::findUnwritten() {
   };
   if (m_loops) // an iteration may read what the one before has written
     std::for_each(m_program.code.begin(), m_program.code.end(), write);
-  for (std::size_t at = 0; at < m_program.code.size(); ++at) {
+  for (std::size_t at = 0; at < m_program.code.size() && !full(); ++at) {
     const Instruction narrow = analysis::narrowed(m_program.code[at], live.written[at]);
     for (int i = 0; live.written[at] != 0 && i < info(narrow.op).operandCount(); ++i) {
       const ir::Operand &operand = narrow.src[std::size_t(i)];
@@ -133,17 +135,18 @@ void Doubts::findUnwritten() {
 
 void Doubts::report(const ir::Operand &operand, std::uint8_t missing, std::uint8_t written) {
   const std::string &name = m_program.temporaries[operand.index].name;
+  // An instruction writes after it has read.
   const auto writer = std::find_if(
       m_program.code.begin(), m_program.code.end(), [&](const Instruction &instruction) {
         return writesTo(instruction, File::Temporary) && instruction.dst.index == operand.index &&
-               instruction.span.begin > operand.span.begin;
+               (instruction.dst.mask & missing) != 0 && instruction.span.end > operand.span.begin;
       });
-  const std::string what = quote(written == 0 ? name : name + "." + componentsOf(missing));
-  const bool later = writer != m_program.code.end();
   warn(DiagnosticId::UnwrittenTemporary, operand.span,
-       what + (later ? " is read before it is written" : " is read, but nothing writes it"),
-       later ? lineOf(*writer) + " writes " + name + " first; until then its value is undefined"
-             : "the value of a temporary is undefined until an instruction writes it");
+       quote(written == 0 ? name : name + "." + componentsOf(missing)) +
+           " is read before anything writes it",
+       writer != m_program.code.end()
+           ? "its value is undefined until " + lineOf(*writer) + " has written it"
+           : "its value is undefined: no instruction writes it");
 }
 
 /// Reports a result that must be written and is not. Returns false if the program has no effect.
@@ -211,7 +214,8 @@ void Doubts::findUnused() {
   }
   std::set<std::uint32_t> told;
   for (const auto &[instruction, fate] : m_unused)
-    if (!m_used.contains(instruction->span.begin) && told.insert(instruction->span.begin).second)
+    if (!full() && !m_used.contains(instruction->span.begin) &&
+        told.insert(instruction->span.begin).second)
       reportUnused(*instruction, fate);
 }
 

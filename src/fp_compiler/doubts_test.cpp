@@ -47,19 +47,19 @@ std::string option(const std::string &name, const std::string &statements) {
 
 TEST(Unwritten, TemporariesAreNamedOnceWhereTheyAreReadFirst) {
   EXPECT_EQ(fragment("ADD result.color, r, s;\nMUL result.depth.z, r.x, s.x;"),
-            "3: unwritten-temporary: 'r' is read, but nothing writes it\n"
-            "3: unwritten-temporary: 's' is read, but nothing writes it\n");
+            "3: unwritten-temporary: 'r' is read before anything writes it\n"
+            "3: unwritten-temporary: 's' is read before anything writes it\n");
   EXPECT_EQ(fragment("MUL result.color, r, 2.0;\nMOV r, 1.0;\nMOV result.depth.z, r.x;"),
-            "3: unwritten-temporary: 'r' is read before it is written\n");
+            "3: unwritten-temporary: 'r' is read before anything writes it\n");
   EXPECT_EQ(fragment("ADD r, r, 1.0;\nMOV result.color, r;"),
-            "3: unwritten-temporary: 'r' is read, but nothing writes it\n");
+            "3: unwritten-temporary: 'r' is read before anything writes it\n");
   EXPECT_EQ(fragment("MOV result.color, 1.0;\nKIL r.x;"),
-            "4: unwritten-temporary: 'r' is read, but nothing writes it\n");
+            "4: unwritten-temporary: 'r' is read before anything writes it\n");
 }
 
 TEST(Unwritten, ComponentsCountAlone) {
   EXPECT_EQ(fragment("MOV r.xyz, 1.0;\nMUL result.color, r, 2.0;"),
-            "4: unwritten-temporary: 'r.w' is read, but nothing writes it\n");
+            "4: unwritten-temporary: 'r.w' is read before anything writes it\n");
   EXPECT_EQ(fragment("MOV r.xy, 1.0;\nTEX result.color, r, texture[0], 2D;"), "");
   EXPECT_EQ(fragment("MOV r.xyz, 1.0;\nMUL s, r, 2.0;\nDP3 result.color, s, s;"), "")
       << "s.w reaches no result";
@@ -140,10 +140,10 @@ TEST(Doubts, ConditionsAndBranchesLeaveNone) {
 TEST(Doubts, AreThereUnderNvidiasOptionsToo) {
   EXPECT_EQ(option("NV_fragment_program", "MOV r, fragment.color;\nMUL result.color, s, 2.0;"),
             "3: unused-write: 'r' is written, but nothing reads it\n"
-            "4: unwritten-temporary: 's' is read, but nothing writes it\n");
+            "4: unwritten-temporary: 's' is read before anything writes it\n");
   EXPECT_EQ(option("NV_fragment_program2", "MOVC r.x, fragment.color;\nIF GT.x;\n"
                                            "MOV result.color, s;\nENDIF;"),
-            "5: unwritten-temporary: 's' is read, but nothing writes it\n");
+            "5: unwritten-temporary: 's' is read before anything writes it\n");
 }
 
 TEST(Doubts, NvidiasOwnLanguagesBeginWithZeros) {

@@ -116,7 +116,10 @@ async function main() {
   early.text = early.text.replace('b;', 'a;');
   early.version = 2;
   events.change({ document: early, contentChanges: [{ range: error.range, text: 'a' }] });
-  await diagnosticsOf('file:///early.fp', (list) => list.length === 0);
+  const [warning] = await diagnosticsOf('file:///early.fp',
+    (list) => list.length === 1 && list[0].code !== 'undeclared-name');
+  assert.strictEqual(warning.code, 'unwritten-temporary');
+  assert.strictEqual(warning.severity, 1);
 
   // A text that is opened later, and is one the extension does not know.
   const late = made('file:///late.vp', '!!ARBvp1.0\nMOV result.position, vertex.position;\nEND\n');
@@ -157,7 +160,7 @@ async function main() {
   assert.strictEqual(await provider.provideHover(early, new Position(0, 3)), null);
 
   // Another card: the announced limits hold at once.
-  const heavy = made('file:///heavy.fp', '!!ARBfp1.0\nTEMP a;\n' + 'MUL a, a, a;\n'.repeat(80) +
+  const heavy = made('file:///heavy.fp', '!!ARBfp1.0\nTEMP a;\nMOV a, 1.0;\n' + 'MUL a, a, a;\n'.repeat(79) +
     'MOV result.color, a;\nEND\n');
   events.open(heavy);
   await diagnosticsOf('file:///heavy.fp', (list) => list.length > 0);

@@ -14,6 +14,9 @@ import lsp_session
 from lsp_client import Closed, place
 from lsp_session import ATI, PROGRAM, URI, VERTEX, Session, serve
 
+# A program over r300's limits, without its header.
+LONG = 'TEMP a;\nMOV a, fragment.color;\n' + 'MUL a, a, a;\n' * 79 + 'MOV result.color, a;\nEND\n'
+
 
 class Lifecycle(unittest.TestCase):
     def start(self):
@@ -161,7 +164,7 @@ class Diagnostics(Session):
         self.assertEqual(self.client.diagnostics(URI)['diagnostics'], [])
 
     def test_positions_count_utf16(self):
-        text = '!!ARBfp1.0 # \U0001d11e\U0001d11e\u00e4\r\nTEMP a; # \U0001d11e\r\n' \
+        text = '!!ARBfp1.0 # \U0001d11e\U0001d11e\u00e4\r\nPARAM a = 1; # \U0001d11e\r\n' \
                'MOV result.color, a; # \U0001d11e\r\nEND # \u20ac\n'
         self.assertEqual(self.client.open(URI, text), [])
         # The edit replaces the clef in line 2 (two units); the "a" after it must stay.
@@ -227,13 +230,22 @@ class Diagnostics(Session):
         self.assertTrue(found)
         self.assertTrue(any('indirections' in d['message'] for d in found), found)
 
+    def test_what_a_valid_program_hardly_means(self):
+        text = '!!ARBfp1.0\nTEMP a, b;\nMOV b, 1.0;\nMOV result.color, a;\nEND\n'
+        found = self.client.open(URI, text)
+        self.assertEqual([(d['code'], d['severity'], d['range']['start']) for d in found],
+                         [('unused-write', 2, {'line': 2, 'character': 4}),
+                          ('unwritten-temporary', 2, {'line': 3, 'character': 18})])
+        report = self.client.request('arbiter/report', {'textDocument': {'uri': URI}})
+        self.assertEqual([d['id'] for d in report['diagnostics']], ['unused-write', 'unwritten-temporary'])
+
     def test_a_card_without_fragment_programs(self):
         self.client.notify('workspace/didChangeConfiguration', {'settings': {'arbiter': {'profile': 'nv25'}}})
         chain = 'TEX a, a, texture[0], 2D;\nMUL a, a, a;\n' * 6
         said = 'nv25: the card has no fragment programs'
         for body in ('', chain):  # the second is over limits that say nothing of the card
             uri = f'file:///programless{len(body)}.fp'
-            found = self.client.open(uri, f'!!ARBfp1.0\nTEMP a;\n{body}MOV result.color, a;\nEND\n')
+            found = self.client.open(uri, f'!!ARBfp1.0\nTEMP a;\nMOV a, 1.0;\n{body}MOV result.color, a;\nEND\n')
             self.assertEqual([(d['code'], d['message']) for d in found], [('over-native', said)])
         whole = {'start': {'line': 0, 'character': 0}, 'end': {'line': 9, 'character': 0}}
         hints = self.client.request('textDocument/inlayHint', {
@@ -258,7 +270,7 @@ class Diagnostics(Session):
         self.assertRegex(last['message'], 'TEX reads a, which MUL wrote in node 4')
 
     def test_the_profile_can_change(self):
-        long_one = '!!ARBfp1.0\nTEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
+        long_one = '!!ARBfp1.0\n' + LONG
         self.assertTrue(self.client.open(URI, long_one))
         self.client.notify('workspace/didChangeConfiguration',
                            {'settings': {'arbiter': {'profile': 'nv30'}}})
@@ -268,17 +280,16 @@ class Diagnostics(Session):
         self.assertIn('r3', message['params']['message'])
 
     def test_the_panel_names_the_profile(self):
-        lines = 'TEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
         client = serve()
         self.addCleanup(client.drop)
         client.initialize()
-        self.assertEqual(client.open(URI, '!!ARBfp1.0\n#@ profile nv30\n' + lines), [])
+        self.assertEqual(client.open(URI, '!!ARBfp1.0\n#@ profile nv30\n' + LONG), [])
         report = client.request('arbiter/report', {'textDocument': {'uri': URI}})
         self.assertEqual((report['profile'], report['status']), ('nv30', 'valid'))
-        client.change(URI, 2, {'text': '!!ARBfp1.0\n' + lines})
+        client.change(URI, 2, {'text': '!!ARBfp1.0\n' + LONG})
         self.assertTrue(client.diagnostics(URI)['diagnostics'])
         # An editor's requested profile takes precedence over the panel's.
-        client.change(URI, 3, {'text': '!!ARBfp1.0\n#@ profile nv30\n' + lines})
+        client.change(URI, 3, {'text': '!!ARBfp1.0\n#@ profile nv30\n' + LONG})
         self.assertEqual(client.diagnostics(URI)['diagnostics'], [])
         client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'r300'}})
         self.assertTrue(client.diagnostics(URI)['diagnostics'])
@@ -335,7 +346,7 @@ class Profile(Session):
     options = {'profile': 'nv30'}
 
     def test_of_the_initialization(self):
-        text = '!!ARBfp1.0\nTEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
+        text = '!!ARBfp1.0\n' + LONG
         self.assertEqual(self.client.open(URI, text), [])
 
     def test_languages_of_nvidia(self):

@@ -92,7 +92,7 @@ TEST(NvHints, WordsOfTheOptionsSayHowTheyAreHad) {
       << said("r300");
   EXPECT_NE(said("nv30").find("an OPTION directly after the header"), std::string::npos)
       << said("nv30");
-  constexpr std::string_view kLater = "!!ARBfp1.0\nTEMP r;\nNRM r, fragment.color;\nEND";
+  constexpr std::string_view kLater = "!!ARBfp1.0\nTEMP r;\nTXL r, r, texture[0], 2D;\nEND";
   const std::string later =
       checkFragmentProgram(kLater, {hw::findBuiltin("nv30")->fragment}).errorString(kLater);
   EXPECT_NE(later.find("the profiles nv40 and host have them"), std::string::npos) << later;
