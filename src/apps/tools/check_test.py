@@ -187,6 +187,18 @@ do not fit:
         self.assertIn(f'{good}: valid, within the native limits of r300', lines)
         self.assertNotIn(' under r300:', check(good).stdout)
 
+    def test_what_a_valid_program_hardly_means(self):
+        doubtful = self.path('a.fp', '!!ARBfp1.0\nTEMP a;\nMUL result.color, a, 2.0;\nEND\n')
+        result = check(doubtful)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn(f'{doubtful}: valid, within', result.stdout)
+        self.assertIn(f"{doubtful}:3:19: warning: 'a' is read before anything writes it [unwritten-temporary]\n",
+                      result.stdout)
+        [found] = json.loads(check('--json', doubtful).stdout)['files'][0]['diagnostics']
+        self.assertEqual((found['severity'], found['id']), ('warning', 'unwritten-temporary'))
+        for program in (GOOD, VERTEX):
+            self.assertNotIn('warning', check(self.path('b.fp', program)).stdout)
+
     def test_what_cannot_be_read(self):
         self.path('good.fp', GOOD)
         os.symlink('nowhere', self.folder / 'gone.fp')

@@ -6,7 +6,7 @@
 #include "apps/scene/document.h"
 #include "apps/tools/input.h"
 #include "apps/tools/language.h"
-#include "fp_compiler/doubts.h"
+#include "fp_compiler/doubts/doubts.h"
 
 namespace arbiter::tools {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "apps/tools/language.h"
-#include "fp_compiler/doubts.h"
+#include "fp_compiler/doubts/doubts.h"
 #include "fp_compiler/front/lexer.h"
 
 namespace arbiter::tools::lsp {

@@ -1,7 +1,7 @@
 #include "apps/tools/check/json.h"
 #include "apps/tools/language.h"
 #include "apps/tools/lsp/server.h"
-#include "fp_compiler/doubts.h"
+#include "fp_compiler/doubts/doubts.h"
 #include "util/json.h"
 
 namespace arbiter::tools::lsp {

@@ -1,4 +1,4 @@
-#include "fp_compiler/doubts.h"
+#include "fp_compiler/doubts/doubts.h"
 
 #include <algorithm>
 #include <array>

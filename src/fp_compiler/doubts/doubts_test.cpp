@@ -1,5 +1,5 @@
 // What is said of valid programs that hardly mean what they say, and where nothing may be said.
-#include "fp_compiler/doubts.h"
+#include "fp_compiler/doubts/doubts.h"
 
 #include <string>
 
