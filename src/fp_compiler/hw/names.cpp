@@ -19,8 +19,9 @@ struct Absent {
 constexpr const char *kOfR200 = "the chip, an R200, has no ARB_fragment_program; its ATI fragment "
                                 "shaders have the same limits under every profile";
 constexpr Absent kAbsent[] = {
-    {"r200", kOfR200},       {"radeon8500", kOfR200}, {"8500", kOfR200},
-    {"radeon9000", kOfR200}, {"radeon9200", kOfR200},
+    {"r200", kOfR200},       {"radeon8500", kOfR200},
+    {"8500", kOfR200},       {"radeon9000", kOfR200},
+    {"radeon9200", kOfR200}, {"all", "only arbiter check takes all cards at once"},
 };
 
 /// Returns the name in lower case, without spaces, dashes and underscores: "radeon9700" for "Radeon
@@ -31,6 +32,33 @@ std::string plain(std::string_view typed) {
     if (c != ' ' && c != '-' && c != '_')
       name += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
   return name;
+}
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Returns a plain() name without its maker and with the series in full: "geforce4" for "gf4",
+/// "radeon9700" for "r9700", "geforcefx5900" for "nvidiagffx5900".
+std::string inFull(std::string name) {
+  for (const std::string_view maker : {"ati", "nvidia", "intel"})
+    if (name.starts_with(maker))
+      name.erase(0, maker.size());
+  if (name.starts_with("gf"))
+    return "geforce" + name.substr(2);
+  // A chip has three digits, as the R300; a card of ATI's four.
+  if (name.size() > 4 && name[0] == 'r' && std::all_of(&name[1], &name[5], isDigit))
+    return "radeon" + name.substr(1);
+  return name;
+}
+
+std::string_view builtinCalled(std::string_view name) {
+  for (const BuiltinProfile &profile : builtinTable()) {
+    if (plain(profile.name) == name)
+      return profile.name;
+    const std::vector<std::string_view> aliases = aliasesOf(profile.name);
+    if (std::find(aliases.begin(), aliases.end(), name) != aliases.end())
+      return profile.name;
+  }
+  return {};
 }
 
 } // namespace
@@ -49,14 +77,8 @@ std::vector<std::string_view> aliasesOf(std::string_view builtin) {
 
 std::string_view builtinMeant(std::string_view typed) {
   const std::string name = plain(typed);
-  for (const BuiltinProfile &profile : builtinTable()) {
-    if (profile.name == typed || plain(profile.name) == name)
-      return profile.name;
-    const std::vector<std::string_view> aliases = aliasesOf(profile.name);
-    if (std::find(aliases.begin(), aliases.end(), name) != aliases.end())
-      return profile.name;
-  }
-  return {};
+  const std::string_view found = builtinCalled(name);
+  return found.empty() ? builtinCalled(inFull(name)) : found;
 }
 
 std::string meant(std::string_view typed, std::span<const std::string_view> known) {
@@ -73,16 +95,18 @@ std::string joined(std::span<const std::string_view> names) {
 
 std::string unknownProfile(std::string_view name) {
   const std::string start = "no profile \"" + std::string(name.substr(0, kMostName)) + "\"";
+  const std::string full = inFull(plain(name));
   for (const Absent &absent : kAbsent)
-    if (absent.name == plain(name))
+    if (absent.name == plain(name) || absent.name == full)
       return start + ": " + absent.why;
   const std::vector<std::string_view> names = builtinNames();
   std::vector<std::string_view> known = names;
   for (const std::string_view builtin : names)
     for (const std::string_view alias : aliasesOf(builtin))
       known.push_back(alias);
-  return start + meant(name, known) + " (built in: " + joined(names) +
-         "; or the path of a TOML file)";
+  const std::string near = meant(name, known);
+  return start + (near.empty() ? meant(full, known) : near) + " (built in: " + joined(names) +
+         "; or the path of a TOML file; arbiter profiles says which cards these are)";
 }
 
 } // namespace arbiter::fp::hw

@@ -11,7 +11,8 @@ namespace arbiter::fp::hw {
 [[nodiscard]] std::vector<std::string_view> aliasesOf(std::string_view builtin);
 
 /// Returns the name of the built-in profile that `typed` names or is an alias of. Case, spaces and
-/// dashes do not matter. Returns an empty name if there is none.
+/// dashes do not matter, the card's maker may stand before it, and "gf4" and "r9700" stand for
+/// "geforce4" and "radeon9700". Returns an empty name if there is none.
 [[nodiscard]] std::string_view builtinMeant(std::string_view typed);
 
 /// Returns `; did you mean "api"?`, or an empty text if no known name is close.

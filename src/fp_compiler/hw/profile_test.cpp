@@ -123,25 +123,45 @@ TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
   EXPECT_EQ(result.error().message,
             "no profile \"r3000\"; did you mean \"r300\"? (built in: r300, r300-catalyst-2004, "
             "r350, r360, r420, nv10, nv20, nv25, nv30, nv35, nv40, i915, host; or the path of a "
-            "TOML file)");
+            "TOML file; arbiter profiles says which cards these are)");
   EXPECT_EQ(findBuiltin("r3000"), nullptr);
 }
 
 TEST(Profiles, ACardIsKnownByWhatPeopleCallIt) {
-  for (const auto &[typed, name] :
-       {std::pair("radeon9700", "r300"), std::pair("9700", "r300"),
-        std::pair("Radeon 9700", "r300"), std::pair("R300", "r300"), std::pair("geforcefx", "nv30"),
-        std::pair("GeForce-FX", "nv30"), std::pair("geforce4", "nv25"),
-        std::pair("geforce3", "nv20"), std::pair("r300-catalyst-2004", "r300-catalyst-2004")}) {
+  for (const auto &[typed, name] : {std::pair("radeon9700", "r300"),
+                                    std::pair("9700", "r300"),
+                                    std::pair("Radeon 9700", "r300"),
+                                    std::pair("R300", "r300"),
+                                    std::pair("geforcefx", "nv30"),
+                                    std::pair("GeForce-FX", "nv30"),
+                                    std::pair("geforce4", "nv25"),
+                                    std::pair("geforce3", "nv20"),
+                                    std::pair("r300-catalyst-2004", "r300-catalyst-2004"),
+                                    std::pair("gf4", "nv25"),
+                                    std::pair("GF3", "nv20"),
+                                    std::pair("gf4 mx", "nv10"),
+                                    std::pair("r9700", "r300"),
+                                    std::pair("R9800", "r350"),
+                                    std::pair("fx5900", "nv35"),
+                                    std::pair("gf fx 5900", "nv35"),
+                                    std::pair("9800", "r350"),
+                                    std::pair("gf6800", "nv40"),
+                                    std::pair("ATI Radeon 9700", "r300"),
+                                    std::pair("NVIDIA GeForce4 Ti", "nv25"),
+                                    std::pair("Intel 915G", "i915")}) {
     const Profile *const profile = findBuiltin(typed);
     ASSERT_NE(profile, nullptr) << typed;
     EXPECT_EQ(profile->name, name);
   }
   for (const char *const none : {"", " ", "-", "|", "radeon9700|9700"})
     EXPECT_EQ(findBuiltin(none), nullptr) << none;
-  const auto near = loadProfile("r9700");
-  ASSERT_FALSE(near);
-  EXPECT_TRUE(near.error().message.starts_with("no profile \"r9700\"; did you mean \"9700\"?"));
+  for (const auto &[typed, known] :
+       {std::pair("970", "9700"), std::pair("gf7", "geforce2"), std::pair("fx5200", "fx5800")}) {
+    const auto near = loadProfile(typed);
+    ASSERT_FALSE(near);
+    const std::string start = std::string("no profile \"") + typed + "\"; did you mean \"" + known;
+    EXPECT_TRUE(near.error().message.starts_with(start + "\"?")) << near.error().message;
+  }
   const auto absent = loadProfile("Radeon 8500");
   ASSERT_FALSE(absent);
   EXPECT_EQ(absent.error().message,
