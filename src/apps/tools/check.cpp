@@ -130,8 +130,11 @@ int checkCards(const CheckArguments &arguments) {
     return kExitUsage;
   }
   const FoundFiles found = findFiles(arguments.files);
-  CardMatrix matrix(arguments.language, arguments.limits == "report" ? fp::LimitPolicy::Report
-                                                                     : fp::LimitPolicy::Enforce);
+  const Style style = styleOf("auto");
+  CardMatrix matrix(arguments.language,
+                    arguments.limits == "report" ? fp::LimitPolicy::Report
+                                                 : fp::LimitPolicy::Enforce,
+                    arguments.why ? std::optional(style) : std::nullopt);
   Progress progress(found.paths.size());
   const auto report = [&](const std::string &fault) {
     progress.clear();
@@ -148,7 +151,7 @@ int checkCards(const CheckArguments &arguments) {
   }
   progress.clear();
   const bool reasons = arguments.why || (!arguments.brief && matrix.size() <= kFew);
-  print(arguments.json ? matrix.json() : matrix.text(styleOf("auto"), reasons));
+  print(arguments.json ? matrix.json() : matrix.text(style, reasons));
   return matrix.exitCode();
 }
 
@@ -160,7 +163,8 @@ int afterPrinting(int code) {
   return kExitUsage;
 }
 
-/// Compares two files, each under its profile, or one file under two profiles.
+/// Compares two files, each under its profile, or one file under two profiles. The second side's
+/// verdict is the exit code: the first is what the author had before.
 int compareTwo(const CheckArguments &arguments, std::vector<ProfileChoice> &profiles) {
   if (arguments.files.size() + profiles.size() != 3) {
     complain("--compare takes two files, or one file and --profile twice");
@@ -182,7 +186,8 @@ int compareTwo(const CheckArguments &arguments, std::vector<ProfileChoice> &prof
       return kExitUsage;
     }
     CheckedFile &file = programs.front();
-    summary.add(file);
+    if (i == 1 || file.status == FileStatus::Unreadable)
+      summary.add(file);
     if (file.status == FileStatus::Unreadable)
       complain(shown(file.fault));
     const fp::hw::Profile *const profile = file.profile ? file.profile : &choice.common();

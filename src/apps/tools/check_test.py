@@ -411,12 +411,20 @@ class Compare(Temporary):
         path = self.path('a.fp', alu(70))
         words = ('--compare', '--profile', 'r300-catalyst-2004', '--profile', 'nv30', path)
         result = check(*words)
-        self.assertEqual(result.returncode, 3, 'the worse side decides')
+        self.assertEqual(result.returncode, 0, 'the second side decides')
+        self.assertEqual(check('--compare', '--profile', 'nv30', '--profile', 'r300-catalyst-2004', path).returncode, 3)
         self.assertRegex(result.stdout, r'(?m)^  ALU instructions +70/128 +70/1024 +0 ')
         document = json.loads(check(*words, '--json').stdout)
         self.assertEqual([file['profile'] for file in document['files']],
                          ['r300-catalyst-2004', 'nv30'])
         self.assertEqual([file['status'] for file in document['files']], ['over-native', 'valid'])
+
+    def test_the_file_after_the_change_decides(self):
+        long, short, bad = self.path('long.fp', alu(70)), self.path('short.fp', GOOD), self.path('bad.fp', BAD)
+        catalyst = ('--compare', '--profile', 'r300-catalyst-2004')
+        for before, after, code in ((long, short, 0), (short, long, 3), (bad, short, 0), (long, bad, 2),
+                                    (self.folder / 'none', short, 1)):
+            self.assertEqual(check(*catalyst, before, after).returncode, code, (before, after))
 
     def test_a_side_without_counts(self):
         result = check('--compare', self.path('a.fp', GOOD), self.path('b.fp', BAD))

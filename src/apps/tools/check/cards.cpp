@@ -1,14 +1,14 @@
 #include "apps/tools/check/cards.h"
 
 #include <algorithm>
+#include <array>
 
 #include <GL/arbiter.h>
 
-#include "apps/tools/check/source_text.h"
+#include "apps/tools/check/why.h"
 #include "apps/tools/commands.h"
 #include "apps/tools/input.h"
 #include "apps/tools/language.h"
-#include "fp_compiler/hw/native.h"
 #include "fp_compiler/resources.h"
 #include "util/json.h"
 
@@ -16,40 +16,28 @@ namespace arbiter::tools {
 
 namespace {
 
-std::string firstError(const fp::CheckResult &result, const std::string &text) {
+/// Returns the errors, each with its line and column.
+std::vector<std::string> errorsOf(const fp::CheckResult &result, const std::string &text) {
+  std::vector<std::string> errors;
   for (const fp::Diagnostic &diagnostic : result.diagnostics) {
     if (diagnostic.severity != fp::Severity::Error)
       continue;
     const fp::LineColumn at = fp::locate(text, diagnostic.span.begin);
-    return std::to_string(at.line) + ":" + std::to_string(at.column) + ": " + diagnostic.message;
+    errors.push_back(std::to_string(at.line) + ":" + std::to_string(at.column) + ": " +
+                     diagnostic.message);
   }
-  return {};
+  return errors;
 }
 
-CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::LimitPolicy policy,
-                const fp::hw::Profile &card) {
-  const fp::ir::Language language = program.language;
-  const fp::Limits limits = limitsOf(card, language);
-  const fp::CheckResult result = fp::checkProgramIn(text, program, {limits, policy});
-  CardCell cell;
-  const std::string_view lack = lackOf(limits, language);
-  cell.hasLanguage = hasPrograms(limits, language);
-  cell.runsItself = lack.empty();
-  if (!result.ok()) {
-    cell.status = FileStatus::Invalid;
-    cell.why = cell.hasLanguage ? firstError(result, text) : std::string(lack);
-    return cell;
-  }
-  if (result.underNativeLimits)
-    return cell;
-  cell.status = FileStatus::OverNative;
-  for (const fp::ResourceRow &row : fp::resourceRows())
-    if (row.of(language) && result.nativeCounts.*row.member > limits.native.*row.member)
-      cell.over.push_back({&row, result.nativeCounts.*row.member, limits.native.*row.member});
-  cell.why = lack;
-  if (!lack.empty())
-    return cell;
-  const auto report = fp::hw::explainNative(*result.program, result.counts, limits, text);
+void takeErrors(const std::vector<std::string> &errors, bool details, CardCell &cell) {
+  if (!errors.empty())
+    cell.why = errors.front();
+  for (std::size_t i = 1; details && i < errors.size(); ++i)
+    cell.details += "  " + errors[i] + "\n";
+}
+
+/// Takes the model's reasons for the counts of a card that runs the program itself.
+void takeReasons(const CheckedFile &file, const std::optional<Style> &details, CardCell &cell) {
   // A reason without instructions holds for every program.
   const auto isOver = [&cell](const fp::hw::Reason &reason) {
     return !reason.instructions.empty() &&
@@ -57,10 +45,72 @@ CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::Lim
              return over.row->member == reason.resource;
            });
   };
-  const auto found = std::find_if(report.reasons.begin(), report.reasons.end(), isOver);
-  if (found != report.reasons.end())
+  const std::vector<fp::hw::Reason> &reasons = file.native().reasons;
+  if (const auto found = std::find_if(reasons.begin(), reasons.end(), isOver);
+      found != reasons.end())
     cell.why = found->text;
+  if (!details)
+    return;
+  const Why why(file, *details, true);
+  for (const OverCount &over : cell.over) {
+    if (cell.over.size() > 1)
+      cell.details += std::string("  ") + over.row->title + ":\n";
+    cell.details += why.reasons(*over.row);
+    if (over.row->member == &fp::ResourceCounts::texIndirections)
+      cell.details += why.chain();
+  }
+}
+
+CardCell cellOf(const std::string &text, const fp::FileProgram &program, fp::LimitPolicy policy,
+                const fp::hw::Profile &card, const std::optional<Style> &details) {
+  CheckedFile file;
+  file.text = text;
+  file.language = program.language;
+  file.limits = limitsOf(card, file.language);
+  file.result = fp::checkProgramIn(text, program, {file.limits, policy});
+  CardCell cell;
+  cell.hasLanguage = hasPrograms(file.limits, file.language);
+  cell.runsItself = file.lack().empty();
+  if (!file.result.ok()) {
+    cell.status = FileStatus::Invalid;
+    cell.why = file.lack();
+    if (cell.hasLanguage)
+      takeErrors(errorsOf(file.result, text), details.has_value(), cell);
+    return cell;
+  }
+  if (file.result.underNativeLimits)
+    return cell;
+  cell.status = file.status = FileStatus::OverNative;
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
+    const std::uint32_t used = file.result.nativeCounts.*row.member;
+    const std::uint32_t limit = file.limits.native.*row.member;
+    if (row.of(file.language) && used > limit)
+      cell.over.push_back({&row, used, limit});
+  }
+  if (cell.runsItself)
+    takeReasons(file, details, cell);
+  else
+    cell.why = file.lack();
   return cell;
+}
+
+/// Returns the card's name as people say it, "Radeon 9700" of "ATI Radeon 9700 (r300)"; empty if
+/// the profile's description names none.
+std::string_view spokenName(const fp::hw::Profile &card) {
+  std::string_view name = card.fragment.card;
+  const std::size_t chip = name.rfind(" (");
+  if (chip == std::string_view::npos)
+    return {};
+  name = name.substr(0, chip);
+  name = name.substr(0, name.find(" and "));
+  return name.substr(name.find(' ') + 1);
+}
+
+/// Returns the name's first word and the others, for two lines of a table's head.
+std::array<std::string, 2> linesOf(std::string_view name) {
+  const std::size_t end = std::min(name.find(' '), name.size());
+  return {std::string(name.substr(0, end)),
+          std::string(name.substr(std::min(end + 1, name.size())))};
 }
 
 bool loads(const CardCell &cell) {
@@ -120,8 +170,8 @@ bool CardRow::fitsNowhere() const {
                       [](const CardCell &cell) { return cell.status == FileStatus::Valid; });
 }
 
-CardMatrix::CardMatrix(std::string language, fp::LimitPolicy policy)
-    : m_language(std::move(language)), m_policy(policy) {
+CardMatrix::CardMatrix(std::string language, fp::LimitPolicy policy, std::optional<Style> details)
+    : m_language(std::move(language)), m_policy(policy), m_details(details) {
   for (const std::string_view name : fp::hw::builtinNames())
     if (const fp::hw::Profile *const card = fp::hw::findBuiltin(name); !card->fromHost)
       m_cards.push_back(card);
@@ -140,7 +190,7 @@ std::string CardMatrix::add(const std::string &path) {
     row.name = titleOf(path == "-" ? "<stdin>" : path, text, program);
     row.language = program.language;
     for (const fp::hw::Profile *card : m_cards)
-      row.cells.push_back(cellOf(text, program, m_policy, *card));
+      row.cells.push_back(cellOf(text, program, m_policy, *card, m_details));
   }
   return {};
 }
@@ -151,40 +201,93 @@ std::size_t CardMatrix::fitting(std::size_t card) const {
   }));
 }
 
+std::size_t CardMatrix::columnOf(std::size_t card) const {
+  std::size_t width = std::max<std::size_t>(m_cards[card]->name.size(), 4);
+  for (const std::string &line : linesOf(spokenName(*m_cards[card])))
+    width = std::max(width, line.size());
+  return width;
+}
+
+std::string CardMatrix::head(std::size_t width, const Style &style) const {
+  std::string text;
+  for (std::size_t line = 0; line < 3; ++line) {
+    std::string cells = padded("", width);
+    for (std::size_t i = 0; i < m_cards.size(); ++i)
+      cells += "  " + padded(line < 2 ? linesOf(spokenName(*m_cards[i]))[line] : m_cards[i]->name,
+                             columnOf(i));
+    cells.erase(cells.find_last_not_of(' ') + 1);
+    text += painted(cells, Colour::Dim, style) + "\n";
+  }
+  return text;
+}
+
+std::string CardMatrix::outcome() const {
+  std::size_t fit = 0, load = 0;
+  for (const CardRow &row : m_rows) {
+    fit += row.fitsNowhere() ? 0 : 1;
+    load += row.fitsNowhere() && !row.loadsNowhere() ? 1 : 0;
+  }
+  std::string text = "fit at least one card: " + std::to_string(fit) + " of " +
+                     std::to_string(m_rows.size()) +
+                     (m_rows.size() == 1 ? " program" : " programs");
+  if (load != 0)
+    text += ", load and fit none: " + std::to_string(load);
+  if (const std::size_t refused = m_rows.size() - fit - load; refused != 0)
+    text += ", refused by all: " + std::to_string(refused);
+  return text + "\n";
+}
+
+std::string CardMatrix::reasonsOf(const CardRow &row) const {
+  struct Group {
+    std::string cards, reason;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < m_cards.size(); ++i) {
+    const CardCell &cell = row.cells[i];
+    if (cell.status == FileStatus::Valid)
+      continue;
+    std::string reason = reasonOf(cell) + "\n" + cell.details;
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group &each) { return each.reason == reason; });
+    if (same == groups.end())
+      groups.push_back({m_cards[i]->name, std::move(reason)});
+    else
+      same->cards += ", " + m_cards[i]->name;
+  }
+  std::string text;
+  for (const Group &group : groups)
+    text += shown(row.name) + ": " + group.cards + ": " + group.reason;
+  return text;
+}
+
 std::string CardMatrix::text(const Style &style, bool reasons) const {
   const std::string total = "fit, of " + std::to_string(m_rows.size());
   std::size_t width = total.size();
   for (const CardRow &row : m_rows)
     width = std::max(width, shown(row.name).size());
-  std::string head = padded("", width), text;
-  for (const fp::hw::Profile *card : m_cards)
-    head += "  " + padded(card->name, 4);
-  text = painted(head, Colour::Dim, style) + "\n";
+  std::string text = head(width, style);
   for (const CardRow &row : m_rows) {
     text += padded(shown(row.name), width);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
       const CardCell &cell = row.cells[i];
       const bool last = i + 1 == m_cards.size();
       text += "  " + painted(word(cell), colourOf(cell), style);
-      const std::size_t column = std::max<std::size_t>(m_cards[i]->name.size(), 4);
-      text += last ? "" : std::string(column - std::string_view(word(cell)).size(), ' ');
+      text += last ? "" : std::string(columnOf(i) - std::string_view(word(cell)).size(), ' ');
     }
     text += "\n";
   }
   if (m_rows.size() > 1) {
     std::string counts = padded(total, width);
     for (std::size_t i = 0; i < m_cards.size(); ++i)
-      counts += "  " + padded(std::to_string(fitting(i)),
-                              std::max<std::size_t>(m_cards[i]->name.size(), 4));
+      counts += "  " + padded(std::to_string(fitting(i)), columnOf(i));
     counts.erase(counts.find_last_not_of(' ') + 1);
     text += counts + "\n";
   }
   text += "fits: within the card's own limits; over: loads, and is over them; no: is refused, or "
-          "the card has no such programs\n";
+          "the card has no such programs\n" +
+          outcome();
   for (const CardRow &row : m_rows)
-    for (std::size_t i = 0; reasons && i < m_cards.size(); ++i)
-      if (row.cells[i].status != FileStatus::Valid)
-        text += shown(row.name) + ": " + m_cards[i]->name + ": " + reasonOf(row.cells[i]) + "\n";
+    text += reasons ? reasonsOf(row) : "";
   return text;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct CardCell {
   /// program, with its line and column, or the first reason of the card's model for a count that is
   /// over its native limit.
   std::string why;
+  /// The further errors, or every reason with its instructions, as indented lines. Filled only if
+  /// the matrix was asked for details.
+  std::string details;
 };
 
 struct CardRow {
@@ -44,7 +48,8 @@ struct CardRow {
 class CardMatrix {
 public:
   /// \param language as for checkFile()
-  CardMatrix(std::string language, fp::LimitPolicy policy);
+  /// \param details the style of CardCell::details; empty: there are none
+  CardMatrix(std::string language, fp::LimitPolicy policy, std::optional<Style> details = {});
 
   /// Reads and checks one file for every card; "-" is standard input.
   /// \returns an empty string, or "name: reason"
@@ -53,8 +58,9 @@ public:
   void addFault() { ++m_faults; }
 
   [[nodiscard]] std::size_t size() const { return m_rows.size(); }
-  /// Returns the matrix as text.
-  /// \param reasons adds below the matrix why each program does not fit
+  /// Returns the matrix as text; each column is headed by the card's name and its profile's.
+  /// \param reasons adds below the matrix why each program does not fit, once for all cards that
+  /// have the same reason
   [[nodiscard]] std::string text(const Style &style, bool reasons) const;
   [[nodiscard]] std::string json() const;
   /// Returns 1 if something could not be read, 2 if a program is valid for no card, 3 if one fits
@@ -63,9 +69,14 @@ public:
 
 private:
   [[nodiscard]] std::size_t fitting(std::size_t card) const;
+  [[nodiscard]] std::string head(std::size_t width, const Style &style) const;
+  [[nodiscard]] std::size_t columnOf(std::size_t card) const;
+  [[nodiscard]] std::string outcome() const;
+  [[nodiscard]] std::string reasonsOf(const CardRow &row) const;
 
   const std::string m_language;
   const fp::LimitPolicy m_policy;
+  const std::optional<Style> m_details;
   std::vector<const fp::hw::Profile *> m_cards;
   std::vector<CardRow> m_rows;
   std::size_t m_files = 0;
