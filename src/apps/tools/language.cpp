@@ -1,5 +1,6 @@
 #include "apps/tools/language.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include "fp_compiler/ati/limits.h"
@@ -16,6 +17,8 @@ constexpr LanguageRow kLanguages[] = {
     {"ts", "!!TS1.0", Language::TextureShaders},
 };
 static_assert(std::size(kLanguages) == kLanguageCount);
+
+constexpr std::string_view kLimitId = "limit-"; ///< prefix of the diagnostics of API limits
 } // namespace
 
 std::span<const LanguageRow> languageRows() { return kLanguages; }
@@ -102,7 +105,16 @@ std::string_view lackOf(const fp::Limits &limits, Language language) {
 }
 
 bool isOfLimit(const fp::Diagnostic &diagnostic) {
-  return std::string_view(diagnostic.id).starts_with("limit-");
+  return std::string_view(diagnostic.id).starts_with(kLimitId);
+}
+
+const fp::ResourceRow *limitedRow(const fp::Diagnostic &diagnostic) {
+  std::string key(std::string_view(diagnostic.id).substr(kLimitId.size()));
+  std::replace(key.begin(), key.end(), '-', '_');
+  for (const fp::ResourceRow &row : fp::resourceRows())
+    if (key == row.name)
+      return &row;
+  return nullptr;
 }
 
 } // namespace arbiter::tools

@@ -89,7 +89,7 @@ void fixAll(std::vector<CheckedFile> &programs, const std::string &path, fp::Lim
   const std::string old = text;
   // Replacing from the last program on keeps the positions of the others.
   for (auto file = programs.rbegin(); file != programs.rend(); ++file) {
-    if (!file->counted())
+    if (!file->counted() && !file->isOverApiAlone())
       continue;
     const fp::Span span = file->program().span;
     file->fixed = advise::applyAll(file->source(), {file->language, file->limits});
@@ -153,6 +153,14 @@ void addAdvice(std::vector<CheckedFile> &programs, const std::string &path, bool
     for (advise::Advice &advice : *file.advice)
       advise::move(advice, file.program().span.begin);
   }
+}
+
+bool CheckedFile::isOverApiAlone() const {
+  return status == FileStatus::Invalid &&
+         std::all_of(result.diagnostics.begin(), result.diagnostics.end(),
+                     [](const fp::Diagnostic &each) {
+                       return each.severity != fp::Severity::Error || isOfLimit(each);
+                     });
 }
 
 const fp::hw::NativeReport &CheckedFile::native() const {

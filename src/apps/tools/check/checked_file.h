@@ -61,6 +61,8 @@ public:
   [[nodiscard]] bool counted() const {
     return status == FileStatus::Valid || status == FileStatus::OverNative;
   }
+  /// True for a program whose only errors are that it is over limits of the API.
+  [[nodiscard]] bool isOverApiAlone() const;
   /// Returns the reasons for the native counts of a file that is counted(). They are computed at
   /// the first call, because that costs more than the check, and most files need none.
   [[nodiscard]] const fp::hw::NativeReport &native() const;

@@ -11,18 +11,6 @@ namespace arbiter::tools {
 
 namespace {
 
-constexpr std::string_view kLimitId = "limit-"; ///< prefix of the diagnostics of API limits
-
-/// Returns the resource of a diagnostic: "limit-alu-instructions" is "alu_instructions".
-const fp::ResourceRow *rowOfId(std::string_view id) {
-  std::string key(id.substr(kLimitId.size()));
-  std::replace(key.begin(), key.end(), '-', '_');
-  for (const fp::ResourceRow &row : fp::resourceRows())
-    if (key == row.name)
-      return &row;
-  return nullptr;
-}
-
 /// Returns the largest reason for a resource, preferably one with instructions. The total has no
 /// reasons of its own, so that reasons for any resource count for it. The same is true without a
 /// row, if no count shows what is over.
@@ -98,9 +86,9 @@ void Summary::addMisfit(const CheckedFile &file) {
     for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
       if (diagnostic.severity != fp::Severity::Error)
         continue;
-      if (!std::string_view(diagnostic.id).starts_with(kLimitId))
+      if (!isOfLimit(diagnostic))
         return; // invalid for every card
-      m_misfits.push_back({file.title(), rowOfId(diagnostic.id), {}, 0, diagnostic.message});
+      m_misfits.push_back({file.title(), limitedRow(diagnostic), {}, 0, diagnostic.message});
       return;
     }
     return;

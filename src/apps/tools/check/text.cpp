@@ -93,6 +93,13 @@ std::string table(const CheckedFile &file, const Why &why, const TextOptions &op
   return text;
 }
 
+std::string joined(const std::vector<std::string> &names) {
+  std::string text;
+  for (const std::string &each : names)
+    text += (text.empty() ? "" : ", ") + each;
+  return text;
+}
+
 const std::vector<advise::Advice> &adviceOf(const CheckedFile &file) {
   static const std::vector<advise::Advice> kNone;
   return file.advice ? *file.advice : kNone;
@@ -114,14 +121,46 @@ std::string fixedText(const CheckedFile &file) {
   return text;
 }
 
+/// Returns what a program is over: "over the API limit of ALU instructions", "over the card's own
+/// limits: ALU instructions 68 of 64"; empty if it is over none.
+std::string overLimits(const CheckedFile &file) {
+  if (!file.hasPrograms())
+    return {};
+  std::vector<std::string> names;
+  if (file.isOverApiAlone()) {
+    for (const fp::Diagnostic &each : file.result.diagnostics)
+      if (each.severity == fp::Severity::Error) {
+        const fp::ResourceRow *const row = limitedRow(each);
+        names.emplace_back(row ? row->title : each.message);
+      }
+    return "over the API limit of " + joined(names);
+  }
+  if (file.status != FileStatus::OverNative || !file.lack().empty())
+    return {};
+  for (const fp::ResourceRow &row : fp::resourceRows())
+    if (row.of(file.language) && isOver(file, row.member))
+      names.push_back(std::string(row.title) + " " +
+                      std::to_string(file.result.nativeCounts.*row.member) + " of " +
+                      std::to_string(file.limits.native.*row.member));
+  return names.empty() ? "over the card's own limits"
+                       : "over the card's own limits: " + joined(names);
+}
+
+/// Says that there is no advice. A program that is over a limit needs some, so that it is said of
+/// which none is known.
+std::string withoutAdvice(const CheckedFile &file) {
+  const std::string over = overLimits(file);
+  if (over.empty())
+    return file.counted() ? shown(file.title()) + ": no advice\n" : "";
+  return shown(file.title()) + ": " + over + "; no rewriting is known that takes less\n";
+}
+
 std::string adviceText(const CheckedFile &file, const Style &style) {
   std::string text;
   for (const advise::Advice &advice : adviceOf(file))
     text += advise::fullText(rendered(shown(file.name), file.text, advise::noteOf(advice), style),
                              file.text, advice);
-  if (file.advice && file.counted() && text.empty())
-    text = shown(file.title()) + ": no advice\n";
-  return text;
+  return file.advice && text.empty() ? withoutAdvice(file) : text;
 }
 
 } // namespace
@@ -135,6 +174,8 @@ std::string briefText(const CheckedFile &file, const Style &style) {
   for (const advise::Advice &advice : adviceOf(file))
     text += advise::lineText(
         renderedLine(shown(file.name), file.text, advise::noteOf(advice), style), advice);
+  if (file.advice && file.advice->empty() && !overLimits(file).empty())
+    text += withoutAdvice(file);
   return text;
 }
 
@@ -179,7 +220,7 @@ std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
     return text;
   text += line;
   if (!file.counted())
-    return text;
+    return text + adviceText(file, options.style);
   const Why why(file, options.style, options.why);
   text += table(file, why, options) + why.headline();
   if (options.why)
