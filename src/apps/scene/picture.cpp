@@ -8,11 +8,31 @@
 
 namespace arbiter::scene {
 
+namespace {
+
+/// Says why an image cannot be read. libpng's words for a text or a part of a file say too little.
+std::string whyNotRead(const char *libpng) {
+  const std::string_view message = libpng;
+  if (message == "Not a PNG file")
+    return "is no PNG, JPEG or DDS file";
+  return message == "Read Error" || message == "Read error" ? "is no whole PNG file" : libpng;
+}
+
+/// True for a name that promises another kind of image, or standard output.
+bool isOfAnotherKind(std::string_view path) {
+  for (const std::string_view ending : {".jpg", ".jpeg", ".bmp", ".gif", ".tga", ".webp", ".ppm"})
+    if (path.ends_with(ending))
+      return true;
+  return path == "-";
+}
+
+} // namespace
+
 Result<Picture, PictureError> readPng(const std::string &path) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_file(&image, path.c_str()) == 0)
-    return PictureError{path + ": " + image.message};
+    return PictureError{path + ": " + whyNotRead(image.message)};
   Picture picture;
   if (image.width > kMaxSide || image.height > kMaxSide) {
     png_image_free(&image);
@@ -24,11 +44,13 @@ Result<Picture, PictureError> readPng(const std::string &path) {
   picture.bytes.resize(std::size_t(PNG_IMAGE_SIZE(image)));
   const png_int_32 upwards = -png_int_32(PNG_IMAGE_ROW_STRIDE(image));
   if (png_image_finish_read(&image, nullptr, picture.bytes.data(), upwards, nullptr) == 0)
-    return PictureError{path + ": " + image.message};
+    return PictureError{path + ": " + whyNotRead(image.message)};
   return picture;
 }
 
 std::string writePng(const std::string &path, const Picture &picture) {
+  if (isOfAnotherKind(path))
+    return path + ": a picture is a PNG, in a file with the ending .png";
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   image.width = png_uint_32(picture.width);

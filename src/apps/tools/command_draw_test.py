@@ -137,7 +137,11 @@ class Draw(Temporary):
             self.assertEqual((result.returncode, result.stderr), (0, stderr))
             _, _, rows = read_png(self.output)
             self.assertEqual(set(zip(*[iter(rows[0])] * 4)), {(255, 51, 0, alpha)}, options)
-        self.assertEqual(self.draw(text.replace('0.4', '1')).stderr, '')
+        # One step of 255 cannot be seen, and around a mesh a background is expected.
+        for quiet, options in ((text.replace('0.4', '1'), ()), (text.replace('0.4', '0.997'), ()),
+                               (text.replace('0.4', '1'), ('--mesh', 'sphere'))):
+            self.assertEqual(self.draw(quiet, *options, size='16x16').stderr, '', (quiet, options))
+        self.assertEqual(self.draw(text, '--mesh', 'sphere', size='16x16').stderr, said)
 
     def test_images_by_a_word(self):
         sampling = '!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[0], 2D;\nEND\n'
@@ -225,6 +229,11 @@ class Draw(Temporary):
         seen = self.draw(sampling, '--texture', '0=/none.png')
         self.assertEqual((seen.returncode, seen.stderr),
                          (1, 'arbiter draw: --texture 0: /none.png: No such file or directory\n'))
+        for name, text, why in (('a.fp', GOOD, 'is no PNG, JPEG or DDS file'), ('b.png', '', 'is no whole PNG file'),
+                                ('c.png', 'junk', 'is no whole PNG file')):
+            image = self.path(name, text)
+            self.assertEqual(self.draw(sampling, '--texture', f'0={image}').stderr,
+                             f'arbiter draw: --texture 0: {image}: {why}\n')
         mesh = self.path('empty.obj', 'v 1\n')
         seen = self.draw(GOOD, '--mesh', mesh)
         self.assertEqual((seen.returncode, seen.stderr), (1, f'arbiter draw: {mesh}: it has no face\n'))
@@ -242,6 +251,11 @@ class Draw(Temporary):
             self.assertEqual(self.draw(GOOD, size=size).returncode, 1, size)
         self.assertEqual(arbiter('draw', *self.words, '-o', '/nowhere/x.png', '-',
                                  text=GOOD).returncode, 1)
+        for name in (self.path('x.jpg'), '-'):
+            result = arbiter('draw', *self.words, '-o', name, self.path('a.fp', GOOD))
+            self.assertEqual((result.returncode, result.stderr),
+                             (1, f'arbiter draw: {name}: a picture is a PNG, in a file with the ending .png\n'))
+            self.assertFalse(pathlib.Path(name).exists())
 
 
 class Layered(Draw):

@@ -125,11 +125,16 @@ void report(const DrawArguments &arguments, const Drawing &drawing, const Render
   std::printf("\n");
 }
 
-bool isOpaque(const scene::Picture &picture) {
-  for (std::size_t at = 3; at < picture.bytes.size(); at += 4)
-    if (picture.bytes[at] != 255)
-      return false;
-  return true;
+/// True if viewers, which mix pixels with a background, show another picture than was drawn. One
+/// step below alpha 1 cannot be seen, and where nothing was drawn a background is expected.
+bool looksMixed(const scene::Picture &picture) {
+  for (std::size_t at = 0; at + 4 <= picture.bytes.size(); at += 4) {
+    const auto *const pixel = &picture.bytes[at];
+    const bool cleared = pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0 && pixel[3] == 0;
+    if (pixel[3] < 254 && !cleared)
+      return true;
+  }
+  return false;
 }
 
 void makeOpaque(scene::Picture &picture) {
@@ -166,14 +171,14 @@ int drawHere(const DrawArguments &arguments) {
     complain(line);
   const std::string output = outputOf(arguments, document);
   scene::Picture &picture = rendering.value().picture;
-  const bool opaque = isOpaque(picture);
+  const bool mixed = !arguments.opaque && looksMixed(picture);
   if (arguments.opaque)
     makeOpaque(picture);
   if (const std::string fault = scene::writePng(output, picture); !fault.empty()) {
     complain(fault);
     return kExitUsage;
   }
-  if (!opaque && !arguments.opaque)
+  if (mixed)
     complain(output + ": alpha is not 1 everywhere, and viewers mix such pixels with a background; "
                       "--opaque writes 1");
   report(arguments, drawing, rendering.value(), output);
