@@ -76,7 +76,9 @@ class Answers(unittest.TestCase):
         words = answers('draw', '--texture', '0=')
         self.assertIn('0=checker', words)
         self.assertNotIn('0=sky', words)
-        self.assertEqual(answers('check', '--profile', 'r300,nv3'), ['r300,nv30', 'r300,nv35', ':files r300,'])
+        self.assertEqual(answers('debug', '--texture', '3=l'), ['3=landscape', ':files 3='])
+        # An option takes one profile.
+        self.assertEqual(answers('check', '--profile', 'r300,nv3'), [':files'])
 
     def test_operands(self):
         names = sorted(path.stem for path in (ROOT / 'demos' / 'gallery').glob('*.fp')

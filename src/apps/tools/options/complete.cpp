@@ -46,13 +46,9 @@ bool isOfOwnForm(const CLI::Option &option) {
          !saidPlaceholder(option.get_description()).empty();
 }
 
-/// Returns the start of the part of a value to complete: after the "0=" of a texture, and after the
-/// last comma of several cards.
+/// Returns the start of the part of a value to complete: after the "0=" of a texture.
 std::size_t partBegin(const CLI::Option &option, const std::string &typed) {
-  const std::string &name = option.get_name();
-  const std::size_t mark = name == "--texture"   ? typed.find('=')
-                           : name == "--profile" ? typed.rfind(',')
-                                                 : std::string::npos;
+  const std::size_t mark = option.get_name() == "--texture" ? typed.find('=') : std::string::npos;
   return mark == std::string::npos ? 0 : mark + 1;
 }
 

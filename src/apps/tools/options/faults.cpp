@@ -25,11 +25,11 @@ std::string meant(std::string_view typed, const std::vector<std::string> &known)
 
 bool isShown(const CLI::Option &option) { return !option.get_group().empty(); }
 
-/// Returns the option with the longest name that the text contains.
+/// Returns the option with the longest name that the text contains. Hidden options have no name.
 const CLI::Option *mentioned(const CLI::App &verb, const std::string &text) {
   const CLI::Option *found = nullptr;
   for (const CLI::Option *option : verb.get_options())
-    if (text.find(option->get_name()) != std::string::npos &&
+    if (isShown(*option) && text.find(option->get_name()) != std::string::npos &&
         (!found || option->get_name().size() > found->get_name().size()))
       found = option;
   return found;
@@ -58,6 +58,16 @@ std::string leftOver(const CLI::App &app, const CLI::App &verb) {
   return rest.empty() ? std::string() : "unexpected " + rest.front();
 }
 
+/// Returns "2" of "FILE: At Most 2 required but received 3"; empty for another text.
+std::string mostOf(const std::string &text) {
+  constexpr std::string_view kStart = ": At Most ";
+  const std::size_t at = text.find(kStart);
+  if (at == std::string::npos)
+    return {};
+  const std::size_t begin = at + kStart.size();
+  return text.substr(begin, text.find(' ', begin) - begin);
+}
+
 } // namespace
 
 std::string faultOf(const CLI::App &app, const CLI::ParseError &error) {
@@ -66,7 +76,7 @@ std::string faultOf(const CLI::App &app, const CLI::ParseError &error) {
   const std::string kind = error.get_name(), text = error.what();
   const CLI::Option *const option = mentioned(verb, text);
   const std::string rest = leftOver(app, verb);
-  if (!option || kind == "ExtrasError" || rest.starts_with("no option"))
+  if (!option || text.starts_with("The following argument") || rest.starts_with("no option"))
     return rest.empty() ? text : rest;
   const std::string &name = option->get_name();
   if (kind == "RequiredError")
@@ -82,6 +92,8 @@ std::string faultOf(const CLI::App &app, const CLI::ParseError &error) {
   }
   if (kind == "ArgumentMismatch" && text.ends_with("missing"))
     return name + " has no value: " + trimmed(expected(*option));
+  if (const std::string most = mostOf(text); !most.empty())
+    return name + ": at most " + most + " are taken";
   return name + ": " + trimmed(expected(*option));
 }
 

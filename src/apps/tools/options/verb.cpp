@@ -2,8 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <limits>
+#include <sys/stat.h>
 
 #include "apps/tools/draw/gallery.h"
 #include "util/suggest.h"
@@ -19,6 +22,12 @@ std::string listed(const std::vector<std::string> &words, const char *last) {
   return text;
 }
 
+/// Returns why there is no file of that name to read.
+std::string whyNoFile(const std::string &name) {
+  struct stat status = {};
+  return std::strerror(::stat(name.c_str(), &status) == 0 ? EISDIR : errno);
+}
+
 /// Accepts one of the words, or a value that `takes` accepts. Replaces CLI11's validator, whose
 /// message is "x not in {a,b}".
 CLI::Validator among(std::vector<std::string> words, const std::string &other,
@@ -28,6 +37,8 @@ CLI::Validator among(std::vector<std::string> words, const std::string &other,
   const auto check = [words = std::move(words), other, takes](std::string &value) {
     if (std::find(words.begin(), words.end(), value) != words.end() || takes(value))
       return std::string();
+    if (!other.empty() && value.find_first_of("./") != std::string::npos)
+      return value + ": " + whyNoFile(value);
     const std::vector<std::string_view> views(words.begin(), words.end());
     const std::string_view near = closest(value, views);
     return value + ": expected " + listed(words, other.empty() ? " or " : ", ") + other +
