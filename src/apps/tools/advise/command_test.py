@@ -47,6 +47,31 @@ class Advise(unittest.TestCase):
         self.file.write_text('!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n')
         self.assertIn('a.fp: no advice', self.check('--advise', 'a.fp'))
 
+    def test_a_program_over_a_limit_is_told_so(self):
+        """Without advice the limit is named; with advice it is given although the program does not load."""
+        long = '!!ARBfp1.0\nTEMP a;\nMOV a, fragment.color;\n' + 'ADD a, a, a;\n' * 68 + 'MOV result.color, a;\nEND\n'
+        self.file.write_text(long)
+        for brief in ((), ('--brief',)):
+            done = subprocess.run([ARBITER, 'check', '--profile', 'r300', '--advise', *brief, 'a.fp'],
+                                  capture_output=True, text=True, cwd=self.folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertTrue(done.stdout.endswith('a.fp: over the API limit of ALU instructions; no rewriting is known '
+                                                 'that takes less\n'), done.stdout)
+        done = subprocess.run([ARBITER, 'check', '--profile', 'r300-catalyst-2004', '--advise', 'a.fp'],
+                              capture_output=True, text=True, cwd=self.folder)
+        self.assertEqual(done.returncode, 3)
+        self.assertTrue(done.stdout.endswith("a.fp: over the card's own limits: ALU instructions 68 of 64; no "
+                                             'rewriting is known that takes less\n'), done.stdout)
+        naive = long.replace('ADD a, a, a;\n', '', 7).replace('MOV result.color, a;', NAIVE.split('t;\n', 1)[1][:-5])
+        self.file.write_text(naive.replace('TEMP a;', 'TEMP a, t;').replace('fragment.color, 3', 'a, 3'))
+        done = subprocess.run([ARBITER, 'check', '--profile', 'r300', '--advise', 'a.fp'],
+                              capture_output=True, text=True, cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('MAX and MIN', done.stdout)
+        self.assertNotIn('no rewriting', done.stdout)
+        self.assertIn('1 fix made', self.check('--advise', '--fix', 'a.fp'))
+        self.assertIn('MUL_SAT', self.file.read_text())
+
     def test_standard_input(self):
         self.assertIn('<stdin>:4:1: note', self.check('--advise', '-', text=NAIVE))
         self.assertIn('standard input', self.check('--advise', '--fix', '-', text=NAIVE, status=1))
