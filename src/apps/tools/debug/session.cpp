@@ -48,6 +48,9 @@ std::optional<SessionError> Session::read(const SessionOptions &options) {
   m_document = scene::assemble(options.path, options.text, scene::readText);
   if (!m_document.ok())
     return SessionError{SessionError::Kind::Invalid, panelErrors(m_document, options.style)};
+  if (options.giveTextures)
+    if (std::string fault = options.giveTextures(options.textures, m_document); !fault.empty())
+      return usage(std::move(fault));
   const std::size_t passes = m_document.passes.size();
   if (options.pass < 1 || std::size_t(options.pass) > passes)
     return usage("--pass " + std::to_string(options.pass) + ": " + options.path + " has " +
@@ -97,10 +100,13 @@ std::optional<SessionError> Session::start(const SessionOptions &options) {
                               options.library, m_drawnBy ? m_drawnBy->path() : std::string()},
                              {{"path", options.path},
                               {"text", options.text},
+                              {"textures", options.textures},
                               {"pass", options.pass - 1},
                               {"frame", options.frame}});
   if (!drawer)
-    return SessionError{SessionError::Kind::NoGl, drawer.error().message};
+    return SessionError{drawer.error().isOfUsage ? SessionError::Kind::Usage
+                                                 : SessionError::Kind::NoGl,
+                        drawer.error().message};
   m_drawer = std::move(drawer).value();
   return {};
 }

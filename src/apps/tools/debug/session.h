@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -31,6 +32,10 @@ struct SessionOptions {
   std::string profile;  ///< a name or a file; empty: the document's, or the user's
   std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
+  std::vector<std::string> textures; ///< values of --texture, in place of the document's
+  /// Applies `textures` to the document, and returns a complaint or "". The drawing process applies
+  /// them too. Empty: there are none.
+  std::function<std::string(const std::vector<std::string> &, scene::Document &)> giveTextures;
   std::string library; ///< the layer; empty: found automatically
   Style style = {};    ///< of diagnostics in messages
 };

@@ -29,10 +29,10 @@ Result<std::unique_ptr<DrawClient>, DebugError> startDrawing(const DrawWith &wit
   if (with.backend != Backend::Bare) {
     const auto files = findLayer(with.library);
     if (!files)
-      return DebugError{files.error().message};
+      return DebugError{files.error().message, true};
     auto found = layerEnvironment(files.value(), layerOf(with));
     if (!found)
-      return DebugError{found.error().message};
+      return DebugError{found.error().message, true};
     environment = std::move(found).value();
   }
   auto client = DrawClient::start(kNames[std::size_t(with.backend)], [&] {

@@ -244,6 +244,13 @@ std::vector<std::string_view> generatorWords() {
   return words;
 }
 
+std::string applyTextures(const std::vector<std::string> &textures, Drawing &drawing) {
+  for (const std::string &text : textures)
+    if (std::string fault = applyTexture(text, drawing); !fault.empty())
+      return fault;
+  return {};
+}
+
 std::string applyOptions(const DrawArguments &arguments, Drawing &drawing) {
   std::string fault;
   if (!arguments.size.empty())
@@ -252,9 +259,8 @@ std::string applyOptions(const DrawArguments &arguments, Drawing &drawing) {
     fault = applyMesh(arguments.mesh, drawing);
   if (fault.empty())
     fault = applyParameters(arguments, drawing);
-  for (const std::string &text : arguments.textures)
-    if (fault.empty())
-      fault = applyTexture(text, drawing);
+  if (fault.empty())
+    fault = applyTextures(arguments.textures, drawing);
   if (fault.empty())
     fault = applyFeedback(arguments, drawing);
   return fault;

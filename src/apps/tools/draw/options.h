@@ -11,6 +11,10 @@ namespace arbiter::tools {
 /// \returns an empty string, or the wrong option and what was expected of it.
 [[nodiscard]] std::string applyOptions(const DrawArguments &arguments, Drawing &drawing);
 
+/// Applies values of --texture in place of the textures of the first pass's panel.
+/// \returns as applyOptions().
+[[nodiscard]] std::string applyTextures(const std::vector<std::string> &textures, Drawing &drawing);
+
 /// Returns the words of --texture for images: those of `#@ texture` that make a 2D image without
 /// arguments.
 [[nodiscard]] std::vector<std::string_view> generatorWords();

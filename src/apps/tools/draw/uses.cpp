@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/tools/draw/options.h"
 #include "apps/tools/language.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
@@ -137,6 +138,16 @@ std::string faultOfUses(const Drawing &drawing) {
     if (std::string fault = faultOf(given, all); !fault.empty())
       return fault;
   return {};
+}
+
+std::string giveTextures(const std::vector<std::string> &textures, scene::Document &document) {
+  Drawing drawing;
+  drawing.document = std::move(document);
+  std::string fault = applyTextures(textures, drawing);
+  if (fault.empty())
+    fault = faultOfUses(drawing);
+  document = std::move(drawing.document);
+  return fault;
 }
 
 std::vector<std::string> unfedSamples(const scene::Document &document) {

@@ -21,6 +21,11 @@ struct Sampled {
 /// there is none, or if a program is invalid, because GL reports that.
 [[nodiscard]] std::string faultOfUses(const Drawing &drawing);
 
+/// Applies values of --texture to a document.
+/// \returns an empty string, or a complaint: of applyTextures(), or of faultOfUses().
+[[nodiscard]] std::string giveTextures(const std::vector<std::string> &textures,
+                                       scene::Document &document);
+
 /// Returns one line for each sampled unit without a texture, which will read a checker with the
 /// unit's number.
 [[nodiscard]] std::vector<std::string> unfedSamples(const scene::Document &document);

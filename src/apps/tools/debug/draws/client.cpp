@@ -109,7 +109,7 @@ Result<Json, DebugError> DrawClient::ask(const Json &request) {
   if (!answer.is_object())
     return DebugError{"the process that draws (" + m_name + ") answered nonsense"};
   if (const auto error = answer.find("error"); error != answer.end() && error->is_string())
-    return DebugError{error->get<std::string>()};
+    return DebugError{error->get<std::string>(), answer.value("of_usage", Json()) == true};
   return answer;
 }
 

@@ -16,7 +16,9 @@ struct Answer {
   std::vector<std::uint8_t> bytes;
 };
 
-Answer failure(const std::string &message) { return {{{"error", message}}, {}}; }
+Answer failure(const std::string &message, bool isOfUsage = false) {
+  return {{{"error", message}, {"of_usage", isOfUsage}}, {}};
+}
 
 int integer(const Json &json, const char *name) {
   const auto found = json.find(name);
@@ -61,7 +63,7 @@ private:
   Answer open(const Json &what) {
     auto drawer = m_open(what);
     if (!drawer)
-      return failure(drawer.error().message);
+      return failure(drawer.error().message, drawer.error().isOfUsage);
     m_drawer = std::move(drawer).value();
     const auto [width, height] = m_drawer->size();
     return {{{"width", width}, {"height", height}}, {}};

@@ -12,7 +12,7 @@ using OpenDrawer =
     std::function<Result<std::unique_ptr<Drawer>, DebugError>(const nlohmann::json &what)>;
 
 /// Answers the requests of a DrawClient until it closes the socket. Requests and answers are lines
-/// of JSON. An answer has "error", or
+/// of JSON. An answer has "error", and "of_usage" of DebugError, or
 ///   {"open": ..}                                 -> {"width", "height"}
 ///   {"draw": text, "targets": n, "region": R}    -> {"bytes": n * 16 * pixels}, then the bytes
 ///   {"picture": R}                               -> {"bytes": 4 * pixels}, then the bytes

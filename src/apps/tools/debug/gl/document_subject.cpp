@@ -15,6 +15,14 @@ bool passesMeet(const scene::Document &document) {
   return false;
 }
 
+/// Returns "file", or "file:line:column" for a setting of a panel.
+std::string placeOf(const RenderError &error, const scene::ProgramFile &file) {
+  if (error.kind != RenderError::Kind::Panel)
+    return file.name;
+  const fp::LineColumn at = fp::locate(file.text, error.span.begin);
+  return file.name + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
+}
+
 } // namespace
 
 std::array<int, 2> DocumentSubject::size() const {
@@ -33,7 +41,10 @@ std::optional<DebugError> DocumentSubject::prepare() {
   auto made = Renderer::make(m_document);
   if (!made) {
     const RenderError &error = made.error();
-    return DebugError{m_document.files[error.file].name + ": " + error.message};
+    const bool isOption = error.kind == RenderError::Kind::Panel && error.span.end == 0;
+    return DebugError{(isOption ? "" : placeOf(error, m_document.files[error.file]) + ": ") +
+                          error.message,
+                      error.kind == RenderError::Kind::Panel};
   }
   m_renderer = std::move(made).value();
   // With feedback a frame depends on all earlier frames.

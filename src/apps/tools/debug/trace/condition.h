@@ -10,6 +10,8 @@ namespace arbiter::tools::debug {
 
 struct DebugError {
   std::string message;
+  /// The command or the document is at fault, not GL: a file is not there, say.
+  bool isOfUsage = false;
 };
 
 /// A condition to stop at: a row's flag, a KIL that discards, an error visible in 8 bits, or a
