@@ -7,7 +7,7 @@ import json
 import random
 
 import command_session
-from command_draw_test import read_png
+from command_draw_test import read_png, write_png
 from command_session import BAD, ROOT, VERTEX, Temporary, arbiter, on_terminal
 
 GALLERY = ROOT / 'demos' / 'gallery'
@@ -137,18 +137,85 @@ class Debug(Temporary):
     def test_watch(self):
         document = self.path('simple.fp', SIMPLE)
         picture = self.path('watch.png')
-        text = self.debug(document, '--watch', 'fragment.texcoord[0]@6', '-o', picture)
-        self.assertEqual(text.splitlines()[-1], f'{picture}: fragment.texcoord[0]@6, written')
+        result = arbiter('debug', document, '--watch', 'fragment.texcoord[0]@6', '-o', picture)
+        self.assertEqual((result.returncode, result.stderr), (0, ''))
+        self.assertEqual(result.stdout.splitlines(), [
+            f'{document}, fragment.texcoord[0]@6 in the 128 pixels that are covered of 16x8',
+            '  pixel 8,4           (0.53125, 0.5625, 0, 1)',
+            '  least               (0.03125, 0.0625, 0, 1)',
+            '  greatest            (0.96875, 0.9375, 0, 1)',
+            f'{picture}: fragment.texcoord[0]@6, written'])
         width, height, rows = read_png(picture)
         self.assertEqual((width, height), (16, 8))
         self.assertEqual(list(rows[0][:4]), [round(255 * 0.5 / 16), round(255 * 7.5 / 8), 0, 255])
         self.debug(document, '--watch', 'a@7', '--range', '0,0.5', '-o', picture)
         trace = self.trace(document, '--watch', 'a@7', '-o', self.path('other.png'))
-        self.assertEqual(trace['watch'], {'value': 'a@7', 'file': str(self.path('other.png'))})
         value = trace['rows'][1]['value']
+        watch = trace['watch']
+        self.assertEqual([watch[name] for name in ('value', 'file', 'pixel', 'covered')],
+                         ['a@7', str(self.path('other.png')), value, 128])
+        self.assertTrue(all(low <= here <= high
+                            for low, here, high in zip(watch['least'], value, watch['greatest'])), watch)
         _, _, rows = read_png(picture)
         for drawn, wanted in zip(rows[8 - 1 - 3][20:23], value):
             self.assertAlmostEqual(drawn, min(255, max(0, wanted * 2 * 255)), delta=0.51)
+
+    def test_what_is_watched_needs_no_covered_pixel(self):
+        small = self.path('small.fp', SIMPLE.replace('mesh quad', 'mesh quad scale 0.25'))
+        text = self.debug(small, '--watch', 'a@7', '-o', self.path('watch.png'), pixel='0,0')
+        self.assertRegex(text, r'a@7 in the \d+ pixels that are covered of 16x8\n  pixel 0,0 +not covered\n')
+        empty = self.path('empty.fp', SIMPLE.replace('mesh quad', 'mesh quad at 9 9 0'))
+        text = self.debug(empty, '--watch', 'a@7', '-o', self.path('watch.png'), pixel='0,0')
+        self.assertIn('in the 0 pixels that are covered', text)
+        self.assertNotIn('least', text)
+
+    def test_the_middle_is_looked_into_by_itself(self):
+        document = self.path('simple.fp', SIMPLE)
+        trace = json.loads(arbiter('debug', document, '--json').stdout)
+        self.assertEqual((trace['pixel'], trace['verdict']['equal']), ([8, 4], True))
+        result = arbiter('debug', self.path('empty.fp', SIMPLE.replace('mesh quad', 'mesh quad at 9 9 0')))
+        self.assertEqual((result.returncode, result.stderr),
+                         (1, 'arbiter debug: nothing that the document draws covers this pixel (8,4, the middle; '
+                             '--pixel X,Y names another)\n'))
+
+    def test_a_line_without_an_instruction(self):
+        document = self.path('simple.fp', SIMPLE.replace('MUL', '# a comment\nMUL'))
+        for line, said in ((6, 'at line 6: TEX a, fragment.texcoord[0], texture[0], 2D'),
+                           (7, 'at line 6: TEX a, fragment.texcoord[0], texture[0], 2D, the last instruction before '
+                               'that line'),
+                           (2, 'at line 6: TEX a, fragment.texcoord[0], texture[0], 2D, the first instruction')):
+            text = self.debug(document, '--line', line)
+            self.assertIn(f'--line {line}: stopped {said}\n', text)
+            self.assertNotIn('MUL', text)
+
+    def test_textures_are_those_of_draw(self):
+        document, picture = self.path('simple.fp', SIMPLE), self.path('out.png')
+        image = self.path('image.png')
+        write_png(image, 1, 1, [b'\xff\x80\x40\xff'])
+        seen = set()
+        for option in ('0=checker', f'0={image}'):
+            self.assertEqual(arbiter('draw', document, '--texture', option, '-o', picture).returncode, 0)
+            verdict = self.trace(document, '--texture', option)['verdict']
+            self.assertEqual(verdict['picture'], read_png(picture)[2][8 - 1 - 3][20:24].hex())
+            self.assertTrue(verdict['bits_equal'])
+            seen.add(verdict['picture'])
+        self.assertEqual(len(seen), 2)
+        for option in ('1=noise', '0=qqq', '0', '0=/none.png'):
+            drawn = arbiter('draw', document, '--texture', option, '-o', picture)
+            debugged = arbiter('debug', document, '--texture', option)
+            self.assertEqual((debugged.returncode, debugged.stderr.replace('arbiter debug', 'arbiter draw')),
+                             (1, drawn.stderr))
+
+    def test_a_file_that_the_document_lacks(self):
+        document = self.path('lacks.fp', SIMPLE.replace('clouds 64 64, linear, repeat', 'none.png'))
+        self.assertEqual(self.debug(document, status=1),
+                         f'arbiter debug: {document}:3:16: {self.path("none.png")}: No such file or directory\n')
+
+    def test_an_equal_black_says_little(self):
+        said = 'equal, to the bit; it is black, so that little of the program was compared'
+        black = SIMPLE.replace('ADD result.color, a', 'MUL result.color, 0.0')
+        self.assertIn(said, self.debug(self.path('black.fp', black)))
+        self.assertNotIn('black', self.debug(self.path('simple.fp', SIMPLE)))
 
     def test_the_gallery(self):
         for name, pixel, more in (('twirl.fp', '100,200', ()), ('life.fp', '33,40', ('--frame', '3')),
@@ -245,12 +312,19 @@ class Debug(Temporary):
                 (('--pixel', '1,1', '--watch', 'q@6', '-o', png), 1, "'q'"),
                 (('--pixel', '1,1', '--watch', 'a@2', '-o', png), 1, 'no instruction'),
                 (('--pixel', '1,1', '--watch', 'a@6'), 1, '--output'),
+                (('--pixel', '16,0', '--watch', 'a@6', '-o', png), 1, 'the picture is 16x8'),
+                (('--watch', 'a@6', '-o', png, '--line', '6'), 1, '--line has no effect with --watch'),
+                (('--from-top',), 1, '--from-top needs --pixel'),
                 (('--pixel', '1,1', '--watch', 'a@6', '-o', '/nowhere/x.png'), 1, '/nowhere'),
                 (('--pixel', '1,1', '--range', '1,0', '--watch', 'a@6', '-o', png), 1, 'LOW,HIGH'),
                 (('--pixel', '1,1', '--line', '170'), 1, f'--line 170: {document} has 9 lines'),
                 (('--pixel', '1,1', '--line', '10'), 1, 'has 9 lines'),
                 (('--pixel', '1,1', '--against', 'none.fp'), 1,
-                 'none.fp: expected swrast, host, bare, fp24 or a file'),
+                 '--against none.fp: No such file or directory'),
+                (('--pixel', '1,1', '--against', 'hots'), 1,
+                 '--against hots: expected swrast, host, bare, fp24 or a file; did you mean host?'),
+                (('--pixel', '1,1', '--library', 'none.so'), 1, 'none.so'),
+                (('--stage', 'vertex'), 1, 'fixed function transforms\n'),
                 (('--pixel', '1,1', '--profile', 'none'), 1, 'none')):
             result = arbiter('debug', document, *options)
             self.assertEqual(result.returncode, status, (options, result.stderr))

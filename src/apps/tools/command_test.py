@@ -246,7 +246,7 @@ class Whole(unittest.TestCase):
             self.assertNotRegex(text, r'\b(TEXT|INT|FLOAT|REQUIRED)\b|Needs:|Excludes:', name)
         text = re.sub(r'\s+', ' ', arbiter('debug', '--help').stdout)
         for words in ('Usage: arbiter debug [OPTIONS] FILE ', ' FILE a document: ',
-                      ' --pixel X,Y (required) the pixel; ',
+                      ' --pixel X,Y the pixel; ',
                       ' --pass N (1 to 16; by default 1) which ', ' --line N (1 or more) run to ',
                       ' --against {swrast,host,bare,fp24} or FILE (by default swrast) ',
                       ' --range LOW,HIGH (by default 0,1; needs --watch) values of ', ' --json the whole'):
@@ -307,7 +307,11 @@ class Whole(unittest.TestCase):
                                     '(arbiter ctl --help)',
             'draw --mesh cub -': 'arbiter draw: --mesh cub: expected quad, grid, plane, cube, sphere, torus, cylinder, '
                                  'knot, billboards or a file; did you mean cube? (arbiter draw --help)',
-            'debug -': 'arbiter debug: --pixel is missing: expected X,Y (arbiter debug --help)',
+            'debug --from-top -': 'arbiter debug: --from-top needs --pixel (arbiter debug --help)',
+            'draw --mesh none.obj -': 'arbiter draw: --mesh none.obj: No such file or directory (arbiter draw --help)',
+            'draw --mesh . -': 'arbiter draw: --mesh .: Is a directory (arbiter draw --help)',
+            'draw a.fp b.fp c.fp': 'arbiter draw: FILE: at most 2 are taken (arbiter draw --help)',
+            'render a.fp': 'arbiter render: unexpected a.fp (arbiter render --help)',
             'check gallery:twril': 'arbiter check: gallery:twril: the gallery has no such document; did you mean '
                                    'gallery:twirl? (arbiter check --help)',
             'check none.fp': 'arbiter check: none.fp: No such file or directory',

@@ -143,14 +143,15 @@ struct DrawArguments {
 
 struct DebugArguments {
   std::string document;
-  std::string pixel;              ///< "X,Y", y up from the lower left
-  bool fromTop = false;           ///< Y counts down from the upper left
-  std::string against = "swrast"; ///< or "host", "bare", "fp24", or another program's file
-  std::string watch;              ///< "REG@LINE", or empty
-  std::string range = "0,1";      ///< of --watch: what becomes black, and white
-  std::string output;             ///< of --watch
-  std::string breakOn;            ///< debug/trace/condition.h, or empty
-  int line = 0;                   ///< run to it; 0: to the end
+  std::vector<std::string> textures; ///< as of `draw`
+  std::string pixel;                 ///< "X,Y", y up from the lower left; empty: the middle
+  bool fromTop = false;              ///< Y counts down from the upper left
+  std::string against = "swrast";    ///< or "host", "bare", "fp24", or another program's file
+  std::string watch;                 ///< "REG@LINE", or empty
+  std::string range = "0,1";         ///< of --watch: what becomes black, and white
+  std::string output;                ///< of --watch
+  std::string breakOn;               ///< debug/trace/condition.h, or empty
+  int line = 0;                      ///< run to it; 0: to the end
   int pass = 1;
   int frame = 0;
   std::string stage = "fragment"; ///< or "vertex"

@@ -49,6 +49,7 @@ FILES = {
                    'ADD a, a, a;\nMOV result.color, a;\nEND\n',
     'naive.fp': '!!ARBfp1.0\nTEMP a;\nMUL a, fragment.color, 3.0;\nMAX a, a, 0.0;\n'
                 'MIN result.color, a, 1.0;\nEND\n',
+    'sampling.fp': '!!ARBfp1.0\nTEX result.color, fragment.texcoord[0], texture[0], 2D;\nEND\n',
     'bad.fp': '!!ARBfp1.0\nMOV result.color, q;\nEND\n',
     'good.vp': '!!ARBvp1.0\nMOV result.position, vertex.position;\n'
                'MUL result.color, vertex.color, program.local[1];\nEND\n',
@@ -96,6 +97,7 @@ VALUES = {
     ('draw', '--frame'): ['2'],
     ('draw', '--feedback'): ['0'],
     ('debug', '--pixel'): ['1,1'],
+    ('debug', '--texture'): ['0=checker', '0=noise'],
     ('debug', '--break'): ['nan'],
     ('debug', '--line'): ['3'],
     ('debug', '--watch'): ['fragment.color@2'],
@@ -123,7 +125,7 @@ OPERANDS = {
     'compile': [['good.fp'], ['long.fp'], ['infinite.fp'], ['wasteful.fp'], ['bad.fp'], ['good.vp'],
                 ['two.vp'], ['good.atifs'], ['good.nvrc'], ['good.nvts']],
     'draw': [['good.fp'], ['good.vp', 'dependent.fp'], ['bad.fp']],
-    'debug': [['good.fp'], ['bad.fp']],
+    'debug': [['good.fp'], ['bad.fp'], ['sampling.fp']],
     'run': [[], ['--', 'true'], ['--', './none']],
     'capture': [[], ['--', 'true']],
     'report': [['good.fp', 'dependent.fp', 'bad.fp', 'good.vp'], ['.'], ['none.fp']],
@@ -230,7 +232,7 @@ class Runner:
             words += ['--library', at['@library']]
         if verb.name == 'draw' and '--output' not in given:
             words += ['--output', 'out']
-        if verb.name == 'debug' and '--pixel' not in given:
+        if verb.name == 'debug' and '--from-top' in given and '--pixel' not in given:
             words += ['--pixel', '8,4']
         prefix = ['valgrind', '-q', '--error-exitcode=99', '--leak-check=no'] \
             if self.arguments.valgrind else []

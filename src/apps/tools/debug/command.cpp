@@ -8,6 +8,7 @@
 #include "apps/tools/debug/pair.h"
 #include "apps/tools/debug/session.h"
 #include "apps/tools/debug/trace/condition.h"
+#include "apps/tools/draw/uses.h"
 #include "apps/tools/input.h"
 #include "apps/tools/language.h"
 
@@ -27,15 +28,19 @@ public:
     int code = read();
     if (code == kExitOk && m_arguments.stage == "vertex")
       return vertices();
-    if (code == kExitOk)
+    if (code == kExitOk && !watchesAlone())
       code = trace();
     if (code == kExitOk && !m_arguments.watch.empty())
       code = watch();
-    if (code == kExitOk)
+    if (code == kExitOk && !watchesAlone())
       code = compare();
     if (code != kExitOk)
       return code;
     m_findings.note = m_session->end();
+    if (watchesAlone()) {
+      std::fputs(debug::watchedText(m_findings).c_str(), stdout);
+      return kExitOk;
+    }
     if (m_arguments.json)
       print(debug::findingsJson(m_findings));
     else
@@ -62,6 +67,9 @@ private:
     return refuse(error.message, error.kind == Kind::NoGl ? kExitInternal : kExitUsage);
   }
 
+  /// True if the watched values take the place of the trace; the JSON has both.
+  bool watchesAlone() const { return !m_arguments.watch.empty() && !m_arguments.json; }
+
   /// True if --against names a program's file.
   bool isFile() const {
     const std::string &name = m_arguments.against;
@@ -76,10 +84,12 @@ private:
 
   /// Parses the arguments that need no document.
   int readWords() {
-    const auto pixel = debug::parsePair<int>(m_arguments.pixel);
-    if (!pixel)
-      return refuse("--pixel " + m_arguments.pixel + ": expected X,Y");
-    std::tie(m_x, m_y) = *pixel;
+    if (!m_arguments.pixel.empty()) {
+      const auto pixel = debug::parsePair<int>(m_arguments.pixel);
+      if (!pixel)
+        return refuse("--pixel " + m_arguments.pixel + ": expected X,Y");
+      std::tie(m_x, m_y) = *pixel;
+    }
     const auto range = debug::parsePair<float>(m_arguments.range);
     if (!range || !(range->first < range->second))
       return refuse("--range " + m_arguments.range + ": expected LOW,HIGH");
@@ -145,12 +155,16 @@ private:
     options.profile = m_arguments.profile;
     options.numerics = m_arguments.numerics;
     options.backend = backend();
+    options.textures = m_arguments.textures;
+    options.giveTextures = giveTextures;
     options.library = m_arguments.library;
     options.style = styleOfErrors();
     auto session = Session::open(options);
     if (!session)
       return refuse(session.error());
     m_session = std::move(session).value();
+    for (const std::string &line : unfedSamples(m_session->document()))
+      complain(line);
     describe();
     if (const int code = lookAtLine(); code != kExitOk)
       return code;
@@ -173,7 +187,9 @@ private:
 
   void describe() {
     const auto [width, height] = m_session->drawer().size();
-    if (m_arguments.fromTop)
+    if (m_arguments.pixel.empty())
+      std::tie(m_x, m_y) = std::tuple(width / 2, height / 2);
+    else if (m_arguments.fromTop)
       m_y = height - 1 - m_y;
     m_findings.document = m_session->fragment().name;
     m_findings.x = m_x;
@@ -189,7 +205,8 @@ private:
   int vertices() {
     const auto triangle = m_session->vertices(m_x, m_y);
     if (!triangle)
-      return refuse(triangle.error().message);
+      return refuse(triangle.error().message +
+                    (m_session->vertex() == nullptr ? std::string() : aboutPixel()));
     debug::Json json = {{"schema", debug::kTraceSchema}, {"vertices", debug::Json::array()}};
     bool stopped = false;
     for (const debug::TracedVertex &vertex : triangle.value()) {
@@ -209,10 +226,17 @@ private:
     return stopped ? kExitDiffers : kExitOk;
   }
 
+  /// Returns which pixel a complaint is about, if the command line named none.
+  std::string aboutPixel() const {
+    return m_arguments.pixel.empty() ? " (" + std::to_string(m_x) + "," + std::to_string(m_y) +
+                                           ", the middle; --pixel X,Y names another)"
+                                     : std::string();
+  }
+
   int trace() {
     auto trace = m_session->trace(m_x, m_y);
     if (!trace)
-      return refuse(trace.error().message);
+      return refuse(trace.error().message + aboutPixel());
     m_findings.trace = std::move(trace).value();
     if (m_condition)
       m_findings.stopped = debug::firstRow(m_findings.trace, *m_condition);
@@ -220,14 +244,20 @@ private:
   }
 
   int watch() {
+    if (const auto outside = debug::outside(m_session->drawer(), m_x, m_y))
+      return refuse(outside->message);
     const auto values = m_session->watch(m_watch);
     if (!values)
       return refuse(values.error().message);
     const auto [width, height] = m_session->drawer().size();
     const std::string fault = scene::writePng(
         m_arguments.output, {width, height, debug::picturedValues(values.value(), m_low, m_high)});
-    m_findings.watch = m_arguments.watch;
-    m_findings.picture = m_arguments.output;
+    debug::Watched watched{
+        m_arguments.watch, m_arguments.output, {}, debug::extentOf(values.value())};
+    const auto &here = values.value()[std::size_t(m_y) * std::size_t(width) + std::size_t(m_x)];
+    if (here != debug::uncovered())
+      watched.here = here;
+    m_findings.watch = std::move(watched);
     return fault.empty() ? int(kExitOk) : refuse(fault);
   }
 

@@ -1,5 +1,6 @@
 #include "apps/tools/debug/findings.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "apps/tools/debug/trace/condition.h"
@@ -53,8 +54,21 @@ std::string besideText(const Trace &trace, const Beside &beside) {
   return text + (first.cause.empty() ? "" : "\n  " + first.cause);
 }
 
+/// True if every color of the results is black, so that equal ones say little about the program.
+bool isBlack(const Trace &trace) {
+  return std::all_of(trace.results.begin(), trace.results.end(), [](const Named &result) {
+    const Vec4 &color = result.value.first;
+    return !result.name.starts_with("result.color") ||
+           (color[0] == 0 && color[1] == 0 && color[2] == 0);
+  });
+}
+
+constexpr const char *kBlack = "; it is black, so that little of the program was compared";
+
 std::string verdictText(const Verdict &verdict, const Trace &trace) {
   std::string text = verdictLine(verdict, trace);
+  if (verdict.isEqual() && verdict.drawn && isBlack(trace))
+    text += kBlack;
   if (verdict.first && verdict.first->components)
     text += "\n  the interpreter has " +
             vectorText(verdict.first->value.first, verdict.first->components, 9) + ", " +
@@ -72,9 +86,17 @@ std::size_t lastRow(const Findings &findings) {
   return std::numeric_limits<std::size_t>::max();
 }
 
-std::string watchText(const Findings &findings) {
-  return findings.watch.empty() ? std::string()
-                                : findings.picture + ": " + findings.watch + ", written\n";
+/// Says where --line stopped; an empty text if it was not given.
+std::string lineText(const Findings &findings) {
+  if (findings.line == 0 || findings.stopped || findings.trace.rows.empty())
+    return {};
+  const Row &row = findings.trace.rows[lastRow(findings)];
+  const std::string asked = "--line " + std::to_string(findings.line) + ": stopped ";
+  if (row.at.line == std::uint32_t(findings.line))
+    return asked + atRow(row) + "\n";
+  return asked + atRow(row) +
+         (row.at.line < std::uint32_t(findings.line) ? ", the last instruction before that line\n"
+                                                     : ", the first instruction\n");
 }
 
 std::string breakText(const Findings &findings) {
@@ -84,6 +106,15 @@ std::string breakText(const Findings &findings) {
     return "--break " + findings.breakOn + ": no instruction\n";
   return "stopped by " + findings.breakOn + " " + atRow(findings.trace.rows[*findings.stopped]) +
          "\n";
+}
+
+Json watchJson(const Watched &watch) {
+  return {{"value", watch.value},
+          {"file", watch.picture},
+          {"pixel", watch.here ? vectorJson(*watch.here) : Json()},
+          {"covered", watch.extent.covered},
+          {"least", vectorJson(watch.extent.least)},
+          {"greatest", vectorJson(watch.extent.greatest)}};
 }
 
 Json besideJson(const Trace &trace, const Beside &beside) {
@@ -121,8 +152,25 @@ std::string findingsText(const Findings &findings) {
                      rowsText(findings.trace, options) + "\n";
   if (!findings.stopped && findings.line == 0)
     text += resultsText(findings.trace);
-  return text + breakText(findings) + summaryText(findings) + "\n" +
-         (findings.note.empty() ? "" : findings.note + "\n") + watchText(findings);
+  return text + lineText(findings) + breakText(findings) + summaryText(findings) + "\n" +
+         (findings.note.empty() ? "" : findings.note + "\n");
+}
+
+std::string watchedText(const Findings &findings) {
+  const Watched &watch = *findings.watch;
+  const auto row = [](const std::string &name, const std::string &value) {
+    return "  " + name + std::string(name.size() < 20 ? 20 - name.size() : 1, ' ') + value + "\n";
+  };
+  const std::string pixel = std::to_string(findings.x) + "," + std::to_string(findings.y);
+  std::string text = findings.document + ", " + watch.value + " in the " +
+                     std::to_string(watch.extent.covered) + " pixels that are covered of " +
+                     std::to_string(findings.width) + "x" + std::to_string(findings.height) + "\n" +
+                     row("pixel " + pixel, watch.here ? vectorText(*watch.here) : "not covered");
+  if (watch.extent.covered != 0)
+    text += row("least", vectorText(watch.extent.least)) +
+            row("greatest", vectorText(watch.extent.greatest));
+  return text + (findings.note.empty() ? "" : findings.note + "\n") + watch.picture + ": " +
+         watch.value + ", written\n";
 }
 
 Json findingsJson(const Findings &findings) {
@@ -136,8 +184,7 @@ Json findingsJson(const Findings &findings) {
   json["stopped"] = findings.stopped ? Json(*findings.stopped) : Json();
   json["verdict"] = findings.verdict ? verdictJson(*findings.verdict, findings.trace) : Json();
   json["against"] = findings.beside ? besideJson(findings.trace, *findings.beside) : Json();
-  json["watch"] =
-      findings.watch.empty() ? Json() : Json{{"value", findings.watch}, {"file", findings.picture}};
+  json["watch"] = findings.watch ? watchJson(*findings.watch) : Json();
   json["note"] = findings.note;
   json["summary"] = summaryText(findings);
   return json;

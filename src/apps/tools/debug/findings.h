@@ -3,6 +3,7 @@
 #include <string>
 
 #include "apps/tools/debug/json.h"
+#include "apps/tools/debug/pixel/watch.h"
 
 /// Formats the results of one debugger run as text and as JSON. Uses neither GL nor files.
 namespace arbiter::tools::debug {
@@ -13,6 +14,14 @@ struct Beside {
   Trace trace;
   std::optional<Difference> first;
   std::optional<std::string> result; ///< the first result that differs
+};
+
+/// What --watch drew.
+struct Watched {
+  std::string value;        ///< REG@LINE
+  std::string picture;      ///< the file
+  std::optional<Vec4> here; ///< in the pixel; empty: the mesh does not cover it
+  Extent extent;
 };
 
 struct Findings {
@@ -27,9 +36,8 @@ struct Findings {
   std::optional<Verdict> verdict;     ///< empty: without `beside` too, the trace's two arithmetics
                                       ///< are compared
   std::optional<Beside> beside;
-  std::string note;    ///< about who drew; may be empty
-  std::string watch;   ///< REG@LINE of --watch; empty: none
-  std::string picture; ///< the file with the picture of `watch`
+  std::string note; ///< about who drew; may be empty
+  std::optional<Watched> watch;
 };
 
 /// True if a comparison found a difference, or a run stopped.
@@ -37,6 +45,8 @@ struct Findings {
 /// Returns the comparison's outcome in one line or a few: "swrast drew 8c5a3fff: equal".
 [[nodiscard]] std::string summaryText(const Findings &findings);
 [[nodiscard]] std::string findingsText(const Findings &findings);
+/// Returns what was watched, in place of the trace.
+[[nodiscard]] std::string watchedText(const Findings &findings);
 /// Returns traceJson() with {schema, file, pixel, size, pass, frame, stopped, verdict, against,
 /// watch, summary}.
 [[nodiscard]] Json findingsJson(const Findings &findings);

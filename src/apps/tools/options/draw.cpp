@@ -5,6 +5,14 @@ namespace arbiter::tools {
 
 namespace {
 
+void addTextures(Verb &verb, std::vector<std::string> &textures) {
+  verb.option(
+          "--texture", textures,
+          "N=IMG: the 2D texture of unit N: a PNG, JPEG or DDS file, or a word that a document's "
+          "#@ texture takes: checker, noise, clouds, landscape (repeatable)")
+      .repeatable();
+}
+
 void addDebugComparison(Verb &verb, DebugArguments &debug) {
   verb.option("--against", debug.against,
               "whose picture the interpreter is compared with: swrast (the rasterizer), host "
@@ -15,9 +23,12 @@ void addDebugComparison(Verb &verb, DebugArguments &debug) {
   verb.option("--break", debug.breakOn,
               "stop at the first row with nan, inf, unwritten, over1, below0, kil, differs, "
               "or where a value is so: 'REG.x>0.5'");
-  verb.option("--line", debug.line, "run to this line and stop").positive();
-  const Option watch = verb.option("--watch", debug.watch,
-                                   "REG@LINE: any register after any line, over the whole picture");
+  verb.option("--line", debug.line, "run to this line, or to the last instruction before it")
+      .positive();
+  const Option watch =
+      verb.option("--watch", debug.watch,
+                  "REG@LINE: any register after any line, over the whole picture, in place of the "
+                  "trace of one pixel");
   verb.option("--range", debug.range, "LOW,HIGH: values of --watch that become 0 and 255")
       .needs(watch)
       .showDefault();
@@ -32,11 +43,7 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
       "Draw a document, or programs on a mesh, through the layer, with no display, into a PNG");
   addLayer(verb, draw.layer);
   verb.option("--size", draw.size, "WxH: pixels, in place of the document's or of 512x512");
-  verb.option(
-          "--texture", draw.textures,
-          "N=IMG: the 2D texture of unit N: a PNG, JPEG or DDS file, or a word that a document's "
-          "#@ texture takes: checker, noise, clouds, landscape (repeatable)")
-      .repeatable();
+  addTextures(verb, draw.textures);
   verb.option(
           "--mesh", draw.mesh,
           "what carries the programs, in place of the document's or of a quad: a shape, or an OBJ "
@@ -97,8 +104,11 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
 void addDebug(CLI::App &app, DebugArguments &debug) {
   Verb verb(app, "debug",
             "Show what a program does for one pixel: each instruction, its operands and result");
-  verb.option("--pixel", debug.pixel, "X,Y: the pixel; 0,0 is the lower left one").required();
-  verb.flag("--from-top", debug.fromTop, "Y counts from the picture's upper edge");
+  const Option pixel = verb.option(
+      "--pixel", debug.pixel,
+      "X,Y: the pixel; 0,0 is the lower left one; without it the middle of the picture");
+  verb.flag("--from-top", debug.fromTop, "Y counts from the picture's upper edge").needs(pixel);
+  addTextures(verb, debug.textures);
   verb.option("--stage", debug.stage,
               "whose instructions: fragment; or vertex, those of "
               "the pixel's triangle")
@@ -127,7 +137,8 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
               "  arbiter debug twirl.fp --pixel 100,200 --against host\n"
               "  arbiter debug wrong.fp --pixel 8,8 --against right.fp\n"
               "  arbiter debug twirl.fp --pixel 8,8 --break nan\n"
-              "  arbiter debug twirl.fp --pixel 0,0 --watch offset@10 --range -1,1 -o offset.png");
+              "  arbiter debug twirl.fp --watch offset@10 --range -1,1 -o offset.png\n"
+              "  arbiter debug shader.fp --texture 0=photo.png");
 }
 
 } // namespace arbiter::tools

@@ -30,6 +30,8 @@ constexpr Row kRows[] = {
     {"compile", "--numerics", "--emit", " tokens native "},
     {"compile", "--numerics", "--emit", " ir assembly ", "--optimise", "fx9"},
     {"debug", "--line", "--json"},
+    {"debug", "--line", "--watch"},
+    {"debug", "--break", "--watch", {}, "--json"},
     {"debug", "--watch", "--stage", " vertex "},
     {"debug", "--against", "--stage", " vertex "},
 };

@@ -59,14 +59,19 @@ PixelReader::PixelReader(Drawer &drawer, const Program &program, int x, int y, f
     : m_drawer(drawer), m_program(program), m_x(x & ~1), m_y(y & ~1),
       m_lane(std::size_t((y & 1) * 2 + (x & 1))), m_drawn(drawn) {}
 
+std::optional<DebugError> outside(const Drawer &drawer, int x, int y) {
+  const auto [width, height] = drawer.size();
+  if (x >= 0 && y >= 0 && x < width && y < height)
+    return {};
+  return DebugError{"--pixel " + std::to_string(x) + "," + std::to_string(y) + ": the picture is " +
+                    std::to_string(width) + "x" + std::to_string(height) +
+                    ", its pixels are 0,0 (lower left) to " + std::to_string(width - 1) + "," +
+                    std::to_string(height - 1)};
+}
+
 std::optional<DebugError> PixelReader::read() {
-  const auto [width, height] = m_drawer.size();
-  const int x = m_x + int(m_lane & 1), y = m_y + int(m_lane >> 1);
-  if (x < 0 || y < 0 || x >= width || y >= height)
-    return DebugError{"--pixel " + std::to_string(x) + "," + std::to_string(y) +
-                      ": the picture is " + std::to_string(width) + "x" + std::to_string(height) +
-                      ", its pixels are 0,0 (lower left) to " + std::to_string(width - 1) + "," +
-                      std::to_string(height - 1)};
+  if (auto error = outside(m_drawer, m_x + int(m_lane & 1), m_y + int(m_lane >> 1)))
+    return error;
   if (auto error = chooseFragments())
     return error;
   if (auto error = readOperands())

@@ -12,6 +12,9 @@ namespace arbiter::tools::debug {
 /// A value for each pixel of a 2x2 quad: lower left, lower right, upper left, upper right.
 using Quad = std::array<Vec4, 4>;
 
+/// Returns a complaint if the pixel lies outside the picture.
+[[nodiscard]] std::optional<DebugError> outside(const Drawer &drawer, int x, int y);
+
 /// Reads the inputs of a fragment program in one pixel from the drawer. Attributes and parameters
 /// are drawn to float targets. A texture access is drawn by the program cut after it, so that its
 /// level of detail is the original draw's.

@@ -249,6 +249,19 @@ TEST(Watch, WhatCannotBeSeenIsSaid) {
   EXPECT_EQ(faultOfWatch("a@5"), "");
 }
 
+TEST(Watch, TheExtentIsOfNumbersThatAreCovered) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  const Extent extent = extentOf({uncovered(), {1, kNan, 3, kNan}, {2, 5, -1, kNan}});
+  EXPECT_EQ(extent.covered, 2u);
+  EXPECT_EQ(extent.least[0], 1);
+  EXPECT_EQ(extent.least[1], 5);
+  EXPECT_EQ(extent.least[2], -1);
+  EXPECT_EQ(extent.greatest[0], 2);
+  EXPECT_EQ(extent.greatest[2], 3);
+  EXPECT_TRUE(std::isnan(extent.least[3]) && std::isnan(extent.greatest[3]));
+  EXPECT_EQ(extentOf({uncovered()}).covered, 0u);
+}
+
 TEST(Watch, ValuesBecomeColours) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "apps/tools/debug/pixel/cut.h"
 #include "apps/tools/debug/pixel/drawer.h"
@@ -96,6 +97,21 @@ Result<Program, DebugError> watchProgram(const Program &program, std::string_vie
     return cutProgram(*checked.program, {{Probe::Kind::Value, *row + 1}}, fragments);
   const fp::Diagnostic &first = checked.diagnostics.front();
   return DebugError{option + first.message + (first.hint.empty() ? "" : " (" + first.hint + ")")};
+}
+
+Extent extentOf(const std::vector<fp::ir::Vec4> &values) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  Extent extent{0, {kNan, kNan, kNan, kNan}, {kNan, kNan, kNan, kNan}};
+  for (const fp::ir::Vec4 &value : values) {
+    if (value == uncovered())
+      continue;
+    ++extent.covered;
+    for (std::size_t c = 0; c < 4; ++c) {
+      extent.least[c] = std::fmin(extent.least[c], value[c]); // of a NaN and a number the number
+      extent.greatest[c] = std::fmax(extent.greatest[c], value[c]);
+    }
+  }
+  return extent;
 }
 
 std::vector<std::uint8_t> picturedValues(const std::vector<fp::ir::Vec4> &values, float low,

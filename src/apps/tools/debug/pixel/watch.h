@@ -23,6 +23,14 @@ struct Watch {
 watchProgram(const fp::ir::Program &program, std::string_view text, const Watch &watch,
              Fragments fragments = Fragments::Covered);
 
+/// The watched value over the picture.
+struct Extent {
+  std::size_t covered = 0; ///< number of pixels that the mesh covers
+  fp::ir::Vec4 least = {}; ///< of each component, of those that are numbers; NaN if there is none
+  fp::ir::Vec4 greatest = {};
+};
+[[nodiscard]] Extent extentOf(const std::vector<fp::ir::Vec4> &values);
+
 /// Returns values as opaque 8-bit RGBA: low becomes 0 and high 255. NaN becomes magenta, an
 /// uncovered pixel transparent black.
 [[nodiscard]] std::vector<std::uint8_t> picturedValues(const std::vector<fp::ir::Vec4> &values,
