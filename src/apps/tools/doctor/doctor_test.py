@@ -308,7 +308,7 @@ class Doctor(Examined):
         steam = self.script('steam', '#!/bin/sh\nexec steam.sh\n')
         found = self.ask(steam)
         self.assertEqual((self.obstacles(found), found['game_launcher']['level']), (set(), 'possible'))
-        self.assertIn('arbiter run -- %command%', found['game_launcher']['remedy'])
+        self.assertIn('`arbiter run -- %command%`.', found['game_launcher']['remedy'])
 
     def test_files_that_are_no_programs(self):
         for content in (b'', b'\x7fELF', b'\x7fELF\x02\x01\x01' + bytes(40), os.urandom(5000)):

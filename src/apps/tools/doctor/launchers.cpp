@@ -97,8 +97,8 @@ bool examineLauncher(Examination &examination, const CommandFile &command,
       examination.add({"game_launcher", Level::Possible, command.found,
                        title + " starts games itself, often from a process that is there already: "
                                "the layer goes with them only where it is set for each.",
-                       "In " + title + " set for the game: " + std::string(manager.setting) + ": " +
-                           std::string(manager.value) + "."});
+                       "In " + title + " set for the game: " + std::string(manager.setting) +
+                           ": `" + std::string(manager.value) + "`."});
       return true;
     }
   return false;
