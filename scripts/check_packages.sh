@@ -87,7 +87,7 @@ step "used"
 used python3 /checks/installed -v
 used python3 /checks/widths -v
 step "purged"
-inside sh -c "apt-get purge -y -qq -o Dpkg::Use-Pty=0 $(sed -n 's/^ *sudo apt purge //p' README.md)"
+inside sh -c "apt-get purge -y -qq -o Dpkg::Use-Pty=0 $(sed -n 's/^ *sudo apt purge //p' "$root/README.md")"
 contents >"$work/after"
 diff -u "$work/before" "$work/after" || fail "the packages leave something behind"
 step "packages: installed, used and purged without a trace"
