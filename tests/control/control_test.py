@@ -152,6 +152,22 @@ class Windows(Painting):
         self.assertGreater(sum(stats['draws'].values()), 0)
         self.unchanged(output)
 
+    def test_the_beginning_of_an_id_is_enough(self):
+        with self.painting() as output:
+            self.assertTrue(output.waits_for('middle 255 255 0'))
+            ids = [row['id'] for row in json.loads(self.ctl('--json', 'programs').stdout)['programs']]
+            whole = self.effective()
+            text = self.ctl('get', whole).stdout
+            short = next(whole[:n] for n in range(1, 32) if sum(id.startswith(whole[:n]) for id in ids) == 1)
+            ending = whole[whole.index('.'):]
+            for word in (short, whole[:32], short + ending):
+                self.assertEqual(self.ctl('get', word).stdout, text, word)
+            with self.holding('param', short, 'program.env[3]=0,1,1,1'):
+                self.assertTrue(output.waits_for('middle 0 255 0'))
+            for word in ('xyz', short + '.none', ending):
+                self.assertIn(f'there is no program {word} (arbiter ctl programs)',
+                              self.ctl('get', word, code=1).stderr)
+
     def test_textures_look_as_samplers_see_them(self):
         seen = {11: [64, 64, 64, 255], 12: [64, 64, 64, 8], 13: [64, 64, 64, 64], 14: [0, 0, 0, 8],
                 15: [64, 32, 16, 255], 0: [64, 64, 64, 255]}

@@ -85,10 +85,17 @@ int runAction(Session &session, const Words &words) {
   const ActionRow *const row = findAction(words[0]);
   if (!row)
     return kExitUsage;
-  const Words rest(words.begin() + 1, words.end());
+  Words rest(words.begin() + 1, words.end());
   if (rest.size() < row->least || rest.size() > row->most)
     return fail({kExitUsage, "usage: arbiter ctl " + std::string(row->name) +
                                  (*row->operands == '\0' ? "" : " ") + row->operands});
+  const std::string_view operands = row->operands;
+  if (!rest.empty() && (operands.starts_with("ID") || operands.starts_with("[ID"))) {
+    const auto id = wholeId(session, rest[0]);
+    if (!id)
+      return fail(id.error());
+    rest[0] = id.value();
+  }
   return row->run(session, rest);
 }
 

@@ -37,6 +37,9 @@ struct ActionRow {
 /// Runs the action that the first word names.
 [[nodiscard]] int runAction(Session &session, const Words &words);
 
+/// Returns the id of the only program that begins with a word: "0c51" for "0c51f6….fp". A word with
+/// all digits and an ending is returned as it is.
+[[nodiscard]] Result<std::string, Failure> wholeId(Session &session, const std::string &word);
 /// Sets a program's text from a file, and reports its errors.
 [[nodiscard]] int setText(Session &session, const std::string &id, const std::string &file);
 /// Prints the answer as JSON on standard output.

@@ -1,4 +1,5 @@
 // Shows and changes programs' texts and parameters.
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -109,6 +110,30 @@ bool isFileName(const std::string &name) {
 }
 
 } // namespace
+
+Result<std::string, Failure> wholeId(Session &session, const std::string &word) {
+  constexpr std::size_t kDigits = 32;
+  const std::size_t dot = std::min(word.find('.'), word.size());
+  const std::string stem = word.substr(0, dot), ending = word.substr(dot);
+  if (stem.size() == kDigits && !ending.empty())
+    return word;
+  const auto list = session.connection.ask("program.list", Json::object());
+  if (!list)
+    return list.error();
+  std::vector<std::string> found;
+  for (const Json &row : arrayAt(list.value(), "programs"))
+    if (const std::string id = row.is_object() ? textAt(row, "id") : std::string();
+        !stem.empty() && id.starts_with(stem) && id.ends_with(ending))
+      found.push_back(id);
+  if (found.size() == 1)
+    return found.front();
+  if (found.empty())
+    return Failure{kExitUsage, "there is no program " + word + " (arbiter ctl programs)"};
+  std::string all;
+  for (const std::string &id : found)
+    all += (all.empty() ? "" : ", ") + id;
+  return Failure{kExitUsage, "several programs begin with " + word + ": " + all};
+}
 
 int listPrograms(Session &session, const Words &) {
   // The process counts draws only since its first client connected.

@@ -21,6 +21,7 @@ void addCtl(CLI::App &app, CtlArguments &ctl) {
       .required();
   verb.footer("Actions:\n" + ctlActions() +
               "  -                           actions from standard input, a line each\n"
+              "An ID is what programs prints, or as much of its beginning as no other has.\n"
               "What set, param, paint, enable and disable change is undone when this ends; set "
               "follows its file meanwhile.\n"
               "Exit code: 0; 1 usage, no such process, or no answer; 2 a text is not valid.\n"
