@@ -145,10 +145,10 @@ class Run(Temporary):
         for words in (('stats', self.path('none.json')), ('stats', self.path('none-%p.json'))):
             seen = arbiter(*words)
             self.assertEqual((seen.returncode, seen.stdout), (1, ''))
-            self.assertIn('and no process that was killed left a record of it', seen.stderr)
+            self.assertIn(': a process writes them when it ends, and none that was killed left a record', seen.stderr)
         seen = arbiter('stats', self.path('a.json'), self.path('b.json'))
         self.assertEqual(seen.returncode, 1)
-        self.assertRegex(seen.stderr, r'no statistics in \S+/a\.json,.*\n.*no statistics in \S+/b\.json,.*\n')
+        self.assertRegex(seen.stderr, r'no statistics in \S+/a\.json:.*\n.*no statistics in \S+/b\.json:.*\n')
         seen = arbiter('stats', self.path('a.json'), self.path('none/b.json'))
         self.assertEqual(seen.stderr, f'arbiter stats: {self.path("none/b.json")}: no such folder\n')
 

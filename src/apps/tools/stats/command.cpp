@@ -101,7 +101,7 @@ int sumStatistics(const StatsArguments &arguments) {
   if (sum.files == 0) {
     for (const OfFile &of : all)
       complain("no statistics in " + of.file +
-               ", and no process that was killed left a record of it");
+               ": a process writes them when it ends, and none that was killed left a record");
     return kExitUsage;
   }
   if (arguments.json)
