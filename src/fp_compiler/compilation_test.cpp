@@ -45,7 +45,7 @@ void expectSame(const Compilation &a, const Compilation &b, std::string_view tex
   EXPECT_EQ(a.glsl.kills, b.glsl.kills);
 }
 
-const char *const kTexts[] = {
+const char *const kArbTexts[] = {
     "!!ARBfp1.0\nPARAM p = program.env[3];\nPARAM c = {1,2,3,4};\nTEMP t;\n"
     "TEX t, fragment.texcoord[1], texture[2], 2D;\nMAD_SAT t.xyz, -t.wzyx, p, c;\n"
     "KIL t.x;\nMUL result.color, t, state.material.diffuse;\nMOV result.depth.z, t.w;\nEND\n",
@@ -79,7 +79,7 @@ TEST(Compilation, LoopsAreFollowedOnce) {
 }
 
 TEST(Compilation, ComesBackAsItWas) {
-  for (const char *text : kTexts) {
+  for (const char *text : kArbTexts) {
     const Compilation before = compile(input(), text);
     const auto after = deserialise(serialise(before));
     ASSERT_TRUE(after) << text;
@@ -113,7 +113,7 @@ TEST(Compilation, VertexProgramsComeBackToo) {
 }
 
 TEST(Compilation, BytesThatEndEarlyOrLateAreRefused) {
-  for (const char *text : kTexts) {
+  for (const char *text : kArbTexts) {
     const std::string good = serialise(compile(input(), text));
     for (std::size_t length = 0; length < good.size(); ++length)
       ASSERT_FALSE(deserialise(std::string_view(good).substr(0, length))) << length;
@@ -124,7 +124,7 @@ TEST(Compilation, BytesThatEndEarlyOrLateAreRefused) {
 // A checksum finds most damage before this. Bytes that it misses must cause no crash, no wild
 // allocation, and no program that validate() rejects.
 TEST(Compilation, AFlippedBitIsNoCrash) {
-  for (const char *text : kTexts) {
+  for (const char *text : kArbTexts) {
     const std::string good = serialise(compile(input(), text));
     for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
       std::string bad = good;
@@ -135,7 +135,7 @@ TEST(Compilation, AFlippedBitIsNoCrash) {
 }
 
 TEST(CacheKey, DiffersWhereverTheResultMay) {
-  const std::string text = kTexts[0];
+  const std::string text = kArbTexts[0];
   const std::string key = cacheKey(input(), text);
   EXPECT_EQ(key, cacheKey(input(), text));
   EXPECT_NE(key, cacheKey(input(), text + " "));

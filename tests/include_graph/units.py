@@ -26,6 +26,8 @@ def functions(text):
     space = re.search(r"^namespace ([\w:]+) \{", text, re.M)
     for block in UNNAMED.finditer(text):
         for found in FUNCTION.finditer(block.group(1)):
+            if found.group(1).isupper():  # a macro, as TEST
+                continue
             arguments = found.group(2)
             while arguments != IN_ANGLES.sub("", arguments):
                 arguments = IN_ANGLES.sub("", arguments)
@@ -66,7 +68,9 @@ def self_test():
     assert not list(clashes([("one", one), ("two", two.replace(" = 0", ""))]))
     assert not list(clashes([("one", one), ("two", one.replace("namespace a", "namespace b"))]))
     assert not list(clashes([("one", one), ("two", one.replace("int get", "  int get"))]))
-    print("4 passed, 0 failed, 0 skipped")
+    test = one.replace("int get(std::map<int, int> x)", "TEST_F(Get, One)")
+    assert not list(clashes([("one", test), ("two", test.replace("One", "Two"))]))
+    print("5 passed, 0 failed, 0 skipped")
     return 0
 
 

@@ -4,18 +4,18 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/ir/validate.h"
+#include "fp_compiler/testing/specials.h"
 
 namespace arbiter::fp::ir {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
+using testing::kInf;
+using testing::kNan;
 
 Vec4 apply1(Opcode op, Vec4 a, Vec4 b = {}, Vec4 c = {}) {
   return apply(op, {a, b, c}, Numerics::Host);

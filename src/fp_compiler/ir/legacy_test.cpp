@@ -1,7 +1,6 @@
 #include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/testing/specials.h"
@@ -10,9 +9,8 @@
 namespace arbiter::fp::ir {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
+using testing::kInf;
+using testing::kNan;
 using testing::sameBits;
 
 /// The two factors of one product: components of operand 0 and operand 1.

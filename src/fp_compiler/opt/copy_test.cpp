@@ -9,8 +9,6 @@ using ir::AttributeKind;
 using ir::Builder;
 using ir::Opcode;
 
-std::string last(const ir::Program &program) { return ir::print(program.code.back()); }
-
 // MOV t, -c.wzyx; ADD o, -t.yyxx, c: the composed operand is c.zzww.
 TEST(PropagateCopies, ComposesSwizzleAndNegate) {
   Builder b;

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/testing/pass_check.h"
 #include "fp_compiler/testing/nv_program.h"
@@ -14,43 +12,46 @@ int left(ir::Opcode op, const std::string &statements) {
   ir::Program program = testing::nvFragmentProgram(kBegin + statements + "\nMOV result.color, r;");
   const bool followed = runChecked(followLoops, program, statements);
   EXPECT_EQ(followed, !ir::hasLoops(program)) << statements;
-  if (!followed)
-    return -1;
-  return int(std::count_if(program.code.begin(), program.code.end(),
-                           [op](const auto &instruction) { return instruction.op == op; }));
+  return countWithoutLoops(program, op);
 }
 
-int additions(const std::string &statements) { return left(ir::Opcode::Add, statements); }
+int followedAdditions(const std::string &statements) { return left(ir::Opcode::Add, statements); }
 
 TEST(FollowLoops, WhatConstantsDecide) {
-  EXPECT_EQ(additions("REP 4; ADD r, r, r; ENDREP;"), 4);
+  EXPECT_EQ(followedAdditions("REP 4; ADD r, r, r; ENDREP;"), 4);
   // The count comes from a condition, and so does the exit.
-  EXPECT_EQ(additions("MOVC t.x, 2.0; IF GT.x; REP 4; ADD r, r, r; ENDREP; ENDIF;"), 4);
-  EXPECT_EQ(additions("MOVC t.x, 2.0; IF LT.x; REP 4; ADD r, r, r; ENDREP; ENDIF;"), 0);
-  EXPECT_EQ(additions("MOV t, 5.0; REP 255; ADD r, r, r; SUBC t.x, t.x, 1.0; BRK (LE.x); ENDREP;"),
+  EXPECT_EQ(followedAdditions("MOVC t.x, 2.0; IF GT.x; REP 4; ADD r, r, r; ENDREP; ENDIF;"), 4);
+  EXPECT_EQ(followedAdditions("MOVC t.x, 2.0; IF LT.x; REP 4; ADD r, r, r; ENDREP; ENDIF;"), 0);
+  EXPECT_EQ(followedAdditions(
+                "MOV t, 5.0; REP 255; ADD r, r, r; SUBC t.x, t.x, 1.0; BRK (LE.x); ENDREP;"),
             5);
-  EXPECT_EQ(additions("REP 3; REP 9; ADD r, r, r; BRK (TR); ENDREP; ADD r, r, 1.0; ENDREP;"), 6);
+  EXPECT_EQ(
+      followedAdditions("REP 3; REP 9; ADD r, r, r; BRK (TR); ENDREP; ADD r, r, 1.0; ENDREP;"), 6);
 }
 
 TEST(FollowLoops, WhatValuesDecideIsSelected) {
-  EXPECT_EQ(additions("REP 3; ADDC r.xyz, r, r; BRK (GT.x); ENDREP;"), 3);
+  EXPECT_EQ(followedAdditions("REP 3; ADDC r.xyz, r, r; BRK (GT.x); ENDREP;"), 3);
   EXPECT_EQ(left(ir::Opcode::Kil, "REP 3; ADDC r, r, r; BRK (GT.x); KIL r; ENDREP;"), 3);
-  EXPECT_EQ(additions("REP 3; ADDC r, r, r; BRK (GT.y); REP 2; MULC s, r, 2.0; BRK (GT.z); "
-                      "ADD r, s, 0.5; ENDREP; ENDREP;"),
+  EXPECT_EQ(followedAdditions("REP 3; ADDC r, r, r; BRK (GT.y); REP 2; MULC s, r, 2.0; BRK (GT.z); "
+                              "ADD r, s, 0.5; ENDREP; ENDREP;"),
             9);
   // A sample that needs no neighbours may follow a BRK.
-  EXPECT_EQ(additions("REP 2; ADDC r, r, r; BRK (GT.x); TXL s, r, texture[0], 2D; ADD r, r, s; "
-                      "ENDREP;"),
-            4);
+  EXPECT_EQ(
+      followedAdditions("REP 2; ADDC r, r, r; BRK (GT.x); TXL s, r, texture[0], 2D; ADD r, r, s; "
+                        "ENDREP;"),
+      4);
 }
 
 TEST(FollowLoops, WhatStays) {
-  EXPECT_EQ(additions("REP program.local[0].x; ADD r, r, r; ENDREP;"), -1);
-  EXPECT_EQ(additions("REP 255; ADDC r, r, r; BRK (GT.x); ENDREP;"), -1) << "mostly left early";
-  EXPECT_EQ(additions("REP 255; REP 255; ADD r, r, r; ENDREP; ENDREP;"), -1) << "too much code";
-  EXPECT_EQ(additions("REP 255; REP 255; ENDREP; ENDREP;"), -1) << "too many steps";
-  EXPECT_EQ(additions("REP 2; ADDC r, r, r; BRK (GT.x); TEX s, r, texture[0], 2D; ENDREP;"), -1);
-  EXPECT_EQ(additions("REP 2; ADDC r, r, r; BRK (GT.x); DDX s, r; ENDREP;"), -1);
+  EXPECT_EQ(followedAdditions("REP program.local[0].x; ADD r, r, r; ENDREP;"), -1);
+  EXPECT_EQ(followedAdditions("REP 255; ADDC r, r, r; BRK (GT.x); ENDREP;"), -1)
+      << "mostly left early";
+  EXPECT_EQ(followedAdditions("REP 255; REP 255; ADD r, r, r; ENDREP; ENDREP;"), -1)
+      << "too much code";
+  EXPECT_EQ(followedAdditions("REP 255; REP 255; ENDREP; ENDREP;"), -1) << "too many steps";
+  EXPECT_EQ(followedAdditions("REP 2; ADDC r, r, r; BRK (GT.x); TEX s, r, texture[0], 2D; ENDREP;"),
+            -1);
+  EXPECT_EQ(followedAdditions("REP 2; ADDC r, r, r; BRK (GT.x); DDX s, r; ENDREP;"), -1);
 }
 
 TEST(FollowLoops, ALoopOfJumpsBecomesStraight) {

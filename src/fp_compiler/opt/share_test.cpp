@@ -9,8 +9,6 @@ using ir::Builder;
 using ir::Opcode;
 using ir::TexTarget;
 
-std::string last(const ir::Program &program) { return ir::print(program.code.back()); }
-
 TEST(ShareExpressions, OperandsMayChangePlaces) {
   Builder b;
   const auto t = b.temporary();

@@ -9,6 +9,9 @@
 
 namespace arbiter::fp::testing {
 
+inline constexpr float kInf = std::numeric_limits<float>::infinity();
+inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
 /// Numbers at which the rules of ir/semantics.h and of fp24 change: zeros, denormals, the ends of
 /// both formats, neighbours of one, infinities, NaN.
 inline constexpr std::array<float, 26> kSpecials = {0.0f,
@@ -34,9 +37,9 @@ inline constexpr std::array<float, 26> kSpecials = {0.0f,
                                                     -0x1.FFFFp63f,
                                                     0x1p64f,
                                                     std::numeric_limits<float>::max(),
-                                                    std::numeric_limits<float>::infinity(),
-                                                    -std::numeric_limits<float>::infinity(),
-                                                    std::numeric_limits<float>::quiet_NaN()};
+                                                    kInf,
+                                                    -kInf,
+                                                    kNan};
 
 /// True if the numbers are equal bit by bit. All NaNs are equal.
 [[nodiscard]] inline bool sameBits(float a, float b) {

@@ -14,10 +14,10 @@ inline bool contains(const std::string &text, const std::string &part) {
 
 /// Succeeds if the reference compiler accepts the shader; fails with its messages otherwise.
 /// \param stage "frag" or "vert"
-inline testing::AssertionResult validates(const std::string &text, const char *stage = "frag") {
+inline ::testing::AssertionResult validates(const std::string &text, const char *stage = "frag") {
   static const bool present = std::system("glslangValidator -v >/dev/null 2>&1") == 0;
   if (!present)
-    return testing::AssertionSuccess() << "glslangValidator is not installed";
+    return ::testing::AssertionSuccess() << "glslangValidator is not installed";
   const auto path = std::filesystem::temp_directory_path() /
                     ("arbiter-glsl-test-" + std::to_string(getpid()) + "." + stage);
   std::ofstream(path) << text;
@@ -29,8 +29,8 @@ inline testing::AssertionResult validates(const std::string &text, const char *s
   std::filesystem::remove(path);
   std::filesystem::remove(path.string() + ".log");
   if (ok)
-    return testing::AssertionSuccess();
-  return testing::AssertionFailure() << complaints << "\n" << text;
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << complaints << "\n" << text;
 }
 
 } // namespace arbiter::fp::glsl

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fp_compiler/ati/lower.h"
+#include "fp_compiler/front/ati/testing/eight_units.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
 #include "fp_compiler/testing/random.h"
@@ -10,13 +11,6 @@
 
 namespace arbiter::fp::ati {
 namespace {
-
-CompileOptions eightUnits() {
-  CompileOptions options;
-  options.limits.textureUnits = 8;
-  options.limits.envParameters = options.limits.localParameters = 24;
-  return options;
-}
 
 TEST(AtiParser, TextMeansTheShader) {
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {

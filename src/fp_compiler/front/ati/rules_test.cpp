@@ -1,21 +1,14 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "fp_compiler/compiler.h"
 #include "fp_compiler/front/ati/parser.h"
+#include "fp_compiler/front/ati/testing/eight_units.h"
 
 // Tests every rule of ATI_text_fragment_shader 3.10.1 and every part of its grammar, both accepted
 // and refused. A case is an !!ATIfs1.0 text with '@' before the byte that the first error must
 // name.
 namespace arbiter::fp::ati {
 namespace {
-
-CompileOptions eightUnits() {
-  CompileOptions options;
-  options.limits.textureUnits = 8;
-  options.limits.envParameters = options.limits.localParameters = 24;
-  return options;
-}
 
 CheckResult check(const std::string &text, const CompileOptions &options = eightUnits()) {
   return checkProgram(ir::Language::AtiFragment, text, options);

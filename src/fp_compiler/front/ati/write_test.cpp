@@ -4,18 +4,12 @@
 
 #include "fp_compiler/ati/lower.h"
 #include "fp_compiler/front/ati/parser.h"
+#include "fp_compiler/front/ati/testing/eight_units.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/testing/random_ati.h"
 
 namespace arbiter::fp::ati {
 namespace {
-
-CompileOptions eightUnits() {
-  CompileOptions options;
-  options.limits.textureUnits = 8;
-  options.limits.envParameters = options.limits.localParameters = 24;
-  return options;
-}
 
 TEST(AtiWrite, TheTextMeansTheShader) {
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {

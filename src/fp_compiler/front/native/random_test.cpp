@@ -3,7 +3,6 @@
 // RSQ and POW, which differ in meaning.
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +12,7 @@
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/ir/validate.h"
+#include "fp_compiler/testing/specials.h"
 
 namespace arbiter::fp {
 namespace {
@@ -161,8 +161,7 @@ ir::Evaluation run(const ir::Program &program) {
   const std::vector<Vec4> attributes(program.attributes.size(), Vec4{0.75f, -1.5f, 2, 1});
   given.attributes = attributes;
   given.parameter = [](const ir::Parameter &parameter) -> Vec4 {
-    constexpr float kInf = std::numeric_limits<float>::infinity();
-    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    using testing::kInf, testing::kNan;
     constexpr Vec4 kRows[] = {
         {-2, 0, 2, kNan}, {1, 2, 3, 4}, {0.5f, -0.25f, 1.75f, -0.0f}, {kInf, -kInf, 1e30f, 7}};
     return parameter.index < kParameters ? kRows[parameter.index] : Vec4{};

@@ -23,7 +23,7 @@ struct Text {
 
 constexpr const char *kFromNv30 = "the profiles from nv30 to nv40 and host have it";
 
-const Text kTexts[] = {
+const Text kTextsAndTakers[] = {
     {Language::ArbFragment,
      "!!FP1.0\nMOV o[COLR], f[COL0];\nEND",
      {"nv30", "nv35", "nv40", "host"},
@@ -65,7 +65,7 @@ const Text kTexts[] = {
 };
 
 TEST(NvHints, NameTheProfilesThatTakeTheText) {
-  for (const Text &row : kTexts)
+  for (const Text &row : kTextsAndTakers)
     for (const std::string_view name : hw::builtinNames()) {
       const hw::Profile &profile = *hw::findBuiltin(name);
       CompileOptions options;

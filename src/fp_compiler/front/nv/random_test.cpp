@@ -3,7 +3,6 @@
 // too.
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
 #include "fp_compiler/testing/random_nv.h"
+#include "fp_compiler/testing/specials.h"
 
 namespace arbiter::fp {
 namespace {
@@ -29,8 +29,7 @@ ir::Inputs inputs(std::span<const Vec4> attributes) {
   ir::Inputs given;
   given.attributes = attributes;
   given.parameter = [](const ir::Parameter &parameter) -> Vec4 {
-    constexpr float kInf = std::numeric_limits<float>::infinity();
-    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    using testing::kInf, testing::kNan;
     constexpr Vec4 kRows[] = {
         {-2, 0, 2, kNan}, {1, 2, 3, 4}, {0.5f, -0.25f, 1.75f, -0.0f}, {kInf, -kInf, 1e30f, 7}};
     return kRows[parameter.index & 3];

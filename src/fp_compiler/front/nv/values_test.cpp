@@ -2,7 +2,6 @@
 // come from NVIDIA's driver (580.159).
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -10,16 +9,16 @@
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
+#include "fp_compiler/testing/specials.h"
 
 namespace arbiter::fp {
 namespace {
 
 using ir::Vec4;
+using testing::kInf;
+using testing::kNan;
 using testing_support::check;
 using testing_support::generous;
-
-constexpr float kInf = std::numeric_limits<float>::infinity();
-const float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// The values of program.local[0..].
 const Vec4 kLocals[] = {{-2, 0, 2, kNan},

@@ -1,6 +1,4 @@
-#include <gtest/gtest.h>
-
-#include "fp_compiler/front/nvparse/text.h"
+#include "fp_compiler/front/nvparse/testing/parsed_text.h"
 #include "fp_compiler/front/nvparse/words.h"
 
 namespace arbiter::fp::nvparse {
@@ -14,21 +12,9 @@ using combiners::Scale;
 using combiners::State;
 using combiners::Usage;
 
-CompileOptions wholeCard() {
-  CompileOptions options;
-  options.limits.generalCombiners = 8;
-  options.limits.perStageConstants = 1;
-  options.limits.textureShaders = 3;
-  options.limits.textureUnits = 8;
-  return options;
-}
-
-struct Parsed {
-  std::string text;
-  ParseResult result;
-  Parsed(const std::string &body, const CompileOptions &options = wholeCard())
-      : text("!!RC1.0\n" + body), result(parse(ir::Language::Combiners, text, options)) {}
-  [[nodiscard]] std::string said() const { return renderAll("text", text, result.diagnostics); }
+struct ParsedCombiners : ParsedText {
+  ParsedCombiners(const std::string &body, const CompileOptions &options = wholeCard())
+      : ParsedText(ir::Language::Combiners, "!!RC1.0\n" + body, options) {}
   [[nodiscard]] const State &state() const { return *result.text->combiners; }
   [[nodiscard]] const std::optional<ir::Vec4> &value(int parameter) const {
     return result.text->values[std::size_t(parameter)];
@@ -37,21 +23,14 @@ struct Parsed {
 
 /// Returns the colour portion of the first stage. The text must parse.
 Portion rgbOf(const std::string &block) {
-  const Parsed parsed("{ rgb { " + block + " } } out.rgb = spare0;");
+  const ParsedCombiners parsed("{ rgb { " + block + " } } out.rgb = spare0;");
   EXPECT_TRUE(parsed.result.text) << parsed.said();
   return parsed.result.text ? parsed.state().stages[0].rgb : Portion{};
 }
 
-/// Expects the first diagnostic and the part of the text that it marks.
 void expectError(const std::string &body, const char *id, const std::string &piece,
                  const CompileOptions &options = wholeCard()) {
-  const Parsed parsed(body, options);
-  ASSERT_FALSE(parsed.result.diagnostics.empty()) << body;
-  EXPECT_FALSE(parsed.result.text) << body;
-  const Diagnostic &first = parsed.result.diagnostics.front();
-  EXPECT_EQ(first.id, std::string(id)) << parsed.said();
-  EXPECT_EQ(parsed.text.substr(first.span.begin, first.span.end - first.span.begin), piece)
-      << parsed.said();
+  expectFinding(ParsedCombiners(body, options), id, piece);
 }
 
 TEST(CombinerText, EveryMappingOfAStage) {
@@ -156,7 +135,8 @@ TEST(CombinerText, EveryScale) {
 }
 
 TEST(CombinerText, AlphaReadsAlphaAndBlue) {
-  const Parsed parsed("{ alpha { spare0 = col0 * fog.b; } } out.rgb = spare0.a; out.a = spare0.b;");
+  const ParsedCombiners parsed(
+      "{ alpha { spare0 = col0 * fog.b; } } out.rgb = spare0.a; out.a = spare0.b;");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   const Portion &alpha = parsed.state().stages[0].alpha;
   EXPECT_EQ(alpha.inputs[0].usage, Usage::Alpha);
@@ -169,14 +149,16 @@ TEST(CombinerText, AlphaReadsAlphaAndBlue) {
 }
 
 TEST(CombinerText, ConstantsOfAllStagesAndOfOne) {
-  Parsed parsed("const0 = (0.25, .5, 1, +0.75);\n{ rgb { spare0 = const0; } } out.rgb = const1;");
+  ParsedCombiners parsed(
+      "const0 = (0.25, .5, 1, +0.75);\n{ rgb { spare0 = const0; } } out.rgb = const1;");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_FALSE(parsed.state().perStageConstants);
   EXPECT_EQ(parsed.value(combiners::globalConstant(0)), (ir::Vec4{0.25f, 0.5f, 1.0f, 0.75f}));
   EXPECT_FALSE(parsed.value(combiners::globalConstant(1)));
   EXPECT_FALSE(parsed.value(combiners::stageConstant(0, 0)));
-  parsed = Parsed("const0 = (1, 0, 0, 0); { const1 = (0, 1, 0, 0); rgb { spare0 = const1; } }"
-                  "{ rgb { spare0 = const0; } } out.rgb = spare0;");
+  parsed =
+      ParsedCombiners("const0 = (1, 0, 0, 0); { const1 = (0, 1, 0, 0); rgb { spare0 = const1; } }"
+                      "{ rgb { spare0 = const0; } } out.rgb = spare0;");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_TRUE(parsed.state().perStageConstants);
   EXPECT_EQ(parsed.state().count, 2);
@@ -184,13 +166,13 @@ TEST(CombinerText, ConstantsOfAllStagesAndOfOne) {
   EXPECT_EQ(parsed.value(combiners::stageConstant(0, 1)), (ir::Vec4{0, 1, 0, 0}));
   EXPECT_EQ(parsed.value(combiners::stageConstant(1, 0)), (ir::Vec4{1, 0, 0, 0}));
   EXPECT_FALSE(parsed.value(combiners::stageConstant(1, 1)));
-  parsed = Parsed("per_stage_constants(); { rgb { spare0 = const1; } } out.rgb = spare0;");
+  parsed = ParsedCombiners("per_stage_constants(); { rgb { spare0 = const1; } } out.rgb = spare0;");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_TRUE(parsed.state().perStageConstants);
 }
 
 TEST(CombinerText, ConstantsAreClampedWithAWarning) {
-  const Parsed parsed("const0 = (-1, 0.5, 2, 1); out.rgb = const0;");
+  const ParsedCombiners parsed("const0 = (-1, 0.5, 2, 1); out.rgb = const0;");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_EQ(parsed.value(0), (ir::Vec4{0, 0.5f, 1, 1}));
   ASSERT_EQ(parsed.result.diagnostics.size(), 1u);
@@ -223,7 +205,7 @@ TEST(CombinerText, EveryFormOfTheFinalColor) {
       {"lerp(fog.a, color_sum, fog)", {fogA, sum, fog, zero}},
   };
   for (const Row &row : rows) {
-    const Parsed parsed(std::string("out.rgb = ") + row.text + ";");
+    const ParsedCombiners parsed(std::string("out.rgb = ") + row.text + ";");
     ASSERT_TRUE(parsed.result.text) << parsed.said();
     for (std::size_t v = 0; v < 4; ++v)
       EXPECT_EQ(parsed.state().finals[v], row.abcd[v]) << row.text << ", variable " << v;
@@ -231,8 +213,9 @@ TEST(CombinerText, EveryFormOfTheFinalColor) {
 }
 
 TEST(CombinerText, ProductAndClampOfTheFinalCombiner) {
-  const Parsed parsed("clamp_color_sum();\nfinal_product = spare0 * unsigned_invert(tex1.a);\n"
-                      "out.rgb = final_product + color_sum; out.a = unsigned_invert(col0.b);");
+  const ParsedCombiners parsed(
+      "clamp_color_sum();\nfinal_product = spare0 * unsigned_invert(tex1.a);\n"
+      "out.rgb = final_product + color_sum; out.a = unsigned_invert(col0.b);");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_TRUE(parsed.state().sumClamp);
   EXPECT_EQ(parsed.state().finals[0].source, Register::ETimesF);
@@ -240,11 +223,12 @@ TEST(CombinerText, ProductAndClampOfTheFinalCombiner) {
             (Input{combiners::textureRegister(1), Mapping::UnsignedInvert, Usage::Alpha}));
   EXPECT_EQ(parsed.state().finals[6],
             (Input{Register::Primary, Mapping::UnsignedInvert, Usage::Blue}));
-  EXPECT_FALSE(Parsed("out.rgb = col0;").state().sumClamp);
+  EXPECT_FALSE(ParsedCombiners("out.rgb = col0;").state().sumClamp);
 }
 
 TEST(CombinerText, CommentsOfEveryForm) {
-  const Parsed parsed("# one\n// two\n/* three\n * more **/ out /* . */ . rgb = col0; // end");
+  const ParsedCombiners parsed(
+      "# one\n// two\n/* three\n * more **/ out /* . */ . rgb = col0; // end");
   EXPECT_TRUE(parsed.result.text) << parsed.said();
   expectError("out.rgb = col0; /* open", "invalid-character", "/");
 }
@@ -308,14 +292,14 @@ TEST(CombinerText, Limits) {
   options.limits.perStageConstants = 0;
   options.limits.textureUnits = 2;
   const std::string stage = "{ rgb { spare0 = col0; } }\n";
-  EXPECT_TRUE(Parsed(stage + stage + "out.rgb = spare0;", options).result.text);
+  EXPECT_TRUE(ParsedCombiners(stage + stage + "out.rgb = spare0;", options).result.text);
   expectError(stage + stage + "{ rgb { spare0 = col1; } } out.rgb = col0;",
               "limit-general-combiners", "{", options);
   expectError("{ const0 = (0,0,0,0); rgb { spare0 = const0; } } out.rgb = col0;",
               "limit-stage-constants", "const0", options);
   expectError("out.rgb = tex2;", "image-unit", "tex2", options);
   options.policy = LimitPolicy::Report;
-  const Parsed reported(stage + stage + stage + "out.rgb = tex3;", options);
+  const ParsedCombiners reported(stage + stage + stage + "out.rgb = tex3;", options);
   ASSERT_TRUE(reported.result.text) << reported.said();
   EXPECT_EQ(reported.state().count, 3);
   EXPECT_EQ(reported.result.diagnostics.size(), 2u);

@@ -1,7 +1,5 @@
 // Tests random states written as texts and read back, and damaged texts.
-#include <gtest/gtest.h>
-
-#include "fp_compiler/front/nvparse/text.h"
+#include "fp_compiler/front/nvparse/testing/parsed_text.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
 #include "fp_compiler/testing/random_combiners.h"
@@ -12,15 +10,6 @@ namespace arbiter::fp::nvparse {
 namespace {
 
 constexpr std::uint64_t kStates = 2000;
-
-CompileOptions wholeCard(std::uint32_t units = 8) {
-  CompileOptions options;
-  options.limits.generalCombiners = 8;
-  options.limits.perStageConstants = 1;
-  options.limits.textureShaders = 3;
-  options.limits.textureUnits = units;
-  return options;
-}
 
 /// Returns the part of a stage that a text can express for its operation.
 texture_shader::Stage spelled(const texture_shader::Stage &stage) {

@@ -1,47 +1,25 @@
-#include <gtest/gtest.h>
-
-#include "fp_compiler/front/nvparse/text.h"
+#include "fp_compiler/front/nvparse/testing/parsed_text.h"
 #include "fp_compiler/front/nvparse/words.h"
 #include "fp_compiler/texture_shader/operations.h"
 
 namespace arbiter::fp::nvparse {
 namespace {
 
-using texture_shader::Mapping;
 using texture_shader::Operation;
 using texture_shader::Row;
-using texture_shader::State;
 
-CompileOptions wholeCard() {
-  CompileOptions options;
-  options.limits.generalCombiners = 8;
-  options.limits.perStageConstants = 1;
-  options.limits.textureShaders = 3;
-  options.limits.textureUnits = 4;
-  return options;
-}
-
-struct Parsed {
-  std::string text;
-  ParseResult result;
-  Parsed(const std::string &body, const CompileOptions &options = wholeCard())
-      : text("!!TS1.0\n" + body), result(parse(ir::Language::TextureShaders, text, options)) {}
-  [[nodiscard]] std::string said() const { return renderAll("text", text, result.diagnostics); }
-  [[nodiscard]] const State &state() const { return *result.text->shaders; }
+struct ParsedShaders : ParsedText {
+  ParsedShaders(const std::string &body, const CompileOptions &options = wholeCard(4))
+      : ParsedText(ir::Language::TextureShaders, "!!TS1.0\n" + body, options) {}
+  [[nodiscard]] const texture_shader::State &state() const { return *result.text->shaders; }
   [[nodiscard]] const std::optional<ir::Vec4> &value(int unit, Row row) const {
     return result.text->values[std::size_t(texture_shader::parameter(unit, row))];
   }
 };
 
-void expectFinding(const std::string &body, const char *id, const std::string &piece,
-                   bool isError = true, const CompileOptions &options = wholeCard()) {
-  const Parsed parsed(body, options);
-  ASSERT_FALSE(parsed.result.diagnostics.empty()) << body;
-  EXPECT_EQ(!parsed.result.text, isError) << parsed.said();
-  const Diagnostic &first = parsed.result.diagnostics.front();
-  EXPECT_EQ(first.id, std::string(id)) << parsed.said();
-  EXPECT_EQ(parsed.text.substr(first.span.begin, first.span.end - first.span.begin), piece)
-      << parsed.said();
+void expectShaderFinding(const std::string &body, const char *id, const std::string &piece,
+                         bool isError = true, const CompileOptions &options = wholeCard(4)) {
+  expectFinding(ParsedShaders(body, options), id, piece, isError);
 }
 
 /// Tests each row as a text has it: within its run, after a texture.
@@ -68,7 +46,7 @@ TEST(ShaderText, EveryOperation) {
     // An operation without a run may be refused at a unit that cannot have it.
     if (texture_shader::infoOf(row.operation).firstUnit > unit)
       continue;
-    const Parsed parsed(text);
+    const ParsedShaders parsed(text);
     ASSERT_TRUE(parsed.result.text) << parsed.said();
     EXPECT_EQ(parsed.state().stages[std::size_t(unit)].operation, row.operation) << row.word;
     if (row.arguments == Arguments::Scale) {
@@ -88,66 +66,70 @@ TEST(ShaderText, EveryOperation) {
 }
 
 TEST(ShaderText, MappingsAndWhatStagesRead) {
-  const Parsed parsed("texture_2d();\ntexture_2d();\ndot_product_2d_1of2(expand(tex1));\n"
-                      "dot_product_2d_2of2(force_blue_to_one(tex0));");
+  const ParsedShaders parsed("texture_2d();\ntexture_2d();\ndot_product_2d_1of2(expand(tex1));\n"
+                             "dot_product_2d_2of2(force_blue_to_one(tex0));");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_TRUE(parsed.result.diagnostics.empty()) << parsed.said();
-  EXPECT_EQ(parsed.state().stages[2].mapping, Mapping::ExpandNormal);
+  EXPECT_EQ(parsed.state().stages[2].mapping, texture_shader::Mapping::ExpandNormal);
   EXPECT_EQ(parsed.state().stages[2].previous, 1);
-  EXPECT_EQ(parsed.state().stages[3].mapping, Mapping::ForceBlueToOne);
+  EXPECT_EQ(parsed.state().stages[3].mapping, texture_shader::Mapping::ForceBlueToOne);
   EXPECT_EQ(parsed.state().stages[3].previous, 0);
 }
 
 TEST(ShaderText, NumbersMayBeLeftToTheApplication) {
-  const Parsed parsed("texture_2d(); offset_2d(tex0);");
+  const ParsedShaders parsed("texture_2d(); offset_2d(tex0);");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   EXPECT_FALSE(parsed.value(1, Row::Matrix));
   EXPECT_EQ(parsed.state().textures[0].base, texture_shader::Base::Dsdt);
 }
 
 TEST(ShaderText, CombinersMayFollow) {
-  const Parsed parsed("texture_2d();\n// what Cg wrote\n!!RC1.0\nout.rgb = tex0; out.a = tex0;");
+  const ParsedShaders parsed(
+      "texture_2d();\n// what Cg wrote\n!!RC1.0\nout.rgb = tex0; out.a = tex0;");
   ASSERT_TRUE(parsed.result.text) << parsed.said();
   ASSERT_TRUE(parsed.result.text->combiners);
   EXPECT_EQ(parsed.result.text->combiners->finals[3].source, combiners::Register::Texture0);
 }
 
 TEST(ShaderText, EveryMistakeHasItsPlace) {
-  expectFinding("texture2d();", "shader-operation", "texture2d");
-  expectFinding("texture_2d(tex0);", "syntax", "tex0");
-  expectFinding("texture_2d()", "syntax", "");
-  expectFinding("texture_2d(); dependent_ar(tex1);", "shader-previous", "tex1");
-  expectFinding("dependent_ar(tex0);", "shader-previous", "dependent_ar");
-  expectFinding("texture_2d(); dependent_ar(col0);", "syntax", "col0");
-  expectFinding("texture_2d(); offset_2d(tex0, 1, 2, 3);", "syntax", ")");
-  expectFinding("cull_fragment(LESS_THAN_ZERO);", "syntax", ")");
-  expectFinding("cull_fragment(LESS);", "syntax", "LESS");
-  expectFinding("texture_2d(); dot_product_2d_2of2(tex0);", "shader-run", "dot_product_2d_2of2");
-  expectFinding("texture_2d(); dot_product_3d_1of3(tex0); dot_product_2d_2of2(tex0);", "shader-run",
-                "dot_product_2d_2of2");
-  expectFinding("texture_2d(); dot_product_2d_1of2(tex0); texture_2d();", "shader-run",
-                "texture_2d");
-  expectFinding("texture_2d(); dot_product_2d_1of2(tex0);", "shader-run", "");
-  expectFinding("nop(); nop(); nop(); nop(); texture_2d();", "limit-shader-units", "texture_2d");
-  expectFinding("texture_2d(); ! !", "syntax", "!");
-  expectFinding("nop(); dependent_ar(tex0);", "shader-inconsistent", "dependent_ar(tex0)", false);
+  expectShaderFinding("texture2d();", "shader-operation", "texture2d");
+  expectShaderFinding("texture_2d(tex0);", "syntax", "tex0");
+  expectShaderFinding("texture_2d()", "syntax", "");
+  expectShaderFinding("texture_2d(); dependent_ar(tex1);", "shader-previous", "tex1");
+  expectShaderFinding("dependent_ar(tex0);", "shader-previous", "dependent_ar");
+  expectShaderFinding("texture_2d(); dependent_ar(col0);", "syntax", "col0");
+  expectShaderFinding("texture_2d(); offset_2d(tex0, 1, 2, 3);", "syntax", ")");
+  expectShaderFinding("cull_fragment(LESS_THAN_ZERO);", "syntax", ")");
+  expectShaderFinding("cull_fragment(LESS);", "syntax", "LESS");
+  expectShaderFinding("texture_2d(); dot_product_2d_2of2(tex0);", "shader-run",
+                      "dot_product_2d_2of2");
+  expectShaderFinding("texture_2d(); dot_product_3d_1of3(tex0); dot_product_2d_2of2(tex0);",
+                      "shader-run", "dot_product_2d_2of2");
+  expectShaderFinding("texture_2d(); dot_product_2d_1of2(tex0); texture_2d();", "shader-run",
+                      "texture_2d");
+  expectShaderFinding("texture_2d(); dot_product_2d_1of2(tex0);", "shader-run", "");
+  expectShaderFinding("nop(); nop(); nop(); nop(); texture_2d();", "limit-shader-units",
+                      "texture_2d");
+  expectShaderFinding("texture_2d(); ! !", "syntax", "!");
+  expectShaderFinding("nop(); dependent_ar(tex0);", "shader-inconsistent", "dependent_ar(tex0)",
+                      false);
 }
 
 TEST(ShaderText, Extensions) {
-  CompileOptions options = wholeCard();
+  CompileOptions options = wholeCard(4);
   options.limits.textureShaders = 1;
-  expectFinding("texture_3d();", "limit-texture-shaders", "texture_3d", true, options);
+  expectShaderFinding("texture_3d();", "limit-texture-shaders", "texture_3d", true, options);
   options.limits.textureShaders = 2;
-  EXPECT_TRUE(Parsed("texture_3d();", options).result.text);
-  expectFinding("texture_2d(); dot_product_1d(tex0);", "limit-texture-shaders", "dot_product_1d",
-                true, options);
-  expectFinding("texture_2d(); dot_product(force_blue_to_one(tex0));", "limit-texture-shaders",
-                "force_blue_to_one", true, options);
+  EXPECT_TRUE(ParsedShaders("texture_3d();", options).result.text);
+  expectShaderFinding("texture_2d(); dot_product_1d(tex0);", "limit-texture-shaders",
+                      "dot_product_1d", true, options);
+  expectShaderFinding("texture_2d(); dot_product(force_blue_to_one(tex0));",
+                      "limit-texture-shaders", "force_blue_to_one", true, options);
   options.policy = LimitPolicy::Report;
-  EXPECT_TRUE(Parsed("texture_2d(); dot_product_1d(tex0);", options).result.text);
+  EXPECT_TRUE(ParsedShaders("texture_2d(); dot_product_1d(tex0);", options).result.text);
   options.policy = LimitPolicy::Enforce;
   options.limits.textureShaders = 0;
-  expectFinding("texture_2d();", "not-offered", "!!TS1.0", true, options);
+  expectShaderFinding("texture_2d();", "not-offered", "!!TS1.0", true, options);
 }
 
 } // namespace

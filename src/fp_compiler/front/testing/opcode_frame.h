@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -13,6 +12,7 @@
 
 #include "fp_compiler/front/nv/words.h"
 #include "fp_compiler/ir/evaluate.h"
+#include "fp_compiler/testing/specials.h"
 
 /// Builds programs around the statements of opcode_cases.def, in each of NVIDIA's options and
 /// languages.
@@ -22,8 +22,9 @@ using ir::NativeLanguage;
 using ir::NvOption;
 using ir::Vec4;
 
-inline constexpr float kInf = std::numeric_limits<float>::infinity();
-inline const float kNan = std::numeric_limits<float>::quiet_NaN();
+using fp::testing::kInf;
+using fp::testing::kNan;
+
 inline float bits(std::uint32_t value) { return std::bit_cast<float>(value); }
 
 /// Values of the first parameters. The later ones are (n, n + 1/4, n + 1/2, n + 3/4).

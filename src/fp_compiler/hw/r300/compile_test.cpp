@@ -111,10 +111,10 @@ int naivePairs(const ir::Program &program, const CompileOptions &options) {
 
 TEST(R300Compile, NeverTakesMoreThanEachInstructionByItself) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    testing::RandomOptions options;
+    fp::testing::RandomOptions options;
     options.wild = seed % 2 == 0;
     options.maxInstructions = seed % 5 == 0 ? 60 : 16;
-    const ir::Program program = testing::randomProgram(seed, options);
+    const ir::Program program = fp::testing::randomProgram(seed, options);
     const CompileOptions compileOptions = {seed % 4 < 2};
     EXPECT_LE(int(compile(program, compileOptions).pairs.size()),
               naivePairs(program, compileOptions))
@@ -125,16 +125,16 @@ TEST(R300Compile, NeverTakesMoreThanEachInstructionByItself) {
 
 TEST(R300Compile, RandomProgramsAreLegal) {
   for (std::uint64_t seed = 0; seed < 500 && !HasFailure(); ++seed) {
-    testing::RandomOptions options;
+    fp::testing::RandomOptions options;
     options.wild = seed % 2 == 0;
     options.maxInstructions = seed % 5 == 0 ? 60 : 16;
-    expectLegal(testing::randomProgram(seed, options), {seed % 4 < 2}, seed);
+    expectLegal(fp::testing::randomProgram(seed, options), {seed % 4 < 2}, seed);
   }
 }
 
 TEST(R300Compile, AtiShadersAreLegal) {
   for (std::uint64_t seed = 0; seed < 300 && !HasFailure(); ++seed) {
-    ir::Program program = ati::lower(testing::randomAtiShader(seed), {});
+    ir::Program program = ati::lower(fp::testing::randomAtiShader(seed), {});
     program.options.colorSum = seed % 2 == 0;
     program.options.fog = ir::FogMode(seed / 2 % 4);
     expectLegal(program, {}, seed);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -9,6 +10,17 @@
 
 /// Checks of the contract that every pass must fulfil, on handwritten and on random programs.
 namespace arbiter::fp::opt {
+
+/// Returns the last instruction as text.
+inline std::string last(const ir::Program &program) { return ir::print(program.code.back()); }
+
+/// Returns the number of instructions with that opcode, or -1 if there is a loop.
+inline int countWithoutLoops(const ir::Program &program, ir::Opcode op) {
+  if (ir::hasLoops(program))
+    return -1;
+  return int(std::count_if(program.code.begin(), program.code.end(),
+                           [op](const auto &instruction) { return instruction.op == op; }));
+}
 
 /// Wraps a pass, whether it takes a numerics mode or not.
 class Pass {

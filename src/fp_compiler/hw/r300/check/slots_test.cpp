@@ -167,7 +167,7 @@ Code compiled(const std::string &text, bool scaleRectangles = false) {
 // gtest prints the parameter when a test fails.
 void PrintTo(const Row &row, std::ostream *stream) { *stream << row.name; }
 
-class Slots : public testing::TestWithParam<Row> {};
+class Slots : public ::testing::TestWithParam<Row> {};
 
 TEST_P(Slots, AsInTheTable) {
   const Row &row = GetParam();
@@ -180,13 +180,13 @@ TEST_P(Slots, AsInTheTable) {
   EXPECT_LE(int(code.nodes.size()), row.peerNodes) << text;
 }
 
-std::string nameOf(const testing::TestParamInfo<Row> &row) {
+std::string nameOf(const ::testing::TestParamInfo<Row> &row) {
   std::string name = std::to_string(row.index) + "_";
   for (const char *c = row.param.name; *c; ++c)
     name += std::isalnum(static_cast<unsigned char>(*c)) ? *c : '_';
   return name;
 }
-INSTANTIATE_TEST_SUITE_P(Table, Slots, testing::ValuesIn(kRows), nameOf);
+INSTANTIATE_TEST_SUITE_P(Table, Slots, ::testing::ValuesIn(kRows), nameOf);
 
 } // namespace
 } // namespace arbiter::fp::hw::r300
