@@ -16,8 +16,6 @@ namespace {
 
 using namespace testing;
 
-constexpr std::string_view kText = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
-
 /// A host that draws vertex programs as GLSL.
 struct GlslHost : FakeHost {
   GlslHost() { offerNoAssembly(); }
@@ -37,7 +35,7 @@ bool clips(Context &context) {
 TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
   GlslHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kPlacingText, kVertex);
   EXPECT_FALSE(clips(*context));
   handlers::Enable(*context, GL_BLEND);
   handlers::Disable(*context, GL_CLIP_PLANE0);
@@ -52,7 +50,7 @@ TEST(ClipPlanes, EachPlaneChoosesTheForm) {
   GlslHost host;
   const CurrentContext context(host);
   context->caps.maxClipPlanes = 8;
-  use(*context, kText, kVertex);
+  use(*context, kPlacingText, kVertex);
   for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 8; ++plane) {
     host.enabled = {plane};
     handlers::Enable(*context, plane);
@@ -72,14 +70,14 @@ TEST(ClipPlanes, OneEnabledBeforeTheProgramIsKnown) {
   const CurrentContext context(host);
   host.enabled = {GL_CLIP_PLANE2};
   handlers::Enable(*context, GL_CLIP_PLANE2);
-  use(*context, kText, kVertex);
+  use(*context, kPlacingText, kVertex);
   EXPECT_TRUE(clips(*context));
 }
 
 TEST(ClipPlanes, PopAttribBringsThemBack) {
   GlslHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kPlacingText, kVertex);
   host.enabled = {GL_CLIP_PLANE0};
   handlers::Enable(*context, GL_CLIP_PLANE0);
   handlers::PushAttrib(*context, GL_TRANSFORM_BIT);
@@ -94,7 +92,7 @@ TEST(ClipPlanes, PopAttribBringsThemBack) {
 TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
   GlslHost host;
   const CurrentContext other(host);
-  use(*other, kText, kVertex);
+  use(*other, kPlacingText, kVertex);
   EXPECT_FALSE(clips(*other));
   const CurrentContext context(host, &*other);
   handlers::NewList(*context, 7, GL_COMPILE);
@@ -110,7 +108,7 @@ TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
 TEST(ClipPlanes, AListThatIsExecutedFollowsAtOnce) {
   GlslHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kPlacingText, kVertex);
   EXPECT_FALSE(clips(*context));
   handlers::NewList(*context, 7, GL_COMPILE_AND_EXECUTE);
   handlers::Enable(*context, GL_CLIP_PLANE0);
@@ -125,7 +123,7 @@ TEST(ClipPlanes, CopyContextCopiesThem) {
   const CurrentContext from(host);
   handlers::Enable(*from, GL_CLIP_PLANE0);
   const CurrentContext to(host);
-  use(*to, kText, kVertex);
+  use(*to, kPlacingText, kVertex);
   EXPECT_FALSE(clips(*to));
   host.enabled = {GL_CLIP_PLANE0};
   copyContext(*from, *to, GL_LIGHTING_BIT);
@@ -139,7 +137,7 @@ TEST(ClipPlanes, CopyContextCopiesThem) {
 TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
   GlslHost host;
   const CurrentContext context(host);
-  const GLuint name = use(*context, kText, kVertex);
+  const GLuint name = use(*context, kPlacingText, kVertex);
   EXPECT_FALSE(clips(*context));
   host.enabled = {GL_CLIP_PLANE0};
   handlers::Enable(*context, GL_CLIP_PLANE0);
@@ -152,7 +150,7 @@ TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
 TEST(ClipPlanes, TheFormThatClipsIsGlslBesideAssemblyToo) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kPlacingText, kVertex);
   ASSERT_TRUE(draw(*context));
   ASSERT_TRUE(context->effective.linkedProgram->vertexAssembly);
   const auto whole = context->group->compiledOf(*context->row(Target::Vertex).bound);

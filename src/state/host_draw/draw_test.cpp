@@ -336,18 +336,18 @@ TEST(Draw, VariantsDoNotPileUp) {
   EXPECT_LE(host.shaders.size(), 2u) << "a shader goes with its program";
 }
 
-constexpr char kVertexText[] = "!!ARBvp1.0\n"
-                               "ADD result.position, vertex.position, program.env[0];\n"
-                               "ADD result.color, vertex.attrib[3], program.local[1];\n"
-                               "END";
+constexpr char kArrayText[] = "!!ARBvp1.0\n"
+                              "ADD result.position, vertex.position, program.env[0];\n"
+                              "ADD result.color, vertex.attrib[3], program.local[1];\n"
+                              "END";
 
 TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
   FakeHost host;
   host.offerNoAssembly();
   const CurrentContext context(host);
   const GLuint fragments[] = {use(*context, kThree), use(*context, kFour)};
-  const GLuint vertices[] = {use(*context, kVertexText, kVertex),
-                             use(*context, std::string(kVertexText) + " ", kVertex)};
+  const GLuint vertices[] = {use(*context, kArrayText, kVertex),
+                             use(*context, std::string(kArrayText) + " ", kVertex)};
   for (int round = 0; round < 2; ++round)
     for (const GLuint fragment : fragments)
       for (const GLuint vertex : vertices) {
@@ -373,7 +373,7 @@ TEST(Draw, AStageIsSentWhatItsTargetChanged) {
   host.offerNoAssembly();
   const CurrentContext context(host);
   use(*context, kFour);
-  use(*context, kVertexText, kVertex);
+  use(*context, kArrayText, kVertex);
   ASSERT_TRUE(draw(*context));
   host.calls.clear();
   handlers::ProgramEnvParameter4fARB(*context, kVertex, 0, 1, 2, 3, 4);
@@ -399,7 +399,7 @@ TEST(Draw, AnInvalidProgramOfEitherTargetStopsDraws) {
   handlers::Enable(*context, kVertex);
   EXPECT_FALSE(draw(*context)) << "object 0 holds no vertex program";
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
-  load(*context, kVertexText, kVertex); // now object 0 holds a program
+  load(*context, kArrayText, kVertex); // now object 0 holds a program
   EXPECT_TRUE(draw(*context));
   handlers::BindProgramARB(*context, kFragment, 0);
   EXPECT_FALSE(draw(*context));
@@ -411,7 +411,7 @@ TEST(Draw, OneStageOfTheApplicationsGlslLeavesTheOtherToUs) {
   FakeHost host;
   const CurrentContext context(host);
   use(*context, kThree);
-  use(*context, kVertexText, kVertex);
+  use(*context, kArrayText, kVertex);
   handlers::ProgramEnvParameter4fARB(*context, kVertex, 0, 1, 2, 3, 4);
   host.programs = {50, 51, 52};
   host.stages = {{50, {GL_VERTEX_SHADER}},

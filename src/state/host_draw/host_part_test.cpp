@@ -14,7 +14,6 @@ using namespace testing;
 
 constexpr char kRed[] = "!!ARBfp1.0\nMOV result.color, program.local[0];\nEND";
 constexpr char kGreen[] = "!!ARBfp1.0\nADD result.color, program.local[0], fragment.color;\nEND";
-constexpr char kVertexText[] = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
 
 /// A context whose draws the rasterizer may do.
 class HostPartWaits : public ::testing::Test {
@@ -61,7 +60,7 @@ TEST_F(HostPartWaits, UntilTheHostDraws) {
 
 TEST_F(HostPartWaits, AssemblyOfTheVertexStageTooAndItsParameters) {
   use(*m_context, kRed);
-  use(*m_context, kVertexText, kVertex);
+  use(*m_context, kPlacingText, kVertex);
   handlers::ProgramLocalParameter4fARB(*m_context, kFragment, 0, 1, 2, 3, 4);
   rasterize();
   EXPECT_TRUE(m_host.assembly.empty());

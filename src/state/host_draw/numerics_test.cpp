@@ -17,7 +17,7 @@ using namespace testing;
 
 constexpr std::string_view kFragmentText =
     "!!ARBfp1.0\nMUL result.color, fragment.texcoord[0], program.local[0];\nEND";
-constexpr std::string_view kVertexText =
+constexpr std::string_view kTexcoordText =
     "!!ARBvp1.0\nMUL result.color, vertex.texcoord[0], program.local[0];\n"
     "MOV result.position, vertex.position;\nEND";
 
@@ -53,7 +53,7 @@ TEST(Numerics, EveryStageAndFormFollows) {
   addExtensions(host);
   const CurrentContext context(host);
   use(*context, kFragmentText);
-  use(*context, kVertexText, kVertex);
+  use(*context, kTexcoordText, kVertex);
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(has(*context->effective.linkedProgram->fragment.compiled, "arb_round("));
   EXPECT_TRUE(has(*context->effective.linkedProgram->vertex.compiled, "arb_mul("));

@@ -16,7 +16,6 @@ namespace {
 
 using namespace testing;
 
-constexpr const char *kText = kKeepingText;
 constexpr GLuint kTop = DisplayListTable::kTop;
 std::string newList(GLuint name, GLenum mode = GL_COMPILE) {
   return "NewList " + std::to_string(name) + " " + std::to_string(mode);
@@ -38,7 +37,7 @@ TEST(Lists, WithoutTheProgramApiListsAreTheHosts) {
 TEST(Lists, ACommandCutsTheList) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   host.calls.clear();
   handlers::NewList(*context, 1, GL_COMPILE);
   handlers::Begin(*context, GL_POINTS);
@@ -62,7 +61,7 @@ TEST(Lists, ACommandCutsTheList) {
 TEST(Lists, NothingOfOursIsEverRecorded) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 1, 1, 1);
   for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
     handlers::NewList(*context, 1, mode);
@@ -74,7 +73,7 @@ TEST(Lists, NothingOfOursIsEverRecorded) {
     handlers::restoreApplicationProgram(*context);
     EXPECT_TRUE(draw(*context));
     handlers::EndList(*context);
-    load(*context, kText);
+    load(*context, kKeepingText);
   }
   EXPECT_TRUE(host.recorded.empty()) << host.recorded.front();
 }
@@ -82,7 +81,7 @@ TEST(Lists, NothingOfOursIsEverRecorded) {
 TEST(Lists, CompileAndExecuteBindsBeforeTheHostRecords) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   host.calls.clear();
   handlers::NewList(*context, 1, GL_COMPILE_AND_EXECUTE);
   ASSERT_FALSE(host.calls.empty());
@@ -95,7 +94,7 @@ TEST(Lists, CompileAndExecuteBindsBeforeTheHostRecords) {
 TEST(Lists, SegmentNamesAreReusedAndNamesInUseArePassedOver) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   host.lists.insert(kTop); // the application's own
   const auto compile = [&] {
     handlers::NewList(*context, 1, GL_COMPILE);
@@ -117,7 +116,7 @@ TEST(Lists, SegmentNamesAreReusedAndNamesInUseArePassedOver) {
 TEST(Lists, RecursionEnds) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   handlers::NewList(*context, 1, GL_COMPILE);
   handlers::CallList(*context, 1);
   handlers::EndList(*context);
@@ -130,7 +129,7 @@ TEST(Lists, RecursionEnds) {
 TEST(Lists, CallListsDecodesEveryType) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   handlers::NewList(*context, 300, GL_COMPILE);
   handlers::Disable(*context, kFragment);
   handlers::EndList(*context);
@@ -159,7 +158,7 @@ TEST(Lists, CallListsDecodesEveryType) {
 TEST(Lists, APrimitiveLeftOpenIsFollowed) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   handlers::NewList(*context, 1, GL_COMPILE);
   handlers::Begin(*context, GL_LINES);
   handlers::EndList(*context);
@@ -182,7 +181,7 @@ TEST(Lists, APrimitiveLeftOpenIsFollowed) {
 TEST(Lists, PushesCutOnlyWhereACommandOfOursIsBeforeThePop) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   handlers::NewList(*context, 1, GL_COMPILE);
   handlers::PushAttrib(*context, GL_ENABLE_BIT);
   handlers::PopAttrib(*context);
@@ -212,7 +211,7 @@ TEST(Lists, PushesCutOnlyWhereACommandOfOursIsBeforeThePop) {
 TEST(Lists, TheHostRefusesDrawsWhileTheProgramIsNotValid) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   handlers::BindProgramARB(*context, kFragment, 0);
   host.calls.clear();
   handlers::CallList(*context, 1);
@@ -226,7 +225,7 @@ TEST(Lists, TheHostRefusesDrawsWhileTheProgramIsNotValid) {
 TEST(Lists, FeedbackCopiesAreCountedWhenExecuted) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kKeepingText);
   handlers::NewList(*context, 1, GL_COMPILE);
   handlers::CopyTexSubImage2D(*context, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
   handlers::EndList(*context);
@@ -238,13 +237,6 @@ TEST(Lists, FeedbackCopiesAreCountedWhenExecuted) {
   handlers::CopyTextureSubImage2D(*context, 7, 0, 0, 0, 0, 0, 8, 8);
   handlers::CopyMultiTexSubImage2DEXT(*context, GL_TEXTURE0, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
   EXPECT_EQ(context->counters.feedback.copies(), 5u);
-}
-
-void point(Context &context) {
-  handlers::Begin(context, GL_POINTS);
-  if (context.recorder)
-    context.recorder->vertex(1, 2, 0, 1);
-  handlers::End(context);
 }
 
 TEST(Lists, PrimitivesAreKeptFromTheHost) {

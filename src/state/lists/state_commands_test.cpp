@@ -18,15 +18,7 @@ namespace {
 
 using namespace testing;
 
-constexpr std::array<GLfloat, 4> kRed = {1, 0, 0, 1}, kGreen = {0, 1, 0, 1};
-
-void point(Context &context, bool colored = false) {
-  handlers::Begin(context, GL_POINTS);
-  if (colored)
-    context.recorder->set(software::kColor, 1, 0, 0, 1);
-  context.recorder->vertex(1, 2, 0, 1);
-  handlers::End(context);
-}
+constexpr std::array<GLfloat, 4> kRedMaterial = {1, 0, 0, 1}, kGreenMaterial = {0, 1, 0, 1};
 
 class StateCommands : public ::testing::Test {
 protected:
@@ -55,7 +47,7 @@ protected:
 TEST_F(StateCommands, WhatIsSetAlreadyIsLeftOutAndPrimitivesAreOne) {
   const auto &items = compiled([&] {
     for (int i = 0; i < 5; ++i) {
-      EXPECT_TRUE(material(kRed));
+      EXPECT_TRUE(material(kRedMaterial));
       EXPECT_TRUE(material({27.8f}, GL_SHININESS));
       texture(2);
       point(*m_context);
@@ -71,7 +63,7 @@ TEST_F(StateCommands, WhatIsSetAlreadyIsLeftOutAndPrimitivesAreOne) {
 
 TEST_F(StateCommands, WhatChangesIsKept) {
   const auto &items = compiled([&] {
-    for (const auto &value : {kRed, kGreen, kGreen}) {
+    for (const auto &value : {kRedMaterial, kGreenMaterial, kGreenMaterial}) {
       EXPECT_TRUE(material(value));
       texture(2);
       point(*m_context);
@@ -89,14 +81,14 @@ TEST_F(StateCommands, FacesAndParametersOverlap) {
   const auto sets = [&](GLenum face, GLenum pname, const std::array<GLfloat, 4> &value) {
     return known.set({.target = face, .pname = pname, .values = value});
   };
-  EXPECT_TRUE(sets(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, kRed));
+  EXPECT_TRUE(sets(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, kRedMaterial));
   for (const GLenum face : {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK})
     for (const GLenum pname : {GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE})
-      EXPECT_FALSE(sets(face, pname, kRed));
-  EXPECT_TRUE(sets(GL_FRONT, GL_SPECULAR, kRed));
-  EXPECT_TRUE(sets(GL_BACK, GL_DIFFUSE, kGreen));
-  EXPECT_FALSE(sets(GL_FRONT, GL_DIFFUSE, kRed));
-  EXPECT_TRUE(sets(GL_FRONT_AND_BACK, GL_DIFFUSE, kRed)) << "the back's is another";
+      EXPECT_FALSE(sets(face, pname, kRedMaterial));
+  EXPECT_TRUE(sets(GL_FRONT, GL_SPECULAR, kRedMaterial));
+  EXPECT_TRUE(sets(GL_BACK, GL_DIFFUSE, kGreenMaterial));
+  EXPECT_FALSE(sets(GL_FRONT, GL_DIFFUSE, kRedMaterial));
+  EXPECT_TRUE(sets(GL_FRONT_AND_BACK, GL_DIFFUSE, kRedMaterial)) << "the back's is another";
 }
 
 /// Enable(COLOR_MATERIAL) makes colours set materials. A called list or a popped attribute may set
@@ -104,11 +96,11 @@ TEST_F(StateCommands, FacesAndParametersOverlap) {
 TEST_F(StateCommands, OtherCommandsMayHaveSetIt) {
   const auto twice = [&](const std::function<void()> &between) {
     const auto &items = compiled([&] {
-      EXPECT_TRUE(material(kRed));
+      EXPECT_TRUE(material(kRedMaterial));
       point(*m_context);
       between();
       point(*m_context);
-      EXPECT_TRUE(material(kRed));
+      EXPECT_TRUE(material(kRedMaterial));
       point(*m_context);
     });
     std::size_t commands = 0;
@@ -125,23 +117,23 @@ TEST_F(StateCommands, OtherCommandsMayHaveSetIt) {
 TEST_F(StateCommands, WhatMayBeAnErrorIsTheHosts) {
   handlers::NewList(*m_context, 1, GL_COMPILE);
   EXPECT_FALSE(material({129}, GL_SHININESS));
-  EXPECT_FALSE(material(kRed, GL_COLOR_INDEXES));
-  EXPECT_FALSE(material(kRed, GL_DIFFUSE, GL_LEFT));
+  EXPECT_FALSE(material(kRedMaterial, GL_COLOR_INDEXES));
+  EXPECT_FALSE(material(kRedMaterial, GL_DIFFUSE, GL_LEFT));
   EXPECT_FALSE(recordBindTexture(*m_context, GL_TEXTURE_2D_ARRAY, 1));
   handlers::Begin(*m_context, GL_POINTS);
-  EXPECT_FALSE(material(kRed)) << "within a primitive";
+  EXPECT_FALSE(material(kRedMaterial)) << "within a primitive";
   handlers::End(*m_context);
   handlers::Enable(*m_context, GL_BLEND);
-  EXPECT_FALSE(material(kRed)) << "within a run of commands that the host compiles";
+  EXPECT_FALSE(material(kRedMaterial)) << "within a run of commands that the host compiles";
   handlers::EndList(*m_context);
   handlers::NewList(*m_context, 1, GL_COMPILE_AND_EXECUTE);
-  EXPECT_FALSE(material(kRed)) << "and it is executed";
+  EXPECT_FALSE(material(kRedMaterial)) << "and it is executed";
   handlers::EndList(*m_context);
 }
 
 TEST_F(StateCommands, TheyAreExecutedInTheirOrder) {
   compiled([&] {
-    EXPECT_TRUE(material(kRed));
+    EXPECT_TRUE(material(kRedMaterial));
     texture(2);
     point(*m_context);
     texture(3);

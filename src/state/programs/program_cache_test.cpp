@@ -19,27 +19,29 @@ using testing::kFragment;
 
 namespace fs = std::filesystem;
 
-/// Sets a cache folder for this process, before the settings are read.
-struct Folder {
-  Folder() {
+class ProgramCache : public ::testing::Test {
+protected:
+  /// Sets a cache folder for this process, before the settings are read.
+  static void SetUpTestSuite() {
     char pattern[] = "/tmp/arbiter-programs-XXXXXX";
-    path = ::mkdtemp(pattern);
-    ::setenv("XDG_CACHE_HOME", path.c_str(), 1);
+    s_folder = ::mkdtemp(pattern);
+    ::setenv("XDG_CACHE_HOME", s_folder.c_str(), 1);
     ::unsetenv("ARBITER_CACHE");
   }
-  ~Folder() { fs::remove_all(path); }
-  std::vector<fs::path> files() const {
+  static void TearDownTestSuite() { fs::remove_all(s_folder); }
+  static std::vector<fs::path> files() {
     std::vector<fs::path> found;
-    for (const auto &entry : fs::recursive_directory_iterator(path))
+    for (const auto &entry : fs::recursive_directory_iterator(s_folder))
       if (entry.is_regular_file() && entry.path().filename() != "key") // the folder's secret
         found.push_back(entry.path());
     return found;
   }
-  std::string path;
-} const g_folder;
+  static std::string s_folder;
+};
+std::string ProgramCache::s_folder;
 
-constexpr const char *kText = "!!ARBfp1.0\nPARAM p = program.env[1];\n"
-                              "MAD result.color, fragment.color, p, p;\nEND\n";
+constexpr const char *kCachedText = "!!ARBfp1.0\nPARAM p = program.env[1];\n"
+                                    "MAD result.color, fragment.color, p, p;\nEND\n";
 
 fp::CompilationInput input() {
   fp::CompilationInput input;
@@ -49,19 +51,19 @@ fp::CompilationInput input() {
   return input;
 }
 
-TEST(ProgramCache, TheSecondTimeAProgramIsRead) {
+TEST_F(ProgramCache, TheSecondTimeAProgramIsRead) {
   const ProgramCacheCounters before = programCacheCounters();
-  const fp::Compilation first = compileCached(input(), kText);
-  const fp::Compilation second = compileCached(input(), kText);
-  ASSERT_TRUE(first.check.ok()) << first.check.errorString(kText);
+  const fp::Compilation first = compileCached(input(), kCachedText);
+  const fp::Compilation second = compileCached(input(), kCachedText);
+  ASSERT_TRUE(first.check.ok()) << first.check.errorString(kCachedText);
   EXPECT_EQ(programCacheCounters().misses, before.misses + 1);
   EXPECT_EQ(programCacheCounters().stored, before.stored + 1);
   EXPECT_EQ(programCacheCounters().hits, before.hits + 1);
   EXPECT_EQ(fp::serialise(first), fp::serialise(second));
-  EXPECT_EQ(second.glsl.text, fp::compile(input(), kText).glsl.text);
+  EXPECT_EQ(second.glsl.text, fp::compile(input(), kCachedText).glsl.text);
 }
 
-TEST(ProgramCache, ARefusedProgramIsRefusedTheSameWay) {
+TEST_F(ProgramCache, ARefusedProgramIsRefusedTheSameWay) {
   const char *const bad = "!!ARBfp1.0\nMOV result.color, nothing;\nEND\n";
   const fp::Compilation first = compileCached(input(), bad);
   const std::uint64_t hits = programCacheCounters().hits;
@@ -73,28 +75,28 @@ TEST(ProgramCache, ARefusedProgramIsRefusedTheSameWay) {
   EXPECT_NE(second.check.errorString(bad), "");
 }
 
-TEST(ProgramCache, OtherLimitsAreAnotherEntry) {
-  (void)compileCached(input(), kText);
+TEST_F(ProgramCache, OtherLimitsAreAnotherEntry) {
+  (void)compileCached(input(), kCachedText);
   fp::CompilationInput tight = input();
   tight.options.limits.api.instructions = 0;
   const std::uint64_t misses = programCacheCounters().misses;
-  EXPECT_FALSE(compileCached(tight, kText).check.ok());
+  EXPECT_FALSE(compileCached(tight, kCachedText).check.ok());
   EXPECT_EQ(programCacheCounters().misses, misses + 1);
-  EXPECT_TRUE(compileCached(input(), kText).check.ok());
+  EXPECT_TRUE(compileCached(input(), kCachedText).check.ok());
 }
 
-TEST(ProgramCache, ADamagedFileIsCompiledAnew) {
-  (void)compileCached(input(), kText);
-  for (const fs::path &file : g_folder.files())
+TEST_F(ProgramCache, ADamagedFileIsCompiledAnew) {
+  (void)compileCached(input(), kCachedText);
+  for (const fs::path &file : files())
     std::ofstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(60) << "damage";
   const ProgramCacheCounters before = programCacheCounters();
-  EXPECT_TRUE(compileCached(input(), kText).check.ok());
+  EXPECT_TRUE(compileCached(input(), kCachedText).check.ok());
   EXPECT_EQ(programCacheCounters().misses, before.misses + 1);
-  EXPECT_TRUE(compileCached(input(), kText).check.ok());
+  EXPECT_TRUE(compileCached(input(), kCachedText).check.ok());
   EXPECT_EQ(programCacheCounters().hits, before.hits + 1);
 }
 
-TEST(ProgramCache, ADrawCannotTellWhereItsProgramCameFrom) {
+TEST_F(ProgramCache, ADrawCannotTellWhereItsProgramCameFrom) {
   GLint counts[2][2] = {};
   for (int round = 0; round < 2; ++round) {
     FakeHost host;

@@ -8,12 +8,12 @@ namespace {
 
 using namespace testing;
 
-constexpr char kText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
+constexpr char kEnvironmentText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
 
 TEST(Programs, FragmentProgramsNeverReachTheHost) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kEnvironmentText);
   load(*context, "!!ARBfp1.0 junk");
   EXPECT_EQ(host.count("ProgramString"), 0);
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
@@ -34,11 +34,11 @@ TEST(Programs, GenSkipsNamesThatWereBoundWithoutIt) {
 TEST(Programs, TheSameTextKeepsWhatWasCompiled) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText);
+  use(*context, kEnvironmentText);
   const CompiledProgram *before = context->row(Target::Fragment).bound->compiled.get();
-  load(*context, kText);
+  load(*context, kEnvironmentText);
   EXPECT_EQ(context->row(Target::Fragment).bound->compiled.get(), before);
-  load(*context, std::string(kText) + " ");
+  load(*context, std::string(kEnvironmentText) + " ");
   EXPECT_NE(context->row(Target::Fragment).bound->compiled.get(), before);
 }
 
@@ -98,7 +98,7 @@ TEST(Programs, ADestroyedContextStaysUsableWhileCurrent) {
   Context *context = createContext(Provider::Glx, host.table(), nullptr);
   makeCurrent(context);
   destroyContext(context);
-  use(*context, kText);
+  use(*context, kEnvironmentText);
   EXPECT_TRUE(draw(*context));
   makeCurrent(nullptr); // frees the context
   EXPECT_EQ(currentContext(), nullptr);

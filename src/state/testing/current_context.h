@@ -13,6 +13,7 @@ namespace arbiter::state::testing {
 
 inline constexpr GLenum kFragment = GL_FRAGMENT_PROGRAM_ARB;
 inline constexpr GLenum kVertex = GL_VERTEX_PROGRAM_ARB;
+inline constexpr char kPlacingText[] = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
 
 /// A context of the fake host, which is current while this lives.
 class CurrentContext {

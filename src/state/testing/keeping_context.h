@@ -27,4 +27,14 @@ struct KeepingContext : CurrentContext {
   }
 };
 
+/// Draws a point by Begin and End, with a color of its own if it is `colored`.
+inline void point(Context &context, bool colored = false) {
+  handlers::Begin(context, GL_POINTS);
+  if (context.recorder && colored)
+    context.recorder->set(software::kColor, 1, 0, 0, 1);
+  if (context.recorder)
+    context.recorder->vertex(1, 2, 0, 1);
+  handlers::End(context);
+}
+
 } // namespace arbiter::state::testing

@@ -20,7 +20,7 @@ constexpr char kVertices[] =
 constexpr char kShading[] =
     "!!ARBfp1.0\nMUL result.color, fragment.color, program.local[2];\nEND\n";
 constexpr char kReading[] = "!!ARBfp1.0\nMOV result.color, fragment.texcoord[1];\nEND\n";
-constexpr char kFog[] =
+constexpr char kFogText[] =
     "!!ARBfp1.0\nOPTION ARB_fog_linear;\nMOV result.color, fragment.color;\nEND\n";
 
 class FragmentDraws : public ::testing::Test {
@@ -78,7 +78,7 @@ TEST_F(FragmentAssembly, ItsParametersAreSentAsTheyChange) {
 }
 
 TEST_F(FragmentAssembly, OptionsLongTextsAndOtherHostsAreGlsl) {
-  use(*m_context, kFog);
+  use(*m_context, kFogText);
   EXPECT_TRUE(drawsByGlsl());
   fp::ResourceCounts &api = m_context->row(Target::Fragment).limits.api;
   api.instructions = api.aluInstructions = 1024;
@@ -235,7 +235,7 @@ TEST(ChangePaceTest, ManyDrawsInALittleTimeAreFast) {
 }
 
 TEST_F(OwnFragments, WhatOnlyGlslDoesIsGlsl) {
-  use(*m_context, kFog);
+  use(*m_context, kFogText);
   EXPECT_TRUE(drawsByAssembly()) << "the host has fog";
   ASSERT_EQ(m_host.assembly.size(), 1u);
   EXPECT_NE(m_host.assembly.begin()->second.find("MOV_SAT result.color"), std::string::npos)

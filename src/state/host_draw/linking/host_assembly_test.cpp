@@ -14,11 +14,11 @@ namespace {
 
 using namespace testing;
 
-constexpr char kText[] = "!!ARBvp1.0\n"
-                         "ADD result.position, vertex.position, program.env[3];\n"
-                         "MOV result.color, program.local[1];\n"
-                         "END\n";
-constexpr char kShading[] = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n";
+constexpr char kAddingText[] = "!!ARBvp1.0\n"
+                               "ADD result.position, vertex.position, program.env[3];\n"
+                               "MOV result.color, program.local[1];\n"
+                               "END\n";
+constexpr char kColorText[] = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n";
 
 using Calls = std::vector<std::string>;
 
@@ -37,12 +37,12 @@ Calls sent(const FakeHost &host) {
 TEST(HostAssembly, AVertexProgramIsTheHostsBesideAnyFragments) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kAddingText, kVertex);
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(host.targets[kVertex]);
   EXPECT_EQ(host.currentProgram, 0u);
   EXPECT_EQ(drawsBy(*context, Path::HostAssembly), 1u);
-  use(*context, kShading);
+  use(*context, kColorText);
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(host.targets[kVertex]);
   EXPECT_FALSE(host.targets[kFragment]);
@@ -56,9 +56,9 @@ TEST(HostAssembly, AVertexProgramIsTheHostsBesideAnyFragments) {
 TEST(HostAssembly, AFragmentProgramIsLinkedOnceForAllItsPairs) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kShading);
+  use(*context, kColorText);
   for (int i = 0; i < 5; ++i) {
-    use(*context, std::string(kText) + std::string(std::size_t(i), ' '), kVertex);
+    use(*context, std::string(kAddingText) + std::string(std::size_t(i), ' '), kVertex);
     ASSERT_TRUE(draw(*context));
   }
   EXPECT_EQ(host.count("LinkProgram"), 1);
@@ -69,8 +69,8 @@ TEST(HostAssembly, AFragmentProgramIsLinkedOnceForAllItsPairs) {
 TEST(HostAssembly, WhatTheFragmentProgramReadsAndNothingWritesIsDefined) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
-  use(*context, kShading);
+  use(*context, kAddingText, kVertex);
+  use(*context, kColorText);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(host.assembly.size(), 1u);
   use(*context, "!!ARBfp1.0\nMUL result.color, fragment.texcoord[5], fragment.fogcoord.x;\nEND\n");
@@ -106,7 +106,7 @@ TEST(HostAssembly, ComponentsThatNothingWritesAreTheHosts) {
 TEST(HostAssembly, ParametersGoAsFarAsTheyChanged) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kAddingText, kVertex);
   handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 7, 0, 0, 0);
   handlers::ProgramEnvParameter4fARB(*context, kVertex, 4, 8, 0, 0, 0); // not read
   handlers::ProgramLocalParameter4fARB(*context, kVertex, 1, 9, 0, 0, 0);
@@ -171,10 +171,10 @@ TEST(HostAssembly, ConsecutiveParametersGoTogether) {
 TEST(HostAssembly, EnvValuesAreTheTargets) {
   FakeHost host;
   const CurrentContext context(host);
-  const GLuint first = use(*context, kText, kVertex);
+  const GLuint first = use(*context, kAddingText, kVertex);
   handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 1, 0, 0, 0);
   ASSERT_TRUE(draw(*context));
-  use(*context, std::string(kText) + " ", kVertex);
+  use(*context, std::string(kAddingText) + " ", kVertex);
   handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 2, 0, 0, 0);
   ASSERT_TRUE(draw(*context));
   handlers::BindProgramARB(*context, kVertex, first);
@@ -188,7 +188,7 @@ TEST(HostAssembly, EnvValuesAreTheTargets) {
 TEST(HostAssembly, AttributeStacksBringBackNoEnable) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kAddingText, kVertex);
   ASSERT_TRUE(draw(*context));
   handlers::PushAttrib(*context, GL_ALL_ATTRIB_BITS);
   handlers::Disable(*context, kVertex);
@@ -217,7 +217,7 @@ TEST(HostAssembly, AHostsListThatPopsBringsNoEnable) {
   FakeHost host;
   const CurrentContext context(host);
   host.lists.insert(7); // compiled before
-  use(*context, kText, kVertex);
+  use(*context, kAddingText, kVertex);
   ASSERT_TRUE(draw(*context));
   handlers::Disable(*context, kVertex);
   ASSERT_TRUE(draw(*context));
@@ -230,7 +230,7 @@ TEST(HostAssembly, NoListRecordsAnEnable) {
   FakeHost host;
   const CurrentContext context(host);
   host.lists.insert(7);
-  use(*context, kText, kVertex);
+  use(*context, kAddingText, kVertex);
   ASSERT_TRUE(draw(*context));
   for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
     handlers::NewList(*context, 8, mode);
@@ -257,8 +257,8 @@ TEST(HostAssembly, CopyContextBringsNoEnable) {
 TEST(HostAssembly, AProgramThatIsDeletedLeavesNothing) {
   FakeHost host;
   const CurrentContext context(host);
-  const GLuint name = use(*context, kText, kVertex);
-  use(*context, kShading);
+  const GLuint name = use(*context, kAddingText, kVertex);
+  use(*context, kColorText);
   ASSERT_TRUE(draw(*context));
   handlers::DeleteProgramsARB(*context, 1, &name);
   EXPECT_TRUE(host.assembly.empty());
@@ -271,9 +271,9 @@ TEST(HostAssembly, AProgramThatIsDeletedLeavesNothing) {
 TEST(HostAssembly, ProgramsThatAreReplacedDoNotPileUp) {
   FakeHost host;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
+  use(*context, kAddingText, kVertex);
   for (int i = 0; i < 200; ++i) {
-    load(*context, std::string(kText) + std::to_string(i), kVertex);
+    load(*context, std::string(kAddingText) + std::to_string(i), kVertex);
     handlers::GetError(*context);
     load(*context, "!!ARBvp1.0\n#" + std::to_string(i) + "\nMOV result.position, {1};\nEND",
          kVertex);
@@ -286,8 +286,8 @@ TEST(HostAssembly, WhatTheHostRefusesIsGlsl) {
   FakeHost host;
   host.refusesAssembly = true;
   const CurrentContext context(host);
-  use(*context, kText, kVertex);
-  use(*context, kShading);
+  use(*context, kAddingText, kVertex);
+  use(*context, kColorText);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(host.count("CreateShader"), 2);
   EXPECT_FALSE(host.targets[kVertex]);
@@ -306,7 +306,7 @@ TEST(HostAssembly, AProgramOfNvidiasIsOneOfTheArbWhereItsCodeIs) {
   const CurrentContext context(host);
   context->row(Target::Vertex).limits.nvOptions = 2;
   use(*context, kCounted, kVertex);
-  use(*context, kShading);
+  use(*context, kColorText);
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(host.targets[kVertex]);
   ASSERT_EQ(host.assembly.size(), 1u);
@@ -333,7 +333,7 @@ TEST(HostAssembly, RowsByAddressOfNvidiasHaveZerosBesideThem) {
       "PARAM c[4] = { program.env[0..3] };\nARL a.x, vertex.color.x;\n"
       "MOV result.position, vertex.position;\nMOV result.color, c[a.x];\nEND\n";
   use(*context, text.c_str(), kVertex);
-  use(*context, kShading);
+  use(*context, kColorText);
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(host.targets[kVertex]);
   ASSERT_EQ(host.assembly.size(), 1u);
@@ -371,7 +371,7 @@ TEST(HostAssembly, ATextOfNvidiasThatIsTooMuchForTheHostIsGlsl) {
     context->row(Target::Vertex).limits.nvOptions = 2;
     host.programLimits[limit] = most;
     use(*context, text, kVertex);
-    use(*context, kShading);
+    use(*context, kColorText);
     EXPECT_TRUE(draw(*context));
     EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR));
     EXPECT_EQ(host.targets[kVertex], !host.assembly.empty());
@@ -412,7 +412,7 @@ TEST(HostAssembly, ClipPlanesClipNoProgramOfNvidias) {
   handlers::Disable(*context, GL_CLIP_PLANE0);
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(host.targets[kVertex]);
-  use(*context, kText, kVertex);
+  use(*context, kAddingText, kVertex);
   host.enabled = {GL_CLIP_PLANE0};
   handlers::Enable(*context, GL_CLIP_PLANE0);
   ASSERT_TRUE(draw(*context));

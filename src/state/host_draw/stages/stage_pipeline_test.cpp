@@ -19,7 +19,8 @@ std::string choosing(const std::string &more = "") {
          "MOVC r, vertex.color;\nMOV r (LT.x), program.env[3];\nMOV result.color, r;\n" +
          more + "END\n";
 }
-constexpr char kShading[] = "!!ARBfp1.0\nMUL result.color, fragment.color, program.env[1];\nEND\n";
+constexpr char kStageShading[] =
+    "!!ARBfp1.0\nMUL result.color, fragment.color, program.env[1];\nEND\n";
 
 class StagePipelines : public ::testing::Test {
 protected:
@@ -41,7 +42,7 @@ protected:
 };
 
 TEST_F(StagePipelines, AFragmentProgramIsLinkedOnceForAllItsPairs) {
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   for (int i = 0; i < 5; ++i) {
     use(*m_context, choosing("#" + std::to_string(i) + "\n"), kVertex);
     ASSERT_TRUE(drawsApart());
@@ -57,7 +58,7 @@ TEST_F(StagePipelines, AFragmentProgramIsLinkedOnceForAllItsPairs) {
 
 TEST_F(StagePipelines, ParametersGoToTheirStage) {
   use(*m_context, choosing(), kVertex);
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   handlers::ProgramEnvParameter4fARB(*m_context, kVertex, 3, 1, 0, 0, 0);
   ASSERT_TRUE(drawsApart());
   EXPECT_EQ(m_host.count("ProgramUniform4fv"), 1) << "the other's is zero, as uniforms begin";
@@ -78,7 +79,7 @@ TEST_F(StagePipelines, OnlyWhereTheyPay) {
     m_context->caps.onProcessor = !pipelines;
     m_host.calls.clear();
     use(*m_context, choosing("#" + std::to_string(pipelines) + "\n"), kVertex);
-    use(*m_context, kShading);
+    use(*m_context, kStageShading);
     ASSERT_TRUE(draw(*m_context));
     EXPECT_EQ(boundPipeline(), 0u);
     EXPECT_NE(m_host.currentProgram, 0u);
@@ -89,7 +90,7 @@ TEST_F(StagePipelines, OnlyWhereTheyPay) {
 
 TEST_F(StagePipelines, OtherProgramsTakeItsPlace) {
   const GLuint chooses = use(*m_context, choosing(), kVertex);
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   ASSERT_TRUE(drawsApart());
   const GLuint plain = use(*m_context,
                            "!!ARBvp1.0\nMOV result.position, vertex.position;\nMOV "
@@ -120,7 +121,7 @@ TEST_F(StagePipelines, OtherProgramsTakeItsPlace) {
 
 TEST_F(StagePipelines, TheApplicationSeesNone) {
   use(*m_context, choosing(), kVertex);
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   ASSERT_TRUE(drawsApart());
   const GLuint pipeline = boundPipeline();
   GLint value = -1;
@@ -145,7 +146,7 @@ TEST_F(StagePipelines, TheApplicationSeesNone) {
 
 TEST_F(StagePipelines, TheApplicationsProgramsGoFirst) {
   use(*m_context, choosing(), kVertex);
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   ASSERT_TRUE(drawsApart());
   m_host.programs.insert(77);
   m_host.stages[77] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
@@ -175,7 +176,7 @@ TEST_F(StagePipelines, TheApplicationsProgramsGoFirst) {
 }
 
 TEST_F(StagePipelines, ProgramsThatAreDeletedLeaveNothing) {
-  const GLuint fragment = use(*m_context, kShading);
+  const GLuint fragment = use(*m_context, kStageShading);
   const GLuint vertex = use(*m_context, choosing(), kVertex);
   ASSERT_TRUE(drawsApart());
   ASSERT_EQ(m_host.programs.size(), 2u);
@@ -188,7 +189,7 @@ TEST_F(StagePipelines, ProgramsThatAreDeletedLeaveNothing) {
   for (int i = 0; i < 100; ++i) {
     load(*m_context, choosing("#" + std::to_string(i) + "\n"), kVertex);
     use(*m_context, choosing("#" + std::to_string(i) + "\n"), kVertex);
-    use(*m_context, kShading);
+    use(*m_context, kStageShading);
     ASSERT_TRUE(drawsApart());
     load(*m_context, choosing("#" + std::to_string(i) + "b\n"), kVertex);
     ASSERT_TRUE(drawsApart());
@@ -204,7 +205,7 @@ TEST_F(StagePipelines, ResultsThatNothingWritesAreOfThePairAlone) {
   handlers::ProgramEnvParameter4fARB(*m_context, kVertex, 3, 1, 0, 0, 0);
   ASSERT_TRUE(drawsApart());
   EXPECT_EQ(m_host.count("ProgramUniform4fv"), 1);
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   ASSERT_TRUE(drawsApart());
   EXPECT_EQ(m_host.count("LinkProgram"), 4)
       << "the vertex program alone, and the other's fragments";
@@ -215,7 +216,7 @@ TEST_F(StagePipelines, ResultsThatNothingWritesAreOfThePairAlone) {
 TEST_F(StagePipelines, WhatTheHostDoesNotLinkIsRefused) {
   m_host.linkFails = true;
   use(*m_context, choosing(), kVertex);
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   EXPECT_FALSE(draw(*m_context));
   EXPECT_EQ(m_context->effective.path, Path::HostRefused);
   EXPECT_EQ(boundPipeline(), 0u);
@@ -223,7 +224,7 @@ TEST_F(StagePipelines, WhatTheHostDoesNotLinkIsRefused) {
 
 TEST_F(StagePipelines, TheRasterPositionIsThatOfTheVertexProgramAlone) {
   use(*m_context, choosing(), kVertex);
-  use(*m_context, kShading);
+  use(*m_context, kStageShading);
   ASSERT_TRUE(drawsApart());
   EXPECT_FALSE(m_context->stagesAreLinked) << "it has all its results";
 }
@@ -236,14 +237,14 @@ TEST(StagePipeline, AContextThatEndsLeavesItsProgramsToTheGroup) {
     second->row(Target::Vertex).limits.nvOptions = 2;
     second->caps.onProcessor = second->caps.pipelines = true;
     use(*second, choosing(), kVertex);
-    use(*second, kShading);
+    use(*second, kStageShading);
     ASSERT_TRUE(draw(*second));
     use(*second, "!!ARBfp1.0\nMOV result.color, fragment.texcoord[2];\nEND\n");
     ASSERT_TRUE(draw(*second));
     EXPECT_EQ(host.programs.size(), 4u);
   }
   makeCurrent(&*first);
-  use(*first, kShading);
+  use(*first, kStageShading);
   ASSERT_TRUE(draw(*first));
   EXPECT_EQ(host.programs.size(), 1u);
 }

@@ -249,8 +249,8 @@ TEST(BackOff, FramesByTurnsAreComparedByBothKinds) {
     Clock::time_point now(std::chrono::seconds(1));
     bool heavy = heavyFirst;
     for (int i = 0; i < 200; ++i, heavy = !heavy) {
-      const int milliseconds = (heavy ? 20 : 10) + (backOff.engaged() ? 2 : 0);
-      now += std::chrono::milliseconds(milliseconds);
+      const int took = (heavy ? 20 : 10) + (backOff.engaged() ? 2 : 0);
+      now += std::chrono::milliseconds(took);
       backOff.frameEnded({backOff.engaged(), false}, now);
     }
     EXPECT_FALSE(backOff.engaged()) << heavyFirst;

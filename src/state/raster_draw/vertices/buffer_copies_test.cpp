@@ -8,7 +8,7 @@
 namespace arbiter::state::software {
 namespace {
 
-class BufferCopiesTest : public testing::Test {
+class BufferCopiesTest : public ::testing::Test {
 protected:
   [[nodiscard]] BufferCopies::Contents contents() const { return {m_bytes.data(), m_bytes.size()}; }
   void draw(GLuint buffer) {
