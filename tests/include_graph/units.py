@@ -14,18 +14,17 @@ import pathlib
 import re
 import sys
 
-UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}", re.M | re.S)
-# The pattern matches at the beginning of a line, as methods belong to their classes.
-FUNCTION = re.compile(r"^(?! )[^\n;{}()#]*?\b(\w+)\(([^;{}]*?)\)[ \w]*\{", re.M | re.S)
+UNNAMED = re.compile(r"^namespace \{\n(.*?)^\} // namespace$", re.M | re.S)
+# The pattern matches at the beginning of a line and no name of a class, as methods belong to their classes.
+FUNCTION = re.compile(r"^(?! )[^\n;{}()#]*?(?<!::)\b(\w+)\(([^;{}]*?)\)[ \w]*\{", re.M | re.S)
 IN_ANGLES = re.compile(r"<[^<>]*>")
 
 
 def functions(text):
     """Yields (namespace, name, fewest arguments, most) of each function in an unnamed namespace."""
-    text = re.sub(r"//[^\n]*", "", text)
     space = re.search(r"^namespace ([\w:]+) \{", text, re.M)
     for block in UNNAMED.finditer(text):
-        for found in FUNCTION.finditer(block.group(1)):
+        for found in FUNCTION.finditer(re.sub(r"//[^\n]*", "", block.group(1))):
             if found.group(1).isupper():  # a macro, as TEST
                 continue
             arguments = found.group(2)
@@ -62,14 +61,14 @@ def check(build):
 
 
 def self_test():
-    one = "namespace a {\nnamespace {\nint get(std::map<int, int> x) {\n  return 1;\n}\n} // namespace\n}\n"
-    two = one.replace("std::map<int, int> x", "float x, int y = 0")
+    one = "namespace a {\nnamespace {\nvoid none() {\n}\nint get(std::map<int, int> x) {\n  return 1;\n}\n} // namespace\n}\n"
+    two = one.replace("std::map<int, int> x", "float x, int y = 0").replace("none", "nothing")
     assert len(list(clashes([("one", one), ("two", two)]))) == 1
     assert not list(clashes([("one", one), ("two", two.replace(" = 0", ""))]))
     assert not list(clashes([("one", one), ("two", one.replace("namespace a", "namespace b"))]))
-    assert not list(clashes([("one", one), ("two", one.replace("int get", "  int get"))]))
+    assert not list(clashes([("one", one), ("two", two.replace("int get", "  int get"))]))
     test = one.replace("int get(std::map<int, int> x)", "TEST_F(Get, One)")
-    assert not list(clashes([("one", test), ("two", test.replace("One", "Two"))]))
+    assert not list(clashes([("one", test), ("two", test.replace("One", "Two").replace("none", "nothing"))]))
     print("5 passed, 0 failed, 0 skipped")
     return 0
 

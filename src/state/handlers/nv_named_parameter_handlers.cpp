@@ -20,7 +20,7 @@ std::string_view nameOf(GLsizei length, const GLubyte *name) {
   return {reinterpret_cast<const char *>(name), std::min(std::size_t(length), most)};
 }
 
-void set(Context &context, GLuint id, GLsizei length, const GLubyte *name, const Vec4 &value) {
+void setNamed(Context &context, GLuint id, GLsizei length, const GLubyte *name, const Vec4 &value) {
   if (!outsideBeginEnd(context, "ProgramNamedParameter between Begin and End"))
     return;
   if (!context.listMode)
@@ -48,7 +48,7 @@ void ProgramNamedParameter4fNV(Context &context, GLuint id, GLsizei len, const G
   if (!context.nv)
     return absentCommand(context, context.host->ProgramNamedParameter4fNV, id, len, name, x, y, z,
                          w);
-  set(context, id, len, name, {x, y, z, w});
+  setNamed(context, id, len, name, {x, y, z, w});
 }
 
 void ProgramNamedParameter4dNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
@@ -56,21 +56,21 @@ void ProgramNamedParameter4dNV(Context &context, GLuint id, GLsizei len, const G
   if (!context.nv)
     return absentCommand(context, context.host->ProgramNamedParameter4dNV, id, len, name, x, y, z,
                          w);
-  set(context, id, len, name, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
+  setNamed(context, id, len, name, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
 }
 
 void ProgramNamedParameter4fvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                 const GLfloat *v) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramNamedParameter4fvNV, id, len, name, v);
-  set(context, id, len, name, {v[0], v[1], v[2], v[3]});
+  setNamed(context, id, len, name, {v[0], v[1], v[2], v[3]});
 }
 
 void ProgramNamedParameter4dvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
                                 const GLdouble *v) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramNamedParameter4dvNV, id, len, name, v);
-  set(context, id, len, name, {GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
+  setNamed(context, id, len, name, {GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
 }
 
 void GetProgramNamedParameterfvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,

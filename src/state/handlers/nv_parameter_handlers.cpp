@@ -24,7 +24,7 @@ void record(Context &context, GLenum target, GLuint index, GLsizei count,
 
 /// Converts parameters of any type. If the count is an error, returns no values, because none may
 /// be read then. setNvParameters() raises the error when the command is executed.
-template <typename T> std::vector<Vec4> gather(GLsizei count, const T *params) {
+template <typename T> std::vector<Vec4> gatherParameters(GLsizei count, const T *params) {
   std::vector<Vec4> values(count > 0 && GLuint(count) <= NvState::kParameters ? std::size_t(count)
                                                                               : 0);
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -34,7 +34,8 @@ template <typename T> std::vector<Vec4> gather(GLsizei count, const T *params) {
 }
 
 /// Sets parameters, or records the command in a list.
-void set(Context &context, GLenum target, GLuint index, GLsizei count, std::vector<Vec4> values) {
+void setParameters(Context &context, GLenum target, GLuint index, GLsizei count,
+                   std::vector<Vec4> values) {
   if (!outsideBeginEnd(context, "ProgramParameter between Begin and End"))
     return;
   if (context.listMode)
@@ -44,9 +45,9 @@ void set(Context &context, GLenum target, GLuint index, GLsizei count, std::vect
 
 /// Sets one parameter. It allocates nothing unless a list records it, because applications call it
 /// often.
-void set(Context &context, GLenum target, GLuint index, const Vec4 &value) {
+void setParameters(Context &context, GLenum target, GLuint index, const Vec4 &value) {
   if (context.insideBeginEnd || context.listMode) [[unlikely]]
-    return set(context, target, index, 1, {value});
+    return setParameters(context, target, index, 1, {value});
   setNvParameters(context, target, index, 1, &value);
 }
 
@@ -74,40 +75,41 @@ void ProgramParameter4fNV(Context &context, GLenum target, GLuint index, GLfloat
                           GLfloat z, GLfloat w) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramParameter4fNV, target, index, x, y, z, w);
-  set(context, target, index, {x, y, z, w});
+  setParameters(context, target, index, {x, y, z, w});
 }
 
 void ProgramParameter4dNV(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
                           GLdouble z, GLdouble w) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramParameter4dNV, target, index, x, y, z, w);
-  set(context, target, index, Vec4{GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
+  setParameters(context, target, index, Vec4{GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
 }
 
 void ProgramParameter4fvNV(Context &context, GLenum target, GLuint index, const GLfloat *v) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramParameter4fvNV, target, index, v);
-  set(context, target, index, Vec4{v[0], v[1], v[2], v[3]});
+  setParameters(context, target, index, Vec4{v[0], v[1], v[2], v[3]});
 }
 
 void ProgramParameter4dvNV(Context &context, GLenum target, GLuint index, const GLdouble *v) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramParameter4dvNV, target, index, v);
-  set(context, target, index, Vec4{GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
+  setParameters(context, target, index,
+                Vec4{GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
 }
 
 void ProgramParameters4fvNV(Context &context, GLenum target, GLuint index, GLsizei count,
                             const GLfloat *v) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramParameters4fvNV, target, index, count, v);
-  set(context, target, index, count, gather(count, v));
+  setParameters(context, target, index, count, gatherParameters(count, v));
 }
 
 void ProgramParameters4dvNV(Context &context, GLenum target, GLuint index, GLsizei count,
                             const GLdouble *v) {
   if (!context.nv)
     return absentCommand(context, context.host->ProgramParameters4dvNV, target, index, count, v);
-  set(context, target, index, count, gather(count, v));
+  setParameters(context, target, index, count, gatherParameters(count, v));
 }
 
 void GetProgramParameterfvNV(Context &context, GLenum target, GLuint index, GLenum pname,

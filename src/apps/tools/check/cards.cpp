@@ -121,7 +121,7 @@ const char *word(const CardCell &cell) {
   return cell.status == FileStatus::Valid ? "fits" : loads(cell) ? "over" : "no";
 }
 
-Colour colourOf(const CardCell &cell) {
+Colour colourOfCell(const CardCell &cell) {
   return cell.status == FileStatus::Valid ? Colour::Good
          : loads(cell)                    ? Colour::Close
                                           : Colour::Bad;
@@ -271,7 +271,7 @@ std::string CardMatrix::text(const Style &style, bool reasons) const {
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
       const CardCell &cell = row.cells[i];
       const bool last = i + 1 == m_cards.size();
-      text += "  " + painted(word(cell), colourOf(cell), style);
+      text += "  " + painted(word(cell), colourOfCell(cell), style);
       text += last ? "" : std::string(columnOf(i) - std::string_view(word(cell)).size(), ' ');
     }
     text += "\n";

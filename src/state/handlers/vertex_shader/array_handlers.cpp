@@ -109,7 +109,7 @@ template <typename T> void giveValue(Context &context, const VertexSymbol &symbo
       *data++ = givenAs<T>(column[i]);
 }
 
-template <typename T> void give(GLint value, T *data) {
+template <typename T> void giveInteger(GLint value, T *data) {
   if constexpr (std::is_same_v<T, GLboolean>)
     *data = value != 0 ? GL_TRUE : GL_FALSE;
   else
@@ -132,11 +132,11 @@ template <typename T> void getVariant(Context &context, GLuint id, GLenum value,
   case GL_VARIANT_VALUE_EXT:
     return giveValue(context, *symbol, data);
   case GL_VARIANT_DATATYPE_EXT:
-    return give(GLint(GL_SCALAR_EXT) + GLint(symbol->type()), data);
+    return giveInteger(GLint(GL_SCALAR_EXT) + GLint(symbol->type()), data);
   case GL_VARIANT_ARRAY_STRIDE_EXT:
-    return give(arrayValue(context, *symbol, GL_VERTEX_ATTRIB_ARRAY_STRIDE), data);
+    return giveInteger(arrayValue(context, *symbol, GL_VERTEX_ATTRIB_ARRAY_STRIDE), data);
   case GL_VARIANT_ARRAY_TYPE_EXT:
-    return give(arrayValue(context, *symbol, GL_VERTEX_ATTRIB_ARRAY_TYPE), data);
+    return giveInteger(arrayValue(context, *symbol, GL_VERTEX_ATTRIB_ARRAY_TYPE), data);
   default:
     raise(context, GL_INVALID_ENUM, "GetVariant: value");
   }
@@ -153,7 +153,7 @@ void getConstant(Context &context, GLenum storage, GLuint id, GLenum value, T *d
   if (value == (invariant ? GL_INVARIANT_VALUE_EXT : GL_LOCAL_CONSTANT_VALUE_EXT))
     return giveValue(context, *symbol, data);
   if (value == (invariant ? GL_INVARIANT_DATATYPE_EXT : GL_LOCAL_CONSTANT_DATATYPE_EXT))
-    return give(GLint(GL_SCALAR_EXT) + GLint(symbol->type()), data);
+    return giveInteger(GLint(GL_SCALAR_EXT) + GLint(symbol->type()), data);
   raise(context, GL_INVALID_ENUM, "GetInvariant or GetLocalConstant: value");
 }
 

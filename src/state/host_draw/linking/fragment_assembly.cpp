@@ -24,7 +24,7 @@ bool isShort(const CompiledProgram &compiled) {
          program->language == fp::ir::Language::ArbFragment && program->code.size() <= kMost;
 }
 
-bool isPlain(const CompiledProgram &compiled) {
+bool isPlainProgram(const CompiledProgram &compiled) {
   if (!isShort(compiled))
     return false;
   fp::ir::Options options = compiled.program->options;
@@ -87,7 +87,7 @@ Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
                    !changesOften(context.hostSide.linkedPrograms->find(pair, Fragments::Assembly))
                ? Fragments::Assembly
                : Fragments::Glsl;
-  if (!mayBeginAsAssembly(context) || !isPlain(*pair.fragment))
+  if (!mayBeginAsAssembly(context) || !isPlainProgram(*pair.fragment))
     return Fragments::Glsl;
   const LinkedProgram *const before =
       context.hostSide.linkedPrograms->find(pair, Fragments::Assembly);

@@ -104,7 +104,7 @@ Surroundings surroundingsNow(Context &context, const fp::combiners::State &state
   return around;
 }
 
-const StateText &textOf(const Context &context, const fp::combiners::State &state) {
+const StateText &textOfCombiners(const Context &context, const fp::combiners::State &state) {
   return context.stateTexts->of(context, Target::Combiners, {.combiners = state});
 }
 
@@ -114,7 +114,7 @@ bool combinersSwitchedOff(Context &context) {
   return context.stateTexts && controlled() && ProgramEdits::instance().anyOff() &&
          ProgramEdits::instance().isOff(textFileName(
              Target::Combiners,
-             textOf(context, fp::combiners::essential(context.combiners->state())).hash));
+             textOfCombiners(context, fp::combiners::essential(context.combiners->state())).hash));
 }
 
 std::shared_ptr<const CompiledProgram> chooseCombinerProgram(Context &context,
@@ -123,7 +123,7 @@ std::shared_ptr<const CompiledProgram> chooseCombinerProgram(Context &context,
   fp::combiners::State state = fp::combiners::essential(combiners.state());
   const StateText *text = nullptr;
   if (context.stateTexts) {
-    text = &textOf(context, state);
+    text = &textOfCombiners(context, state);
     if (text->replaced)
       state = fp::combiners::essential(*text->replaced->combiners);
   }

@@ -26,7 +26,7 @@ LeftAlone::Seen seenOf(const ContextState &state) {
 }
 
 /// Counts a frame in which the rasterizer drew nothing. A frame without draws does not count.
-void judge(const ContextState &state, LeftAlone &left) {
+void judgeLeftAlone(const ContextState &state, LeftAlone &left) {
   const LeftAlone::Seen now = seenOf(state), before = std::exchange(left.seen, now);
   const bool drew = now.drawn != before.drawn;
   if (drew || now.others != before.others)
@@ -113,7 +113,7 @@ void leaveOrReturn(Context &context, Clock::time_point now) {
     if (!context.leftAlone)
       context.leftAlone = std::make_unique<LeftAlone>();
     LeftAlone &left = *context.leftAlone;
-    judge(*state, left);
+    judgeLeftAlone(*state, left);
     if (gainsNothing(left))
       leave(context, left);
   } else if (!state && context.leftAlone &&

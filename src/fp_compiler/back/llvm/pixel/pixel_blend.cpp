@@ -51,7 +51,8 @@ Value *factor(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t
 }
 
 /// Returns the product with a factor; null for zero. A zero factor gives zero for any value.
-Value *scaled(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t c, Value *value) {
+Value *scaledByFactor(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t c,
+                      Value *value) {
   if (kind == abi::BlendFactor::Zero)
     return nullptr;
   Value *const by = factor(code, kind, in, c);
@@ -93,8 +94,8 @@ Vec PixelWriter::blended(const Vec &source, const Vec &dest, const abi::BlendKey
                                                       : m_code.max(source[c], dest[c]);
       continue;
     }
-    Value *a = scaled(m_code, c == 3 ? key.sourceAlpha : key.sourceColor, in, c, source[c]);
-    Value *b = scaled(m_code, c == 3 ? key.destAlpha : key.destColor, in, c, dest[c]);
+    Value *a = scaledByFactor(m_code, c == 3 ? key.sourceAlpha : key.sourceColor, in, c, source[c]);
+    Value *b = scaledByFactor(m_code, c == 3 ? key.destAlpha : key.destColor, in, c, dest[c]);
     if (equation == abi::BlendEquation::ReverseSubtract)
       std::swap(a, b);
     const bool adds = equation == abi::BlendEquation::Add;

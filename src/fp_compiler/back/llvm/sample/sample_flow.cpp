@@ -8,7 +8,7 @@ llvm::BasicBlock *block(Code &code, const char *name) {
 }
 
 /// Returns all values of a texel.
-Values valuesOf(const Texel &texel) {
+Values valuesOfTexel(const Texel &texel) {
   return {texel.rgba[0], texel.rgba[1], texel.rgba[2], texel.rgba[3], texel.packed};
 }
 Texel texelOf(const Values &values) {
@@ -47,7 +47,7 @@ Values eitherOf(Code &code, Value *condition, const std::function<Values()> &yes
 
 Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no) {
   return texelOf(eitherOf(
-      code, condition, [&] { return valuesOf(yes()); }, [&] { return valuesOf(no()); }));
+      code, condition, [&] { return valuesOfTexel(yes()); }, [&] { return valuesOfTexel(no()); }));
 }
 
 Texel forEachImage(Code &code, Value *image, Value *mask,
@@ -68,7 +68,7 @@ Texel forEachImage(Code &code, Value *image, Value *mask,
   std::array<llvm::PHINode *, 5> soFar = {};
   for (llvm::PHINode *&phi : soFar)
     phi = ir.CreatePHI(&phi == &soFar.back() ? code.i32 : code.f32, 2);
-  const Values values = valuesOf(sampled(scalar));
+  const Values values = valuesOfTexel(sampled(scalar));
   Value *const mine = ir.CreateICmpEQ(image, code.splat(scalar));
   Values merged(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
