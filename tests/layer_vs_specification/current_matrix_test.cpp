@@ -11,7 +11,7 @@
 namespace api {
 namespace {
 
-constexpr int kSize = 16;
+constexpr int kRow = 16;
 using Matrix = std::array<GLfloat, 16>;
 
 class CurrentMatrixPrimitives : public ApiTest {
@@ -20,7 +20,7 @@ protected:
     ApiTest::SetUp();
     if (!rasterizerDrawsAll())
       GTEST_SKIP() << "the host may draw: Mesa 22.3.6 draws with texture matrices of before";
-    glViewport(0, 0, kSize, kSize);
+    glViewport(0, 0, kRow, kRow);
     // Each texel contains its own position.
     std::array<GLubyte, 4 * 16> texels{};
     for (std::size_t i = 0; i < 16; ++i)
@@ -52,7 +52,7 @@ protected:
 
   static constexpr GLuint kLists = 4;
   /// Returns a translation by pixels.
-  static GLfloat step(int pixels) { return 2 * GLfloat(pixels) / kSize; }
+  static GLfloat step(int pixels) { return 2 * GLfloat(pixels) / kRow; }
   [[nodiscard]] std::string change(std::mt19937 &random) const;
   /// Draws a pixel at window coordinates (4, 8) if all matrices are the identity, and compares.
   static void expectPixel(const std::string &how);
@@ -126,12 +126,12 @@ void CurrentMatrixPrimitives::expectPixel(const std::string &how) {
   glVertex2f(left + step(1), bottom), glVertex2f(left + step(1), bottom + step(1));
   glVertex2f(left, bottom + step(1));
   glEnd();
-  std::array<GLubyte, 4 * kSize> row{};
-  glReadPixels(0, 8, kSize, 1, GL_RGBA, GL_UNSIGNED_BYTE, row.data());
+  std::array<GLubyte, 4 * kRow> row{};
+  glReadPixels(0, 8, kRow, 1, GL_RGBA, GL_UNSIGNED_BYTE, row.data());
   const GLfloat moved = matrices[0][12] + matrices[1][12];
-  const int place = 4 + int(std::lround(moved * kSize / 2));
+  const int place = 4 + int(std::lround(moved * kRow / 2));
   const int texel = int(std::floor(16 * (0.53f + matrices[2][12]))) & 15;
-  for (int x = 0; x < kSize; ++x)
+  for (int x = 0; x < kRow; ++x)
     ASSERT_EQ(row[std::size_t(4 * x)], x == place ? 16 * texel : 0)
         << "pixel " << x << ", texel " << texel << " at " << place << " after " << how;
 }

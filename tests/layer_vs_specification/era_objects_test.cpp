@@ -1,5 +1,4 @@
 // Apple's vertex array objects and texture ranges: object state that today's hosts lack.
-#include <array>
 #include <cstring>
 
 #include "fixture.h"
@@ -7,17 +6,7 @@
 namespace api {
 namespace {
 
-#define NEEDS(extension)                                                                           \
-  if (!epoxy_has_gl_extension(extension))                                                          \
-  GTEST_SKIP() << extension << " is not offered here"
-
 class EraObjects : public ApiTest {};
-
-GLint integer(GLenum pname) {
-  GLint value = -1;
-  glGetIntegerv(pname, &value);
-  return value;
-}
 
 GLint texParameter(GLenum target, GLenum pname) {
   GLint value = -1;
@@ -31,17 +20,6 @@ void *rangePointer(GLenum target) {
   return pointer;
 }
 
-std::array<GLubyte, 4> pixelAt(int x, int y) {
-  std::array<GLubyte, 4> bytes{};
-  glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-  return bytes;
-}
-
-void clear() {
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
 void *pointerOf(GLenum array) {
   void *pointer = nullptr;
   glGetPointerv(array, &pointer);
@@ -51,7 +29,7 @@ void *pointerOf(GLenum array) {
 /// Rectangles of the left and of the right half, in the application's memory.
 const GLfloat kLeft[] = {-1, -1, 0, -1, 0, 1, -1, 1};
 const GLfloat kRight[] = {0, -1, 1, -1, 1, 1, 0, 1};
-const GLubyte kRed[] = {255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255};
+const GLubyte kRedCorners[] = {255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255};
 
 TEST_F(EraObjects, AnObjectHasArraysInTheApplicationsMemory) {
   NEEDS("GL_APPLE_vertex_array_object");
@@ -69,12 +47,12 @@ TEST_F(EraObjects, AnObjectHasArraysInTheApplicationsMemory) {
   EXPECT_EQ(pointerOf(GL_VERTEX_ARRAY_POINTER), nullptr);
   EXPECT_NO_GL_ERROR(glVertexPointer(2, GL_FLOAT, 0, kLeft));
   glEnableClientState(GL_VERTEX_ARRAY);
-  EXPECT_NO_GL_ERROR(glColorPointer(4, GL_UNSIGNED_BYTE, 0, kRed));
+  EXPECT_NO_GL_ERROR(glColorPointer(4, GL_UNSIGNED_BYTE, 0, kRedCorners));
   glEnableClientState(GL_COLOR_ARRAY);
   clear();
   glDrawArrays(GL_QUADS, 0, 4);
-  EXPECT_EQ(pixelAt(8, 16)[0], 255);
-  EXPECT_EQ(pixelAt(24, 16)[3], 0);
+  EXPECT_EQ(readPixel(8, 16)[0], 255);
+  EXPECT_EQ(readPixel(24, 16)[3], 0);
 
   glBindVertexArrayAPPLE(0);
   EXPECT_EQ(integer(GL_VERTEX_ARRAY_BINDING_APPLE), 0);
@@ -83,14 +61,14 @@ TEST_F(EraObjects, AnObjectHasArraysInTheApplicationsMemory) {
   clear();
   glColor4f(0, 1, 0, 1);
   glDrawArrays(GL_QUADS, 0, 4);
-  EXPECT_EQ(pixelAt(8, 16)[3], 0);
-  EXPECT_EQ(pixelAt(24, 16)[1], 255);
+  EXPECT_EQ(readPixel(8, 16)[3], 0);
+  EXPECT_EQ(readPixel(24, 16)[1], 255);
 
   glBindVertexArrayAPPLE(names[0]);
-  EXPECT_EQ(pointerOf(GL_COLOR_ARRAY_POINTER), kRed);
+  EXPECT_EQ(pointerOf(GL_COLOR_ARRAY_POINTER), kRedCorners);
   clear();
   glDrawArrays(GL_QUADS, 0, 4);
-  EXPECT_EQ(pixelAt(8, 16)[0], 255);
+  EXPECT_EQ(readPixel(8, 16)[0], 255);
   glDeleteVertexArraysAPPLE(2, names);
   EXPECT_EQ(integer(GL_VERTEX_ARRAY_BINDING_APPLE), 0) << "it was bound";
   EXPECT_EQ(glIsVertexArrayAPPLE(names[0]), GL_FALSE);

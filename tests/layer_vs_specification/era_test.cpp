@@ -1,6 +1,5 @@
 // Extensions of the era that today's hosts lack: fences, vertex array ranges, hints, shadows by
 // SGI's names. Extensions that are announced work, and the entry points of others have no effect.
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -12,16 +11,6 @@ namespace {
 
 bool has(const char *extension) { return epoxy_has_gl_extension(extension); }
 
-#define NEEDS(extension)                                                                           \
-  if (!has(extension))                                                                             \
-  GTEST_SKIP() << extension << " is not offered here"
-
-GLint integer(GLenum pname) {
-  GLint value = -1;
-  glGetIntegerv(pname, &value);
-  return value;
-}
-
 class Era : public ApiTest {};
 
 /// Draws a triangle over the whole framebuffer, in one color.
@@ -32,12 +21,6 @@ void fill(GLfloat red, GLfloat green) {
   glVertex2f(3, -1);
   glVertex2f(-1, 3);
   glEnd();
-}
-
-std::array<GLubyte, 4> pixel() {
-  std::array<GLubyte, 4> bytes{};
-  glReadPixels(16, 16, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-  return bytes;
 }
 
 TEST_F(Era, AnnouncedAsTheProfileHasThem) {
@@ -84,7 +67,7 @@ TEST_F(Era, NvFence) {
   EXPECT_EQ(glTestFenceNV(names[0]), GL_TRUE);
   glGetFenceivNV(names[0], GL_FENCE_STATUS_NV, &value);
   EXPECT_EQ(value, GL_TRUE);
-  EXPECT_EQ(pixel()[0], 255);
+  EXPECT_EQ(readPixel()[0], 255);
 
   // TestFence alone eventually returns true, without any other call. (NVIDIA's present drivers do
   // not, even after a flush.)
@@ -149,9 +132,9 @@ TEST_F(Era, AFenceIsTestedWhileAListIsCompiled) {
   glDeleteFencesNV(1, &name);
   EXPECT_EQ(glIsFenceNV(7), GL_FALSE);
   glEndList();
-  EXPECT_EQ(pixel()[0], 255);
+  EXPECT_EQ(readPixel()[0], 255);
   glCallList(1);
-  EXPECT_EQ(pixel()[1], 255);
+  EXPECT_EQ(readPixel()[1], 255);
   EXPECT_EQ(glIsFenceNV(7), GL_FALSE) << "nothing of it is in the list";
   glDeleteLists(1, 1);
 }
@@ -232,7 +215,7 @@ TEST_F(Era, NvVertexArrayRange) {
   glColor4f(0, 1, 0, 1);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glFlushVertexArrayRangeNV();
-  EXPECT_EQ(pixel()[1], 255);
+  EXPECT_EQ(readPixel()[1], 255);
 
   glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
   glVertexArrayRangeNV(0, nullptr);
@@ -357,7 +340,7 @@ GLubyte shadowAt(GLfloat r) {
   glTexCoord3f(0, 0, r);
   fill(1, 1);
   glDisable(GL_TEXTURE_2D);
-  return pixel()[0];
+  return readPixel()[0];
 }
 
 TEST_F(Era, SgixShadow) {

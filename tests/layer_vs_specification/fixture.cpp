@@ -47,9 +47,9 @@ GlContext::GlContext(const GlContext *share, Profile profile) {
   glGenRenderbuffers(1, &m_renderbuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
   glBindRenderbuffer(GL_RENDERBUFFER, m_renderbuffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 32, 32);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSize, kSize);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_renderbuffer);
-  glViewport(0, 0, 32, 32);
+  glViewport(0, 0, kSize, kSize);
 }
 
 GlContext::~GlContext() {

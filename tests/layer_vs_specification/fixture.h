@@ -8,6 +8,9 @@
 /// knows nothing of the layer except whether to expect its answers.
 namespace api {
 
+/// Width and height of the framebuffer.
+inline constexpr int kSize = 32;
+
 /// A GL context of its own or in the share group of another, with a framebuffer object bound.
 class GlContext {
 public:
@@ -41,6 +44,10 @@ bool rasterizerDrawsAll();
 /// Returns the first number of the host's Mesa release; 0 for another GL.
 int mesaRelease();
 
+/// Skips a test of an extension that is not offered.
+#define NEEDS(extension)                                                                           \
+  if (!epoxy_has_gl_extension(extension))                                                          \
+  GTEST_SKIP() << extension << " is not offered here"
 /// Skips a test whose expectation the bare host (Mesa 22.3.6) does not meet, with what it does.
 #define BARE_HOST_DIFFERS(what)                                                                    \
   if (!api::layered())                                                                             \

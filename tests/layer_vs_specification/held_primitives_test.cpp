@@ -7,8 +7,9 @@
 namespace api {
 namespace {
 
-using Pixel = std::array<GLubyte, 4>;
-constexpr Pixel kRed = {255, 0, 0, 255}, kGreenPixel = {0, 255, 0, 255}, kBlack = {0, 0, 0, 0};
+using Texel = std::array<GLubyte, 4>;
+constexpr Texel kRedTexel = {255, 0, 0, 255}, kGreenTexel = {0, 255, 0, 255},
+                kBlackTexel = {0, 0, 0, 0};
 
 class HeldPrimitives : public ApiTest {
 protected:
@@ -26,8 +27,8 @@ protected:
     glVertex2f(right, 1), glVertex2f(left, 1);
     glEnd();
   }
-  static Pixel at(int i) {
-    Pixel pixel{};
+  static Texel at(int i) {
+    Texel pixel{};
     glReadPixels(4 + 8 * i, 16, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
     return pixel;
   }
@@ -41,10 +42,10 @@ TEST_F(HeldPrimitives, AttributesBetweenThem) {
   glColor4ub(255, 0, 0, 255);
   column(2);
   column(3);
-  EXPECT_EQ(at(0), kRed);
-  EXPECT_EQ(at(1), kGreenPixel);
-  EXPECT_EQ(at(2), kRed);
-  EXPECT_EQ(at(3), kRed);
+  EXPECT_EQ(at(0), kRedTexel);
+  EXPECT_EQ(at(1), kGreenTexel);
+  EXPECT_EQ(at(2), kRedTexel);
+  EXPECT_EQ(at(3), kRedTexel);
 }
 
 TEST_F(HeldPrimitives, CurrentValuesAreThoseOfTheLast) {
@@ -64,7 +65,7 @@ TEST_F(HeldPrimitives, CurrentValuesAreThoseOfTheLast) {
   glColor3f(0, 1, 0);
   glGetFloatv(GL_CURRENT_COLOR, value);
   EXPECT_EQ(value[1], 1);
-  EXPECT_EQ(at(0), kRed);
+  EXPECT_EQ(at(0), kRedTexel);
 }
 
 TEST_F(HeldPrimitives, StateBetweenThem) {
@@ -80,10 +81,10 @@ TEST_F(HeldPrimitives, StateBetweenThem) {
   glScissor(0, 0, 32, 8);
   glEnable(GL_SCISSOR_TEST);
   glClear(GL_COLOR_BUFFER_BIT);
-  EXPECT_EQ(at(0), kRed);
-  EXPECT_EQ(at(1), kBlack);
-  EXPECT_EQ(at(2), kRed);
-  EXPECT_EQ(at(3), kRed);
+  EXPECT_EQ(at(0), kRedTexel);
+  EXPECT_EQ(at(1), kBlackTexel);
+  EXPECT_EQ(at(2), kRedTexel);
+  EXPECT_EQ(at(3), kRedTexel);
 }
 
 TEST_F(HeldPrimitives, ProgramsAndTheirParameters) {
@@ -99,10 +100,10 @@ TEST_F(HeldPrimitives, ProgramsAndTheirParameters) {
   glColor3f(0, 1, 0);
   column(3);
   glDeleteProgramsARB(1, &other);
-  EXPECT_EQ(at(0), kRed);
-  EXPECT_EQ(at(1), kGreenPixel);
-  EXPECT_EQ(at(2), kRed);
-  EXPECT_EQ(at(3), kGreenPixel);
+  EXPECT_EQ(at(0), kRedTexel);
+  EXPECT_EQ(at(1), kGreenTexel);
+  EXPECT_EQ(at(2), kRedTexel);
+  EXPECT_EQ(at(3), kGreenTexel);
 }
 
 TEST_F(HeldPrimitives, ImagesBetweenThem) {
@@ -112,19 +113,19 @@ TEST_F(HeldPrimitives, ImagesBetweenThem) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glEnable(GL_TEXTURE_2D);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-  const auto fill = [](const Pixel &texel) {
+  const auto fill = [](const Texel &texel) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
   };
-  fill(kRed);
+  fill(kRedTexel);
   column(0);
-  fill(kGreenPixel);
+  fill(kGreenTexel);
   column(1);
   glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 4, 16, 1, 1); // the first column
   column(2);
   glDeleteTextures(1, &texture);
-  EXPECT_EQ(at(0), kRed);
-  EXPECT_EQ(at(1), kGreenPixel);
-  EXPECT_EQ(at(2), kRed);
+  EXPECT_EQ(at(0), kRedTexel);
+  EXPECT_EQ(at(1), kGreenTexel);
+  EXPECT_EQ(at(2), kRedTexel);
 }
 
 TEST_F(HeldPrimitives, OtherModesArraysAndLists) {
@@ -144,10 +145,10 @@ TEST_F(HeldPrimitives, OtherModesArraysAndLists) {
   column(3);
   glColor3f(1, 0, 0);
   glDrawArrays(GL_QUADS, 0, 4);
-  EXPECT_EQ(at(0), kRed);
-  EXPECT_EQ(at(1), kGreenPixel);
-  EXPECT_EQ(at(2), kGreenPixel);
-  EXPECT_EQ(at(3), kRed);
+  EXPECT_EQ(at(0), kRedTexel);
+  EXPECT_EQ(at(1), kGreenTexel);
+  EXPECT_EQ(at(2), kGreenTexel);
+  EXPECT_EQ(at(3), kRedTexel);
   glDeleteLists(list, 1);
 }
 
@@ -161,10 +162,10 @@ TEST_F(HeldPrimitives, WholeOnesFollowOnesThatAreNot) {
   glBegin(GL_QUADS);
   glEnd();
   column(2);
-  EXPECT_EQ(at(0), kRed);
-  EXPECT_EQ(at(1), kRed);
-  EXPECT_EQ(at(2), kRed);
-  EXPECT_EQ(at(3), kBlack);
+  EXPECT_EQ(at(0), kRedTexel);
+  EXPECT_EQ(at(1), kRedTexel);
+  EXPECT_EQ(at(2), kRedTexel);
+  EXPECT_EQ(at(3), kBlackTexel);
 }
 
 TEST_F(HeldPrimitives, QueriesCountWhatIsBetweenTheirCommands) {
@@ -191,10 +192,10 @@ TEST_F(HeldPrimitives, MistakesBetweenThem) {
   glVertex2f(0.9f, 0.9f); // no effect outside of a primitive
   column(2);
   EXPECT_GL_ERROR(GL_INVALID_ENUM, glBegin(0x1234));
-  EXPECT_EQ(at(0), kRed);
-  EXPECT_EQ(at(1), kRed);
-  EXPECT_EQ(at(2), kRed);
-  EXPECT_EQ(at(3), kBlack);
+  EXPECT_EQ(at(0), kRedTexel);
+  EXPECT_EQ(at(1), kRedTexel);
+  EXPECT_EQ(at(2), kRedTexel);
+  EXPECT_EQ(at(3), kBlackTexel);
   glBegin(GL_QUADS);
   GLdouble plane[4] = {};
   GLfloat values[4] = {};
@@ -221,11 +222,11 @@ TEST_F(HeldPrimitives, AnotherContextSeesThemAfterFinish) {
   for (int i = 0; i < 4; ++i)
     column(i);
   other.makeCurrent(); // finishes the first context's drawing
-  std::array<Pixel, 32 * 32> texels{};
+  std::array<Texel, 32 * 32> texels{};
   glBindTexture(GL_TEXTURE_2D, texture);
   glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-  EXPECT_EQ(texels[0], kGreenPixel);
-  EXPECT_EQ(texels[1023], kGreenPixel);
+  EXPECT_EQ(texels[0], kGreenTexel);
+  EXPECT_EQ(texels[1023], kGreenTexel);
   m_context.makeCurrent();
   glDeleteFramebuffers(1, &framebuffer);
   glDeleteTextures(1, &texture);

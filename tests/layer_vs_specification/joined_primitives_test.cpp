@@ -13,8 +13,6 @@
 namespace api {
 namespace {
 
-constexpr int kSize = 32;
-using Picture = std::vector<GLubyte>;
 struct Vertex {
   std::array<GLfloat, 4> position;
   std::array<GLfloat, 3> color;
@@ -41,9 +39,7 @@ protected:
   static Picture drawn(const std::function<void()> &draw) {
     glClear(GL_COLOR_BUFFER_BIT);
     draw();
-    Picture picture(4 * kSize * kSize);
-    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
-    return picture;
+    return readPicture(kSize);
   }
   /// Compares random modes, states and primitives, which `draw` draws joined and alone.
   using Draw = void (*)(GLenum mode, const std::vector<Primitive> &primitives, bool alone);
@@ -86,7 +82,7 @@ void draw(GLenum mode, const std::vector<Primitive> &primitives, bool alone) {
   }
 }
 
-void chooseState(std::mt19937 &random) {
+void chooseJoinedState(std::mt19937 &random) {
   const auto oneIn = [&](unsigned count) { return random() % count == 0; };
   const auto set = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
   glShadeModel(oneIn(2) ? GL_FLAT : GL_SMOOTH);
@@ -114,7 +110,7 @@ void JoinedPrimitives::expectAlike(unsigned firstSeed, unsigned count, Draw draw
   for (unsigned seed = firstSeed; seed < firstSeed + count; ++seed) {
     std::mt19937 random(seed);
     const GLenum mode = kModes[seed % kModes.size()];
-    chooseState(random);
+    chooseJoinedState(random);
     std::vector<Primitive> primitives(2 + random() % 6);
     for (Primitive &primitive : primitives)
       primitive = somePrimitive(random, seed % 4 == 0);

@@ -13,8 +13,6 @@
 namespace api {
 namespace {
 
-constexpr int kSize = 32;
-using Picture = std::vector<GLubyte>;
 using Commands = std::vector<std::function<void()>>;
 using Color = std::array<GLfloat, 4>;
 
@@ -63,8 +61,7 @@ protected:
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glClear(GL_COLOR_BUFFER_BIT);
     draw();
-    Picture picture(4 * kSize * kSize);
-    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+    const Picture picture = readPicture(kSize);
     glPopAttrib();
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     return picture;

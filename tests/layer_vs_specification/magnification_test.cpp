@@ -8,7 +8,7 @@
 namespace api {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kPattern = 64;
 
 /// Returns how many pixels are neither black nor white, if a texture of only such texels is drawn
 /// at a level of detail of `lambda`.
@@ -20,8 +20,7 @@ int grey(GLenum minify, float lambda) {
   glTexCoord2f(0, 0), glVertex2f(-1, -1), glTexCoord2f(1, 0), glVertex2f(end, -1);
   glTexCoord2f(1, 1), glVertex2f(end, end), glTexCoord2f(0, 1), glVertex2f(-1, end);
   glEnd();
-  std::vector<GLubyte> picture(4 * kSize * kSize);
-  glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+  const Picture picture = readPicture(kPattern);
   int count = 0;
   for (std::size_t i = 0; i < picture.size(); i += 4)
     count += picture[i] > 8 && picture[i] < 247 ? 1 : 0;
@@ -33,10 +32,10 @@ class MagnificationPrimitives : public ApiTest {};
 TEST_F(MagnificationPrimitives, EndsAtALevelOfZeroForAllFilters) {
   if (mesaRelease() == 0)
     GTEST_SKIP() << "the host is another driver, and either end is right";
-  glViewport(0, 0, kSize, kSize);
-  std::vector<GLubyte> texels(std::size_t(3) * kSize * kSize);
+  glViewport(0, 0, kPattern, kPattern);
+  std::vector<GLubyte> texels(std::size_t(3) * kPattern * kPattern);
   GLint level = 0;
-  for (int size = kSize; size != 0; size /= 2, ++level) {
+  for (int size = kPattern; size != 0; size /= 2, ++level) {
     for (int i = 0; i < size * size; ++i)
       texels[std::size_t(3 * i)] = texels[std::size_t(3 * i + 1)] = texels[std::size_t(3 * i + 2)] =
           (i % size / 3 + i / size / 3) % 2 != 0 ? 255 : 0;

@@ -52,6 +52,11 @@ void drawQuad() {
   glEnd();
 }
 
+Picture readPicture(int size) {
+  Picture picture(std::size_t(4 * size * size));
+  glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+  return picture;
+}
 Pixel readPixel(int x, int y) {
   std::array<GLubyte, 4> bytes = {1, 2, 3, 4};
   glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <string>
+#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -9,6 +10,7 @@
 namespace api {
 
 using Pixel = std::array<int, 4>;
+using Picture = std::vector<GLubyte>;
 
 inline constexpr GLenum kFragment = GL_FRAGMENT_PROGRAM_ARB;
 inline constexpr GLenum kVertex = GL_VERTEX_PROGRAM_ARB;
@@ -31,6 +33,8 @@ GLint integer(GLenum pname);
 void drawQuad();
 void clear();
 Pixel readPixel(int x = 16, int y = 16);
+/// Returns the bytes of `size` rows of as many RGBA pixels.
+Picture readPicture(int size);
 /// Calls clear(), drawQuad() and readPixel().
 Pixel drawn();
 /// Links a GLSL program of the stages whose text is given.

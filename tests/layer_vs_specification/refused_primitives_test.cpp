@@ -12,9 +12,6 @@
 namespace api {
 namespace {
 
-constexpr int kSize = 32;
-using Picture = std::vector<GLubyte>;
-
 struct Command {
   const char *name;
   std::function<void()> run;
@@ -125,8 +122,7 @@ protected:
     glBegin(GL_POINTS);
     vertex(0.7f, -0.7f);
     glEnd();
-    Picture picture(4 * kSize * kSize);
-    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+    const Picture picture = readPicture(kSize);
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     return picture;
   }
@@ -185,9 +181,7 @@ TEST_F(RefusedPrimitives, PrimitivesInPrimitivesAreOne) {
       }
       glEnd();
     }
-    Picture picture(4 * kSize * kSize);
-    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
-    return picture;
+    return readPicture(kSize);
   };
   const Picture wanted = strips(false);
   expectAlike(strips(true), wanted, "with Begins within");

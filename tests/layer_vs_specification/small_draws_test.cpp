@@ -11,8 +11,7 @@
 namespace api {
 namespace {
 
-constexpr int kSize = 48;
-using Picture = std::vector<GLubyte>;
+constexpr int kTarget = 48;
 
 enum class Way { Immediate, Arrays, Elements, List };
 struct Shape {
@@ -44,11 +43,11 @@ protected:
         {{GL_RGBA8, GL_COLOR_ATTACHMENT0_EXT}, {GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT_EXT}}};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       glBindRenderbufferEXT(GL_RENDERBUFFER_EXT, m_buffers[i]);
-      glRenderbufferStorageEXT(GL_RENDERBUFFER_EXT, kinds[i].first, kSize, kSize);
+      glRenderbufferStorageEXT(GL_RENDERBUFFER_EXT, kinds[i].first, kTarget, kTarget);
       glFramebufferRenderbufferEXT(GL_FRAMEBUFFER_EXT, kinds[i].second, GL_RENDERBUFFER_EXT,
                                    m_buffers[i]);
     }
-    glViewport(0, 0, kSize, kSize);
+    glViewport(0, 0, kTarget, kTarget);
     std::array<GLubyte, 16> texels{};
     for (std::size_t i = 0; i < texels.size(); ++i)
       texels[i] = GLubyte(255 - 37 * i % 200);
@@ -153,12 +152,10 @@ Picture SmallDrawPrimitives::drawn(const std::vector<Draw> &draws, bool alone) c
     if (alone)
       glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
   }
-  Picture picture(4 * kSize * kSize);
-  glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
-  return picture;
+  return readPicture(kTarget);
 }
 
-void chooseState(std::mt19937 &random) {
+void chooseSmallDrawState(std::mt19937 &random) {
   const auto oneIn = [&](unsigned count) { return random() % count == 0; };
   const auto set = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
   glShadeModel(oneIn(3) ? GL_FLAT : GL_SMOOTH);
@@ -196,7 +193,7 @@ TEST_F(SmallDrawPrimitives, LookAsEachDrawnAlone) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> place(-1.2f, 1.2f), unit(0.1f, 1);
-    chooseState(random);
+    chooseSmallDrawState(random);
     makeShapes(random);
     std::vector<Draw> draws(3 + random() % 30);
     // Sizes range from below a pixel to beyond the view; some are drawn again at their place.
@@ -222,31 +219,32 @@ TEST_F(SmallDrawPrimitives, LookAsEachDrawnAlone) {
     for (std::size_t i = 0; i < together.size(); i += 4)
       lit += together[i] != 0 ? 1 : 0;
   }
-  EXPECT_GT(lit, std::size_t(300) * kSize * kSize / 20);
+  EXPECT_GT(lit, std::size_t(300) * kTarget * kTarget / 20);
 }
 
 TEST_F(SmallDrawPrimitives, AThousandBetweenOthersAreAllThere) {
   // There is one for each pixel, more than are joined at a time. Another kind of draw comes
   // between.
-  const auto corner = [](int i) { return -1 + 2 * float(i) / float(kSize); };
+  const auto corner = [](int i) { return -1 + 2 * float(i) / float(kTarget); };
   glMatrixMode(GL_MODELVIEW);
   const GLuint list = glGenLists(1);
   glNewList(list, GL_COMPILE);
   glBegin(GL_TRIANGLES);
-  glVertex2f(0, 0), glVertex2f(2.0f / kSize, 0), glVertex2f(0, 2.0f / kSize);
-  glVertex2f(2.0f / kSize, 0), glVertex2f(2.0f / kSize, 2.0f / kSize), glVertex2f(0, 2.0f / kSize);
+  glVertex2f(0, 0), glVertex2f(2.0f / kTarget, 0), glVertex2f(0, 2.0f / kTarget);
+  glVertex2f(2.0f / kTarget, 0), glVertex2f(2.0f / kTarget, 2.0f / kTarget),
+      glVertex2f(0, 2.0f / kTarget);
   glEnd();
   glEndList();
   glClear(GL_COLOR_BUFFER_BIT);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kTarget; ++y)
+    for (int x = 0; x < kTarget; ++x) {
       glColor3ub(GLubyte(5 * x), GLubyte(5 * y), 255);
       glPushMatrix();
       glLoadIdentity();
       glTranslatef(corner(x), corner(y), 0);
       if ((x + y) % 500 == 11) {
         glBegin(GL_POINTS);
-        glVertex2f(1.0f / kSize, 1.0f / kSize);
+        glVertex2f(1.0f / kTarget, 1.0f / kTarget);
         glEnd();
       } else {
         glCallList(list);
@@ -254,12 +252,11 @@ TEST_F(SmallDrawPrimitives, AThousandBetweenOthersAreAllThere) {
       glPopMatrix();
     }
   glDeleteLists(list, 1);
-  Picture picture(4 * kSize * kSize);
-  glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
-  for (int i = 0; i < kSize * kSize; ++i) {
+  const Picture picture = readPicture(kTarget);
+  for (int i = 0; i < kTarget * kTarget; ++i) {
     const GLubyte *const pixel = &picture[std::size_t(4 * i)];
-    ASSERT_NEAR(pixel[0], 5 * (i % kSize), 1) << i;
-    ASSERT_NEAR(pixel[1], 5 * (i / kSize), 1) << i;
+    ASSERT_NEAR(pixel[0], 5 * (i % kTarget), 1) << i;
+    ASSERT_NEAR(pixel[1], 5 * (i / kTarget), 1) << i;
     ASSERT_EQ(pixel[2], 255) << i;
   }
 }

@@ -13,7 +13,7 @@ namespace {
 using bump::Images;
 using bump::Kind;
 using bump::State;
-using Matrix = std::array<GLfloat, 4>;
+using BumpMatrix = std::array<GLfloat, 4>;
 
 class EraBumpMaps : public ApiTest {
 protected:
@@ -30,13 +30,13 @@ GLint environment(GLenum pname) {
   return value;
 }
 
-Matrix matrixNow() {
-  Matrix matrix{};
+BumpMatrix matrixNow() {
+  BumpMatrix matrix{};
   glGetTexBumpParameterfvATI(GL_BUMP_ROT_MATRIX_ATI, matrix.data());
   return matrix;
 }
 
-void setMatrix(const Matrix &matrix) {
+void setMatrix(const BumpMatrix &matrix) {
   glTexBumpParameterfvATI(GL_BUMP_ROT_MATRIX_ATI, matrix.data());
 }
 
@@ -51,7 +51,7 @@ TEST_F(EraBumpMaps, InitialState) {
   glGetTexBumpParameterivATI(GL_BUMP_TEX_UNITS_ATI, units.data());
   for (int i = 0; i < count; ++i)
     EXPECT_EQ(units[std::size_t(i)], GL_TEXTURE0 + i);
-  EXPECT_EQ(matrixNow(), (Matrix{1, 0, 0, 1}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{1, 0, 0, 1}));
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);
   EXPECT_EQ(environment(GL_BUMP_TARGET_ATI), GL_TEXTURE0);
 }
@@ -62,14 +62,14 @@ TEST_F(EraBumpMaps, StateIsOfTheUnit) {
   glTexEnvi(GL_TEXTURE_ENV, GL_BUMP_TARGET_ATI, GL_TEXTURE2);
   const GLfloat bumps = GLfloat(GL_BUMP_ENVMAP_ATI);
   glTexEnvfv(GL_TEXTURE_ENV, GL_COMBINE_RGB, &bumps);
-  EXPECT_EQ(matrixNow(), (Matrix{0.5f, -0.25f, 2, 8}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{0.5f, -0.25f, 2, 8}));
   EXPECT_EQ(environment(GL_BUMP_TARGET_ATI), GL_TEXTURE2);
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_BUMP_ENVMAP_ATI);
   GLfloat asFloat = 0;
   glGetTexEnvfv(GL_TEXTURE_ENV, GL_COMBINE_RGB, &asFloat);
   EXPECT_EQ(asFloat, bumps);
   glActiveTexture(GL_TEXTURE0);
-  EXPECT_EQ(matrixNow(), (Matrix{1, 0, 0, 1}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{1, 0, 0, 1}));
   EXPECT_EQ(environment(GL_BUMP_TARGET_ATI), GL_TEXTURE0);
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);
   glActiveTexture(GL_TEXTURE1);
@@ -88,7 +88,7 @@ TEST_F(EraBumpMaps, StateIsOfTheUnit) {
 }
 
 TEST_F(EraBumpMaps, Errors) {
-  Matrix matrix = {3, 3, 3, 3};
+  BumpMatrix matrix = {3, 3, 3, 3};
   GLint value = -1;
   EXPECT_GL_ERROR(GL_INVALID_ENUM,
                   glTexBumpParameterfvATI(GL_BUMP_ROT_MATRIX_SIZE_ATI, matrix.data()));
@@ -111,7 +111,7 @@ TEST_F(EraBumpMaps, Errors) {
   glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_BUMP_ENVMAP_ATI);
   glEnd();
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
-  EXPECT_EQ(matrixNow(), (Matrix{1, 0, 0, 1}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{1, 0, 0, 1}));
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);
   EXPECT_EQ(environment(GL_BUMP_TARGET_ATI), GL_TEXTURE0);
   // This is a unit that only has coordinates in programs, if there is one.
@@ -135,21 +135,21 @@ TEST_F(EraBumpMaps, AttributesAndLists) {
   glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
   glTexEnvi(GL_TEXTURE_ENV, GL_BUMP_TARGET_ATI, GL_TEXTURE1);
   glPopAttrib();
-  EXPECT_EQ(matrixNow(), (Matrix{2, 3, 4, 5}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{2, 3, 4, 5}));
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_BUMP_ENVMAP_ATI);
   EXPECT_EQ(environment(GL_BUMP_TARGET_ATI), GL_TEXTURE0);
   glPopAttrib();
-  EXPECT_EQ(matrixNow(), (Matrix{1, 0, 0, 1}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{1, 0, 0, 1}));
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);
   glNewList(1, GL_COMPILE);
   setMatrix({1, 2, 3, 4});
   glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_BUMP_ENVMAP_ATI);
   glTexEnvi(GL_TEXTURE_ENV, GL_BUMP_TARGET_ATI, GL_TEXTURE1);
   glEndList();
-  EXPECT_EQ(matrixNow(), (Matrix{1, 0, 0, 1}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{1, 0, 0, 1}));
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);
   glCallList(1);
-  EXPECT_EQ(matrixNow(), (Matrix{1, 2, 3, 4}));
+  EXPECT_EQ(matrixNow(), (BumpMatrix{1, 2, 3, 4}));
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_BUMP_ENVMAP_ATI);
   EXPECT_EQ(environment(GL_BUMP_TARGET_ATI), GL_TEXTURE1);
   glNewList(1, GL_COMPILE);

@@ -41,10 +41,10 @@ Coordinates spriteAt(const Point &point, GLenum mode, int x, int y) {
           1};
 }
 
-using Picture = std::vector<std::array<GLubyte, 4>>;
+using Pixels = std::vector<std::array<GLubyte, 4>>;
 
-Picture picture() {
-  Picture pixels(32 * 32);
+Pixels readPixels() {
+  Pixels pixels(32 * 32);
   glReadPixels(0, 0, 32, 32, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   return pixels;
 }
@@ -52,7 +52,7 @@ Picture picture() {
 /// Compares each pixel's color within a tolerance; pixels on the point's edge may be either.
 template <typename Color>
 void expectSprite(const Point &point, GLenum mode, const Color &colorOf, int tolerance) {
-  const Picture pixels = picture();
+  const Pixels pixels = readPixels();
   int inside = 0, wrong = 0;
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {
@@ -206,7 +206,7 @@ TEST_F(EraPointSprites, FixedFunctionOfAThreeDimensionalTexture) {
   glVertex2f(-1, 3);
   glEnd();
   const auto whole = texelColor(0, 0, 2);
-  EXPECT_NEAR(picture()[33][2], whole[2] * 255, 1);
+  EXPECT_NEAR(readPixels()[33][2], whole[2] * 255, 1);
   const Point last{.size = 16, .coordinates = {0, 0, 0.9f, 1}};
   clearAll();
   glEnable(GL_POINT_SPRITE_NV);
@@ -215,7 +215,7 @@ TEST_F(EraPointSprites, FixedFunctionOfAThreeDimensionalTexture) {
   glDisable(GL_POINT_SPRITE_NV);
   clearAll();
   draw(last);
-  EXPECT_NEAR(picture()[16 * 32 + 16][2], texelColor(0, 0, 3)[2] * 255, 1);
+  EXPECT_NEAR(readPixels()[16 * 32 + 16][2], texelColor(0, 0, 3)[2] * 255, 1);
   glDeleteTextures(1, &name);
 }
 

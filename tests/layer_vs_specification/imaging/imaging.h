@@ -14,12 +14,6 @@ protected:
   }
 };
 
-inline GLint integer(GLenum pname) {
-  GLint value = -1;
-  glGetIntegerv(pname, &value);
-  return value;
-}
-
 inline GLint levelSize(GLenum target, GLenum pname) {
   GLint value = -1;
   glGetTexLevelParameteriv(target, 0, pname, &value);

@@ -7,8 +7,8 @@ namespace api::imaging {
 
 namespace {
 
-constexpr GLenum kFormats[] = {GL_ALPHA,     GL_LUMINANCE, GL_LUMINANCE_ALPHA,
-                               GL_INTENSITY, GL_RGB,       GL_RGBA};
+constexpr GLenum kInternalFormats[] = {GL_ALPHA,     GL_LUMINANCE, GL_LUMINANCE_ALPHA,
+                                       GL_INTENSITY, GL_RGB,       GL_RGBA};
 constexpr GLenum kTables[] = {GL_COLOR_TABLE, GL_POST_CONVOLUTION_COLOR_TABLE,
                               GL_POST_COLOR_MATRIX_COLOR_TABLE};
 constexpr GLenum kFilters[] = {GL_CONVOLUTION_1D, GL_CONVOLUTION_2D, GL_SEPARABLE_2D};
@@ -33,15 +33,15 @@ ScaleBias scaleBias(std::mt19937 &random) {
                         : ScaleBias{fewColor(random, 0.5, 1.5), fewColor(random, -0.25, 0.25)};
 }
 
-Filter filter(std::mt19937 &random, GLenum format, int width, int height) {
+Filter randomFilter(std::mt19937 &random, GLenum format, int width, int height) {
   Filter result{format, width, height, {}};
   for (int i = 0; i < width * height; ++i)
     result.weights.push_back(fewColor(random, -0.25, 0.5));
   return result;
 }
 
-Table table(std::mt19937 &random) {
-  Table result{kFormats[random() % 6], std::vector<Color>(1u << (random() % 9))};
+Table randomTable(std::mt19937 &random) {
+  Table result{kInternalFormats[random() % 6], std::vector<Color>(1u << (random() % 9))};
   for (Color &entry : result.entries)
     for (double &component : entry)
       component = double(random() & 255u) / 255.0;
@@ -116,15 +116,15 @@ Model randomModel(std::mt19937 &random) {
   model.postConvolution = scaleBias(random);
   model.postColorMatrix = scaleBias(random);
   for (std::size_t i = 0; i < 3; ++i) {
-    model.tables[i] = table(random);
+    model.tables[i] = randomTable(random);
     model.tableOn[i] = one(random, 3);
     model.borders[i] = {kModes[random() % 3], fewColor(random, 0, 1)};
   }
   const auto size = [&] { return 1 + int(random() % 5); };
-  model.filter1D = filter(random, kFormats[random() % 6], size(), 1);
-  model.filter2D = filter(random, kFormats[random() % 6], size(), size());
-  model.row = filter(random, kFormats[random() % 6], size(), 1);
-  model.column = filter(random, model.row.format, size(), 1);
+  model.filter1D = randomFilter(random, kInternalFormats[random() % 6], size(), 1);
+  model.filter2D = randomFilter(random, kInternalFormats[random() % 6], size(), size());
+  model.row = randomFilter(random, kInternalFormats[random() % 6], size(), 1);
+  model.column = randomFilter(random, model.row.format, size(), 1);
   model.convolution1D = one(random, 2);
   model.convolution2D = one(random, 3);
   model.separable = one(random, 2);
