@@ -49,7 +49,7 @@ struct NativeInterface {
 };
 
 /// The most named parameters of a program.
-inline constexpr std::uint32_t kMostNamedParameters = 256;
+inline constexpr std::uint32_t kMaxNamedParameters = 256;
 
 /// Returns the language whose header a text begins with. Returns None for any other text, also for
 /// a header that is refused.

@@ -5,9 +5,9 @@
 /// glGetProgramivARB returns them (NV_fragment_program2, NV_vertex_program2_option).
 namespace arbiter::fp::nv {
 
-inline constexpr std::size_t kMostCalls = 32;
-inline constexpr std::size_t kMostLoops = 32;
-inline constexpr std::size_t kMostBlocks = 256; ///< IF, LOOP and REP together
+inline constexpr std::size_t kMaxCalls = 32;
+inline constexpr std::size_t kMaxLoops = 32;
+inline constexpr std::size_t kMaxBlocks = 256; ///< IF, LOOP and REP together
 /// The minimum that the specifications promise: executed instructions, and iterations of one loop.
 inline constexpr int kLeastExecuted = 65536, kLeastIterations = 255;
 

@@ -3,7 +3,7 @@
 namespace arbiter::interposer {
 
 namespace {
-constexpr std::size_t kMostQuestions = 8; ///< the limit of pending queries
+constexpr std::size_t kMaxQuestions = 8; ///< the limit of pending queries
 }
 
 bool Window::size(int &width, int &height, bool sure, const std::function<void()> &takeOwn) {
@@ -18,7 +18,7 @@ bool Window::size(int &width, int &height, bool sure, const std::function<void()
   if (connection->sent(question))
     ++changes;
   m_questions.push_back(question);
-  if (sure || !m_known || m_changes != changes || m_questions.size() > kMostQuestions)
+  if (sure || !m_known || m_changes != changes || m_questions.size() > kMaxQuestions)
     while (!m_questions.empty() && take(c, true)) {
     }
   m_changes = changes;

@@ -28,12 +28,12 @@ public:
   Batch &operator=(const Batch &) = delete;
   void add(const Item &item) {
     m_items[m_count++] = item;
-    if (m_count == kMost)
+    if (m_count == kMax)
       flush();
   }
 
 private:
-  static constexpr std::uint32_t kMost = 256;
+  static constexpr std::uint32_t kMax = 256;
   void flush() {
     if (m_count != 0)
       m_shade(m_data, &m_primitive, m_items, m_count);
@@ -43,7 +43,7 @@ private:
   const abi::FragmentData *m_data;
   const abi::Primitive &m_primitive;
   std::uint32_t m_count = 0;
-  Item m_items[kMost];
+  Item m_items[kMax];
 };
 
 std::uint64_t addRuns(const Clipped &part, Batch<abi::Span> &spans) {

@@ -21,7 +21,7 @@ namespace {
 using namespace arbiter::fp;
 
 /// A run with more steps is not compared, as an input must take milliseconds.
-constexpr int kMostSteps = 20000;
+constexpr int kMaxSteps = 20000;
 struct TooLong {};
 
 CompileOptions makeOptions() {
@@ -55,7 +55,7 @@ std::array<testing::Outcome, 4> run(const ir::Program &program, const testing::M
   int steps = int(program.code.size());
   testing::Made counted = made;
   counted.observer = [&steps](const ir::Step &) {
-    if (++steps > kMostSteps)
+    if (++steps > kMaxSteps)
       throw TooLong();
   };
   if (program.language == ir::Language::ArbFragment)

@@ -48,8 +48,8 @@ void Recorder::value(const std::string &what, double number) {
 }
 
 void Recorder::errors(const std::string &what) {
-  constexpr int kMost = 8;
-  for (int i = 0; i < kMost; ++i) {
+  constexpr int kMax = 8;
+  for (int i = 0; i < kMax; ++i) {
     const GLenum error = glGetError();
     value(what + ": error", error);
     if (error == GL_NO_ERROR)

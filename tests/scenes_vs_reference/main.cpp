@@ -23,7 +23,7 @@ namespace scenes {
 namespace {
 
 int g_size = 256;
-constexpr double kMostUndecided = 0.1; ///< the fraction of a picture
+constexpr double kMaxUndecided = 0.1; ///< the fraction of a picture
 
 Picture read() {
   Picture picture(std::size_t(g_size) * std::size_t(g_size) * 4);
@@ -83,7 +83,7 @@ bool compare(const Scene &scene, const std::string &folder, const std::string &r
   const double undecided =
       double(std::count(canvas.undecided.begin(), canvas.undecided.end(), true)) /
       double(canvas.undecided.size());
-  bool agrees = drawn(reference) > 0.05 && undecided < kMostUndecided;
+  bool agrees = drawn(reference) > 0.05 && undecided < kMaxUndecided;
   std::printf("\"%s\": {", scene.name);
   for (const Way &way : scene.ways) {
     if (!isOffered(way)) {

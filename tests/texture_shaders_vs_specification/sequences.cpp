@@ -18,7 +18,7 @@ namespace {
 
 using arbiter::fp::testing::Random;
 
-constexpr int kMostUnits = 8;
+constexpr int kMaxUnits = 8;
 constexpr int kCommands = 100; ///< in a sequence
 constexpr GLenum kShader = GL_TEXTURE_SHADER_NV;
 
@@ -72,7 +72,7 @@ struct Unit {
   bool operator==(const Unit &) const = default;
 };
 struct Model {
-  std::array<Unit, kMostUnits> units{};
+  std::array<Unit, kMaxUnits> units{};
   bool enabled = false;
   bool operator==(const Model &) const = default;
 };
@@ -161,7 +161,7 @@ GLenum apply(Model &model, const Command &c, int units) {
   case GL_SHADER_OPERATION_NV:
     return setOperation(unit, c.unit, units, name);
   case GL_PREVIOUS_TEXTURE_INPUT_NV:
-    if (name - GL_TEXTURE0 >= GLenum(kMostUnits))
+    if (name - GL_TEXTURE0 >= GLenum(kMaxUnits))
       return GL_INVALID_ENUM;
     if (name - GL_TEXTURE0 >= GLenum(c.unit))
       return GL_INVALID_OPERATION;
@@ -315,7 +315,7 @@ int main(int argc, char **argv) {
     return kSkipped;
   GLint units = 0;
   glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-  units = std::min(units, GLint(kMostUnits));
+  units = std::min(units, GLint(kMaxUnits));
   Model model;
   long errors = 0;
   int different = 0;

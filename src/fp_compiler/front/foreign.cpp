@@ -54,7 +54,7 @@ constexpr Magic kMagics[] = {
 /// The number of bytes that are examined. They are enough to recognise a text.
 constexpr std::size_t kLooked = 64u << 10;
 /// The longest name of a shader version that is shown, in bytes: "ps_2_x" has 6.
-constexpr std::size_t kMostVersion = 8;
+constexpr std::size_t kMaxVersion = 8;
 
 /// Words that begin a statement of an assembly program and do not occur in the languages below.
 constexpr std::string_view kStatements[] = {
@@ -209,7 +209,7 @@ Foreign foreignText(std::string_view text) {
   if (seen.assembly)
     return {};
   if (!seen.direct3d.empty())
-    return {"Direct3D's shader assembly (" + std::string(seen.direct3d.substr(0, kMostVersion)) +
+    return {"Direct3D's shader assembly (" + std::string(seen.direct3d.substr(0, kMaxVersion)) +
                 ")",
             kCapture};
   if (seen.glsl || (seen.vectors && seen.main))

@@ -6,7 +6,7 @@
 namespace arbiter::fp {
 
 namespace {
-constexpr std::uint32_t kMostOffset = 4095;
+constexpr std::uint32_t kMaxOffset = 4095;
 } // namespace
 
 /// Parses <vectorSrcReg>, or <scalarSrcReg>, whose component is repeated.
@@ -201,7 +201,7 @@ bool Parser::parseRelativeOffset(std::int16_t &offset) {
   const Token token = m_tokens.next();
   const std::uint32_t value = parseInteger(text(token));
   const std::string spelled = (negative ? "-" : "+") + std::string(text(token));
-  if (value > kMostOffset) {
+  if (value > kMaxOffset) {
     error(DiagnosticId::RelativeOffset, token.span, "the offset " + spelled + " is out of range",
           "offsets reach from -64 to 63; add the rest to what ARL loads");
     return true;

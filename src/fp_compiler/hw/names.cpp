@@ -9,7 +9,7 @@ namespace arbiter::fp::hw {
 
 namespace {
 
-constexpr std::size_t kMostName = 64;
+constexpr std::size_t kMaxName = 64;
 
 /// A card that people ask for and that has no profile.
 struct Absent {
@@ -28,7 +28,7 @@ constexpr Absent kAbsent[] = {
 /// 9700".
 std::string plain(std::string_view typed) {
   std::string name;
-  for (const char c : typed.substr(0, kMostName))
+  for (const char c : typed.substr(0, kMaxName))
     if (c != ' ' && c != '-' && c != '_')
       name += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
   return name;
@@ -94,7 +94,7 @@ std::string joined(std::span<const std::string_view> names) {
 }
 
 std::string unknownProfile(std::string_view name) {
-  const std::string start = "no profile \"" + std::string(name.substr(0, kMostName)) + "\"";
+  const std::string start = "no profile \"" + std::string(name.substr(0, kMaxName)) + "\"";
   const std::string full = inFull(plain(name));
   for (const Absent &absent : kAbsent)
     if (absent.name == plain(name) || absent.name == full)

@@ -11,10 +11,10 @@
 namespace arbiter::fp::ir {
 namespace {
 
-constexpr float kFine = 0x1.00001p0f;  ///< 1 + 2^-20: a single, which becomes 1 in 24 bits
-constexpr float kMost = 0x1.0001FEp0f; ///< truncated it is 1 + 2^-16, rounded 1 + 2^-15
-constexpr float kDown = 0x1.0001p0f;   ///< 1 + 2^-16
-constexpr float kUp = 0x1.0002p0f;     ///< 1 + 2^-15
+constexpr float kFine = 0x1.00001p0f; ///< 1 + 2^-20: a single, which becomes 1 in 24 bits
+constexpr float kMax = 0x1.0001FEp0f; ///< truncated it is 1 + 2^-16, rounded 1 + 2^-15
+constexpr float kDown = 0x1.0001p0f;  ///< 1 + 2^-16
+constexpr float kUp = 0x1.0002p0f;    ///< 1 + 2^-15
 
 Vec4 run(const Builder &b, Numerics numerics, Inputs inputs = {}) {
   EXPECT_TRUE(validate(b.program()).empty());
@@ -23,7 +23,7 @@ Vec4 run(const Builder &b, Numerics numerics, Inputs inputs = {}) {
 }
 
 TEST(Fp24, RegistersAreReadEachInItsWay) {
-  const Vec4 given = {kMost, -kMost, 0x1p-63f, 0x1p70f};
+  const Vec4 given = {kMax, -kMax, 0x1p-63f, 0x1p70f};
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const Vec4 attributes[] = {given};
   Inputs inputs;
@@ -72,7 +72,7 @@ TEST(Fp24, TexturesDivideInSinglesAndTexelsAreRounded) {
   inputs.attributes = attributes;
   inputs.texture = [&](const Sample &s) {
     seen.push_back(s);
-    return Vec4{kFine, kMost, kMost, -kMost};
+    return Vec4{kFine, kMax, kMax, -kMax};
   };
   EXPECT_EQ(run(b, Numerics::Fp24, inputs), (Vec4{1, kUp, kUp, -kUp}));
   ASSERT_EQ(seen.size(), 2u);
@@ -119,7 +119,7 @@ float fogged(FogMode mode, float c, Vec4 params, Numerics numerics) {
   Inputs inputs;
   inputs.fogCoordinate = c;
   inputs.parameter = [&](const Parameter &p) {
-    return p.state.item == StateItem::FogParams ? params : Vec4{kMost, kMost, kMost, 0};
+    return p.state.item == StateItem::FogParams ? params : Vec4{kMax, kMax, kMax, 0};
   };
   const Vec4 color = run(b, numerics, inputs);
   EXPECT_EQ(color[3], 1.0f) << "clamped, not fogged";

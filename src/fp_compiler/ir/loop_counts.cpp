@@ -14,7 +14,7 @@ std::uint64_t mostIterations(const Program &program, const Instruction &repeat) 
     const bool known = operand.file == File::Parameter && !operand.relative &&
                        program.parameters[operand.index].kind == ParameterKind::Constant;
     if (!known)
-      return kMostIterations;
+      return kMaxIterations;
     count = program.parameters[operand.index].constant[std::size_t(select)];
   }
   return iterations((operand.negate & 1) != 0 ? -count : count);
@@ -27,7 +27,7 @@ bool endsByItself(const Program &program) {
     if (instruction.op == Opcode::Rep) {
       times.push_back(times.back() * mostIterations(program, instruction));
       begun += times.back();
-      if (begun >= kMostIterations)
+      if (begun >= kMaxIterations)
         return false;
     } else if (instruction.op == Opcode::Endrep) {
       times.pop_back();

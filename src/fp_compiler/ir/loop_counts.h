@@ -6,10 +6,10 @@
 /// Finds how often loops run, as far as a program's constants tell.
 namespace arbiter::fp::ir {
 
-/// Returns the iterations of a REP, or kMostIterations if its count is not a constant.
+/// Returns the iterations of a REP, or kMaxIterations if its count is not a constant.
 [[nodiscard]] std::uint64_t mostIterations(const Program &program, const Instruction &repeat);
 
-/// True if constants keep the iterations of all loops together below kMostIterations.
+/// True if constants keep the iterations of all loops together below kMaxIterations.
 [[nodiscard]] bool endsByItself(const Program &program);
 
 } // namespace arbiter::fp::ir

@@ -31,7 +31,7 @@ void Machine::advance() {
 /// Begins the next iteration of the innermost loop, or leaves the loop.
 void Machine::iterate() {
   Loop &loop = m_loops.back();
-  if (loop.left > 0 && m_begun < kMostIterations) {
+  if (loop.left > 0 && m_begun < kMaxIterations) {
     --loop.left;
     ++m_begun;
     m_at = loop.begin + 1;

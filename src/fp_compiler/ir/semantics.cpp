@@ -343,7 +343,7 @@ Vec4 apply(Opcode op, const Operands &operands, Numerics numerics, Language lang
 std::uint32_t iterations(float count) {
   if (!(count >= 1.0f))
     return 0;
-  return count < float(kMostIterations) ? std::uint32_t(count) : kMostIterations;
+  return count < float(kMaxIterations) ? std::uint32_t(count) : kMaxIterations;
 }
 
 bool kills(const Vec4 &operand) {

@@ -147,7 +147,7 @@ using Operands = std::array<Vec4, 3>;
 /// The most iterations that a run of a program begins, over all its loops. This is enough for the
 /// 65,536 instructions that NV_fragment_program2 promises, and below the 65,535 after which
 /// llvmpipe ends a loop by itself.
-inline constexpr std::uint32_t kMostIterations = 65000;
+inline constexpr std::uint32_t kMaxIterations = 65000;
 /// Returns how often REP runs its body.
 [[nodiscard]] std::uint32_t iterations(float count);
 

@@ -20,9 +20,9 @@ namespace {
 constexpr std::uint8_t kX = 1, kAll = 0xF;
 /// Maximum number of instructions that the loops may become. The lower limit holds if values decide
 /// some BRK: a real loop could then exit early, but the rewritten code cannot.
-constexpr std::size_t kMostDecided = 1024, kMostSelected = 192;
+constexpr std::size_t kMaxDecided = 1024, kMaxSelected = 192;
 /// Maximum number of steps. A loop that needs more is kept.
-constexpr std::size_t kMostSteps = 8192;
+constexpr std::size_t kMaxSteps = 8192;
 
 Operand temporary(std::uint16_t index) {
   Operand operand;
@@ -54,8 +54,8 @@ public:
     bool done = true;
     std::size_t steps = 0;
     for (std::size_t at = 0; done && at < m_program.code.size(); ++steps)
-      done = steps < m_outside + kMostSteps && step(at) &&
-             m_made.size() <= m_outside + (m_selected ? kMostSelected : kMostDecided);
+      done = steps < m_outside + kMaxSteps && step(at) &&
+             m_made.size() <= m_outside + (m_selected ? kMaxSelected : kMaxDecided);
     if (!done) {
       m_program.temporaries.resize(registers);
       m_program.parameters.resize(rows);

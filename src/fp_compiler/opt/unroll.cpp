@@ -12,7 +12,7 @@ struct Open {
 
 /// Maximum size of one unrolled loop, and of all together. Longer code costs more than the loop
 /// saves.
-constexpr std::uint64_t kMostInstructions = 1024;
+constexpr std::uint64_t kMaxInstructions = 1024;
 } // namespace
 
 bool unrollLoops(ir::Program &program) {
@@ -38,12 +38,12 @@ bool unrollLoops(ir::Program &program) {
     open.pop_back();
     const std::uint64_t count = ir::mostIterations(program, made[loop.begin]);
     const std::size_t size = made.size() - loop.begin - 1;
-    if (loop.breaks || count * size > kMostInstructions) {
+    if (loop.breaks || count * size > kMaxInstructions) {
       made.push_back(instruction);
       continue;
     }
     written += count * size;
-    if (written > kMostInstructions)
+    if (written > kMaxInstructions)
       return false;
     changed = true;
     made.erase(made.begin() + std::ptrdiff_t(loop.begin));

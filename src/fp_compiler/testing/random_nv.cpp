@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  static constexpr int kMostSubroutines = 3, kMostDepth = 4;
+  static constexpr int kMaxSubroutines = 3, kMaxDepth = 4;
 
   void line(const std::string &text) { m_text += text + "\n"; }
 
@@ -290,7 +290,7 @@ private:
     else if (kind < 22)
       line(m_random.chance(50) || m_options.wild || m_options.peer ? "KIL " + condition() + ";"
                                                                    : "KIL " + operand(false) + ";");
-    else if (kind < 38 && second() && m_depth < kMostDepth)
+    else if (kind < 38 && second() && m_depth < kMaxDepth)
       block();
     else if (kind < 44 && second())
       call();
@@ -361,9 +361,9 @@ private:
 
   void call() {
     const int first = m_inSubroutine ? m_subroutine + 1 : 0;
-    if (first >= kMostSubroutines || m_loops > 1)
+    if (first >= kMaxSubroutines || m_loops > 1)
       return arithmetic();
-    const int callee = first + m_random.below(kMostSubroutines - first);
+    const int callee = first + m_random.below(kMaxSubroutines - first);
     m_subroutines = std::max(m_subroutines, callee + 1);
     line("CAL sub" + number(callee) +
          (m_random.chance(60) ? " (" + condition() + ");" : std::string(";")));

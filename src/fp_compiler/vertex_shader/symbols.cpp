@@ -16,8 +16,8 @@ using ir::Target;
 
 /// Returns the nearest number that program text can express.
 float finite(float value) {
-  constexpr float kMost = std::numeric_limits<float>::max();
-  return std::isnan(value) ? 0.0f : std::clamp(value, -kMost, kMost);
+  constexpr float kMax = std::numeric_limits<float>::max();
+  return std::isnan(value) ? 0.0f : std::clamp(value, -kMax, kMax);
 }
 
 } // namespace

@@ -14,7 +14,7 @@ namespace {
 using arbiter::interposer::after;
 using arbiter::interposer::contains;
 
-constexpr int kMostLength = 8192;
+constexpr int kMaxLength = 8192;
 
 struct Selection {
   const char *name;  ///< libglvnd's variable
@@ -23,8 +23,8 @@ struct Selection {
   char *before;      ///< a buffer for the previous entry
 };
 
-char g_glx[kMostLength];
-char g_egl[kMostLength];
+char g_glx[kMaxLength];
+char g_egl[kMaxLength];
 const Selection kSelections[] = {
     {"__GLX_VENDOR_LIBRARY_NAME=", "arbiter", "ARBITER_SAVED_GLX_VENDOR=", g_glx},
     {"__EGL_VENDOR_LIBRARY_FILENAMES=", "_arbiter.json", "ARBITER_SAVED_EGL_VENDORS=", g_egl},
@@ -43,7 +43,7 @@ char *entryOf(const char *name, const char *value, char *room) {
   const char *const texts[] = {name, value};
   for (const char *text : texts)
     for (; *text; ++text) {
-      if (length == kMostLength - 1)
+      if (length == kMaxLength - 1)
         return nullptr;
       room[length++] = *text;
     }

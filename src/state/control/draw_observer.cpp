@@ -20,7 +20,7 @@ using host::HostTable;
 /// Names that no application uses.
 constexpr GLuint kList = 0xFFFFFFFAu, kQuery = 0xFFFFFFFAu;
 /// The most rows of one frame; further draws are only counted.
-constexpr std::size_t kMostRows = 4096;
+constexpr std::size_t kMaxRows = 4096;
 
 /// Looks up a function that only this file needs. Every host that counts pixels has it.
 template <typename Function> Function functionOf(const HostTable &host, const char *name) {
@@ -152,7 +152,7 @@ void DrawObserver::pick(ObservedDraw draw, const Redraw &redraw) {
   const auto drawn = m_probe.draw(redraw, wish);
   if (!drawn)
     m_trouble = drawn.error();
-  else if (drawn.value()[0] != kUncovered && m_draws.size() < kMostRows) {
+  else if (drawn.value()[0] != kUncovered && m_draws.size() < kMaxRows) {
     draw.color = drawn.value()[0];
     m_draws.push_back(std::move(draw));
   }
@@ -194,7 +194,7 @@ void DrawObserver::measure(ObservedDraw draw, const Redraw &redraw) {
     if (counts && !errors.failed())
       draw.pixels = pixels;
   }
-  if (m_draws.size() < kMostRows)
+  if (m_draws.size() < kMaxRows)
     m_draws.push_back(std::move(draw));
 }
 

@@ -27,7 +27,7 @@ using Redraw = std::function<void(const host::HostTable &)>;
 /// one entry on its attribute stack.
 class DrawProbe {
 public:
-  static constexpr std::size_t kMostTargets = ProbeTarget::kMostColors;
+  static constexpr std::size_t kMaxTargets = ProbeTarget::kMaxColors;
 
   struct Wish {
     Region region;

@@ -20,7 +20,7 @@ namespace {
 
 using wire::Json;
 
-constexpr int kMostPixels = 64; ///< per side, of one pixel.draw
+constexpr int kMaxPixels = 64; ///< per side, of one pixel.draw
 
 /// Returns the request's observation. Its pixel must be inside the context's frames.
 Observation observationOf(Call &call, Observation::Aim aim) {
@@ -137,11 +137,11 @@ wire::Answer drawHeld(DrawObserver &observer, const Redraw &redraw, wire::Params
   (void)observer.targetSize(width, height);
   DrawProbe::Wish wish;
   const std::string text = params.text("text");
-  wish.targets = std::size_t(params.integer("targets", 1, DrawProbe::kMostTargets, 1));
+  wish.targets = std::size_t(params.integer("targets", 1, DrawProbe::kMaxTargets, 1));
   wish.region.x = int(params.integer("x", 0, std::max(width - 1, 0)));
   wish.region.y = int(params.integer("y", 0, std::max(height - 1, 0)));
-  wish.region.width = int(params.integer("width", 1, kMostPixels, 1));
-  wish.region.height = int(params.integer("height", 1, kMostPixels, 1));
+  wish.region.width = int(params.integer("width", 1, kMaxPixels, 1));
+  wish.region.height = int(params.integer("height", 1, kMaxPixels, 1));
   wish.locals = localsOf(params);
   if (params.has("clear"))
     params.floats("clear", wish.clear.data(), 4);

@@ -12,7 +12,7 @@ namespace arbiter::state::remote {
 
 namespace {
 
-constexpr std::size_t kDepth = ProbeTarget::kMostColors; ///< index of the depth texture
+constexpr std::size_t kDepth = ProbeTarget::kMaxColors; ///< index of the depth texture
 
 /// The depth formats that copies are tried with. Framebuffer objects often have no stencil, windows
 /// mostly have.
@@ -81,8 +81,8 @@ bool ProbeTarget::attach(std::size_t colors, const Region &region, GLenum depthF
   if (depthFormat != 0)
     image(kDepth, width, height, depthFormat);
   m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, m_framebuffer);
-  std::array<GLenum, kMostColors> buffers{};
-  for (std::size_t i = 0; i < kMostColors; ++i) {
+  std::array<GLenum, kMaxColors> buffers{};
+  for (std::size_t i = 0; i < kMaxColors; ++i) {
     const bool used = i < colors;
     buffers[i] = used ? GLenum(GL_COLOR_ATTACHMENT0 + i) : GLenum(GL_NONE);
     m_host.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GLenum(GL_COLOR_ATTACHMENT0 + i),

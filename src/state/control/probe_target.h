@@ -22,7 +22,7 @@ struct Region {
 /// current, outside Begin and lists.
 class ProbeTarget {
 public:
-  static constexpr std::size_t kMostColors = 4;
+  static constexpr std::size_t kMaxColors = 4;
   /// Selects the names, as a context may have two objects at a time.
   enum class Use { Values, Depths };
 

@@ -154,8 +154,8 @@ wire::Answer textureList(Call &call) {
 }
 
 wire::Answer textureGet(Call &call) {
-  constexpr int kUsual = 128, kMost = 512;
-  const int size = int(call.params.integer("size", 1, kMost, kUsual));
+  constexpr int kUsual = 128, kMax = 512;
+  const int size = int(call.params.integer("size", 1, kMax, kUsual));
   const std::optional<BoundTexture> texture = findTexture(call);
   if (!texture || !call.params.ok())
     return notFound(call);

@@ -84,7 +84,7 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
 namespace {
 
 /// An application that generates more names than this will fill them.
-constexpr GLsizei kMostKnownEmpty = 4096;
+constexpr GLsizei kMaxKnownEmpty = 4096;
 
 GLuint generateLists(Context &context, GLsizei range) {
   DisplayListTable &lists = context.group->lists;
@@ -102,7 +102,7 @@ GLuint generateLists(Context &context, GLsizei range) {
 
 GLuint GenLists(Context &context, GLsizei range) {
   const GLuint first = generateLists(context, range);
-  if (first != 0 && range <= kMostKnownEmpty && software::keepsLists(context))
+  if (first != 0 && range <= kMaxKnownEmpty && software::keepsLists(context))
     withinMemory(context, "GenLists", [&] { context.group->lists.noteEmpty(first, range); });
   return first;
 }

@@ -19,8 +19,8 @@ bool listsEnablePlanes(const Context &context) {
 }
 
 GLint planeCount(const Context &context) {
-  constexpr GLint kMostPlanes = 8;
-  return std::min(context.caps.maxClipPlanes, kMostPlanes);
+  constexpr GLint kMaxPlanes = 8;
+  return std::min(context.caps.maxClipPlanes, kMaxPlanes);
 }
 
 void askHost(Context &context) {

@@ -48,10 +48,10 @@ struct AllCounters {
 };
 
 std::shared_ptr<Counters> countersOf(const Context &context) {
-  constexpr std::size_t kMost = 64; // bounds the map, as contexts come and go
+  constexpr std::size_t kMax = 64; // bounds the map, as contexts come and go
   static auto *const s_all = new AllCounters;
   const std::lock_guard lock(s_all->mutex);
-  if (s_all->of.size() > kMost)
+  if (s_all->of.size() > kMax)
     s_all->of.clear();
   std::shared_ptr<Counters> &counters = s_all->of[context.serial];
   if (!counters)
@@ -61,10 +61,10 @@ std::shared_ptr<Counters> countersOf(const Context &context) {
 
 /// Returns the host's renderer, which is queried once.
 const std::string &hostOf(const Context &context, Counters &counters) {
-  constexpr std::size_t kMost = 48; // letters
+  constexpr std::size_t kMax = 48; // letters
   if (counters.host.empty())
     if (const GLubyte *const name = context.host->GetString(GL_RENDERER))
-      counters.host = std::string(reinterpret_cast<const char *>(name)).substr(0, kMost);
+      counters.host = std::string(reinterpret_cast<const char *>(name)).substr(0, kMax);
   return counters.host;
 }
 

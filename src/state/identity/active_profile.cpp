@@ -12,7 +12,7 @@
 namespace arbiter::state {
 
 namespace {
-constexpr GLint kMostImageUnits = 32; ///< the compiler numbers no more
+constexpr GLint kMaxImageUnits = 32; ///< the compiler numbers no more
 } // namespace
 
 const fp::hw::Profile &activeProfile() {
@@ -52,7 +52,7 @@ fp::Limits limitsUnder(const fp::hw::Profile &profile, Target target, const host
   limits.nvVertexProgram = caps.drawsNvOptions() ? ofProfile.nvVertexProgram : 0;
   // A vertex program that samples may name the units of all stages.
   const GLint imageUnits = vertex && limits.nvOptions >= 2
-                               ? std::min(caps.maxCombinedImageUnits, kMostImageUnits)
+                               ? std::min(caps.maxCombinedImageUnits, kMaxImageUnits)
                                : caps.maxTextureImageUnits;
   if (fromHost) {
     limits.textureImageUnits = std::uint32_t(imageUnits);

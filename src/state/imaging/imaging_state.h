@@ -20,8 +20,8 @@ struct ProxyTable {
 /// The layer's ARB_imaging in a context. Commands of pixel_commands/imaging_commands.h set it, and
 /// those of pixel_commands/pixel_commands.h apply it to pixels.
 struct ImagingState {
-  static constexpr GLsizei kMostEntries = 4096; ///< of tables and histograms
-  static constexpr GLsizei kMostFilter = 11;    ///< MAX_CONVOLUTION_WIDTH and _HEIGHT
+  static constexpr GLsizei kMaxEntries = 4096; ///< of tables and histograms
+  static constexpr GLsizei kMaxFilter = 11;    ///< MAX_CONVOLUTION_WIDTH and _HEIGHT
 
   imaging::Settings settings;
   imaging::Contents contents;

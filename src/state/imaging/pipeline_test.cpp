@@ -152,7 +152,7 @@ TEST(Imaging, ASinkTakesThePixels) {
   contents.histogram.sink = true;
   Pixels pixels = gradient(1, 1);
   EXPECT_FALSE(run(settings, contents, kIdentity, ImageKind::Two, pixels));
-  EXPECT_EQ(contents.minmax.most[0], -Minmax::kMost) << "it is behind the histogram";
+  EXPECT_EQ(contents.minmax.most[0], -Minmax::kMax) << "it is behind the histogram";
   contents.histogram.sink = false;
   EXPECT_TRUE(run(settings, contents, kIdentity, ImageKind::Two, pixels));
   EXPECT_EQ(contents.minmax.most[0], 0);

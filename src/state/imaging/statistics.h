@@ -23,12 +23,12 @@ struct Histogram {
 };
 
 struct Minmax {
-  static constexpr float kMost = std::numeric_limits<float>::max();
+  static constexpr float kMax = std::numeric_limits<float>::max();
 
   GLenum format = GL_RGBA;
   bool sink = false;
-  Rgba least = {kMost, kMost, kMost, kMost};
-  Rgba most = {-kMost, -kMost, -kMost, -kMost};
+  Rgba least = {kMax, kMax, kMax, kMax};
+  Rgba most = {-kMax, -kMax, -kMax, -kMax};
 
   void count(const Pixels &pixels);
 };

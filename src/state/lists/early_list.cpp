@@ -16,7 +16,7 @@ namespace {
 
 /// The most vertices of an early list. A larger list is kept by the host alone, as it is too costly
 /// to have twice.
-constexpr std::uint32_t kMostEarly = 1u << 18;
+constexpr std::uint32_t kMaxEarly = 1u << 18;
 
 } // namespace
 
@@ -49,7 +49,7 @@ void ListCompiler::takeOutsideAttributes(Context &context) {
   finishGeometry();
 }
 
-bool ListCompiler::hasRoom(GLsizei count) const { return !m_early || count <= GLsizei(kMostEarly); }
+bool ListCompiler::hasRoom(GLsizei count) const { return !m_early || count <= GLsizei(kMaxEarly); }
 
 /// Sends the recorded primitive to the host, unless it came from arrays and was sent already.
 void ListCompiler::endEarlyPrimitive(Context &context, bool fromArrays) {
@@ -59,7 +59,7 @@ void ListCompiler::endEarlyPrimitive(Context &context, bool fromArrays) {
   notePrimitive(Primitive::Open);
   notePrimitive(Primitive::Closed);
   m_earlyVertices += m_recorder.count();
-  if (m_earlyVertices > kMostEarly || m_recorder.failed() ||
+  if (m_earlyVertices > kMaxEarly || m_recorder.failed() ||
       !withinMemory(context, "NewList", [&] { keepPrimitive(fromArrays); }))
     leaveEarly(context);
 }
@@ -91,7 +91,7 @@ bool ListCompiler::leaveFull(void *owner, const float position[4]) {
 }
 
 void ListCompiler::limitPrimitive(Context &context) {
-  m_recorder.limit(kMostEarly, leaveFull, &context);
+  m_recorder.limit(kMaxEarly, leaveFull, &context);
 }
 
 /// Returns the recorded items, which the host has too; null if there are none.

@@ -66,12 +66,12 @@ void DisplayListTable::replaceEarly(const host::HostTable &host, GLuint name,
     forgetEarly(host, name, 1);
   if (!list)
     return;
-  constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+  constexpr std::size_t kMaxBytes = std::size_t(64) << 20;
   std::size_t bytes = 0;
   for (const DisplayList::Item &item : list->items)
     bytes += item.geometry ? item.geometry->data.size() * sizeof(float) : 0;
   const std::lock_guard lock(m_mutex);
-  if (m_earlyBytes + bytes > kMostBytes)
+  if (m_earlyBytes + bytes > kMaxBytes)
     return;
   m_early[name] = {std::move(list), bytes};
   m_earlyBytes += bytes;

@@ -5,7 +5,7 @@ namespace arbiter::state {
 using fp::vertex_shader::From;
 
 GLuint VertexSymbolTable::add(const VertexSymbol &kind, GLuint count) {
-  if (count > kFirstName + kMostSymbols - m_next)
+  if (count > kFirstName + kMaxSymbols - m_next)
     return 0;
   const GLuint first = m_next;
   for (GLuint i = 0; i < count; ++i) {

@@ -48,7 +48,7 @@ public:
                                                                12, 11, 10, 9, 8, 2,  3};
   /// Smaller names are outputs of shaders (OUTPUT_VERTEX_EXT and on).
   static constexpr GLuint kFirstName = 0x10000;
-  static constexpr GLuint kMostSymbols = 1u << 20;
+  static constexpr GLuint kMaxSymbols = 1u << 20;
 
   /// Creates `count` consecutive symbols. Returns the first name, or 0 if there are too many.
   [[nodiscard]] GLuint generate(const VertexSymbol &kind, GLuint count);

@@ -86,7 +86,7 @@ struct ProgramTarget {
   /// Returns how many local parameters an object has. Named parameters follow the numbered ones.
   [[nodiscard]] std::size_t localsOfObject() const {
     const bool named = target == Target::Fragment && limits.nvOptions != 0;
-    return limits.localParameters + (named ? fp::kMostNamedParameters : 0);
+    return limits.localParameters + (named ? fp::kMaxNamedParameters : 0);
   }
   /// True if env parameter `index` tracks a matrix.
   [[nodiscard]] bool follows(std::size_t index) const {

@@ -15,9 +15,9 @@ class Context;
 
 /// Returns the nearest integer of the type; 0 for NaN.
 template <typename T> [[nodiscard]] T wholeNumber(double value) {
-  constexpr auto kMost = double(std::numeric_limits<T>::max());
+  constexpr auto kMax = double(std::numeric_limits<T>::max());
   const double nearest = std::floor(value + 0.5);
-  if (!(nearest < kMost))
+  if (!(nearest < kMax))
     return std::isnan(nearest) ? T(0) : std::numeric_limits<T>::max();
   return T(std::max(nearest, double(std::numeric_limits<T>::min())));
 }

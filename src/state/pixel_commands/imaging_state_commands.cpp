@@ -41,8 +41,8 @@ GLenum tableError(const ImagingCommand &command) {
     return GL_INVALID_ENUM;
   if (!isPower(command.width))
     return GL_INVALID_VALUE;
-  return !proxy && command.width > ImagingState::kMostEntries ? GLenum(GL_TABLE_TOO_LARGE)
-                                                              : GLenum(GL_NO_ERROR);
+  return !proxy && command.width > ImagingState::kMaxEntries ? GLenum(GL_TABLE_TOO_LARGE)
+                                                             : GLenum(GL_NO_ERROR);
 }
 
 void setColorTable(Context &context, const ImagingCommand &command,
@@ -53,7 +53,7 @@ void setColorTable(Context &context, const ImagingCommand &command,
   bool proxy = false;
   const int number = tableOf(command.target, proxy);
   if (proxy) {
-    state.proxyTables[std::size_t(number)] = command.width > ImagingState::kMostEntries
+    state.proxyTables[std::size_t(number)] = command.width > ImagingState::kMaxEntries
                                                  ? ProxyTable{0}
                                                  : ProxyTable{command.pname, command.width};
     return;
@@ -101,8 +101,8 @@ void setFilter(Context &context, const ImagingCommand &command,
   const int number = filterTargetOf(command.target);
   if (number < 0 || !imaging::findFormat(command.pname))
     return raise(context, GL_INVALID_ENUM, "ConvolutionFilter: target or internal format");
-  if (command.width < 0 || command.height < 0 || command.width > ImagingState::kMostFilter ||
-      command.height > ImagingState::kMostFilter)
+  if (command.width < 0 || command.height < 0 || command.width > ImagingState::kMaxFilter ||
+      command.height > ImagingState::kMaxFilter)
     return raise(context, GL_INVALID_VALUE, "ConvolutionFilter: a size");
   const std::vector<imaging::Rgba> values =
       scaled(state.settings.filters[std::size_t(number)], colors);
@@ -160,7 +160,7 @@ void setHistogram(Context &context, const ImagingCommand &command) {
     return raise(context, GL_INVALID_ENUM, "Histogram: target or internal format");
   if (!isPower(command.width))
     return raise(context, GL_INVALID_VALUE, "Histogram: width is no power of two");
-  const bool tooLarge = command.width > ImagingState::kMostEntries;
+  const bool tooLarge = command.width > ImagingState::kMaxEntries;
   if (proxy) {
     state.proxyHistogram =
         tooLarge ? ProxyTable{0} : ProxyTable{command.pname, command.width, command.flag};

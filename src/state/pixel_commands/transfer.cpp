@@ -16,7 +16,7 @@ namespace {
 
 /// The most pixels of an image that is read: a gigabyte. No framebuffer has more, but a command may
 /// ask for any size, as the application needs no memory for it.
-constexpr std::size_t kMostPixels = std::size_t(1) << 26;
+constexpr std::size_t kMaxPixels = std::size_t(1) << 26;
 
 /// A temporary texture of the layer's, bound while this lives.
 class Scratch {
@@ -162,7 +162,7 @@ std::optional<imaging::Pixels> readFramebuffer(Context &context, GLint x, GLint 
     return {};
   }
   imaging::Pixels result{width, height, 1, {}};
-  if (result.count() > kMostPixels) {
+  if (result.count() > kMaxPixels) {
     raise(context, GL_OUT_OF_MEMORY, "an image that is read for imaging");
     return {};
   }

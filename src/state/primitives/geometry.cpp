@@ -92,7 +92,7 @@ std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder, bool fro
 namespace {
 
 /// Most vertices in one draw of primitives that are joined by indices.
-constexpr std::uint32_t kMostJoined = 1u << 16;
+constexpr std::uint32_t kMaxJoined = 1u << 16;
 
 /// Returns the number of vertices without those of an incomplete last primitive, which is not
 /// drawn.
@@ -126,7 +126,7 @@ void join(Geometry &to, std::uint32_t first) {
 
 bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
   const std::uint32_t size = independentVertices(to.mode);
-  const std::uint32_t most = size == 0 ? kMostJoined : 1u << 24;
+  const std::uint32_t most = size == 0 ? kMaxJoined : 1u << 24;
   if (!isDrawnAlike(to, recorder, fromArrays) || to.open || to.count == 0 ||
       recorder.count() == 0 || to.count + recorder.count() > most)
     return false;

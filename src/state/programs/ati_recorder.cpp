@@ -285,9 +285,9 @@ void AtiRecorder::setConstant(int constant, const fp::ir::Vec4 &value) {
   fp::ati::Constant &row = m_shader.constants[std::size_t(constant)];
   row.kind = fp::ati::ConstantKind::Value;
   // Values outside of [0,1] are undefined (AFS:629), and some have no numeral in text.
-  constexpr float kMost = std::numeric_limits<float>::max();
+  constexpr float kMax = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < value.size(); ++i)
-    row.value[i] = std::isnan(value[i]) ? 0.0f : std::clamp(value[i], -kMost, kMost);
+    row.value[i] = std::isnan(value[i]) ? 0.0f : std::clamp(value[i], -kMax, kMax);
 }
 
 Verdict AtiRecorder::end() const {

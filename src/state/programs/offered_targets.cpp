@@ -68,8 +68,7 @@ void offerEra(Context &context) {
   if (context.era->offered.vertexShader) {
     fp::Limits limits = context.row(Target::Vertex).limits;
     for (fp::ResourceCounts *const counts : {&limits.api, &limits.native})
-      counts->instructions =
-          std::min(counts->instructions, VertexShaderRecorder::kMostInstructions);
+      counts->instructions = std::min(counts->instructions, VertexShaderRecorder::kMaxInstructions);
     offer(context, Target::VertexShader, limits);
     context.vertexShaders = std::make_unique<VertexShaderState>();
   }

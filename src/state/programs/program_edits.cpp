@@ -139,11 +139,11 @@ void ProgramEdits::clear() {
 }
 
 void ProgramEdits::noteLoad(const std::string &name) {
-  constexpr std::size_t kMost = 1000;
+  constexpr std::size_t kMax = 1000;
   if (!m_watchesLoads.load(std::memory_order_relaxed))
     return;
   const std::lock_guard lock(m_mutex);
-  if (m_loads.size() < kMost)
+  if (m_loads.size() < kMax)
     m_loads.push_back(name);
 }
 

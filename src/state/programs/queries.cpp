@@ -93,13 +93,13 @@ bool queryNvLimit(const ProgramTarget &row, GLenum pname, GLint *params) {
     *params = fp::nv::kLeastExecuted;
     break;
   case GL_MAX_PROGRAM_CALL_DEPTH_NV:
-    *params = GLint(fp::nv::kMostCalls);
+    *params = GLint(fp::nv::kMaxCalls);
     break;
   case GL_MAX_PROGRAM_IF_DEPTH_NV:
-    *params = GLint(fp::nv::kMostBlocks);
+    *params = GLint(fp::nv::kMaxBlocks);
     break;
   case GL_MAX_PROGRAM_LOOP_DEPTH_NV:
-    *params = GLint(fp::nv::kMostLoops);
+    *params = GLint(fp::nv::kMaxLoops);
     break;
   default:
     *params = fp::nv::kLeastIterations;

@@ -58,7 +58,7 @@ private:
   static void look(const Context &context, Target target, StateText &entry);
   static void replace(Target target, StateText &entry, const fp::CompileOptions &options);
 
-  static constexpr std::size_t kMost = 4096;
+  static constexpr std::size_t kMax = 4096;
   std::unordered_map<std::string, std::unique_ptr<StateText>> m_texts;
   std::uint64_t m_folderSeen = 0, m_editsSeen = 0;
 };
@@ -95,7 +95,7 @@ const StateText &KnownTexts::of(const Context &context, Target target,
       look(context, target, *it->second);
     return *it->second;
   }
-  if (m_texts.size() >= kMost)
+  if (m_texts.size() >= kMax)
     m_texts.clear();
   auto made = std::make_unique<StateText>();
   made->hash = hashBytes(text);

@@ -98,9 +98,9 @@ struct ContextState {
   /// makes programs in each frame would otherwise never be judged.
   [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
     return !readsPixels && !history.waitsForCode && !history.look.isRasterizers() &&
-           history.unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
+           history.unjudgedFrames < (isPlain ? kMaxUnjudgedPlain : kMaxUnjudged);
   }
-  static constexpr int kMostUnjudged = 2, kMostUnjudgedPlain = 20;
+  static constexpr int kMaxUnjudged = 2, kMaxUnjudgedPlain = 20;
   /// True if the rasterizer may test depth or stencil now. If it has a context's looks, the first
   /// frames count as whole ones, even if the host began them for lack of code. The host's depths
   /// are then nearly always those that the rasterizer would have made.

@@ -16,7 +16,7 @@ using swrast::Topology;
 /// of a strip begins with the winding of the first triangle. It is small enough that data between
 /// the stages stays in a processor's cache.
 constexpr std::uint32_t kPart = 3u << 12;
-static_assert(kMostOpen > kPart + 3 && kMostOpen < kMostAtOnce);
+static_assert(kMaxOpen > kPart + 3 && kMaxOpen < kMaxAtOnce);
 
 /// How primitives of a topology continue from one part to the next.
 struct Joint {

@@ -18,19 +18,19 @@ struct VertexSequence {
 };
 
 /// Most vertices to draw at once; more would waste memory.
-inline constexpr std::uint32_t kMostAtOnce = 1u << 18;
+inline constexpr std::uint32_t kMaxAtOnce = 1u << 18;
 
 /// Most vertices in the recorder after parts of an open primitive have been drawn.
-inline constexpr std::uint32_t kMostOpen = 1u << 14;
+inline constexpr std::uint32_t kMaxOpen = 1u << 14;
 
 /// True if a draw must be split, as far as counts tell. Indices may be four times as many, because
 /// they mostly repeat vertices, which should be transformed once.
 [[nodiscard]] constexpr bool isLarge(const VertexSequence &sequence) {
-  return sequence.count > (sequence.indexType != 0 ? 4 * kMostAtOnce : kMostAtOnce);
+  return sequence.count > (sequence.indexType != 0 ? 4 * kMaxAtOnce : kMaxAtOnce);
 }
 /// True if a draw must be split, by the range of its indices.
 [[nodiscard]] constexpr bool isLarge(const IndexRange &range) {
-  return range.count > kMostAtOnce && range.maximum - range.minimum >= kMostAtOnce;
+  return range.count > kMaxAtOnce && range.maximum - range.minimum >= kMaxAtOnce;
 }
 
 /// Draws the sequence in parts. If the outcome is not ok, nothing has been drawn and the host must

@@ -14,7 +14,7 @@ DrawnStates &DrawnStates::instance() {
 bool DrawnStates::note(std::shared_ptr<const CompiledProgram> state) {
   std::string name = textFileName(state->target, state->hash);
   const std::lock_guard lock(m_mutex);
-  if (m_states.size() >= kMost && m_states.count(name) == 0)
+  if (m_states.size() >= kMax && m_states.count(name) == 0)
     m_states.clear();
   return m_states.insert_or_assign(std::move(name), std::move(state)).second;
 }

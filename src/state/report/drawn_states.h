@@ -23,7 +23,7 @@ public:
 
 private:
   /// An application that keeps on making new states makes the list start again here.
-  static constexpr std::size_t kMost = 4096;
+  static constexpr std::size_t kMax = 4096;
   std::mutex m_mutex;
   std::map<std::string, std::shared_ptr<const CompiledProgram>> m_states;
 };

@@ -13,8 +13,8 @@ namespace arbiter::state {
 
 namespace {
 
-constexpr std::uint64_t kMostLines = 8; ///< lines in the log; further refusals are counted
-constexpr std::size_t kMostKept = 4096; ///< texts that are remembered
+constexpr std::uint64_t kMaxLines = 8; ///< lines in the log; further refusals are counted
+constexpr std::size_t kMaxKept = 4096; ///< texts that are remembered
 
 struct KnownRefusals {
   std::mutex mutex;
@@ -32,18 +32,18 @@ std::atomic<std::uint64_t> g_texts{0};
 
 void sayRest() {
   const std::uint64_t texts = refusedTexts();
-  if (texts > kMostLines)
+  if (texts > kMaxLines)
     logWarn("state", "and %llu more programs were refused by the profile %s alone",
-            static_cast<unsigned long long>(texts - kMostLines), activeProfile().name.c_str());
+            static_cast<unsigned long long>(texts - kMaxLines), activeProfile().name.c_str());
 }
 
 void say(const char *target, const Refusal &refusal, std::uint64_t before) {
-  if (before == kMostLines) {
+  if (before == kMaxLines) {
     logWarn("state", "more programs are refused by the profile %s; --stats FILE names them all",
             activeProfile().name.c_str());
     std::atexit(sayRest); // if it cannot be registered, the statistics still have the number
   }
-  if (before < kMostLines)
+  if (before < kMaxLines)
     logWarn("state", "a %s program is refused by the profile %s alone: %s; arbiter run %s loads it",
             target, activeProfile().name.c_str(), refusal.reason.c_str(), refusal.remedy());
 }
@@ -62,7 +62,7 @@ Refusal noteRefusal(const char *target, std::string_view text,
   if (const auto known = r.known.find(key); known != r.known.end())
     return known->second;
   Refusal refusal = look();
-  if (r.known.size() < kMostKept)
+  if (r.known.size() < kMaxKept)
     r.known.emplace(key, refusal);
   if (!refusal.reason.empty())
     say(target, refusal, g_texts.fetch_add(1, std::memory_order_relaxed));

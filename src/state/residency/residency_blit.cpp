@@ -22,10 +22,10 @@ struct PlainBlit {
 };
 
 bool isPlain(const FramebufferBlit &blit, PlainBlit &plain) {
-  constexpr std::int64_t kMost = 1 << 20; // keeps sums of coordinates from overflowing
+  constexpr std::int64_t kMax = 1 << 20; // keeps sums of coordinates from overflowing
   for (const GLint at : {blit.from.x0, blit.from.y0, blit.from.x1, blit.from.y1, blit.to.x0,
                          blit.to.y0, blit.to.x1, blit.to.y1})
-    if (std::abs(std::int64_t(at)) > kMost)
+    if (std::abs(std::int64_t(at)) > kMax)
       return false;
   const GLint width = blit.to.x1 - blit.to.x0, height = blit.to.y1 - blit.to.y0;
   const GLint fromHeight = blit.from.y1 - blit.from.y0;

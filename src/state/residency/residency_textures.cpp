@@ -40,14 +40,14 @@ abi::TextureLevel viewOf(const swrast::Image &image) {
 /// The largest image, in bytes, that is downloaded for sampling. Copying a larger one takes longer
 /// than the host's draws with it, and doubles its memory. The rasterizer samples larger ones only
 /// if it drew them.
-constexpr std::int64_t kMostToCopy = std::int64_t(256) << 20;
+constexpr std::int64_t kMaxToCopy = std::int64_t(256) << 20;
 
 /// True if the image's format is supported and it need not be too large a download.
 bool isSampledHere(const PixelImage &image) {
   return image.base != 0 &&
          (image.valid != Valid::Host || std::int64_t(image.width) * image.height * image.depth *
                                                 abi::bytesOf(image.format.layout) <=
-                                            kMostToCopy);
+                                            kMaxToCopy);
 }
 
 /// Returns the first sampled level; null if the texture is incomplete.

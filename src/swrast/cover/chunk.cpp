@@ -124,8 +124,8 @@ void Chunk::linkSmall(std::uint32_t number) {
 
 void Chunk::addGroup(const Draw &draw, const SmallSetUp &with, const TriangleGroup &group,
                      const TriangleCorners *corners) {
-  if (m_small.size() < m_smallCount + TriangleGroup::kMost)
-    m_small.resize(std::max(2 * m_small.size(), m_smallCount + TriangleGroup::kMost));
+  if (m_small.size() < m_smallCount + TriangleGroup::kMax)
+    m_small.resize(std::max(2 * m_small.size(), m_smallCount + TriangleGroup::kMax));
   const GroupSetUp made = with.kernel(with, draw.window, group, m_small.data() + m_smallCount);
   for (unsigned rest = made.small | made.other; rest != 0; rest &= rest - 1) {
     const unsigned lane = rest & -rest;
@@ -149,7 +149,7 @@ void Chunk::setUpAs(const Draw &draw, std::uint32_t first, std::uint32_t end) {
   const bool provokingIsFirst = provokesFirst(draw.state, kTopology);
   const SmallSetUp with(draw.state, m_grid.clip);
   TriangleGroup group = {};
-  TriangleCorners corners[TriangleGroup::kMost];
+  TriangleCorners corners[TriangleGroup::kMax];
   for (std::uint32_t i = first; i < end; ++i) {
     TriangleCorners &own = corners[group.count];
     own = triangleAt(kTopology, draw.count, i, provokingIsFirst, draw.otherDiagonal);
@@ -164,14 +164,14 @@ void Chunk::setUpAs(const Draw &draw, std::uint32_t first, std::uint32_t end) {
     for (int k = 0; k < 3; ++k)
       group.vertex[k][group.count] = vertexAt(own.corner[k]);
     group.provoking[group.count] = vertexAt(own.provoking);
-    if (isThere && ++group.count == TriangleGroup::kMost) {
+    if (isThere && ++group.count == TriangleGroup::kMax) {
       addGroup(draw, with, group, corners);
       group.count = 0;
     }
   }
   if (group.count != 0) {
     // The kernel reads all lanes, so unused ones get a valid triangle.
-    for (int lane = group.count; lane < TriangleGroup::kMost; ++lane)
+    for (int lane = group.count; lane < TriangleGroup::kMax; ++lane)
       for (auto &vertex : group.vertex)
         vertex[lane] = vertex[0];
     addGroup(draw, with, group, corners);

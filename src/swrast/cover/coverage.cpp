@@ -23,9 +23,9 @@ const CoverKernels &chooseCoverKernels() {
 bool fitsRegions(const Shape &shape) {
   // In a tile of 64 pixels, an edge that crosses it is at most (|a| + |b|) * 63 from 0. The kernels
   // look up to a tile and a block further: 1.5 * 2^23 * 131 < 2^31.
-  constexpr std::int64_t kMost = std::int64_t(3) << 22;
+  constexpr std::int64_t kMax = std::int64_t(3) << 22;
   return std::all_of(shape.edges, shape.edges + shape.edgeCount, [](const Edge &edge) {
-    return std::abs(std::int64_t(edge.a)) + std::abs(std::int64_t(edge.b)) <= kMost;
+    return std::abs(std::int64_t(edge.a)) + std::abs(std::int64_t(edge.b)) <= kMax;
   });
 }
 

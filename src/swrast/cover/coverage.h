@@ -11,14 +11,14 @@ struct Cover {
 
 /// The part of a convex shape in one tile, with 32-bit edge functions.
 struct Region {
-  static constexpr int kSide = 64, kMostEdges = 4;
+  static constexpr int kSide = 64, kMaxEdges = 4;
   /// A pixel is inside if a * (x - left) + b * (y - bottom) + c >= 0.
   struct Edge {
     std::int32_t a, b, c;
   };
   std::int32_t left, bottom, right, top; ///< pixels of one aligned tile of kSide, half-open
   std::int32_t count;                    ///< number of edges that cross the region
-  Edge edges[kMostEdges];
+  Edge edges[kMaxEdges];
 };
 /// True if the shape's edges fit a Region. Edges within any viewport do. Those of lines and
 /// rectangles that begin far outside of it do not.

@@ -175,16 +175,16 @@ template <int kWidth, int kHeight> unsigned rowsMask(std::int32_t from, std::int
 /// each pixel.
 template <typename Int, int kWidth, int kHeight>
 Cover coverRegion(const Region &region, abi::Block *blocks) {
-  constexpr int kLanes = kWidth * kHeight, kColumns = 16, kMost = Region::kMostEdges;
+  constexpr int kLanes = kWidth * kHeight, kColumns = 16, kMax = Region::kMaxEdges;
   static_assert(sizeof(Int) == kLanes * sizeof(std::int32_t));
   constexpr unsigned kAll = (1u << kLanes) - 1;
   const auto least = [](std::int32_t value) { return value < 0 ? value : 0; };
   const std::int32_t firstX = region.left & -kWidth, firstY = region.bottom & -kHeight;
   const int count = region.count;
   // the edge function at a block's first pixel, relative to the first block's
-  Block16 column[kMost];
-  Int pixel[kMost]; // the edge function at a pixel, relative to the block's first pixel
-  std::int32_t best[kMost], worst[kMost], start[kMost];
+  Block16 column[kMax];
+  Int pixel[kMax]; // the edge function at a pixel, relative to the block's first pixel
+  std::int32_t best[kMax], worst[kMax], start[kMax];
   for (int i = 0; i < count; ++i) {
     const Region::Edge &edge = region.edges[i];
     setPlane<kColumns>(column[i], 0, edge.a * kWidth, 0);

@@ -162,7 +162,7 @@ std::optional<SmallTriangle> smallOf(WindowVertex (&corner)[3]) {
   group.count = 1;
   for (auto &vertex : group.vertex)
     vertex[0] = std::uint32_t(&vertex - group.vertex);
-  SmallTriangle made[TriangleGroup::kMost];
+  SmallTriangle made[TriangleGroup::kMax];
   if (setUpSmallBaseline(with, corner, group, made).small == 0)
     return std::nullopt;
   return made[0];

@@ -44,8 +44,8 @@ std::uint64_t shadeBand(const RasterState &state, const Shading &shading, const 
 
 std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, const Shape *shapes,
                            std::size_t count) {
-  constexpr int kMost = std::numeric_limits<int>::max(), kLeast = std::numeric_limits<int>::min();
-  int bottom = kMost, top = kLeast, left = kMost, right = kLeast;
+  constexpr int kMax = std::numeric_limits<int>::max(), kLeast = std::numeric_limits<int>::min();
+  int bottom = kMax, top = kLeast, left = kMax, right = kLeast;
   std::int64_t area = 0;
   for (std::size_t i = 0; i < count; ++i) {
     bottom = std::min(bottom, shapes[i].bottom);

@@ -10,7 +10,7 @@ namespace {
 constexpr int kRowVectors = 2;
 /// A shape is packed by the pixel if its blocks in a tile have on average no more covered pixels
 /// than this, of 16. A block costs less than a packed vector, but packed vectors are full.
-constexpr std::uint32_t kMostPacked = 8;
+constexpr std::uint32_t kMaxPacked = 8;
 
 /// Counts the bits set in the low 16, without the instruction that some supported processors lack.
 unsigned coveredPixels(unsigned mask) {
@@ -166,7 +166,7 @@ bool Emitter::pack(const Shape &shape, const Rect &part) {
   if (isWide && fillsBlocks(shape))
     return false;
   const Cover cover = m_cover.region(region, kPackedBlock.lanes(), m_blocks);
-  const bool isThin = cover.pixels <= kMostPacked * cover.blocks;
+  const bool isThin = cover.pixels <= kMaxPacked * cover.blocks;
   const bool alike = m_blockSize.lanes() == kPackedBlock.lanes();
   if (!isThin && (!alike || isWide))
     return false;

@@ -7,20 +7,20 @@
 namespace arbiter::swrast {
 
 namespace {
-constexpr std::uint32_t kMostPending = 512, kMostBlocks = 4096;
+constexpr std::uint32_t kMaxPending = 512, kMaxBlocks = 4096;
 /// The pixels of one triangle at most; kVector more are written but not kept.
-constexpr std::uint32_t kMostPixels = PackedTile::kSide * PackedTile::kSide;
+constexpr std::uint32_t kMaxPixels = PackedTile::kSide * PackedTile::kSide;
 constexpr std::uint32_t kVector = 16;
 } // namespace
 
 struct PackedShader::Storage {
   PackedTile tile;
-  alignas(64) abi::Pixel pixels[kMostPixels + kVector];
+  alignas(64) abi::Pixel pixels[kMaxPixels + kVector];
   abi::PrimitiveColumns columns;
   const PackedTriangle *column[abi::PrimitiveColumns::kColumns];
-  PackedTriangle pending[kMostPending];
+  PackedTriangle pending[kMaxPending];
   /// A triangle has at most a tile's blocks, and one more block is written but not kept.
-  abi::Block blocks[kMostBlocks + PackedTile::kBlocks + 1];
+  abi::Block blocks[kMaxBlocks + PackedTile::kBlocks + 1];
 };
 
 PackedShader::Storage *PackedShader::storage() { return PerThread<Storage, PackedShader>::get(); }
@@ -41,7 +41,7 @@ bool PackedShader::begin(const Rect &tile) {
 }
 
 PackedTriangle &PackedShader::next() {
-  if (m_pending == kMostPending || m_blocks > kMostBlocks)
+  if (m_pending == kMaxPending || m_blocks > kMaxBlocks)
     resolve();
   return m_storage->pending[m_pending];
 }
@@ -82,7 +82,7 @@ void PackedShader::test(PackedTriangle &next, const abi::Block *blocks, std::uin
 
 void PackedShader::list(PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks) {
   Storage &own = *m_storage;
-  if (m_columns == m_shading.lanes || m_pixels + each.count * PackedTile::kLanes > kMostPixels)
+  if (m_columns == m_shading.lanes || m_pixels + each.count * PackedTile::kLanes > kMaxPixels)
     shade();
   const std::uint32_t pixels =
       m_kernels.list(own.tile, owner, unsigned(m_columns), m_shading.packsQuads, blocks, each.count,

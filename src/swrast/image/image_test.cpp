@@ -182,9 +182,8 @@ TEST(Image, Intersections) {
   EXPECT_EQ(intersect({0, 0, 10, 10}, {5, -5, 10, 10}), (Rect{5, 0, 5, 5}));
   EXPECT_TRUE(intersect({0, 0, 10, 10}, {10, 0, 5, 5}).empty());
   EXPECT_TRUE(intersect({0, 0, -1, 10}, {0, 0, 5, 5}).empty());
-  constexpr int kMost = 2147483647;
-  EXPECT_EQ(intersect({-5, -5, kMost, kMost}, {0, 0, kMost, kMost}),
-            (Rect{0, 0, kMost - 5, kMost - 5}));
+  constexpr int kMax = 2147483647;
+  EXPECT_EQ(intersect({-5, -5, kMax, kMax}, {0, 0, kMax, kMax}), (Rect{0, 0, kMax - 5, kMax - 5}));
 }
 
 TEST(Image, HalvesRoundTripAndRoundToEven) {

@@ -19,7 +19,7 @@ constexpr std::size_t kBlockAlignment = 128;
 constexpr std::size_t kPoolBlocks = 8;
 /// the pool may exceed the bytes in use by this much
 constexpr std::size_t kPoolBytes = std::size_t(16) << 20;
-constexpr std::uint64_t kLargestBytes = std::min(std::uint64_t(1) << 40, Storage::kMostBytes);
+constexpr std::uint64_t kLargestBytes = std::min(std::uint64_t(1) << 40, Storage::kMaxBytes);
 
 struct Freed {
   std::uint8_t *block = nullptr;
@@ -40,7 +40,7 @@ Pool &pool() {
   return *instance;
 }
 std::atomic<std::size_t> g_totalBytes{0};
-std::atomic<std::uint64_t> g_mostBytes{Storage::kMostBytes};
+std::atomic<std::uint64_t> g_mostBytes{Storage::kMaxBytes};
 
 std::size_t blockBytes(std::size_t bytes) { return (bytes + 2 * kGuardBytes + 63) / 64 * 64; }
 

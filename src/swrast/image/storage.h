@@ -82,7 +82,7 @@ public:
   [[nodiscard]] static std::size_t totalBytes();
   /// Limit of the bytes that all storages may hold, including the pool. A 32-bit process may use an
   /// eighth of its addresses: an application ends if it or the host's driver cannot map memory.
-  static constexpr std::uint64_t kMostBytes = std::uint64_t(1) << (sizeof(void *) == 4 ? 29 : 46);
+  static constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << (sizeof(void *) == 4 ? 29 : 46);
   /// Sets the limit, for tests. \returns the limit before
   static std::uint64_t limitTotal(std::uint64_t bytes);
 

@@ -30,7 +30,7 @@ template <typename T> void reserve(std::vector<T> &store, std::size_t more) {
 }
 
 /// Draws keep their memory for the next batch, but only this many large ones may.
-constexpr std::size_t kLargeBytes = std::size_t(1) << 20, kMostLarge = 16;
+constexpr std::size_t kLargeBytes = std::size_t(1) << 20, kMaxLarge = 16;
 
 std::atomic<std::uint32_t> g_lastNumber{0};
 
@@ -207,7 +207,7 @@ void Batch::shadeTile(std::uint32_t number) {
 void Batch::freeLargest() {
   std::size_t large = 0;
   for (std::size_t i = 0; i < m_drawCount; ++i)
-    if (m_draws[i]->bytes() >= kLargeBytes && ++large > kMostLarge)
+    if (m_draws[i]->bytes() >= kLargeBytes && ++large > kMaxLarge)
       m_draws[i]->free();
 }
 

@@ -12,22 +12,22 @@ namespace arbiter::swrast {
 namespace {
 
 /// Draws of more vertices are not queued: all threads work on each of them at once.
-constexpr std::uint32_t kMostVertices = 16384;
+constexpr std::uint32_t kMaxVertices = 16384;
 /// Draws of at most this many triangles may be shaded in bands, whose rows are longer than a
 /// tile's.
 constexpr std::uint32_t kFewTriangles = 32;
 constexpr std::uint64_t kLargePixels = 32768;
 /// Draws of more triangles are set up by the threads that shade them.
 constexpr std::uint32_t kManyTriangles = 512;
-constexpr std::size_t kMostShapes = 4096; ///< most shapes of lines and points: 700 bytes each
+constexpr std::size_t kMaxShapes = 4096; ///< most shapes of lines and points: 700 bytes each
 
 /// A batch of this cost, in nanoseconds, is given to the other threads if they are free.
 constexpr std::uint64_t kPostCost = 90'000;
 /// A batch of less cost is shaded by one thread.
 constexpr std::uint64_t kAloneCost = 40'000;
 /// A batch of this cost no longer waits for the threads to be free.
-constexpr std::uint64_t kMostCost = 4'000'000;
-constexpr std::size_t kMostDraws = 2048;
+constexpr std::uint64_t kMaxCost = 4'000'000;
+constexpr std::size_t kMaxDraws = 2048;
 
 std::uint64_t areaOf(const Rect &rect) {
   return std::uint64_t(rect.width) * std::uint64_t(rect.height);
@@ -67,7 +67,7 @@ template <typename Work> void DrawQueue::alone(Work work) {
 bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology topology,
                     const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
                     std::uint32_t count, const ShadingUse &use) {
-  if (vertices.make || count > kMostVertices || vertices.count > kMostVertices || m_isOpen)
+  if (vertices.make || count > kMaxVertices || vertices.count > kMaxVertices || m_isOpen)
     return false;
   bool isAdded = false;
   alone([&] {
@@ -76,7 +76,7 @@ bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology t
     } catch (const std::bad_alloc &) {
       // the draw was not added
     }
-    if (filling().cost() >= (isOver(m_job) ? kPostCost : kMostCost))
+    if (filling().cost() >= (isOver(m_job) ? kPostCost : kMaxCost))
       postFilling();
   });
   return isAdded;
@@ -127,7 +127,7 @@ bool DrawQueue::addChecked(GivenDraw given) {
   if (m_isSpoilt)
     giveUp();
   given.isSameState = filling().isLast(given.state, given.shading, given.use);
-  if (filling().draws() == kMostDraws || (!given.isSameState && filling().meets(given.use))) {
+  if (filling().draws() == kMaxDraws || (!given.isSameState && filling().meets(given.use))) {
     postFilling();
     given.isSameState = false;
   }
@@ -219,13 +219,13 @@ bool DrawQueue::setUpStrokes(const Draw &draw, Chunk &chunk) {
   chunk.clear(TileGrid::of(draw.state.clip));
   const auto add = [](void *user, const Draw &of, const Shape *shapes, std::size_t count) {
     auto &to = *static_cast<Chunk *>(user);
-    if (to.primitives() >= kMostShapes)
+    if (to.primitives() >= kMaxShapes)
       return; // too many to keep
     for (std::size_t i = 0; i < count; ++i)
       to.addShape(shapes[i], of.shading.inputCount, of.shading.opaque && !shapes[i].stippled);
   };
   m_strokes.gather(draw, {add, &chunk});
-  return chunk.primitives() < kMostShapes;
+  return chunk.primitives() < kMaxShapes;
 }
 
 // --- Shading ---

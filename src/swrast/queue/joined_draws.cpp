@@ -41,7 +41,7 @@ bool isPlain(const GivenDraw &given) {
   const Vertices &vertices = given.vertices;
   return isPolygonal(given.topology) && state.front == PolygonMode::Fill &&
          state.back == PolygonMode::Fill && state.coverage == abi::Coverage::Whole &&
-         vertices.count <= JoinedDraws::kMostOfOne && given.count <= JoinedDraws::kMostOfOne &&
+         vertices.count <= JoinedDraws::kMaxOfOne && given.count <= JoinedDraws::kMaxOfOne &&
          !vertices.make &&
          std::all_of(vertices.position, vertices.position + 4,
                      [](const float *component) { return component != nullptr; }) &&
@@ -68,19 +68,19 @@ Sight sightOf(const GivenDraw &given) {
 
 void JoinedDraws::begin(const GivenDraw &given) {
   if (m_indices.empty())
-    m_indices.resize(std::size_t(kProvokingAt) + kMostTriangles);
+    m_indices.resize(std::size_t(kProvokingAt) + kMaxTriangles);
   std::size_t arrays = 4;
   forInputs(given.shading, m_vertices, given.vertices,
             [&](const float *, const float *from) { arrays += from ? 1u : 0u; });
-  if (m_values.size() < arrays * kMostVertices)
-    m_values.resize(arrays * kMostVertices);
+  if (m_values.size() < arrays * kMaxVertices)
+    m_values.resize(arrays * kMaxVertices);
   m_vertices = {};
   float *next = m_values.data();
   const auto take = [&](const float *&own, const float *from) {
     if (!from)
       return;
     own = next;
-    next += kMostVertices;
+    next += kMaxVertices;
   };
   for (int c = 0; c < 4; ++c)
     take(m_vertices.position[c], given.vertices.position[c]);
@@ -96,8 +96,8 @@ bool JoinedDraws::hasSameArrays(const GivenDraw &given) {
 }
 
 bool JoinedDraws::hasRoom(const GivenDraw &given, std::uint32_t triangles) const {
-  return m_vertices.count + given.vertices.count <= kMostVertices &&
-         m_triangles + triangles <= kMostTriangles;
+  return m_vertices.count + given.vertices.count <= kMaxVertices &&
+         m_triangles + triangles <= kMaxTriangles;
 }
 
 void JoinedDraws::copyVertices(const GivenDraw &given) {
@@ -107,7 +107,7 @@ void JoinedDraws::copyVertices(const GivenDraw &given) {
     if (!from)
       return;
     std::copy_n(from, count, next);
-    next += kMostVertices;
+    next += kMaxVertices;
   };
   for (const float *const component : given.vertices.position)
     copy(nullptr, component);

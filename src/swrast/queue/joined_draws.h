@@ -25,8 +25,8 @@ enum class Sight : std::uint8_t {
 class JoinedDraws {
 public:
   /// Most vertices of one draw. Larger draws gain nothing by joining; their Sight is Unknown.
-  static constexpr std::uint32_t kMostOfOne = 64;
-  static constexpr std::uint32_t kMostVertices = 1024, kMostTriangles = 1024;
+  static constexpr std::uint32_t kMaxOfOne = 64;
+  static constexpr std::uint32_t kMaxVertices = 1024, kMaxTriangles = 1024;
 
   /// Adds a draw. Returns false if it must wait until the joined draws are drawn. Requires that the
   /// draw is Sight::Whole and has the state of those before. The first one may throw
@@ -40,7 +40,7 @@ public:
   [[nodiscard]] const std::uint32_t *indices() const { return m_indices.data(); }
   [[nodiscard]] std::uint32_t count() const { return 3 * m_triangles; }
   /// The value of Draw::provokingAt.
-  static constexpr std::uint32_t kProvokingAt = 3 * kMostTriangles;
+  static constexpr std::uint32_t kProvokingAt = 3 * kMaxTriangles;
 
 private:
   /// Allocates the input arrays that the draw has and its shading reads.
@@ -51,7 +51,7 @@ private:
   void addTriangles(const GivenDraw &given, std::uint32_t triangles);
 
   Vertices m_vertices;         ///< its pointers point into m_values
-  std::vector<float> m_values; ///< kMostVertices for each array
+  std::vector<float> m_values; ///< kMaxVertices for each array
   /// Three indices for each triangle; from kProvokingAt on, the provoking vertex of each.
   std::vector<std::uint32_t> m_indices;
   std::uint32_t m_triangles = 0;

@@ -14,9 +14,9 @@ struct Cuts {
     float share; ///< fraction of the way from `near` to `far`
   };
   /// Every plane may cut twice, and line stipple may cut twice more.
-  static constexpr int kMost = 40;
+  static constexpr int kMax = 40;
   static constexpr int kVertices = 3;
-  std::array<Step, kMost> step;
+  std::array<Step, kMax> step;
   int count = 0;
 
   /// Adds a place and returns its number.
@@ -26,7 +26,7 @@ struct Cuts {
   }
   /// Computes a component at all places.
   /// \param value the vertices' values are set; receives the others
-  void follow(float (&value)[kVertices + kMost]) const {
+  void follow(float (&value)[kVertices + kMax]) const {
     for (int i = 0; i < count; ++i) {
       const Step &own = step[std::size_t(i)];
       const float from = value[own.near];

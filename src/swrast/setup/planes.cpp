@@ -74,7 +74,7 @@ private:
   const float *m_values;
   std::uint32_t m_mask;
   const Triangle &m_primitive;
-  float m_places[Cuts::kVertices + Cuts::kMost];
+  float m_places[Cuts::kVertices + Cuts::kMax];
 };
 
 /// Computes all planes but that of depth. \param order the order of the corners in `steps`

@@ -37,7 +37,7 @@ struct SmallSetUp;
 struct TriangleGroup;
 struct GroupSetUp;
 /// Sets up a group of triangles.
-/// \param to receives the small ones in order; has room for TriangleGroup::kMost
+/// \param to receives the small ones in order; has room for TriangleGroup::kMax
 using SetUpSmall = GroupSetUp (*)(const SmallSetUp &with, const WindowVertex *window,
                                   const TriangleGroup &group, SmallTriangle *to);
 
@@ -55,8 +55,8 @@ struct SmallSetUp {
 
 /// Triangles that are set up together.
 struct TriangleGroup {
-  static constexpr int kMost = 16;
-  std::uint32_t vertex[3][kMost], provoking[kMost]; ///< valid indices, for the first `count`
+  static constexpr int kMax = 16;
+  std::uint32_t vertex[3][kMax], provoking[kMax]; ///< valid indices, for the first `count`
   int count = 0;
 };
 

@@ -50,7 +50,7 @@ std::vector<WindowVertex> randomVertices(std::mt19937 &random, int upsideDownHei
 
 TriangleGroup randomGroup(std::mt19937 &random) {
   TriangleGroup group = {};
-  group.count = 1 + int(random() % TriangleGroup::kMost);
+  group.count = 1 + int(random() % TriangleGroup::kMax);
   for (int lane = 0; lane < group.count; ++lane) {
     for (auto &vertex : group.vertex)
       vertex[lane] = std::uint32_t(random() % kVertices);
@@ -151,7 +151,7 @@ TEST_P(Small, IsWhatTheFunctionsForOneSay) {
     const RasterState state = randomState(random);
     const std::vector<WindowVertex> window = randomVertices(random, state.upsideDownHeight);
     const TriangleGroup group = randomGroup(random);
-    std::vector<SmallTriangle> made(TriangleGroup::kMost);
+    std::vector<SmallTriangle> made(TriangleGroup::kMax);
     const GroupSetUp found =
         GetParam()(SmallSetUp(state, kClip), window.data(), group, made.data());
     int next = 0;

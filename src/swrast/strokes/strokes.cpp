@@ -97,7 +97,7 @@ float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
   const float *const sizes = draw.vertices.pointSize;
   if (!sizes)
     return draw.state.pointSize;
-  float value[Cuts::kVertices + Cuts::kMost];
+  float value[Cuts::kVertices + Cuts::kMax];
   for (int i = 0; i < Cuts::kVertices; ++i)
     value[i] = sizes[stroke.vertex[i]];
   stroke.cuts->follow(value);

@@ -57,8 +57,8 @@ int processOf(std::string_view name, std::string_view pattern) {
 
 /// True if `name` is a report of the target `pattern`.
 bool isReport(std::string_view name, std::string_view pattern) {
-  constexpr int kMostNumbers = 2; // TARGET.PID.N
-  for (int i = 0; i <= kMostNumbers; ++i) {
+  constexpr int kMaxNumbers = 2; // TARGET.PID.N
+  for (int i = 0; i <= kMaxNumbers; ++i) {
     if (isTarget(name, pattern))
       return true;
     const std::size_t dot = name.rfind('.');

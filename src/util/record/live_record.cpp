@@ -90,7 +90,7 @@ struct LiveRecord::Layout {
   /// Returns the report's path. A file that another program has written since this one began is not
   /// overwritten, and later numbers are tried in its place.
   [[nodiscard]] Path reportPath() const {
-    constexpr int kMost = 100;
+    constexpr int kMax = 100;
     for (int i = named == 0 && forked != 0 ? 1 : 0;; ++i) {
       Path path;
       path.add(target);
@@ -98,7 +98,7 @@ struct LiveRecord::Layout {
         path.add(".").add(process);
       if (i >= 1 + int(named == 0))
         path.add(".").add(i + int(named != 0));
-      if (i == kMost || !isOthers(path.text))
+      if (i == kMax || !isOthers(path.text))
         return path;
     }
   }

@@ -20,7 +20,7 @@ struct Window {
 };
 
 /// Every host has this many bits of depth for a window; newer Mesa has no more.
-constexpr int kMostPromised = 24;
+constexpr int kMaxPromised = 24;
 
 /// Opens a window as glxgears and GLUT do, with a least depth and no stencil. Makes no context if
 /// more depth is requested than every host has.
@@ -55,7 +55,7 @@ Window open(int depthBits) {
     const ::Window window = makeWindow(made.display, all[i], kEdge, kEdge);
     made.drawable = glXCreateWindow(made.display, all[i], window, nullptr);
   }
-  if (!made.context && depthBits > kMostPromised)
+  if (!made.context && depthBits > kMaxPromised)
     return made;
   if (!made.context ||
       !glXMakeContextCurrent(made.display, made.drawable, made.drawable, made.context)) {

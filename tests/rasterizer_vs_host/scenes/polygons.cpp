@@ -23,7 +23,7 @@ constexpr Kind kKinds[] = {{"triangles", GL_TRIANGLES, 6},   {"strip", GL_TRIANG
                            {"fan", GL_TRIANGLE_FAN, 6},      {"quads", GL_QUADS, 8},
                            {"quad strip", GL_QUAD_STRIP, 8}, {"polygon", GL_POLYGON, 5}};
 
-constexpr std::size_t kMostCorners = 8;
+constexpr std::size_t kMaxCorners = 8;
 constexpr const char *kWays[] = {"by Begin", "by arrays", "by elements"};
 
 class Picture : PictureByChance {
@@ -119,8 +119,8 @@ private:
   void primitive(const Kind &kind, float reach) {
     const float x = real(-0.6f, 0.6f), y = real(-0.6f, 0.6f), size = real(0.1f, 1);
     const auto at = [&](float middle) { return reach * (middle + size * real(-0.4f, 0.4f)); };
-    std::array<std::array<float, 4>, kMostCorners> colors;
-    std::array<std::array<float, 3>, kMostCorners> places;
+    std::array<std::array<float, 4>, kMaxCorners> colors;
+    std::array<std::array<float, 3>, kMaxCorners> places;
     for (auto &color : colors)
       color = {real(0.1f, 1), real(0.1f, 1), 0, 1};
     for (auto &place : places)
@@ -142,7 +142,7 @@ private:
     glEnableClientState(GL_VERTEX_ARRAY);
     if (!m_oneColor)
       glEnableClientState(GL_COLOR_ARRAY);
-    constexpr GLubyte kIndices[kMostCorners] = {0, 1, 2, 3, 4, 5, 6, 7};
+    constexpr GLubyte kIndices[kMaxCorners] = {0, 1, 2, 3, 4, 5, 6, 7};
     if (m_way == kWays[1])
       glDrawArrays(kind.mode, 0, kind.corners);
     else

@@ -12,7 +12,7 @@
 namespace software {
 namespace {
 
-constexpr int kMostRecords = 8; // the first changes prove that a picture flickers
+constexpr int kMaxRecords = 8; // the first changes prove that a picture flickers
 
 void drawFrame(const StillScene &scene) {
   glPushAttrib(GL_ALL_ATTRIB_BITS);
@@ -53,7 +53,7 @@ int drawStill(const StillScene &scene, int frames, bool two) {
       continue;
     shown = std::move(picture);
     record("frame " + std::to_string(frame), shown);
-    if (++recorded == kMostRecords)
+    if (++recorded == kMaxRecords)
       break;
   }
   record("errors" + takeErrors(), {});

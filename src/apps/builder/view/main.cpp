@@ -18,7 +18,7 @@ namespace {
 using namespace arbiter::builder;
 
 constexpr int kExitUsage = 1;
-constexpr int kLeastSide = 320, kMostSide = 8192; ///< of a screenshot
+constexpr int kLeastSide = 320, kMaxSide = 8192; ///< of a screenshot
 
 int fail(const QString &text) {
   std::fprintf(stderr, "arbiter-builder: %s\n", text.toLocal8Bit().constData());
@@ -66,7 +66,7 @@ std::optional<QSize> sizeOf(const QString &text) {
   const QRegularExpressionMatch match = kSize.match(text);
   const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
   const bool fits = std::min(size.width(), size.height()) >= kLeastSide &&
-                    std::max(size.width(), size.height()) <= kMostSide;
+                    std::max(size.width(), size.height()) <= kMaxSide;
   return match.hasMatch() && fits ? std::optional(size) : std::nullopt;
 }
 
@@ -99,7 +99,7 @@ int show(MainWindow &window, const QCommandLineParser &parser, const Options &op
     return fail(QObject::tr("--size %1: a size is WxH, from %2x%2 to %3x%3")
                     .arg(parser.value(options.size))
                     .arg(kLeastSide)
-                    .arg(kMostSide));
+                    .arg(kMaxSide));
   const auto panel = panelOf(parser.value(options.panel));
   if (parser.isSet(options.panel) && !panel)
     return fail(

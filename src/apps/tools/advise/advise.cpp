@@ -11,7 +11,7 @@ namespace {
 
 /// Limits of work for one program and for all of applyAll(), in executed instructions (about 60 per
 /// microsecond). Further proposals are not tested.
-constexpr std::uint64_t kMostSteps = 80'000'000, kMostStepsOfAll = 240'000'000;
+constexpr std::uint64_t kMaxSteps = 80'000'000, kMaxStepsOfAll = 240'000'000;
 
 /// Returns the estimated cost of compiling for each instruction. Scheduling for the R300 takes
 /// quadratic time.
@@ -182,7 +182,7 @@ void move(Advice &advice, std::uint32_t by) {
 
 std::vector<Advice> advise(std::string_view text, const Setting &setting) {
   const std::unique_ptr<Subject> subject = Subject::read(text, setting);
-  std::uint64_t steps = kMostSteps;
+  std::uint64_t steps = kMaxSteps;
   return subject ? adviceFor(*subject, steps) : std::vector<Advice>();
 }
 
@@ -193,10 +193,10 @@ Fixed applyAll(std::string_view text, const Setting &setting) {
   if (!original)
     return fixed;
   fixed.before = fixed.after = original->cost();
-  std::uint64_t left = kMostStepsOfAll;
+  std::uint64_t left = kMaxStepsOfAll;
   // The loop ends because each fix lowers a count and raises none.
   while (const std::unique_ptr<Subject> now = Subject::read(fixed.text, setting)) {
-    std::uint64_t steps = std::min(left, kMostSteps);
+    std::uint64_t steps = std::min(left, kMaxSteps);
     left -= steps;
     const std::vector<Advice> all = adviceFor(*now, steps);
     left += steps; // give back the unused steps

@@ -7,7 +7,7 @@ namespace arbiter::tools::advise {
 namespace {
 
 /// The longest line shown, because a program may be a single line of a megabyte.
-constexpr std::size_t kMostShown = 160;
+constexpr std::size_t kMaxShown = 160;
 
 bool endsLine(char c) { return c == '\n' || c == '\r'; }
 
@@ -29,7 +29,7 @@ std::vector<std::string> linesOf(std::string_view piece) {
   std::string line;
   const auto finish = [&] {
     if (line.find_first_not_of(' ') != std::string::npos)
-      lines.push_back(line.size() > kMostShown ? line.substr(0, kMostShown - 3) + "..." : line);
+      lines.push_back(line.size() > kMaxShown ? line.substr(0, kMaxShown - 3) + "..." : line);
     line.clear();
   };
   for (const char c : piece) {

@@ -242,9 +242,9 @@ bool equal(const Program &original, const Program &rewritten, const std::vector<
   for (const Derived &each : derived)
     given.push_back({each, {}});
   // A discarded fragment shows no result, so that further inputs are tested in its place.
-  constexpr std::uint32_t kMostDiscarded = 8, kLeastSeen = 16;
+  constexpr std::uint32_t kMaxDiscarded = 8, kLeastSeen = 16;
   std::uint32_t seen = 0;
-  for (std::uint32_t i = 0; i < count * kMostDiscarded && seen < count; ++i) {
+  for (std::uint32_t i = 0; i < count * kMaxDiscarded && seen < count; ++i) {
     const Trial trial(first + i);
     const fp::ir::Evaluation expected = Runner(original, trial).run(given);
     const fp::ir::Evaluation got = Runner(rewritten, trial).runGiven(given);

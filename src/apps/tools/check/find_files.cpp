@@ -21,14 +21,14 @@ constexpr std::string_view kShared[] = {".fp", ".vp", ".vfp"};
 constexpr std::string_view kOwn[] = {".atifs", ".arbfp", ".arbvp", ".nvrc", ".nvts"};
 
 /// A header is searched for only in this many bytes, which may begin with comments.
-constexpr std::size_t kMostHead = 64u << 10;
+constexpr std::size_t kMaxHead = 64u << 10;
 
 bool isOneOf(std::string_view extension, std::span<const std::string_view> extensions) {
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 std::string headOf(const fs::path &path) {
-  std::string head(kMostHead, '\0');
+  std::string head(kMaxHead, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(head.data(), std::streamsize(head.size()));
   head.resize(std::size_t(file.gcount()));

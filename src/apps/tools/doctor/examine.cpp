@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostSteps = 4; // limit for scripts that start scripts
+constexpr int kMaxSteps = 4; // limit for scripts that start scripts
 
 /// Interpreters whose programs load GL at run time, so that the interpreter's file tells nothing.
 constexpr std::string_view kInterpreters[] = {"python", "perl", "ruby", "java",
@@ -108,7 +108,7 @@ void examineScript(Examination &examination, const CommandFile &command,
                      "The script sets LD_LIBRARY_PATH: the program may get other libraries of GL "
                      "than are looked at here.",
                      runIt(surroundings) + "."});
-  if (step < kMostSteps)
+  if (step < kMaxSteps)
     examineFile(examination, findCommand({script.starts}), surroundings, step + 1);
 }
 
@@ -132,7 +132,7 @@ void examineFile(Examination &examination, const CommandFile &command,
     examineScript(examination, command, surroundings, step);
     return;
   }
-  if (const auto given = givenToLoader(command); given && step < kMostSteps) {
+  if (const auto given = givenToLoader(command); given && step < kMaxSteps) {
     Surroundings there = surroundings;
     there.byLoader = true;
     there.libraryPath = given->libraryPath;

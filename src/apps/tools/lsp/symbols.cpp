@@ -35,9 +35,9 @@ int kindOf(SymbolKind kind) {
 
 /// Returns a statement on one line, shortened.
 std::string oneLine(std::string_view text) {
-  constexpr std::size_t kMost = 96;
+  constexpr std::size_t kMax = 96;
   std::string line;
-  for (const char c : text.substr(0, kMost)) {
+  for (const char c : text.substr(0, kMax)) {
     const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
     if (!space)
       line += c;
@@ -45,9 +45,9 @@ std::string oneLine(std::string_view text) {
       line += ' ';
   }
   // Remove the bytes of a character that was cut.
-  while (text.size() > kMost && !line.empty() && (std::uint8_t(line.back()) & 0x80) != 0)
+  while (text.size() > kMax && !line.empty() && (std::uint8_t(line.back()) & 0x80) != 0)
     line.pop_back();
-  return text.size() > kMost ? line + "..." : line;
+  return text.size() > kMax ? line + "..." : line;
 }
 
 Json declaration(const View &view, const Reading &reading, const fp::Name &name) {

@@ -156,9 +156,9 @@ control::Answer RenderLoop::pause(const RenderService::Waiting &, Params &params
 }
 
 control::Answer RenderLoop::step(const RenderService::Waiting &, Params &params) {
-  constexpr double kMost = 3600;
+  constexpr double kMax = 3600;
   const double seconds = params.number("seconds", 0);
-  if (!params.ok() || seconds < 0 || seconds > kMost) {
+  if (!params.ok() || seconds < 0 || seconds > kMax) {
     params.refuse("seconds", "is a number from 0 to 3600");
     return params.fault();
   }
@@ -186,8 +186,8 @@ control::Answer RenderLoop::time(const RenderService::Waiting &, Params &params)
 }
 
 control::Answer RenderLoop::steps(const RenderService::Waiting &, Params &params) {
-  constexpr std::chrono::milliseconds kMost{200}; // a limit, so that other requests need not wait
-                                                  // longer
+  constexpr std::chrono::milliseconds kMax{200}; // a limit, so that other requests need not wait
+                                                 // longer
   const int wanted = int(params.integer("steps", 1, 1'000'000'000));
   if (!params.ok())
     return params.fault();
@@ -196,7 +196,7 @@ control::Answer RenderLoop::steps(const RenderService::Waiting &, Params &params
   if (!m_player.hasFeedback())
     return Fault{
         control::kNotPossible, "the document has no feedback: scene.time says when it is", {}};
-  if (!m_player.approachStep(wanted, Clock::now() + kMost))
+  if (!m_player.approachStep(wanted, Clock::now() + kMax))
     return Fault{control::kNotPossible, "GL has no room to begin the document anew", {}};
   drawFrame();
   return Json::object({{"steps", m_player.steps()}, {"time", m_player.seconds()}});
@@ -242,10 +242,10 @@ control::Answer RenderLoop::bench(const RenderService::Waiting &, Params &params
     return params.fault();
   if (!m_player.hasScene())
     return noScene();
-  constexpr std::chrono::seconds kMost{10};
+  constexpr std::chrono::seconds kMax{10};
   const Clock::time_point begin = Clock::now();
   std::vector<double> times;
-  while (int(times.size()) < frames && Clock::now() - begin < kMost)
+  while (int(times.size()) < frames && Clock::now() - begin < kMax)
     times.push_back(m_player.draw(nullptr));
   const std::chrono::duration<double, std::milli> took = Clock::now() - begin;
   std::sort(times.begin(), times.end());

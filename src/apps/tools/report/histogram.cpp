@@ -9,7 +9,7 @@ namespace arbiter::tools {
 
 namespace {
 
-constexpr std::uint64_t kFewestBins = 8, kMostBins = 24;
+constexpr std::uint64_t kFewestBins = 8, kMaxBins = 24;
 
 // Dimensions of the drawing in its own units.
 constexpr double kWidth = 720, kHeight = 220, kLeft = 40, kRight = 12, kTop = 26, kBottom = 38;
@@ -90,7 +90,7 @@ Histogram histogramOf(const std::vector<std::uint32_t> &amounts, std::uint32_t l
   if (limit != 0 && limit <= 4 * largest)
     end = std::clamp<std::uint64_t>(end, limit, 2 * std::uint64_t(limit));
   std::uint64_t width = 1;
-  while ((end + width - 1) / width > kMostBins)
+  while ((end + width - 1) / width > kMaxBins)
     width *= 2;
   // A bin also ends at the limit if that is not a multiple of the width.
   for (std::uint64_t first = 1; first <= end;) {

@@ -17,7 +17,7 @@ namespace arbiter::tools {
 namespace {
 
 /// The number of reasons shown for one count, before "more".
-constexpr std::size_t kMostReasons = 6;
+constexpr std::size_t kMaxReasons = 6;
 
 constexpr Column kPageColumns[] = {
     {"name", "program"},
@@ -157,7 +157,7 @@ std::string largestReasons(const ProgramSet &set, std::size_t index,
   for (const fp::hw::Reason &reason : set.programs[index].file.native().reasons) {
     if (reason.resource != resource.member)
       continue;
-    if (shown == kMostReasons) {
+    if (shown == kMaxReasons) {
       ++more;
       continue;
     }

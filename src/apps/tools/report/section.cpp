@@ -20,7 +20,7 @@ namespace {
 using fp::hw::NativeReport;
 using fp::hw::Reason;
 
-constexpr std::size_t kMostLinks = 24;
+constexpr std::size_t kMaxLinks = 24;
 
 /// Writes one program's section.
 class Section {
@@ -62,7 +62,7 @@ std::string Section::links(const std::vector<std::uint32_t> &instructions) const
     std::size_t end = i + 1; // consecutive lines become one link
     while (end < lines.size() && lines[end] == lines[end - 1] + 1)
       ++end;
-    if (ranges == kMostLinks)
+    if (ranges == kMaxLinks)
       return html + " and " + counted(lines.size() - i, "more line");
     html += ranges ? ", " : lines.size() == 1 ? "line " : "lines ";
     html += "<a href=\"#" + anchor(m_index) + "-" + number(lines[i]) + "\">" + number(lines[i]);

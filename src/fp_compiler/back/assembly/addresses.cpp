@@ -18,11 +18,11 @@ using ir::Select;
 
 namespace {
 /// Range of the offset that the grammar allows beside an address (ARB_vertex_program 2.14.2).
-constexpr int kLeastOffset = -64, kMostOffset = 63;
+constexpr int kLeastOffset = -64, kMaxOffset = 63;
 /// Constants that the rewrite adds: zero, and the two bounds of addresses.
 constexpr int kConstants = 3;
 /// Number of clamps between value and address: !!VP2.0 clamps addresses with MAX and MIN.
-constexpr int kMostSteps = 2;
+constexpr int kMaxSteps = 2;
 
 Operand temporary(std::size_t index) {
   Operand operand;
@@ -82,7 +82,7 @@ private:
   /// reach. Returns false if the text would exceed a limit.
   bool enlarge() {
     const int margin = m_last - m_first + 1, size = m_size + 2 * margin;
-    if (m_first + margin < kLeastOffset || m_last + margin > kMostOffset ||
+    if (m_first + margin < kLeastOffset || m_last + margin > kMaxOffset ||
         size * int(m_program.arrays.size()) + int(m_program.parameters.size()) + kConstants >
             m_most.parameters)
       return false;
@@ -241,7 +241,7 @@ private:
           code[last].src[0].swizzle[from] != value.swizzle[i] || zero.swizzle[i] != Select::Zero)
         return false;
     }
-    return loadsOnly(code, at, kMostSteps);
+    return loadsOnly(code, at, kMaxSteps);
   }
 
   /// True for `SEQ flag, value, value`.

@@ -207,7 +207,7 @@ public:
   std::string text() {
     std::string result;
     if (ir::hasLoops(m_program))
-      result = "  int arb_left = " + std::to_string(ir::kMostIterations) + ";\n";
+      result = "  int arb_left = " + std::to_string(ir::kMaxIterations) + ";\n";
     for (const Instruction &instruction : m_program.code) {
       if (ir::info(instruction.op).has(ir::Flow)) {
         result += flow(instruction);

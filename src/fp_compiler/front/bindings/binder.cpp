@@ -256,12 +256,12 @@ std::uint16_t Binder::hiddenTemporary(std::string_view name, Span where) {
 }
 
 std::uint16_t Binder::addressVector(std::string_view name, Span where) {
-  constexpr std::size_t kMost = 256; // operands number them in eight bits
+  constexpr std::size_t kMax = 256; // operands number them in eight bits
   const bool fits = m_budget.spend(Resource::AddressRegisters, where);
-  if (fits && m_program.addresses.size() + 4 > kMost)
+  if (fits && m_program.addresses.size() + 4 > kMax)
     m_reporter.error(DiagnosticId::LimitAddressRegisters, where,
                      "more than 64 address registers in any program");
-  if (!fits || m_program.addresses.size() + 4 > kMost)
+  if (!fits || m_program.addresses.size() + 4 > kMax)
     return 0;
   const auto first = std::uint16_t(m_program.addresses.size());
   for (const char letter : {'x', 'y', 'z', 'w'})
@@ -272,8 +272,8 @@ std::uint16_t Binder::addressVector(std::string_view name, Span where) {
 void Binder::append(const ir::Instruction &instruction, Span where) {
   // A host's GLSL compiler may recurse along a chain of instructions. Mesa's overflowed its stack
   // with a chain of 16,000.
-  constexpr std::size_t kMost = 10000;
-  if (m_program.code.size() >= kMost)
+  constexpr std::size_t kMax = 10000;
+  if (m_program.code.size() >= kMax)
     return m_reporter.error(DiagnosticId::LimitInstructions, where,
                             "too many instructions in any program, subroutines written out",
                             "call fewer of them");

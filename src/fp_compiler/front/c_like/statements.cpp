@@ -11,7 +11,7 @@ namespace arbiter::fp::c_like {
 
 namespace {
 
-constexpr std::size_t kMostTokens = 48; ///< of a statement that is read
+constexpr std::size_t kMaxTokens = 48; ///< of a statement that is read
 constexpr std::size_t kLongestValue = 64;
 
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
@@ -43,7 +43,7 @@ public:
   Reading(std::string_view text, std::uint32_t begin, Dialect dialect)
       : m_text(text), m_dialect(dialect) {
     Lexer lexer(text, begin);
-    while (m_tokens.size() < kMostTokens) {
+    while (m_tokens.size() < kMaxTokens) {
       m_tokens.push_back(lexer.next());
       const TokenKind kind = m_tokens.back().kind;
       if (kind == TokenKind::Semicolon || kind == TokenKind::EndOfText)

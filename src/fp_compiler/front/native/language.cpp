@@ -31,12 +31,12 @@ const Traits &traitsOf(NativeLanguage language) {
 }
 
 std::optional<std::uint32_t> numberBehind(std::string_view word, std::string_view letters) {
-  constexpr std::size_t kMostDigits = 6;
+  constexpr std::size_t kMaxDigits = 6;
   if (!word.starts_with(letters))
     return std::nullopt;
   const std::string_view digits = word.substr(letters.size());
   const bool padded = digits.size() > 1 && digits.front() == '0';
-  if (digits.empty() || digits.size() > kMostDigits || padded ||
+  if (digits.empty() || digits.size() > kMaxDigits || padded ||
       digits.find_first_not_of("0123456789") != std::string_view::npos)
     return std::nullopt;
   return parseInteger(digits);

@@ -28,13 +28,13 @@ bool NativeParser::parseDeclare() {
     return false;
   named.kind = Named::Kind::Local;
   const std::size_t number = m_interface.named.size();
-  if (number >= kMostNamedParameters) {
+  if (number >= kMaxNamedParameters) {
     error(DiagnosticId::LimitParameters, name.span,
-          "more than " + std::to_string(kMostNamedParameters) + " named parameters",
+          "more than " + std::to_string(kMaxNamedParameters) + " named parameters",
           "use numbered ones, p[n], too");
     return true;
   }
-  named.local = std::uint16_t(std::min(m_limits.localParameters, kMostLocals) + number);
+  named.local = std::uint16_t(std::min(m_limits.localParameters, kMaxLocals) + number);
   declare(name, named);
   m_interface.named.push_back({std::string(text(name)), named.local, named.value});
   return true;

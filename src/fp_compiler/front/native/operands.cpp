@@ -202,7 +202,7 @@ bool NativeParser::parseVertexAttribute(ir::Attribute &attribute, std::uint32_t 
 bool NativeParser::parseLocal(ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.next().span.begin;
   std::uint32_t index = 0;
-  if (!parseBracketed(std::min(m_limits.localParameters, kMostLocals), DiagnosticId::ParameterIndex,
+  if (!parseBracketed(std::min(m_limits.localParameters, kMaxLocals), DiagnosticId::ParameterIndex,
                       "local parameter", index))
     return false;
   operand.file = ir::File::Parameter;
@@ -335,8 +335,8 @@ void NativeParser::useParameter(const ir::Operand &operand, Span where) {
 
 void NativeParser::useConstant(const ir::Vec4 &value, Span where) {
   m_scalars.insert(value.begin(), value.end());
-  constexpr std::size_t kMostScalars = 4;
-  if (m_parameter || m_scalars.size() > kMostScalars)
+  constexpr std::size_t kMaxScalars = 4;
+  if (m_parameter || m_scalars.size() > kMaxScalars)
     tooManyParameters(where);
 }
 

@@ -28,7 +28,7 @@ namespace arbiter::fp::native {
                                 const CompileOptions &options, NameTable *names = nullptr);
 
 /// Local parameters are numbered in 16 bits, and those with names come last.
-inline constexpr std::uint32_t kMostLocals = 65536 - kMostNamedParameters;
+inline constexpr std::uint32_t kMaxLocals = 65536 - kMaxNamedParameters;
 
 /// The parser, with one function for each statement. A function that returns bool returns false
 /// after it has reported a syntax error.

@@ -31,7 +31,7 @@ const ResultRow *findResult(bool vertex, std::string_view name) {
   return nullptr;
 }
 constexpr std::uint32_t kClipDistances = 6; // CLP0 to CLP5 (NV_vertex_program2, table X.1)
-constexpr std::uint32_t kMostUnits = 64;    // of !!FP1.0's registers
+constexpr std::uint32_t kMaxUnits = 64;     // of !!FP1.0's registers
 } // namespace
 
 /// Parses <maskedDstReg>, without its condition.
@@ -112,11 +112,11 @@ std::optional<std::uint16_t> NativeParser::temporary(const Token &name) {
 
 /// Counts register units of !!FP1.0. A register of 32 bits counts twice.
 void NativeParser::countUnits(std::uint32_t units, Span where) {
-  const bool before = m_units > kMostUnits;
+  const bool before = m_units > kMaxUnits;
   m_units += units;
-  if (fragment() && !before && m_units > kMostUnits)
+  if (fragment() && !before && m_units > kMaxUnits)
     error(DiagnosticId::LimitTemporaries, where,
-          "more than " + std::to_string(kMostUnits) + " register halves",
+          "more than " + std::to_string(kMaxUnits) + " register halves",
           "each of R0 to R31, o[COLR] and o[DEPR] counts as two, each of H0 to H63 and o[COLH] as "
           "one");
 }

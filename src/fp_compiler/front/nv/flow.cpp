@@ -122,7 +122,7 @@ void Lowerer::rounds(std::size_t entry, const std::vector<bool> &reached) {
   for (std::size_t i = 0; i < m_statements.size(); ++i)
     if (reached[i] && m_statements[i].isLabel)
       m_function.pending[m_statements[i].label] = flag(zero());
-  m_code.write(Opcode::Rep, {}, {m_code.constant(float(ir::kMostIterations))});
+  m_code.write(Opcode::Rep, {}, {m_code.constant(float(ir::kMaxIterations))});
   for (std::size_t at = 0; at < m_statements.size() && !m_reporter.hasErrors(); ++at) {
     if (!reached[at])
       continue;
@@ -216,9 +216,9 @@ void Lowerer::turn() {
 }
 
 void Lowerer::beginLoop(const Statement &statement) {
-  if (m_loops.size() >= nv::kMostLoops) {
+  if (m_loops.size() >= nv::kMaxLoops) {
     m_reporter.error(DiagnosticId::NvFlow, statement.instruction.span,
-                     "more than " + std::to_string(nv::kMostLoops) + " loops, one in the other",
+                     "more than " + std::to_string(nv::kMaxLoops) + " loops, one in the other",
                      "no program can be that deep");
     return;
   }
@@ -312,10 +312,10 @@ void Lowerer::call(const Statement &statement) {
   if (statement.test.rule == Rule::Fl)
     return;
   const bool within = std::find(m_calls.begin(), m_calls.end(), statement.label) != m_calls.end();
-  if (within || m_calls.size() >= nv::kMostCalls) {
+  if (within || m_calls.size() >= nv::kMaxCalls) {
     m_reporter.error(DiagnosticId::NvFlow, statement.instruction.span,
                      within ? std::string("a subroutine calls itself")
-                            : "more than " + std::to_string(nv::kMostCalls) +
+                            : "more than " + std::to_string(nv::kMaxCalls) +
                                   " calls, one in the other",
                      "no program can be that deep");
     return;

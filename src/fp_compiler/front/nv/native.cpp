@@ -16,7 +16,7 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-constexpr float kLeastAddress = -512, kMostAddress = 511;
+constexpr float kLeastAddress = -512, kMaxAddress = 511;
 
 /// True if the operands have the same value in every component. Nothing may be written between the
 /// reads.
@@ -95,7 +95,7 @@ Operand Lowerer::kept(const Operand &address) {
   if (m_rules.language != NativeLanguage::Vp2)
     return address;
   const Operand above = m_code.make(Opcode::Max, {address, m_code.constant(kLeastAddress)});
-  return m_code.make(Opcode::Min, {above, m_code.constant(kMostAddress)});
+  return m_code.make(Opcode::Min, {above, m_code.constant(kMaxAddress)});
 }
 
 /// Writes the instruction's value to its destination, which is a temporary.

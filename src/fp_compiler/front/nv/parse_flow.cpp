@@ -55,9 +55,9 @@ bool Parser::beginLoop(nv::Statement &statement) {
   if (operand.file != ir::File::Parameter || operand.relative)
     error(DiagnosticId::NvFlow, first.span, "a loop's operand is no parameter",
           "write a parameter, state or a constant here");
-  if (m_blocks.size() > nv::kMostBlocks)
+  if (m_blocks.size() > nv::kMaxBlocks)
     error(DiagnosticId::NvFlow, first.span,
-          "more than " + std::to_string(nv::kMostBlocks) + " blocks, one in the other");
+          "more than " + std::to_string(nv::kMaxBlocks) + " blocks, one in the other");
   return true;
 }
 
@@ -155,10 +155,10 @@ bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
   if (!parseAddressComponent())
     return false;
   indexed.address = std::uint8_t(indexed.address + m_addressComponent);
-  constexpr std::uint32_t kMostOffset = 9;
+  constexpr std::uint32_t kMaxOffset = 9;
   if (!vertex && m_tokens.accept(TokenKind::Plus)) {
     std::uint32_t offset = 0;
-    if (!parseBounded(kMostOffset + 1, DiagnosticId::RelativeOffset, "offset", offset))
+    if (!parseBounded(kMaxOffset + 1, DiagnosticId::RelativeOffset, "offset", offset))
       return false;
     indexed.offset = std::int16_t(offset);
   } else if (vertex && !parseRelativeOffset(indexed.offset)) {

@@ -182,11 +182,11 @@ private:
     }
     std::copy_n(value.begin(), count, r);
     m_results.defined = m_results.defined && std::all_of(r, r + count, [](double each) {
-                          return std::abs(each) < kMost; // false for a NaN
+                          return std::abs(each) < kMax; // false for a NaN
                         });
   }
 
-  static constexpr double kMost = 1e9; ///< a limit well inside the range of single precision
+  static constexpr double kMax = 1e9; ///< a limit well inside the range of single precision
 
   const Shader &m_shader;
   std::vector<SymbolValue> m_values;

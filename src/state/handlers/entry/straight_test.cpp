@@ -11,13 +11,13 @@ namespace {
 
 using namespace testing;
 
-constexpr GLenum kMostNames = 0x10000;
+constexpr GLenum kMaxNames = 0x10000;
 
 TEST(Straight, AnEnableOfTheHostsIsWhatTheHandlerMakesOfIt) {
   FakeHost host;
   const CurrentContext context(host);
   int asked = 0;
-  for (GLenum cap = 0; cap < kMostNames; ++cap) {
+  for (GLenum cap = 0; cap < kMaxNames; ++cap) {
     context->dirty = 0;
     if (!straight::Enable(*context, cap)) {
       ASSERT_EQ(context->dirty, 0u) << "left to the handler: " << cap;
@@ -112,7 +112,7 @@ TEST(Straight, NvidiasMatricesArraysAndRangesAndTheColorMatrixAreTheLayers) {
   FakeHost host;
   const CurrentContext context(host);
   int handled = 0;
-  for (GLenum name = 0; name < kMostNames; ++name) {
+  for (GLenum name = 0; name < kMaxNames; ++name) {
     const bool matrix = (name >= GL_MATRIX0_NV && name <= GL_MATRIX7_NV) || name == GL_COLOR;
     const bool array =
         (name >= GL_VERTEX_ATTRIB_ARRAY0_NV && name <= GL_VERTEX_ATTRIB_ARRAY15_NV) ||

@@ -28,7 +28,7 @@ void give(Context &context, const ImagingCommand &command, GLenum format, GLenum
   if (!isColorFormat(format) || format == GL_COLOR_INDEX)
     return raise(context, GL_INVALID_ENUM, "ColorTable: format");
   std::vector<imaging::Rgba> colors;
-  if (command.width <= 0 || command.width > ImagingState::kMostEntries) {
+  if (command.width <= 0 || command.width > ImagingState::kMaxEntries) {
     if (!arePixels(context, format, type))
       return;
   } else {

@@ -19,7 +19,7 @@ bool convolutionAllowed(Context &context) {
   return outsideBeginEnd(context, "a convolution's command between Begin and End");
 }
 
-bool isInRange(GLsizei size) { return size > 0 && size <= ImagingState::kMostFilter; }
+bool isInRange(GLsizei size) { return size > 0 && size <= ImagingState::kMaxFilter; }
 
 /// Appends an image in memory to the colours. Returns false after an error. Reads nothing if the
 /// size is an error.
@@ -59,7 +59,7 @@ void issueFilter(Context &context, GLenum target, GLenum internalformat, GLsizei
 void copyFilter(Context &context, GLenum target, GLenum only, const ImagingCommand &command) {
   if (!convolutionAllowed(context) || !isTarget(context, target, only))
     return;
-  if (command.width > ImagingState::kMostFilter || command.height > ImagingState::kMostFilter)
+  if (command.width > ImagingState::kMaxFilter || command.height > ImagingState::kMaxFilter)
     return raise(context, GL_INVALID_VALUE, "CopyConvolutionFilter: a size");
   issueImaging(context, command);
 }
@@ -129,10 +129,10 @@ void getConvolutionValue(Context &context, GLenum target, GLenum pname, T *param
                                  : filter.image.height);
     return;
   case GL_MAX_CONVOLUTION_WIDTH:
-    *params = T(ImagingState::kMostFilter);
+    *params = T(ImagingState::kMaxFilter);
     return;
   case GL_MAX_CONVOLUTION_HEIGHT:
-    *params = T(number == 0 ? 1 : ImagingState::kMostFilter);
+    *params = T(number == 0 ? 1 : ImagingState::kMaxFilter);
     return;
   default:
     raise(context, GL_INVALID_ENUM, "GetConvolutionParameter: pname");

@@ -135,8 +135,8 @@ void GetMinmax(Context &context, GLenum target, GLboolean reset, GLenum format, 
   if (!returnImage(context, minmax.format, both, format, type, values) || reset == GL_FALSE)
     return;
   eachReturned(format, [&](std::size_t component) {
-    minmax.least[component] = imaging::Minmax::kMost;
-    minmax.most[component] = -imaging::Minmax::kMost;
+    minmax.least[component] = imaging::Minmax::kMax;
+    minmax.most[component] = -imaging::Minmax::kMax;
   });
 }
 

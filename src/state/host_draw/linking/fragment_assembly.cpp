@@ -18,10 +18,10 @@ using Fragments = LinkedProgramCache::Fragments;
 
 bool isShort(const CompiledProgram &compiled) {
   // in instructions; for longer programs GLSL is the better tested path
-  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kMax = 256;
   const fp::ir::Program *const program = compiled.program.get();
   return compiled.target == Target::Fragment && program &&
-         program->language == fp::ir::Language::ArbFragment && program->code.size() <= kMost;
+         program->language == fp::ir::Language::ArbFragment && program->code.size() <= kMax;
 }
 
 bool isPlainProgram(const CompiledProgram &compiled) {

@@ -30,7 +30,7 @@ public:
   }
 
   Texture describe() {
-    if (m_base < 0 || m_base > kMostLevel || !isComplete())
+    if (m_base < 0 || m_base > kMaxLevel || !isComplete())
       return {};
     const GLint internal = level(m_names.level, m_base, GL_TEXTURE_INTERNAL_FORMAT);
     const GLenum own = m_context.group->textureFormats.find(GLuint(m_name), m_names.level, m_base);
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  static constexpr GLint kMostLevel = 12; ///< every host has as many levels
+  static constexpr GLint kMaxLevel = 12; ///< every host has as many levels
 
   GLint parameter(GLenum pname) {
     GLint value = 0;
@@ -95,7 +95,7 @@ private:
       const GLenum image = m_names.level + GLenum(face);
       const GLint depth = level(image, m_base, GL_TEXTURE_DEPTH);
       GLint size[] = {width, height, std::max(depth, 1)};
-      for (GLint at = m_base; at <= std::min(last, kMostLevel); ++at) {
+      for (GLint at = m_base; at <= std::min(last, kMaxLevel); ++at) {
         if (!levelIs(image, at, size, format))
           return false;
         if (std::max({size[0], size[1], size[2]}) == 1)

@@ -13,7 +13,7 @@ namespace arbiter::state {
 
 namespace {
 
-constexpr int kMostUnits = 8; ///< number of gl_TexCoord elements that programs read
+constexpr int kMaxUnits = 8; ///< number of gl_TexCoord elements that programs read
 
 GLenum polygonMode(const Context &context, std::size_t face) {
   GLint modes[2] = {GL_FILL, GL_FILL};
@@ -31,7 +31,7 @@ bool drawsPoints(const Context &context, GLenum mode) {
 
 std::uint8_t replacedUnits(const Context &context) {
   std::uint8_t units = 0;
-  for (int unit = 0; unit < std::min(context.caps.maxTextureCoords, kMostUnits); ++unit) {
+  for (int unit = 0; unit < std::min(context.caps.maxTextureCoords, kMaxUnits); ++unit) {
     const UnitScope scope(*context.host, unsigned(unit));
     GLint replace = GL_FALSE;
     context.host->GetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &replace);
@@ -51,7 +51,7 @@ SpriteForm formNow(const Context &context, const PointSprites &sprites) {
 }
 
 void replaceCoordinates(const Context &context, std::uint8_t units, GLint value) {
-  for (int unit = 0; unit < kMostUnits; ++unit) {
+  for (int unit = 0; unit < kMaxUnits; ++unit) {
     if ((units >> unit & 1) == 0)
       continue;
     const UnitScope scope(*context.host, unsigned(unit));

@@ -39,7 +39,7 @@ public:
                                                           const StateText *text, Lower lower) {
     if (const auto it = m_programs.find(key); it != m_programs.end())
       return it->second;
-    if (m_programs.size() >= kMost)
+    if (m_programs.size() >= kMax)
       clear(context);
     return m_programs.emplace(key, programOfState(context, target, lower(key), host, text))
         .first->second;
@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t kMost = 2048;
+  static constexpr std::size_t kMax = 2048;
   struct Hash {
     std::size_t operator()(const Key &key) const {
       static_assert(std::has_unique_object_representations_v<Key>);
@@ -69,7 +69,7 @@ public:
     const auto it = m_programs.find(name);
     if (it != m_programs.end())
       return it->second;
-    if (m_programs.size() >= kMost) {
+    if (m_programs.size() >= kMax) {
       for (auto &known : m_programs)
         known.second.clear(context);
       m_programs.clear();
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t kMost = 512;
+  static constexpr std::size_t kMax = 512;
   std::unordered_map<std::string, StatePrograms<Key>> m_programs;
 };
 

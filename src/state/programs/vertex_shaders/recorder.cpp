@@ -92,7 +92,7 @@ void VertexShaderRecorder::add(const fp::vertex_shader::Operation &operation) {
   m_work += 1;
   if (operation.op == Op::Index)
     m_work += kWorkOfIndexed * m_recorded.shader.symbols[operation.arguments[1]].blockCount;
-  if (m_work > kMostWork) {
+  if (m_work > kMaxWork) {
     m_recorded.tooLong = true;
     return;
   }

@@ -20,7 +20,7 @@ namespace arbiter::state {
 class VertexShaderRecorder {
 public:
   /// No context has a limit above this.
-  static constexpr std::uint32_t kMostInstructions = 1u << 16;
+  static constexpr std::uint32_t kMaxInstructions = 1u << 16;
 
   /// The result of a command. NO_ERROR: the command is in the shader. `why` tells what is wrong,
   /// for the log.
@@ -54,7 +54,7 @@ public:
 private:
   /// Limit of the work, counted in operations. OP_INDEX counts more, because it selects among a
   /// whole block.
-  static constexpr std::size_t kMostWork = 2 * kMostInstructions, kWorkOfIndexed = 8;
+  static constexpr std::size_t kMaxWork = 2 * kMaxInstructions, kWorkOfIndexed = 8;
 
   [[nodiscard]] std::optional<fp::vertex_shader::Result> outputOf(GLuint name) const;
   [[nodiscard]] Verdict result(GLuint name, fp::vertex_shader::Result &result);

@@ -40,7 +40,7 @@ private:
   public:
     template <typename Make> Program get(const Key &key, Make make) {
       const std::lock_guard lock(m_mutex);
-      if (m_programs.size() >= kMost) // contexts keep the programs that they use alive
+      if (m_programs.size() >= kMax) // contexts keep the programs that they use alive
         m_programs.clear();
       Program &program = m_programs[key];
       if (!program)
@@ -49,7 +49,7 @@ private:
     }
 
   private:
-    static constexpr std::size_t kMost = 1024;
+    static constexpr std::size_t kMax = 1024;
     std::mutex m_mutex;
     Map m_programs;
   };

@@ -63,7 +63,7 @@ void BackOff::decide() {
   m_statistics.lastHostMilliseconds = double(m_host.time);
   const bool isHost = isHostFaster();
   m_keep = !isHost && m_host.time > m_software.time * kClearlySlower && m_keep >= kKeepFrames
-               ? std::min(4 * m_keep, kMostKeepFrames)
+               ? std::min(4 * m_keep, kMaxKeepFrames)
                : kKeepFrames;
   m_keepHost = kKeepFrames;
   m_others.decide(isHost ? m_host.time : m_software.time);
@@ -73,7 +73,7 @@ void BackOff::decide() {
 void BackOff::keepHost() {
   ++m_statistics.trials;
   m_statistics.lastSoftwareMilliseconds = double(tried().time);
-  m_keepHost = std::min(2 * m_keepHost, kMostHostFrames);
+  m_keepHost = std::min(2 * m_keepHost, kMaxHostFrames);
   enter(Phase::Host);
 }
 

@@ -63,7 +63,7 @@ private:
   /// Most frames until the next trial. The rasterizer's number grows fourfold after each trial that
   /// it clearly won. The host's number doubles after each trial that the host clearly won, because
   /// the rasterizer's time is not known meanwhile.
-  static constexpr int kMostKeepFrames = 64'000, kMostHostFrames = 16'000;
+  static constexpr int kMaxKeepFrames = 64'000, kMaxHostFrames = 16'000;
   /// The factor that chance may explain, and a clear difference. If images are moved, the
   /// rasterizer must be faster by more than chance, because the images also cost memory and the
   /// host's caches. Otherwise the host must.

@@ -214,7 +214,7 @@ TEST_F(Frame, NotEachOfAnApplicationsFramesGoesUnjudged) {
     state().unjudged = true;
     finishFrame(context());
   }
-  EXPECT_EQ(unjudged, ContextState::kMostUnjudged);
+  EXPECT_EQ(unjudged, ContextState::kMaxUnjudged);
   drawn();
   finishFrame(context());
   EXPECT_TRUE(state().mayGoUnjudged());

@@ -16,11 +16,11 @@ public:
   /// \return true if the next frame is to be tried
   bool frameEnded(bool whole, bool tried) {
     if (!whole) {
-      m_needed = tried ? std::min(2 * m_needed, kMostNeeded) : m_needed;
+      m_needed = tried ? std::min(2 * m_needed, kMaxNeeded) : m_needed;
       m_row = m_kept = 0;
       return false;
     }
-    m_row = std::min(m_row + 1, kMostNeeded);
+    m_row = std::min(m_row + 1, kMaxNeeded);
     m_kept = std::min(m_kept + int(tried), kKept);
     if (m_kept == kKept)
       m_needed = 1;
@@ -28,7 +28,7 @@ public:
   }
 
 private:
-  static constexpr int kMostNeeded = 64;
+  static constexpr int kMaxNeeded = 64;
   static constexpr int kKept = 4; ///< successful trials in a row after which failures are forgotten
   int m_needed = 1;               ///< frames in a row that a trial needs
   int m_row = 0;                  ///< such frames so far

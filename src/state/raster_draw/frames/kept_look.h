@@ -33,18 +33,18 @@ public:
   /// \param whole true if the host drew nothing but looks
   /// \return true if the next frame is to be tried as a whole one
   bool frameEnded(bool whole) {
-    m_held = m_side == Side::Rasterizer ? std::min(m_held + 1, kLong * kMostNeeded) : 0;
+    m_held = m_side == Side::Rasterizer ? std::min(m_held + 1, kLong * kMaxNeeded) : 0;
     m_row = m_side == Side::Host && whole ? m_row + 1 : 0;
     if (m_row < m_needed)
       return false;
-    m_needed = std::min(2 * m_needed, kMostNeeded);
+    m_needed = std::min(2 * m_needed, kMaxNeeded);
     m_row = 0;
     m_side = Side::Undecided;
     return true;
   }
 
 private:
-  static constexpr int kLeastNeeded = 64, kMostNeeded = 4096;
+  static constexpr int kLeastNeeded = 64, kMaxNeeded = 4096;
   static constexpr int kLong = 16; ///< m_held counts as long from this multiple of m_needed on
   Side m_side = Side::Undecided;
   int m_needed = kLeastNeeded; ///< frames in a row until the host's looks are chosen anew

@@ -17,7 +17,7 @@ public:
                             Entry *effective) {
     if (effective && effective->source == source)
       return *effective;
-    if (m_entries.size() >= kMost)
+    if (m_entries.size() >= kMax)
       std::erase_if(m_entries, [&](const auto &item) { return &item.second != effective; });
     Entry &entry = m_entries[source.get()];
     if (!entry.source)
@@ -26,7 +26,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t kMost = 512;
+  static constexpr std::size_t kMax = 512;
   std::unordered_map<const fp::ir::Program *, Entry> m_entries;
 };
 

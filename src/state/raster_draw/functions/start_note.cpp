@@ -18,7 +18,7 @@ namespace {
 /// After a mixed frame, this many whole frames in a row are needed to note whole frames again.
 constexpr int kWholeAgain = 64;
 /// Limits writes by an application that alternates between kinds of frames.
-constexpr int kMostNotes = 8;
+constexpr int kMaxNotes = 8;
 
 struct Note {
   CacheStore store;
@@ -53,7 +53,7 @@ std::atomic<int> g_wholeInRow{kWholeAgain}; ///< number of frames
 /// the code.
 void write(LastStart noted) {
   if (g_noted.exchange(noted, std::memory_order_relaxed) == noted ||
-      g_notes.fetch_add(1, std::memory_order_relaxed) >= kMostNotes)
+      g_notes.fetch_add(1, std::memory_order_relaxed) >= kMaxNotes)
     return;
   compileLater([noted] {
     if (const std::optional<Note> note = openNote())

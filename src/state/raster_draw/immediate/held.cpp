@@ -33,7 +33,7 @@ bool holdPrimitive(Context &context) {
     return false;
   const std::uint32_t size = independentVertices(recorder.mode());
   const std::uint32_t count = recorder.count();
-  if (count == 0 || count > kMostHeld || (size != 0 && count % size != 0))
+  if (count == 0 || count > kMaxHeld || (size != 0 && count % size != 0))
     return false;
   if (size == 0 && !joiningOf(state.mirror.raster, recorder.mode()))
     return false;

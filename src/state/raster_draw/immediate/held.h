@@ -16,7 +16,7 @@
 namespace arbiter::state::software {
 
 /// Most vertices that are held. After more, the other threads should begin to draw.
-inline constexpr std::uint32_t kMostHeld = 3072;
+inline constexpr std::uint32_t kMaxHeld = 3072;
 
 [[nodiscard]] inline bool isHeld(const ContextHot &hot) {
   return (hot.attention & attention::kHeld) != 0;

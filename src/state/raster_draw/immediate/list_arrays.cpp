@@ -21,7 +21,7 @@ namespace {
 
 /// Most vertices of one draw. A larger draw stays in the host's list, which stores repeated
 /// vertices once.
-constexpr GLsizei kMostVertices = 1 << 20;
+constexpr GLsizei kMaxVertices = 1 << 20;
 
 const host::HostTable &ownHostOf(const Context &context) {
   return context.host == &kRecordingHost ? *context.trueHost : *context.host;
@@ -257,7 +257,7 @@ void ListArrays::sendTo(const host::HostTable &host, const DrawCommand &command)
 
 bool recordArrays(Context &context, const DrawCommand &command) {
   if (!context.list->keeps() || context.insideBeginEnd || context.list->recordsPrimitive() ||
-      command.count > kMostVertices || !context.list->hasRoom(command.count))
+      command.count > kMaxVertices || !context.list->hasRoom(command.count))
     return false;
   const OpenArrays arrays(context, command);
   const OpenArrays *const strange = strangeArrays(context) != 0 ? &arrays : nullptr;

@@ -144,7 +144,7 @@ bool drawOpen(void *owner, const float position[4]) {
     return false;
   }
   recorder.forget(part.kept, part.done);
-  recorder.limit(kMostOpen, drawOpen, &context);
+  recorder.limit(kMaxOpen, drawOpen, &context);
   if (!state.openParts && !recorder.failed())
     noteDrawn(context, state.held + 1);
   state.held = 0;
@@ -158,7 +158,7 @@ bool drawOpen(void *owner, const float position[4]) {
 void limitOpen(Context &context) {
   ImmediateRecorder &recorder = context.software->recorder;
   if (opensInParts(context, pipelineOf(context)))
-    recorder.limit(kMostAtOnce, drawOpen, &context);
+    recorder.limit(kMaxAtOnce, drawOpen, &context);
   else
     recorder.unlimit();
 }
@@ -170,7 +170,7 @@ bool openNext(Context &context) {
   } catch (const std::bad_alloc &) {
     return false;
   }
-  recorder.limit(recorder.count() + kMostHeld, drawEarlier, &context);
+  recorder.limit(recorder.count() + kMaxHeld, drawEarlier, &context);
   return true;
 }
 

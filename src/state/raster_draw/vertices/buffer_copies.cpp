@@ -30,12 +30,12 @@ BufferCopies::Contents BufferCopies::find(const GenerationCounter &clock, GLuint
 }
 
 void BufferCopies::drawnFrom(GLuint buffer, const Contents &contents) {
-  if (contents.bytes > kMostBytes || g_stopped.load(std::memory_order_relaxed))
+  if (contents.bytes > kMaxBytes || g_stopped.load(std::memory_order_relaxed))
     return;
   try {
     // Copies in use are never replaced by others.
     if (m_bytes + contents.bytes > kAllBytes ||
-        (m_copies.size() >= kMostBuffers && !m_copies.contains(buffer)))
+        (m_copies.size() >= kMaxBuffers && !m_copies.contains(buffer)))
       return;
     const auto [copy, first] = m_copies.try_emplace(buffer);
     if (first)

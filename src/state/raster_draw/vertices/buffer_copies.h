@@ -28,9 +28,9 @@ public:
   static void stop();
 
 private:
-  static constexpr std::size_t kMostBytes = 64 << 10; ///< most bytes of one buffer
+  static constexpr std::size_t kMaxBytes = 64 << 10; ///< most bytes of one buffer
   static constexpr std::size_t kAllBytes = 1 << 20;
-  static constexpr std::size_t kMostBuffers = 256;
+  static constexpr std::size_t kMaxBuffers = 256;
   /// An entry is empty until the buffer is drawn from a second time.
   std::unordered_map<GLuint, std::vector<std::uint8_t>> m_copies;
   std::size_t m_bytes = 0;

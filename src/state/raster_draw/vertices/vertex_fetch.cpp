@@ -126,8 +126,8 @@ bool VertexFetcher::open(const VertexSource &source, const CurrentValues &curren
                          std::uint32_t first, std::uint32_t count) {
   if (source.count != 0 && (first > source.count || count > source.count - first))
     return false;
-  constexpr std::uint32_t kMost = 1u << 28; // keeps indices and sizes within 32 bits
-  if (count > kMost)
+  constexpr std::uint32_t kMax = 1u << 28; // keeps indices and sizes within 32 bits
+  if (count > kMax)
     return false;
   m_count = count;
   m_jobCount = 0;

@@ -158,9 +158,9 @@ std::uint32_t VertexStage::currentSlots() const {
 void VertexStage::transformStretch(std::uint32_t begin, std::uint32_t end) const {
   m_fetcher.convert(begin, end);
   // The pointers lie on the stack, because several threads transform stretches at a time.
-  constexpr std::size_t kMost = 4 * 64; // components of 64 attributes or results, more than exist
-  const float *inputs[kMost];
-  float *results[kMost];
+  constexpr std::size_t kMax = 4 * 64; // components of 64 attributes or results, more than exist
+  const float *inputs[kMax];
+  float *results[kMax];
   const std::size_t inputCount = m_shape->inputs.size(), outputCount = m_shape->outputs.size();
   for (std::size_t i = 0; i < 4 * inputCount; ++i)
     inputs[i] = m_data.inputs[i] ? m_data.inputs[i] + begin : nullptr;

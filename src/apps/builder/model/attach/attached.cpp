@@ -12,7 +12,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr qint64 kMostSide = 512; ///< of a thumbnail, limited by the protocol
+constexpr qint64 kMaxSide = 512; ///< of a thumbnail, limited by the protocol
 
 QString executableOf(qint64 process) {
   return QFileInfo(QFile::symLinkTarget(QStringLiteral("/proc/%1/exe").arg(process))).fileName();
@@ -85,7 +85,7 @@ QImage imageOf(const QJsonObject &answer) {
   const QJsonObject json = answer[u"image"].toObject();
   const qint64 width = json[u"width"].toInteger(), height = json[u"height"].toInteger();
   const QByteArray bytes = QByteArray::fromBase64(json[u"rgba"].toString().toLatin1());
-  if (width <= 0 || height <= 0 || width > kMostSide || height > kMostSide ||
+  if (width <= 0 || height <= 0 || width > kMaxSide || height > kMaxSide ||
       bytes.size() != width * height * 4)
     return {};
   QImage image(int(width), int(height), QImage::Format_RGBA8888);

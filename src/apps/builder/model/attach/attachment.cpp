@@ -10,11 +10,11 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kAgain = 500;          ///< ms between requests of lists
-constexpr int kPatience = 20000;     ///< ms for a trace
-constexpr int kThumbnail = 96;       ///< pixels a side
-constexpr int kImagesEach = 6;       ///< new thumbnails are requested with every n-th list
-constexpr qint64 kMostTextures = 64; ///< thumbnails
+constexpr int kAgain = 500;         ///< ms between requests of lists
+constexpr int kPatience = 20000;    ///< ms for a trace
+constexpr int kThumbnail = 96;      ///< pixels a side
+constexpr int kImagesEach = 6;      ///< new thumbnails are requested with every n-th list
+constexpr qint64 kMaxTextures = 64; ///< thumbnails
 
 QString drawnText(const QJsonObject &program) {
   return program[u"edit"].isString() ? program[u"edit"].toString() : program[u"text"].toString();
@@ -142,7 +142,7 @@ void Attachment::takePrograms(const QJsonObject &answer) {
 void Attachment::takeTextures(const QJsonObject &answer) {
   QList<AttachedTexture> textures;
   for (const QJsonValue &row : answer[u"textures"].toArray())
-    if (textures.size() < kMostTextures)
+    if (textures.size() < kMaxTextures)
       textures.append(textureOf(row.toObject()));
   const auto before = [&](const AttachedTexture &texture) {
     return std::find_if(m_textures.cbegin(), m_textures.cend(),

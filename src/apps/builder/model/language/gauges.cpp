@@ -29,10 +29,10 @@ QString placeText(const QJsonValue &place) {
 }
 
 void addReasons(const QJsonArray &reasons, QList<Gauge> &gauges) {
-  constexpr qsizetype kMost = 12;
+  constexpr qsizetype kMax = 12;
   for (const QJsonValue &reason : reasons)
     for (Gauge &gauge : gauges)
-      if (gauge.name == reason[u"resource"].toString() && gauge.reasons.size() < kMost)
+      if (gauge.name == reason[u"resource"].toString() && gauge.reasons.size() < kMax)
         gauge.reasons.append(QStringLiteral("%1: %2")
                                  .arg(reason[u"amount"].toInt())
                                  .arg(reason[u"text"].toString()));

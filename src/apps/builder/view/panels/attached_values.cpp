@@ -12,13 +12,13 @@ namespace arbiter::builder {
 namespace {
 
 constexpr int kFirstComponent = 1, kState = 5;
-constexpr double kMost = 1e9;
+constexpr double kMax = 1e9;
 
 /// Edits a program's number, of any magnitude, in steps that fit it.
 class Number : public QDoubleSpinBox {
 public:
   Number() {
-    setRange(-kMost, kMost);
+    setRange(-kMax, kMax);
     setDecimals(5);
     setStepType(AdaptiveDecimalStepType);
     setFrame(false);

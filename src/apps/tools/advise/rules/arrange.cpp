@@ -17,7 +17,7 @@ using fp::ir::Operand;
 /// (hw/r300).
 constexpr std::array<std::array<std::uint8_t, 3>, 8> kSelects = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {3, 2, 1}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}};
-constexpr std::size_t kMostTried = 6; ///< arrangements for one register
+constexpr std::size_t kMaxTried = 6; ///< arrangements for one register
 
 /// Component i of the copy is component [i] of the register.
 using Arrangement = std::array<std::uint8_t, 4>;
@@ -95,7 +95,7 @@ std::vector<Arrangement> bestArrangements(const Subject &subject, const std::vec
   std::stable_sort(all.begin(), all.end(),
                    [](const auto &a, const auto &b) { return a.first > b.first; });
   std::vector<Arrangement> best;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostTried); ++i)
+  for (std::size_t i = 0; i < std::min(all.size(), kMaxTried); ++i)
     best.push_back(all[i].second);
   return best;
 }

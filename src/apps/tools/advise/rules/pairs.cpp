@@ -15,9 +15,9 @@ using fp::ir::File;
 using fp::ir::Instruction;
 using fp::ir::Operand;
 
-constexpr std::size_t kMostProposals = 256, kMostTried = 2048;
-constexpr std::uint32_t kMostApart = 48; ///< maximum distance of the chains' first instructions
-constexpr std::size_t kMostSteps = 8;
+constexpr std::size_t kMaxProposals = 256, kMaxTried = 2048;
+constexpr std::uint32_t kMaxApart = 48; ///< maximum distance of the chains' first instructions
+constexpr std::size_t kMaxSteps = 8;
 constexpr const char *kScalarsToVector = "scalars-to-vector";
 
 /// One operation, which both chains have.
@@ -191,7 +191,7 @@ void propose(const Subject &subject, Steps steps, Proposals &proposals) {
       if (auto proposal = Writer(subject).write(steps, swapped))
         proposals.push_back(std::move(*proposal));
     const std::optional<Step> more = next(subject, steps.back());
-    if (!more || steps.size() >= kMostSteps)
+    if (!more || steps.size() >= kMaxSteps)
       return;
     steps.push_back(*more);
   }
@@ -203,8 +203,8 @@ Proposals scalarPairs(const Subject &subject) {
   Proposals proposals;
   std::size_t tried = 0;
   for (std::uint32_t i = 0; i < subject.size(); ++i)
-    for (std::uint32_t j = i + 1; j < std::min(subject.size(), i + kMostApart); ++j)
-      if (isAlike(subject, {{i, j}}) && proposals.size() < kMostProposals && tried++ < kMostTried)
+    for (std::uint32_t j = i + 1; j < std::min(subject.size(), i + kMaxApart); ++j)
+      if (isAlike(subject, {{i, j}}) && proposals.size() < kMaxProposals && tried++ < kMaxTried)
         propose(subject, {Step{{i, j}}}, proposals);
   return proposals;
 }

@@ -11,7 +11,7 @@ namespace {
 using fp::ir::File;
 using fp::ir::Instruction;
 
-constexpr std::size_t kMostPlaces = 24;
+constexpr std::size_t kMaxPlaces = 24;
 
 bool samples(const Instruction &instruction) {
   return fp::ir::info(instruction.op).has(fp::ir::Texture);
@@ -104,7 +104,7 @@ Proposals killPlaces(const Subject &subject) {
     if (const std::uint32_t place = earliest(subject, i); place < i)
       add(place);
     // Try the place before each later sample while the operand keeps its value.
-    for (std::uint32_t to = i + 1; to < subject.size() && proposals.size() < kMostPlaces; ++to) {
+    for (std::uint32_t to = i + 1; to < subject.size() && proposals.size() < kMaxPlaces; ++to) {
       if (!subject.flow().holds(instruction.src[0], 0xF, i, to))
         break;
       if (samples(subject.at(to)))

@@ -59,7 +59,7 @@ std::optional<std::string> Channel::receive(int seconds) {
       return line;
     }
     searched = m_waiting.size();
-    if (searched > kMostLine || !fill(seconds))
+    if (searched > kMaxLine || !fill(seconds))
       return {};
   }
 }

@@ -19,12 +19,12 @@ public:
   /// Sends a line and bytes. False if the other end is closed.
   bool send(std::string_view line, const void *bytes = nullptr, std::size_t count = 0);
   /// Returns the next line without its end. Returns nothing if the other end is closed, if a line
-  /// is longer than kMostLine, or after a silence of `seconds` (negative: waits forever).
+  /// is longer than kMaxLine, or after a silence of `seconds` (negative: waits forever).
   std::optional<std::string> receive(int seconds);
   /// Receives the bytes that follow a line. Returns false if fewer come.
   bool receive(void *bytes, std::size_t count, int seconds);
 
-  static constexpr std::size_t kMostLine = 8u << 20;
+  static constexpr std::size_t kMaxLine = 8u << 20;
 
 private:
   /// Waits for data, and adds it to m_waiting. Returns false if none comes.

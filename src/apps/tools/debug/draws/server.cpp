@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostLocals = 16;
+constexpr std::size_t kMaxLocals = 16;
 
 struct Answer {
   Json json;
@@ -89,9 +89,9 @@ private:
     return {Json::object(), {bytes, bytes + drawn.value().size() * sizeof(Item)}};
   }
 
-  /// Returns at most kMostLocals rows of four numbers, or nothing.
+  /// Returns at most kMaxLocals rows of four numbers, or nothing.
   static std::optional<std::vector<Drawer::Vec4>> localsOf(const Json &json) {
-    if (!json.is_array() || json.size() > kMostLocals)
+    if (!json.is_array() || json.size() > kMaxLocals)
       return {};
     std::vector<Drawer::Vec4> locals;
     for (const Json &row : json) {
@@ -110,7 +110,7 @@ private:
   Answer draw(const Json &request) {
     const auto region = regionOf(request.value("region", Json()));
     const int targets = integer(request, "targets");
-    if (!region || targets < 1 || targets > int(kMostTargets))
+    if (!region || targets < 1 || targets > int(kMaxTargets))
       return failure("a region outside the picture, or a wrong number of targets");
     const auto locals = localsOf(request.value("locals", Json::array()));
     if (!locals)

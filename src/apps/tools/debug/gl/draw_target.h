@@ -7,7 +7,7 @@
 
 namespace arbiter::tools::debug {
 
-/// A framebuffer object with up to kMostTargets colors, depth and stencil. The debugger draws
+/// A framebuffer object with up to kMaxTargets colors, depth and stencil. The debugger draws
 /// probes into such objects. It also draws the document's own picture into one if passes test each
 /// other's depths. The reason is that a window's rows may be stored in the opposite order, which
 /// changes the last bit of a depth.

@@ -8,7 +8,7 @@ namespace {
 
 /// The limit of cached programs. Most pixels use the same programs, because their coordinates are
 /// parameters.
-constexpr std::size_t kMostPrograms = 128;
+constexpr std::size_t kMaxPrograms = 128;
 
 /// Restores all state that a draw changes, including the framebuffer, which is in no attribute
 /// group.
@@ -134,7 +134,7 @@ std::string FrameDrawer::load(const std::string &text) {
     glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, known->second);
     return {};
   }
-  if (m_programs.size() >= kMostPrograms)
+  if (m_programs.size() >= kMaxPrograms)
     forgetPrograms();
   GLuint program = 0;
   glGenProgramsARB(1, &program);

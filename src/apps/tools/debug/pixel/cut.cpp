@@ -161,13 +161,13 @@ bool decidesFragments(const Program &program) {
 }
 
 Program cutProgram(const Program &program, const std::vector<Probe> &probes, Fragments fragments) {
-  assert(!probes.empty() && probes.size() <= kMostTargets);
+  assert(!probes.empty() && probes.size() <= kMaxTargets);
   return Cutter(program, probes.size(), fragments).withProbes(probes);
 }
 
 Program showOperands(const Program &program, const std::vector<fp::ir::Operand> &operands,
                      Fragments fragments) {
-  assert(!operands.empty() && operands.size() <= kMostTargets);
+  assert(!operands.empty() && operands.size() <= kMaxTargets);
   return Cutter(program, operands.size(), fragments).withOperands(operands);
 }
 

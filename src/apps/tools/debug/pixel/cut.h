@@ -10,7 +10,7 @@
 namespace arbiter::tools::debug {
 
 /// The maximum of draw buffers that one of these programs writes.
-inline constexpr std::size_t kMostTargets = 4;
+inline constexpr std::size_t kMaxTargets = 4;
 
 /// The fragments that such a program writes.
 enum class Fragments {
@@ -33,13 +33,13 @@ struct Probe {
 };
 
 /// Returns the program up to the last probe; each probe is written to its own color.
-/// Requires: a fragment program; 1 to kMostTargets probes in the order of their rows.
+/// Requires: a fragment program; 1 to kMaxTargets probes in the order of their rows.
 [[nodiscard]] fp::ir::Program cutProgram(const fp::ir::Program &program,
                                          const std::vector<Probe> &probes,
                                          Fragments fragments = Fragments::Covered);
 
 /// Returns a program that writes each operand to its own color.
-/// Requires: 1 to kMostTargets attributes or parameters in the tables of \p program.
+/// Requires: 1 to kMaxTargets attributes or parameters in the tables of \p program.
 [[nodiscard]] fp::ir::Program showOperands(const fp::ir::Program &program,
                                            const std::vector<fp::ir::Operand> &operands,
                                            Fragments fragments = Fragments::Covered);

@@ -154,8 +154,8 @@ std::optional<DebugError> PixelReader::readOperands() {
   }
   if (m_program.options.colorSum)
     attribute(AttributeKind::ColorSecondary, &m_inputs.secondary);
-  for (std::size_t from = 0; from < wanted.size(); from += kMostTargets) {
-    const std::size_t count = std::min(kMostTargets, wanted.size() - from);
+  for (std::size_t from = 0; from < wanted.size(); from += kMaxTargets) {
+    const std::size_t count = std::min(kMaxTargets, wanted.size() - from);
     std::vector<fp::ir::Operand> operands;
     for (std::size_t i = 0; i < count; ++i)
       operands.push_back(wanted[from + i].operand);
@@ -180,7 +180,7 @@ std::optional<DebugError> PixelReader::readAccesses() {
     if (!fp::ir::info(m_program.code[i].op).has(fp::ir::Texture))
       continue;
     rows.push_back(i);
-    if (rows.size() * 2 < kMostTargets)
+    if (rows.size() * 2 < kMaxTargets)
       continue;
     if (auto error = drawProbes(rows))
       return error;

@@ -17,7 +17,7 @@ namespace {
 using fp::ir::Program;
 
 /// Longer programs are bisected, because drawing a row compiles a program.
-constexpr std::size_t kMostRowsDrawn = 256;
+constexpr std::size_t kMaxRowsDrawn = 256;
 
 const Named *colorOf(const Trace &trace) {
   for (const Named &result : trace.results)
@@ -62,8 +62,8 @@ public:
 
   /// Compares every row, a few per draw, until one differs.
   Result<std::optional<Difference>, DebugError> eachRow() {
-    for (std::size_t from = 0; from < m_trace.rows.size(); from += kMostTargets) {
-      std::vector<std::size_t> rows(std::min(kMostTargets, m_trace.rows.size() - from));
+    for (std::size_t from = 0; from < m_trace.rows.size(); from += kMaxTargets) {
+      std::vector<std::size_t> rows(std::min(kMaxTargets, m_trace.rows.size() - from));
       std::iota(rows.begin(), rows.end(), from);
       auto found = among(rows);
       if (!found || found.value())
@@ -190,7 +190,7 @@ Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const 
   const bool survives = decidesFragments(program) && verdict.value().drawn;
   Search search(drawer, program, trace, x, y, survives ? Fragments::Surviving : Fragments::Covered,
                 tolerance);
-  verdict.value().bisected = trace.rows.size() > kMostRowsDrawn;
+  verdict.value().bisected = trace.rows.size() > kMaxRowsDrawn;
   const auto first = verdict.value().bisected ? search.halved() : search.eachRow();
   if (!first)
     return first.error();

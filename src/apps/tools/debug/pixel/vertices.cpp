@@ -90,7 +90,7 @@ public:
         if (isRow(parameter, row))
           m_values[i] = row.value;
     }
-    for (std::size_t from = 0; from < states.size(); from += kMostTargets)
+    for (std::size_t from = 0; from < states.size(); from += kMaxTargets)
       if (auto error = draw(states, from, x, y))
         return *error;
     return m_values;
@@ -109,7 +109,7 @@ private:
                                  int y) {
     fp::ir::Program tables;
     std::vector<fp::ir::Operand> operands;
-    const std::size_t count = std::min(kMostTargets, states.size() - from);
+    const std::size_t count = std::min(kMaxTargets, states.size() - from);
     for (std::size_t i = 0; i < count; ++i) {
       tables.parameters.push_back(m_stage.program.parameters[states[from + i]]);
       operands.emplace_back().file = fp::ir::File::Parameter;

@@ -10,7 +10,7 @@ namespace arbiter::tools::debug {
 namespace {
 
 /// If the product of the lengths is larger, rows are paired by their numbers to limit memory.
-constexpr std::size_t kMostCells = 1 << 22;
+constexpr std::size_t kMaxCells = 1 << 22;
 
 bool isAlike(const Row &a, const Row &b) {
   if (a.op != b.op || a.mask != b.mask || a.texel.has_value() != b.texel.has_value())
@@ -125,7 +125,7 @@ Pairs align(const Trace &a, const Trace &b) {
   Pairs members;
   for (std::size_t i = 0; i < from; ++i)
     members.emplace_back(i, i);
-  if ((aEnd - from + 1) <= kMostCells / (bEnd - from + 1))
+  if ((aEnd - from + 1) <= kMaxCells / (bEnd - from + 1))
     CommonSequence(a, b, from, aEnd, bEnd).append(members);
   for (std::size_t i = 0; i < a.rows.size() - aEnd; ++i)
     members.emplace_back(aEnd + i, bEnd + i);

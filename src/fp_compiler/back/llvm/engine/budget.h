@@ -11,7 +11,7 @@ using SamplerKeys = std::array<abi::SamplerKey, abi::kMaxUnits>;
 
 /// Maximum expected time of a compilation. It cannot be interrupted, and a draw, a thread or
 /// process exit may have to wait for it.
-inline constexpr double kMostMilliseconds = 500;
+inline constexpr double kMaxMilliseconds = 500;
 
 /// Returns the expected time on one processor. The cost of LLVM's register allocation and
 /// scheduling is quadratic in the length of the function. The constants were measured on chains in

@@ -132,7 +132,7 @@ private:
   static bool isWithinBudget(const ir::Program &program, const SamplerKeys *samplers,
                              std::string &reason) {
     const double expected = expectedMilliseconds(program, samplers);
-    if (expected <= kMostMilliseconds)
+    if (expected <= kMaxMilliseconds)
       return true;
     reason = "its " + std::to_string(program.code.size()) + " instructions would take some " +
              std::to_string(long(expected)) + " ms to compile";
@@ -174,7 +174,7 @@ private:
     return guarded<std::unique_ptr<Prepared>>(reason, [&]() -> std::unique_ptr<Prepared> {
       // The passes take time too. They may shorten a program, but not by more than this factor.
       constexpr double kShortened = 8;
-      if (expectedMilliseconds(program, nullptr) > kShortened * kMostMilliseconds ||
+      if (expectedMilliseconds(program, nullptr) > kShortened * kMaxMilliseconds ||
           !ir::validate(program).empty())
         return nullptr;
       return std::make_unique<Prepared>(program, numerics);

@@ -172,7 +172,7 @@ public:
   Scattered() {
     auto *const reserved = static_cast<std::uint8_t *>(map(kReserved));
     for (std::size_t bytes = std::size_t(1) << 30; bytes >= kPage; bytes /= 8)
-      while (m_mappings.size() < kMost && map(bytes) > reserved) {
+      while (m_mappings.size() < kMax && map(bytes) > reserved) {
       }
     munmap(reserved + kReserved - kPage, kPage);
   }
@@ -185,7 +185,7 @@ public:
 
 private:
   static constexpr std::size_t kReserved = std::size_t(8ull << 30), kPage = 4096;
-  static constexpr std::size_t kMost = 4000; ///< in case addresses are assigned upwards
+  static constexpr std::size_t kMax = 4000; ///< in case addresses are assigned upwards
 
   void *map(std::size_t bytes) {
     void *const begin =

@@ -15,7 +15,7 @@ Loops::Loops(Code &code, const ir::Program &program, Value *lanes)
 Value *Loops::iterations(Value *count) {
   llvm::IRBuilder<> &ir = m_code.ir;
   Value *const some = ir.CreateFCmpOGE(count, m_code.splat(1.0f));
-  Value *const whole = m_code.toInt(m_code.min(count, m_code.splat(float(ir::kMostIterations))));
+  Value *const whole = m_code.toInt(m_code.min(count, m_code.splat(float(ir::kMaxIterations))));
   return m_code.select(ir.CreateAnd(some, m_running), whole, m_code.splat(0));
 }
 
@@ -50,7 +50,7 @@ void Loops::begin(Value *count, std::vector<LoopSlot> slots) {
   m_running = ir.CreateICmpSGT(loop.left, m_code.splat(0));
   if (m_begun)
     m_running =
-        ir.CreateAnd(m_running, ir.CreateICmpSLT(m_begun, m_code.splat(int(ir::kMostIterations))));
+        ir.CreateAnd(m_running, ir.CreateICmpSLT(m_begun, m_code.splat(int(ir::kMaxIterations))));
   ir.CreateCondBr(ir.CreateOrReduce(m_running), body, loop.behind);
 
   ir.SetInsertPoint(body);

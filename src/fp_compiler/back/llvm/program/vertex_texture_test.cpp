@@ -98,9 +98,9 @@ private:
            const abi::TextureView *const *views) {
     ASSERT_EQ(program.shape().inputs.size(), 1u);
     const std::size_t outputs = program.shape().outputs.size();
-    ASSERT_LE(outputs, kMost);
+    ASSERT_LE(outputs, kMax);
     const float *in[4];
-    float *out[4 * kMost];
+    float *out[4 * kMax];
     for (std::size_t c = 0; c < 4; ++c)
       in[c] = m_in[c];
     for (std::size_t i = 0; i < 4 * outputs; ++i)
@@ -138,11 +138,11 @@ private:
     }
   }
 
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
   std::mt19937 m_random{7};
   std::vector<std::unique_ptr<Texture>> m_textures;
   alignas(64) float m_in[4][kRoom] = {};
-  alignas(64) float m_out[4 * kMost][kRoom] = {};
+  alignas(64) float m_out[4 * kMax][kRoom] = {};
 };
 
 abi::SamplerKey keyOf(abi::Dimension dimension, abi::MipFilter mip, abi::Filter filter,
