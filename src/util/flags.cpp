@@ -122,7 +122,7 @@ void readDebug(Reader &reader, Settings &result) {
       }
     }
     if (!known) {
-      const std::string_view near = closest(name, names);
+      const std::string_view near = nearest(name, names);
       reader.warn(Env::Debug, "no flag " + quoted(name) +
                                   (near.empty() ? std::string(" (help lists them)")
                                                 : " (did you mean " + std::string(near) + "?)"));

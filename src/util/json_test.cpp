@@ -59,12 +59,12 @@ TEST(JsonWriter, NumbersThatJsonLacksBecomeNull) {
 
 TEST(Closest, FindsTheNameMeant) {
   const std::string_view names[] = {"r300", "r420", "nv30", "i915", "host", "r300-catalyst-2004"};
-  EXPECT_EQ(closest("r30", names), "r300");
-  EXPECT_EQ(closest("vn30", names), "nv30");
-  EXPECT_EQ(closest("r300-catalist", names), "r300-catalyst-2004");
-  EXPECT_EQ(closest("geforce", names), "");
-  EXPECT_EQ(closest("", names), "");
-  EXPECT_EQ(closest(std::string(100, 'r'), names), "");
+  EXPECT_EQ(nearest("r30", names), "r300");
+  EXPECT_EQ(nearest("vn30", names), "nv30");
+  EXPECT_EQ(nearest("r300-catalist", names), "r300-catalyst-2004");
+  EXPECT_EQ(nearest("geforce", names), "");
+  EXPECT_EQ(nearest("", names), "");
+  EXPECT_EQ(nearest(std::string(100, 'r'), names), "");
 }
 
 // The published XXH3-128 value of the empty input. A changed hash would rename every program.

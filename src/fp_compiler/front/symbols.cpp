@@ -1,6 +1,6 @@
 #include "fp_compiler/front/symbols.h"
 
-#include "fp_compiler/front/words/suggest.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp {
 

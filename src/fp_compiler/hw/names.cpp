@@ -82,7 +82,7 @@ std::string_view builtinMeant(std::string_view typed) {
 }
 
 std::string meant(std::string_view typed, std::span<const std::string_view> known) {
-  const std::string_view near = closest(typed, known);
+  const std::string_view near = nearest(typed, known);
   return near.empty() ? std::string() : "; did you mean \"" + std::string(near) + "\"?";
 }
 

@@ -32,7 +32,7 @@ struct Reader {
 
   bool unknown(const toml::key &key, const std::string &where,
                std::span<const std::string_view> known) {
-    const std::string_view near = closest(key.str(), known);
+    const std::string_view near = nearest(key.str(), known);
     return fail(key.source(),
                 "unknown key \"" + std::string(key.str()) + "\" in " + where +
                     (near.empty() ? "" : "; did you mean " + std::string(near) + "?"));

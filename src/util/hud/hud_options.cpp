@@ -39,7 +39,7 @@ std::string notKnown(std::string_view word) {
   for (const std::string_view name : known)
     all += (all.empty() ? "" : ", ") + std::string(name);
   std::string text = "expected 0, 1 or words of " + all + ", not \"" + std::string(word) + "\"";
-  if (const std::string_view near = closest(word, known); !near.empty())
+  if (const std::string_view near = nearest(word, known); !near.empty())
     text += " (did you mean " + std::string(near) + "?)";
   return text;
 }

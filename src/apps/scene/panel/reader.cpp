@@ -75,7 +75,7 @@ bool Reader::expected(const std::string &what, std::string hint) {
 bool Reader::unknownWord(const std::string &what, std::span<const WordRow> rows) {
   const Token &token = peek();
   const auto words = names(rows);
-  const std::string_view near = closest(token.text, words);
+  const std::string_view near = nearest(token.text, words);
   return warning(token.span, "panel-word",
                  quoted(token.text) + " is no " + what + " and has no effect",
                  near.empty() ? wordList(rows) : "did you mean '" + std::string(near) + "'?");

@@ -75,7 +75,7 @@ const ActionRow *findAction(const std::string &name) {
   std::vector<std::string_view> names = {"list"};
   for (const ActionRow &each : kActions)
     names.emplace_back(each.name);
-  const std::string_view near = closest(name, names);
+  const std::string_view near = nearest(name, names);
   complain("no action " + name + (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
            " (arbiter ctl --help)");
   return nullptr;

@@ -46,7 +46,7 @@ std::vector<std::string> namesIn(const fs::path &gallery) {
 
 GalleryError unknown(const std::string &name, const std::vector<std::string> &names) {
   const std::vector<std::string_view> views(names.begin(), names.end());
-  const std::string_view near = closest(name, views);
+  const std::string_view near = nearest(name, views);
   std::string message = std::string(kGalleryScheme) + name + ": the gallery has no such document";
   if (!near.empty())
     return {message + "; did you mean " + kGalleryScheme + std::string(near) + "?"};

@@ -173,7 +173,7 @@ std::string faultOfImage(const std::string &name) {
   std::error_code error;
   if (name.find_first_of("./") != std::string::npos || std::filesystem::exists(name, error))
     return {}; // reading the file gives a better error
-  if (const std::string_view near = closest(name, words); !near.empty())
+  if (const std::string_view near = nearest(name, words); !near.empty())
     return "there is no such file; did you mean " + std::string(near) + "?";
   std::string text = "there is no such file, and no such word; words are ";
   for (const std::string_view word : words)

@@ -19,7 +19,7 @@ std::string_view begunBy(std::string_view typed, const std::vector<std::string_v
 std::string meant(std::string_view typed, const std::vector<std::string> &known) {
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string_view begun = begunBy(typed, views);
-  const std::string_view near = begun.empty() ? closest(typed, views) : begun;
+  const std::string_view near = begun.empty() ? nearest(typed, views) : begun;
   return near.empty() ? std::string() : "; did you mean " + std::string(near) + "?";
 }
 

@@ -40,7 +40,7 @@ CLI::Validator among(std::vector<std::string> words, const std::string &other,
     if (!other.empty() && value.find_first_of("./") != std::string::npos)
       return value + ": " + whyNoFile(value);
     const std::vector<std::string_view> views(words.begin(), words.end());
-    const std::string_view near = closest(value, views);
+    const std::string_view near = nearest(value, views);
     return value + ": expected " + listed(words, other.empty() ? " or " : ", ") + other +
            (near.empty() ? "" : "; did you mean " + std::string(near) + "?");
   };

@@ -6,7 +6,7 @@
 #include "fp_compiler/front/c_like/statements.h"
 #include "fp_compiler/front/header.h"
 #include "fp_compiler/front/unexpected.h"
-#include "fp_compiler/front/words/suggest.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp::ati {
 

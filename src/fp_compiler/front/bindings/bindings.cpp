@@ -2,7 +2,7 @@
 
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/front/words/numeral.h"
-#include "fp_compiler/front/words/suggest.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp {
 

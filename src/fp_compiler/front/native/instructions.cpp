@@ -5,7 +5,7 @@
 
 #include "fp_compiler/front/native/parser.h"
 #include "fp_compiler/front/unexpected.h"
-#include "fp_compiler/front/words/suggest.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp::native {
 

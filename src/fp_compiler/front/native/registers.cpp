@@ -4,7 +4,7 @@
 #include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/numeral.h"
 #include "fp_compiler/front/words/suffix.h"
-#include "fp_compiler/front/words/suggest.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp::native {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/nvparse/combiner_parser.h"
-#include "fp_compiler/front/words/suggest.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp::nvparse {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fp_compiler/front/c_like/statements.h"
-#include "fp_compiler/front/words/suggest.h"
 #include "fp_compiler/texture_shader/operations.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp::nvparse {
 

@@ -7,7 +7,7 @@
 #include "fp_compiler/front/words/keywords.h"
 #include "fp_compiler/front/words/numeral.h"
 #include "fp_compiler/front/words/suffix.h"
-#include "fp_compiler/front/words/suggest.h"
+#include "util/suggest.h"
 
 namespace arbiter::fp {
 namespace {
