@@ -61,10 +61,14 @@ void Parser::parse() {
 }
 
 void Parser::parseStatement() {
+  constexpr const char *kNoBlocks = "there are no blocks: END ends the program";
+  if (m_tokens.at(TokenKind::CloseBrace)) { // the next statement may stand behind it
+    unexpected(kStatement, kNoBlocks);
+    m_tokens.next();
+    return;
+  }
   if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected(kStatement, m_tokens.at(TokenKind::OpenBrace) || m_tokens.at(TokenKind::CloseBrace)
-                               ? "there are no blocks: END ends the program"
-                               : "");
+    unexpected(kStatement, m_tokens.at(TokenKind::OpenBrace) ? kNoBlocks : "");
     if (!m_tokens.accept(TokenKind::Semicolon)) {
       m_tokens.next();
       recover();
@@ -207,7 +211,7 @@ bool Parser::unknownStatement(const Token &first) {
             quote(word) + ": saturation belongs to " + m_language.foreignName,
             "write " + std::string(word.substr(0, 3)) + ", then MAX with 0 and MIN with 1");
     else
-      foreign(first, word);
+      foreign(first, word, meaningHint(word, parts, vocabulary()));
     // Declare the name, so that its uses give no further errors.
     if (word == "ADDRESS" && m_tokens.at(TokenKind::Identifier))
       m_symbols.declare(text(m_tokens.peek()), {});
@@ -300,10 +304,11 @@ bool Parser::atWord(int ahead, std::string_view word) const {
   return m_tokens.peek(ahead).kind == TokenKind::Identifier && text(m_tokens.peek(ahead)) == word;
 }
 
-void Parser::foreign(const Token &token, std::string_view what) {
+void Parser::foreign(const Token &token, std::string_view what, std::string hint) {
+  const std::string_view own = foreignHint(text(token), m_language);
   error(m_language.foreignId, token.span,
         std::string(what) + " belongs to " + m_language.foreignName,
-        std::string(foreignHint(text(token), m_language)));
+        own.empty() ? std::move(hint) : std::string(own));
 }
 
 void Parser::error(DiagnosticId id, Span span, std::string message, std::string hint) {

@@ -92,8 +92,8 @@ private:
   [[nodiscard]] bool atWord(int ahead, std::string_view word) const;
   [[nodiscard]] Span spanFrom(std::uint32_t begin) const { return {begin, m_tokens.lastEnd()}; }
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  /// Reports a word of the other language.
-  void foreign(const Token &token, std::string_view what);
+  /// Reports a word of the other language. The hint is for a word that has none of its own.
+  void foreign(const Token &token, std::string_view what, std::string hint = {});
   /// Adds the name to the table of names, if there is one.
   void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
     if (m_names)

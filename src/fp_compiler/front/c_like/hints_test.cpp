@@ -131,6 +131,11 @@ TEST(CFunctionsAndBlocks, AreNotThere) {
   EXPECT_NE(vertex("if (a.x > 0.5) {").find("SLT gives 1 or 0"), std::string::npos);
   EXPECT_EQ(option("NV_fragment_program2", "if (a.x > 0.5) {"),
             "IF, ELSE and ENDIF do it, by a condition code: IF GT.x;");
+  EXPECT_EQ(said("!!ARBfp1.0\nTEMP a;\nMOV a, 1.0;\n}\nfor (i = 0; i < 4; i++)\nADD a, a, a;\n"
+                 "MOV result.color, a;\nEND\n")
+                .size(),
+            2u)
+      << "one error for the brace, one for the loop";
   EXPECT_NE(fragment("for (i = 0; i < 4; i++) {").find("there are no loops"), std::string::npos);
   EXPECT_NE(fragment("return a;").find("END"), std::string::npos);
 }
@@ -149,6 +154,9 @@ TEST(CExpressions, AreInstructionsBeforeTheOperand) {
             "declare it first, with TEMP, PARAM, ATTRIB, OUTPUT or ALIAS");
   EXPECT_EQ(fragment("MOV a, vec4(1.0, 0.5, 0.0, 1.0);"),
             "a constant vector stands in braces: {1.0, 0.5, 0.0, 1.0}");
+  EXPECT_EQ(fragment("MOV a, vec4(0.5);"), "a number fills all four components: write 0.5");
+  EXPECT_EQ(fragment("CMP a, b.x < 0.5, b, c;"),
+            "an operand is one value; SLT computes b.x < 0.5 before it");
   EXPECT_EQ(fragment("MOV a, (1.0, 0.5);"), "a constant vector stands in braces: {1.0, 0.5}");
   EXPECT_EQ(fragment("MOV a, dot(b, c);"),
             "an operand is one value, and there are no calls: DP3 or DP4 does what dot does");

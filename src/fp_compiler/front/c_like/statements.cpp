@@ -327,6 +327,8 @@ std::string operandHint(std::string_view text, Span span, Dialect dialect,
     const Reading reading(text, span.begin, dialect);
     std::size_t i = 0;
     const auto made = reading.operand(i);
+    if (made && !made->starts_with('{'))
+      return "a number fills all four components: write " + *made;
     return "a constant vector stands in braces: " + made.value_or("{1.0, 0.0, 0.0, 1.0}");
   }
   const std::string call = callHint(word, vocabulary);

@@ -41,6 +41,10 @@ std::string_view instructionFor(char c) {
     return "ADD";
   case '-':
     return "SUB";
+  case '<':
+    return "SLT";
+  case '>':
+    return "SLT with its operands exchanged";
   default:
     return {};
   }

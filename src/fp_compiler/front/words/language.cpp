@@ -48,7 +48,6 @@ constexpr HintRow kVertexWords[] = {
 
 constexpr HintRow kFragmentWords[] = {
     {"CMP", "use SLT for the condition and MAD to choose"},
-    {"LRP", "use SUB and MAD: a*(b-c) + c"},
     {"COS", "approximate it, or pass the value in a parameter"},
     {"SIN", "approximate it, or pass the value in a parameter"},
     {"SCS", "approximate it, or pass the values in a parameter"},
