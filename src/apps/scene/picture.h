@@ -23,7 +23,8 @@ struct PictureError {
 /// Reads any PNG, converted to 8-bit RGBA, of at most kMaxSide a side.
 [[nodiscard]] Result<Picture, PictureError> readPng(const std::string &path);
 
-/// Writes a PNG. \returns an empty string, or "name: reason".
+/// Writes a PNG. Refuses a name that promises another kind of image, and "-".
+/// \returns an empty string, or "name: reason".
 [[nodiscard]] std::string writePng(const std::string &path, const Picture &picture);
 
 } // namespace arbiter::scene

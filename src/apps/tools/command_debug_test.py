@@ -145,6 +145,10 @@ class Debug(Temporary):
             '  least               (0.03125, 0.0625, 0, 1)',
             '  greatest            (0.96875, 0.9375, 0, 1)',
             f'{picture}: fragment.texcoord[0]@6, written'])
+        values = arbiter('debug', document, '--watch', 'fragment.texcoord[0]@6')
+        self.assertEqual((values.returncode, values.stderr, values.stdout.splitlines()),
+                         (0, '', result.stdout.splitlines()[:-1]))
+        self.assertIsNone(self.trace(document, '--watch', 'a@7')['watch']['file'])
         width, height, rows = read_png(picture)
         self.assertEqual((width, height), (16, 8))
         self.assertEqual(list(rows[0][:4]), [round(255 * 0.5 / 16), round(255 * 7.5 / 8), 0, 255])
@@ -311,7 +315,7 @@ class Debug(Temporary):
                 (('--pixel', '1,1', '--break', 'soon'), 1, 'expected nan'),
                 (('--pixel', '1,1', '--watch', 'q@6', '-o', png), 1, "'q'"),
                 (('--pixel', '1,1', '--watch', 'a@2', '-o', png), 1, 'no instruction'),
-                (('--pixel', '1,1', '--watch', 'a@6'), 1, '--output'),
+                (('--watch', 'a@6', '--range', '0,2'), 1, '--range needs --output'),
                 (('--pixel', '16,0', '--watch', 'a@6', '-o', png), 1, 'the picture is 16x8'),
                 (('--watch', 'a@6', '-o', png, '--line', '6'), 1, '--line has no effect with --watch'),
                 (('--from-top',), 1, '--from-top needs --pixel'),

@@ -249,7 +249,7 @@ class Whole(unittest.TestCase):
                       ' --pixel X,Y the pixel; ',
                       ' --pass N (1 to 16; by default 1) which ', ' --line N (1 or more) run to ',
                       ' --against {swrast,host,bare,fp24} or FILE (by default swrast) ',
-                      ' --range LOW,HIGH (by default 0,1; needs --watch) values of ', ' --json the whole'):
+                      ' --range LOW,HIGH (by default 0,1; needs --output) values that ', ' --json the whole'):
             self.assertIn(words, text)
         self.assertIn('Usage: arbiter draw [OPTIONS] FILE...\n', arbiter('draw', '--help').stdout)
 

@@ -149,7 +149,7 @@ struct DebugArguments {
   std::string against = "swrast";    ///< or "host", "bare", "fp24", or another program's file
   std::string watch;                 ///< "REG@LINE", or empty
   std::string range = "0,1";         ///< of --watch: what becomes black, and white
-  std::string output;                ///< of --watch
+  std::string output;                ///< of --watch; empty: no picture
   std::string breakOn;               ///< debug/trace/condition.h, or empty
   int line = 0;                      ///< run to it; 0: to the end
   int pass = 1;

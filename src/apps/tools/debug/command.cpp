@@ -105,7 +105,8 @@ private:
       if (!watch)
         return refuse(watch.error().message);
       m_watch = watch.value();
-      if (std::string fault = whyNotWritable(m_arguments.output); !fault.empty())
+      const std::string &file = m_arguments.output;
+      if (std::string fault = file.empty() ? "" : whyNotWritable(file); !fault.empty())
         return refuse(fault);
     }
     return kExitOk;
@@ -250,8 +251,11 @@ private:
     if (!values)
       return refuse(values.error().message);
     const auto [width, height] = m_session->drawer().size();
-    const std::string fault = scene::writePng(
-        m_arguments.output, {width, height, debug::picturedValues(values.value(), m_low, m_high)});
+    std::string fault;
+    if (!m_arguments.output.empty())
+      fault =
+          scene::writePng(m_arguments.output,
+                          {width, height, debug::picturedValues(values.value(), m_low, m_high)});
     debug::Watched watched{
         m_arguments.watch, m_arguments.output, {}, debug::extentOf(values.value())};
     const auto &here = values.value()[std::size_t(m_y) * std::size_t(width) + std::size_t(m_x)];

@@ -110,7 +110,7 @@ std::string breakText(const Findings &findings) {
 
 Json watchJson(const Watched &watch) {
   return {{"value", watch.value},
-          {"file", watch.picture},
+          {"file", watch.picture.empty() ? Json() : Json(watch.picture)},
           {"pixel", watch.here ? vectorJson(*watch.here) : Json()},
           {"covered", watch.extent.covered},
           {"least", vectorJson(watch.extent.least)},
@@ -169,8 +169,8 @@ std::string watchedText(const Findings &findings) {
   if (watch.extent.covered != 0)
     text += row("least", vectorText(watch.extent.least)) +
             row("greatest", vectorText(watch.extent.greatest));
-  return text + (findings.note.empty() ? "" : findings.note + "\n") + watch.picture + ": " +
-         watch.value + ", written\n";
+  return text + (findings.note.empty() ? "" : findings.note + "\n") +
+         (watch.picture.empty() ? "" : watch.picture + ": " + watch.value + ", written\n");
 }
 
 Json findingsJson(const Findings &findings) {

@@ -19,7 +19,7 @@ struct Beside {
 /// What --watch drew.
 struct Watched {
   std::string value;        ///< REG@LINE
-  std::string picture;      ///< the file
+  std::string picture;      ///< the file; empty: none
   std::optional<Vec4> here; ///< in the pixel; empty: the mesh does not cover it
   Extent extent;
 };

@@ -29,10 +29,12 @@ void addDebugComparison(Verb &verb, DebugArguments &debug) {
       verb.option("--watch", debug.watch,
                   "REG@LINE: any register after any line, over the whole picture, in place of the "
                   "trace of one pixel");
-  verb.option("--range", debug.range, "LOW,HIGH: values of --watch that become 0 and 255")
-      .needs(watch)
+  const Option output =
+      verb.option("-o,--output", debug.output, "a PNG of what --watch watches, to write")
+          .needs(watch);
+  verb.option("--range", debug.range, "LOW,HIGH: values that become 0 and 255 in the PNG")
+      .needs(output)
       .showDefault();
-  watch.needs(verb.option("-o,--output", debug.output, "the PNG that --watch writes").needs(watch));
 }
 
 } // namespace
@@ -137,6 +139,7 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
               "  arbiter debug twirl.fp --pixel 100,200 --against host\n"
               "  arbiter debug wrong.fp --pixel 8,8 --against right.fp\n"
               "  arbiter debug twirl.fp --pixel 8,8 --break nan\n"
+              "  arbiter debug twirl.fp --watch offset@10\n"
               "  arbiter debug twirl.fp --watch offset@10 --range -1,1 -o offset.png\n"
               "  arbiter debug shader.fp --texture 0=photo.png");
 }
