@@ -35,11 +35,12 @@ ORDER = {
     "interposer": ["preload"],
     # Words and panels come first; textures and meshes are made of them; the document has all.
     "apps/scene": ["panel", "texture", "mesh"],
-    # What a host can do, and what its state is; plain objects; what a context says it is; a context; what it draws with, and by which of
-    # two ways; lists, which execute commands; who watches; entry points; what makes and frees contexts.
-    "state": ["capabilities", "mirror", "primitives", "objects", "identity", "share", "core", "client_pixels", "era", "imaging",
-              "residency", "report", "programs", "host_draw", "raster_draw", "pixel_commands", "lists", "statistics",
-              "control", "hud", "handlers", "contexts"],
+    # What a host can do, and what its state is; plain objects; what a context says it is; a context; what it draws
+    # with, and by which of two ways; lists, which execute commands; who watches; entry points; what makes and frees
+    # contexts.
+    "state": ["capabilities", "mirror", "primitives", "objects", "identity", "share", "core", "client_pixels", "era",
+              "imaging", "residency", "report", "programs", "host_draw", "raster_draw", "pixel_commands", "lists",
+              "statistics", "control", "hud", "handlers", "contexts"],
     "state/handlers": ["entry", "fixed_function", "imaging", "vertex_shader"],
     "state/host_draw": ["evaluators", "stages", "linking", "texturing"],
     "state/programs": ["nv", "variants", "combiners", "texture_shaders", "vertex_shaders"],

@@ -61,7 +61,8 @@ def check(build):
 
 
 def self_test():
-    one = "namespace a {\nnamespace {\nvoid none() {\n}\nint get(std::map<int, int> x) {\n  return 1;\n}\n} // namespace\n}\n"
+    one = ("namespace a {\nnamespace {\nvoid none() {\n}\nint get(std::map<int, int> x) {\n  return 1;\n}\n"
+           "} // namespace\n}\n")
     two = one.replace("std::map<int, int> x", "float x, int y = 0").replace("none", "nothing")
     assert len(list(clashes([("one", one), ("two", two)]))) == 1
     assert not list(clashes([("one", one), ("two", two.replace(" = 0", ""))]))

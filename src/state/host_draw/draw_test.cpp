@@ -286,7 +286,8 @@ TEST(Draw, AContextOfTheGroupSeesAReloadWhenItIsMadeCurrent) {
     load(*second, kFour);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->effective.linkedProgram->fragment.compiled->text, kFour) << "it selects programs anew";
+    EXPECT_EQ(first->effective.linkedProgram->fragment.compiled->text, kFour)
+        << "it selects programs anew";
     handlers::BindProgramARB(*first, kFragment, name);
     ASSERT_TRUE(draw(*first));
     EXPECT_EQ(first->effective.linkedProgram->fragment.compiled->text, kFour);
