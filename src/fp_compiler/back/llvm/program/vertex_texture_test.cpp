@@ -15,11 +15,11 @@ namespace {
 
 using ir::Vec4;
 
-constexpr std::size_t kVertices = 45; ///< the last vector is not full
+constexpr std::size_t kTexturedVertices = 45; ///< the last vector is not full
 constexpr std::size_t kRoom = 48;
 
 /// Returns a vertex program under NV_vertex_program3. c is the coordinate.
-ir::Program checked(const std::string &statements) {
+ir::Program vertexProgram(const std::string &statements) {
   CompileOptions options;
   options.policy = LimitPolicy::Report;
   options.limits.textureImageUnits = 16;
@@ -57,7 +57,7 @@ class VertexTextureTest : public ::testing::TestWithParam<std::string> {
 protected:
   void expectAsInterpreted(const std::string &statements, float scale = 1) {
     SCOPED_TRACE(statements);
-    const ir::Program program = checked(statements);
+    const ir::Program program = vertexProgram(statements);
     std::string reason;
     const auto engine = makeEngine({GetParam()});
     ASSERT_NE(engine, nullptr);
@@ -109,12 +109,12 @@ private:
     data.inputs = in;
     data.outputs = out;
     data.textures = views;
-    code.function(&data, kVertices);
+    code.function(&data, kTexturedVertices);
   }
 
   void compare(const jit::VertexProgram &prepared) {
     const ir::Program &program = prepared.program();
-    for (std::size_t i = 0; i < kVertices; ++i) {
+    for (std::size_t i = 0; i < kTexturedVertices; ++i) {
       ir::Inputs inputs;
       const std::array<Vec4, 1> attributes = {Vec4{m_in[0][i], m_in[1][i], m_in[2][i], m_in[3][i]}};
       inputs.attributes = attributes;
@@ -216,9 +216,9 @@ TEST_P(VertexTextureTest, WhatIsIncompleteIsBlack) {
 }
 
 TEST_P(VertexTextureTest, ShapeListsUnits) {
-  const ir::Program program =
-      checked("TEX r, c, texture[9], CUBE; TEX s, c, texture[9], CUBE; ADD result.color, r, s; "
-              "TEX r, c, texture[2], 3D;");
+  const ir::Program program = vertexProgram(
+      "TEX r, c, texture[9], CUBE; TEX s, c, texture[9], CUBE; ADD result.color, r, s; "
+      "TEX r, c, texture[2], 3D;");
   const auto engine = makeEngine({GetParam()});
   ASSERT_NE(engine, nullptr);
   const auto prepared = engine->prepareVertex(program, Numerics::Host);
