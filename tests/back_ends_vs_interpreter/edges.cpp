@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/testing/specials.h"
 #include "tolerance.h"
 
 namespace arbiter::differential {
@@ -13,8 +13,9 @@ namespace arbiter::differential {
 using namespace fp::ir;
 
 namespace {
-constexpr float kInf = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+using fp::testing::kInf;
+using fp::testing::kNan;
+
 constexpr std::array<float, kSide> kSpecial = {0.0f,  -0.0f,  1.0f,   -1.0f,    0.5f,   2.0f,
                                                -2.5f, kInf,   -kInf,  kNan,     1e-40f, -1e-40f,
                                                1e30f, -1e30f, 130.0f, 0x1p-100f};

@@ -18,7 +18,7 @@ constexpr Tolerance kLogarithm = {kHalfUlp, 0x1p-18f, 0x1p-18f};
 constexpr Tolerance kPower = {kHalfUlp, 0x1p-15f, 0x1p-20f};
 constexpr Tolerance kTrigonometric = {0x1p-22f, 0, 0x1p-18f};
 /// Hosts convert texel coordinates to fixed point.
-constexpr Tolerance kTexture = {0x1p-16f, 0, 0};
+constexpr Tolerance kSampled = {0x1p-16f, 0, 0};
 
 /// If the exact result is near the middle of two 24-bit numbers, the least error of a single rounds
 /// it to the other. That is one unit of 24 bits, which a relative 2^-16 covers for any mantissa.
@@ -44,7 +44,7 @@ Tolerance tolerance24(Opcode op) {
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
-    return kTexture;
+    return kSampled;
   default:
     return kExact;
   }
@@ -90,7 +90,7 @@ Tolerance tolerance(Opcode op, fp::Numerics numerics) {
   case Opcode::Txb:
   case Opcode::Txd:
   case Opcode::Txl:
-    return kTexture;
+    return kSampled;
   case Opcode::Up2us:
   case Opcode::Up4b:
   case Opcode::Up4ub:

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "fp_compiler/ir/evaluate.h"
+#include "fp_compiler/testing/specials.h"
 #include "tolerance.h"
 #include "vertex_clip.h"
 #include "vertex_reader.h"
@@ -14,14 +14,17 @@ namespace arbiter::differential {
 using namespace fp::ir;
 
 namespace {
-constexpr float kInf = std::numeric_limits<float>::infinity();
+using fp::testing::kInf;
+
 /// The values include no NaN, as a vertex with one may be dropped.
-constexpr std::array<float, 20> kSpecial = {
+constexpr std::array<float, 20> kVertexSpecial = {
     0.0f,    -0.0f, 1.0f,   -1.0f,  0.5f,      2.0f,   -2.5f, kInf,       -kInf,    1e-40f,
     -1e-40f, 1e30f, -1e30f, 130.0f, 0x1p-100f, -0.75f, 8.0f,  7.9999995f, 0x1p127f, 0x1p-126f};
 
 Vec4 specialAt(int x, int y) {
-  const auto at = [](int i) { return comparable(kSpecial[std::size_t(i) % kSpecial.size()]); };
+  const auto at = [](int i) {
+    return comparable(kVertexSpecial[std::size_t(i) % kVertexSpecial.size()]);
+  };
   return {at(y * kSide + x), at(3 * x + 7 * y), at(x + 3 * y), at(5 * x + y)};
 }
 
