@@ -56,7 +56,7 @@ void recursion(Recorder &r) {
 }
 
 /// Tests plain lists around lists with commands of the layer around plain lists.
-void alternating(Recorder &r) {
+void alternatingLists(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint first = glGenLists(5);
   glNewList(first + 4, GL_COMPILE);
@@ -323,7 +323,7 @@ void nestedInPrimitive(Recorder &r) {
 const std::vector<Case> kNestedListCases = {
     {"nested-depth", depth},
     {"nested-recursion", recursion},
-    {"nested-alternating", alternating},
+    {"nested-alternating", alternatingLists},
     {"nested-compiled-before", compiledBefore},
     {"nested-every-type", everyType},
     {"nested-types-in-lists", typesInLists},
