@@ -204,13 +204,8 @@ TEST(ErrorPosition, IsTheFirstWrongByte) {
   EXPECT_GE(testing_support::expectPlanted("!!ARBfp1.0", kPlanted), 200);
 }
 
-struct PlantedHeader {
-  const char *id;
-  const char *text;
-};
-
 // Options come before all statements, so these programs have their own beginning.
-constexpr PlantedHeader kHeaders[] = {
+constexpr Planted kHeaders[] = {
     {"header-missing", "@"},
     {"header-missing", "@ !!ARBfp1.0\nEND"},
     {"header-missing", "@# c\n!!ARBfp1.0\nEND"},
@@ -233,14 +228,7 @@ constexpr PlantedHeader kHeaders[] = {
 };
 
 TEST(ErrorPosition, IsTheFirstWrongByteOfHeaderAndOptions) {
-  for (const PlantedHeader &planted : kHeaders) {
-    std::string text = planted.text;
-    const std::size_t marker = text.find('@');
-    text.erase(marker, 1);
-    const CheckResult result = checkFragmentProgram(text, testing_support::small());
-    EXPECT_EQ(firstError(result), planted.id) << planted.text;
-    EXPECT_EQ(result.errorPosition(), std::int32_t(marker)) << planted.text;
-  }
+  testing_support::expectPlantedHeaders(ir::Language::ArbFragment, kHeaders);
 }
 
 TEST(ErrorPosition, IsTheFirstOfSeveralErrors) {

@@ -6,7 +6,7 @@ namespace {
 
 using testing_support::Planted;
 
-constexpr Planted kPlanted[] = {
+constexpr Planted kVertexPlanted[] = {
     // Features of fragment programs.
     {"fragment-only", "@TEX R0, R1, texture[0], 2D;\nEND"},
     {"fragment-only", "@KIL R0;\nEND"},
@@ -108,16 +108,11 @@ constexpr Planted kPlanted[] = {
 };
 
 TEST(VertexErrorPosition, IsTheFirstWrongByte) {
-  EXPECT_GE(testing_support::expectPlanted("!!ARBvp1.0", kPlanted), 300);
+  EXPECT_GE(testing_support::expectPlanted("!!ARBvp1.0", kVertexPlanted), 300);
 }
 
-struct PlantedHeader {
-  const char *id;
-  const char *text;
-};
-
 // Options come before all statements, so these programs have their own beginning.
-constexpr PlantedHeader kHeaders[] = {
+constexpr Planted kPlantedVertexHeaders[] = {
     {"header-missing", "@"},
     {"header-missing", "!!ARB@fp1.0\nEND"},
     {"header-missing", "!!ARBvp1.@1\nEND"},
@@ -135,15 +130,7 @@ constexpr PlantedHeader kHeaders[] = {
 };
 
 TEST(VertexErrorPosition, IsTheFirstWrongByteOfHeaderAndOptions) {
-  for (const PlantedHeader &planted : kHeaders) {
-    std::string text = planted.text;
-    const std::size_t marker = text.find('@');
-    text.erase(marker, 1);
-    const CheckResult result =
-        checkProgram(ir::Language::ArbVertex, text, testing_support::small());
-    EXPECT_EQ(testing_support::firstError(result), planted.id) << planted.text;
-    EXPECT_EQ(result.errorPosition(), std::int32_t(marker)) << planted.text;
-  }
+  testing_support::expectPlantedHeaders(ir::Language::ArbVertex, kPlantedVertexHeaders);
 }
 
 TEST(VertexErrorPosition, AnOptionOfNvIsNamedAndOnTheRoadMap) {

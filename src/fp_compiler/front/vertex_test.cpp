@@ -183,19 +183,19 @@ TEST(Vertex, PositionInvarianceTakesFourInstructions) {
   EXPECT_EQ(over.errorPosition(), std::int32_t(text(7).rfind("MOV")));
 }
 
-ResourceCounts counts(std::string_view statements) {
+ResourceCounts vertexCounts(std::string_view statements) {
   const std::string text = wrapVertex(statements);
   const CheckResult result = check(text, generous());
   EXPECT_TRUE(result.ok()) << result.errorString(text);
   return result.counts;
 }
 
-TEST(VertexCounts, EmptyProgramUsesNothing) { EXPECT_EQ(counts(""), ResourceCounts{}); }
+TEST(VertexCounts, EmptyProgramUsesNothing) { EXPECT_EQ(vertexCounts(""), ResourceCounts{}); }
 
 TEST(VertexCounts, OfEachResource) {
-  EXPECT_EQ(counts("ADDRESS A, B; ALIAS C = A; TEMP t, u, v; ALIAS w = t;"
-                   "ATTRIB a = vertex.position; ARL A.x, a.x; MOV t, vertex.position;"
-                   "EXP u, a.y; MOV result.position, program.env[1];"),
+  EXPECT_EQ(vertexCounts("ADDRESS A, B; ALIAS C = A; TEMP t, u, v; ALIAS w = t;"
+                         "ATTRIB a = vertex.position; ARL A.x, a.x; MOV t, vertex.position;"
+                         "EXP u, a.y; MOV result.position, program.env[1];"),
             (ResourceCounts{.instructions = 4,
                             .temporaries = 3,
                             .parameters = 1,
@@ -209,25 +209,25 @@ TEST(VertexCounts, ConstantsOfArraysUnderRelativeAddressingCountEach) {
                              "PARAM arr2[3] = { {1,2,3,4}, {5,6,7,8}, {0,1,2,3} };"
                              "PARAM x = {4,3,2,1}; PARAM y = {1,2,3,4}; PARAM z = 4;"
                              "PARAM r = {4,3,2,1}; ADDRESS A; TEMP t;";
-  EXPECT_EQ(counts(arrays).parameters, 5u);
-  EXPECT_EQ(counts(arrays + "MOV t, arr1[3];").parameters, 5u);
-  EXPECT_EQ(counts(arrays + "MOV t, arr1[A.x];").parameters, 6u);
-  EXPECT_EQ(counts(arrays + "MOV t, arr1[A.x]; ADD t, arr1[A.x+1], arr1[2];").parameters, 6u);
-  EXPECT_EQ(counts(arrays + "MOV t, arr1[A.x]; MOV t, arr2[A.x];").parameters, 8u);
+  EXPECT_EQ(vertexCounts(arrays).parameters, 5u);
+  EXPECT_EQ(vertexCounts(arrays + "MOV t, arr1[3];").parameters, 5u);
+  EXPECT_EQ(vertexCounts(arrays + "MOV t, arr1[A.x];").parameters, 6u);
+  EXPECT_EQ(vertexCounts(arrays + "MOV t, arr1[A.x]; ADD t, arr1[A.x+1], arr1[2];").parameters, 6u);
+  EXPECT_EQ(vertexCounts(arrays + "MOV t, arr1[A.x]; MOV t, arr2[A.x];").parameters, 8u);
   // Numerically equal constants count as two here.
-  EXPECT_EQ(counts("PARAM c[] = {0, -0}; ADDRESS A; TEMP t; MOV t, c[A.x];").parameters, 2u);
-  EXPECT_EQ(counts("PARAM c[] = {0, -0};").parameters, 1u);
+  EXPECT_EQ(vertexCounts("PARAM c[] = {0, -0}; ADDRESS A; TEMP t; MOV t, c[A.x];").parameters, 2u);
+  EXPECT_EQ(vertexCounts("PARAM c[] = {0, -0};").parameters, 1u);
 }
 
 TEST(VertexCounts, AStateVectorMayBeBoundTwiceUnlessBothAreUnderRelativeAddressing) {
   const std::string arrays = "PARAM c[] = { program.env[0..3] }; PARAM d[] = { program.env[2..5] };"
                              "PARAM e = program.env[2]; ADDRESS A; TEMP t;";
-  EXPECT_EQ(counts(arrays + "MOV t, c[A.x]; MOV t, d[0]; MOV t, e;").parameters, 6u);
+  EXPECT_EQ(vertexCounts(arrays + "MOV t, c[A.x]; MOV t, d[0]; MOV t, e;").parameters, 6u);
   EXPECT_EQ(firstError(check(wrapVertex(arrays + "MOV t, c[A.x]; MOV t, d[A.x];"))),
             "relative-duplicate");
 }
 
-struct Maker {
+struct Statement {
   const char *id;
   std::uint32_t ResourceCounts::*resource;
   const char *before;
@@ -235,13 +235,13 @@ struct Maker {
 };
 
 TEST(VertexLimits, AtTheLimitLoadsAndOneMoreFailsWhereItGoesOver) {
-  const Maker makers[] = {
+  const Statement makers[] = {
       {"limit-instructions", &ResourceCounts::instructions, "MOV result.texcoord[", "], 0;\n"},
       {"limit-temporaries", &ResourceCounts::temporaries, "TEMP t", ";\n"},
       {"limit-parameters", &ResourceCounts::parameters, "PARAM p", " = program.env[0];\n"},
       {"limit-attribs", &ResourceCounts::attribs, "ATTRIB a", " = vertex.attrib[0];\n"},
       {"limit-address-registers", &ResourceCounts::addressRegisters, "ADDRESS A", ";\n"}};
-  for (const Maker &maker : makers) {
+  for (const Statement &maker : makers) {
     const auto text = [&](std::uint32_t n) {
       std::string all;
       for (std::uint32_t i = 0; i < n; ++i) {

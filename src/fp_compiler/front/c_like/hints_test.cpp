@@ -7,7 +7,7 @@
 
 #include "fp_compiler/front/testing/test_support.h"
 
-namespace arbiter::fp {
+namespace arbiter::fp::c_like {
 namespace {
 
 using testing_support::check;
@@ -216,4 +216,4 @@ TEST(Opcodes, OfLaterCardsAreMadeOfOthers) {
 }
 
 } // namespace
-} // namespace arbiter::fp
+} // namespace arbiter::fp::c_like

@@ -2,6 +2,7 @@
 // driver (580.159) gives the same results unless a row says otherwise.
 #include <gtest/gtest.h>
 
+#include "fp_compiler/front/testing/nvidia.h"
 #include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/validate.h"
 
@@ -10,57 +11,51 @@ namespace {
 
 using testing_support::check;
 using testing_support::firstError;
-using testing_support::generous;
+using testing_support::judgeMarked;
+using testing_support::offering;
 using testing_support::repeat;
 
-CompileOptions nvidia() {
-  CompileOptions options = generous();
-  options.limits.nvOptions = 1;
+CompileOptions nvidiaLanguages() {
+  CompileOptions options = offering(1);
   options.limits.localParameters = 64;
   return options;
 }
 
-struct Row {
+struct LanguageRow {
   std::string statements;
   std::string_view error; ///< the diagnostic's ID; empty: it loads. '@' in the text is where
 };
 
 /// Tests each row. `begin` is the header and the common beginning of the programs, `end` their
 /// common end.
-void judge(const std::string &begin, const std::vector<Row> &rows, const std::string &end = "") {
-  for (const Row &row : rows) {
+void judgeLanguage(const std::string &begin, const std::vector<LanguageRow> &rows,
+                   const std::string &end = "") {
+  for (const LanguageRow &row : rows) {
     const bool ends = row.statements.ends_with('@'); // the error is at END
     std::string program = begin + "\n" + row.statements + (ends ? "" : "\n") + end + "END\n";
-    const std::size_t at = program.find('@');
-    if (at != std::string::npos)
-      program.erase(at, 1);
-    const CheckResult result = check(program, nvidia());
-    EXPECT_EQ(firstError(result), row.error) << program << result.errorString(program);
-    if (at != std::string::npos) {
-      EXPECT_EQ(result.errorPosition(), std::int32_t(at)) << program;
-    }
-    if (result.ok()) {
-      EXPECT_TRUE(ir::validate(*result.program).empty()) << program;
-    }
+    judgeMarked(program, row.error, nvidiaLanguages());
   }
 }
 
-void judgeFp1(const std::vector<Row> &rows) { judge("!!FP1.0", rows, "MOV o[COLR], R0;\n"); }
-void judgeVp(const char *header, const std::vector<Row> &rows) {
-  judge(std::string(header) + "\nMOV o[HPOS], v[OPOS];", rows);
+void judgeFp1(const std::vector<LanguageRow> &rows) {
+  judgeLanguage("!!FP1.0", rows, "MOV o[COLR], R0;\n");
 }
-void judgeVsp(const std::vector<Row> &rows) { judge("!!VSP1.0", rows); }
+void judgeVp(const char *header, const std::vector<LanguageRow> &rows) {
+  judgeLanguage(std::string(header) + "\nMOV o[HPOS], v[OPOS];", rows);
+}
+void judgeVsp(const std::vector<LanguageRow> &rows) { judgeLanguage("!!VSP1.0", rows); }
 
 TEST(NativeGrammar, TheHeaderDecidesAndItsTargetMustFit) {
   const std::string fragment = "!!FP1.0\nMOV o[COLR], f[COL0];\nEND\n";
-  EXPECT_TRUE(check(fragment, nvidia()).ok());
-  EXPECT_EQ(check(fragment, nvidia()).native.language, ir::NativeLanguage::Fp1);
-  EXPECT_EQ(check("!!ARBfp1.0\nEND\n", nvidia()).native.language, ir::NativeLanguage::None);
-  const CheckResult other = checkProgram(ir::Language::ArbVertex, fragment, nvidia());
+  EXPECT_TRUE(check(fragment, nvidiaLanguages()).ok());
+  EXPECT_EQ(check(fragment, nvidiaLanguages()).native.language, ir::NativeLanguage::Fp1);
+  EXPECT_EQ(check("!!ARBfp1.0\nEND\n", nvidiaLanguages()).native.language,
+            ir::NativeLanguage::None);
+  const CheckResult other = checkProgram(ir::Language::ArbVertex, fragment, nvidiaLanguages());
   EXPECT_EQ(firstError(other), "native-header");
   EXPECT_EQ(other.errorPosition(), 2);
   EXPECT_EQ(firstError(checkProgram(ir::Language::ArbFragment, "!!VSP1.0\nMOV c[0], v[0];\nEND\n",
-                                    nvidia())),
+                                    nvidiaLanguages())),
             "native-header");
   for (const auto &[header, position] : {std::pair("!!FP1.1", 6),
                                          {"!!FP2.0", 4},
@@ -69,7 +64,7 @@ TEST(NativeGrammar, TheHeaderDecidesAndItsTargetMustFit) {
                                          {"!!VP3.0", 4},
                                          {"!!VSP1.1", 7}}) {
     const std::string text = std::string(header) + "\nEND\n";
-    const CheckResult result = check(text, nvidia());
+    const CheckResult result = check(text, nvidiaLanguages());
     EXPECT_EQ(firstError(result), "native-header") << text;
     EXPECT_EQ(result.errorPosition(), position) << text;
     EXPECT_NE(result.errorString(text).find("!!FP1.0, !!VP1.0"), std::string::npos);
@@ -77,7 +72,7 @@ TEST(NativeGrammar, TheHeaderDecidesAndItsTargetMustFit) {
 }
 
 TEST(NativeGrammar, NothingIsOfferedWithoutTheOptions) {
-  CompileOptions none = nvidia();
+  CompileOptions none = nvidiaLanguages();
   none.limits.nvOptions = 0;
   const std::string text = "!!VP1.0\nMOV o[HPOS], v[OPOS];\nEND\n";
   EXPECT_EQ(firstError(check(text, none)), "header-missing");
@@ -103,9 +98,9 @@ TEST(NativeGrammar, RegistersOfFragments) {
 }
 
 TEST(NativeGrammar, ResultsOfFragments) {
-  judge("!!FP1.0", {{"MOV o[COLR], R0; MOV o[@COLH], R0;", "native-outputs"},
-                    {"MOV o[DEPR].z, 0.5;", ""},
-                    {"MOV R0, f[COL0]; @", "native-outputs"}}); // NVIDIA loads the last one
+  judgeLanguage("!!FP1.0", {{"MOV o[COLR], R0; MOV o[@COLH], R0;", "native-outputs"},
+                            {"MOV o[DEPR].z, 0.5;", ""},
+                            {"MOV R0, f[COL0]; @", "native-outputs"}}); // NVIDIA loads the last one
 }
 
 TEST(NativeGrammar, OneAttributeAndOneParameterAnInstruction) {
@@ -138,10 +133,10 @@ TEST(NativeGrammar, RegisterHalves) {
       text += std::string("MOV ") + letter + std::to_string(i) + ", f[COL0];\n";
     return text;
   };
-  judge("!!FP1.0", {{moves('R', 31) + "MOV o[COLR], R0;", ""},
-                    {moves('R', 32) + "MOV @o[COLR], R0;", "limit-temporaries"},
-                    {moves('H', 63) + "MOV o[COLH], H0;", ""},
-                    {moves('H', 64) + "MOV @o[COLH], H0;", "limit-temporaries"}});
+  judgeLanguage("!!FP1.0", {{moves('R', 31) + "MOV o[COLR], R0;", ""},
+                            {moves('R', 32) + "MOV @o[COLR], R0;", "limit-temporaries"},
+                            {moves('H', 63) + "MOV o[COLH], H0;", ""},
+                            {moves('H', 64) + "MOV @o[COLH], H0;", "limit-temporaries"}});
 }
 
 TEST(NativeGrammar, NamedParametersAndConstants) {
@@ -190,7 +185,7 @@ TEST(NativeGrammar, RegistersOfVertices) {
     const auto only2 = [&](std::string statement, std::string_view error) {
       if (second)
         statement.erase(statement.find('@'), 1);
-      return Row{statement, second ? "" : error};
+      return LanguageRow{statement, second ? "" : error};
     };
     judgeVp(header, {{"MOV R11, c[95]; MOV o[TEX7], v[TEX7]; MOV R0, v[15];", ""},
                      only2("MOV R0, c[@96];", "parameter-index"),
@@ -242,14 +237,17 @@ TEST(NativeGrammar, InstructionsOfVertices) {
 TEST(NativeGrammar, PositionInvariance) {
   const std::string option = "\nOPTION NV_position_invariant;";
   for (const std::string header : {"!!VP1.1", "!!VP2.0"}) {
-    judge(header + option, {{"MOV o[COL0], v[COL0];", ""},
-                            {"ARL A0.x, v[0].x; MOV o[COL0], c[A0.x];", ""},
-                            {"MOV o[@HPOS], v[0];", "invariant-position"},
-                            {"MOV R0, v[0]; @OPTION NV_position_invariant;", "late-option"}});
-    judge(header, {{"OPTION @ARB_position_invariant; MOV o[COL0], v[0];", "unsupported-option"},
+    judgeLanguage(header + option,
+                  {{"MOV o[COL0], v[COL0];", ""},
+                   {"ARL A0.x, v[0].x; MOV o[COL0], c[A0.x];", ""},
+                   {"MOV o[@HPOS], v[0];", "invariant-position"},
+                   {"MOV R0, v[0]; @OPTION NV_position_invariant;", "late-option"}});
+    judgeLanguage(header,
+                  {{"OPTION @ARB_position_invariant; MOV o[COL0], v[0];", "unsupported-option"},
                    {"MOV o[COL0], v[COL0]; @", "native-outputs"}}); // NVIDIA loads it
   }
-  judge("!!VP1.0", {{"@OPTION NV_position_invariant; MOV o[HPOS], v[0];", "unsupported-option"}});
+  judgeLanguage("!!VP1.0",
+                {{"@OPTION NV_position_invariant; MOV o[HPOS], v[0];", "unsupported-option"}});
 }
 
 TEST(NativeGrammar, InstructionLimits) {
@@ -257,11 +255,11 @@ TEST(NativeGrammar, InstructionLimits) {
   for (const char *header : {"!!VP1.0", "!!VP1.1"})
     judgeVp(header, {{adds(127), ""}, {adds(127) + "@ADD R0, R0, R1;", "limit-instructions"}});
   judgeVp("!!VP2.0", {{adds(255), ""}, {adds(255) + "@ADD R0, R0, R1;", "limit-instructions"}});
-  judge("!!VP1.1\nOPTION NV_position_invariant;",
-        {{adds(124), ""}, {adds(124) + "@ADD R0, R0, R1;", "limit-instructions"}});
+  judgeLanguage("!!VP1.1\nOPTION NV_position_invariant;",
+                {{adds(124), ""}, {adds(124) + "@ADD R0, R0, R1;", "limit-instructions"}});
   judgeVsp({{"MOV c[0], v[0];" + adds(127), ""},
             {"MOV c[0], v[0];" + adds(127) + "@ADD R0, R0, R1;", "limit-instructions"}});
-  CompileOptions options = nvidia();
+  CompileOptions options = nvidiaLanguages();
   options.limits.api.instructions = 64; // the target's limit is that of fragment programs
   const std::string text = "!!FP1.0\n" + adds(64) + "MOV o[COLR], R0;\nEND\n";
   EXPECT_EQ(firstError(check(text, options)), "limit-instructions");
@@ -284,10 +282,11 @@ TEST(NativeGrammar, StatePrograms) {
 TEST(NativeGrammar, WhatTheApiMustKnow) {
   const std::string fragment = "!!FP1.0\nDEFINE pi = 3;\nDECLARE a = {1,2};\nDECLARE b = 0.5;\n"
                                "DECLARE c;\nMUL R0, a, pi;\nMOV o[COLR], b;\nEND\n";
-  EXPECT_EQ(firstError(check(fragment, nvidia())), "native-operands"); // a parameter, a constant
+  EXPECT_EQ(firstError(check(fragment, nvidiaLanguages())),
+            "native-operands"); // a parameter, a constant
   const std::string text = "!!FP1.0\nDEFINE pi = 3;\nDECLARE a = {1,2};\nDECLARE b = 0.5;\n"
                            "DECLARE c;\nMUL R0, a, R1;\nMOV o[COLR], b;\nEND\n";
-  const CheckResult named = check(text, nvidia());
+  const CheckResult named = check(text, nvidiaLanguages());
   ASSERT_TRUE(named.ok()) << named.errorString(text);
   ASSERT_EQ(named.native.named.size(), 3u);
   EXPECT_EQ(named.native.constants, std::vector<std::string>{"pi"});
@@ -302,13 +301,14 @@ TEST(NativeGrammar, WhatTheApiMustKnow) {
 
   const CheckResult vertex = check("!!VP1.1\nDP4 o[HPOS].x, v[OPOS], c[7];\nMOV o[COL0], v[3];\n"
                                    "MOV o[TEX0], v[6];\nMOV o[TEX1], c[4];\nEND\n",
-                                   nvidia());
+                                   nvidiaLanguages());
   ASSERT_TRUE(vertex.ok());
   EXPECT_EQ(vertex.native.attributes, 1u << 0 | 1u << 3 | 1u << 6);
   EXPECT_EQ(vertex.native.rowsRead, (std::vector<std::uint16_t>{4, 7}));
   EXPECT_FALSE(vertex.native.readsAnyRow);
   const CheckResult state =
-      check("!!VSP1.0\nARL A0.x, v[0].x;\nMOV c[9], c[A0.x];\nMOV c[3].x, v[0];\nEND\n", nvidia());
+      check("!!VSP1.0\nARL A0.x, v[0].x;\nMOV c[9], c[A0.x];\nMOV c[3].x, v[0];\nEND\n",
+            nvidiaLanguages());
   ASSERT_TRUE(state.ok());
   EXPECT_EQ(state.native.language, ir::NativeLanguage::Vsp1);
   EXPECT_EQ(state.native.rowsWritten, (std::vector<std::uint16_t>{3, 9}));
@@ -323,16 +323,17 @@ TEST(NativeGrammar, AnythingMayStandAnywhere) {
       "-v[0];\nBRA main (GT.x);\nCAL s;\nRET;\ns: MOV o[TEX0].x, R0;\nEND\n",
       "!!VSP1.0\nARL A0.x, v[0].x;\nMAD c[4].xw, c[A0.x+3], R1, R2;\nEND\n"};
   for (const std::string &text : texts) {
-    ASSERT_TRUE(check(text, nvidia()).ok()) << check(text, nvidia()).errorString(text);
+    ASSERT_TRUE(check(text, nvidiaLanguages()).ok())
+        << check(text, nvidiaLanguages()).errorString(text);
     testing_support::forEachTokenEdit(text, [](const std::string &edited) {
-      const CheckResult result = check(edited, nvidia());
+      const CheckResult result = check(edited, nvidiaLanguages());
       if (result.ok())
         EXPECT_TRUE(ir::validate(*result.program).empty()) << edited;
       else
         EXPECT_GE(result.errorPosition(), 0) << edited;
     });
     for (std::size_t size = 0; size + 1 < text.size(); ++size)
-      EXPECT_FALSE(check(text.substr(0, size), nvidia()).ok()) << size;
+      EXPECT_FALSE(check(text.substr(0, size), nvidiaLanguages()).ok()) << size;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "fp_compiler/front/nv/words.h"
+#include "fp_compiler/front/testing/nvidia.h"
 #include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
@@ -22,12 +23,6 @@ using ir::Opcode;
 using ir::Vec4;
 
 constexpr int kTemporaries = 4, kParameters = 4;
-
-CompileOptions offered() {
-  CompileOptions options = testing_support::generous();
-  options.limits.nvOptions = 1;
-  return options;
-}
 
 /// Writes a program in both forms.
 class Writer {
@@ -187,8 +182,9 @@ TEST(NativeRandom, TheSameAsUnderTheOptions) {
        {NativeLanguage::Fp1, NativeLanguage::Vp1, NativeLanguage::Vp11, NativeLanguage::Vp2}) {
     for (std::uint32_t seed = 0; seed < kPrograms; ++seed) {
       const Writer writer(seed, language);
-      CheckResult own = testing_support::check(writer.own, offered());
-      const CheckResult option = testing_support::check(writer.option, offered());
+      CheckResult own = testing_support::check(writer.own, testing_support::offering(1));
+      const CheckResult option =
+          testing_support::check(writer.option, testing_support::offering(1));
       ASSERT_TRUE(own.ok()) << own.errorString(writer.own) << writer.own;
       ASSERT_TRUE(option.ok()) << option.errorString(writer.option) << writer.option;
       EXPECT_EQ(own.counts.instructions, option.counts.instructions) << writer.own;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fp_compiler/front/testing/nvidia.h"
 #include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
@@ -18,22 +19,23 @@ using ir::Vec4;
 using testing::kInf;
 using testing::kNan;
 using testing_support::check;
+using testing_support::expectNear;
 using testing_support::generous;
 
 /// The values of p[0..] and c[0..].
-const Vec4 kRows[] = {{-2, 0, 2, kNan},
-                      {1, 2, 3, 4},
-                      {0.5f, -0.25f, 1.75f, 0.1f},
-                      {kInf, -kInf, -0.0f, 0},
-                      {1e-40f, 65520, 1e10f, -1e-8f},
-                      {3, 0, 1, 2.7f},
-                      {0.3333333f, 2.7f, -3.6f, 100},
-                      {600, -600, 520, -520}};
+const Vec4 kGivenRows[] = {{-2, 0, 2, kNan},
+                           {1, 2, 3, 4},
+                           {0.5f, -0.25f, 1.75f, 0.1f},
+                           {kInf, -kInf, -0.0f, 0},
+                           {1e-40f, 65520, 1e10f, -1e-8f},
+                           {3, 0, 1, 2.7f},
+                           {0.3333333f, 2.7f, -3.6f, 100},
+                           {600, -600, 520, -520}};
 
 Vec4 rowOf(std::uint16_t index) {
   const auto value = float(index);
-  return index < std::size(kRows) ? kRows[index]
-                                  : Vec4{value, value + 0.25f, value + 0.5f, value + 0.75f};
+  return index < std::size(kGivenRows) ? kGivenRows[index]
+                                       : Vec4{value, value + 0.25f, value + 0.5f, value + 0.75f};
 }
 
 CheckResult load(const std::string &text) {
@@ -72,27 +74,15 @@ Vec4 outputOf(const ir::Program &program, const ir::Evaluation &evaluation, ir::
   return {9, 9, 9, 9};
 }
 
-void expectNear(const Vec4 &value, const Vec4 &expected, const std::string &what) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (std::isnan(expected[i]))
-      EXPECT_TRUE(std::isnan(value[i])) << what << " component " << i << ": " << value[i];
-    else if (std::isinf(expected[i]))
-      EXPECT_EQ(value[i], expected[i]) << what << " component " << i;
-    else
-      EXPECT_NEAR(value[i], expected[i], 2e-5f * (1 + std::fabs(expected[i])))
-          << what << " component " << i;
-  }
-}
-
 void expectOutput(const std::string &text, ir::Output output, const Vec4 &expected) {
   CheckResult result = load(text);
   if (!result.ok())
     return;
   ir::Program &program = *result.program;
-  expectNear(outputOf(program, run(program, result.native), output), expected, text);
+  expectNear(outputOf(program, run(program, result.native), output), expected, 2e-5f, text);
   optimise(program);
   EXPECT_TRUE(ir::validate(program).empty()) << text;
-  expectNear(outputOf(program, run(program, result.native), output), expected,
+  expectNear(outputOf(program, run(program, result.native), output), expected, 2e-5f,
              text + "\noptimised:\n" + ir::print(program));
 }
 

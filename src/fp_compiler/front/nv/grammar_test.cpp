@@ -2,6 +2,7 @@
 // driver (580.159) gives the same results unless a row says otherwise.
 #include <gtest/gtest.h>
 
+#include "fp_compiler/front/testing/nvidia.h"
 #include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/validate.h"
 
@@ -10,11 +11,15 @@ namespace {
 
 using testing_support::check;
 using testing_support::firstError;
-using testing_support::generous;
+using testing_support::judgeMarked;
+using testing_support::kF1;
+using testing_support::kF2;
+using testing_support::kV2;
+using testing_support::kV3;
+using testing_support::offering;
 
-CompileOptions nvidia(std::uint32_t options) {
-  CompileOptions result = generous();
-  result.limits.nvOptions = options;
+CompileOptions nvidiaOptions(std::uint32_t options) {
+  CompileOptions result = offering(options);
   result.limits.clipPlanes = 8;
   return result;
 }
@@ -25,29 +30,16 @@ std::string text(std::string_view option, std::string_view statements) {
          ";\n" + std::string(statements) + "\nEND\n";
 }
 
-constexpr std::string_view kF1 = "NV_fragment_program", kF2 = "NV_fragment_program2",
-                           kV2 = "NV_vertex_program2", kV3 = "NV_vertex_program3";
-
-struct Row {
+struct OptionRow {
   std::string_view option;
   std::string statements;
   std::string_view error; ///< the diagnostic's ID; empty: it loads. '@' in the text is where
 };
 
-void judge(const std::vector<Row> &rows) {
-  for (const Row &row : rows) {
+void judge(const std::vector<OptionRow> &rows) {
+  for (const OptionRow &row : rows) {
     std::string program = text(row.option, row.statements);
-    const std::size_t at = program.find('@');
-    if (at != std::string::npos)
-      program.erase(at, 1);
-    const CheckResult result = check(program, nvidia(2));
-    EXPECT_EQ(firstError(result), row.error) << program << result.errorString(program);
-    if (at != std::string::npos) {
-      EXPECT_EQ(result.errorPosition(), std::int32_t(at)) << program;
-    }
-    if (result.ok()) {
-      EXPECT_TRUE(ir::validate(*result.program).empty()) << program;
-    }
+    judgeMarked(program, row.error, nvidiaOptions(2));
   }
 }
 
@@ -58,7 +50,7 @@ TEST(NvGrammar, AnOptionLoadsWhereTheProfileHasIt) {
         text(option, option == kF1 || option == kF2 ? "TEMP a; MOVC a (GT.x), fragment.color;"
                                                     : "TEMP a; MOVC a (GT.x), vertex.color;");
     for (std::uint32_t offered = 0; offered <= 2; ++offered) {
-      const CheckResult result = check(program, nvidia(offered));
+      const CheckResult result = check(program, nvidiaOptions(offered));
       const bool loads = offered >= (second ? 2u : 1u);
       EXPECT_EQ(firstError(result), loads ? "" : "unsupported-option") << program << offered;
       if (!loads) {
@@ -72,8 +64,8 @@ TEST(NvGrammar, ThereAreNoMoreLabelsThanNumbersForThem) {
   std::string many = "MOV result.position, 0.0;\n";
   for (int i = 0; i < 65535; ++i)
     many += "L" + std::to_string(i) + ":";
-  EXPECT_EQ(firstError(check(text(kV2, many), nvidia(2))), "");
-  EXPECT_EQ(firstError(check(text(kV2, many + "M:"), nvidia(2))), "flow-control");
+  EXPECT_EQ(firstError(check(text(kV2, many), nvidiaOptions(2))), "");
+  EXPECT_EQ(firstError(check(text(kV2, many + "M:"), nvidiaOptions(2))), "flow-control");
 }
 
 TEST(NvGrammar, OneOptionOfNvidiaOrTheSameTwice) {
@@ -93,17 +85,17 @@ TEST(NvGrammar, ShadowTargetsOfVertexPrograms) {
          {kV2, "OPTION ARB_fragment_program_shadow; MOV result.position, 0.0;", ""}});
   const std::string_view alone = "!!ARBvp1.0\nOPTION ARB_fragment_program_shadow;\n"
                                  "MOV result.position, vertex.position;\nEND";
-  EXPECT_EQ(firstError(check(alone, nvidia(2))), "");
-  EXPECT_EQ(firstError(check(alone, nvidia(1))), "unsupported-option")
+  EXPECT_EQ(firstError(check(alone, nvidiaOptions(2))), "");
+  EXPECT_EQ(firstError(check(alone, nvidiaOptions(1))), "unsupported-option")
       << "no vertex program samples there";
 }
 
 TEST(NvGrammar, SuffixesOfNames) {
   const auto loads = [](std::string_view option, const std::string &statement) {
-    return Row{option, "TEMP a; " + statement + ";", ""};
+    return OptionRow{option, "TEMP a; " + statement + ";", ""};
   };
   const auto fails = [](std::string_view option, const std::string &statement) {
-    return Row{option, "TEMP a; @" + statement + ";", "unknown-instruction"};
+    return OptionRow{option, "TEMP a; @" + statement + ";", "unknown-instruction"};
   };
   judge({loads(kF1, "ADDRC_SAT a, a, a"), loads(kF1, "ADDXC a, a, a"),
          loads(kF1, "CMPH a, a, a, a"), loads(kF1, "SINC a, a.x"), loads(kF1, "DDXHC_SAT a, a"),
@@ -129,7 +121,7 @@ TEST(NvGrammar, NamesAreReservedUnderTheirOptionOnly) {
          {kV2, "TEMP @SSGC;", "reserved-name"},
          {kV2, "TEMP TEX, DDX, IF; MOV TEX, DDX;", ""}});
   const std::string plain = "!!ARBfp1.0\nTEMP DDX, ADDR, IF, SHORT; MOV DDX, IF;\nEND\n";
-  EXPECT_TRUE(check(plain, nvidia(2)).ok());
+  EXPECT_TRUE(check(plain, nvidiaOptions(2)).ok());
 }
 
 TEST(NvGrammar, ConditionsStandBehindTheMask) {
@@ -167,7 +159,7 @@ TEST(NvGrammar, ProgramsWithoutTemporaries) {
                                  "!!FP1.0\nSTR o[COLR], f[WPOS], f[WPOS];\nEND",
                                  "!!VP2.0\nSFL o[HPOS], v[OPOS], v[OPOS];\nEND"};
   for (const std::string &native : natives) {
-    const CheckResult result = check(native, nvidia(2));
+    const CheckResult result = check(native, nvidiaOptions(2));
     ASSERT_TRUE(result.ok()) << result.errorString(native);
     EXPECT_TRUE(ir::validate(*result.program).empty()) << native;
   }
@@ -271,7 +263,7 @@ TEST(NvGrammar, EveryOpcodeOfTheOptionsAndNoOther) {
       const bool has = (op.traits & (second ? first | later : first)) != 0;
       const std::string program =
           text(option, "TEMP a; " + operands(op, std::string(op.mnemonic) + " a.xyz"));
-      EXPECT_EQ(check(program, nvidia(2)).ok(), has) << program;
+      EXPECT_EQ(check(program, nvidiaOptions(2)).ok(), has) << program;
     }
   }
 }
@@ -284,13 +276,13 @@ TEST(NvGrammar, WeightIsGenericAttributeOne) {
          {kV2, "MOV result.position, vertex.@matrixindex[0];", "attribute-extension"}});
   // The same holds without an option, if the profile has them.
   const std::string plain = "!!ARBvp1.0\nMOV result.position, vertex.weight;\nEND\n";
-  const CheckResult loads = check(plain, nvidia(1));
+  const CheckResult loads = check(plain, nvidiaOptions(1));
   ASSERT_TRUE(loads.ok());
   ASSERT_EQ(loads.program->attributes.size(), 1u);
   EXPECT_EQ(loads.program->attributes[0].kind, ir::AttributeKind::Generic);
   EXPECT_EQ(loads.program->attributes[0].index, 1);
   EXPECT_EQ(loads.diagnostics.size(), 1u) << "a warning";
-  EXPECT_EQ(firstError(check(plain, nvidia(0))), "attribute-extension");
+  EXPECT_EQ(firstError(check(plain, nvidiaOptions(0))), "attribute-extension");
 }
 
 } // namespace

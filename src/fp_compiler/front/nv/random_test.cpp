@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fp_compiler/front/testing/nvidia.h"
 #include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
@@ -18,12 +19,6 @@ namespace {
 
 using ir::NvOption;
 using ir::Vec4;
-
-CompileOptions offered() {
-  CompileOptions options = testing_support::generous();
-  options.limits.nvOptions = 2;
-  return options;
-}
 
 ir::Inputs inputs(std::span<const Vec4> attributes) {
   ir::Inputs given;
@@ -58,7 +53,7 @@ TEST(NvRandom, PassesKeepTheMeaning) {
                                         .wild = (seed & 4) != 0,
                                         .loopDerivatives = true,
                                         .statements = 24});
-    CheckResult result = testing_support::check(text, offered());
+    CheckResult result = testing_support::check(text, testing_support::offering(2));
     ASSERT_TRUE(result.ok()) << result.errorString(text) << text;
     ir::Program program = std::move(*result.program);
     ASSERT_TRUE(ir::validate(program).empty()) << text;
@@ -87,7 +82,7 @@ TEST(NvRandom, TextsWithATokenLessOrMore) {
   int loaded = 0, refused = 0;
   for (const std::string &text : texts)
     testing_support::forEachTokenEdit(text, [&](const std::string &edited) {
-      const CheckResult result = testing_support::check(edited, offered());
+      const CheckResult result = testing_support::check(edited, testing_support::offering(2));
       if (!result.ok()) {
         ++refused;
         EXPECT_LE(std::size_t(result.errorPosition()), edited.size()) << edited;

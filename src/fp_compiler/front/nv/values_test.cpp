@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fp_compiler/front/testing/nvidia.h"
 #include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
@@ -18,7 +19,12 @@ using ir::Vec4;
 using testing::kInf;
 using testing::kNan;
 using testing_support::check;
+using testing_support::expectNear;
 using testing_support::generous;
+using testing_support::kF1;
+using testing_support::kF2;
+using testing_support::kV2;
+using testing_support::kV3;
 
 /// The values of program.local[0..].
 const Vec4 kLocals[] = {{-2, 0, 2, kNan},
@@ -59,18 +65,6 @@ ir::Inputs inputs() {
   return given;
 }
 
-void expectNear(const Vec4 &value, const Vec4 &expected, const std::string &what) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (std::isnan(expected[i]))
-      EXPECT_TRUE(std::isnan(value[i])) << what << " component " << i << ": " << value[i];
-    else if (std::isinf(expected[i]))
-      EXPECT_EQ(value[i], expected[i]) << what << " component " << i;
-    else
-      EXPECT_NEAR(value[i], expected[i], 2e-6f * (1 + std::fabs(expected[i])))
-          << what << " component " << i;
-  }
-}
-
 Vec4 outputOf(const ir::Program &program, const ir::Evaluation &evaluation) {
   for (std::size_t i = 0; i < program.outputs.size(); ++i)
     if (program.outputs[i].kind == ir::OutputKind::Color ||
@@ -85,15 +79,12 @@ void expectValue(std::string_view option, const std::string &statements, const V
   const bool open = statements.find("RET") != std::string::npos;
   const std::string result = vertex ? "result.texcoord[0]" : "result.color";
   ir::Program program = load(option, open ? statements : statements + "\nMOV " + result + ", r;");
-  expectNear(outputOf(program, ir::evaluate(program, inputs())), expected, statements);
+  expectNear(outputOf(program, ir::evaluate(program, inputs())), expected, 2e-6f, statements);
   optimise(program);
   EXPECT_TRUE(ir::validate(program).empty()) << statements;
-  expectNear(outputOf(program, ir::evaluate(program, inputs())), expected,
+  expectNear(outputOf(program, ir::evaluate(program, inputs())), expected, 2e-6f,
              statements + "\noptimised:\n" + ir::print(program));
 }
-
-constexpr std::string_view kF1 = "NV_fragment_program", kF2 = "NV_fragment_program2",
-                           kV2 = "NV_vertex_program2", kV3 = "NV_vertex_program3";
 
 TEST(NvValues, EveryConditionOfNumbersAndNan) {
   const std::pair<const char *, Vec4> kRows[] = {
@@ -327,7 +318,7 @@ TEST(NvValues, Derivatives) {
     quad[i].attributes = attributes[i];
   }
   for (const ir::Evaluation &evaluation : ir::evaluateQuad(program, quad))
-    expectNear(outputOf(program, evaluation), {6, 0, 0, 10}, "derivatives");
+    expectNear(outputOf(program, evaluation), {6, 0, 0, 10}, 2e-6f, "derivatives");
 }
 
 TEST(NvValues, Facing) {

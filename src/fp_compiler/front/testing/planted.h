@@ -60,4 +60,16 @@ inline int expectPlanted(const char *header, std::span<const Planted> all) {
   return programs;
 }
 
+/// Expects each ID at its position in whole texts of one language.
+inline void expectPlantedHeaders(ir::Language language, std::span<const Planted> all) {
+  for (const Planted &planted : all) {
+    std::string text = planted.statements;
+    const std::size_t marker = text.find('@');
+    text.erase(marker, 1);
+    const CheckResult result = checkProgram(language, text, small());
+    EXPECT_EQ(firstError(result), planted.id) << planted.statements;
+    EXPECT_EQ(result.errorPosition(), std::int32_t(marker)) << planted.statements;
+  }
+}
+
 } // namespace arbiter::fp::testing_support

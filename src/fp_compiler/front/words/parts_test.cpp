@@ -11,18 +11,18 @@ namespace {
 using testing_support::check;
 using testing_support::generous;
 
-struct Row {
+struct Missing {
   const char *text; ///< @ is where the error is
   const char *message;
   const char *hint;
 };
 
-void judge(std::initializer_list<Row> rows) {
+void names(std::initializer_list<Missing> rows) {
   CompileOptions options = generous();
   options.limits.nvOptions = 2;
   options.limits.nvVertexProgram = 1;
   options.limits.generalCombiners = 8;
-  for (const Row &row : rows) {
+  for (const Missing &row : rows) {
     std::string text = row.text;
     const std::size_t at = text.find('@');
     text.erase(at, 1);
@@ -37,7 +37,7 @@ void judge(std::initializer_list<Row> rows) {
 }
 
 TEST(Parts, ThatAreMissingAreNamed) {
-  judge({{"!!ARBfp1.0\nTEMP r;\nTEX r, r, texture[0]@;\nEND",
+  names({{"!!ARBfp1.0\nTEMP r;\nTEX r, r, texture[0]@;\nEND",
           "the texture target of TEX is missing", "write TEX r, r, texture[0], 2D;"},
          {"!!ARBfp1.0\nTEMP r;\nTEX r, r@;\nEND", "the texture image unit of TEX is missing",
           "write TEX r, r, texture[0], 2D;"},
@@ -63,7 +63,7 @@ TEST(Parts, ThatAreMissingAreNamed) {
 }
 
 TEST(Parts, ThatAreMissingAreNamedInNvidiasLanguages) {
-  judge({{"!!ARBfp1.0\nOPTION NV_fragment_program;\nTEMP r;\nTEX r, r, texture[0]@;\nEND",
+  names({{"!!ARBfp1.0\nOPTION NV_fragment_program;\nTEMP r;\nTEX r, r, texture[0]@;\nEND",
           "the texture target of TEX is missing", "write TEX r, r, texture[0], 2D;"},
          {"!!ARBfp1.0\nOPTION NV_fragment_program;\nTEMP r;\nADD r (EQ), r@;\nEND",
           "the second operand of ADD is missing", "write ADD dst, r, second;"},
@@ -75,14 +75,14 @@ TEST(Parts, ThatAreMissingAreNamedInNvidiasLanguages) {
 }
 
 TEST(Parts, ThatAreMissingAreNamedInAtis) {
-  judge({{"!!ATIfs1.0\nStartOutputPass;\nMAD r0, r1, r2@;\nEndPass;\n",
+  names({{"!!ATIfs1.0\nStartOutputPass;\nMAD r0, r1, r2@;\nEndPass;\n",
           "the third argument of MAD is missing", "MAD takes a register and 3 arguments"},
          {"!!ATIfs1.0\nStartOutputPass;\nMOV r0@;\nEndPass;\n", "the argument of MOV is missing",
           "MOV takes a register and 1 argument"}});
 }
 
 TEST(Parts, WithoutTheirCommaAndTooManyAreNamed) {
-  judge(
+  names(
       {{"!!ARBfp1.0\nTEMP r;\nADD r, r @r;\nEND",
         "expected ',' before the second operand of ADD, found 'r'", ""},
        {"!!ARBfp1.0\nTEMP r;\nTEX r, r, texture[0] @2D;\nEND",
@@ -93,7 +93,7 @@ TEST(Parts, WithoutTheirCommaAndTooManyAreNamed) {
 }
 
 TEST(LostSemicolon, IsSaidAtTheEndOfTheStatementThatLacksIt) {
-  judge({{"!!ARBfp1.0\nTEMP r;\nMOV r, {1, 2}@\nMOV r, r;\nEND", "expected ';' after '}'", ""},
+  names({{"!!ARBfp1.0\nTEMP r;\nMOV r, {1, 2}@\nMOV r, r;\nEND", "expected ';' after '}'", ""},
          {"!!ARBfp1.0\nTEMP r;\nMOV r, r.x@ # why\n\nMOV r, r;\nEND", "expected ';' after 'x'", ""},
          {"!!ARBfp1.0\nTEMP r;\nMOV r, r@\nEND", "expected ';' after 'r'", ""},
          {"!!ARBfp1.0\nTEMP r;\nMOV r, r@\nMADD r, r;\nEND", "expected ';' after 'r'", ""},
