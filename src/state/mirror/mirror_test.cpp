@@ -18,6 +18,8 @@
 namespace arbiter::state::software {
 namespace {
 
+using Vec = std::array<float, 4>;
+
 using testing::Check;
 using testing::Field;
 using testing::Numbers;
@@ -211,7 +213,6 @@ TEST(Mirror, CurrentValuesAreAskedForOnce) {
   glVertexAttrib4f(5, 5, 6, 7, 8);
   mirror.refreshCurrent(context.dirty, ~0u);
   const auto &current = mirror.current;
-  using Vec = std::array<float, 4>;
   EXPECT_EQ(current[kColor], (Vec{0.25f, 0.5f, 0.75f, 1}));
   EXPECT_EQ(current[kNormal], (Vec{1, 2, 3, 1}));
   EXPECT_EQ(current[kSecondary][1], 0.25f);
@@ -253,7 +254,6 @@ TEST(Mirror, TheRasterPositionIsAskedForWhereACommandMayHaveMovedIt) {
   EXPECT_EQ(at.position[2], 0.75f);
   EXPECT_EQ(mirror.rasterValuesKnown, 0u) << "nothing was wanted";
   mirror.refreshRasterPosition(context.dirty, all);
-  using Vec = std::array<float, 4>;
   EXPECT_EQ(mirror.rasterValues[kColor], (Vec{0.25f, 0.5f, 0.75f, 1}));
   EXPECT_EQ(mirror.rasterValues[kTexCoord0 + 3], (Vec{1, 2, 3, 2}));
   GLint unit = 0;

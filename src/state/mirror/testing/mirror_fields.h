@@ -9,6 +9,8 @@
 /// Pieces of GL state. Each can be set at random, and checks what the mirror reports for it.
 namespace arbiter::state::software::testing {
 
+inline void turn(GLenum cap, bool on) { (on ? glEnable : glDisable)(cap); }
+
 /// Fails the running test if the mirror differs from what was set.
 using Check = std::function<void(const Mirror &)>;
 struct Field {

@@ -6,8 +6,6 @@
 namespace arbiter::state::software::testing {
 namespace {
 
-void turn(GLenum cap, bool on) { (on ? glEnable : glDisable)(cap); }
-
 template <typename Value> struct Pair {
   GLenum name;
   Value value;

@@ -10,8 +10,6 @@
 namespace arbiter::state::software::testing {
 namespace {
 
-void turn(GLenum cap, bool on) { (on ? glEnable : glDisable)(cap); }
-
 swrast::PolygonMode modeOf(GLenum mode) {
   return mode == GL_POINT  ? swrast::PolygonMode::Point
          : mode == GL_LINE ? swrast::PolygonMode::Line

@@ -8,8 +8,6 @@
 namespace arbiter::state::software::testing {
 namespace {
 
-void turn(GLenum cap, bool on) { (on ? glEnable : glDisable)(cap); }
-
 /// Runs `act` on each unit and restores the active one.
 template <typename Do> void onUnits(Do act) {
   GLint active = 0;
