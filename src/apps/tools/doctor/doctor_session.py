@@ -14,15 +14,16 @@ CXX = sys.argv.pop(4)
 from command_session import FAKE as LAYER, Temporary, arbiter  # noqa: E402
 
 
-def of_32_bits(path):
-    """Gives a program's file the header of an i386 program."""
+def of_32_bits(path, loader='/bin/sh'):
+    """Gives a program's file the header of an i386 program. The default loader is a file that each system has: not
+    all have that of 32-bit programs, and the command looks for it."""
     header = bytearray(path.read_bytes())
     header[4] = 1  # ELFCLASS32
     struct.pack_into('<H', header, 18, 3)  # EM_386
     # A 32-bit header with one program header, PT_INTERP.
     struct.pack_into('<IIIIHHHHHH', header, 24, 0, 52, 0, 0, 52, 32, 1, 40, 0, 0)
     struct.pack_into('<IIIIIIII', header, 52, 3, 128, 0, 0, 20, 20, 4, 1)
-    header[128:148] = b'/lib/ld-linux.so.2\0\0'
+    header[128:148] = loader.encode().ljust(20, b'\0')
     path.write_bytes(header)
 
 
