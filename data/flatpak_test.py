@@ -105,6 +105,14 @@ class Manifest(unittest.TestCase):
         self.assertGreater(len(asked), 5)
         self.assertEqual(asked - IN_SDK, given)
 
+    def test_the_shared_llvm_is_asked_for_by_tests_alone(self):
+        # llvm-config fails where the library is missing, as it is in Debian's package of the archives.
+        build = (SOURCE / 'src' / 'fp_compiler' / 'back' / 'llvm' / 'meson.build').read_text()
+        installed, _, tests = build.partition("\n  if get_option('tests')\n")
+        self.assertIn('--link-static', installed)
+        self.assertNotIn('--link-shared', installed)
+        self.assertIn('--link-shared', tests)
+
     def test_the_registry_is_where_it_is_looked_for(self):
         path = dict(self.options())['gl_xml']
         self.assertEqual(path, f'{self.prefix}/share/khronos-api/gl.xml')
