@@ -86,9 +86,6 @@ class Manifest(unittest.TestCase):
         self.assertEqual(self.manifest['branch'], self.manifest['runtime-version'])
         script = (SOURCE / 'scripts' / 'flatpak.sh').read_text()
         self.assertIn(f'branch=${{1:-{self.manifest["branch"]}}}', script)
-        llvm = self.manifest['sdk-extensions'][0].rpartition('.')[2]
-        self.assertIn(f'llvm=${{2:-{llvm}}}', script)
-        self.assertEqual(self.manifest['build-options']['append-path'], f'/usr/lib/sdk/{llvm}/bin')
 
     def test_options_are_ours_or_mesons(self):
         ours = set(re.findall(r"^option\('(\w+)'", (SOURCE / 'meson_options.txt').read_text(), re.MULTILINE))
@@ -104,6 +101,23 @@ class Manifest(unittest.TestCase):
         asked = required_dependencies()
         self.assertGreater(len(asked), 5)
         self.assertEqual(asked - IN_SDK, given)
+
+    def test_llvm_is_debians_for_each_processor(self):
+        # Flathub's extensions of LLVM leave the archives out, which the machine code's library is linked with.
+        self.assertNotIn('sdk-extensions', self.manifest)
+        release = dict(self.options())['llvm']
+        folder = f'{self.prefix}/llvm/usr/lib'
+        self.assertEqual(self.manifest['build-options']['append-path'], f'{folder}/llvm-{release}/bin')
+        self.assertIn(f'/llvm-{release}/bin/llvm-config-{release}"', self.modules['llvm']['build-commands'][-1])
+        self.assertIn('/llvm', self.manifest['cleanup'])
+        for machine, options in self.manifest['build-options']['arch'].items():
+            # The library of llvm-config that is none of the SDK's.
+            self.assertEqual(options['prepend-ld-library-path'], f'{folder}/{machine}-linux-gnu')
+            debian = {'x86_64': 'amd64', 'aarch64': 'arm64'}[machine]
+            files = [source['url'].rpartition('/')[2] for source in self.modules['llvm']['sources']
+                     if source['only-arches'] == [machine]]
+            self.assertEqual([re.sub(r'_[^_]*_', '_', file) for file in files],
+                             [f'{name}_{debian}.deb' for name in (f'llvm-{release}-dev', f'llvm-{release}', 'libz3-4')])
 
     def test_the_shared_llvm_is_asked_for_by_tests_alone(self):
         # llvm-config fails where the library is missing, as it is in Debian's package of the archives.
@@ -131,12 +145,13 @@ class Manifest(unittest.TestCase):
     def test_sources_are_held_to_their_bytes(self):
         used = ' '.join(self.compiled_in['build-commands'])
         for source in self.compiled_in['sources']:
+            self.assertIn(f'{source["dest"]}/', used)
+        for source in self.compiled_in['sources'] + self.modules['llvm']['sources']:
             self.assertTrue(source['url'].startswith('https://'), source['url'])
             if source['type'] == 'git':
                 self.assertRegex(source['commit'], '^[0-9a-f]{40}$')
             else:
                 self.assertRegex(source['sha256'], '^[0-9a-f]{64}$')
-            self.assertIn(f'{source["dest"]}/', used)
 
     @needs('flatpak-builder')
     def test_flatpak_builder_takes_it(self):

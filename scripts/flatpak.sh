@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The extension for Flatpak of this tree, of the files that git knows, as they stand.
-# usage: scripts/flatpak.sh [BRANCH [LLVM]]     24.08 and llvm18 without; docs/use/launchers.md
+# usage: scripts/flatpak.sh [BRANCH]     24.08 without; docs/use/launchers.md
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -10,14 +10,13 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 source "$root/scripts/dev_lib.sh"
 
 branch=${1:-24.08}
-llvm=${2:-llvm18}
 id=org.freedesktop.Platform.VulkanLayer.Arbiter
 work=$root/build-flatpak
 version=$(sed -n "s/^  version: '\(.*\)',$/\1/p" "$root/meson.build")
 bundle=$out/arbiter-$version-$branch-$(flatpak --default-arch).flatpak
 
 missing=()
-for name in org.freedesktop.Platform org.freedesktop.Sdk "org.freedesktop.Sdk.Extension.$llvm"; do
+for name in org.freedesktop.Platform org.freedesktop.Sdk; do
   flatpak info "$name//$branch" >/dev/null 2>&1 || missing+=("$name//$branch")
 done
 if [[ ${#missing[@]} -gt 0 ]]; then
@@ -33,7 +32,7 @@ mkdir -p "$work/source" "$out"
 git -C "$root" ls-files -z --cached --others --exclude-standard |
   tar -C "$root" --null --files-from=- --ignore-failed-read -cf - | tar -C "$work/source" -xf -
 manifest=$work/source/data/flatpak/$id.yml
-sed -i -e "s/24\.08/$branch/" -e "s/llvm18/$llvm/" "$manifest"
+sed -i "s/24\.08/$branch/" "$manifest"
 # Without FUSE, which a container may lack.
 flatpak-builder --user --jobs="$jobs" --disable-rofiles-fuse --force-clean --state-dir="$work/state" \
   --repo="$work/repo" "$work/files" "$manifest" >&2
