@@ -82,6 +82,8 @@ TEST(CAssignments, AreInstructions) {
   EXPECT_EQ(fragment("gl_FragColor = a;"), begins("MOV result.color, a;"));
   EXPECT_EQ(fragment("result.color = a;"), begins("MOV result.color, a;"));
   EXPECT_EQ(fragment("a.x = -b.y;"), begins("MOV a.x, -b.y;"));
+  EXPECT_EQ(fragment("a.xy = b * 2.0;"), begins("MUL a.xy, b, 2.0;"));
+  EXPECT_EQ(fragment("a.st += b;"), begins("ADD a.xy, a.xy, b;"));
   EXPECT_EQ(fragment("a = b * 2.0f;"), begins("MUL a, b, 2.0;"));
   EXPECT_EQ(fragment("a = b + c;"), begins("ADD a, b, c;"));
   EXPECT_EQ(fragment("a = b - c;"), begins("SUB a, b, c;"));
@@ -140,6 +142,30 @@ TEST(CFunctionsAndBlocks, AreNotThere) {
   EXPECT_NE(fragment("return a;").find("END"), std::string::npos);
 }
 
+/// KIL and CMP ask whether an operand is below zero. SLT gives 0 or 1, which never is.
+TEST(CConditions, AreDifferences) {
+  const std::string begins =
+      "an operand is one value, and below zero is the condition: SUB computes ";
+  EXPECT_EQ(fragment("CMP a, b.x < 0.5, b, c;"), begins + "b.x - 0.5 before it");
+  EXPECT_EQ(fragment("CMP a, b.x > 0.5, b, c;"), begins + "0.5 - b.x before it");
+  EXPECT_EQ(fragment("MOV a, b;\n  KIL b.a < 0.5;"), begins + "b.a - 0.5 before it");
+}
+
+/// The operands of these are not in the order of the opcode that resembles them, or their base is
+/// another.
+TEST(CFunctions, WhoseOpcodeDiffersSayHow) {
+  const std::string begins = "a statement begins with its instruction, and has no calls: ";
+  EXPECT_EQ(fragment("a = log(b.x);"), begins + "log(x) is 0.693147 times LG2 of x");
+  EXPECT_EQ(fragment("a = step(b, c);"),
+            begins + "step(edge, x) is SGE with x first: SGE result, x, edge;");
+  const std::string mix = "mix(a, b, t) is LRP with t first, and b before a: LRP result, t, b, a;";
+  EXPECT_EQ(fragment("a = mix(b, c, 0.5);"), begins + mix);
+  EXPECT_EQ(fragment("mix a, b, c, 0.5;"), mix);
+  EXPECT_EQ(vertex("a = mix(b, c, 0.5);"),
+            begins + "mix(a, b, t) is SUB tmp, b, a; MAD result, t, tmp, a;");
+  EXPECT_EQ(fragment("EXP a, b.x;"), "use EX2") << "Direct3D's is of base 2";
+}
+
 TEST(CExpressions, AreInstructionsBeforeTheOperand) {
   EXPECT_EQ(fragment("MUL a, b * 2.0, c;"),
             "an operand is one value; MUL computes b * 2.0 before it");
@@ -155,8 +181,10 @@ TEST(CExpressions, AreInstructionsBeforeTheOperand) {
   EXPECT_EQ(fragment("MOV a, vec4(1.0, 0.5, 0.0, 1.0);"),
             "a constant vector stands in braces: {1.0, 0.5, 0.0, 1.0}");
   EXPECT_EQ(fragment("MOV a, vec4(0.5);"), "a number fills all four components: write 0.5");
-  EXPECT_EQ(fragment("CMP a, b.x < 0.5, b, c;"),
-            "an operand is one value; SLT computes b.x < 0.5 before it");
+  EXPECT_EQ(fragment("MOV a, b < 0.5;"), "an operand is one value; SLT computes b < 0.5 before it");
+  EXPECT_EQ(fragment("MOV a, b*-1;"), "an operand is one value; MUL computes b * -1 before it");
+  EXPECT_EQ(fragment("MOV a, exp(b.x);"),
+            "an operand is one value, and there are no calls: exp(x) is EX2 of 1.442695 * x");
   EXPECT_EQ(fragment("MOV a, (1.0, 0.5);"), "a constant vector stands in braces: {1.0, 0.5}");
   EXPECT_EQ(fragment("MOV a, dot(b, c);"),
             "an operand is one value, and there are no calls: DP3 or DP4 does what dot does");

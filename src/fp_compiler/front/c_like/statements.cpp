@@ -209,9 +209,13 @@ std::string assigned(const Reading &reading, std::size_t i, const std::string &t
 
 std::string assignmentHint(const Reading &reading, const Vocabulary &vocabulary) {
   std::size_t i = 0;
-  const auto to = reading.variable(i);
+  auto to = reading.variable(i);
   if (!to || to->size() > kLongestValue)
     return {};
+  // What is written has a mask, which names each component once.
+  const std::string_view suffix = i > 1 ? reading.word(i - 1) : std::string_view();
+  if (const std::string four = fourComponents(suffix); !four.empty() && to->ends_with("." + four))
+    to->resize(to->size() - four.size() + suffix.size());
   const std::size_t after = i;
   const bool changes = (reading.isByte(i, '*') || reading.isByte(i, '/') ||
                         reading.is(i, TokenKind::Plus) || reading.is(i, TokenKind::Minus)) &&

@@ -22,10 +22,13 @@ std::string_view operandBefore(std::string_view text, std::uint32_t at) {
     --begin;
   return text.substr(begin, at - begin);
 }
+/// Returns the operand that begins behind a byte, with its sign.
 std::string_view operandAfter(std::string_view text, std::uint32_t at) {
   while (at < text.size() && text[at] == ' ')
     ++at;
   std::uint32_t end = at;
+  if (end + 1 < text.size() && text[end] == '-' && isOfOperand(text[end + 1]))
+    ++end;
   while (end < text.size() && end - at < kLongestShown && isOfOperand(text[end]))
     ++end;
   return text.substr(at, end - at);
@@ -48,6 +51,15 @@ std::string_view instructionFor(char c) {
   default:
     return {};
   }
+}
+
+/// True in a statement of KIL or CMP, whose condition is that an operand is below zero.
+bool testsBelowZero(std::string_view text, std::uint32_t at) {
+  const std::size_t end = text.find_last_of(";\n", at);
+  const std::size_t begin =
+      text.find_first_not_of(" \t", end == std::string_view::npos ? 0 : end + 1);
+  const std::string_view word = text.substr(std::min(begin, text.size()), 3);
+  return word == "KIL" || word == "CMP";
 }
 
 /// True if every bracket within an operand is closed. If not, the operator is in an index.
@@ -108,6 +120,12 @@ std::string tokenHint(std::string_view text, const Token &token) {
   const std::string_view second = operandAfter(text, token.span.end);
   if (instruction.empty() || !isWhole(first) || !isWhole(second))
     return {};
+  if ((text[at] == '<' || text[at] == '>') && testsBelowZero(text, at)) {
+    const std::string less(text[at] == '<' ? first : second);
+    const std::string more(text[at] == '<' ? second : first);
+    return "an operand is one value, and below zero is the condition: SUB computes " + less +
+           " - " + more + " before it";
+  }
   return "an operand is one value; " + std::string(instruction) +
          (text[at] == '/' ? " compute " : " computes ") + std::string(first) + " " + text[at] +
          " " + std::string(second) + " before it";

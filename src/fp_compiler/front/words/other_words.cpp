@@ -16,6 +16,13 @@ struct Row {
 
 constexpr Row kRows[] = {
 #define OTHER_WORDS(words, opcodes, advice) {words, opcodes, advice},
+#define OTHER_FUNCTION(name, opcodes, advice)
+#include "fp_compiler/front/words/other_words.def"
+};
+
+constexpr Row kFunctions[] = {
+#define OTHER_WORDS(words, opcodes, advice)
+#define OTHER_FUNCTION(name, opcodes, advice) {name, opcodes, advice},
 #include "fp_compiler/front/words/other_words.def"
 };
 
@@ -151,6 +158,15 @@ Meaning meaningOf(std::string_view capitals, const PartTexts &parts, const Vocab
   return meaning;
 }
 
+/// Returns how the language does a function that no opcode equals; else an empty text.
+std::string functionHint(std::string_view capitals, const Vocabulary &vocabulary) {
+  for (const Row &row : kFunctions)
+    if (row.words == capitals)
+      if (std::string hint = advice(row, {}, vocabulary); !hint.empty())
+        return hint;
+  return {};
+}
+
 bool isSaturation(std::string_view capitals) {
   return std::find(std::begin(kSaturations), std::end(kSaturations), capitals) !=
          std::end(kSaturations);
@@ -166,6 +182,8 @@ std::string meaningHint(std::string_view word, const PartTexts &parts,
   if (const std::string_view own = spelled(whole.base, vocabulary); !own.empty())
     return asked(own, whole);
   Meaning meaning = meaningOf(whole.base, parts, vocabulary);
+  if (meaning.words.empty() && meaning.instead.empty()) // "EXP" and "LERP" are Direct3D's words too
+    return functionHint(whole.base, vocabulary);
   keepFitting(meaning.words, parts, vocabulary);
   if (meaning.words.empty())
     return meaning.instead;
@@ -178,6 +196,8 @@ std::string callHint(std::string_view word, const Vocabulary &vocabulary) {
   const std::string capitals = upper(word);
   if (isSaturation(capitals))
     return saturationHint(vocabulary);
+  if (std::string hint = functionHint(capitals, vocabulary); !hint.empty())
+    return hint;
   const Meaning meaning = meaningOf(capitals, {}, vocabulary);
   if (meaning.words.empty())
     return meaning.instead;
