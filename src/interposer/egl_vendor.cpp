@@ -288,7 +288,9 @@ void *getProcAddress(const char *name) {
 bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return false;
+  std::string tried;
   for (const std::string &library : eglCandidates()) {
+    tried += (tried.empty() ? "" : ", ") + library;
     void *const main = openHostLibrary(library, __EGL_MAIN_PROTO_NAME);
     if (!main)
       continue;
@@ -305,7 +307,8 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
       return true;
     }
   }
-  logError("layer", "EGL: no host vendor loads");
+  logError("layer", "EGL: no driver loads, so that this program runs without the layer; tried %s",
+           tried.c_str());
   return false;
 } catch (const std::exception &) { // out of memory
   return false;

@@ -402,7 +402,9 @@ bool askHostAgain(std::uint32_t version, const __GLXapiExports *exports, __GLXve
 bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return askHostAgain(version, exports, vendor);
+  std::string tried;
   for (const std::string &library : glxCandidates()) {
+    tried += (tried.empty() ? "" : ", ") + library;
     const auto main =
         reinterpret_cast<__PFNGLXMAINPROC>(openHostLibrary(library, __GLX_MAIN_PROTO_NAME));
     if (!main)
@@ -422,7 +424,8 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
       return true;
     }
   }
-  logError("layer", "GLX: no host vendor loads");
+  logError("layer", "GLX: no driver loads, so that this program runs without the layer; tried %s",
+           tried.c_str());
   return false;
 } catch (const std::exception &) { // out of memory
   return false;

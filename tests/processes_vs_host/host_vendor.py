@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Tests the layer's own connection to the X server. It asks for the server's vendors before the application opens a
-display. A server that ends with its last client must neither end in between, nor live on after the application has
-closed its display.
+"""Tests how the layer finds the host's vendor.
 
-  server_resets.py --build build
+It asks the X server for vendors on a connection of its own, before the application opens a display. A server that ends
+with its last client must neither end in between, nor live on after the application has closed its display. If the
+vendor that a user names does not load, the layer says so, and the application runs without it.
+
+  host_vendor.py --build build
 """
 
 import argparse
@@ -68,6 +70,18 @@ def wrong(build, layered):
     return "" if ended else "a connection stays open when the application has closed its display"
 
 
+def wrong_of_another_vendor(build):
+    """Returns what is wrong if a vendor is named that is not there, or ''."""
+    with sides.XServer() as display:
+        env = sides.environment(sides.layer_of(build), "auto", {"DISPLAY": display, "ARBITER_HOST_VENDOR": "nowhere"})
+        done = subprocess.run([PYTHON, __file__, "--client"], env=env, capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, timeout=DEADLINE)
+    said = "GLX: no driver loads, so that this program runs without the layer; tried libGLX_nowhere.so.0"
+    if done.stdout.strip() != "closed":
+        return f"the application does not run: {done.stderr[-300:]}"
+    return "" if said in done.stderr else f"the log says {done.stderr[-300:]!r}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -79,7 +93,9 @@ def main():
         return 0
     problems = [f"{name}: {problem}" for name, layered in (("bare", False), ("under the layer", True))
                 if (problem := wrong(options.build.resolve(), layered))]
-    print("\n".join(problems) or "the server ends with the application's display")
+    if problem := wrong_of_another_vendor(options.build.resolve()):
+        problems.append(problem)
+    print("\n".join(problems) or "the server ends with the application's display, and a missing vendor is named")
     return 1 if problems else 0
 
 
