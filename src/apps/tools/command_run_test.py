@@ -184,6 +184,9 @@ class Run(Temporary):
             'files': 3, 'contexts': 3, 'frames': 5, 'programs': 4, 'over_native': 0, 'refused': 1,
             'draws': {'host-glsl': 3, 'no-program': 5, 'rasterizer': 9, 'recorded-in-list': 1},
             'given_to_host': {'look': 9, 'not-compiled': 3}})
+        seen = arbiter('stats', self.path('other.json'), self.path('none.json'))
+        self.assertEqual((seen.returncode, len(seen.stdout.splitlines())), (0, 1))
+        self.assertIn(f'no statistics in {self.path("none.json")}', seen.stderr)
         self.assertEqual(arbiter('stats', self.path('other.json')).stdout,
                          'other.json (other): frames 1  programs 1  no draws\n')
 

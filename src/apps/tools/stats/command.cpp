@@ -22,7 +22,8 @@ struct Named {
 /// What became of one FILE.
 struct OfFile {
   std::string file;
-  int made = 0; ///< reports of killed processes
+  int made = 0;       ///< reports of killed processes
+  bool found = false; ///< there are files, though they may be no reports
   std::vector<Named> reports;
 };
 
@@ -39,6 +40,7 @@ bool look(OfFile &of, std::set<std::string> &seen) {
   const std::filesystem::path pattern = absolute.lexically_normal();
   of.made = completeRecords(pattern);
   for (const std::string &path : reportsOf(pattern)) {
+    of.found = true;
     if (!seen.insert(path).second)
       continue;
     if (auto report = stats::readReport(path))
@@ -91,19 +93,19 @@ int sumStatistics(const StatsArguments &arguments) {
   Figures sum;
   int made = 0;
   for (const std::string &file : arguments.files) {
-    all.push_back({file, 0, {}});
+    all.push_back({file, 0, false, {}});
     if (!look(all.back(), seen))
       return kExitUsage;
     made += all.back().made;
     for (const Named &each : all.back().reports)
       sum.add(each.report.figures);
   }
-  if (sum.files == 0) {
-    for (const OfFile &of : all)
+  for (const OfFile &of : all)
+    if (!of.found)
       complain("no statistics in " + of.file +
                ": a process writes them when it ends, and none that was killed left a record");
+  if (sum.files == 0)
     return kExitUsage;
-  }
   if (arguments.json)
     printJson(all, made, sum);
   else
