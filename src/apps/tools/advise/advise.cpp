@@ -11,7 +11,7 @@ namespace {
 
 /// Limits of work for one program and for all of applyAll(), in executed instructions (about 60 per
 /// microsecond). Further proposals are not tested.
-constexpr std::uint64_t kMaxSteps = 80'000'000, kMaxStepsOfAll = 240'000'000;
+constexpr std::uint64_t kMaxSteps = 80'000'000;
 
 /// Returns the estimated cost of compiling for each instruction. Scheduling for the R300 takes
 /// quadratic time.
@@ -186,19 +186,19 @@ std::vector<Advice> advise(std::string_view text, const Setting &setting) {
   return subject ? adviceFor(*subject, steps) : std::vector<Advice>();
 }
 
-Fixed applyAll(std::string_view text, const Setting &setting) {
+Fixed applyAll(std::string_view text, const Setting &setting, std::uint64_t left) {
   Fixed fixed;
   fixed.text = text;
   const std::unique_ptr<Subject> original = Subject::read(text, setting);
   if (!original)
     return fixed;
   fixed.before = fixed.after = original->cost();
-  std::uint64_t left = kMaxStepsOfAll;
   // The loop ends because each fix lowers a count and raises none.
   while (const std::unique_ptr<Subject> now = Subject::read(fixed.text, setting)) {
     std::uint64_t steps = std::min(left, kMaxSteps);
     left -= steps;
     const std::vector<Advice> all = adviceFor(*now, steps);
+    fixed.stopped = steps == 0;
     left += steps; // give back the unused steps
     const Advice *best = bestFix(all);
     std::optional<std::string> made = best ? applied(fixed.text, best->edits) : std::nullopt;

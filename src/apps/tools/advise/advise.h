@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,7 +48,12 @@ struct Fixed {
   std::string text;
   std::vector<Advice> applied; ///< spans and edits refer to the text that each was applied to
   Cost before, after;
+  bool stopped = false; ///< the search ended at its bound, and another one may find more
 };
-[[nodiscard]] Fixed applyAll(std::string_view text, const Setting &setting);
+
+/// The bound of one search: instructions that its trials execute.
+inline constexpr std::uint64_t kMaxStepsOfAll = 240'000'000;
+[[nodiscard]] Fixed applyAll(std::string_view text, const Setting &setting,
+                             std::uint64_t steps = kMaxStepsOfAll);
 
 } // namespace arbiter::tools::advise

@@ -150,6 +150,25 @@ TEST(Fixes, OneAfterTheOtherKeepTheProgram) {
   }
 }
 
+/// Says so when the search ends at its bound, and finds the rest when it is run again.
+TEST(Fixes, ThatEndAtTheBoundSaySo) {
+  std::string text = "!!ARBfp1.0\nTEMP c, s, t, sum;\nMOV sum, 0;\n";
+  for (int tap = 0; tap < 9; ++tap)
+    text += "ADD s.xy, fragment.texcoord[0], {0.0" + std::to_string(tap) +
+            ", 0.01, 0, 0};\nTEX c, s, texture[0], 2D;\nDP3 t.w, c, {0.3, 0.59, 0.11, 0};\n"
+            "POW t.x, t.w, {2}.x;\nMAX t.x, t.x, 0.0;\nMIN t.x, t.x, 1.0;\nMUL c, c, t.x;\n"
+            "ADD sum, sum, c;\n";
+  text += "MOV result.color, sum;\nEND\n";
+  const Setting setting = settingOf(text, "r300");
+  Fixed fixed = applyAll(text, setting, 100'000);
+  EXPECT_TRUE(fixed.stopped);
+  for (int again = 0; again < 10 && fixed.stopped; ++again)
+    fixed = applyAll(fixed.text, setting);
+  EXPECT_FALSE(fixed.stopped);
+  for (const Advice &each : advise(fixed.text, setting))
+    EXPECT_FALSE(each.isFix()) << "left over: " << each.rule;
+}
+
 // The naive form in the talk has 36 instructions, which take 24 slots and 9 samples on the R300.
 TEST(Fixes, OfTheNaiveLife) {
   const std::string text = read(fs::path(ARBITER_SOURCE_ROOT) / "demos/programs/life_naive.fp");

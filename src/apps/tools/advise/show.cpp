@@ -177,6 +177,7 @@ void writeFixed(JsonWriter &json, const Fixed &fixed) {
   json.endArray();
   writeCost(json, "before", fixed.before);
   writeCost(json, "after", fixed.after);
+  json.key("stopped").value(fixed.stopped);
   json.endObject();
 }
 

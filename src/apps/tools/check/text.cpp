@@ -114,6 +114,8 @@ std::string fixedText(const CheckedFile &file) {
                      (count == 1 ? " fix made" : " fixes made");
   if (count != 0)
     text += ": " + advise::changeText(file.fixed->before, file.fixed->after);
+  if (file.fixed->stopped)
+    text += "; the search stopped at its bound, so run it again";
   text += "\n";
   for (const advise::Advice &advice : file.fixed->applied)
     text += "  " + advice.message + " [" + advice.rule +
