@@ -87,6 +87,9 @@ class Installed(unittest.TestCase):
             self.skipTest('the loader has no folder of both widths here')
         said = self.run_it(self.prefix / 'bin' / 'arbiter', 'run', '--', 'env').splitlines()
         self.assertIn(f'LD_PRELOAD={folder}/$LIB/libGLX_arbiter.so.0', said)
+        of_32_bits = folder / 'lib' / 'i386-linux-gnu'
+        if of_32_bits.is_dir() and folder.parent.parent.name == 'x86_64-linux-gnu':
+            self.assertEqual((folder / 'lib32').resolve(), of_32_bits.resolve(), "libc6-i386's folder of libraries")
         files = list(folder.rglob('libGLX_arbiter.so.0'))
         widths = {path.read_bytes()[4] for path in files}
         self.assertEqual(widths, {1, 2}, 'ELF files of 32 and of 64 bits')
