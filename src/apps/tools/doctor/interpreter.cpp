@@ -1,4 +1,6 @@
 // Examines what the kernel runs a file by: the loader of an ELF file, and a script's interpreter.
+#include <algorithm>
+#include <array>
 #include <elf.h>
 #include <filesystem>
 
@@ -49,7 +51,13 @@ std::string remedyOf(const std::string &path, const ElfFile &elf) {
     return "It is another name of the C library's loader: `sudo ln -s " + real + " " +
            elf.interpreter + "`.";
   }
-  if (!name.starts_with("ld-linux"))
+  if (name == "ld-linux.so.1")
+    return "It is a program of the nineties, for libc 5, which Debian no longer has. Look for "
+           "another build of " +
+           fs::path(path).filename().string() + ".";
+  constexpr std::array<std::string_view, 4> kLoaders = {
+      "ld-linux.so.2", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1", "ld-linux-armhf.so.3"};
+  if (std::find(kLoaders.begin(), kLoaders.end(), name) == kLoaders.end())
     return "Install what has that file, for " + architecture + ", or look for another build of " +
            fs::path(path).filename().string() + ".";
   const std::string install = "sudo apt install libc6:" + architecture;

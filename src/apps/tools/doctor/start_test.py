@@ -57,6 +57,10 @@ class Start(Examined):
         self.assertIn('a 32-bit (i386) program, and its loader /nil/ld-linux.so.2 is not on this system', lines[0])
         self.assertIn('sudo dpkg --add-architecture i386 && sudo apt update && sudo apt install libc6:i386', lines[0])
         self.assertEqual(status, 127)
+        of_32_bits(game, '/nil/ld-linux.so.1')
+        self.assertIn('libc 5', self.said(game)[0][0])
+        of_32_bits(game, '/nil/ld-linux-x.so.2')
+        self.assertIn('Install what has that file', self.said(game)[0][0])
         line, *_ = self.said(self.script('start', '#!/none/python2\n'))[0]
         self.assertIn('its first line names /none/python2, which is not on this system', line)
 
