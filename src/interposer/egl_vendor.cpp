@@ -288,9 +288,8 @@ void *getProcAddress(const char *name) {
 bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return false;
-  std::string tried;
-  for (const std::string &library : eglCandidates()) {
-    tried += (tried.empty() ? "" : ", ") + library;
+  const std::vector<std::string> candidates = eglCandidates();
+  for (const std::string &library : candidates) {
     void *const main = openHostLibrary(library, __EGL_MAIN_PROTO_NAME);
     if (!main)
       continue;
@@ -307,8 +306,7 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
       return true;
     }
   }
-  logError("layer", "EGL: no driver loads, so that this program runs without the layer; tried %s",
-           tried.c_str());
+  sayNoneLoads("EGL", candidates);
   return false;
 } catch (const std::exception &) { // out of memory
   return false;

@@ -29,7 +29,6 @@
 #include "interposer/x_display.h"
 #include "interposer/x_keys.h"
 #include "interposer/x_present.h"
-#include "interposer/x_server.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {
@@ -88,7 +87,6 @@ registry::Key key(Display *display, GLXContext context) {
 GLXContext remember(Display *display, GLXContext context, GLXContext share) {
   if (!context)
     return nullptr;
-  closeServerQuery();
   watchDisplay(display);
   offerHudKey();
   const HostFunction<decltype(glXIsDirect)> isDirect{hostLookup("glXIsDirect")};
@@ -402,9 +400,8 @@ bool askHostAgain(std::uint32_t version, const __GLXapiExports *exports, __GLXve
 bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return askHostAgain(version, exports, vendor);
-  std::string tried;
-  for (const std::string &library : glxCandidates()) {
-    tried += (tried.empty() ? "" : ", ") + library;
+  const std::vector<std::string> candidates = glxCandidates();
+  for (const std::string &library : candidates) {
     const auto main =
         reinterpret_cast<__PFNGLXMAINPROC>(openHostLibrary(library, __GLX_MAIN_PROTO_NAME));
     if (!main)
@@ -424,8 +421,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
       return true;
     }
   }
-  logError("layer", "GLX: no driver loads, so that this program runs without the layer; tried %s",
-           tried.c_str());
+  sayNoneLoads("GLX", candidates);
   return false;
 } catch (const std::exception &) { // out of memory
   return false;

@@ -91,6 +91,14 @@ std::string icdLibraryPath(const std::string &json) {
   return value;
 }
 
+void sayNoneLoads(const char *api, const std::vector<std::string> &candidates) {
+  std::string tried;
+  for (const std::string &library : candidates)
+    tried += (tried.empty() ? "" : ", ") + library;
+  logError("layer", "%s: no driver loads, so that this program runs without the layer; tried %s",
+           api, tried.c_str());
+}
+
 std::vector<std::string> glxCandidates() {
   std::vector<std::string> names;
   if (const std::string &chosen = settings().hostVendor; !chosen.empty())

@@ -20,6 +20,10 @@ namespace arbiter::interposer {
 /// itself.
 [[nodiscard]] void *openHostLibrary(const std::string &name, const char *entry);
 
+/// Logs that none of the candidates loads. libglvnd then takes another vendor, without the layer.
+/// \param api "GLX" or "EGL"
+void sayNoneLoads(const char *api, const std::vector<std::string> &candidates);
+
 /// Keeps libglvnd's library that contains `function` loaded until the process ends. An application
 /// may close libGL and open it again. A new libGLX would then ask for its vendors again, but the
 /// host vendor, which stays loaded, would remember the old one's functions.

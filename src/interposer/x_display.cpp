@@ -7,6 +7,7 @@
 
 #include "interposer/registry.h"
 #include "interposer/x_present.h"
+#include "interposer/x_server.h"
 #include "util/cache/sealed.h"
 
 // This include must be last: its macros are named min, max and None.
@@ -44,6 +45,7 @@ const Xlib &xlib() {
 } // namespace
 
 void watchDisplay(void *ofApplication) {
+  closeServerQuery();
   static std::mutex *const s_mutex = new std::mutex;
   auto *const display = static_cast<Display *>(ofApplication);
   const Xlib &x = xlib();

@@ -4,7 +4,8 @@
 /// and no request may follow.
 namespace arbiter::interposer {
 
-/// Asks Xlib to report when the display is closed; a second call does nothing.
+/// Asks Xlib to report when the display is closed; a second call does nothing. The layer's own
+/// connection closes now, as the application has one.
 /// \param display an Xlib Display; null does nothing
 void watchDisplay(void *display);
 

@@ -1,4 +1,4 @@
-// What is said of valid programs that hardly mean what they say, and where nothing may be said.
+// Tests the warnings of valid programs that hardly mean what they say, and their absence.
 #include "fp_compiler/doubts/doubts.h"
 
 #include <string>

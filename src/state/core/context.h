@@ -63,7 +63,7 @@ struct ApplicationProgram {
   bool pipelinesUsed = false;
 };
 
-/// What draws use now: the path, and the programs that were chosen for it.
+/// The path that draws take now, and the programs that were chosen for it.
 struct DrawChoice {
   Path path = Path::NoProgram;
   LinkedProgram *linkedProgram = nullptr; ///< the current one, or null
@@ -73,7 +73,7 @@ struct DrawChoice {
   std::uint64_t selections = 0; ///< counts changes of the effective programs
 };
 
-/// What the layer holds on the host: programs and bindings. All are null only in the null
+/// Programs and bindings that the layer holds on the host. All are null only in the null
 /// context.
 struct HostSide {
   std::unique_ptr<LinkedProgramCache> linkedPrograms;

@@ -16,7 +16,7 @@ struct Beside {
   std::optional<std::string> result; ///< the first result that differs
 };
 
-/// What --watch drew.
+/// The values that --watch drew.
 struct Watched {
   std::string value;        ///< REG@LINE
   std::string picture;      ///< the file; empty: none

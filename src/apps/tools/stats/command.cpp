@@ -19,7 +19,7 @@ struct Named {
   stats::Report report;
 };
 
-/// What became of one FILE.
+/// The reports of one FILE.
 struct OfFile {
   std::string file;
   int made = 0;       ///< reports of killed processes

@@ -1,4 +1,4 @@
-// What is said of programs that are written as in GLSL, Cg, HLSL or C: each hint has the form of
+// Tests hints for programs that are written as in GLSL, Cg, HLSL or C: each hint has the form of
 // the language that the header names, with the author's own names.
 #include <string>
 #include <vector>

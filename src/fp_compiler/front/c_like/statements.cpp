@@ -212,7 +212,7 @@ std::string assignmentHint(const Reading &reading, const Vocabulary &vocabulary)
   auto to = reading.variable(i);
   if (!to || to->size() > kLongestValue)
     return {};
-  // What is written has a mask, which names each component once.
+  // A destination has a mask, which names each component once.
   const std::string_view suffix = i > 1 ? reading.word(i - 1) : std::string_view();
   if (const std::string four = fourComponents(suffix); !four.empty() && to->ends_with("." + four))
     to->resize(to->size() - four.size() + suffix.size());
