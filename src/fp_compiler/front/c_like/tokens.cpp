@@ -1,5 +1,7 @@
 #include "fp_compiler/front/c_like/tokens.h"
 
+#include <algorithm>
+
 #include "fp_compiler/span.h"
 
 namespace arbiter::fp::c_like {
