@@ -79,9 +79,9 @@ std::string serverVendorNames() {
   std::string names;
   if (connection && !xcb.xcb_connection_has_error(connection))
     names = queryVendorNames(xcb, connection, screen);
+  closeServerQuery(); // an earlier one of this process; that of a parent is the parent's to close
   g_owner = getpid();
-  if (xcb_connection_t *const previous = g_connection.exchange(connection))
-    xcb.xcb_disconnect(previous);
+  g_connection = connection;
   return names;
 }
 

@@ -24,7 +24,7 @@ struct Vocabulary {
 [[nodiscard]] std::string meaningHint(std::string_view word, const PartTexts &parts,
                                       const Vocabulary &vocabulary);
 
-/// What stands in place of a call of another language: "TEX does what texture2D does". Empty for a
+/// Returns how to write a call of another language: "TEX does what texture2D does". Empty for a
 /// word that other_words.def does not have.
 [[nodiscard]] std::string callHint(std::string_view word, const Vocabulary &vocabulary);
 
