@@ -5,7 +5,7 @@
 
 #include "dispatch/entry_points.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include "dispatch/entry_points.h"
 #include "host/lazy_functions.h"
-#include "state/contexts/lifecycle.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
+#include "state/lifecycle/lifecycle.h"
 #include "state/mirror/convert.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
@@ -133,10 +133,10 @@ TEST_F(SoftwarePoints, WhatReadsPixelsIsNoted) {
   state::software::stopRecording(*m_context);
   m_context->insideBeginEnd = false;
   entry<GLsync(GLenum, GLbitfield)>("glFenceSync")(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  EXPECT_FALSE(m_context->software->readsPixels);
+  EXPECT_FALSE(m_context->software->habits.readsPixels);
   entry<void(GLuint, GLint, GLenum, GLenum, GLsizei, void *)>("glGetTextureImage")(
       0, 0, GL_RGBA, GL_FLOAT, 0, nullptr);
-  EXPECT_TRUE(m_context->software->readsPixels);
+  EXPECT_TRUE(m_context->software->habits.readsPixels);
 }
 
 TEST_F(SoftwarePoints, AnUnknownCommandMakesEverythingOld) {

@@ -150,11 +150,12 @@ def source(table):
 #include "state/raster_draw/immediate/refused.h"
 #include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/split.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/mirror/dirty_bits.h"
 
 #define ARBITER_ENTRY extern "C" __attribute__((visibility("default")))
 
-using arbiter::state::Context;
+using arbiter::state::RasterContext;
 using arbiter::state::ContextHot;
 using arbiter::state::t_current;
 namespace host = arbiter::host;
@@ -163,7 +164,7 @@ namespace dirty = software::dirty;
 using namespace arbiter::state::software;
 
 namespace {
-[[gnu::always_inline]] inline Context &here() { return static_cast<Context &>(*t_current); }
+[[gnu::always_inline]] inline RasterContext &here() { return arbiter::state::rasterStep(*t_current); }
 } // namespace
 
 """]

@@ -213,7 +213,7 @@ def entry_points_source(table):
            '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
            '#include "dispatch/function_set.h"\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
-           '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
+           '#include "state/context/context.h"\n#include "state/core/memory.h"\n'
            '#include "state/host_draw/kept_letters.h"\n#include "state/host_draw/prepare_draw.h"\n'
            '#include "state/handlers/entry/offered.h"\n#include "state/handlers/entry/straight.h"\n'
            '#include "state/pixel_commands/pixel_commands.h"\n'

@@ -1,7 +1,7 @@
 #pragma once
 #include <exception>
 
-#include "state/contexts/lifecycle.h"
+#include "state/lifecycle/lifecycle.h"
 #include "util/own_exception.h"
 
 /// Maps host handles to the state tracker's contexts. Only create, destroy and make-current take

@@ -40,7 +40,7 @@ ORDER = {
     # contexts.
     "state": ["capabilities", "mirror", "primitives", "objects", "identity", "share", "core", "client_pixels", "era",
               "imaging", "residency", "report", "programs", "host_draw", "raster_draw", "pixel_commands", "lists",
-              "statistics", "control", "hud", "handlers", "contexts"],
+              "context", "statistics", "control", "hud", "handlers", "lifecycle"],
     "state/handlers": ["entry", "fixed_function", "imaging", "vertex_shader"],
     "state/host_draw": ["evaluators", "stages", "linking", "texturing"],
     "state/programs": ["nv", "variants", "combiners", "texture_shaders", "vertex_shaders"],

@@ -6,7 +6,7 @@
 
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/core/errors.h"
 
 namespace arbiter::state {
@@ -29,7 +29,7 @@ std::size_t componentBytes(GLenum type) {
   }
 }
 
-ImageLayout layoutOf(const Context &context, PixelStore store, const ImageSize &size,
+ImageLayout layoutOf(const CoreContext &context, PixelStore store, const ImageSize &size,
                      std::size_t element, std::size_t pixel) {
   const auto value = [&](GLenum pack, GLenum unpack) {
     const GLenum name = store == PixelStore::Pack ? pack : unpack;
@@ -55,14 +55,15 @@ ImageLayout layoutOf(const Context &context, PixelStore store, const ImageSize &
   return layout;
 }
 
-bool hasPixelBuffer(const Context &context, PixelStore store) {
+bool hasPixelBuffer(const CoreContext &context, PixelStore store) {
   return context.caps.pixelBuffers &&
          hostInteger(*context.host, store == PixelStore::Pack
                                         ? GL_PIXEL_PACK_BUFFER_BINDING
                                         : GL_PIXEL_UNPACK_BUFFER_BINDING) != 0;
 }
 
-bool pixelBufferHolds(Context &context, PixelStore store, std::size_t offset, std::size_t bytes) {
+bool pixelBufferHolds(CoreContext &context, PixelStore store, std::size_t offset,
+                      std::size_t bytes) {
   const GLenum target = store == PixelStore::Pack ? GL_PIXEL_PACK_BUFFER : GL_PIXEL_UNPACK_BUFFER;
   GLint size = 0, mapped = 0;
   context.host->GetBufferParameteriv(target, GL_BUFFER_SIZE, &size);

@@ -7,7 +7,7 @@
 /// Images in the application's memory or in a pixel buffer: the layout of their pixels.
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// Returns the bytes of one component; 0 for packed types and for values that are no type.
 [[nodiscard]] std::size_t componentBytes(GLenum type);
@@ -28,14 +28,14 @@ struct ImageLayout {
 
 /// Returns the layout that the host's pixel store gives (OpenGL 2.1, 3.6.4, Unpacking, and 4.3.2).
 /// \param element bytes of a component, or of a pixel of a packed type
-[[nodiscard]] ImageLayout layoutOf(const Context &context, PixelStore store, const ImageSize &size,
-                                   std::size_t element, std::size_t pixel);
+[[nodiscard]] ImageLayout layoutOf(const CoreContext &context, PixelStore store,
+                                   const ImageSize &size, std::size_t element, std::size_t pixel);
 
 /// True if a pixel buffer is bound for this direction.
-[[nodiscard]] bool hasPixelBuffer(const Context &context, PixelStore store);
+[[nodiscard]] bool hasPixelBuffer(const CoreContext &context, PixelStore store);
 /// True if the bound buffer holds `bytes` from `offset` on and is not mapped. Raises an error if
 /// not.
-[[nodiscard]] bool pixelBufferHolds(Context &context, PixelStore store, std::size_t offset,
+[[nodiscard]] bool pixelBufferHolds(CoreContext &context, PixelStore store, std::size_t offset,
                                     std::size_t bytes);
 
 } // namespace arbiter::state

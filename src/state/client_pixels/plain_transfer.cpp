@@ -4,7 +4,7 @@
 
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
@@ -30,7 +30,7 @@ GLenum bufferOf(PixelStore way) {
 
 } // namespace
 
-PlainArithmetic::PlainArithmetic(Context &context)
+PlainArithmetic::PlainArithmetic(CoreContext &context)
     : m_context(context), m_errors(*context.host, context.errors.pending) {
   const host::HostTable &host = *context.host;
   for (std::size_t i = 0; i < kTransfer.size(); ++i) {
@@ -50,7 +50,7 @@ PlainArithmetic::~PlainArithmetic() {
   m_context.dirty |= software::dirty::kPixelStore;
 }
 
-PlainTransfer::PlainTransfer(Context &context, PixelStore way)
+PlainTransfer::PlainTransfer(CoreContext &context, PixelStore way)
     : m_context(context), m_arithmetic(context), m_way(way) {
   const host::HostTable &host = *context.host;
   const std::array<GLenum, 8> &names = namesOf(way);

@@ -12,13 +12,13 @@ namespace arbiter::state {
 /// end. Errors of host calls within the scope are dropped.
 class PlainArithmetic {
 public:
-  explicit PlainArithmetic(Context &context);
+  explicit PlainArithmetic(CoreContext &context);
   ~PlainArithmetic();
   PlainArithmetic(const PlainArithmetic &) = delete;
   PlainArithmetic &operator=(const PlainArithmetic &) = delete;
 
 private:
-  Context &m_context;
+  CoreContext &m_context;
   HostErrorScope m_errors;
   std::array<GLfloat, 10> m_transfer{};
   GLint m_mapColor = 0;
@@ -28,13 +28,13 @@ private:
 /// buffer bound, and restores them at the end.
 class PlainTransfer {
 public:
-  PlainTransfer(Context &context, PixelStore way);
+  PlainTransfer(CoreContext &context, PixelStore way);
   ~PlainTransfer();
   PlainTransfer(const PlainTransfer &) = delete;
   PlainTransfer &operator=(const PlainTransfer &) = delete;
 
 private:
-  Context &m_context;
+  CoreContext &m_context;
   PlainArithmetic m_arithmetic;
   PixelStore m_way;
   std::array<GLint, 8> m_store{};

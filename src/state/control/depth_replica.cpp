@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "state/control/host_pixels.h"
-#include "state/core/context.h"
 #include "state/core/host_errors.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 

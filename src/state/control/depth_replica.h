@@ -15,7 +15,7 @@ namespace arbiter::state::remote {
 class DepthReplica {
 public:
   /// \param host functions that draw without being observed
-  DepthReplica(Context &context, const host::HostTable &host, const Region &region)
+  DepthReplica(RasterContext &context, const host::HostTable &host, const Region &region)
       : m_context(context), m_host(host), m_region(region),
         m_target(context, host, ProbeTarget::Use::Depths) {}
 
@@ -36,7 +36,7 @@ private:
   };
   [[nodiscard]] std::vector<Value> read(GLuint framebuffer) const;
 
-  Context &m_context;
+  RasterContext &m_context;
   const host::HostTable &m_host;
   const Region m_region;
   ProbeTarget m_target;

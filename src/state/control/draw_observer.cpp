@@ -5,11 +5,11 @@
 #include "state/capabilities/host_integer.h"
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
-#include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/host_errors.h"
 #include "state/core/memory.h"
 #include "state/objects/linked_program.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 
@@ -34,7 +34,7 @@ const HostTable &trueTable(const HostTable &host) {
 
 /// Returns the region that an observation needs: a Pick's pixel, or a Hold's 2x2 pixels in which
 /// programs are drawn.
-Region watchedRegion(const Context &context, const Observation &wish) {
+Region watchedRegion(const RasterContext &context, const Observation &wish) {
   if (wish.aim != Observation::Aim::Hold)
     return {wish.x, wish.y, 1, 1};
   int width = 0, height = 0;
@@ -48,7 +48,7 @@ constexpr Vec4 kUncovered = {-0x1.6a09e6p99f, 0x1.bb67aep98f, -0x1.3c6ef4p97f, 0
 
 } // namespace
 
-DrawObserver::DrawObserver(Context &context, Observation wish, Held held)
+DrawObserver::DrawObserver(RasterContext &context, Observation wish, Held held)
     : m_context(context), m_wish(std::move(wish)), m_held(std::move(held)),
       m_serial(context.serial), m_host(trueTable(*context.host)),
       m_table(*new ObservedTable(m_host, this)), m_probe(context, m_host),
@@ -58,7 +58,7 @@ DrawObserver::DrawObserver(Context &context, Observation wish, Held held)
 }
 
 DrawObserver::~DrawObserver() {
-  const Context *own = &m_context;
+  const CoreContext *own = &m_context;
   g_observed.compare_exchange_strong(own, nullptr, std::memory_order_relaxed);
   static_cast<HostTable &>(m_table) = m_host; // lists that are being recorded may keep the table
   if (m_context.host == &m_table)

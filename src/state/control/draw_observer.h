@@ -50,14 +50,14 @@ public:
   /// Starts the observation at a frame's end, where the context defers nothing (Context::trueHost).
   /// `held` is called before a Hold's draw.
   using Held = std::function<void(DrawObserver &, const ObservedDraw &, const Redraw &)>;
-  DrawObserver(Context &context, Observation wish, Held held);
+  DrawObserver(RasterContext &context, Observation wish, Held held);
   /// Ends the observation at the next frame's end and restores the context, which is current.
   ~DrawObserver();
   DrawObserver(const DrawObserver &) = delete;
   DrawObserver &operator=(const DrawObserver &) = delete;
 
   [[nodiscard]] const Observation &wish() const { return m_wish; }
-  [[nodiscard]] Context &context() { return m_context; }
+  [[nodiscard]] RasterContext &context() { return m_context; }
   /// Returns the context's serial number. Another context may have the address of a freed one.
   [[nodiscard]] std::uint32_t serial() const { return m_serial; }
   [[nodiscard]] DrawProbe &probe() { return m_probe; }
@@ -103,7 +103,7 @@ private:
   void hold(const ObservedDraw &draw, const Redraw &redraw);
   void measure(ObservedDraw draw, const Redraw &redraw);
 
-  Context &m_context;
+  RasterContext &m_context;
   const Observation m_wish;
   const Held m_held;
   const std::uint32_t m_serial;

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "state/control/host_pixels.h"
-#include "state/core/context.h"
 #include "state/core/host_errors.h"
 #include "state/host_draw/draw.h"
 #include "state/programs/program_bind.h"
@@ -11,6 +10,7 @@
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
 #include "state/programs/variants/drop_variants.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 
@@ -19,7 +19,7 @@ namespace {
 /// Replaces the fragment program that draws use, while it lives.
 class ProgramSwap {
 public:
-  ProgramSwap(Context &context, const DrawProbe::Wish &wish)
+  ProgramSwap(RasterContext &context, const DrawProbe::Wish &wish)
       : m_context(context), m_compiled(wish.program) {
     ProgramTarget &row = context.row(Target::Fragment);
     auto object = std::make_shared<ProgramObject>(0, Target::Fragment);
@@ -52,7 +52,7 @@ public:
 private:
   static constexpr std::array kFragments = {Target::Fragment, Target::AtiText, Target::AtiApi,
                                             Target::Combiners, Target::TextureShaders};
-  Context &m_context;
+  RasterContext &m_context;
   const std::shared_ptr<const CompiledProgram> m_compiled;
   std::shared_ptr<ProgramObject> m_bound;
   std::array<bool, kFragments.size()> m_enabled{};
@@ -60,7 +60,7 @@ private:
 };
 
 /// Turns off what would change the program's colour before it is written.
-void setPlainState(const Context &context, const host::HostTable &host, bool alphaTest) {
+void setPlainState(const RasterContext &context, const host::HostTable &host, bool alphaTest) {
   for (const GLenum capability : {GL_BLEND, GL_COLOR_LOGIC_OP, GL_DITHER})
     host.Disable(capability);
   if (!alphaTest)
@@ -72,7 +72,7 @@ void setPlainState(const Context &context, const host::HostTable &host, bool alp
 
 } // namespace
 
-const char *whyNoProbe(const Context &context) {
+const char *whyNoProbe(const RasterContext &context) {
   if (!context.caps.framebufferObjects || !context.caps.drawBuffers)
     return "the host has no framebuffer objects of floats";
   return nullptr;
@@ -136,8 +136,8 @@ Result<std::vector<Vec4>, std::string> DrawProbe::draw(const Redraw &redraw, con
   return values;
 }
 
-Result<std::shared_ptr<const CompiledProgram>, std::string> compileProbe(const Context &context,
-                                                                         const std::string &text) {
+Result<std::shared_ptr<const CompiledProgram>, std::string>
+compileProbe(const RasterContext &context, const std::string &text) {
   fp::CompileOptions options = compileOptions(context.row(Target::Fragment));
   options.policy = fp::LimitPolicy::Report;
   const Replacement probe = {text,

@@ -14,7 +14,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 namespace remote {
 
@@ -40,7 +40,7 @@ public:
   };
 
   /// \param host functions that draw without being observed
-  DrawProbe(Context &context, const host::HostTable &host)
+  DrawProbe(RasterContext &context, const host::HostTable &host)
       : m_context(context), m_host(host), m_target(context, host, ProbeTarget::Use::Values) {}
 
   /// Draws. Returns targets * height * width values, bottom row first, or the reason why the host
@@ -50,7 +50,7 @@ public:
 private:
   [[nodiscard]] std::string bindTarget(const Wish &wish);
 
-  Context &m_context;
+  RasterContext &m_context;
   const host::HostTable &m_host;
   ProbeTarget m_target;
 };
@@ -58,10 +58,10 @@ private:
 /// Compiles a client's program that shows values, without a card's limits. Returns the compiler's
 /// messages if it fails.
 [[nodiscard]] Result<std::shared_ptr<const CompiledProgram>, std::string>
-compileProbe(const Context &context, const std::string &text);
+compileProbe(const RasterContext &context, const std::string &text);
 
 /// Returns why the context cannot draw to float targets; null if it can.
-[[nodiscard]] const char *whyNoProbe(const Context &context);
+[[nodiscard]] const char *whyNoProbe(const RasterContext &context);
 
 } // namespace remote
 } // namespace arbiter::state

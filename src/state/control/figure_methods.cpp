@@ -3,14 +3,14 @@
 
 #include "state/control/known_programs.h"
 #include "state/control/methods.h"
-#include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 
 wire::Answer stats(Call &call) {
   using wire::Json;
-  const Context &context = call.context;
+  const RasterContext &context = call.context;
   Json draws = Json::object();
   for (int i = 0; i < kPathCount; ++i)
     if (context.counters.draws[std::size_t(i)] != 0)

@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "state/control/session.h"
-#include "state/core/context.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 
@@ -17,7 +17,7 @@ void Session::wantFrames(wire::ClientId client, std::uint32_t every, int width, 
   found->second.seen = 0;
 }
 
-void Session::lendFrame(Context &context) {
+void Session::lendFrame(RasterContext &context) {
   struct Wish {
     wire::ClientId id;
     int width, height;
@@ -40,7 +40,7 @@ void Session::lendFrame(Context &context) {
     lend(wish.id, reduced(picture, wish.width, wish.height), context);
 }
 
-void Session::lend(wire::ClientId id, const Picture &picture, const Context &context) {
+void Session::lend(wire::ClientId id, const Picture &picture, const RasterContext &context) {
   const std::lock_guard lock(m_mutex);
   const auto found = m_clients.find(id);
   if (found == m_clients.end())

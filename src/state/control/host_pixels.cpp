@@ -6,9 +6,9 @@
 
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
-#include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 
@@ -37,7 +37,7 @@ Picture shrunk(const Picture &from, int step) {
 }
 
 /// Gives the host all pixels.
-void bringHostUpToDate(Context &context) {
+void bringHostUpToDate(RasterContext &context) {
   if (context.software)
     context.software->residency.synchronise("a client of control");
 }
@@ -45,7 +45,7 @@ void bringHostUpToDate(Context &context) {
 /// Makes the window the read framebuffer, with its back buffer if there is one.
 class WindowRead {
 public:
-  explicit WindowRead(Context &context) : m_context(context), m_host(*context.host) {
+  explicit WindowRead(RasterContext &context) : m_context(context), m_host(*context.host) {
     // GL_DOUBLEBUFFER is answered for the draw framebuffer.
     if (context.caps.framebufferObjects) {
       m_read = bind(GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING);
@@ -75,7 +75,7 @@ private:
     return bound;
   }
 
-  Context &m_context;
+  RasterContext &m_context;
   const host::HostTable &m_host;
   GLint m_read = 0, m_draw = 0, m_buffer = 0;
 };
@@ -112,7 +112,7 @@ Picture reduced(Picture picture, int maxWidth, int maxHeight) {
   return step == 1 ? std::move(picture) : shrunk(picture, step);
 }
 
-bool drawableSize(const Context &context, int &width, int &height) {
+bool drawableSize(const RasterContext &context, int &width, int &height) {
   const software::Drawable &drawable = context.drawable;
   width = drawable.width;
   height = drawable.height;
@@ -121,7 +121,7 @@ bool drawableSize(const Context &context, int &width, int &height) {
   return drawable.size ? drawable.size(drawable, width, height, false) : width > 0 && height > 0;
 }
 
-Picture readDrawable(Context &context, const char *&why) {
+Picture readDrawable(RasterContext &context, const char *&why) {
   Picture picture;
   if (context.passThrough || !context.caps.compatibility) {
     why = "OpenGL ES and core profiles are passed through: there is no picture of them";
@@ -162,7 +162,7 @@ const std::array<TextureTarget, 5> &textureTargets() {
   return kTargets;
 }
 
-std::vector<BoundTexture> boundTextures(Context &context) {
+std::vector<BoundTexture> boundTextures(RasterContext &context) {
   std::vector<BoundTexture> found;
   if (context.passThrough || !context.caps.compatibility)
     return found;
@@ -203,7 +203,7 @@ void spreadGrey(const host::HostTable &host, GLenum image, Picture &picture) {
   }
 }
 
-Picture readTexture(Context &context, const BoundTexture &texture, const char *&why) {
+Picture readTexture(RasterContext &context, const BoundTexture &texture, const char *&why) {
   const std::int64_t pixels =
       std::int64_t(texture.width) * std::max(texture.height, 1) * std::max(texture.depth, 1);
   if (pixels <= 0 || pixels > kMaxPixels) {
@@ -229,7 +229,7 @@ Picture readTexture(Context &context, const BoundTexture &texture, const char *&
   return {};
 }
 
-bool writeTexture(Context &context, const BoundTexture &texture, const Picture &picture,
+bool writeTexture(RasterContext &context, const BoundTexture &texture, const Picture &picture,
                   const char *&why) {
   const TextureTarget &target = textureTargets()[texture.target];
   if (target.target != GL_TEXTURE_2D && target.target != GL_TEXTURE_RECTANGLE) {

@@ -13,7 +13,7 @@
 /// contexts that are current, outside Begin and lists.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 namespace remote {
 
@@ -28,11 +28,11 @@ struct Picture {
 [[nodiscard]] Picture reduced(Picture picture, int maxWidth, int maxHeight);
 
 /// Gets the current drawable's size from the window system. Returns false if it is not known.
-[[nodiscard]] bool drawableSize(const Context &context, int &width, int &height);
+[[nodiscard]] bool drawableSize(const RasterContext &context, int &width, int &height);
 
 /// Reads the frame so far: the drawable's back buffer, or its front buffer if it has no other.
 /// \returns an empty picture and `why` if it cannot be read
-[[nodiscard]] Picture readDrawable(Context &context, const char *&why);
+[[nodiscard]] Picture readDrawable(RasterContext &context, const char *&why);
 
 /// A texture that is bound to a target of a unit.
 struct BoundTexture {
@@ -48,13 +48,14 @@ struct TextureTarget {
 [[nodiscard]] const std::array<TextureTarget, 5> &textureTargets();
 /// Returns all bound textures with a name, by unit, and each target's texture 0 once, if it has an
 /// image.
-[[nodiscard]] std::vector<BoundTexture> boundTextures(Context &context);
+[[nodiscard]] std::vector<BoundTexture> boundTextures(RasterContext &context);
 /// Reads level 0 as a sampler sees its colours; of a cube the first face, of a volume the first
 /// slice. Returns an empty picture and `why` if it cannot be read.
-[[nodiscard]] Picture readTexture(Context &context, const BoundTexture &texture, const char *&why);
+[[nodiscard]] Picture readTexture(RasterContext &context, const BoundTexture &texture,
+                                  const char *&why);
 /// Writes the picture, and smaller ones made from it, to all levels of a 2D texture of the
 /// picture's size. Returns false and `why` if that fails.
-[[nodiscard]] bool writeTexture(Context &context, const BoundTexture &texture,
+[[nodiscard]] bool writeTexture(RasterContext &context, const BoundTexture &texture,
                                 const Picture &picture, const char *&why);
 
 } // namespace remote

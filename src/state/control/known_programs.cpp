@@ -1,8 +1,8 @@
 #include "state/control/known_programs.h"
 
-#include "state/core/context.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/program_edits.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/report/drawn_states.h"
 #include "state/share/share_group.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 /// Returns the text name of the combiner or texture-shader state that the context draws with; empty
 /// if it draws with none.
-std::string effectiveState(const Context &context) {
+std::string effectiveState(const RasterContext &context) {
   const CompiledProgram *const fragment = context.effective.linkedProgram
                                               ? context.effective.linkedProgram->fragment.compiled
                                               : nullptr;
@@ -20,7 +20,7 @@ std::string effectiveState(const Context &context) {
                                                  : std::string();
 }
 
-void addStates(const Context &context, std::map<std::string, KnownProgram> &programs) {
+void addStates(const RasterContext &context, std::map<std::string, KnownProgram> &programs) {
   const std::string effective = effectiveState(context);
   for (auto &[id, state] : DrawnStates::instance().all()) {
     KnownProgram &program = programs[id];
@@ -33,7 +33,7 @@ void addStates(const Context &context, std::map<std::string, KnownProgram> &prog
 
 } // namespace
 
-std::map<std::string, KnownProgram> knownPrograms(Session &session, const Context &context) {
+std::map<std::string, KnownProgram> knownPrograms(Session &session, const RasterContext &context) {
   std::map<std::string, KnownProgram> programs;
   for (const std::shared_ptr<ShareGroup> &group : session.groups())
     for (const std::shared_ptr<ProgramObject> &object : group->objects()) {
@@ -57,7 +57,7 @@ std::map<std::string, KnownProgram> knownPrograms(Session &session, const Contex
   return programs;
 }
 
-std::optional<KnownProgram> findProgram(Session &session, const Context &context,
+std::optional<KnownProgram> findProgram(Session &session, const RasterContext &context,
                                         const std::string &id) {
   std::map<std::string, KnownProgram> programs = knownPrograms(session, context);
   const auto found = programs.find(id);

@@ -24,8 +24,8 @@ struct KnownProgram {
 /// Returns the texts of every share group that has drawn, by id, and the states that were drawn
 /// with. Shaders without a text are left out.
 [[nodiscard]] std::map<std::string, KnownProgram> knownPrograms(Session &session,
-                                                                const Context &context);
-[[nodiscard]] std::optional<KnownProgram> findProgram(Session &session, const Context &context,
-                                                      const std::string &id);
+                                                                const RasterContext &context);
+[[nodiscard]] std::optional<KnownProgram>
+findProgram(Session &session, const RasterContext &context, const std::string &id);
 
 } // namespace arbiter::state::remote

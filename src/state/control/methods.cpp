@@ -5,8 +5,8 @@
 #include <exception>
 #include <unistd.h>
 
-#include "state/core/context.h"
 #include "state/core/host_errors.h"
+#include "state/raster_draw/raster_context.h"
 #include "util/own_exception.h"
 
 namespace arbiter::state::remote {
@@ -63,8 +63,8 @@ bool isMethodOfHold(std::string_view name) {
   return method && method->answer == nothingHeld;
 }
 
-std::optional<wire::Answer> answerRequest(Session &session, Context &context, wire::ClientId client,
-                                          const wire::Request &request) {
+std::optional<wire::Answer> answerRequest(Session &session, RasterContext &context,
+                                          wire::ClientId client, const wire::Request &request) {
   const Method *const method = findMethod(request.method);
   if (!method)
     return wire::Fault{wire::kNoMethod, "there is no such method", {}};

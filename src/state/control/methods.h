@@ -14,7 +14,7 @@ namespace arbiter::state::remote {
 /// A request that the application's thread executes.
 struct Call {
   Session &session;
-  Context &context;
+  RasterContext &context;
   const wire::Request &request;
   wire::ClientId client;
   wire::Params params;
@@ -33,7 +33,7 @@ struct Method {
 [[nodiscard]] wire::Json helloAnswer(const std::string &program);
 /// Executes a request. Raises no GL error, and returns a fault without memory. Returns nothing if
 /// the request is answered later.
-[[nodiscard]] std::optional<wire::Answer> answerRequest(Session &session, Context &context,
+[[nodiscard]] std::optional<wire::Answer> answerRequest(Session &session, RasterContext &context,
                                                         wire::ClientId client,
                                                         const wire::Request &request);
 /// True for methods about the held draw.
@@ -68,6 +68,6 @@ struct Method {
 
 /// Restores stale images where that is possible now, and forgets them. Images that the application
 /// has replaced meanwhile stay.
-void putBackStale(Context &context, std::vector<Session::OwnImage> &images);
+void putBackStale(RasterContext &context, std::vector<Session::OwnImage> &images);
 
 } // namespace arbiter::state::remote

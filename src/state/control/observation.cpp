@@ -4,8 +4,8 @@
 
 #include "state/control/methods.h"
 #include "state/control/session.h"
-#include "state/core/context.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/raster_context.h"
 #include "util/thread.h"
 
 namespace arbiter::state::remote {
@@ -23,7 +23,7 @@ constexpr std::chrono::milliseconds kMoved{500};
 
 } // namespace
 
-std::optional<wire::Fault> Session::observe(Context &context, Observation wish) {
+std::optional<wire::Fault> Session::observe(RasterContext &context, Observation wish) {
   if (context.host == &software::kRecordingHost) // trueHost stays set when that is over
     return wire::Fault{wire::kTooBusy, "a list or a primitive is recorded at the frame's end", {}};
   const std::lock_guard lock(m_mutex);
@@ -38,7 +38,7 @@ std::optional<wire::Fault> Session::observe(Context &context, Observation wish) 
   return std::nullopt;
 }
 
-void Session::endObservation(Context &context) {
+void Session::endObservation(RasterContext &context) {
   const NoCancel scope;
   std::unique_ptr<DrawObserver> observer;
   std::optional<Observation> moved;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "state/control/draw_observer.h"
-#include "state/core/context.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 
@@ -14,7 +14,7 @@ using host::HostTable;
 /// Returns the observer of the thread's current context, whose table was called. While a list or a
 /// primitive is recorded, the table is `trueHost`.
 DrawObserver &observer() {
-  const auto &context = static_cast<const Context &>(*t_current);
+  const auto &context = static_cast<const RasterContext &>(*t_current);
   const HostTable *const table = isObservedTable(*context.host) ? context.host : context.trueHost;
   return *static_cast<const ObservedTable *>(table)->observer;
 }

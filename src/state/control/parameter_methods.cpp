@@ -6,10 +6,10 @@
 #include "fp_compiler/ir/print.h"
 #include "state/control/known_programs.h"
 #include "state/control/methods.h"
-#include "state/core/context.h"
 #include "state/host_draw/uniforms.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/replacement.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 

@@ -9,8 +9,8 @@
 #include "fp_compiler/ir/print.h"
 #include "host/host_table.h"
 #include "state/control/methods.h"
-#include "state/core/context.h"
 #include "state/core/unit_scope.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/share/share_group.h"
 #include "util/json.h"
 
@@ -167,7 +167,7 @@ wire::Answer textureHeld(DrawObserver &observer, wire::Params &params) {
   const std::string word = params.text("target");
   if (!params.ok())
     return params.fault();
-  const Context &context = observer.context();
+  const RasterContext &context = observer.context();
   for (const TextureTarget &target : textureTargets()) {
     if (word != target.word)
       continue;
@@ -209,7 +209,7 @@ wire::Answer nothingHeld(Call &) {
 }
 
 Json heldJson(DrawObserver &observer, const ObservedDraw &draw) {
-  Context &context = observer.context();
+  RasterContext &context = observer.context();
   const ProgramTarget &row = context.row(draw.compiled->target);
   const auto bound = context.group->compiledOf(*row.bound);
   const std::string &text = bound ? bound->source() : draw.compiled->source();

@@ -4,9 +4,9 @@
 
 #include "state/capabilities/host_integer.h"
 #include "state/control/host_pixels.h"
-#include "state/core/context.h"
 #include "state/core/host_errors.h"
 #include "state/core/texture_binding.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::remote {
 
@@ -44,7 +44,7 @@ Layout layoutOf(GLenum format) {
 } // namespace
 
 /// Makes names that differ from those of the figures in the frame (state/hud).
-ProbeTarget::ProbeTarget(Context &context, const host::HostTable &host, Use use)
+ProbeTarget::ProbeTarget(RasterContext &context, const host::HostTable &host, Use use)
     : m_context(context), m_host(host),
       m_framebuffer(use == Use::Values ? 0xFFFFFFF9u : 0xFFFFFFF8u),
       m_firstTexture(use == Use::Values ? 0xFFFFFFF0u : 0xFFFFFFE0u) {}
@@ -139,7 +139,7 @@ bool renderbufferSize(const host::HostTable &host, GLuint name, int &width, int 
 
 /// Gets a texture's size. GL does not report a name's target, but the name can only be bound to
 /// that one.
-bool textureSize(Context &context, const host::HostTable &host, GLuint name, GLint level,
+bool textureSize(RasterContext &context, const host::HostTable &host, GLuint name, GLint level,
                  int &width, int &height) {
   for (const TextureTarget &target : textureTargets()) {
     if (target.target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
@@ -157,7 +157,7 @@ bool textureSize(Context &context, const host::HostTable &host, GLuint name, GLi
 
 } // namespace
 
-bool framebufferSize(Context &context, const host::HostTable &host, int &width, int &height) {
+bool framebufferSize(RasterContext &context, const host::HostTable &host, int &width, int &height) {
   const HostErrorScope errors(host, context.errors.pending);
   for (const GLenum place : {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT, GL_COLOR_ATTACHMENT1}) {
     const auto ask = [&](GLenum name) {

@@ -8,7 +8,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 namespace remote {
 
@@ -27,7 +27,7 @@ public:
   enum class Use { Values, Depths };
 
   /// \param host functions that draw without being observed
-  ProbeTarget(Context &context, const host::HostTable &host, Use use);
+  ProbeTarget(RasterContext &context, const host::HostTable &host, Use use);
   ~ProbeTarget();
   ProbeTarget(const ProbeTarget &) = delete;
   ProbeTarget &operator=(const ProbeTarget &) = delete;
@@ -47,7 +47,7 @@ public:
 private:
   void image(std::size_t index, int width, int height, GLenum format);
 
-  Context &m_context;
+  RasterContext &m_context;
   const host::HostTable &m_host;
   const GLuint m_framebuffer, m_firstTexture;
   GLenum m_depthFormat = 0; ///< of the last attachDepthsOf()
@@ -62,7 +62,7 @@ struct HasDepths {
 
 /// Gets the size of the application's framebuffer object that is bound for drawing. Returns false
 /// if no attachment's size is known.
-[[nodiscard]] bool framebufferSize(Context &context, const host::HostTable &host, int &width,
+[[nodiscard]] bool framebufferSize(RasterContext &context, const host::HostTable &host, int &width,
                                    int &height);
 
 /// Restores the draw and read framebuffers and all attributes at its end. Requires room for one

@@ -7,10 +7,10 @@
 #include "fp_compiler/resources.h"
 #include "state/control/known_programs.h"
 #include "state/control/methods.h"
-#include "state/core/context.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
+#include "state/raster_draw/raster_context.h"
 #include "util/json.h"
 
 namespace arbiter::state::remote {

@@ -10,9 +10,9 @@
 
 #include "control/address.h"
 #include "state/control/methods.h"
-#include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/programs/program_edits.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/share/share_group.h"
 #include "util/log.h"
 #include "util/thread.h"
@@ -228,7 +228,7 @@ bool Session::endsFrames() const {
   return ended != 0 && coarseMilliseconds() - ended < kRecent;
 }
 
-void Session::join(Context &context) {
+void Session::join(RasterContext &context) {
   const std::lock_guard lock(m_mutex);
   std::erase_if(m_groups, [](const auto &group) { return group.expired(); });
   const auto isOurs = [&](const auto &group) { return group.lock() == context.group; };
@@ -262,7 +262,7 @@ std::optional<wire::Fault> Session::becomeWriter(wire::ClientId client) {
 }
 
 /// Undoes the changes of a writer that has disconnected.
-void Session::undo(Context &context) {
+void Session::undo(RasterContext &context) {
   bool ends = false;
   {
     const std::lock_guard lock(m_mutex);
@@ -310,7 +310,7 @@ std::deque<Session::Waiting> Session::takeWaiting() {
   return taken;
 }
 
-void Session::serve(Context &context) {
+void Session::serve(RasterContext &context) {
   const std::unique_lock serving(m_serving, std::try_to_lock);
   if (!serving) // another thread is serving
     return;

@@ -19,7 +19,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 class ShareGroup;
 
 namespace remote {
@@ -47,11 +47,11 @@ public:
   /// True if any context has ended a frame lately.
   [[nodiscard]] bool endsFrames() const;
   /// Executes waiting requests. The context must be current, outside Begin and lists.
-  void serve(Context &context);
+  void serve(RasterContext &context);
   /// Sends the frame that is about to be shown to the clients that want it.
-  void lendFrame(Context &context);
+  void lendFrame(RasterContext &context);
   /// Ends the observation of the context's frame, if there is one, and answers its client.
-  void endObservation(Context &context);
+  void endObservation(RasterContext &context);
 
   // --- For the methods, within serve() ---
 
@@ -63,7 +63,7 @@ public:
   void wantFrames(wire::ClientId client, std::uint32_t every, int width, int height);
   /// Observes the context's next frame. The request is answered at the frame's end, or at the draw
   /// of a Hold. Returns a fault if a frame is being observed already.
-  [[nodiscard]] std::optional<wire::Fault> observe(Context &context, Observation wish);
+  [[nodiscard]] std::optional<wire::Fault> observe(RasterContext &context, Observation wish);
   [[nodiscard]] Tallies &tallies() { return m_tallies; }
   [[nodiscard]] const FrameTimes &frameTimes() const { return m_times; }
   [[nodiscard]] std::uint64_t frames() const { return m_frames.load(std::memory_order_relaxed); }
@@ -107,13 +107,13 @@ private:
   [[nodiscard]] wire::Json ping() const;
   void release(wire::ClientId client, const wire::Json &params);
   void updateBusy();
-  void join(Context &context);
-  void undo(Context &context);
+  void join(RasterContext &context);
+  void undo(RasterContext &context);
   void tellLoaded();
   [[nodiscard]] std::deque<Waiting> takeWaiting();
   void hold(DrawObserver &observer, const ObservedDraw &draw, const Redraw &redraw);
   [[nodiscard]] std::optional<Waiting> nextOfHold(wire::ClientId client, Clock::time_point until);
-  void lend(wire::ClientId id, const Picture &picture, const Context &context);
+  void lend(wire::ClientId id, const Picture &picture, const RasterContext &context);
 
   static std::atomic<Session *> s_instance;
   const std::unique_ptr<wire::Server> m_server;

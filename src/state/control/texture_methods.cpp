@@ -6,9 +6,9 @@
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
 #include "state/control/methods.h"
-#include "state/core/context.h"
 #include "state/core/texture_binding.h"
 #include "state/core/unit_scope.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/report/format_name.h"
 #include "state/share/share_group.h"
 
@@ -20,12 +20,12 @@ using wire::Json;
 
 /// True if the image belongs to the context. A share group has common names, but each context has
 /// its own textures 0.
-bool isOf(const Session::OwnImage &image, const Context &context) {
+bool isOf(const Session::OwnImage &image, const RasterContext &context) {
   return image.group.lock() == context.group &&
          (image.texture.name != 0 || image.context == context.serial);
 }
 
-Session::OwnImage *ownImageOf(Session &session, const Context &context,
+Session::OwnImage *ownImageOf(Session &session, const RasterContext &context,
                               const BoundTexture &texture) {
   auto &images = session.ownImages();
   const auto found = std::find_if(images.begin(), images.end(), [&](const auto &image) {
@@ -77,7 +77,7 @@ std::optional<Picture> imageOf(Call &call) {
 }
 
 /// True if 8 bits per component hold all of the texture.
-bool holdsBytes(Context &context, const BoundTexture &texture) {
+bool holdsBytes(RasterContext &context, const BoundTexture &texture) {
   const UnitScope unit(*context.host, texture.unit);
   const GLenum image = textureTargets()[texture.target].image;
   for (const GLenum size :
@@ -96,7 +96,7 @@ bool holdsBytes(Context &context, const BoundTexture &texture) {
 /// Binds the texture if no unit has it, and restores the binding.
 class Rebound {
 public:
-  Rebound(Context &context, BoundTexture &texture) {
+  Rebound(RasterContext &context, BoundTexture &texture) {
     const auto bound = boundTextures(context);
     const auto found = std::find_if(bound.begin(), bound.end(), [&](const BoundTexture &other) {
       return other.name == texture.name && other.target == texture.target;
@@ -117,7 +117,7 @@ private:
 };
 
 /// Restores the application's image, unless the application has replaced it since.
-void putBack(Context &context, const Session::OwnImage &image) {
+void putBack(RasterContext &context, const Session::OwnImage &image) {
   if (image.texture.name != 0 && !context.host->IsTexture(GLuint(image.texture.name)))
     return;
   BoundTexture texture = image.texture;
@@ -129,7 +129,7 @@ void putBack(Context &context, const Session::OwnImage &image) {
 
 } // namespace
 
-void putBackStale(Context &context, std::vector<Session::OwnImage> &images) {
+void putBackStale(RasterContext &context, std::vector<Session::OwnImage> &images) {
   std::erase_if(images, [&](const Session::OwnImage &image) {
     if (!image.stale || (!image.group.expired() && !isOf(image, context)))
       return false;

@@ -7,7 +7,6 @@ struct HostTable;
 
 namespace arbiter::state {
 
-class Context;
 namespace software {
 class ImmediateRecorder;
 }
@@ -18,11 +17,11 @@ struct ContextHot {
   /// The host's functions for this context's provider. Never null: the null context's table calls
   /// the next definition in the process, or a function that does nothing.
   const host::HostTable *host = nullptr;
-  /// Why a draw must do more than call the host: bits of `attention` in context.h. Zero on the fast
+  /// Why a draw must do more than call the host: bits of core/draw_needs.def. Zero on the fast
   /// path.
   std::uint32_t attention = 0;
   /// The host's current program is the layer's. A command that would expose it restores the
-  /// application's program first (Context::restoreApplicationProgram).
+  /// application's program first (handlers::restoreApplicationProgram).
   bool hostProgramIsOurs = false;
   bool insideBeginEnd = false;
   /// The host's program links a vertex and a fragment program of the layer's. It keeps only those
@@ -59,6 +58,15 @@ struct ContextHot {
   std::uint32_t dirty = ~0u;
   /// Counts draws on the current path, when the host draws.
   std::uint64_t *drawCounter = nullptr;
+
+  /// True if a command is executed now. False if the host must record it in a list, or refuse it
+  /// between Begin and End.
+  [[nodiscard]] bool executesNow() const { return !insideBeginEnd && listMode == 0; }
 };
+
+/// The calling thread's context. Never null: before the first make-current it is a static null
+/// context. It is eight bytes of initial-exec TLS, so no call asks the host which context is
+/// current. constinit keeps accesses from calling a TLS initialiser first.
+extern constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
 
 } // namespace arbiter::state

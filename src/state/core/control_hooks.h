@@ -6,16 +6,16 @@
 /// above the rooms that draw, so the latter call them through this table.
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 struct ControlHooks {
   /// Called at the end of a frame, before it is shown. The context is current.
-  void (*frameEnds)(Context &context);
+  void (*frameEnds)(CoreContext &context);
   /// Called before a draw in a context that has ended no frame.
-  void (*beforeDraw)(Context &context);
+  void (*beforeDraw)(CoreContext &context);
   /// `programsLeave` is called before the effective programs may change, `programsEnter` after.
-  void (*programsLeave)(Context &context);
-  void (*programsEnter)(Context &context);
+  void (*programsLeave)(CoreContext &context);
+  void (*programsEnter)(CoreContext &context);
 };
 
 /// The hooks. Stays null in a process that nobody watches.
@@ -23,9 +23,9 @@ inline constinit std::atomic<const ControlHooks *> g_controlHooks{nullptr};
 
 /// The context whose draws in this frame are inspected one by one, or null. The host draws all of
 /// them.
-inline constinit std::atomic<const Context *> g_observed{nullptr};
+inline constinit std::atomic<const CoreContext *> g_observed{nullptr};
 
-[[nodiscard]] inline bool isObserved(const Context &context) {
+[[nodiscard]] inline bool isObserved(const CoreContext &context) {
   return g_observed.load(std::memory_order_relaxed) == &context;
 }
 

@@ -2,7 +2,7 @@
 
 #include <GL/glext.h>
 
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -29,7 +29,7 @@ bool hasDepths(GLenum internalFormat) {
 
 } // namespace
 
-void noteInternalFormat(Context &context, GLenum internalFormat) {
+void noteInternalFormat(CoreContext &context, GLenum internalFormat) {
   if (hasDepths(internalFormat) &&
       !context.group->depthImagesUsed.exchange(true, std::memory_order_relaxed))
     context.attention |= attention::kProgram;

@@ -1,7 +1,7 @@
 #include "state/core/errors.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "util/flags.h"
 
 namespace arbiter::state {
@@ -25,7 +25,7 @@ const char *errorName(GLenum error) {
 
 } // namespace
 
-void raise(Context &context, GLenum error, const char *why) {
+void raise(CoreContext &context, GLenum error, const char *why) {
   if (debugFlag(DebugFlag::Errors))
     logFlag(DebugFlag::Errors, "state", "context %u: GL_%s: %s", context.serial, errorName(error),
             why);
@@ -39,7 +39,7 @@ void raise(Context &context, GLenum error, const char *why) {
   context.errors.pending = earlier != GL_NO_ERROR ? earlier : error;
 }
 
-GLenum takeError(Context &context) {
+GLenum takeError(CoreContext &context) {
   if (context.insideBeginEnd)
     return context.host->GetError(); // raises INVALID_OPERATION there, as it should
   if (context.errors.pending == GL_NO_ERROR)
@@ -51,7 +51,7 @@ GLenum takeError(Context &context) {
   return error;
 }
 
-bool outsideBeginEnd(Context &context, const char *command) {
+bool outsideBeginEnd(CoreContext &context, const char *command) {
   if (!context.insideBeginEnd) [[likely]]
     return true;
   raise(context, GL_INVALID_OPERATION, command);

@@ -1,12 +1,12 @@
 #include "state/core/garbage.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
 
-void collectGarbage(Context &context) {
+void collectGarbage(CoreContext &context) {
   const ShareGroup::Garbage garbage = context.group->takeGarbage();
   for (const GLuint program : garbage.programs) {
     context.group->removeHostProgram(program);

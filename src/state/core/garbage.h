@@ -2,9 +2,9 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// Deletes host objects that the group's destroyed contexts left behind. The context is current.
-void collectGarbage(Context &context);
+void collectGarbage(CoreContext &context);
 
 } // namespace arbiter::state

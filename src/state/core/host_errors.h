@@ -14,7 +14,7 @@ namespace arbiter::state {
 /// those that waited before.
 class HostErrorScope {
 public:
-  /// \param pending the context's slot (Context::pendingError)
+  /// \param pending the context's slot (PendingErrors::pending)
   HostErrorScope(const host::HostTable &host, GLenum &pending);
   ~HostErrorScope();
   HostErrorScope(const HostErrorScope &) = delete;

@@ -8,7 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/core/host_state.h"
 #include "state/core/unit_scope.h"
 
@@ -175,7 +175,7 @@ void clipPlane(const host::HostTable &host, unsigned plane, GLfloat value[4]) {
 
 } // namespace
 
-void fetchState(Context &context, const StateRef &state, GLfloat value[4]) {
+void fetchState(CoreContext &context, const StateRef &state, GLfloat value[4]) {
   const host::HostTable &host = *context.host;
   std::fill_n(value, 4, 0.0f);
   switch (state.item) {
@@ -250,7 +250,7 @@ void fetchState(Context &context, const StateRef &state, GLfloat value[4]) {
   }
 }
 
-void fetchMatrix(Context &context, const StateRef &state, GLfloat rows[4][4]) {
+void fetchMatrix(CoreContext &context, const StateRef &state, GLfloat rows[4][4]) {
   const glm::mat4 matrix = modifiedMatrix(*context.host, state);
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)

@@ -1,13 +1,13 @@
 #include "state/core/memory.h"
 
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
+#include "state/core/core_context.h"
 #include "state/core/errors.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
 
-void outOfMemory(Context &context, const char *name) noexcept {
+void outOfMemory(CoreContext &context, const char *name) noexcept {
   raise(context, GL_OUT_OF_MEMORY, name);
   if (context.passThrough)
     return;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "state/capabilities/host_integer.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/share/share_group.h"
 
 #include <GL/glext.h>
@@ -33,7 +33,7 @@ GLenum bindingOf(GLenum target) {
   }
 }
 
-NameSharing sharingOf(const Context &context) {
+NameSharing sharingOf(const CoreContext &context) {
   const ShareGroup &group = *context.group;
   return {group.contexts.load(std::memory_order_relaxed) > 1 || !group.deletedNames.none()};
 }

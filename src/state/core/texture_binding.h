@@ -5,7 +5,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// Returns the query for the binding of a CopyTexImage target; 0 if there is no such target.
 [[nodiscard]] GLenum bindingOf(GLenum target);
@@ -18,7 +18,7 @@ struct NameSharing {
   bool ambiguous = false;
 };
 /// Returns the sharing for the layer's own textures, whose names no application knows.
-[[nodiscard]] NameSharing sharingOf(const Context &context);
+[[nodiscard]] NameSharing sharingOf(const CoreContext &context);
 
 /// Binds a texture and makes its unit active, while it lives. If there are other contexts, it never
 /// unbinds a texture of the application's: another context may delete its name meanwhile (OpenGL

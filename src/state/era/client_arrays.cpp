@@ -2,7 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 
 namespace arbiter::state {
 
@@ -161,7 +161,7 @@ void writePoints(const host::HostTable &host, const ClientArrays &to) {
 
 } // namespace
 
-ClientArrays::ClientArrays(const Context &context)
+ClientArrays::ClientArrays(const CoreContext &context)
     : texCoords(std::size_t(context.caps.maxTextureCoords)),
       generic(std::size_t(context.caps.maxVertexAttribs)),
       points(context.caps.attribBinding ? std::size_t(context.caps.maxVertexAttribs) : 0) {
@@ -170,7 +170,7 @@ ClientArrays::ClientArrays(const Context &context)
     generic[i].point = GLint(i);
 }
 
-ClientArrays readArrays(const Context &context) {
+ClientArrays readArrays(const CoreContext &context) {
   const host::HostTable &host = *context.host;
   ClientArrays arrays(context);
   for (std::size_t i = 0; i < kNames.size(); ++i)
@@ -185,7 +185,7 @@ ClientArrays readArrays(const Context &context) {
   return arrays;
 }
 
-void writeArrays(const Context &context, const ClientArrays &from, const ClientArrays &to) {
+void writeArrays(const CoreContext &context, const ClientArrays &from, const ClientArrays &to) {
   const host::HostTable &host = *context.host;
   const GLint bound = hostInteger(host, GL_ARRAY_BUFFER_BINDING);
   for (std::size_t i = 0; i < kNames.size(); ++i)

@@ -7,7 +7,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// A vertex array as its Pointer command set it.
 struct ClientArray {
@@ -46,7 +46,7 @@ struct ArrayPoint {
 struct ClientArrays {
   enum Conventional { Position, Normal, Color, Secondary, FogCoord, Index, EdgeFlag, kCount };
 
-  explicit ClientArrays(const Context &context);
+  explicit ClientArrays(const CoreContext &context);
 
   std::array<ClientArray, kCount> conventional;
   std::vector<ClientArray> texCoords; ///< one per coordinate set
@@ -56,9 +56,9 @@ struct ClientArrays {
 };
 
 /// Returns the arrays of the host's current vertex array object.
-[[nodiscard]] ClientArrays readArrays(const Context &context);
+[[nodiscard]] ClientArrays readArrays(const CoreContext &context);
 /// Changes the host's arrays from `from`, their current values, to `to`. The arrays may be in the
 /// application's memory, so the host's default vertex array object must be current.
-void writeArrays(const Context &context, const ClientArrays &from, const ClientArrays &to);
+void writeArrays(const CoreContext &context, const ClientArrays &from, const ClientArrays &to);
 
 } // namespace arbiter::state

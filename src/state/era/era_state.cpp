@@ -1,12 +1,12 @@
 #include "state/era/era_state.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/core/errors.h"
 
 namespace arbiter::state {
 
-void EraClientStack::push(const Context &context, Entry entry) {
+void EraClientStack::push(const CoreContext &context, Entry entry) {
   if (m_maxDepth < 0) {
     context.host->GetIntegerv(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, &m_maxDepth);
     m_entries.reserve(std::size_t(m_maxDepth > 0 ? m_maxDepth : 0)); // so that pushes never
@@ -28,7 +28,7 @@ std::optional<EraClientStack::Entry> EraClientStack::pop() {
 namespace {
 /// Returns Apple's vertex array object that the host's default object holds; nothing if another
 /// object is bound.
-std::optional<GLuint> inHostsDefault(const Context &context) {
+std::optional<GLuint> inHostsDefault(const CoreContext &context) {
   GLint bound = 0;
   if (!context.era->offered.vertexArrayObject)
     return {};
@@ -37,7 +37,7 @@ std::optional<GLuint> inHostsDefault(const Context &context) {
 }
 } // namespace
 
-void pushEraClient(Context &context, GLbitfield mask) {
+void pushEraClient(CoreContext &context, GLbitfield mask) {
   const EraClientState &state = context.era->client;
   EraClientStack::Entry entry;
   if ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0) {
@@ -49,7 +49,7 @@ void pushEraClient(Context &context, GLbitfield mask) {
   context.era->clientStack.push(context, entry);
 }
 
-void popEraClient(Context &context, void (*hostPop)()) {
+void popEraClient(CoreContext &context, void (*hostPop)()) {
   EraState &era = *context.era;
   const std::optional<EraClientStack::Entry> entry = era.clientStack.pop();
   if (entry && entry->vertexArray)
@@ -65,7 +65,7 @@ void popEraClient(Context &context, void (*hostPop)()) {
     era.client.clientStorage = *entry->clientStorage;
 }
 
-GLenum *eraHint(Context &context, GLenum target) {
+GLenum *eraHint(CoreContext &context, GLenum target) {
   if (!context.era)
     return nullptr;
   EraState &era = *context.era;
@@ -76,14 +76,14 @@ GLenum *eraHint(Context &context, GLenum target) {
   return nullptr;
 }
 
-void setEraHint(Context &context, GLenum target, GLenum mode) {
+void setEraHint(CoreContext &context, GLenum target, GLenum mode) {
   GLenum *const hint = eraHint(context, target);
   if (!hint || (mode != GL_FASTEST && mode != GL_NICEST && mode != GL_DONT_CARE))
     return raise(context, GL_INVALID_ENUM, "Hint");
   *hint = mode;
 }
 
-bool setClientStorage(Context &context, GLenum pname, bool value) {
+bool setClientStorage(CoreContext &context, GLenum pname, bool value) {
   if (pname != GL_UNPACK_CLIENT_STORAGE_APPLE || !context.era ||
       !context.era->offered.clientStorage)
     return false;
@@ -92,7 +92,7 @@ bool setClientStorage(Context &context, GLenum pname, bool value) {
   return true;
 }
 
-bool eraValue(Context &context, GLenum pname, GLint &value) {
+bool eraValue(CoreContext &context, GLenum pname, GLint &value) {
   if (const GLenum *const hint = eraHint(context, pname)) {
     value = GLint(*hint);
     return true;
@@ -141,14 +141,14 @@ Fences &fencesOf(EraState &era, FenceOf of) {
 }
 } // namespace
 
-void setFence(Context &context, FenceOf of, GLuint name, GLenum condition) {
+void setFence(CoreContext &context, FenceOf of, GLuint name, GLenum condition) {
   if (condition != GL_ALL_COMPLETED_NV)
     return raise(context, GL_INVALID_ENUM, "SetFence: condition");
   if (context.era)
     fencesOf(*context.era, of).set(context, name);
 }
 
-void finishFence(Context &context, FenceOf of, GLuint name) {
+void finishFence(CoreContext &context, FenceOf of, GLuint name) {
   if (!context.era)
     return;
   Fences &fences = fencesOf(*context.era, of);

@@ -31,7 +31,7 @@ public:
     /// Apple's object that the host's default object held; nothing if another object was bound.
     std::optional<GLuint> vertexArray;
   };
-  void push(const Context &context, Entry entry);
+  void push(const CoreContext &context, Entry entry);
   /// Returns nothing if the host's stack is empty too.
   [[nodiscard]] std::optional<Entry> pop();
 
@@ -51,24 +51,24 @@ struct EraState {
 };
 
 /// Executes the layer's part of PushClientAttrib.
-void pushEraClient(Context &context, GLbitfield mask);
+void pushEraClient(CoreContext &context, GLbitfield mask);
 /// Executes PopClientAttrib, including the host's part.
 /// \param hostPop the host's function
-void popEraClient(Context &context, void (*hostPop)());
+void popEraClient(CoreContext &context, void (*hostPop)());
 
 /// Sets one of the two hints, with the errors of Hint.
-void setEraHint(Context &context, GLenum target, GLenum mode);
+void setEraHint(CoreContext &context, GLenum target, GLenum mode);
 /// Returns where the layer keeps the hint `target`; null if the hint is the host's.
-[[nodiscard]] GLenum *eraHint(Context &context, GLenum target);
+[[nodiscard]] GLenum *eraHint(CoreContext &context, GLenum target);
 /// Answers a query of GetIntegerv and the like. Returns false if it is the host's to answer.
-[[nodiscard]] bool eraValue(Context &context, GLenum pname, GLint &value);
+[[nodiscard]] bool eraValue(CoreContext &context, GLenum pname, GLint &value);
 /// Sets UNPACK_CLIENT_STORAGE_APPLE for PixelStore. Returns false if it is the host's to set.
-[[nodiscard]] bool setClientStorage(Context &context, GLenum pname, bool value);
+[[nodiscard]] bool setClientStorage(CoreContext &context, GLenum pname, bool value);
 
 enum class FenceOf : std::uint8_t { Nv, Apple };
 /// Execute SetFenceNV and SetFenceAPPLE, FinishFenceNV and FinishFenceAPPLE, called or in a list.
 /// \param condition SetFenceNV's; APPLE_fence implies the same one
-void setFence(Context &context, FenceOf of, GLuint name, GLenum condition);
-void finishFence(Context &context, FenceOf of, GLuint name);
+void setFence(CoreContext &context, FenceOf of, GLuint name, GLenum condition);
+void finishFence(CoreContext &context, FenceOf of, GLuint name);
 
 } // namespace arbiter::state

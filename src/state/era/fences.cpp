@@ -1,8 +1,8 @@
 #include "state/era/fences.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
+#include "state/core/core_context.h"
 
 namespace arbiter::state {
 
@@ -19,13 +19,13 @@ GLuint Fences::generate() {
   return m_last;
 }
 
-void Fences::drop(Context &context, Fence &fence) {
+void Fences::drop(CoreContext &context, Fence &fence) {
   if (fence.sync)
     context.host->DeleteSync(fence.sync);
   fence.sync = nullptr;
 }
 
-void Fences::remove(Context &context, GLuint name) {
+void Fences::remove(CoreContext &context, GLuint name) {
   const auto found = m_fences.find(name);
   if (found == m_fences.end())
     return;
@@ -33,7 +33,7 @@ void Fences::remove(Context &context, GLuint name) {
   m_fences.erase(found);
 }
 
-void Fences::set(Context &context, GLuint name) {
+void Fences::set(CoreContext &context, GLuint name) {
   Fence &fence = m_fences[name];
   drop(context, fence);
   context.hooks->synchronise(context, "glSetFence");
@@ -47,7 +47,7 @@ bool Fences::isFence(GLuint name) const {
   return found != m_fences.end() && found->second.status != Status::Unset;
 }
 
-bool Fences::wait(Context &context, Fence &fence, GLuint64 nanoseconds) {
+bool Fences::wait(CoreContext &context, Fence &fence, GLuint64 nanoseconds) {
   if (!fence.sync)
     context.host->Finish();
   else if (context.host->ClientWaitSync(fence.sync, GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds) ==
@@ -58,13 +58,13 @@ bool Fences::wait(Context &context, Fence &fence, GLuint64 nanoseconds) {
   return true;
 }
 
-bool Fences::test(Context &context, GLuint name) {
+bool Fences::test(CoreContext &context, GLuint name) {
   const auto found = m_fences.find(name);
   return found == m_fences.end() || found->second.status != Status::Waits ||
          wait(context, found->second, 0);
 }
 
-void Fences::finish(Context &context, GLuint name) {
+void Fences::finish(CoreContext &context, GLuint name) {
   const auto found = m_fences.find(name);
   if (found == m_fences.end() || found->second.status != Status::Waits)
     return;

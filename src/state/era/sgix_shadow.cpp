@@ -1,11 +1,11 @@
 #include "state/era/sgix_shadow.h"
 
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/era/era_state.h"
 
 namespace arbiter::state {
 
-bool hasSgixShadow(const Context &context, GLenum pname) {
+bool hasSgixShadow(const CoreContext &context, GLenum pname) {
   return isSgixShadow(pname) && context.era && context.era->offered.sgixShadow;
 }
 

@@ -4,7 +4,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// SGIX_shadow is ARB_shadow by other names: TEXTURE_COMPARE_SGIX is TEXTURE_COMPARE_MODE, and its
 /// operator is TEXTURE_COMPARE_FUNC.
@@ -18,7 +18,7 @@ class Context;
   return pname == GL_TEXTURE_COMPARE_SGIX || pname == GL_TEXTURE_COMPARE_OPERATOR_SGIX;
 }
 /// True if the layer has SGIX_shadow here and `pname` belongs to it.
-[[nodiscard]] bool hasSgixShadow(const Context &context, GLenum pname);
+[[nodiscard]] bool hasSgixShadow(const CoreContext &context, GLenum pname);
 
 /// ARB_shadow's parameter and value for one of SGIX_shadow. It is not valid if the operator is none
 /// of SGIX_shadow's (INVALID_OPERATION, SGIX_shadow, Errors).

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
 #include "state/era/era_state.h"
@@ -26,18 +26,18 @@ constexpr TextureTarget kTargets[] = {
     {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE},
 };
 
-bool isThere(const Context &context, const TextureTarget &target) {
+bool isThere(const CoreContext &context, const TextureTarget &target) {
   return target.target != GL_TEXTURE_RECTANGLE || context.caps.textureRectangle;
 }
 
-TextureRanges::Key boundTo(const Context &context, const TextureTarget &target) {
+TextureRanges::Key boundTo(const CoreContext &context, const TextureTarget &target) {
   GLint name = 0;
   context.host->GetIntegerv(target.binding, &name);
   return {GLuint(name), target.target};
 }
 
 /// Returns the row of a target. Raises INVALID_ENUM and returns null if there is none.
-const TextureTarget *targetOf(Context &context, GLenum name) {
+const TextureTarget *targetOf(CoreContext &context, GLenum name) {
   for (const TextureTarget &target : kTargets)
     if (target.target == name && isThere(context, target))
       return &target;
@@ -45,7 +45,7 @@ const TextureTarget *targetOf(Context &context, GLenum name) {
   return nullptr;
 }
 
-template <typename F> void change(Context &context, GLenum target, F function) {
+template <typename F> void change(CoreContext &context, GLenum target, F function) {
   const TextureTarget *const row = targetOf(context, target);
   if (!row)
     return;
@@ -57,7 +57,7 @@ template <typename F> void change(Context &context, GLenum target, F function) {
 }
 
 /// Runs `function(key)` for each texture that is bound to a unit of fixed function.
-template <typename F> void eachBound(const Context &context, F function) {
+template <typename F> void eachBound(const CoreContext &context, F function) {
   for (GLint unit = 0; unit < context.caps.maxTextureUnits; ++unit) {
     const UnitScope scope(*context.host, GLuint(unit));
     for (const TextureTarget &target : kTargets)
@@ -68,11 +68,11 @@ template <typename F> void eachBound(const Context &context, F function) {
 
 } // namespace
 
-bool hasTextureRange(const Context &context, GLenum pname) {
+bool hasTextureRange(const CoreContext &context, GLenum pname) {
   return isTextureRange(pname) && context.era && context.era->offered.textureRange;
 }
 
-void setTextureRange(Context &context, GLenum target, GLsizei length, const void *pointer) {
+void setTextureRange(CoreContext &context, GLenum target, GLsizei length, const void *pointer) {
   if (length < 0)
     return raise(context, GL_INVALID_VALUE, "TextureRange: length is negative");
   change(context, target, [&](TextureRange &range) {
@@ -81,7 +81,7 @@ void setTextureRange(Context &context, GLenum target, GLsizei length, const void
   });
 }
 
-void setTextureRangeParameter(Context &context, GLenum target, GLenum pname, GLenum value) {
+void setTextureRangeParameter(CoreContext &context, GLenum target, GLenum pname, GLenum value) {
   if (pname != GL_TEXTURE_STORAGE_HINT_APPLE ||
       (value != GL_STORAGE_PRIVATE_APPLE && value != GL_STORAGE_CACHED_APPLE &&
        value != GL_STORAGE_SHARED_APPLE))
@@ -89,7 +89,7 @@ void setTextureRangeParameter(Context &context, GLenum target, GLenum pname, GLe
   change(context, target, [&](TextureRange &range) { range.storageHint = value; });
 }
 
-void executeTextureRange(Context &context, const Command &command) {
+void executeTextureRange(CoreContext &context, const Command &command) {
   if (command.name != 0)
     return setTextureRangeParameter(context, command.target, command.name, command.format);
   const void *pointer = nullptr;
@@ -97,7 +97,7 @@ void executeTextureRange(Context &context, const Command &command) {
   setTextureRange(context, command.target, command.count, pointer);
 }
 
-bool getTextureRange(Context &context, GLenum target, TextureRange &range) {
+bool getTextureRange(CoreContext &context, GLenum target, TextureRange &range) {
   const TextureTarget *const row = targetOf(context, target);
   if (!row)
     return false;
@@ -105,7 +105,7 @@ bool getTextureRange(Context &context, GLenum target, TextureRange &range) {
   return true;
 }
 
-std::shared_ptr<const SavedTextureRanges> saveTextureRanges(const Context &context) {
+std::shared_ptr<const SavedTextureRanges> saveTextureRanges(const CoreContext &context) {
   if (!context.era || !context.era->offered.textureRange)
     return nullptr;
   auto saved = std::make_shared<SavedTextureRanges>();
@@ -118,7 +118,7 @@ std::shared_ptr<const SavedTextureRanges> saveTextureRanges(const Context &conte
   return saved;
 }
 
-void restoreTextureRanges(Context &context, const SavedTextureRanges &saved) {
+void restoreTextureRanges(CoreContext &context, const SavedTextureRanges &saved) {
   TextureRanges &ranges = context.group->textureRanges;
   if (!ranges.any())
     return;

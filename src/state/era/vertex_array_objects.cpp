@@ -1,20 +1,20 @@
 #include "state/era/vertex_array_objects.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
 
-VertexArrayObjects::Object &VertexArrayObjects::objectOf(const Context &context, GLuint name) {
+VertexArrayObjects::Object &VertexArrayObjects::objectOf(const CoreContext &context, GLuint name) {
   return m_objects.try_emplace(name, Object{ClientArrays(context), {}}).first->second;
 }
 
-void VertexArrayObjects::keepResident(const Context &context, const VertexArrayRange &range) {
+void VertexArrayObjects::keepResident(const CoreContext &context, const VertexArrayRange &range) {
   objectOf(context, m_resident) = {readArrays(context), range};
 }
 
-void VertexArrayObjects::switchTo(Context &context, VertexArrayRange &range, GLuint name) {
+void VertexArrayObjects::switchTo(CoreContext &context, VertexArrayRange &range, GLuint name) {
   context.host->BindVertexArray(0);
   context.dirty |= software::dirty::kArrays;
   if (name == m_resident)
@@ -28,7 +28,7 @@ void VertexArrayObjects::switchTo(Context &context, VertexArrayRange &range, GLu
   m_resident = name;
 }
 
-void VertexArrayObjects::bindApple(Context &context, VertexArrayRange &range, GLuint name) {
+void VertexArrayObjects::bindApple(CoreContext &context, VertexArrayRange &range, GLuint name) {
   if (context.host->IsVertexArray(name) == GL_TRUE)
     return context.host->BindVertexArray(name);
   if (name != 0 || any())
@@ -37,14 +37,14 @@ void VertexArrayObjects::bindApple(Context &context, VertexArrayRange &range, GL
     context.host->BindVertexArray(0);
 }
 
-void VertexArrayObjects::bind(Context &context, VertexArrayRange &range, GLuint name) {
+void VertexArrayObjects::bind(CoreContext &context, VertexArrayRange &range, GLuint name) {
   if (any() && (name == 0 || has(name)))
     switchTo(context, range, name);
   else
     context.host->BindVertexArray(name);
 }
 
-void VertexArrayObjects::remove(Context &context, VertexArrayRange &range, GLsizei n,
+void VertexArrayObjects::remove(CoreContext &context, VertexArrayRange &range, GLsizei n,
                                 const GLuint *names) {
   for (GLsizei i = 0; i < n; ++i) {
     if (!has(names[i]))
@@ -60,13 +60,13 @@ void VertexArrayObjects::remove(Context &context, VertexArrayRange &range, GLsiz
   }
 }
 
-void VertexArrayObjects::renameTaken(const Context &context, GLsizei n, GLuint *names) const {
+void VertexArrayObjects::renameTaken(const CoreContext &context, GLsizei n, GLuint *names) const {
   for (GLsizei i = 0; i < n; ++i)
     while (has(names[i])) // the host does not return the same name twice
       context.host->GenVertexArrays(1, &names[i]);
 }
 
-void VertexArrayObjects::prepareRestore(Context &context, const VertexArrayRange &range,
+void VertexArrayObjects::prepareRestore(CoreContext &context, const VertexArrayRange &range,
                                         GLuint pushed) {
   if (pushed == m_resident)
     return;
@@ -74,7 +74,7 @@ void VertexArrayObjects::prepareRestore(Context &context, const VertexArrayRange
   keepResident(context, range);
 }
 
-void VertexArrayObjects::restored(const Context &context, GLuint pushed) {
+void VertexArrayObjects::restored(const CoreContext &context, GLuint pushed) {
   if (pushed != 0)
     (void)objectOf(context, pushed); // binding makes an object again that has been deleted
   m_resident = pushed;

@@ -8,7 +8,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// The objects of APPLE_vertex_array_object in one context. Unlike the ARB's, they may hold arrays
 /// in the application's memory, and names need not come from GenVertexArrays. So a bound object
@@ -25,20 +25,20 @@ public:
   [[nodiscard]] bool has(GLuint name) const { return name != 0 && m_objects.count(name) != 0; }
 
   /// \param range the vertex array range, which is part of an object
-  void bindApple(Context &context, VertexArrayRange &range, GLuint name);
+  void bindApple(CoreContext &context, VertexArrayRange &range, GLuint name);
   /// Executes the ARB's command, for Apple's names too.
-  void bind(Context &context, VertexArrayRange &range, GLuint name);
+  void bind(CoreContext &context, VertexArrayRange &range, GLuint name);
   /// Deletes objects. A bound one is replaced by the default object.
-  void remove(Context &context, VertexArrayRange &range, GLsizei n, const GLuint *names);
+  void remove(CoreContext &context, VertexArrayRange &range, GLsizei n, const GLuint *names);
   /// Replaces generated names that Apple's objects have: the host does not know those objects, so
   /// it may generate their names.
-  void renameTaken(const Context &context, GLsizei n, GLuint *names) const;
+  void renameTaken(const CoreContext &context, GLsizei n, GLuint *names) const;
 
   /// Prepares the host's default object for a pop of the client attribute stack, which restores
   /// what it held when `pushed` was in it.
-  void prepareRestore(Context &context, const VertexArrayRange &range, GLuint pushed);
+  void prepareRestore(CoreContext &context, const VertexArrayRange &range, GLuint pushed);
   /// Notes that the pop has put `pushed` into the default object.
-  void restored(const Context &context, GLuint pushed);
+  void restored(const CoreContext &context, GLuint pushed);
 
 private:
   struct Object {
@@ -46,9 +46,9 @@ private:
     VertexArrayRange range;
   };
   /// Saves the object in the host's default object, which must be bound.
-  void keepResident(const Context &context, const VertexArrayRange &range);
-  void switchTo(Context &context, VertexArrayRange &range, GLuint name);
-  Object &objectOf(const Context &context, GLuint name);
+  void keepResident(const CoreContext &context, const VertexArrayRange &range);
+  void switchTo(CoreContext &context, VertexArrayRange &range, GLuint name);
+  Object &objectOf(const CoreContext &context, GLuint name);
 
   std::unordered_map<GLuint, Object> m_objects; ///< the entry of the resident object is stale
   GLuint m_resident = 0;

@@ -6,11 +6,11 @@
 #include <sys/mman.h>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 
 namespace arbiter::state {
 
-bool isValid(const Context &context, const VertexArrayRange &range) {
+bool isValid(const CoreContext &context, const VertexArrayRange &range) {
   return range.enabled && range.pointer && range.length > 0 &&
          context.host->IsEnabled(GL_VERTEX_ARRAY) == GL_TRUE;
 }

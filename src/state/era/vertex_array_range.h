@@ -4,7 +4,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// The range of NV_vertex_array_range ("VAR"), its second version, and APPLE_vertex_array_range.
 /// With it an application promises how it uses its arrays. A host that reads arrays at each draw
@@ -29,7 +29,7 @@ inline constexpr GLint kMaxVertexArrayRangeElement = 1048575;
 }
 
 /// True if the range is valid as VAR defines it: enabled with VERTEX_ARRAY, and a range given.
-[[nodiscard]] bool isValid(const Context &context, const VertexArrayRange &range);
+[[nodiscard]] bool isValid(const CoreContext &context, const VertexArrayRange &range);
 
 /// glXAllocateMemoryNV: returns \p size bytes, aligned to a page, or null. Any thread may call it,
 /// without a context.

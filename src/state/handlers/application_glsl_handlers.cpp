@@ -5,7 +5,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"

@@ -2,7 +2,7 @@
 // (deleted_names.h).
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state::handlers {

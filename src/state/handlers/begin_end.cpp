@@ -1,7 +1,7 @@
 // Begin and End: a primitive goes to the host vertex by vertex, or is recorded for the rasterizer.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/lists/primitive_commands.h"
 #include "state/raster_draw/immediate/list_arrays.h"
 

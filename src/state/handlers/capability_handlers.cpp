@@ -2,8 +2,8 @@
 // host and the layer.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
 #include "state/core/capability.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"

@@ -7,7 +7,7 @@
 #include "enumerants/combiners.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/lists/issue_combiners.h"
 #include "state/programs/combiners/combiner_state.h"

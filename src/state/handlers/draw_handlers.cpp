@@ -2,6 +2,7 @@
 // Other commands that depend on the effective program are here too.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/era/point_sprites.h"
 #include "state/host_draw/draw.h"

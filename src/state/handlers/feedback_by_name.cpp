@@ -2,6 +2,7 @@
 // commands, and they are not counted when executed.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
 #include "state/core/depth_images.h"
 #include "state/core/texture_binding.h"
 #include "state/pixel_commands/copy_texture.h"

@@ -1,6 +1,7 @@
 // Texture feedback: tracks, counts and executes CopyTexImage and CopyTexSubImage.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
 #include "state/lists/list_compiler.h"
 #include "state/pixel_commands/copy_texture.h"
 #include "state/raster_draw/commands.h"

@@ -2,7 +2,7 @@
 // fixed function takes part. The other parameters reach the host's shader by themselves.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/host_draw/fixed_function.h"
 
 namespace arbiter::state::handlers {

@@ -10,12 +10,15 @@
 #include "fp_compiler/ati/shader.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
+#include "state/core/application_identity.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/host_draw/texturing/sampler_override.h"
 #include "state/identity/active_profile.h"
+#include "state/identity/identity.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/pixel_commands/imaging_queries.h"
@@ -300,35 +303,6 @@ void getValue(Context &context, GLenum pname, T *data, Host host) {
     return host(pname, data);
   give(value, data);
 }
-
-} // namespace
-
-namespace {
-/// Logs once which extensions ARBITER_EXTENSIONS asks for in vain.
-void sayAbsent(const Identity &identity) {
-  static std::atomic<bool> s_said;
-  if (identity.absent.empty() || s_said.exchange(true))
-    return;
-  for (const std::string &name : identity.absent)
-    logError("state",
-             "ARBITER_EXTENSIONS: %s=on: neither the host nor Arbiter under the profile %s "
-             "implements it; it is not announced",
-             name.c_str(), activeProfile().name.c_str());
-}
-} // namespace
-
-const Identity &applicationIdentity(Context &context) {
-  if (!context.identity) {
-    context.identity = &internIdentity(
-        makeIdentity(context.caps, context.caps.obstacle() == nullptr, identityRules()));
-    logInfo("state", "context %u: %zu extensions are announced", context.serial,
-            context.identity->extensions.names.size());
-    sayAbsent(*context.identity);
-  }
-  return *context.identity;
-}
-
-namespace {
 
 const GLubyte *ownOrHost(const Context &context, GLenum name, const std::string &own) {
   return own.empty() ? context.host->GetString(name)

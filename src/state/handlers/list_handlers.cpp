@@ -2,7 +2,7 @@
 // host's.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
 #include "state/host_draw/kept_letters.h"
@@ -31,8 +31,8 @@ bool recordsCalls(Context &context) {
 } // namespace
 
 void NewList(Context &context, GLuint list, GLenum mode) {
-  const bool legal = !context.insideBeginEnd && context.listMode == 0 && list != 0 &&
-                     (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
+  const bool legal =
+      context.executesNow() && list != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
   if (!legal)
     return context.host->NewList(list, mode); // raises the error
   if ((context.attention & attention::kLetters) != 0)

@@ -3,7 +3,7 @@
 // draws of texture shaders on their consistency.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/depth_images.h"
 #include "state/lists/texture_commands.h"
 

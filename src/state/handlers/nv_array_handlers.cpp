@@ -5,6 +5,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/host_draw/evaluators/nv_attributes.h"

@@ -2,6 +2,7 @@
 // state/host_draw/evaluators/nv_attributes.h explains these attributes.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/programs/nv/nv_state.h"

@@ -6,6 +6,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/evaluators/nv_attributes.h"

@@ -5,7 +5,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/lists/list_compiler.h"
@@ -51,14 +51,10 @@ void recordParameters(Context &context, Command::Kind kind, const ProgramTarget 
   setLocal(context, *row.bound, index, count, values);
 }
 
-bool isImmediate(const Context &context) {
-  return !context.insideBeginEnd && context.listMode == 0;
-}
-
 /// Sets one env parameter. Applications call this thousands of times per frame.
 [[gnu::always_inline]] inline void env(Context &context, ProgramTarget &row, GLuint index,
                                        const Vec4 &value) {
-  if (!isImmediate(context) || index >= row.env.size() || row.tracked != 0) [[unlikely]]
+  if (!context.executesNow() || index >= row.env.size() || row.tracked != 0) [[unlikely]]
     return env(context, row, index, 1, &value);
   row.env[index] = value;
   ++row.envVersion;
@@ -69,7 +65,7 @@ bool isImmediate(const Context &context) {
 [[gnu::always_inline]] inline void local(Context &context, ProgramTarget &row, GLuint index,
                                          const Vec4 &value) {
   ProgramObject &object = *row.bound;
-  if (!isImmediate(context) || index >= row.limits.localParameters) [[unlikely]]
+  if (!context.executesNow() || index >= row.limits.localParameters) [[unlikely]]
     return local(context, row, index, 1, &value);
   object.locals[index].store(value);
   object.changed(row.seenVersion);

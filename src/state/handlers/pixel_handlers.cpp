@@ -2,7 +2,7 @@
 // where the rasterizer is possible.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/depth_images.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
@@ -18,22 +18,8 @@
 
 namespace arbiter::state::handlers {
 
-namespace {
-
-/// True if the command is executed now and is not an error at this place.
-bool executes(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
-/// True if the command is executed now. Notes it for a list, as it changes pixels when the list is
-/// called.
-bool changes(Context &context) {
-  if (context.listMode != 0)
-    listCompiler(context).notePixels();
-  return executes(context);
-}
-
-} // namespace
-
 void Clear(Context &context, GLbitfield mask) {
-  if (changes(context) && context.software) {
+  if (executesPixels(context) && context.software) {
     software::clearsTarget(context, mask);
     // The host decides whether it happens (OpenGL 3.0, 2.14).
     if (!context.software->mirror.conditional && context.software->residency.clear(mask))
@@ -46,7 +32,7 @@ void Clear(Context &context, GLbitfield mask) {
 void BlitFramebuffer(Context &context, GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1,
                      GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask,
                      GLenum filter) {
-  if (changes(context) && context.software) {
+  if (executesPixels(context) && context.software) {
     if (!context.software->mirror.conditional &&
         context.software->residency.blit(
             {{srcX0, srcY0, srcX1, srcY1}, {dstX0, dstY0, dstX1, dstY1}, mask, filter}))
@@ -65,8 +51,8 @@ void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heigh
   if (context.imagesPixels && imagedReadPixels(context, x, y, width, height, format, type, pixels))
       [[unlikely]]
     return;
-  if (executes(context) && context.software) {
-    context.software->readsPixels = true;
+  if (context.executesNow() && context.software) {
+    context.software->habits.readsPixels = true;
     if (context.software->residency.readPixels(x, y, width, height, format, type, pixels))
       return;
     context.software->residency.synchronise("glReadPixels");
@@ -75,20 +61,20 @@ void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heigh
 }
 
 void Flush(Context &context) {
-  if (executes(context) && context.software)
+  if (context.executesNow() && context.software)
     return context.software->residency.flush(false);
   context.host->Flush();
 }
 
 void Finish(Context &context) {
-  if (!executes(context) || !context.software)
+  if (!context.executesNow() || !context.software)
     return context.host->Finish();
   context.software->residency.flush(true);
   software::finishFrame(context);
 }
 
 void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height) {
-  if (executes(context) && context.software)
+  if (context.executesNow() && context.software)
     context.software->residency.drawableMayHaveChanged({x, y, width, height});
   context.host->Viewport(x, y, width, height);
 }
@@ -98,7 +84,7 @@ void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height)
 namespace {
 
 void pixelStored(Context &context, GLenum pname, GLint value) {
-  if (!executes(context) || !context.software ||
+  if (!context.executesNow() || !context.software ||
       !context.software->residency.pixelStored(pname, value))
     context.dirty |= software::dirty::kPixelStore;
 }
@@ -123,7 +109,7 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
 
 #define ARBITER_REDEFINES(Name, Parameters, Arguments)                                             \
   void Name Parameters {                                                                           \
-    if (changes(context) && context.software)                                                      \
+    if (executesPixels(context) && context.software)                                               \
       context.software->residency.textureRedefined(target);                                        \
     context.host->Name Arguments;                                                                  \
     noteTextureCommand(context);                                                                   \
@@ -131,7 +117,7 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
 #define ARBITER_STORES(Name, Parameters, Arguments)                                                \
   void Name Parameters {                                                                           \
     noteInternalFormat(context, internalformat);                                                   \
-    if (changes(context) && context.software)                                                      \
+    if (executesPixels(context) && context.software)                                               \
       context.software->residency.textureRedefined(target);                                        \
     context.host->Name Arguments;                                                                  \
     noteTextureCommand(context);                                                                   \

@@ -2,6 +2,7 @@
 // host refused it: until its end the host draws, which is always right. In lists that the layer
 // keeps it is a command of the layer's.
 #include "host/handlers.h"
+#include "state/context/context.h"
 #include "state/lists/conditional_commands.h"
 
 namespace arbiter::state::handlers {

@@ -3,7 +3,7 @@
 // passed-through contexts too (`everywhere` in entry_points.toml), and without any context.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
@@ -17,9 +17,7 @@ namespace {
 
 /// True if a command's renderbuffer can be queried: there is a rasterizer, and no list is being
 /// compiled.
-bool knowsWhich(const Context &context) {
-  return context.software && !context.insideBeginEnd && context.listMode == 0;
-}
+bool knowsWhich(const Context &context) { return context.software && context.executesNow(); }
 
 void renderbufferRedefined(Context &context, const char *name) {
   if (knowsWhich(context))

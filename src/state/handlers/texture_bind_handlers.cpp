@@ -1,7 +1,7 @@
 // Commands that bind textures, except for PopAttrib and deletions.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/lists/state_commands.h"
 #include "state/lists/texture_commands.h"
 

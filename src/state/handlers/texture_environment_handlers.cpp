@@ -6,7 +6,7 @@
 #include "enumerants/texture_shaders.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/sprite_commands.h"

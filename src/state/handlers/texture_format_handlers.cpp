@@ -2,7 +2,7 @@
 // components.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"

@@ -7,7 +7,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/client_pixels/plain_transfer.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/depth_images.h"
 #include "state/core/errors.h"
 #include "state/lists/list_compiler.h"
@@ -25,16 +25,6 @@
 namespace arbiter::state {
 
 namespace {
-
-/// True if the command is executed now and is not an error at this place.
-bool executes(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
-/// True if the command is executed now. Notes it for a list, as it changes pixels when the list is
-/// called.
-bool changes(Context &context) {
-  if (context.listMode != 0)
-    listCompiler(context).notePixels();
-  return executes(context);
-}
 
 // --- HILO components and texture offset groups ---
 
@@ -231,8 +221,8 @@ void GetTexImage(Context &context, GLenum target, GLint level, GLenum format, GL
   const GLenum there = getFormat(context, target, level, format, type, pixels);
   if (there == 0 && format != 0)
     return;
-  if (executes(context) && context.software) {
-    context.software->readsPixels = true;
+  if (context.executesNow() && context.software) {
+    context.software->habits.readsPixels = true;
     if (context.software->residency.getTexImage(target, level, there, type, pixels))
       return;
     context.software->residency.synchronise("glGetTexImage");
@@ -254,7 +244,7 @@ void TexImage1D(Context &context, GLenum target, GLint level, GLint internalform
   defineColors(context, target, level, internalformat, [&](GLint there) {
     if (isImaged(context, image, there, type, pixels))
       return;
-    if (changes(context) && context.software)
+    if (executesPixels(context) && context.software)
       context.software->residency.textureRedefined(target);
     context.host->TexImage1D(target, level, there, width, border, format, type, pixels);
   });
@@ -274,7 +264,7 @@ void TexImage2D(Context &context, GLenum target, GLint level, GLint internalform
   defineColors(context, target, level, internalformat, [&](GLint there) {
     if (isImaged(context, image, there, type, pixels))
       return;
-    if (changes(context) && context.software)
+    if (executesPixels(context) && context.software)
       context.software->residency.texImage2D(target, level, there, width, height, border, format,
                                              type, pixels);
     context.host->TexImage2D(target, level, there, width, height, border, format, type, pixels);
@@ -298,7 +288,7 @@ void TexImage3D(Context &context, GLenum target, GLint level, GLint internalform
   defineColors(context, target, level, internalformat, [&](GLint there) {
     if (isImaged(context, image, there, type, pixels))
       return;
-    if (changes(context) && context.software)
+    if (executesPixels(context) && context.software)
       context.software->residency.textureRedefined(target);
     context.host->TexImage3D(target, level, there, width, height, depth, border, format, type,
                              pixels);
@@ -316,7 +306,7 @@ void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .format = format};
   if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
-  if (changes(context) && context.software)
+  if (executesPixels(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
                                             pixels);
   context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
@@ -334,7 +324,7 @@ void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .format = format};
   if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
-  if (changes(context) && context.software)
+  if (executesPixels(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
                                             format, type, pixels);
   context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels);
@@ -356,7 +346,7 @@ void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .format = format};
   if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
-  if (changes(context) && context.software)
+  if (executesPixels(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,
                                             depth, format, type, pixels);
   context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,

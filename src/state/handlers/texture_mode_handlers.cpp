@@ -8,7 +8,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/era/sgix_shadow.h"
 #include "state/era/texture_range.h"

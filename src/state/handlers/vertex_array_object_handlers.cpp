@@ -3,7 +3,7 @@
 // (OpenGL 3.0, 5.4).
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 

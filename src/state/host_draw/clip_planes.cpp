@@ -4,7 +4,7 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/variants/clipped_variant.h"
@@ -14,16 +14,16 @@ namespace arbiter::state {
 
 namespace {
 
-bool listsEnablePlanes(const Context &context) {
+bool listsEnablePlanes(const DrawContext &context) {
   return context.group->listsEnableClipPlanes.load(std::memory_order_relaxed);
 }
 
-GLint planeCount(const Context &context) {
+GLint planeCount(const DrawContext &context) {
   constexpr GLint kMaxPlanes = 8;
   return std::min(context.caps.maxClipPlanes, kMaxPlanes);
 }
 
-void askHost(Context &context) {
+void askHost(DrawContext &context) {
   ClipPlanes &planes = context.clipPlanes;
   planes.mask = 0;
   for (GLint plane = 0; plane < planeCount(context); ++plane)
@@ -34,16 +34,16 @@ void askHost(Context &context) {
 }
 
 /// True if the effective GLSL writes distances to certain planes only.
-bool drawsWithDistances(const Context &context) {
+bool drawsWithDistances(const DrawContext &context) {
   const LinkedProgram *const linked = context.effective.linkedProgram;
   return linked && linked->vertex.compiled && writesClipDistances(*linked->vertex.compiled);
 }
 
-bool vertexProgramsEnabled(const Context &context) {
+bool vertexProgramsEnabled(const DrawContext &context) {
   return context.row(Target::Vertex).enabled || context.row(Target::VertexShader).enabled;
 }
 
-void invalidateClipPlanes(Context &context) {
+void invalidateClipPlanes(DrawContext &context) {
   context.clipPlanes.known = context.clipPlanes.maskKnown = false;
   if (vertexProgramsEnabled(context))
     invalidateProgram(context);
@@ -51,12 +51,12 @@ void invalidateClipPlanes(Context &context) {
 
 } // namespace
 
-bool assemblyClipsOtherwise(const Context &context, const CompiledProgram &vertex) {
+bool assemblyClipsOtherwise(const DrawContext &context, const CompiledProgram &vertex) {
   return writesClipDistances(vertex) ||
          (vertex.target == Target::VertexShader && !context.caps.planesClipPrograms);
 }
 
-bool clipPlanesMatter(Context &context) {
+bool clipPlanesMatter(DrawContext &context) {
   if (listsEnablePlanes(context))
     return true;
   ClipPlanes &planes = context.clipPlanes;
@@ -67,19 +67,19 @@ bool clipPlanesMatter(Context &context) {
   return planes.enabled;
 }
 
-std::uint8_t enabledClipPlanes(Context &context) {
+std::uint8_t enabledClipPlanes(DrawContext &context) {
   if (!context.clipPlanes.maskKnown)
     askHost(context);
   return context.clipPlanes.mask;
 }
 
-void noteClipPlanesChange(Context &context) {
+void noteClipPlanesChange(DrawContext &context) {
   if (context.clipPlanes.used)
     return invalidateClipPlanes(context);
   noteClipPlanesAfterList(context); // lists may have enabled planes
 }
 
-void noteClipPlane(Context &context, bool enabled) {
+void noteClipPlane(DrawContext &context, bool enabled) {
   if (context.insideBeginEnd)
     return; // it was an error
   if (!context.listMode) {
@@ -104,13 +104,13 @@ void noteClipPlane(Context &context, bool enabled) {
     context.list->cut(context);
 }
 
-void copyClipPlanes(const Context &from, Context &to) {
+void copyClipPlanes(const DrawContext &from, DrawContext &to) {
   // The two contexts may belong to different share groups.
   to.clipPlanes.used |= from.clipPlanes.used || listsEnablePlanes(from);
   noteClipPlanesChange(to);
 }
 
-void noteClipPlanesOfLists(Context &context) {
+void noteClipPlanesOfLists(DrawContext &context) {
   if (!listsEnablePlanes(context) || !context.effective.linkedProgram)
     return;
   const CompiledProgram *const vertex = context.effective.linkedProgram->vertex.compiled;
@@ -121,7 +121,7 @@ void noteClipPlanesOfLists(Context &context) {
     invalidateProgram(context);
 }
 
-void noteClipPlanesAfterList(Context &context) {
+void noteClipPlanesAfterList(DrawContext &context) {
   if (!listsEnablePlanes(context))
     return;
   context.clipPlanes.maskKnown = false;

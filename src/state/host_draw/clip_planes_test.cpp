@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "state/contexts/lifecycle.h"
 #include "state/host_draw/linking/linked_program_cache.h"
+#include "state/lifecycle/lifecycle.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/variants/clipped_variant.h"
 #include "state/share/share_group.h"

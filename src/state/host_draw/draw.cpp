@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/core/garbage.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/draw_needs.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/kept_letters.h"
@@ -39,12 +39,12 @@ namespace arbiter::state {
 
 namespace {
 
-void setPath(Context &context, Path path) {
+void setPath(DrawContext &context, Path path) {
   context.effective.path = path;
   context.drawCounter = &context.counters.draws[std::size_t(path)];
 }
 
-void releaseHostProgram(Context &context) {
+void releaseHostProgram(DrawContext &context) {
   if (!context.hostProgramIsOurs)
     return;
   context.hostSide.stagePipeline->release(context);
@@ -53,7 +53,7 @@ void releaseHostProgram(Context &context) {
 }
 
 /// Makes the layer's GLSL current on the host.
-void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
+void useHostPrograms(DrawContext &context, const LinkedProgram &linkedProgram) {
   if (linkedProgram.vertexProgram != 0) {
     context.hostSide.stagePipeline->use(context, linkedProgram.vertexProgram,
                                         linkedProgram.hostProgram);
@@ -64,7 +64,7 @@ void useHostPrograms(Context &context, const LinkedProgram &linkedProgram) {
 }
 
 /// Chooses the effective programs and brings them into the host.
-void install(Context &context, HostPart part) {
+void install(DrawContext &context, HostPart part) {
   setPath(context, choosePath(context, part));
   context.attention |= attention::kParameters;
   if (context.effective.hostPartWaits)
@@ -88,7 +88,7 @@ void install(Context &context, HostPart part) {
 }
 
 /// Brings the effective programs into the host, if that was deferred.
-void installHostPart(Context &context) {
+void installHostPart(DrawContext &context) {
   const LinkedProgram *const before = context.effective.linkedProgram;
   context.attention |=
       attention::kProgram; // until it is done: if memory runs out, the next draw chooses again
@@ -97,7 +97,7 @@ void installHostPart(Context &context) {
     ++context.effective.selections;
 }
 
-void select(Context &context, HostPart part) {
+void select(DrawContext &context, HostPart part) {
   captureLeave(context);
   const ControlHooks *const hooks = controlHooks();
   if (hooks) [[unlikely]]
@@ -110,14 +110,14 @@ void select(Context &context, HostPart part) {
 }
 
 /// True if another context has loaded a program in use here, or set one of its local parameters.
-bool changedElsewhere(const Context &context) {
+bool changedElsewhere(const DrawContext &context) {
   return std::any_of(context.targets.begin(), context.targets.end(), [](const ProgramTarget &row) {
     return row.enabled && row.bound->version.load(std::memory_order_acquire) != row.seenVersion;
   });
 }
 
 /// Updates what depends on the bound textures, once after each change.
-void followTextureChanges(Context &context) {
+void followTextureChanges(DrawContext &context) {
   if (mayFollowCombinedDepths(context)) [[unlikely]]
     followCombinedDepths(context);
   if (mayFollowTextures(context)) [[unlikely]]
@@ -126,7 +126,7 @@ void followTextureChanges(Context &context) {
 }
 
 /// Updates GL state that reaches vertex programs as parameters or attributes.
-void refreshInputs(Context &context) {
+void refreshInputs(DrawContext &context) {
   if (context.aliases)
     refreshNativeInputs(context);
   if (context.vertexShaders)
@@ -135,7 +135,7 @@ void refreshInputs(Context &context) {
 
 /// Returns the effective vertex program if it is the host's own, and if its local parameters are
 /// those that the application sets. Returns null otherwise.
-AssemblyProgram *verticesOfOwnLocals(const Context &context) {
+AssemblyProgram *verticesOfOwnLocals(const DrawContext &context) {
   AssemblyProgram *const vertices =
       context.effective.linkedProgram ? context.effective.linkedProgram->vertexAssembly : nullptr;
   return vertices && vertices->stage.compiled->target == Target::Vertex && !controlHooks()
@@ -144,7 +144,7 @@ AssemblyProgram *verticesOfOwnLocals(const Context &context) {
 }
 
 /// Updates the effective programs if they may have changed.
-void refreshEffective(Context &context, HostPart part) {
+void refreshEffective(DrawContext &context, HostPart part) {
   if (context.group->hasGarbage())
     collectGarbage(context);
   if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
@@ -160,18 +160,18 @@ void refreshEffective(Context &context, HostPart part) {
     installHostPart(context);
 }
 
-void sendKeptLetters(Context &context) {
+void sendKeptLetters(DrawContext &context) {
   if ((context.attention & attention::kLetters) != 0) [[unlikely]]
     drawKeptLetters(context);
 }
 
-void followDepths(Context &context) {
+void followDepths(DrawContext &context) {
   if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
 }
 
 /// Chooses anew if the effective programs are assembly that the host should not have any more.
-void leaveCrowdedAssembly(Context &context) {
+void leaveCrowdedAssembly(DrawContext &context) {
   const LinkedProgram *const linkedProgram = context.effective.linkedProgram;
   if (!linkedProgram || !linkedProgram->fragmentAssembly || !assemblyIsOver(context))
     return;
@@ -180,7 +180,7 @@ void leaveCrowdedAssembly(Context &context) {
 }
 
 /// Sends env and local parameters to the host, for the stages that `needs` names.
-void sendParameters(Context &context, std::uint32_t needs) {
+void sendParameters(DrawContext &context, std::uint32_t needs) {
   if (LinkedProgram *const linkedProgram = context.effective.linkedProgram)
     uploadParameters(context, *linkedProgram, needs);
   else if (context.effective.path == Path::HostAssembly && (needs & attention::kParameters) != 0)
@@ -188,7 +188,7 @@ void sendParameters(Context &context, std::uint32_t needs) {
 }
 
 /// Binds sampler objects that do not compare depths where `needed`, and else the application's.
-void applySamplers(Context &context, bool needed) {
+void applySamplers(DrawContext &context, bool needed) {
   LinkedProgram *const linkedProgram = context.effective.linkedProgram;
   SamplerOverride &samplers = *context.hostSide.samplerOverride;
   if (linkedProgram && needed)
@@ -199,7 +199,7 @@ void applySamplers(Context &context, bool needed) {
 
 } // namespace
 
-bool validatePrograms(Context &context) {
+bool validatePrograms(DrawContext &context) {
   refreshInputs(context);
   followTextureChanges(context);
   constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
@@ -217,7 +217,7 @@ bool validatePrograms(Context &context) {
   return !isDropped(context.effective.path);
 }
 
-bool sendParametersAlone(Context &context) {
+bool sendParametersAlone(DrawContext &context) {
   if ((context.attention & ~attention::kParameters) != 0 || context.listMode != 0 ||
       context.insideBeginEnd || context.passThrough ||
       context.group->contexts.load(std::memory_order_relaxed) != 1)
@@ -238,7 +238,7 @@ bool sendParametersAlone(Context &context) {
   return true;
 }
 
-bool validate(Context &context) {
+bool validate(DrawContext &context) {
   sendKeptLetters(context);
   refreshInputs(context);
   followDepths(context);
@@ -255,14 +255,14 @@ bool validate(Context &context) {
   return !isDropped(context.effective.path);
 }
 
-void releaseHostState(Context &context) {
+void releaseHostState(DrawContext &context) {
   if (context.hostSide.samplerOverride->active())
     context.hostSide.samplerOverride->release(context);
   context.hostSide.assembly->release(context);
   releaseHostProgram(context);
 }
 
-void refuseDraws(Context &context) {
+void refuseDraws(DrawContext &context) {
   if (context.hostSide.assembly->refuse(context))
     return;
   // Without assembly programs, the host cannot be made to refuse draws, only to draw nothing.
@@ -277,12 +277,12 @@ void refuseDraws(Context &context) {
   useHostPrograms(context, mute);
 }
 
-void validateForList(Context &context) {
+void validateForList(DrawContext &context) {
   if (!validate(context))
     refuseDraws(context);
 }
 
-void afterHostList(Context &context) {
+void afterHostList(DrawContext &context) {
   noteFixedFunctionChange(context);
   noteTextureChange(context);
   noteClipPlanesAfterList(context);

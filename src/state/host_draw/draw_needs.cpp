@@ -19,7 +19,7 @@ namespace arbiter::state {
 namespace {
 
 /// True if the layer has a part in draws of this path.
-bool needsLayer(const Context &context) {
+bool needsLayer(const DrawContext &context) {
   constexpr Target kOwn[] = {Target::AtiText, Target::AtiApi, Target::Combiners,
                              Target::VertexShader};
   return context.effective.path == Path::HostGlsl || context.effective.path == Path::HostAssembly ||
@@ -30,36 +30,36 @@ bool needsLayer(const Context &context) {
 
 /// For each need of draw_needs.def that lasts a while: true while draws have it.
 namespace while_ {
-bool State(const Context &context) {
+bool State(const DrawContext &context) {
   return nativeInputsMayChange(context) || vertexShaderFollows(context) ||
          (context.effective.linkedProgram && context.effective.linkedProgram->readsState);
 }
-bool Compare(const Context &context) {
+bool Compare(const DrawContext &context) {
   return context.effective.linkedProgram && context.effective.linkedProgram->hasPlainSamplers &&
          context.caps.samplerObjects &&
          context.group->compareModeUsed.load(std::memory_order_relaxed);
 }
-bool Invalid(const Context &context) { return isDropped(context.effective.path); }
-bool Shared(const Context &context) {
+bool Invalid(const DrawContext &context) { return isDropped(context.effective.path); }
+bool Shared(const DrawContext &context) {
   return context.group->contexts.load(std::memory_order_relaxed) > 1 && needsLayer(context);
 }
-bool Watch(const Context &context) {
+bool Watch(const DrawContext &context) {
   return context.counters.frames == 0 && !context.passThrough &&
          // A client may also switch a program on again.
          (needsLayer(context) ? replacing() : controlled());
 }
-bool Software(const Context &context) { return context.softwarePossible; }
-bool HostPart(const Context &context) { return context.effective.hostPartWaits; }
-bool Depth(const Context &context) {
+bool Software(const DrawContext &context) { return context.softwarePossible; }
+bool HostPart(const DrawContext &context) { return context.effective.hostPartWaits; }
+bool Depth(const DrawContext &context) {
   return mayFollowAlphaDepths(context) || mayFollowCombinedDepths(context) ||
          mayFollowTextures(context);
 }
-bool Sprites(const Context &context) { return mayFollowSprites(context); }
+bool Sprites(const DrawContext &context) { return mayFollowSprites(context); }
 } // namespace while_
 
 } // namespace
 
-std::uint32_t lastingNeeds(const Context &context) {
+std::uint32_t lastingNeeds(const DrawContext &context) {
   std::uint32_t bits = 0;
 #define STAYS_Once(name)
 #define STAYS_Command(name)

@@ -1,6 +1,6 @@
 #include "state/host_draw/fixed_function.h"
 
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_changes.h"
@@ -9,7 +9,7 @@
 
 namespace arbiter::state {
 
-std::shared_ptr<const CompiledProgram> chooseAtiShaderProgram(Context &context) {
+std::shared_ptr<const CompiledProgram> chooseAtiShaderProgram(DrawContext &context) {
   for (const Target target : {Target::AtiText, Target::AtiApi}) {
     ProgramTarget &row = context.row(target);
     if (!row.enabled)
@@ -23,14 +23,14 @@ std::shared_ptr<const CompiledProgram> chooseAtiShaderProgram(Context &context) 
   return nullptr;
 }
 
-void noteFixedFunctionChange(Context &context) {
+void noteFixedFunctionChange(DrawContext &context) {
   if (context.followsFixedFunction)
     invalidateProgram(context);
   else
     noteTextureChange(context); // fixed function's own textures may have changed
 }
 
-void noteFixedFunctionCommand(Context &context) {
+void noteFixedFunctionCommand(DrawContext &context) {
   if (context.insideBeginEnd)
     return; // it was an error
   noteFixedFunctionChange(context);

@@ -11,21 +11,21 @@
 /// after what may have changed that state.
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 struct CompiledProgram;
 
 /// Returns the effective ATI shader, in the variant for the host's present state. The text form is
 /// preferred if its target is enabled, else the API form is used. Returns null if neither is
 /// enabled with a valid shader. Both specifications leave such draws undefined, and here fixed
 /// function does them.
-[[nodiscard]] std::shared_ptr<const CompiledProgram> chooseAtiShaderProgram(Context &context);
+[[nodiscard]] std::shared_ptr<const CompiledProgram> chooseAtiShaderProgram(DrawContext &context);
 
 /// Notes that fixedFunctionNow() may have changed, so that the next draw that depends on it queries
 /// again. It only takes a test if no program does.
-void noteFixedFunctionChange(Context &context);
+void noteFixedFunctionChange(DrawContext &context);
 /// Notes a change of a parameter or capability that selects the variant. If a list is being
 /// compiled that such shaders may draw in, the list is cut here, so that the rest uses the variant
 /// for the new state.
-void noteFixedFunctionCommand(Context &context);
+void noteFixedFunctionCommand(DrawContext &context);
 
 } // namespace arbiter::state

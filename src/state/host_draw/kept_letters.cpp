@@ -5,7 +5,7 @@
 
 namespace arbiter::state {
 
-void drawKeptLetters(Context &context) {
+void drawKeptLetters(DrawContext &context) {
   if (context.insideBeginEnd || context.listMode != 0)
     return; // not possible now; a later draw will do it
   context.attention &= ~attention::kLetters;

@@ -1,6 +1,6 @@
 #pragma once
 #include "state/capabilities/host_faults.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/share/share_group.h"
 
 /// Works around bitmaps that a host keeps for later (HostFault::KeptLetters). The host draws them
@@ -8,12 +8,12 @@
 /// drawn before that draw, whatever came in between. Consecutive bitmaps are kept together.
 namespace arbiter::state {
 
-[[nodiscard]] inline bool keepsLetters(const Context &context) {
+[[nodiscard]] inline bool keepsLetters(const DrawContext &context) {
   return (context.caps.faults & bitOf(HostFault::KeptLetters)) != 0;
 }
 
 /// Notes that the host was given a bitmap, or compiled one into a list.
-inline void noteLetters(Context &context) {
+inline void noteLetters(DrawContext &context) {
   if (!keepsLetters(context))
     return;
   if (context.listMode != GL_COMPILE)
@@ -22,13 +22,13 @@ inline void noteLetters(Context &context) {
     context.group->listsHoldLetters.store(true, std::memory_order_relaxed);
 }
 /// Notes that lists were called, which may contain bitmaps.
-inline void noteLettersOfLists(Context &context) {
+inline void noteLettersOfLists(DrawContext &context) {
   if (context.group->listsHoldLetters.load(std::memory_order_relaxed))
     context.attention |= attention::kLetters;
 }
 /// Makes the host draw the bitmaps that it keeps. Called before the host's next draw if
 /// attention::kLetters is set.
-void drawKeptLetters(Context &context);
+void drawKeptLetters(DrawContext &context);
 
 /// While it lives, a command is prepared that must not draw kept bitmaps.
 class LettersStay {

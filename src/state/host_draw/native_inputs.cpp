@@ -1,7 +1,7 @@
 #include "state/host_draw/native_inputs.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/mirror/attribute_aliases.h"
 #include "state/objects/program_object.h"
 #include "state/programs/nv/matrix_tracking.h"
@@ -11,7 +11,7 @@
 
 namespace arbiter::state {
 
-std::uint32_t enabledArrays(const Context &context, const host::HostTable &host) {
+std::uint32_t enabledArrays(const DrawContext &context, const host::HostTable &host) {
   std::uint32_t arrays = 0;
   for (unsigned i = 0; i < 16 && i < unsigned(context.caps.maxVertexAttribs); ++i) {
     GLint enabled = 0;
@@ -24,7 +24,7 @@ std::uint32_t enabledArrays(const Context &context, const host::HostTable &host)
 
 namespace {
 
-void refreshArrays(Context &context) {
+void refreshArrays(DrawContext &context) {
   AttributeAliases &aliases = *context.aliases;
   const std::uint32_t arrays = aliases.immediate ? 0 : enabledArrays(context, *context.host);
   if (arrays == aliases.arrays)
@@ -37,7 +37,7 @@ void refreshArrays(Context &context) {
 /// languages always read them. ARB programs do once there are any, because most of them read a w
 /// that nobody has set. The rasterizer never aliases, so if the host does, the rasterizer keeps to
 /// conventional attributes.
-WiderAttributes widerAttributes(const Context &context, const CompiledProgram &program) {
+WiderAttributes widerAttributes(const DrawContext &context, const CompiledProgram &program) {
   const bool isNative = program.native.language != fp::ir::NativeLanguage::None;
   if (!isNative && !context.aliases->widerGiven)
     return WiderAttributes::Nowhere;
@@ -48,7 +48,7 @@ WiderAttributes widerAttributes(const Context &context, const CompiledProgram &p
 
 } // namespace
 
-void noteGenericArray(Context &context, GLuint index, bool enabled) {
+void noteGenericArray(DrawContext &context, GLuint index, bool enabled) {
   if (!isAliasedRegister(index) || index >= GLuint(context.caps.maxVertexAttribs))
     return;
   if (enabled)
@@ -57,7 +57,7 @@ void noteGenericArray(Context &context, GLuint index, bool enabled) {
   context.attention |= attention::kState; // makes the next draw look
 }
 
-std::shared_ptr<const CompiledProgram> withItsAttributes(Context &context,
+std::shared_ptr<const CompiledProgram> withItsAttributes(DrawContext &context,
                                                          const CompiledProgram &program) {
   const ArrayVariants &forms = *program.arrays;
   const WiderAttributes wider =
@@ -65,14 +65,14 @@ std::shared_ptr<const CompiledProgram> withItsAttributes(Context &context,
   return forms.of(program, context.aliases->arrays, wider);
 }
 
-bool nativeInputsMayChange(const Context &context) {
+bool nativeInputsMayChange(const DrawContext &context) {
   const ProgramTarget &vertex = context.row(Target::Vertex);
   return (context.nv && vertex.enabled && vertex.tracked != 0) ||
          (context.aliases && context.aliases->arraysUsed != 0 &&
           (vertex.enabled || context.attributesAlias));
 }
 
-void refreshNativeInputs(Context &context) {
+void refreshNativeInputs(DrawContext &context) {
   if (!context.row(Target::Vertex).enabled)
     return;
   if (context.nv)
@@ -81,7 +81,7 @@ void refreshNativeInputs(Context &context) {
     refreshArrays(context);
 }
 
-ImmediateInputs::ImmediateInputs(Context &context) : m_context(context) {
+ImmediateInputs::ImmediateInputs(DrawContext &context) : m_context(context) {
   if (m_context.aliases)
     m_context.aliases->immediate = true;
 }

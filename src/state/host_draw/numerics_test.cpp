@@ -2,8 +2,8 @@
 // Runs with ARBITER_NUMERICS=fp24.
 #include <gtest/gtest.h>
 
-#include "state/contexts/lifecycle.h"
 #include "state/identity/active_profile.h"
+#include "state/lifecycle/lifecycle.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/program_cache.h"
 #include "state/programs/variants/clipped_variant.h"

@@ -2,9 +2,9 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/linking/fragment_assembly.h"
 #include "state/host_draw/linking/host_assembly.h"
@@ -36,7 +36,7 @@ namespace {
 /// Returns the application's current GLSL program. It is the host's CURRENT_PROGRAM unless the
 /// layer's is bound. Only the host knows whether a UseProgram succeeded and what a list did, so it
 /// is queried once after each.
-GLuint applicationProgram(Context &context) {
+GLuint applicationProgram(DrawContext &context) {
   if (!context.application.programKnown && !context.hostProgramIsOurs) {
     GLint current = 0;
     context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
@@ -46,7 +46,7 @@ GLuint applicationProgram(Context &context) {
   return context.application.program;
 }
 
-GLuint applicationPipeline(Context &context) {
+GLuint applicationPipeline(DrawContext &context) {
   GLint pipeline = 0;
   if (context.application.pipelinesUsed && !context.hostSide.stagePipeline->isBound())
     context.host->GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &pipeline);
@@ -69,7 +69,7 @@ struct EffectivePrograms {
   }
 };
 
-EffectivePrograms enabledRows(Context &context) {
+EffectivePrograms enabledRows(DrawContext &context) {
   const auto ifEnabled = [&](Target target) {
     const ProgramTarget &row = context.row(target);
     return row.enabled && !isSwitchedOff(context, row) ? &row : nullptr;
@@ -104,7 +104,7 @@ bool targetsAgree(const ProgramPair &pair) {
 
 /// Fetches the compiled programs of the targets. Returns false if one has no valid program, or if
 /// they do not match. An ATI shader that is not valid leaves fragments to fixed function.
-bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
+bool takePrograms(DrawContext &context, const EffectivePrograms &rows, ProgramPair &pair) {
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
   if (context.aliases && pair.vertex && pair.vertex->arrays)
@@ -123,7 +123,7 @@ bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &
 /// True if a program is too long for the host's GLSL compiler. Mesa's recurses along chains of
 /// instructions, and overflowed its stack with a program of 16,000 POW, which its assembly parser
 /// accepts. Legacy and Fp24 numerics need GLSL anyway.
-bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
+bool isTooLongForGlsl(const DrawContext &context, const ProgramPair &pair) {
   constexpr std::size_t kLong = 4096; // instructions
   const auto isLong = [](const std::shared_ptr<const CompiledProgram> &compiled) {
     return compiled && compiled->program && compiled->program->code.size() > kLong;
@@ -132,7 +132,7 @@ bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
 }
 
 /// Links a pair whose vertex program is GLSL on the host.
-LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
+LinkedProgram *linkGlsl(DrawContext &context, ProgramPair pair) {
   // A vertex program that is linked alone keeps all its results, for feedback and the raster
   // position.
   if (!context.rasterizes || context.vertexResultsMatter)
@@ -159,7 +159,7 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
 
 /// True if the host part may be deferred, because the rasterizer may draw with the pair. While
 /// back-off keeps the host it may not, because each draw would choose twice.
-bool mayWait(Context &context, const ProgramPair &pair) {
+bool mayWait(DrawContext &context, const ProgramPair &pair) {
   if (pair.fragment)
     context.hooks->engageRasterizer(context);
   return context.hooks->rasterizerDraws(context) &&
@@ -167,17 +167,17 @@ bool mayWait(Context &context, const ProgramPair &pair) {
 }
 
 /// True if planes are enabled and the host's own assembly would clip the program wrongly.
-bool isClippedOtherwise(Context &context, const CompiledProgram &vertex) {
+bool isClippedOtherwise(DrawContext &context, const CompiledProgram &vertex) {
   return assemblyClipsOtherwise(context, vertex) && clipPlanesMatter(context);
 }
 
 /// Draws both stages with the host's own assembly. Returns false if that is not possible.
-bool applyAssembly(Context &context, const ProgramPair &pair) {
+bool applyAssembly(DrawContext &context, const ProgramPair &pair) {
   return !(pair.vertex && isClippedOtherwise(context, *pair.vertex)) &&
          context.hostSide.assembly->apply(context, pair);
 }
 
-LinkedProgram *link(Context &context, const ProgramPair &pair) {
+LinkedProgram *link(DrawContext &context, const ProgramPair &pair) {
   if (pair.vertex &&
       (!drawsVerticesByAssembly(context) || isClippedOtherwise(context, *pair.vertex)))
     return linkGlsl(context, pair);
@@ -190,11 +190,11 @@ LinkedProgram *link(Context &context, const ProgramPair &pair) {
 
 } // namespace
 
-bool applicationShades(Context &context) {
+bool applicationShades(DrawContext &context) {
   return applicationProgram(context) != 0 || applicationPipeline(context) != 0;
 }
 
-Path choosePath(Context &context, HostPart part) {
+Path choosePath(DrawContext &context, HostPart part) {
   context.effective.linkedProgram = nullptr;
   context.effective.hostPartWaits = false;
   context.stagesAreLinked = false;

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 
 namespace arbiter::state {
 
@@ -17,12 +17,12 @@ enum class HostPart : std::uint8_t { Now, WhenItDraws };
 /// host's ARB programs are made current, if they draw alone. Raises no error.
 ///
 /// With WhenItDraws, and if the rasterizer may draw, it only chooses the programs
-/// (Context::hostPartWaits). The next choice with Now finds out whether the host takes them as
+/// (DrawChoice::hostPartWaits). The next choice with Now finds out whether the host takes them as
 /// GLSL, as assembly, or not at all.
-[[nodiscard]] Path choosePath(Context &context, HostPart part);
+[[nodiscard]] Path choosePath(DrawContext &context, HostPart part);
 
 /// True if the application's own GLSL, a program or a pipeline, shades a stage of draws now, unless
 /// a program of the layer's is bound on the host.
-[[nodiscard]] bool applicationShades(Context &context);
+[[nodiscard]] bool applicationShades(DrawContext &context);
 
 } // namespace arbiter::state

@@ -3,10 +3,10 @@
 #include <cstdint>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/point_sprites.h"
 #include "state/host_draw/draw.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/sprite_commands.h"
 #include "state/programs/program_bind.h"
@@ -18,7 +18,7 @@ namespace {
 
 /// Validates for commands that transform no vertices. A vertex program's validity does not matter
 /// to them (ARB_vertex_program 2.14.4).
-bool validatePixels(Context &context) {
+bool validatePixels(DrawContext &context) {
   if (validate(context))
     return true;
   ProgramTarget &vertex = context.row(Target::Vertex);
@@ -33,7 +33,7 @@ bool validatePixels(Context &context) {
 /// Prepares a draw while a list is compiled. COMPILE just records it. COMPILE_AND_EXECUTE also
 /// executes it, with the state that was validated when the segment was opened. If that is invalid
 /// the host refuses the draw, and still records it.
-void prepareListDraw(Context &context) {
+void prepareListDraw(DrawContext &context) {
   if (context.listMode != GL_COMPILE_AND_EXECUTE)
     return;
   const std::uint32_t rest = context.attention & ~attention::kList;
@@ -44,9 +44,9 @@ void prepareListDraw(Context &context) {
   context.list->outside(context, [] {});
 }
 
-using Validate = bool (*)(Context &);
+using Validate = bool (*)(DrawContext &);
 
-bool prepare(Context &context, Validate validateDraw) {
+bool prepare(DrawContext &context, Validate validateDraw) {
   if (context.passThrough || context.insideBeginEnd)
     return true; // a draw between Begin and End: the host raises the error
   if (context.listMode) {
@@ -62,7 +62,7 @@ bool prepare(Context &context, Validate validateDraw) {
 
 /// Prepares RasterPos with fixed function in place of a shader of EXT_vertex_shader (2.12 of it).
 /// In a list the state of the call counts.
-bool prepareWithoutVertexShader(Context &context) {
+bool prepareWithoutVertexShader(DrawContext &context) {
   if (context.insideBeginEnd || context.listMode != 0)
     return prepare(context, validate);
   ProgramTarget &row = context.row(Target::VertexShader);
@@ -74,26 +74,26 @@ bool prepareWithoutVertexShader(Context &context) {
 
 } // namespace
 
-bool prepareDraw(Context &context, GLenum mode) {
+bool prepareDraw(DrawContext &context, GLenum mode) {
   if (sendParametersAlone(context)) // common: many small draws, each with its own parameters
     return true;
   issuePrimitiveMode(context, mode);
   return prepare(context, validate);
 }
 
-bool preparePixels(Context &context) {
+bool preparePixels(DrawContext &context) {
   issuePrimitiveMode(context, PointSprites::kNoPrimitive);
   return prepare(context, validatePixels);
 }
 
-bool prepareRasterPos(Context &context) {
+bool prepareRasterPos(DrawContext &context) {
   if (context.vertexShaders && context.vertexShaders->effective) [[unlikely]]
     return prepareWithoutVertexShader(context);
   if (!prepareDraw(context, PointSprites::kNoPrimitive))
     return false;
   // The raster position keeps all results of the vertex program, not just those that the current
   // fragment program reads.
-  if (context.stagesAreLinked && !context.insideBeginEnd && context.listMode == 0) {
+  if (context.stagesAreLinked && context.executesNow()) {
     // Mesa defers bitmaps, and would draw them with a later program.
     context.host->Flush();
     context.vertexResultsMatter = true;

@@ -1,7 +1,7 @@
 #include "state/host_draw/sprite_commands.h"
 
-#include "state/core/context.h"
 #include "state/era/era_state.h"
+#include "state/host_draw/draw_context.h"
 #include "state/programs/variants/point_sprites.h"
 
 namespace arbiter::state {
@@ -9,22 +9,22 @@ namespace arbiter::state {
 namespace {
 
 /// True if a list is being compiled in which the sprite mode may matter.
-bool isInList(const Context &context) {
+bool isInList(const DrawContext &context) {
   return context.listMode != 0 && !context.insideBeginEnd && context.era &&
          context.era->sprites.used;
 }
 
 } // namespace
 
-void issuePrimitiveMode(Context &context, GLenum mode) {
+void issuePrimitiveMode(DrawContext &context, GLenum mode) {
   if (context.listMode == 0)
     return notePrimitiveMode(context, mode);
   if (isInList(context) && context.list->changesKind(mode == GL_POINTS))
     context.list->record(context, {.kind = Command::Kind::PrimitiveMode, .target = mode});
 }
 
-bool recordCoordReplace(Context &context, GLenum pname, GLint value) {
-  if (context.listMode == 0 && !context.insideBeginEnd)
+bool recordCoordReplace(DrawContext &context, GLenum pname, GLint value) {
+  if (context.executesNow())
     releaseSprites(context);
   if (!isInList(context))
     return false;
@@ -33,7 +33,7 @@ bool recordCoordReplace(Context &context, GLenum pname, GLint value) {
   return true;
 }
 
-void noteSpriteCommand(Context &context) {
+void noteSpriteCommand(DrawContext &context) {
   if (isInList(context))
     context.list->cut(context);
 }

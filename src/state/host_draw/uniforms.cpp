@@ -1,15 +1,16 @@
 // Implements uploadParameters(), which sends the changed parameters of the effective programs.
 #include "state/host_draw/uniforms.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/host_state.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/program_edits.h"
 
 namespace arbiter::state {
 
-Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Parameter &parameter) {
+Vec4 currentValue(DrawContext &context, const ProgramTarget &row,
+                  const fp::ir::Parameter &parameter) {
   if (anyHeld()) [[unlikely]]
     if (const bool env = parameter.kind == fp::ir::ParameterKind::Env;
         env || parameter.kind == fp::ir::ParameterKind::Local)
@@ -25,7 +26,7 @@ Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Para
 namespace {
 
 /// \param program the program of the stage, if it is linked alone; 0: the current program
-void uploadStage(Context &context, LinkedProgramStage &stage, GLuint program) {
+void uploadStage(DrawContext &context, LinkedProgramStage &stage, GLuint program) {
   const ProgramTarget &row = context.row(stage.compiled->target);
   const auto &uniforms = stage.compiled->glsl.uniforms;
   const bool held = anyHeld();
@@ -63,7 +64,7 @@ void uploadStage(Context &context, LinkedProgramStage &stage, GLuint program) {
 
 } // namespace
 
-void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention) {
+void uploadParameters(DrawContext &context, LinkedProgram &linkedProgram, std::uint32_t attention) {
   const bool apart = linkedProgram.vertexProgram != 0;
   const auto upload = [&](LinkedProgramStage &stage, GLuint program, std::uint32_t bits) {
     if (stage.readsState)

@@ -9,14 +9,14 @@
 
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 
 /// Updates the host's uniforms of the effective linked program, as far as `attention` says that
 /// they may have changed. Requires that its host program is current. It allocates nothing, and
 /// makes one call for each run of changed values.
-void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention);
+void uploadParameters(DrawContext &context, LinkedProgram &linkedProgram, std::uint32_t attention);
 /// Returns a parameter's current value. \param row the effective program's target
-[[nodiscard]] Vec4 currentValue(Context &context, const ProgramTarget &row,
+[[nodiscard]] Vec4 currentValue(DrawContext &context, const ProgramTarget &row,
                                 const fp::ir::Parameter &parameter);
 /// Returns the value that the application set for an env or local parameter.
 [[nodiscard]] inline Vec4 givenValue(const ProgramTarget &row, bool env, std::size_t index) {

@@ -3,13 +3,13 @@
 #include "state/host_draw/use_program.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/era/texture_range.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/current_values.h"
 #include "state/host_draw/draw.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/stages/application_glsl.h"
@@ -27,7 +27,7 @@
 
 namespace arbiter::state {
 
-void useProgram(Context &context, GLuint name) {
+void useProgram(DrawContext &context, GLuint name) {
   // If the call fails, the application's program must remain current, so it is restored first.
   if (context.hostProgramIsOurs)
     releaseHostState(context);
@@ -42,7 +42,7 @@ void useProgram(Context &context, GLuint name) {
   context.aliases->ofGlsl = current != 0 && stagesOf(context, GLuint(current)).vertex;
 }
 
-void pushEnables(Context &context, GLbitfield mask) {
+void pushEnables(DrawContext &context, GLbitfield mask) {
   AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0,
                            .dirty = software::dirtyGroupsOfAttributes(mask)};
   for (const ProgramTarget &row : context.targets)
@@ -79,7 +79,7 @@ void pushEnables(Context &context, GLbitfield mask) {
 
 /// Restores register combiners. Their state and both enables belong to GL_TEXTURE_BIT, the enables
 /// to GL_ENABLE_BIT too.
-void popCombiners(Context &context, const AttribStack::Entry &entry) {
+void popCombiners(DrawContext &context, const AttribStack::Entry &entry) {
   ProgramTarget &row = context.row(Target::Combiners);
   if (entry.combiners) {
     context.combiners->restore(context, entry.combiners);
@@ -92,7 +92,7 @@ void popCombiners(Context &context, const AttribStack::Entry &entry) {
 }
 
 /// Restores texture shaders. If the context had none when it pushed, it restores the initial state.
-void popTextureShaders(Context &context, const AttribStack::Entry &entry) {
+void popTextureShaders(DrawContext &context, const AttribStack::Entry &entry) {
   ProgramTarget &row = context.row(Target::TextureShaders);
   if (entry.hasTextures && !entry.textureShaders)
     context.textureShaders->restore(context, std::make_shared<TextureShaderSettings>());
@@ -105,7 +105,7 @@ void popTextureShaders(Context &context, const AttribStack::Entry &entry) {
 }
 
 /// Restores ARB_imaging's state. An entry without it stands for the initial state.
-void popImaging(Context &context, const AttribStack::Entry &entry) {
+void popImaging(DrawContext &context, const AttribStack::Entry &entry) {
   ImagingState &state = *context.imaging;
   const imaging::Settings before = entry.imaging ? *entry.imaging : imaging::Settings{};
   if (entry.hasPixelMode)
@@ -116,7 +116,7 @@ void popImaging(Context &context, const AttribStack::Entry &entry) {
     state.colorMatrix.restore(context, entry.colorMatrix);
 }
 
-void popEnables(Context &context) {
+void popEnables(DrawContext &context) {
   AttribStack::Entry entry;
   const bool popped = context.attribStack.pop(entry);
   context.dirty |= entry.dirty;
@@ -140,7 +140,7 @@ void popEnables(Context &context) {
     setEnabled(context, row, (entry.enabledTargets >> unsigned(row.target) & 1u) != 0);
 }
 
-void pushAttrib(Context &context, GLbitfield mask) {
+void pushAttrib(DrawContext &context, GLbitfield mask) {
   if ((mask & GL_TEXTURE_BIT) != 0)
     releaseSamplers(context);
   releaseSprites(context);
@@ -148,7 +148,7 @@ void pushAttrib(Context &context, GLbitfield mask) {
   pushEnables(context, mask);
 }
 
-void popAttrib(Context &context) {
+void popAttrib(DrawContext &context) {
   releaseSprites(context);
   if (context.softwareListens && (context.attribStack.restores() & software::dirty::kCurrent) != 0)
     settleCurrentValues(*context.host);

@@ -12,12 +12,12 @@
 #include "state/client_pixels/plain_transfer.h"
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
-#include "state/core/context.h"
 #include "state/core/texture_binding.h"
 #include "state/hud/hud_text.h"
 #include "state/identity/active_profile.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/report/refusals.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
@@ -47,7 +47,7 @@ struct AllCounters {
   std::unordered_map<std::uint32_t, std::shared_ptr<Counters>> of;
 };
 
-std::shared_ptr<Counters> countersOf(const Context &context) {
+std::shared_ptr<Counters> countersOf(const RasterContext &context) {
   constexpr std::size_t kMax = 64; // bounds the map, as contexts come and go
   static auto *const s_all = new AllCounters;
   const std::lock_guard lock(s_all->mutex);
@@ -60,7 +60,7 @@ std::shared_ptr<Counters> countersOf(const Context &context) {
 }
 
 /// Returns the host's renderer, which is queried once.
-const std::string &hostOf(const Context &context, Counters &counters) {
+const std::string &hostOf(const RasterContext &context, Counters &counters) {
   constexpr std::size_t kMax = 48; // letters
   if (counters.host.empty())
     if (const GLubyte *const name = context.host->GetString(GL_RENDERER))
@@ -68,7 +68,7 @@ const std::string &hostOf(const Context &context, Counters &counters) {
   return counters.host;
 }
 
-Figures figuresOf(Context &context, Counters &counters) {
+Figures figuresOf(RasterContext &context, Counters &counters) {
   Figures figures;
   figures.version = versionLine(activeProfile().name, activeProfile().description);
   figures.host = hostOf(context, counters);
@@ -124,7 +124,7 @@ bool write(const swrast::Image &image, const Picture &picture, const swrast::Rec
 }
 
 /// Uploads the picture to the layer's texture.
-void upload(Context &context, const Picture &picture) {
+void upload(RasterContext &context, const Picture &picture) {
   const host::HostTable &host = *context.host;
   const PlainTransfer plain(context, PixelStore::Unpack);
   const TextureBinding bound(host, GL_TEXTURE_2D, kOurTexture, sharingOf(context));
@@ -135,7 +135,7 @@ void upload(Context &context, const Picture &picture) {
 /// Makes the window's back buffer the draw buffer, while it lives.
 class WindowDraw {
 public:
-  explicit WindowDraw(Context &context) : m_context(context), m_host(*context.host) {
+  explicit WindowDraw(RasterContext &context) : m_context(context), m_host(*context.host) {
     if (context.caps.framebufferObjects) {
       m_framebuffer = hostInteger(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
       if (m_framebuffer != 0)
@@ -155,7 +155,7 @@ public:
   WindowDraw &operator=(const WindowDraw &) = delete;
 
 private:
-  Context &m_context;
+  RasterContext &m_context;
   const host::HostTable &m_host;
   GLint m_framebuffer = 0, m_buffer = 0;
 };
@@ -163,7 +163,7 @@ private:
 /// Makes the layer's texture the read buffer and blits plain, while it lives.
 class BlitState {
 public:
-  explicit BlitState(Context &context)
+  explicit BlitState(RasterContext &context)
       : m_host(*context.host), m_read(hostInteger(m_host, GL_READ_FRAMEBUFFER_BINDING)),
         m_scissor(m_host.IsEnabled(GL_SCISSOR_TEST)),
         m_srgb(context.caps.srgbFramebuffer ? m_host.IsEnabled(GL_FRAMEBUFFER_SRGB)
@@ -195,7 +195,7 @@ private:
 
 /// Blits the picture to the window, which must be the draw buffer. Returns false if the host
 /// refuses.
-bool blit(Context &context, const Picture &picture, const swrast::Rect &place) {
+bool blit(RasterContext &context, const Picture &picture, const swrast::Rect &place) {
   if (!context.caps.framebufferObjects)
     return false;
   HostErrorScope errors(*context.host, context.errors.pending);
@@ -210,7 +210,7 @@ bool blit(Context &context, const Picture &picture, const swrast::Rect &place) {
 }
 
 /// Writes the picture into the shadow. Returns false if the shown pixels are the host's.
-bool writeHere(Context &context, const Picture &picture) {
+bool writeHere(RasterContext &context, const Picture &picture) {
   if (!context.software || !context.hostIsBehind)
     return false;
   software::Residency &residency = context.software->residency;
@@ -243,7 +243,7 @@ bool isShown() {
 
 } // namespace
 
-void draw(Context &context) {
+void draw(RasterContext &context) {
   const std::shared_ptr<Counters> counters = countersOf(context);
   if (context.passThrough || counters->refused)
     return;

@@ -6,7 +6,7 @@
 /// Figures in each frame (ARBITER_HUD): version, host, frame times, draws by path, programs over
 /// native limits.
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 
 namespace hud {
 
@@ -17,7 +17,7 @@ inline constinit std::atomic<bool (*)(const HudKey &)> g_keyIsDown{nullptr};
 /// Draws the figures into a corner of the frame that is about to be shown, unless they are hidden.
 /// Leaves the application's objects and state unchanged. If the host shows the frame they are
 /// blitted, which needs framebuffer objects and a window that is not multisampled.
-void draw(Context &context);
+void draw(RasterContext &context);
 
 } // namespace hud
 } // namespace arbiter::state

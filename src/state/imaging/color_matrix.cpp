@@ -2,7 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
@@ -10,12 +10,12 @@ namespace arbiter::state {
 namespace {
 
 /// Returns the host's matrix mode that stands in for COLOR.
-GLenum borrowed(const Context &context) {
+GLenum borrowed(const CoreContext &context) {
   return GLenum(GL_MATRIX0_ARB + context.caps.maxProgramMatrices - 1);
 }
 
 /// Replaces the host's current matrix stack and returns its former contents.
-std::vector<imaging::Matrix> replaceStack(const Context &context,
+std::vector<imaging::Matrix> replaceStack(const CoreContext &context,
                                           const std::vector<imaging::Matrix> &to) {
   const host::HostTable &host = *context.host;
   std::vector<imaging::Matrix> held(
@@ -33,17 +33,17 @@ std::vector<imaging::Matrix> replaceStack(const Context &context,
   return held;
 }
 
-void noteMatrices(Context &context) {
+void noteMatrices(CoreContext &context) {
   context.dirty |= software::dirty::kTransform | software::dirty::kProgramState;
 }
 
 } // namespace
 
-bool ColorMatrix::isPossible(const Context &context) {
+bool ColorMatrix::isPossible(const CoreContext &context) {
   return context.caps.maxProgramMatrices > 0 && context.caps.maxProgramMatrixStackDepth >= 2;
 }
 
-void ColorMatrix::enter(Context &context) {
+void ColorMatrix::enter(CoreContext &context) {
   noteUse();
   if (isCurrent(context))
     return;
@@ -53,7 +53,7 @@ void ColorMatrix::enter(Context &context) {
   noteMatrices(context);
 }
 
-void ColorMatrix::leave(Context &context) {
+void ColorMatrix::leave(CoreContext &context) {
   if (!m_current)
     return;
   const GLint mode = hostInteger(*context.host, GL_MATRIX_MODE);
@@ -66,13 +66,13 @@ void ColorMatrix::leave(Context &context) {
   noteMatrices(context);
 }
 
-bool ColorMatrix::isCurrent(Context &context) {
+bool ColorMatrix::isCurrent(CoreContext &context) {
   if (m_current && GLenum(hostInteger(*context.host, GL_MATRIX_MODE)) != borrowed(context))
     leave(context);
   return m_current;
 }
 
-void ColorMatrix::restore(Context &context, bool current) {
+void ColorMatrix::restore(CoreContext &context, bool current) {
   if (current) {
     enter(context);
     return;
@@ -81,7 +81,7 @@ void ColorMatrix::restore(Context &context, bool current) {
   leave(context);
 }
 
-imaging::Matrix ColorMatrix::top(Context &context) {
+imaging::Matrix ColorMatrix::top(CoreContext &context) {
   if (!isCurrent(context))
     return m_stack.back();
   imaging::Matrix matrix;
@@ -89,12 +89,12 @@ imaging::Matrix ColorMatrix::top(Context &context) {
   return matrix;
 }
 
-GLint ColorMatrix::depth(Context &context) {
+GLint ColorMatrix::depth(CoreContext &context) {
   return isCurrent(context) ? hostInteger(*context.host, GL_CURRENT_MATRIX_STACK_DEPTH_ARB)
                             : GLint(m_stack.size());
 }
 
-GLint ColorMatrix::maxDepth(const Context &context) {
+GLint ColorMatrix::maxDepth(const CoreContext &context) {
   return context.caps.maxProgramMatrixStackDepth;
 }
 

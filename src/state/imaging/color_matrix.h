@@ -7,7 +7,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// The colour matrix and its stack. The host has no such matrix mode. While COLOR is current, the
 /// stack of the host's last program matrix holds it, so that all matrix commands work unchanged.
@@ -17,24 +17,24 @@ class ColorMatrix {
 public:
   /// True if the host's stack is deep enough for COLOR's least depth
   /// (MAX_COLOR_MATRIX_STACK_DEPTH).
-  [[nodiscard]] static bool isPossible(const Context &context);
+  [[nodiscard]] static bool isPossible(const CoreContext &context);
 
   /// Executes MatrixMode of COLOR.
-  void enter(Context &context);
+  void enter(CoreContext &context);
   /// Ends COLOR, before another MatrixMode of the host's.
-  void leave(Context &context);
+  void leave(CoreContext &context);
   /// True if MatrixMode of COLOR was called or recorded once. Any MatrixMode may then end it.
   [[nodiscard]] bool isUsed() const { return m_used; }
   void noteUse() { m_used = true; }
   /// True if COLOR is the matrix mode. A list or PopAttrib may have changed the host's mode.
-  [[nodiscard]] bool isCurrent(Context &context);
+  [[nodiscard]] bool isCurrent(CoreContext &context);
   /// Restores the mode after PopAttrib.
   /// \param current the push saved COLOR as the mode
-  void restore(Context &context, bool current);
+  void restore(CoreContext &context, bool current);
 
-  [[nodiscard]] imaging::Matrix top(Context &context);
-  [[nodiscard]] GLint depth(Context &context);
-  [[nodiscard]] static GLint maxDepth(const Context &context);
+  [[nodiscard]] imaging::Matrix top(CoreContext &context);
+  [[nodiscard]] GLint depth(CoreContext &context);
+  [[nodiscard]] static GLint maxDepth(const CoreContext &context);
 
 private:
   using Stack = std::vector<imaging::Matrix>; ///< bottom first; never empty

@@ -7,7 +7,7 @@
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
 #include "state/client_pixels/client_image.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/core/errors.h"
 #include "state/imaging/pixel_types.h"
 
@@ -59,7 +59,8 @@ void putPacked(const Counts &bin, const std::vector<int> &components, const Pack
 }
 
 /// Writes to memory, or to the pixel buffer.
-bool store(Context &context, const std::vector<std::uint8_t> &bytes, std::size_t first, void *to) {
+bool store(CoreContext &context, const std::vector<std::uint8_t> &bytes, std::size_t first,
+           void *to) {
   if (!hasPixelBuffer(context, PixelStore::Pack)) {
     if (!bytes.empty()) // an empty table writes nothing, whatever `to` is
       std::memcpy(static_cast<std::uint8_t *>(to) + first, bytes.data(), bytes.size());
@@ -89,7 +90,7 @@ GLenum errorOf(const std::vector<int> &components, const PackedType *packed, GLe
 
 } // namespace
 
-bool packCounts(Context &context, const std::vector<Counts> &bins, GLenum format, GLenum type,
+bool packCounts(CoreContext &context, const std::vector<Counts> &bins, GLenum format, GLenum type,
                 void *to) {
   const std::vector<int> components = componentsOfQuery(format);
   const PackedType *const packed = packedType(type);

@@ -7,12 +7,12 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// Writes a histogram's counters as an image of one row to memory or the pixel buffer. They are
 /// integers of any type, clamped to its range and not scaled (OpenGL 2.1, 6.1.9). Raises errors.
 /// Returns false if nothing was written.
-[[nodiscard]] bool packCounts(Context &context, const std::vector<imaging::Counts> &bins,
+[[nodiscard]] bool packCounts(CoreContext &context, const std::vector<imaging::Counts> &bins,
                               GLenum format, GLenum type, void *to);
 
 } // namespace arbiter::state

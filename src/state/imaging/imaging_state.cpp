@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 
 namespace arbiter::state {
 
-bool ImagingState::isActive(Context &context) {
+bool ImagingState::isActive(CoreContext &context) {
   return settings.enabled != 0 || !(settings.postColorMatrix == imaging::ScaleBias{}) ||
          colorMatrix.top(context) != imaging::kIdentity;
 }
@@ -67,7 +67,7 @@ imaging::Matrix transposed(const imaging::Matrix &matrix) {
 }
 } // namespace
 
-int imagingValues(Context &context, GLenum pname, std::array<GLfloat, 16> &values) {
+int imagingValues(CoreContext &context, GLenum pname, std::array<GLfloat, 16> &values) {
   ImagingState &state = *context.imaging;
   if (const unsigned bit = imagingBitOf(pname)) {
     values[0] = (state.settings.enabled & bit) != 0 ? 1.0f : 0.0f;

@@ -8,7 +8,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// The sizes of a proxy; zero if it does not fit.
 struct ProxyTable {
@@ -30,7 +30,7 @@ struct ImagingState {
   ColorMatrix colorMatrix;
 
   /// True if any of it changes or counts pixels.
-  [[nodiscard]] bool isActive(Context &context);
+  [[nodiscard]] bool isActive(CoreContext &context);
 };
 
 /// Returns the index of a table's target, with `proxy` set for a proxy; -1 if it is none.
@@ -42,6 +42,7 @@ struct ImagingState {
 /// Returns the PixelTransfer value of ARB_imaging; null if it is none.
 [[nodiscard]] float *imagingTransfer(imaging::Settings &settings, GLenum pname);
 /// Gets values for GetFloatv and the like. Returns how many; 0 if the host must answer.
-[[nodiscard]] int imagingValues(Context &context, GLenum pname, std::array<GLfloat, 16> &values);
+[[nodiscard]] int imagingValues(CoreContext &context, GLenum pname,
+                                std::array<GLfloat, 16> &values);
 
 } // namespace arbiter::state

@@ -5,7 +5,7 @@
 
 #include "host/host_table.h"
 #include "state/client_pixels/client_image.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 
 namespace arbiter::state {
 
@@ -62,7 +62,7 @@ std::vector<int> componentsOfQuery(GLenum format) {
   }
 }
 
-bool fits(const Context &context, GLsizei bytes, GLsizei width, GLsizei height, GLenum format,
+bool fits(const CoreContext &context, GLsizei bytes, GLsizei width, GLsizei height, GLenum format,
           GLenum type) {
   const std::size_t components = componentsOfQuery(format).size();
   const PackedType *const packed = packedType(type);

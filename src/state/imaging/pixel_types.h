@@ -9,7 +9,7 @@
 /// Types and formats of pixels in memory.
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 
 /// A packed type, with the bits of each component. The first component is in the highest bits, or
 /// in the lowest if reversed.
@@ -27,7 +27,7 @@ struct PackedType {
 [[nodiscard]] std::vector<int> componentsOfQuery(GLenum format);
 
 /// True if the image fits into `bytes`. Also true for an invalid format or type.
-[[nodiscard]] bool fits(const Context &context, GLsizei bytes, GLsizei width, GLsizei height,
+[[nodiscard]] bool fits(const CoreContext &context, GLsizei bytes, GLsizei width, GLsizei height,
                         GLenum format, GLenum type);
 
 } // namespace arbiter::state

@@ -1,22 +1,22 @@
 #include "state/lists/conditional_commands.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
 namespace {
 
-bool isRecorded(Context &context) {
+bool isRecorded(RasterContext &context) {
   if (context.listMode == 0 || !listCompiler(context).keeps())
     return false;
   listCompiler(context).leavePrimitive(context);
   return !context.insideBeginEnd;
 }
 
-void note(Context &context, bool begun) {
+void note(RasterContext &context, bool begun) {
   if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE)
     return;
   context.software->mirror.conditional = begun;
@@ -25,19 +25,19 @@ void note(Context &context, bool begun) {
 
 } // namespace
 
-void issueBeginConditional(Context &context, GLuint id, GLenum mode) {
+void issueBeginConditional(RasterContext &context, GLuint id, GLenum mode) {
   if (isRecorded(context))
     return listCompiler(context).record(
         context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
   // An upload is a blit, which the condition could discard. The host draws and clears until the
   // end, so nothing is pending that would need one.
-  if (context.software && !context.insideBeginEnd && context.listMode == 0)
+  if (context.software && context.executesNow())
     context.software->residency.synchronise("glBeginConditionalRender");
   context.host->BeginConditionalRender(id, mode);
   note(context, true);
 }
 
-void issueEndConditional(Context &context) {
+void issueEndConditional(RasterContext &context) {
   if (isRecorded(context))
     return listCompiler(context).record(context, {.kind = Command::Kind::EndConditional});
   context.host->EndConditionalRender();

@@ -6,9 +6,9 @@
 /// commands of its own.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
-void issueBeginConditional(Context &context, GLuint id, GLenum mode);
-void issueEndConditional(Context &context);
+void issueBeginConditional(RasterContext &context, GLuint id, GLenum mode);
+void issueEndConditional(RasterContext &context);
 
 } // namespace arbiter::state

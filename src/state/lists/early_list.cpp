@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
@@ -20,7 +20,7 @@ constexpr std::uint32_t kMaxEarly = 1u << 18;
 
 } // namespace
 
-void ListCompiler::beginEarly(Context &context) {
+void ListCompiler::beginEarly(RasterContext &context) {
   m_early = true;
   m_earlyVertices = 0;
   context.trueHost = context.host;
@@ -31,13 +31,13 @@ void ListCompiler::beginEarly(Context &context) {
 }
 
 /// Records attributes. A vertex here belongs to a primitive that another list began, or none.
-void ListCompiler::recordOutsideAttributes(Context &context) {
+void ListCompiler::recordOutsideAttributes(RasterContext &context) {
   m_outside.begin(GL_POINTS, {});
   m_outside.limit(0, leaveFull, &context);
 }
 
 /// Sends attributes that were set since the last primitive to the host, and makes them an item.
-void ListCompiler::takeOutsideAttributes(Context &context) {
+void ListCompiler::takeOutsideAttributes(RasterContext &context) {
   if (m_outside.touched() == 0)
     return;
   software::setTouched(*context.trueHost, m_outside);
@@ -52,7 +52,7 @@ void ListCompiler::takeOutsideAttributes(Context &context) {
 bool ListCompiler::hasRoom(GLsizei count) const { return !m_early || count <= GLsizei(kMaxEarly); }
 
 /// Sends the recorded primitive to the host, unless it came from arrays and was sent already.
-void ListCompiler::endEarlyPrimitive(Context &context, bool fromArrays) {
+void ListCompiler::endEarlyPrimitive(RasterContext &context, bool fromArrays) {
   context.recorder = &m_outside;
   if (!fromArrays)
     software::sendWhole(*context.trueHost, m_recorder);
@@ -64,7 +64,7 @@ void ListCompiler::endEarlyPrimitive(Context &context, bool fromArrays) {
     leaveEarly(context);
 }
 
-void ListCompiler::leaveEarly(Context &context) {
+void ListCompiler::leaveEarly(RasterContext &context) {
   m_early = false;
   m_items.clear();
   m_geometry.reset();
@@ -84,18 +84,18 @@ void ListCompiler::leaveEarly(Context &context) {
 /// Ends the early list at the first vertex beyond the limit, in a primitive or outside. Sends it
 /// after those before; the host alone keeps what follows.
 bool ListCompiler::leaveFull(void *owner, const float position[4]) {
-  auto &context = *static_cast<Context *>(owner);
+  auto &context = *static_cast<RasterContext *>(owner);
   listCompiler(context).leaveEarly(context);
   software::setAttribute(*context.host, software::kPosition, position);
   return false;
 }
 
-void ListCompiler::limitPrimitive(Context &context) {
+void ListCompiler::limitPrimitive(RasterContext &context) {
   m_recorder.limit(kMaxEarly, leaveFull, &context);
 }
 
 /// Returns the recorded items, which the host has too; null if there are none.
-std::shared_ptr<DisplayList> ListCompiler::endEarly(Context &context) {
+std::shared_ptr<DisplayList> ListCompiler::endEarly(RasterContext &context) {
   if (m_recording)
     return nullptr;
   takeOutsideAttributes(context);

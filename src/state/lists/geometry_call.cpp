@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <new>
 
-#include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/host_draw/prepare_draw.h"
 #include "state/lists/primitive_commands.h"
@@ -16,6 +15,7 @@
 #include "state/raster_draw/draw.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/pipeline.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state::software {
@@ -24,7 +24,7 @@ namespace {
 
 /// Returns the host's list that draws the same. Requires that no list is being compiled, and no
 /// primitive is open.
-GLuint hostListOf(Context &context, const Geometry &geometry) {
+GLuint hostListOf(RasterContext &context, const Geometry &geometry) {
   return geometry.hostList([&] {
     const GLuint name = context.group->lists.takeSegmentName(*context.host);
     context.host->NewList(name, GL_COMPILE);
@@ -41,7 +41,7 @@ GLuint hostListOf(Context &context, const Geometry &geometry) {
   });
 }
 
-void callVertices(const Context &context, GLuint list) {
+void callVertices(const RasterContext &context, GLuint list) {
   if (!isObserved(context)) [[likely]]
     return context.host->CallList(list);
   const ListHoldsScope holds(ListHolds::Vertices);
@@ -49,7 +49,7 @@ void callVertices(const Context &context, GLuint list) {
 }
 
 /// Has the host draw, after bringing it up to date.
-void drawOnHost(Context &context, const Geometry &geometry) {
+void drawOnHost(RasterContext &context, const Geometry &geometry) {
   if (context.attention && !prepareDraw(context, geometry.mode))
     return setCurrentValues(context, geometry.values, geometry.touched);
   const GLuint list = hostListOf(context, geometry);
@@ -70,7 +70,7 @@ void drawOnHost(Context &context, const Geometry &geometry) {
 
 /// Begins an open primitive vertex by vertex, as the application would. Who draws it is decided
 /// when it is whole. Requires geometry.open.
-void beginPrimitive(Context &context, const Geometry &geometry) {
+void beginPrimitive(RasterContext &context, const Geometry &geometry) {
   issueBegin(context, geometry.mode);
   if (ImmediateRecorder *const to = context.recorder) {
     return geometry.read(
@@ -90,7 +90,7 @@ void beginPrimitive(Context &context, const Geometry &geometry) {
 
 /// Returns the vertices of a primitive that begins before all of its attributes are set. Requires
 /// that the rasterizer draws it.
-VertexSource completed(Context &context, const Geometry &geometry) {
+VertexSource completed(RasterContext &context, const Geometry &geometry) {
   ContextState &state = *context.software;
   state.mirror.refreshCurrent(context.dirty, geometry.unsetSlots());
   return geometry.source(state.mirror.current, state.listVertices);
@@ -98,7 +98,7 @@ VertexSource completed(Context &context, const Geometry &geometry) {
 
 /// Draws primitives whose vertices depend on each other, joined or one by one. Throws
 /// std::bad_alloc if a later one fails than the first.
-Outcome drawSeveral(Context &context, const Geometry &geometry, const VertexSource &source) {
+Outcome drawSeveral(RasterContext &context, const Geometry &geometry, const VertexSource &source) {
   Pipeline &pipeline = pipelineOf(context);
   if (const auto joining = joiningOf(context.software->mirror.raster, geometry.mode, true)) {
     if (geometry.indices.empty())
@@ -122,7 +122,7 @@ Outcome drawSeveral(Context &context, const Geometry &geometry, const VertexSour
 
 /// Draws a primitive and returns true, or brings the host up to date and returns false. Requires
 /// usesRasterizer().
-bool drawGeometry(Context &context, const Geometry &geometry) {
+bool drawGeometry(RasterContext &context, const Geometry &geometry) {
   return conclude(context, outcomeOf(context, [&] {
                     const Outcome outcome = decide(context, geometry.mode, geometry.count);
                     if (!outcome.ok())
@@ -136,7 +136,7 @@ bool drawGeometry(Context &context, const Geometry &geometry) {
 
 } // namespace
 
-void callGeometry(Context &context, const Geometry &geometry) {
+void callGeometry(RasterContext &context, const Geometry &geometry) {
   if (context.insideBeginEnd) // an error, and the host loses the open primitive's vertices too
     return issueBegin(context, geometry.mode);
   if (geometry.onlyValues)

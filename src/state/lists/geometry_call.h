@@ -1,7 +1,7 @@
 #pragma once
 
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -9,6 +9,6 @@ namespace arbiter::state::software {
 class Geometry;
 
 /// Executes a list's primitives: the rasterizer or the host draws them, or an open one begins.
-void callGeometry(Context &context, const Geometry &geometry);
+void callGeometry(RasterContext &context, const Geometry &geometry);
 
 } // namespace arbiter::state::software

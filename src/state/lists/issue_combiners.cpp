@@ -1,12 +1,12 @@
 #include "state/lists/issue_combiners.h"
 
-#include "state/core/context.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
-void issueCombinerCommand(Context &context, const CombinerCommand &command) {
+void issueCombinerCommand(RasterContext &context, const CombinerCommand &command) {
   noteProgramApiUse(context);
   if (context.listMode)
     return listCompiler(context).record(

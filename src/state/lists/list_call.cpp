@@ -24,14 +24,14 @@ namespace arbiter::state {
 namespace {
 
 /// Prepares for a host list with unknown effects.
-void beforeHostLists(Context &context) {
+void beforeHostLists(RasterContext &context) {
   releaseSprites(context);
   if (context.softwarePossible)
     context.software->hostDrawsList();
 }
 
 /// Notes a Viewport in the segment, by which an application follows its window's size.
-void noteViewport(Context &context, const Effects &effects) {
+void noteViewport(RasterContext &context, const Effects &effects) {
   if (!context.software || (effects.dirty & software::dirty::kViewport) == 0)
     return;
   GLint box[4] = {};
@@ -41,7 +41,7 @@ void noteViewport(Context &context, const Effects &effects) {
 
 /// Calls a segment that sets state and touches no pixels. The rasterizer may go on drawing after
 /// it.
-void callStateList(Context &context, GLuint name, const Effects &effects) {
+void callStateList(RasterContext &context, GLuint name, const Effects &effects) {
   // RasterPos transforms a vertex with the host's vertex program and its parameters.
   if ((effects.dirty & software::dirty::kRasterPosition) != 0 && context.attention)
     (void)validate(context);
@@ -59,7 +59,7 @@ void callStateList(Context &context, GLuint name, const Effects &effects) {
 
 /// Calls a host list that may draw, with the effective program bound. If the program is invalid,
 /// the host is made to refuse draws, as the list's other commands must take effect.
-void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore,
+void callHostList(RasterContext &context, GLuint name, Primitive primitive = Primitive::AsBefore,
                   const Effects &effects = {}) {
   if (context.insideBeginEnd) {
     context.host->CallList(name);
@@ -88,7 +88,7 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
 
 /// Follows the attribute stack after a list that only the host keeps. It may have popped enables,
 /// or called lists that push or pop.
-void followAttribStack(Context &context) {
+void followAttribStack(RasterContext &context) {
   if (context.insideBeginEnd)
     return;
   context.hostSide.assembly->restoreEnables(context);
@@ -153,7 +153,7 @@ GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
 
 /// Returns the early list if the rasterizer may draw it now, or if its draws are observed. Null if
 /// the host must call it.
-std::shared_ptr<const DisplayList> earlyList(Context &context, GLuint name) {
+std::shared_ptr<const DisplayList> earlyList(RasterContext &context, GLuint name) {
   if (context.insideBeginEnd || !context.group->lists.hasEarly())
     return nullptr;
   if (isObserved(context))
@@ -170,7 +170,7 @@ std::size_t callListsBytes(GLsizei count, GLenum type) {
   return count > 0 ? std::size_t(count) * elementSize(type) : 0;
 }
 
-void callList(Context &context, GLuint name) {
+void callList(RasterContext &context, GLuint name) {
   notePrimitiveMode(context, PointSprites::kNoPrimitive); // until the list sets a mode
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   if (!list) {
@@ -198,7 +198,7 @@ void callList(Context &context, GLuint name) {
   --context.listDepth;
 }
 
-void callListIntoHost(Context &context, GLuint name) {
+void callListIntoHost(RasterContext &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   context.dirty = software::dirty::kAll;
   listCompiler(context).notePixels();
@@ -218,7 +218,7 @@ void callListIntoHost(Context &context, GLuint name) {
   }
 }
 
-void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
+void callLists(RasterContext &context, GLsizei count, GLenum type, const void *lists) {
   const DisplayListTable &known = context.group->lists;
   const bool mayBeEarly = (context.software || isObserved(context)) && known.hasEarly();
   const bool allHosts = known.empty() && !mayBeEarly;

@@ -47,7 +47,7 @@ bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) 
 
 /// True if the list is compiled again while the context is left to the host. Such a list may be
 /// recompiled in each frame, and stays the host's.
-bool changesAlone(Context &context, GLuint name) {
+bool changesAlone(RasterContext &context, GLuint name) {
   if (context.software || !context.leftAlone)
     return false;
   if (const auto list = context.group->lists.find(name))
@@ -63,7 +63,7 @@ void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
 
 } // namespace
 
-void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
+void ListCompiler::begin(RasterContext &context, GLuint name, GLenum mode) {
   // COMPILE_AND_EXECUTE needs its program bound now, as the layer must not call the host while it
   // records. COMPILE must not find the layer's program bound.
   if (mode == GL_COMPILE_AND_EXECUTE) {
@@ -98,7 +98,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
 }
 
 /// Sets the list mode; 0 while commands of the layer run and nothing is compiled.
-void ListCompiler::setMode(Context &context, std::uint16_t mode) {
+void ListCompiler::setMode(RasterContext &context, std::uint16_t mode) {
   context.listMode = mode;
   if (mode == 0) {
     context.attention &= ~attention::kList;
@@ -138,7 +138,7 @@ void ListCompiler::finishGeometry() {
 }
 
 /// Closes the segment, so that the layer can call the host normally.
-void ListCompiler::closeSegment(Context &context) {
+void ListCompiler::closeSegment(RasterContext &context) {
   if (m_early)
     leaveEarly(context);
   leavePrimitive(context);
@@ -159,7 +159,8 @@ void ListCompiler::closeSegment(Context &context) {
 
 /// Goes on after closeSegment(). Opens the next segment; if the list keeps primitives, only when
 /// the host is called.
-void ListCompiler::resume(Context &context) {
+void ListCompiler::resume(CoreContext &lower) {
+  RasterContext &context = rasterStep(lower);
   context.trueHost = context.host;
   const bool executes = m_mode == GL_COMPILE_AND_EXECUTE;
   if ((!m_keeps || executes) && context.softwarePossible)
@@ -175,7 +176,7 @@ void ListCompiler::resume(Context &context) {
 
 /// Validates state that changed since the list began. Changes by the command that opens the segment
 /// stay the segment's.
-void ListCompiler::validateSegment(Context &context) {
+void ListCompiler::validateSegment(RasterContext &context) {
   const std::uint32_t ofSegment = context.dirty;
   context.dirty |= m_dirty;
   validateForList(context);
@@ -185,7 +186,7 @@ void ListCompiler::validateSegment(Context &context) {
 
 /// Opens a segment, which the host compiles. If the list keeps primitives, this ends the use of
 /// resume()'s table.
-void ListCompiler::openSegment(Context &context) {
+void ListCompiler::openSegment(RasterContext &context) {
   m_known.forget();
   context.host = context.trueHost;
   context.recorder = nullptr;
@@ -205,7 +206,8 @@ void ListCompiler::openSegment(Context &context) {
   context.host->NewList(m_segment, m_mode);
 }
 
-void ListCompiler::record(Context &context, Command command) {
+void ListCompiler::record(CoreContext &lower, Command command) {
+  RasterContext &context = rasterStep(lower);
   noteProgramApiUse(context);
   m_known.forget();
   if (command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists)
@@ -228,7 +230,8 @@ void ListCompiler::record(Context &context, Command command) {
   resume(context);
 }
 
-void ListCompiler::recordState(Context &context, const StateCommand &state, std::uint32_t dirty) {
+void ListCompiler::recordState(RasterContext &context, const StateCommand &state,
+                               std::uint32_t dirty) {
   if (!m_known.set(state))
     return;
   Command command{.kind = Command::Kind::State};
@@ -244,7 +247,8 @@ void ListCompiler::recordState(Context &context, const StateCommand &state, std:
   resume(context);
 }
 
-bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
+bool ListCompiler::beginPrimitive(CoreContext &lower, GLenum mode) {
+  RasterContext &context = rasterStep(lower);
   if (!keeps() || m_recording || m_open || mode > GL_POLYGON)
     return false;
   if (m_early) {
@@ -263,7 +267,8 @@ bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
   return true;
 }
 
-void ListCompiler::endPrimitive(Context &context, bool fromArrays) {
+void ListCompiler::endPrimitive(CoreContext &lower, bool fromArrays) {
+  RasterContext &context = rasterStep(lower);
   stopPrimitive(context);
   if (m_early)
     return endEarlyPrimitive(context, fromArrays);
@@ -274,7 +279,7 @@ void ListCompiler::endPrimitive(Context &context, bool fromArrays) {
 
 /// Draws the primitive. Sends all components: in Mesa 22.3.6, components that a shorter command
 /// leaves at their defaults may be those of the previous primitive.
-void ListCompiler::executePrimitive(Context &context) {
+void ListCompiler::executePrimitive(RasterContext &context) {
   if (beginExecuted(context, m_recorder.mode())) {
     software::sendOpen(*context.host, m_recorder);
     context.host->End();
@@ -284,7 +289,8 @@ void ListCompiler::executePrimitive(Context &context) {
   endExecuted(context);
 }
 
-bool ListCompiler::beginExecuted(Context &context, GLenum mode) {
+bool ListCompiler::beginExecuted(CoreContext &lower, GLenum mode) {
+  RasterContext &context = rasterStep(lower);
   context.host = context.trueHost;
   setMode(context, 0);
   context.dirty |= std::exchange(m_dirty, 0);
@@ -293,7 +299,8 @@ bool ListCompiler::beginExecuted(Context &context, GLenum mode) {
   return !context.attention || prepareDraw(context, mode);
 }
 
-void ListCompiler::endExecuted(Context &context) {
+void ListCompiler::endExecuted(CoreContext &lower) {
+  RasterContext &context = rasterStep(lower);
   context.dirty |= software::dirty::kCurrent;
   resume(context);
 }
@@ -307,7 +314,7 @@ void ListCompiler::keepPrimitive(bool fromArrays) {
   m_geometry = geometryOf(m_recorder, fromArrays);
 }
 
-void ListCompiler::stopPrimitive(Context &context) {
+void ListCompiler::stopPrimitive(RasterContext &context) {
   m_recording = false;
   context.recorder = nullptr;
   context.insideBeginEnd = false;
@@ -315,7 +322,7 @@ void ListCompiler::stopPrimitive(Context &context) {
     raise(context, GL_OUT_OF_MEMORY, "NewList: no memory for the list's vertices");
 }
 
-void ListCompiler::interruptPrimitive(Context &context) {
+void ListCompiler::interruptPrimitive(RasterContext &context) {
   if (m_early)
     return leaveEarly(context);
   if (executes())
@@ -330,7 +337,7 @@ void ListCompiler::interruptPrimitive(Context &context) {
   });
 }
 
-void ListCompiler::givePrimitive(Context &context) {
+void ListCompiler::givePrimitive(RasterContext &context) {
   if (m_early)
     return leaveEarly(context);
   stopPrimitive(context);
@@ -341,7 +348,8 @@ void ListCompiler::givePrimitive(Context &context) {
   context.insideBeginEnd = executes();
 }
 
-bool ListCompiler::takeArraysDirty(Context &context) {
+bool ListCompiler::takeArraysDirty(CoreContext &lower) {
+  RasterContext &context = rasterStep(lower);
   // Arrays are set at once. Their dirty bit applies after the list, and is no effect of a segment.
   const std::uint32_t bit = context.dirty & software::dirty::kArrays;
   context.dirty &= ~bit;
@@ -349,7 +357,7 @@ bool ListCompiler::takeArraysDirty(Context &context) {
   return std::exchange(m_arraysDirty, false) || bit != 0;
 }
 
-void ListCompiler::end(Context &context) {
+void ListCompiler::end(RasterContext &context) {
   std::shared_ptr<DisplayList> made, list, early;
   withinMemory(context, "EndList", [&] {
     made = std::make_shared<DisplayList>();
@@ -391,7 +399,7 @@ void ListCompiler::end(Context &context) {
   context.attention &= ~attention::kList;
 }
 
-void ListCompiler::define(Context &context, std::shared_ptr<const DisplayList> list) {
+void ListCompiler::define(RasterContext &context, std::shared_ptr<const DisplayList> list) {
   const bool hostHasPart =
       !m_keeps || !list ||
       std::any_of(list->items.begin(), list->items.end(),

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "state/core/context.h"
 #include "state/lists/known_state.h"
 #include "state/objects/list_recorder.h"
 #include "state/primitives/geometry.h"
 #include "state/primitives/recorder.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
@@ -28,9 +28,9 @@ public:
   /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
   static constexpr int kMaxDepth = 64;
 
-  void begin(Context &context, GLuint name, GLenum mode);
-  void end(Context &context);
-  void record(Context &context, Command command) override;
+  void begin(RasterContext &context, GLuint name, GLenum mode);
+  void end(RasterContext &context);
+  void record(CoreContext &lower, Command command) override;
 
   /// True if a command that only sets state may be kept: between kept primitives, in a list that is
   /// not executed.
@@ -38,15 +38,16 @@ public:
     return m_keeps && m_mode == GL_COMPILE && !m_recording && !m_open && m_segment == 0;
   }
   /// Keeps the command, unless the list has set the same. Requires: keepsState().
-  void recordState(Context &context, const StateCommand &command, std::uint32_t dirty);
+  void recordState(RasterContext &context, const StateCommand &command, std::uint32_t dirty);
 
   // --- Kept primitives ---
 
-  [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode) override;
-  void endPrimitive(Context &context, bool fromArrays = false) override;
+  [[nodiscard]] bool beginPrimitive(CoreContext &lower, GLenum mode) override;
+  void endPrimitive(CoreContext &lower, bool fromArrays = false) override;
   [[nodiscard]] bool recordsPrimitive() const override { return m_recording; }
   [[nodiscard]] software::ImmediateRecorder &recorder() override { return m_recorder; }
-  void giveHost(Context &context) override {
+  void giveHost(CoreContext &lower) override {
+    RasterContext &context = rasterStep(lower);
     if (m_early)
       return leaveEarly(context);
     leavePrimitive(context);
@@ -56,27 +57,27 @@ public:
   /// Ends the recording before a command that is no part of the primitive. The primitive so far
   /// becomes an item that leaves Begin/End open. In COMPILE_AND_EXECUTE the host gets the primitive
   /// from here on, as calls between two host lists would be inside Begin/End.
-  void leavePrimitive(Context &context) {
+  void leavePrimitive(RasterContext &context) {
     if (m_recording)
       interruptPrimitive(context);
   }
   /// Gives the recorded primitive to the host, before an erroneous Begin inside of it, so that the
   /// host judges it when the list is called. It compiles the primitive from its first Begin: hosts
   /// keep what is between Begin and End as one draw, so a host list with just a Begin would not do.
-  void givePrimitive(Context &context);
+  void givePrimitive(RasterContext &context);
   void notePixels() override { m_pixels = true; }
   [[nodiscard]] bool keeps() const override { return m_keeps || m_early; }
   [[nodiscard]] bool isEarly() const override { return m_early; }
   [[nodiscard]] bool executes() const override {
     return m_keeps && m_mode == GL_COMPILE_AND_EXECUTE;
   }
-  [[nodiscard]] bool beginExecuted(Context &context, GLenum mode) override;
-  void endExecuted(Context &context) override;
+  [[nodiscard]] bool beginExecuted(CoreContext &lower, GLenum mode) override;
+  void endExecuted(CoreContext &lower) override;
   [[nodiscard]] bool hasRoom(GLsizei count) const override;
   /// Makes the list the host's alone from here on.
-  void leaveEarly(Context &context);
+  void leaveEarly(RasterContext &context);
   [[nodiscard]] Arrays &arrays() override { return m_arrays; }
-  [[nodiscard]] bool takeArraysDirty(Context &context) override;
+  [[nodiscard]] bool takeArraysDirty(CoreContext &lower) override;
 
   [[nodiscard]] GLuint name() const { return m_name; } ///< for LIST_INDEX
   [[nodiscard]] bool changesKind(bool points) override {
@@ -103,42 +104,42 @@ private:
     bool noted; ///< as a command of the layer's
   };
   // --- Early lists, whose commands the host compiles too (early_list.cpp) ---
-  void beginEarly(Context &context);
+  void beginEarly(RasterContext &context);
   /// Makes an item of the attributes that were set outside primitives so far.
-  void takeOutsideAttributes(Context &context);
-  void endEarlyPrimitive(Context &context, bool fromArrays);
+  void takeOutsideAttributes(RasterContext &context);
+  void endEarlyPrimitive(RasterContext &context, bool fromArrays);
   /// Starts to record attributes outside primitives.
-  void recordOutsideAttributes(Context &context);
+  void recordOutsideAttributes(RasterContext &context);
   /// Makes a primitive of too many vertices end the early list.
-  void limitPrimitive(Context &context);
+  void limitPrimitive(RasterContext &context);
   static bool leaveFull(void *owner, const float position[4]);
-  [[nodiscard]] std::shared_ptr<DisplayList> endEarly(Context &context);
+  [[nodiscard]] std::shared_ptr<DisplayList> endEarly(RasterContext &context);
 
   // --- Segments: host lists of consecutive commands that the host compiles ---
-  void openSegment(Context &context);
-  void validateSegment(Context &context);
+  void openSegment(RasterContext &context);
+  void validateSegment(RasterContext &context);
   /// Ends the host's compilation, so that commands of the layer may call the host.
-  void closeSegment(Context &context);
+  void closeSegment(RasterContext &context);
   /// True if the last item is the last thing in the list.
   [[nodiscard]] bool follows() const { return keepsState() && !m_geometry && !m_items.empty(); }
-  void interrupt(Context &context) override {
+  void interrupt(CoreContext &lower) override {
     m_known.forget();
-    closeSegment(context);
+    closeSegment(rasterStep(lower));
   }
-  void resume(Context &context) override;
+  void resume(CoreContext &lower) override;
   void finishSegment();
 
   // --- A primitive between Begin and End, which the layer records ---
-  void stopPrimitive(Context &context);
-  void executePrimitive(Context &context);
+  void stopPrimitive(RasterContext &context);
+  void executePrimitive(RasterContext &context);
   /// Makes an item of the primitive so far, which leaves Begin/End open.
-  void interruptPrimitive(Context &context);
+  void interruptPrimitive(RasterContext &context);
   void keepPrimitive(bool fromArrays);
   /// Makes an item of the complete primitives that are kept.
   void finishGeometry();
 
-  void setMode(Context &context, std::uint16_t mode);
-  void define(Context &context, std::shared_ptr<const DisplayList> list);
+  void setMode(RasterContext &context, std::uint16_t mode);
+  void define(RasterContext &context, std::shared_ptr<const DisplayList> list);
 
   GLuint m_name = 0;
   GLuint m_segment = 0; ///< the host list being compiled; 0: none
@@ -167,18 +168,18 @@ private:
 };
 
 /// Returns the list compiler of a context that is no null context.
-[[nodiscard]] inline ListCompiler &listCompiler(Context &context) {
+[[nodiscard]] inline ListCompiler &listCompiler(RasterContext &context) {
   return static_cast<ListCompiler &>(*context.list);
 }
 
 /// Executes one recorded command.
-void execute(Context &context, const Command &command);
+void execute(RasterContext &context, const Command &command);
 /// Executes CallList: the list's segments in order, or the host's list.
-void callList(Context &context, GLuint name);
-void callLists(Context &context, GLsizei count, GLenum type, const void *lists);
+void callList(RasterContext &context, GLuint name);
+void callLists(RasterContext &context, GLsizei count, GLenum type, const void *lists);
 /// Executes CallList between Begin and End in COMPILE_AND_EXECUTE, where the host's list cannot be
 /// cut. The host gets the segments of `name`.
-void callListIntoHost(Context &context, GLuint name);
+void callListIntoHost(RasterContext &context, GLuint name);
 /// Returns the size of CallLists' array; 0 if the arguments are invalid.
 [[nodiscard]] std::size_t callListsBytes(GLsizei count, GLenum type);
 

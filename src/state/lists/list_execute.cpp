@@ -34,7 +34,7 @@ namespace arbiter::state {
 namespace {
 
 /// Executes a command of ATI_fragment_shader.
-void executeFragmentShader(Context &context, const Command &command) {
+void executeFragmentShader(RasterContext &context, const Command &command) {
   if (command.kind == Command::Kind::BindProgram)
     bindFragmentShader(context, command.name);
   else
@@ -42,7 +42,7 @@ void executeFragmentShader(Context &context, const Command &command) {
 }
 
 /// Executes a command of EXT_vertex_shader.
-void executeVertexShader(Context &context, const Command &command) {
+void executeVertexShader(RasterContext &context, const Command &command) {
   if (command.kind == Command::Kind::BindProgram)
     bindVertexShader(context, command.name);
   else
@@ -50,7 +50,7 @@ void executeVertexShader(Context &context, const Command &command) {
 }
 
 /// Executes the command's bind and those that were joined to it.
-void bindPrograms(Context &context, ProgramTarget &row, const Command &command) {
+void bindPrograms(RasterContext &context, ProgramTarget &row, const Command &command) {
   bindProgram(context, row, command.name);
   for (std::size_t at = 0; at < command.bytes.size(); at += sizeof command.name) {
     GLuint name = 0;
@@ -60,7 +60,7 @@ void bindPrograms(Context &context, ProgramTarget &row, const Command &command) 
 }
 
 /// Executes a command of the program API. Its target was one of the layer's when it was recorded.
-void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
+void executeProgram(RasterContext &context, ProgramTarget &row, const Command &command) {
   const bool enables =
       command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
   if (row.target == Target::AtiApi && !enables)
@@ -108,7 +108,7 @@ EvaluatorPoint pointOf(const Command &command) {
   return point;
 }
 
-void evalMesh(Context &context, const Command &command) {
+void evalMesh(RasterContext &context, const Command &command) {
   std::array<GLint, 4> range{};
   std::memcpy(range.data(), command.bytes.data(), sizeof range);
   issueEvalMesh(context, {command.name, command.target, range[0], range[1], range[2], range[3]});
@@ -116,7 +116,7 @@ void evalMesh(Context &context, const Command &command) {
 
 /// Executes a command of NVIDIA's program API. It was available when recorded, but contexts of a
 /// share group may run on different host contexts.
-void executeNvCommand(Context &context, const Command &command) {
+void executeNvCommand(RasterContext &context, const Command &command) {
   if (!context.nv)
     return raise(context, GL_INVALID_OPERATION, "a list's command of NV_vertex_program");
   switch (command.kind) {
@@ -149,7 +149,7 @@ void executeNvCommand(Context &context, const Command &command) {
 
 } // namespace
 
-void execute(Context &context, const Command &command) {
+void execute(RasterContext &context, const Command &command) {
   if (command.kind == Command::Kind::PrepareEvaluation)
     return prepareEvaluation(context);
   if (command.kind == Command::Kind::EvalPoint)

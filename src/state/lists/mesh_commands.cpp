@@ -4,19 +4,19 @@
 #include <utility>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/prepare_draw.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/primitive_commands.h"
 #include "state/raster_draw/commands.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
 namespace {
 
 /// Draws one primitive of the mesh; `points` evaluates. Returns false after an error of Begin.
-template <typename Points> bool primitive(Context &context, GLenum mode, Points &&points) {
+template <typename Points> bool primitive(RasterContext &context, GLenum mode, Points &&points) {
   issueBegin(context, mode);
   if (!context.insideBeginEnd)
     return false;
@@ -26,7 +26,7 @@ template <typename Points> bool primitive(Context &context, GLenum mode, Points 
 }
 
 /// Draws the mesh as 5.1 says: FILL is a strip for each step in v. The counters may exceed GLint.
-void drawMesh(Context &context, const EvaluatorMesh &mesh) {
+void drawMesh(RasterContext &context, const EvaluatorMesh &mesh) {
   const auto point = [&](std::int64_t u, std::int64_t v) {
     evaluatePoint(context, {mesh.dimension, true, GLdouble(u), GLdouble(v)});
   };
@@ -60,7 +60,7 @@ void drawMesh(Context &context, const EvaluatorMesh &mesh) {
 }
 
 /// Draws or records the mesh. Returns false, after preparing a draw, if it is the host's.
-bool takesMesh(Context &context, const EvaluatorMesh &mesh) {
+bool takesMesh(RasterContext &context, const EvaluatorMesh &mesh) {
   if (context.mapsNamed && !context.insideBeginEnd) {
     if (context.listMode != 0) {
       Command command{.kind = Command::Kind::EvalMesh, .target = mesh.mode, .name = mesh.dimension};
@@ -84,7 +84,7 @@ bool takesMesh(Context &context, const EvaluatorMesh &mesh) {
 
 } // namespace
 
-void issueEvalMesh(Context &context, const EvaluatorMesh &mesh) {
+void issueEvalMesh(RasterContext &context, const EvaluatorMesh &mesh) {
   if (takesMesh(context, mesh))
     return;
   if (mesh.dimension == 1)

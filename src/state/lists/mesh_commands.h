@@ -4,7 +4,7 @@
 /// EvalMesh (OpenGL 2.1, 5.1), called by the application or by a display list.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 /// An EvalMesh command: first and last grid number in u and in v.
 struct EvaluatorMesh {
@@ -18,6 +18,6 @@ struct EvaluatorMesh {
 };
 
 /// Draws the mesh by the layer's evaluators, records it, or leaves it to the host.
-void issueEvalMesh(Context &context, const EvaluatorMesh &mesh);
+void issueEvalMesh(RasterContext &context, const EvaluatorMesh &mesh);
 
 } // namespace arbiter::state

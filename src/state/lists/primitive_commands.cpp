@@ -1,7 +1,6 @@
 #include "state/lists/primitive_commands.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/native_inputs.h"
@@ -14,13 +13,14 @@
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/refused.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
 namespace {
 
 /// Starts to record the primitive for the rasterizer. Returns false if the host draws it.
-bool defer(Context &context, GLenum mode) {
+bool defer(RasterContext &context, GLenum mode) {
   if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
     return false;
   if (!software::usesRasterizer(context) || !software::beginPrimitive(context, mode))
@@ -31,7 +31,7 @@ bool defer(Context &context, GLenum mode) {
 
 } // namespace
 
-void issueBegin(Context &context, GLenum mode) {
+void issueBegin(RasterContext &context, GLenum mode) {
   if (software::isHeld(context) && software::reopenHeld(context, mode))
     return;
   if (software::isRecorded(context) && software::refuses(context, "glBegin")) [[unlikely]]
@@ -61,7 +61,7 @@ void issueBegin(Context &context, GLenum mode) {
     context.insideBeginEnd = true;
 }
 
-void issueEnd(Context &context) {
+void issueEnd(RasterContext &context) {
   if (software::isHeld(context)) [[unlikely]] // an End without Begin, which is an error
     software::drawHeld(context);
   if (context.recorder && context.listMode == 0 && software::holdPrimitive(context))

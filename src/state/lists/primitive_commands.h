@@ -4,9 +4,9 @@
 /// Begin and End, called by the application or by a display list.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
-void issueBegin(Context &context, GLenum mode);
-void issueEnd(Context &context);
+void issueBegin(RasterContext &context, GLenum mode);
+void issueEnd(RasterContext &context);
 
 } // namespace arbiter::state

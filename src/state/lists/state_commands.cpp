@@ -4,18 +4,18 @@
 #include <cstring>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
 namespace {
 
 /// Records the command if the list keeps state. Returns false if it does not.
-bool record(Context &context, const StateCommand &command, std::uint32_t dirty) {
+bool record(RasterContext &context, const StateCommand &command, std::uint32_t dirty) {
   if (!command.isValid() || !listCompiler(context).keepsState())
     return false;
   withinMemory(context, "a command of a list",
@@ -25,7 +25,7 @@ bool record(Context &context, const StateCommand &command, std::uint32_t dirty) 
 
 } // namespace
 
-bool recordMaterial(Context &context, GLenum face, GLenum pname, const GLfloat *values) {
+bool recordMaterial(RasterContext &context, GLenum face, GLenum pname, const GLfloat *values) {
   const int count = materialValues(pname);
   if (count == 0 || !values)
     return false;
@@ -34,11 +34,11 @@ bool recordMaterial(Context &context, GLenum face, GLenum pname, const GLfloat *
   return record(context, command, software::dirty::kMaterial | software::dirty::kProgramState);
 }
 
-bool recordBindTexture(Context &context, GLenum target, GLuint texture) {
+bool recordBindTexture(RasterContext &context, GLenum target, GLuint texture) {
   return record(context, {.target = target, .texture = texture}, software::dirty::kTextureBindings);
 }
 
-void executeStateCommands(Context &context, const std::string &bytes) {
+void executeStateCommands(RasterContext &context, const std::string &bytes) {
   StateCommand command;
   for (std::size_t at = 0; at < bytes.size(); at += sizeof command) {
     std::memcpy(&command, bytes.data() + at, sizeof command);

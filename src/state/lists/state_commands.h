@@ -9,15 +9,15 @@
 /// around them merge.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 /// Record a command in a list. They return false if the host must compile it: it may be an error,
 /// or the layer does not keep state here.
-[[nodiscard]] bool recordMaterial(Context &context, GLenum face, GLenum pname,
+[[nodiscard]] bool recordMaterial(RasterContext &context, GLenum face, GLenum pname,
                                   const GLfloat *values);
-[[nodiscard]] bool recordBindTexture(Context &context, GLenum target, GLuint texture);
+[[nodiscard]] bool recordBindTexture(RasterContext &context, GLenum target, GLuint texture);
 
 /// Executes StateCommands in a row.
-void executeStateCommands(Context &context, const std::string &bytes);
+void executeStateCommands(RasterContext &context, const std::string &bytes);
 
 } // namespace arbiter::state

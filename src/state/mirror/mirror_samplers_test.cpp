@@ -97,7 +97,7 @@ void expectSame(const SamplerState &got, const SamplerState &wanted) {
 TEST(MirrorSamplers, OfTexturesAndOfObjects) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   GLuint textures[4], samplers[1];
   glGenTextures(4, textures);
@@ -160,7 +160,7 @@ TEST(MirrorSamplers, OfTexturesAndOfObjects) {
 TEST(MirrorSamplers, WhatWeLackIsNamed) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   const SamplerUse uses[] = {{0, abi::Dimension::Tex2D}};
   const auto obstacle = [&] {
@@ -186,7 +186,7 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
 TEST(MirrorSamplers, AnisotropyIsAFilterOfMipmaps) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   const auto most = [&](GLenum target, abi::Dimension dimension, float limit, GLint filter) {
     glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, limit);
@@ -211,7 +211,7 @@ TEST(MirrorSamplers, AnisotropyIsAFilterOfMipmaps) {
 }
 
 /// Returns x of the first three vertices of a slot, from the mirror to the fetch.
-std::array<float, 3> fetched(Context &context, Mirror &mirror, int slot,
+std::array<float, 3> fetched(RasterContext &context, Mirror &mirror, int slot,
                              const DrawCommand &command = {.count = 3}) {
   context.dirty |= dirty::kArrays | dirty::kCurrent;
   mirror.refresh(context.dirty);
@@ -226,7 +226,7 @@ std::array<float, 3> fetched(Context &context, Mirror &mirror, int slot,
   // A buffer that stays mapped would make later commands fail.
   const struct Closing {
     ArraySource &source;
-    Context &context;
+    RasterContext &context;
     ~Closing() { source.close(context); }
   } closing{source, context};
   if (!valid)
@@ -249,7 +249,7 @@ using Three = std::array<float, 3>;
 TEST(MirrorArrays, OfClientMemoryAndOfBuffers) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   const float positions[] = {1, 2, 3, 4, 5, 6};
   const GLubyte colors[] = {255, 0, 0, 9, 51, 0, 0, 9, 0, 0, 0, 9};
@@ -306,7 +306,7 @@ TEST(MirrorArrays, OfClientMemoryAndOfBuffers) {
 TEST(MirrorArrays, WhatWeLackIsRefused) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   const auto valid = [&](int slot, const DrawCommand &command = {.count = 3}) {
     context.dirty |= dirty::kArrays | dirty::kRaster;

@@ -50,7 +50,7 @@ std::vector<GLint> movables() {
   return values;
 }
 
-void refreshAll(Context &context, Mirror &mirror) {
+void refreshAll(RasterContext &context, Mirror &mirror) {
   const std::vector<GLint> before = movables();
   ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << "the test's own";
   mirror.refresh(context.dirty);
@@ -66,7 +66,7 @@ void refreshAll(Context &context, Mirror &mirror) {
 TEST(Mirror, FollowsWhicheverStateChanged) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   std::vector<Field> fields;
   for (const auto &some :
        {testing::rasterFields(), testing::pixelFields(), testing::vertexFields()})
@@ -97,7 +97,7 @@ TEST(Mirror, FollowsWhicheverStateChanged) {
 TEST(Mirror, AsksOnlyWhatIsDirty) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   mirror.refresh(context.dirty);
   glEnable(GL_DEPTH_TEST);
@@ -154,7 +154,7 @@ const Obstacle kObstacles[] = {
 TEST(Mirror, NamesWhatKeepsDrawsWithTheHost) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   glGenQueries(2, &g_query);
   mirror.refresh(context.dirty);
@@ -202,7 +202,7 @@ TEST(Mirror, SmoothPointsPolygonsAndMixturesAreTheHosts) {
 TEST(Mirror, CurrentValuesAreAskedForOnce) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   glColor4f(0.25f, 0.5f, 0.75f, 1);
   glNormal3f(1, 2, 3);
@@ -237,7 +237,7 @@ TEST(Mirror, CurrentValuesAreAskedForOnce) {
 TEST(Mirror, TheRasterPositionIsAskedForWhereACommandMayHaveMovedIt) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   const std::uint32_t all =
       1u << kColor | 1u << kSecondary | 1u << kFogCoord | 1u << kTexCoord0 | 1u << (kTexCoord0 + 3);
@@ -282,7 +282,7 @@ TEST(Mirror, TheRasterPositionIsAskedForWhereACommandMayHaveMovedIt) {
 TEST(Mirror, TheFogOfTheRasterPositionIsThatOfAVertexThere) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   const auto fogOf = [&] {
     context.dirty |= dirty::kRasterPosition | dirty::kFog;
@@ -318,7 +318,7 @@ TEST(Mirror, TheFogOfTheRasterPositionIsThatOfAVertexThere) {
 TEST(Mirror, CostsLittle) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   GLuint textures[2];
   glGenTextures(2, textures);

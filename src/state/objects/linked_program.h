@@ -69,7 +69,7 @@ struct LinkedProgram {
   AssemblyProgram *vertexAssembly = nullptr;
   /// May be set beside `vertexAssembly`, or with fixed-function vertices (fragment_assembly.h).
   AssemblyProgram *fragmentAssembly = nullptr;
-  std::uint64_t frame = 0; ///< Context::frames when it was built
+  std::uint64_t frame = 0; ///< Counters::frames when it was built
   /// the owner of `vertexProgram`; null: itself, or there is none
   LinkedProgram *vertexAlone = nullptr;
   /// The owner of `hostProgram`, if it belongs to another linked program.

@@ -47,7 +47,8 @@ software::CopyToTexture copyTo(GLuint texture, const CopyCommand &copy) {
 
 } // namespace
 
-void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const CopyRegion &region) {
+void trackCopy(RasterContext &context, const TextureLevel &to, CopyKind kind,
+               const CopyRegion &region) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
     context.host->GetIntegerv(pname, &value);
@@ -64,7 +65,7 @@ namespace {
 
 /// Copies to an image whose format the host has. The destination is queried from the host, because
 /// bindings are passed on untracked, and a query is cheap beside a copy.
-void copyColors(Context &context, const CopyCommand &copy) {
+void copyColors(RasterContext &context, const CopyCommand &copy) {
   if (context.insideBeginEnd || context.listMode == GL_COMPILE)
     return forward(*context.host, copy);
   GLint texture = 0;
@@ -85,7 +86,7 @@ bool defines(CopyKind kind) { return kind == CopyKind::Image1D || kind == CopyKi
 
 /// True if the image has HILO components or belongs to a texture offset group (NV_texture_shader,
 /// 3.8.2), which cannot be copied to.
-bool takesNoColors(Context &context, const CopyCommand &copy) {
+bool takesNoColors(RasterContext &context, const CopyCommand &copy) {
   const GLenum name = defines(copy.kind) ? copy.internalFormat
                                          : componentFormatOf(context, copy.target, copy.level);
   const ComponentFormat *const format = componentFormat(name);
@@ -93,7 +94,7 @@ bool takesNoColors(Context &context, const CopyCommand &copy) {
 }
 
 /// Copies to an image if internal formats may be those of NV_texture_shader.
-void copyToOwnFormat(Context &context, const CopyCommand &copy) {
+void copyToOwnFormat(RasterContext &context, const CopyCommand &copy) {
   if (takesNoColors(context, copy))
     return raise(context, GL_INVALID_OPERATION, "CopyTexImage: the image has no colours");
   const ComponentFormat *const own =
@@ -116,7 +117,7 @@ void copyToOwnFormat(Context &context, const CopyCommand &copy) {
 
 } // namespace
 
-void copyTexture(Context &context, const CopyCommand &copy) {
+void copyTexture(RasterContext &context, const CopyCommand &copy) {
   if (defines(copy.kind)) {
     noteInternalFormat(context, copy.internalFormat);
     noteTextureChange(context);

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
 #include "state/pixel_commands/imaging_state_commands.h"
 #include "state/pixel_commands/pixel_commands.h"
 #include "state/pixel_commands/transfer.h"
 #include "state/programs/program_bind.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
@@ -23,14 +23,14 @@ template <typename T> void append(std::string &bytes, const T *from, std::size_t
   bytes.append(reinterpret_cast<const char *>(from), count * sizeof(T));
 }
 
-void enable(Context &context, const ImagingCommand &command) {
+void enable(RasterContext &context, const ImagingCommand &command) {
   unsigned &enabled = context.imaging->settings.enabled;
   const unsigned bit = imagingBitOf(command.pname);
   enabled = command.flag ? enabled | bit : enabled & ~bit;
 }
 
 /// Sets a table or a filter from the framebuffer's colours.
-void copy(Context &context, ImagingCommand command) {
+void copy(RasterContext &context, ImagingCommand command) {
   using Kind = ImagingCommand::Kind;
   const GLenum error = command.kind == Kind::CopyTable      ? tableError(command)
                        : command.kind == Kind::CopySubTable ? subTableError(context, command)
@@ -48,7 +48,7 @@ void copy(Context &context, ImagingCommand command) {
     setFilter(context, command, pixels->texels);
 }
 
-void setMatrixMode(Context &context, GLenum mode) {
+void setMatrixMode(RasterContext &context, GLenum mode) {
   ColorMatrix &matrix = context.imaging->colorMatrix;
   if (mode == GL_COLOR)
     return matrix.enter(context);
@@ -58,12 +58,12 @@ void setMatrixMode(Context &context, GLenum mode) {
 
 } // namespace
 
-void noteImagingUse(Context &context) {
+void noteImagingUse(RasterContext &context) {
   context.imagesPixels = true;
   noteProgramApiUse(context);
 }
 
-void recordImaging(Context &context, const ImagingCommand &command, const std::string &more,
+void recordImaging(RasterContext &context, const ImagingCommand &command, const std::string &more,
                    const std::vector<imaging::Rgba> &colors) {
   Command entry{.kind = Command::Kind::Imaging};
   append(entry.bytes, &command, 1);
@@ -72,7 +72,7 @@ void recordImaging(Context &context, const ImagingCommand &command, const std::s
   context.list->record(context, std::move(entry));
 }
 
-void issueImaging(Context &context, const ImagingCommand &command,
+void issueImaging(RasterContext &context, const ImagingCommand &command,
                   const std::vector<imaging::Rgba> &colors) {
   noteImagingUse(context);
   if (context.listMode != 0)
@@ -81,7 +81,7 @@ void issueImaging(Context &context, const ImagingCommand &command,
     executeImaging(context, command, colors);
 }
 
-void executeImaging(Context &context, const ImagingCommand &command,
+void executeImaging(RasterContext &context, const ImagingCommand &command,
                     const std::vector<imaging::Rgba> &colors) {
   using Kind = ImagingCommand::Kind;
   switch (command.kind) {
@@ -122,7 +122,7 @@ void executeImaging(Context &context, const ImagingCommand &command,
   }
 }
 
-void executeImaging(Context &context, const Command &recorded) {
+void executeImaging(RasterContext &context, const Command &recorded) {
   if (!context.imaging)
     return raise(context, GL_INVALID_OPERATION, "a list's command of ARB_imaging");
   noteImagingUse(context);

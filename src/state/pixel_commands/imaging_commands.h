@@ -10,7 +10,7 @@
 /// The commands of ARB_imaging that set its state. Entry points and display lists call them.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 struct Command;
 
 /// A command and its arguments. A list keeps its bytes, followed by its colours.
@@ -45,17 +45,17 @@ struct ImagingCommand {
 
 /// Executes the command, or records it in a list. From then on the context's pixel commands check
 /// imaging.
-void issueImaging(Context &context, const ImagingCommand &command,
+void issueImaging(RasterContext &context, const ImagingCommand &command,
                   const std::vector<imaging::Rgba> &colors = {});
 /// Executes the command at once, even in a list: commands of proxies (5.4).
-void executeImaging(Context &context, const ImagingCommand &command,
+void executeImaging(RasterContext &context, const ImagingCommand &command,
                     const std::vector<imaging::Rgba> &colors);
 /// Executes a list's command.
-void executeImaging(Context &context, const Command &command);
+void executeImaging(RasterContext &context, const Command &command);
 /// Records a command in a list, with an upload's bytes or nothing in `more`.
-void recordImaging(Context &context, const ImagingCommand &command, const std::string &more,
+void recordImaging(RasterContext &context, const ImagingCommand &command, const std::string &more,
                    const std::vector<imaging::Rgba> &colors);
 /// Makes the context's pixel commands check imaging from now on, and its lists the layer's.
-void noteImagingUse(Context &context);
+void noteImagingUse(RasterContext &context);
 
 } // namespace arbiter::state

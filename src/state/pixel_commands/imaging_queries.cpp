@@ -3,10 +3,11 @@
 #include "state/core/errors.h"
 #include "state/imaging/formats.h"
 #include "state/pixel_commands/transfer.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
-bool returnImage(Context &context, GLenum internalFormat, const imaging::Pixels &image,
+bool returnImage(RasterContext &context, GLenum internalFormat, const imaging::Pixels &image,
                  GLenum format, GLenum type, void *to) {
   if (!isColorFormat(format) || format == GL_COLOR_INDEX) {
     raise(context, GL_INVALID_ENUM, "a query of imaging: format");

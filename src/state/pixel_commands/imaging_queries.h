@@ -11,7 +11,7 @@
 /// Helpers for queries of tables and filters.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 /// Returns the nearest integer of the type; 0 for NaN.
 template <typename T> [[nodiscard]] T wholeNumber(double value) {
@@ -33,7 +33,7 @@ template <typename T> void giveColor(const imaging::Rgba &color, T *to) {
 
 /// Returns an image to the application. Components that its internal format lacks are 0. Raises
 /// errors. Returns false if nothing was written.
-bool returnImage(Context &context, GLenum internalFormat, const imaging::Pixels &image,
+bool returnImage(RasterContext &context, GLenum internalFormat, const imaging::Pixels &image,
                  GLenum format, GLenum type, void *to);
 
 } // namespace arbiter::state

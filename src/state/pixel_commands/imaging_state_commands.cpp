@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/formats.h"
 #include "state/imaging/imaging_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
@@ -45,7 +45,7 @@ GLenum tableError(const ImagingCommand &command) {
                                                              : GLenum(GL_NO_ERROR);
 }
 
-void setColorTable(Context &context, const ImagingCommand &command,
+void setColorTable(RasterContext &context, const ImagingCommand &command,
                    const std::vector<imaging::Rgba> &colors) {
   ImagingState &state = *context.imaging;
   if (const GLenum error = tableError(command); error != GL_NO_ERROR)
@@ -63,7 +63,7 @@ void setColorTable(Context &context, const ImagingCommand &command,
   table.set(0, scaled(state.settings.tables[std::size_t(number)], colors));
 }
 
-GLenum subTableError(const Context &context, const ImagingCommand &command) {
+GLenum subTableError(const RasterContext &context, const ImagingCommand &command) {
   bool proxy = false;
   const int number = tableOf(command.target, proxy);
   if (number < 0 || proxy)
@@ -74,7 +74,7 @@ GLenum subTableError(const Context &context, const ImagingCommand &command) {
   return inside ? GLenum(GL_NO_ERROR) : GLenum(GL_INVALID_VALUE);
 }
 
-void setColorSubTable(Context &context, const ImagingCommand &command,
+void setColorSubTable(RasterContext &context, const ImagingCommand &command,
                       const std::vector<imaging::Rgba> &colors) {
   ImagingState &state = *context.imaging;
   if (const GLenum error = subTableError(context, command); error != GL_NO_ERROR)
@@ -85,7 +85,7 @@ void setColorSubTable(Context &context, const ImagingCommand &command,
   table.set(std::size_t(command.start), scaled(state.settings.tables[std::size_t(number)], colors));
 }
 
-void setTableParameter(Context &context, const ImagingCommand &command) {
+void setTableParameter(RasterContext &context, const ImagingCommand &command) {
   bool proxy = false;
   const int number = tableOf(command.target, proxy);
   if (number < 0 || proxy ||
@@ -95,7 +95,7 @@ void setTableParameter(Context &context, const ImagingCommand &command) {
   (command.pname == GL_COLOR_TABLE_SCALE ? to.scale : to.bias) = command.values;
 }
 
-void setFilter(Context &context, const ImagingCommand &command,
+void setFilter(RasterContext &context, const ImagingCommand &command,
                const std::vector<imaging::Rgba> &colors) {
   ImagingState &state = *context.imaging;
   const int number = filterTargetOf(command.target);
@@ -120,7 +120,7 @@ void setFilter(Context &context, const ImagingCommand &command,
   state.contents.column = filterFrom(command.pname, command.height, 1, {middle, values.end()});
 }
 
-void setFilterParameter(Context &context, const ImagingCommand &command) {
+void setFilterParameter(RasterContext &context, const ImagingCommand &command) {
   const int number = filterTargetOf(command.target);
   if (number < 0)
     return raise(context, GL_INVALID_ENUM, "ConvolutionParameter: target");
@@ -153,7 +153,7 @@ bool counts(GLenum format) {
 }
 } // namespace
 
-void setHistogram(Context &context, const ImagingCommand &command) {
+void setHistogram(RasterContext &context, const ImagingCommand &command) {
   ImagingState &state = *context.imaging;
   const bool proxy = command.target == GL_PROXY_HISTOGRAM;
   if ((!proxy && command.target != GL_HISTOGRAM) || !counts(command.pname))
@@ -172,7 +172,7 @@ void setHistogram(Context &context, const ImagingCommand &command) {
                               std::vector<imaging::Counts>(std::size_t(command.width))};
 }
 
-void setMinmax(Context &context, const ImagingCommand &command) {
+void setMinmax(RasterContext &context, const ImagingCommand &command) {
   if (command.target != GL_MINMAX || !counts(command.pname))
     return raise(context, GL_INVALID_ENUM, "Minmax: target or internal format");
   context.imaging->contents.minmax = {};
@@ -180,7 +180,7 @@ void setMinmax(Context &context, const ImagingCommand &command) {
   context.imaging->contents.minmax.sink = command.flag;
 }
 
-void resetStatistics(Context &context, GLenum target) {
+void resetStatistics(RasterContext &context, GLenum target) {
   imaging::Contents &contents = context.imaging->contents;
   if (target == GL_HISTOGRAM) {
     std::fill(contents.histogram.bins.begin(), contents.histogram.bins.end(), imaging::Counts{});

@@ -9,19 +9,19 @@ namespace arbiter::state {
 /// Return the error of a command's target, format and size, without its colours. The framebuffer is
 /// not read for a command with an error.
 [[nodiscard]] GLenum tableError(const ImagingCommand &command);
-[[nodiscard]] GLenum subTableError(const Context &context, const ImagingCommand &command);
+[[nodiscard]] GLenum subTableError(const RasterContext &context, const ImagingCommand &command);
 
-void setColorTable(Context &context, const ImagingCommand &command,
+void setColorTable(RasterContext &context, const ImagingCommand &command,
                    const std::vector<imaging::Rgba> &colors);
-void setColorSubTable(Context &context, const ImagingCommand &command,
+void setColorSubTable(RasterContext &context, const ImagingCommand &command,
                       const std::vector<imaging::Rgba> &colors);
-void setTableParameter(Context &context, const ImagingCommand &command);
-void setFilter(Context &context, const ImagingCommand &command,
+void setTableParameter(RasterContext &context, const ImagingCommand &command);
+void setFilter(RasterContext &context, const ImagingCommand &command,
                const std::vector<imaging::Rgba> &colors);
-void setFilterParameter(Context &context, const ImagingCommand &command);
-void setHistogram(Context &context, const ImagingCommand &command);
-void setMinmax(Context &context, const ImagingCommand &command);
+void setFilterParameter(RasterContext &context, const ImagingCommand &command);
+void setHistogram(RasterContext &context, const ImagingCommand &command);
+void setMinmax(RasterContext &context, const ImagingCommand &command);
 /// Executes ResetHistogram and ResetMinmax.
-void resetStatistics(Context &context, GLenum target);
+void resetStatistics(RasterContext &context, GLenum target);
 
 } // namespace arbiter::state

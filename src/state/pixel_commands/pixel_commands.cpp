@@ -2,13 +2,13 @@
 
 #include "host/host_table.h"
 #include "state/client_pixels/plain_transfer.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/host_draw/prepare_draw.h"
 #include "state/imaging/imaging_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/pixels.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
@@ -19,19 +19,19 @@ using imaging::Pixels;
 using imaging::Rgba;
 
 /// True if ARB_imaging changes or counts pixels now.
-bool isImaged(Context &context) {
+bool isImaged(RasterContext &context) {
   return context.imagesPixels && context.imaging->isActive(context);
 }
 
 /// True if a command that draws pixels is the layer's: it is executed now, or recorded in a list.
-bool isOurs(Context &context) {
+bool isOurs(RasterContext &context) {
   if (context.listMode != 0)
     return context.imagesPixels;
   return isImaged(context) || software::shadesRasterValues(context);
 }
 
 /// Runs the pixel transfer with ARB_imaging. Returns false if a sink has taken the pixels.
-bool process(Context &context, ImageKind kind, bool indices, Pixels &pixels) {
+bool process(RasterContext &context, ImageKind kind, bool indices, Pixels &pixels) {
   if (!indices)
     firstArithmetic(context).apply(pixels);
   if (!context.imagesPixels)
@@ -41,7 +41,7 @@ bool process(Context &context, ImageKind kind, bool indices, Pixels &pixels) {
 }
 
 /// Draws pixels at the raster position, without further transfer.
-void draw(Context &context, const char *command, const Pixels &pixels) {
+void draw(RasterContext &context, const char *command, const Pixels &pixels) {
   if (software::shadesRasterValues(context) && software::tryPixels(context, pixels))
     return;
   if (context.softwareListens)
@@ -61,7 +61,7 @@ void draw(Context &context, const char *command, const Pixels &pixels) {
 
 /// True if reads are clamped to 0 to 1 for any type (ARB_color_buffer_float). FIXED_ONLY clamps
 /// unless the framebuffer holds floats.
-bool clampsReads(const Context &context) {
+bool clampsReads(const RasterContext &context) {
   const host::HostTable &host = *context.host;
   GLint clamp = GL_FIXED_ONLY, framebuffer = 0, type = GL_UNSIGNED_NORMALIZED, buffer = 0;
   if (context.caps.clampColor)
@@ -84,8 +84,8 @@ void sumLuminance(Pixels &pixels) {
 
 } // namespace
 
-bool imagedDrawPixels(Context &context, GLsizei width, GLsizei height, GLenum format, GLenum type,
-                      const void *pixels) {
+bool imagedDrawPixels(RasterContext &context, GLsizei width, GLsizei height, GLenum format,
+                      GLenum type, const void *pixels) {
   if (context.insideBeginEnd || !isColorFormat(format) || !isOurs(context))
     return false;
   const auto image = unpackPixels(
@@ -103,7 +103,8 @@ bool imagedDrawPixels(Context &context, GLsizei width, GLsizei height, GLenum fo
   return true;
 }
 
-void drawImage(Context &context, const ImagingCommand &command, const std::vector<Rgba> &colors) {
+void drawImage(RasterContext &context, const ImagingCommand &command,
+               const std::vector<Rgba> &colors) {
   if (!preparePixels(context))
     return;
   Pixels pixels{command.width, command.height, 1, colors};
@@ -111,7 +112,7 @@ void drawImage(Context &context, const ImagingCommand &command, const std::vecto
     draw(context, "glDrawPixels", pixels);
 }
 
-bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height,
+bool imagedCopyPixels(RasterContext &context, GLint x, GLint y, GLsizei width, GLsizei height,
                       GLenum type) {
   if (context.insideBeginEnd || type != GL_COLOR || !isOurs(context))
     return false;
@@ -128,7 +129,7 @@ bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei
   return true;
 }
 
-void copyImage(Context &context, const ImagingCommand &command) {
+void copyImage(RasterContext &context, const ImagingCommand &command) {
   if (!preparePixels(context))
     return;
   if (!isImaged(context) && !software::shadesRasterValues(context)) {
@@ -143,7 +144,7 @@ void copyImage(Context &context, const ImagingCommand &command) {
     draw(context, "glCopyPixels", *pixels);
 }
 
-bool imagedReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height,
+bool imagedReadPixels(RasterContext &context, GLint x, GLint y, GLsizei width, GLsizei height,
                       GLenum format, GLenum type, void *pixels) {
   if (context.insideBeginEnd || !isColorFormat(format) || format == GL_COLOR_INDEX ||
       !context.imaging->isActive(context))

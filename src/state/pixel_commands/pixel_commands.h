@@ -14,11 +14,11 @@ namespace arbiter::state {
 struct CopyCommand;
 
 /// Entry points call these if ContextHot::imagesPixels is set or the rasterizer may draw.
-[[nodiscard]] bool imagedDrawPixels(Context &context, GLsizei width, GLsizei height, GLenum format,
-                                    GLenum type, const void *pixels);
-[[nodiscard]] bool imagedCopyPixels(Context &context, GLint x, GLint y, GLsizei width,
+[[nodiscard]] bool imagedDrawPixels(RasterContext &context, GLsizei width, GLsizei height,
+                                    GLenum format, GLenum type, const void *pixels);
+[[nodiscard]] bool imagedCopyPixels(RasterContext &context, GLint x, GLint y, GLsizei width,
                                     GLsizei height, GLenum type);
-[[nodiscard]] bool imagedReadPixels(Context &context, GLint x, GLint y, GLsizei width,
+[[nodiscard]] bool imagedReadPixels(RasterContext &context, GLint x, GLint y, GLsizei width,
                                     GLsizei height, GLenum format, GLenum type, void *pixels);
 
 /// A TexImage or TexSubImage. A list keeps its bytes.
@@ -36,15 +36,16 @@ struct ImageUpload {
   GLint isPlane = 0; ///< 1: a two-dimensional image for a texture of three
 };
 /// \param upload all but the members about its pixels
-[[nodiscard]] bool imagedTexImage(Context &context, ImageUpload upload, GLenum format, GLenum type,
-                                  const void *pixels);
+[[nodiscard]] bool imagedTexImage(RasterContext &context, ImageUpload upload, GLenum format,
+                                  GLenum type, const void *pixels);
 /// Copies from the framebuffer to a texture.
-[[nodiscard]] bool imagedCopyTexture(Context &context, const CopyCommand &copy);
+[[nodiscard]] bool imagedCopyTexture(RasterContext &context, const CopyCommand &copy);
 
 // Lists call these too.
-void drawImage(Context &context, const ImagingCommand &command,
+void drawImage(RasterContext &context, const ImagingCommand &command,
                const std::vector<imaging::Rgba> &colors);
-void copyImage(Context &context, const ImagingCommand &command);
-void uploadImage(Context &context, const ImageUpload &upload, std::vector<imaging::Rgba> colors);
+void copyImage(RasterContext &context, const ImagingCommand &command);
+void uploadImage(RasterContext &context, const ImageUpload &upload,
+                 std::vector<imaging::Rgba> colors);
 
 } // namespace arbiter::state

@@ -4,13 +4,13 @@
 
 #include "host/host_table.h"
 #include "state/client_pixels/plain_transfer.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
 #include "state/pixel_commands/copy_texture.h"
 #include "state/pixel_commands/pixel_commands.h"
 #include "state/programs/texture_changes.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
@@ -74,7 +74,7 @@ void replace(const host::HostTable &host, const ImageUpload &to, const void *pix
 }
 
 /// Gives the image to the host, whose copy alone is valid afterwards.
-void give(Context &context, const ImageUpload &to, const void *pixels) {
+void give(RasterContext &context, const ImageUpload &to, const void *pixels) {
   if (context.software && !isProxy(to.target)) {
     if (to.replaces != 0)
       context.software->residency.synchronise("glTexSubImage");
@@ -92,7 +92,7 @@ void give(Context &context, const ImageUpload &to, const void *pixels) {
 }
 
 /// True if the level holds depths. The host then judges the command.
-bool hasDepths(const Context &context, GLenum target, GLint level) {
+bool hasDepths(const RasterContext &context, GLenum target, GLint level) {
   GLint bits = 0;
   context.host->GetTexLevelParameteriv(target, level, GL_TEXTURE_DEPTH_SIZE, &bits);
   return bits != 0;
@@ -122,7 +122,8 @@ bool isHostsFormat(GLenum format) {
 
 } // namespace
 
-void uploadImage(Context &context, const ImageUpload &upload, std::vector<imaging::Rgba> colors) {
+void uploadImage(RasterContext &context, const ImageUpload &upload,
+                 std::vector<imaging::Rgba> colors) {
   ImagingState &state = *context.imaging;
   ImageUpload to = upload;
   if (upload.hasPixels == 0) {
@@ -140,7 +141,7 @@ void uploadImage(Context &context, const ImageUpload &upload, std::vector<imagin
     give(context, to, remain ? pixels.texels.data() : nullptr);
 }
 
-bool imagedTexImage(Context &context, ImageUpload upload, GLenum format, GLenum type,
+bool imagedTexImage(RasterContext &context, ImageUpload upload, GLenum format, GLenum type,
                     const void *pixels) {
   const bool records = context.listMode != 0;
   if (context.insideBeginEnd || !isColorFormat(format) ||
@@ -169,7 +170,7 @@ bool imagedTexImage(Context &context, ImageUpload upload, GLenum format, GLenum 
   return true;
 }
 
-bool imagedCopyTexture(Context &context, const CopyCommand &copy) {
+bool imagedCopyTexture(RasterContext &context, const CopyCommand &copy) {
   const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
   if (!context.imaging->isActive(context) ||
       (defines ? isHostsFormat(copy.internalFormat) : hasDepths(context, copy.target, copy.level)))

@@ -5,10 +5,10 @@
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
 #include "state/client_pixels/plain_transfer.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/texture_binding.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state {
 
@@ -21,7 +21,7 @@ constexpr std::size_t kMaxPixels = std::size_t(1) << 26;
 /// A temporary texture of the layer's, bound while this lives.
 class Scratch {
 public:
-  Scratch(const Context &context, bool deep)
+  Scratch(const RasterContext &context, bool deep)
       : m_host(*context.host), m_target(deep ? GL_TEXTURE_3D : GL_TEXTURE_2D),
         m_name(newName(m_host)), m_bound(m_host, m_target, m_name, sharingOf(context)) {}
   ~Scratch() { m_host.DeleteTextures(1, &m_name); }
@@ -53,7 +53,7 @@ private:
 };
 
 /// Runs `function` while the host compiles no list.
-template <typename F> void atOnce(Context &context, F function) {
+template <typename F> void atOnce(RasterContext &context, F function) {
   if (context.listMode != 0)
     context.list->outside(context, function);
   else
@@ -62,7 +62,7 @@ template <typename F> void atOnce(Context &context, F function) {
 
 /// Runs `function` with the application's pixel store and plain transfer. Returns false after
 /// raising its error.
-template <typename F> bool succeeds(Context &context, const char *command, F function) {
+template <typename F> bool succeeds(RasterContext &context, const char *command, F function) {
   GLenum error = GL_NO_ERROR;
   {
     const PlainArithmetic arithmetic(context);
@@ -74,7 +74,7 @@ template <typename F> bool succeeds(Context &context, const char *command, F fun
   return error == GL_NO_ERROR;
 }
 
-std::optional<imaging::Pixels> unpack(Context &context, const ImageInMemory &image,
+std::optional<imaging::Pixels> unpack(RasterContext &context, const ImageInMemory &image,
                                       const void *pixels) {
   imaging::Pixels result{image.width, image.height, image.depth, {}};
   const Scratch scratch(context, image.dimensions == 3);
@@ -89,7 +89,8 @@ std::optional<imaging::Pixels> unpack(Context &context, const ImageInMemory &ima
   return result;
 }
 
-bool pack(Context &context, const imaging::Pixels &pixels, GLenum format, GLenum type, void *to) {
+bool pack(RasterContext &context, const imaging::Pixels &pixels, GLenum format, GLenum type,
+          void *to) {
   const Scratch scratch(context, false);
   {
     const PlainTransfer plain(context, PixelStore::Unpack);
@@ -99,7 +100,7 @@ bool pack(Context &context, const imaging::Pixels &pixels, GLenum format, GLenum
 }
 
 /// Reads the framebuffer. Returns the host's error.
-GLenum read(Context &context, GLint x, GLint y, imaging::Pixels &to) {
+GLenum read(RasterContext &context, GLint x, GLint y, imaging::Pixels &to) {
   if (context.software)
     context.software->residency.synchronise("pixels that are read for imaging");
   const PlainTransfer plain(context, PixelStore::Pack);
@@ -130,7 +131,7 @@ bool isColorFormat(GLenum format) {
   }
 }
 
-std::optional<imaging::Pixels> unpackPixels(Context &context, const ImageInMemory &image,
+std::optional<imaging::Pixels> unpackPixels(RasterContext &context, const ImageInMemory &image,
                                             const void *pixels) {
   std::optional<imaging::Pixels> result;
   if (image.width < 0 || image.height < 0 || image.depth < 0)
@@ -140,13 +141,13 @@ std::optional<imaging::Pixels> unpackPixels(Context &context, const ImageInMemor
   return result;
 }
 
-bool arePixels(Context &context, GLenum format, GLenum type) {
+bool arePixels(RasterContext &context, GLenum format, GLenum type) {
   return unpackPixels(context, {.dimensions = 1, .width = 0, .format = format, .type = type},
                       nullptr)
       .has_value();
 }
 
-bool packPixels(Context &context, const imaging::Pixels &pixels, GLenum format, GLenum type,
+bool packPixels(RasterContext &context, const imaging::Pixels &pixels, GLenum format, GLenum type,
                 void *to) {
   if (pixels.count() == 0)
     return arePixels(context, format, type);
@@ -155,8 +156,8 @@ bool packPixels(Context &context, const imaging::Pixels &pixels, GLenum format, 
   return packed;
 }
 
-std::optional<imaging::Pixels> readFramebuffer(Context &context, GLint x, GLint y, GLsizei width,
-                                               GLsizei height) {
+std::optional<imaging::Pixels> readFramebuffer(RasterContext &context, GLint x, GLint y,
+                                               GLsizei width, GLsizei height) {
   if (width < 0 || height < 0) {
     raise(context, GL_INVALID_VALUE, "a size is negative");
     return {};
@@ -176,7 +177,7 @@ std::optional<imaging::Pixels> readFramebuffer(Context &context, GLint x, GLint 
   return {};
 }
 
-imaging::FirstArithmetic firstArithmetic(const Context &context) {
+imaging::FirstArithmetic firstArithmetic(const RasterContext &context) {
   const host::HostTable &host = *context.host;
   constexpr GLenum kScales[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE};
   constexpr GLenum kBiases[] = {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS};

@@ -11,7 +11,7 @@
 /// application's pixel store. So all of its formats and types work.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 /// An image in the application's memory.
 struct ImageInMemory {
@@ -27,18 +27,18 @@ struct ImageInMemory {
 /// Reads an image and expands it to RGBA (3.6.4). Raises an error and returns nothing if that
 /// fails.
 [[nodiscard]] std::optional<imaging::Pixels>
-unpackPixels(Context &context, const ImageInMemory &image, const void *pixels);
+unpackPixels(RasterContext &context, const ImageInMemory &image, const void *pixels);
 /// True if the format and the type fit together, as unpackPixels() would find. For images without
 /// pixels, or with too many.
-[[nodiscard]] bool arePixels(Context &context, GLenum format, GLenum type);
+[[nodiscard]] bool arePixels(RasterContext &context, GLenum format, GLenum type);
 /// Writes components, converted only to the type. Raises an error and returns false if that fails.
 /// Luminance is red alone; green and blue must be 0 for it.
-[[nodiscard]] bool packPixels(Context &context, const imaging::Pixels &pixels, GLenum format,
+[[nodiscard]] bool packPixels(RasterContext &context, const imaging::Pixels &pixels, GLenum format,
                               GLenum type, void *to);
 /// Reads the read buffer's colours. Raises an error and returns nothing if that fails.
-[[nodiscard]] std::optional<imaging::Pixels> readFramebuffer(Context &context, GLint x, GLint y,
-                                                             GLsizei width, GLsizei height);
+[[nodiscard]] std::optional<imaging::Pixels>
+readFramebuffer(RasterContext &context, GLint x, GLint y, GLsizei width, GLsizei height);
 /// Returns the context's scale, bias and maps.
-[[nodiscard]] imaging::FirstArithmetic firstArithmetic(const Context &context);
+[[nodiscard]] imaging::FirstArithmetic firstArithmetic(const RasterContext &context);
 
 } // namespace arbiter::state

@@ -1,15 +1,15 @@
 #include "state/programs/fragment_shaders.h"
 
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/ati_recorder.h"
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
 
-void bindFragmentShader(Context &context, GLuint name) {
+void bindFragmentShader(ProgramContext &context, GLuint name) {
   if (context.atiRecorder)
     return raise(context, GL_INVALID_OPERATION,
                  "BindFragmentShader between Begin- and EndFragmentShader");
@@ -25,7 +25,7 @@ void bindFragmentShader(Context &context, GLuint name) {
   invalidateProgram(context);
 }
 
-void setFragmentShaderConstant(Context &context, int constant, const Vec4 &value) {
+void setFragmentShaderConstant(ProgramContext &context, int constant, const Vec4 &value) {
   if (context.atiRecorder)
     return context.atiRecorder->setConstant(constant, value);
   setEnv(context, context.row(Target::AtiApi), GLuint(constant), 1, &value);

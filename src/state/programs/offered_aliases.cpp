@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
 #include "state/identity/active_profile.h"
 #include "state/mirror/attribute_aliases.h"
+#include "state/programs/program_context.h"
 #include "util/flags.h"
 
 namespace arbiter::state {
@@ -41,7 +41,7 @@ bool attributesMayAlias() {
   return activeProfile().aliasedAttributes != 0;
 }
 
-void offerAliases(Context &context) {
+void offerAliases(ProgramContext &context) {
   const bool alias = attributesMayAlias();
   if (!context.nv && !alias)
     return;

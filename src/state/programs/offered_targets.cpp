@@ -6,13 +6,13 @@
 
 #include "fp_compiler/ati/limits.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/era/era_state.h"
 #include "state/identity/active_profile.h"
 #include "state/imaging/imaging_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/offered_aliases.h"
+#include "state/programs/program_context.h"
 #include "state/programs/state_texts.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
@@ -23,7 +23,7 @@ namespace arbiter::state {
 namespace {
 
 /// Makes the target the layer's.
-void offer(Context &context, Target target, fp::Limits limits) {
+void offer(ProgramContext &context, Target target, fp::Limits limits) {
   ProgramTarget &row = context.row(target);
   row.offered = true;
   row.env.assign(limits.envParameters, Vec4{});
@@ -32,7 +32,7 @@ void offer(Context &context, Target target, fp::Limits limits) {
 }
 
 /// Offers NVIDIA's own languages and their API, if the profile has the first language.
-void offerNvPrograms(Context &context) {
+void offerNvPrograms(ProgramContext &context) {
   const fp::Limits limits = context.row(Target::Vertex).limits;
   if (limits.nvVertexProgram == 0)
     return;
@@ -41,7 +41,7 @@ void offerNvPrograms(Context &context) {
 }
 
 /// Offers register combiners, if the profile's card has them.
-void offerCombiners(Context &context) {
+void offerCombiners(ProgramContext &context) {
   const fp::hw::Combiners &card = activeProfile().combiners;
   if (card.general == 0)
     return;
@@ -57,7 +57,7 @@ void offerCombiners(Context &context) {
 }
 
 /// Offers extensions that the profile has and the host lacks.
-void offerEra(Context &context) {
+void offerEra(ProgramContext &context) {
   EraOffers offers = eraOffers(context.caps);
   if (!offers.any())
     return;
@@ -75,7 +75,7 @@ void offerEra(Context &context) {
 }
 
 /// Offers texture shaders, if the profile's card and the host's formats support them.
-void offerTextureShaders(Context &context) {
+void offerTextureShaders(ProgramContext &context) {
   fp::Limits limits = context.row(Target::Fragment).limits;
   const std::uint32_t extensions = activeProfile().textureShaders;
   if (extensions == 0 || !context.caps.drawsTextureShaders())
@@ -93,7 +93,7 @@ void offerTextureShaders(Context &context) {
 
 } // namespace
 
-void offerTargets(Context &context) {
+void offerTargets(ProgramContext &context) {
   for (const Target target : {Target::Fragment, Target::Vertex})
     offer(context, target, limitsUnder(activeProfile(), target, *context.host, context.caps));
   if (context.offered) {

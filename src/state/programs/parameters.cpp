@@ -1,12 +1,13 @@
 #include "state/programs/parameters.h"
 
-#include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/programs/program_context.h"
 
 namespace arbiter::state {
 
 /// Checks [index, index + count) against `size` without overflow.
-bool isRange(Context &context, GLuint index, GLsizei count, std::size_t size, const char *command) {
+bool isRange(ProgramContext &context, GLuint index, GLsizei count, std::size_t size,
+             const char *command) {
   if (count >= 0 && index < size && std::size_t(count) <= size - index)
     return true;
   // An empty range at the end is no error, because nothing beyond the limit is touched.
@@ -16,7 +17,8 @@ bool isRange(Context &context, GLuint index, GLsizei count, std::size_t size, co
   return false;
 }
 
-void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, const Vec4 *values) {
+void setEnv(ProgramContext &context, ProgramTarget &row, GLuint index, GLsizei count,
+            const Vec4 *values) {
   if (!isRange(context, index, count, row.env.size(), "ProgramEnvParameter: index"))
     return;
   for (GLsizei i = 0; i < count; ++i)
@@ -26,7 +28,7 @@ void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, c
   context.attention |= row.parameterBits;
 }
 
-void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei count,
+void setLocal(ProgramContext &context, ProgramObject &object, GLuint index, GLsizei count,
               const Vec4 *values) {
   const std::size_t size = context.row(object.target).limits.localParameters;
   if (!isRange(context, index, count, size, "ProgramLocalParameter: index"))
@@ -36,7 +38,7 @@ void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei cou
   noteLocalsChanged(context, object);
 }
 
-void noteLocalsChanged(Context &context, ProgramObject &object) {
+void noteLocalsChanged(ProgramContext &context, ProgramObject &object) {
   ProgramTarget &row = context.row(object.target);
   if (row.bound.get() != &object)
     return object.changed();

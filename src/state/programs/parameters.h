@@ -9,21 +9,22 @@
 /// checks.
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 struct ProgramObject;
 struct ProgramTarget;
 
 /// True if [index, index + count) lies within `size` parameters. Otherwise raises INVALID_VALUE for
 /// `command`.
-[[nodiscard]] bool isRange(Context &context, GLuint index, GLsizei count, std::size_t size,
+[[nodiscard]] bool isRange(ProgramContext &context, GLuint index, GLsizei count, std::size_t size,
                            const char *command);
 /// Sets `count` env parameters of the target from `index` on.
-void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, const Vec4 *values);
+void setEnv(ProgramContext &context, ProgramTarget &row, GLuint index, GLsizei count,
+            const Vec4 *values);
 /// Sets `count` local parameters of `object` from `index` on.
-void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei count,
+void setLocal(ProgramContext &context, ProgramObject &object, GLuint index, GLsizei count,
               const Vec4 *values);
 
 /// Notes that local parameters of `object` were set, so that draws with it look.
-void noteLocalsChanged(Context &context, ProgramObject &object);
+void noteLocalsChanged(ProgramContext &context, ProgramObject &object);
 
 } // namespace arbiter::state

@@ -1,18 +1,18 @@
 #include "state/programs/program_bind.h"
 
-#include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
 
-void noteProgramApiUse(Context &context) {
+void noteProgramApiUse(ProgramContext &context) {
   if (!context.group->programApiUsed.load(std::memory_order_relaxed))
     context.group->programApiUsed.store(true, std::memory_order_relaxed);
 }
 
-std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarget &row, GLuint name,
-                                            Existence existence) {
+std::shared_ptr<ProgramObject> namedProgram(ProgramContext &context, const ProgramTarget &row,
+                                            GLuint name, Existence existence) {
   if (name == 0)
     return context.group->defaultProgram(row.target);
   std::shared_ptr<ProgramObject> object =
@@ -23,7 +23,7 @@ std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarge
   return nullptr;
 }
 
-void bindProgram(Context &context, ProgramTarget &row, GLuint name, Existence existence) {
+void bindProgram(ProgramContext &context, ProgramTarget &row, GLuint name, Existence existence) {
   auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
   if (!recent || recent->name != name || recent->target != row.target ||
       recent->deleted.load(std::memory_order_acquire) ||
@@ -40,7 +40,7 @@ void bindProgram(Context &context, ProgramTarget &row, GLuint name, Existence ex
   invalidateProgram(context);
 }
 
-void setEnabled(Context &context, ProgramTarget &row, bool enabled) {
+void setEnabled(ProgramContext &context, ProgramTarget &row, bool enabled) {
   if (row.enabled == enabled)
     return;
   row.enabled = enabled;

@@ -4,7 +4,7 @@
 #include <sys/auxv.h>
 #include <utility>
 
-#include "state/core/context.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
 
@@ -118,7 +118,7 @@ std::optional<Vec4> ProgramEdits::held(Target target, bool env, std::uint32_t in
   return std::nullopt;
 }
 
-std::uint64_t ProgramEdits::seenBy(const Context &context, std::uint64_t now) {
+std::uint64_t ProgramEdits::seenBy(const ProgramContext &context, std::uint64_t now) {
   const std::lock_guard lock(m_mutex);
   return std::exchange(m_seen[context.serial], now);
 }
@@ -152,7 +152,7 @@ std::vector<std::string> ProgramEdits::takeLoads() {
   return std::exchange(m_loads, {});
 }
 
-std::optional<Vec4> findHeld(const Context &context, const ProgramTarget &row, bool env,
+std::optional<Vec4> findHeld(const ProgramContext &context, const ProgramTarget &row, bool env,
                              std::uint32_t index) {
   Hash128 hash;
   if (!env)
@@ -161,7 +161,7 @@ std::optional<Vec4> findHeld(const Context &context, const ProgramTarget &row, b
   return ProgramEdits::instance().held(row.target, env, index, hash);
 }
 
-bool isSwitchedOff(const Context &context, const ProgramTarget &row) {
+bool isSwitchedOff(const ProgramContext &context, const ProgramTarget &row) {
   if (!controlled() || !ProgramEdits::instance().anyOff())
     return false;
   const auto compiled = context.group->compiledOf(*row.bound);

@@ -12,7 +12,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// True if this process may be controlled (ARBITER_CONTROL). It only loads a constant.
 [[nodiscard]] bool controlAllowed();
@@ -46,7 +46,7 @@ public:
   /// True if edits of the program with that text have changed after `generation`.
   [[nodiscard]] bool changedSince(const std::string &name, std::uint64_t generation);
   /// Returns the generation that a context has seen, and sets it to `now`.
-  [[nodiscard]] std::uint64_t seenBy(const Context &context, std::uint64_t now);
+  [[nodiscard]] std::uint64_t seenBy(const ProgramContext &context, std::uint64_t now);
 
   void setText(const std::string &name, std::string text);
   /// Removes the replacement of a text. \returns false if there was none
@@ -103,11 +103,11 @@ private:
 
 /// Returns the value that replaces an env or local parameter of the target's program; mostly
 /// nothing. It is called where values are collected, not for each draw.
-[[nodiscard]] std::optional<Vec4> findHeld(const Context &context, const ProgramTarget &row,
+[[nodiscard]] std::optional<Vec4> findHeld(const ProgramContext &context, const ProgramTarget &row,
                                            bool env, std::uint32_t index);
 [[nodiscard]] inline bool anyHeld() { return controlled() && ProgramEdits::instance().anyHeld(); }
 /// True if the program bound to the target is switched off. Draws are then done as if the target
 /// were disabled.
-[[nodiscard]] bool isSwitchedOff(const Context &context, const ProgramTarget &row);
+[[nodiscard]] bool isSwitchedOff(const ProgramContext &context, const ProgramTarget &row);
 
 } // namespace arbiter::state

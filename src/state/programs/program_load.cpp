@@ -1,7 +1,7 @@
 // Implements ProgramString (3.11.1; ARB_vertex_program 2.14.1): passes the text to the compiler.
 #include "state/programs/program_load.h"
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
+#include "state/programs/program_context.h"
 #include "state/programs/variants/drop_variants.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ namespace arbiter::state {
 namespace {
 
 /// Checks ProgramString's format and length. Returns false after an error.
-bool checkArguments(Context &context, GLenum format, GLsizei length) {
+bool checkArguments(ProgramContext &context, GLenum format, GLsizei length) {
   if (format != GL_PROGRAM_FORMAT_ASCII_ARB) {
     raise(context, GL_INVALID_ENUM, "ProgramString: format is not PROGRAM_FORMAT_ASCII");
     return false;
@@ -92,7 +92,7 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   return host;
 }
 
-fp::Compilation compileText(const Context &context, const ProgramTarget &row,
+fp::Compilation compileText(const ProgramContext &context, const ProgramTarget &row,
                             std::string_view text) {
   if (isOfOtherTarget(row.target, text))
     return refuseTarget(row.target);
@@ -100,7 +100,7 @@ fp::Compilation compileText(const Context &context, const ProgramTarget &row,
       {row.info().language, compileOptions(row), glslHost(context.caps), context.numerics}, text);
 }
 
-std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Target target,
+std::shared_ptr<const CompiledProgram> compileProgram(const ProgramContext &context, Target target,
                                                       std::string_view text,
                                                       const fp::Compilation &own,
                                                       const Replacement *replacement) {
@@ -156,7 +156,7 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
 namespace {
 
 /// Finds out whether the profile alone refuses the text.
-Refusal refusalOf(const Context &context, const ProgramTarget &row, std::string_view text,
+Refusal refusalOf(const ProgramContext &context, const ProgramTarget &row, std::string_view text,
                   const fp::CheckResult &refused) {
   const auto loads = [&](const fp::CompileOptions &options) {
     return !isOfOtherTarget(row.target, text) &&
@@ -182,7 +182,7 @@ Refusal refusalOf(const Context &context, const ProgramTarget &row, std::string_
 
 } // namespace
 
-void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
+void loadProgram(ProgramContext &context, ProgramObject &object, GLenum format, GLsizei length,
                  const void *string) {
   if (!checkArguments(context, format, length))
     return;
@@ -191,7 +191,7 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
                   : std::string_view());
 }
 
-bool loadText(Context &context, ProgramObject &object, std::string_view text) {
+bool loadText(ProgramContext &context, ProgramObject &object, std::string_view text) {
   const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
   // For a repeated text, only named parameters and the last error may change.
   if (old && old->text == text) {
@@ -273,7 +273,7 @@ void name(CompiledProgram &compiled, const ProgramTarget &row, const fp::ati::Sh
 
 } // namespace
 
-std::shared_ptr<const CompiledProgram> compileFragmentShader(const Context &context,
+std::shared_ptr<const CompiledProgram> compileFragmentShader(const ProgramContext &context,
                                                              const fp::ati::Shader &shader) {
   const ProgramTarget &row = context.row(Target::AtiApi);
   auto compiled = std::make_shared<CompiledProgram>();
@@ -300,7 +300,7 @@ std::shared_ptr<const CompiledProgram> compileFragmentShader(const Context &cont
   return compiled;
 }
 
-void noteShaderText(const Context &context, const CompiledProgram &compiled) {
+void noteShaderText(const ProgramContext &context, const CompiledProgram &compiled) {
   if (!compiled.commands)
     return;
   if (controlled())
@@ -311,7 +311,7 @@ void noteShaderText(const Context &context, const CompiledProgram &compiled) {
                                       &compiled);
 }
 
-void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,
+void recordProgramString(ProgramContext &context, Command::Kind kind, const ProgramTarget &row,
                          GLuint object, GLenum format, GLsizei length, const void *string) {
   Command command{.kind = kind, .target = row.info().name, .object = object};
   command.format = format;

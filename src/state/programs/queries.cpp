@@ -3,7 +3,7 @@
 #include "state/programs/queries.h"
 
 #include "fp_compiler/nv_limits.h"
-#include "state/core/context.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -109,7 +109,7 @@ bool queryNvLimit(const ProgramTarget &row, GLenum pname, GLint *params) {
 
 } // namespace
 
-bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObject &object,
+bool queryProgram(ProgramContext &context, const ProgramTarget &row, const ProgramObject &object,
                   GLenum pname, GLint *params) {
   const std::shared_ptr<const CompiledProgram> program = context.group->compiledOf(object);
   if (isNoneOf(row.target, pname)) {

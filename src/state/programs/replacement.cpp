@@ -2,8 +2,8 @@
 #include "state/programs/variants/drop_variants.h"
 
 #include "fp_compiler/file_programs.h"
-#include "state/core/context.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/programs/program_load.h"
 #include "state/programs/state_text.h"
 #include "state/share/share_group.h"
@@ -66,7 +66,7 @@ std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
 
 namespace {
 
-void reload(Context &context, ProgramObject &object, const CompiledProgram &old) {
+void reload(ProgramContext &context, ProgramObject &object, const CompiledProgram &old) {
   const ProgramTarget &row = context.row(object.target);
   const auto replacement = findReplacement(object.target, old.hash, compileOptions(row));
   if (replacement && (!replacement->result.ok() || replacement->text == old.replacement))
@@ -94,13 +94,13 @@ void reload(Context &context, ProgramObject &object, const CompiledProgram &old)
 }
 
 /// Calls `see(object, compiled)` for each object with a program.
-template <typename See> void forEachProgram(Context &context, See see) {
+template <typename See> void forEachProgram(ProgramContext &context, See see) {
   for (const std::shared_ptr<ProgramObject> &object : context.group->objects())
     if (const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(*object))
       see(*object, *old);
 }
 
-void refreshFromFolder(Context &context, ReplacementFolder &folder) {
+void refreshFromFolder(ProgramContext &context, ReplacementFolder &folder) {
   folder.poll();
   const std::uint64_t now = folder.generation();
   if (context.group->replacementsSeen.load(std::memory_order_relaxed) == now)
@@ -117,7 +117,7 @@ void refreshFromFolder(Context &context, ReplacementFolder &folder) {
 
 /// Takes over clients' changes. Each context does this itself, because each has its own held
 /// values. What another context of the group has already compiled is not compiled again.
-void refreshFromEdits(Context &context) {
+void refreshFromEdits(ProgramContext &context) {
   ProgramEdits &edits = ProgramEdits::instance();
   const std::uint64_t now = edits.generation();
   if (now == 0) [[likely]] // no client has ever changed anything
@@ -142,7 +142,7 @@ void noteLoadedText(const ProgramObject &object, const Hash128 &hash) {
   ProgramEdits::instance().noteLoad(textFileName(object.target, hash));
 }
 
-void refreshReplacements(Context &context) {
+void refreshReplacements(ProgramContext &context) {
   if (!replacing() || context.passThrough || context.listMode != 0)
     return;
   if (ReplacementFolder *const folder = ReplacementFolder::instance())

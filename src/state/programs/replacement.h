@@ -12,7 +12,7 @@
 /// valid, its own counts.
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 struct ProgramObject;
 
 /// The checked replacement of one text.
@@ -39,6 +39,6 @@ void noteLoadedText(const ProgramObject &object, const Hash128 &hash);
 /// Takes over changes of files, and of clients of control, since the last call. The share group's
 /// programs are compiled anew; they stay unchanged if a new text is not valid. It is cheap if
 /// nothing changed. Requires that the context is current.
-void refreshReplacements(Context &context);
+void refreshReplacements(ProgramContext &context);
 
 } // namespace arbiter::state

@@ -12,7 +12,7 @@
 /// programs.
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// The text of a state, and its replacement.
 struct StateText {
@@ -36,10 +36,10 @@ public:
 
   /// Returns the text of a state, without its values, which the application may change. Valid until
   /// the next call.
-  [[nodiscard]] virtual const StateText &of(const Context &context, Target target,
+  [[nodiscard]] virtual const StateText &of(const ProgramContext &context, Target target,
                                             const fp::nvparse::Text &state) = 0;
   /// Reports to the capture that a program was made of that text or its replacement.
-  virtual void noteProgram(const Context &context, const StateText &text,
+  virtual void noteProgram(const ProgramContext &context, const StateText &text,
                            const CompiledProgram &compiled) = 0;
   /// True once after each change of a text that may be a replacement.
   [[nodiscard]] virtual bool changed() = 0;

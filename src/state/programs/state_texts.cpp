@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "state/core/context.h"
+#include "state/programs/program_context.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
@@ -48,14 +48,14 @@ bool mayDiffer(Target target, const StateText &entry) {
 
 class KnownTexts final : public StateTexts {
 public:
-  const StateText &of(const Context &context, Target target,
+  const StateText &of(const ProgramContext &context, Target target,
                       const fp::nvparse::Text &state) override;
-  void noteProgram(const Context &context, const StateText &text,
+  void noteProgram(const ProgramContext &context, const StateText &text,
                    const CompiledProgram &compiled) override;
   bool changed() override;
 
 private:
-  static void look(const Context &context, Target target, StateText &entry);
+  static void look(const ProgramContext &context, Target target, StateText &entry);
   static void replace(Target target, StateText &entry, const fp::CompileOptions &options);
 
   static constexpr std::size_t kMax = 4096;
@@ -63,7 +63,7 @@ private:
   std::uint64_t m_folderSeen = 0, m_editsSeen = 0;
 };
 
-void KnownTexts::look(const Context &context, Target target, StateText &entry) {
+void KnownTexts::look(const ProgramContext &context, Target target, StateText &entry) {
   entry.folderSeen = folderGeneration();
   entry.editsSeen = editsGeneration();
   if (!replacing())
@@ -87,7 +87,7 @@ void KnownTexts::replace(Target target, StateText &entry, const fp::CompileOptio
   entry.replaced = fp::nvparse::parse(infoOf(target).language, found->text, options).text;
 }
 
-const StateText &KnownTexts::of(const Context &context, Target target,
+const StateText &KnownTexts::of(const ProgramContext &context, Target target,
                                 const fp::nvparse::Text &state) {
   std::string text = fp::nvparse::write(state);
   if (const auto it = m_texts.find(text); it != m_texts.end()) {
@@ -112,7 +112,7 @@ bool KnownTexts::changed() {
   return differs;
 }
 
-void KnownTexts::noteProgram(const Context &context, const StateText &text,
+void KnownTexts::noteProgram(const ProgramContext &context, const StateText &text,
                              const CompiledProgram &compiled) {
   CaptureRecord *const record = CaptureRecord::instance();
   if (!record)

@@ -5,14 +5,14 @@
 /// its components the host lacks. The next draw looks once (host_draw/variants).
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// Notes a command that binds or defines textures, or changes sampling. The next draw that depends
 /// on textures queries the host. It only takes a few tests if none does.
-void noteTextureChange(Context &context);
+void noteTextureChange(ProgramContext &context);
 
 /// True if textures may have changed since a draw last looked; always if other contexts may change
 /// them.
-[[nodiscard]] bool texturesMayDiffer(const Context &context);
+[[nodiscard]] bool texturesMayDiffer(const ProgramContext &context);
 
 } // namespace arbiter::state

@@ -32,7 +32,7 @@ swrast::BitImage imageOf(const BitUnpacking &unpack, const BitmapCommand &comman
 
 /// Reads the bits from a buffer object, `at` bytes from its start. Returns false if the arguments
 /// are invalid, so that the host must report it.
-bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, std::intptr_t at,
+bool fetchFromBuffer(RasterContext &context, const BitUnpacking &unpack, std::intptr_t at,
                      swrast::BitImage &image, std::vector<std::uint8_t> &memory) {
   const host::HostTable &host = *context.host;
   const std::int64_t first = at + unpack.skipRows * image.stride;
@@ -54,14 +54,14 @@ bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, std::intptr_t
 }
 
 /// Moves the raster position, in the host and in the mirror.
-void move(Context &context, const BitmapCommand &command) {
+void move(RasterContext &context, const BitmapCommand &command) {
   Mirror &mirror = context.software->mirror;
   context.host->Bitmap(0, 0, 0, 0, command.xMove, command.yMove, nullptr);
   if (mirror.rasterPosition.valid)
     mirror.noteRasterMove(command.xMove, command.yMove);
 }
 
-bool drawBits(Context &context, const PlacedBits &bits) {
+bool drawBits(RasterContext &context, const PlacedBits &bits) {
   return conclude(context, outcomeOf(context, [&] {
                     const Outcome outcome = decideFragments(context);
                     return outcome.ok() ? pipelineOf(context).shadeBits(context, bits) : outcome;
@@ -69,7 +69,7 @@ bool drawBits(Context &context, const PlacedBits &bits) {
 }
 
 /// Draws the bits. Returns false if the host must draw them.
-bool drawAtRasterPosition(Context &context, const BitmapCommand &command) {
+bool drawAtRasterPosition(RasterContext &context, const BitmapCommand &command) {
   const BitUnpacking unpack = context.software->residency.bitUnpacking();
   PlacedBits bits = {imageOf(unpack, command), command.xOrigin, command.yOrigin};
   std::vector<std::uint8_t> memory;
@@ -89,7 +89,7 @@ bool drawAtRasterPosition(Context &context, const BitmapCommand &command) {
 
 } // namespace
 
-bool tryBitmap(Context &context, const BitmapCommand &command) {
+bool tryBitmap(RasterContext &context, const BitmapCommand &command) {
   if (!context.software || !isCandidate(context)) {
     hostWrites(context, "glBitmap"); // also notes it in an open list
     return false;

@@ -5,7 +5,7 @@
 
 /// Draws glBitmap (OpenGL 2.1, 3.7): fragments at the current raster position, which then moves.
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -25,6 +25,6 @@ struct BitmapCommand {
 
 /// Executes glBitmap and returns true. Returns false if the host must do it, after bringing the
 /// host up to date where it may draw. The host also reports invalid arguments.
-[[nodiscard]] bool tryBitmap(Context &context, const BitmapCommand &command);
+[[nodiscard]] bool tryBitmap(RasterContext &context, const BitmapCommand &command);
 
 } // namespace arbiter::state::software

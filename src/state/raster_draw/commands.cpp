@@ -22,7 +22,7 @@ void addRectangle(ImmediateRecorder &to, GLfloat x1, GLfloat y1, GLfloat x2, GLf
 
 /// Returns the primitive for glRect. Section 2.10 asks for a POLYGON, whose flat colour is its
 /// first vertex's. Smooth rectangles use QUADS, as the host does, so that they are split alike.
-GLenum rectangleMode(Context &context) {
+GLenum rectangleMode(RasterContext &context) {
   Mirror &mirror = context.software->mirror;
   mirror.refresh(context.dirty);
   return mirror.raster.flatShade ? GL_POLYGON : GL_QUADS;
@@ -30,7 +30,7 @@ GLenum rectangleMode(Context &context) {
 
 } // namespace
 
-bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+bool tryRectangle(RasterContext &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   if (context.listMode != 0 && context.list->beginPrimitive(context, GL_QUADS)) {
     addRectangle(context.list->recorder(), x1, y1, x2, y2);
     context.list->endPrimitive(context);
@@ -43,34 +43,34 @@ bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat 
   return true;
 }
 
-void hostReads(Context &context, const char *name) {
+void hostReads(RasterContext &context, const char *name) {
   if (context.software)
-    context.software->readsPixels = true;
+    context.software->habits.readsPixels = true;
   hostWaits(context, name);
 }
 
-void hostWaits(Context &context, const char *name) {
+void hostWaits(RasterContext &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (executesNow(context) && context.software)
+    if (executesPixels(context) && context.software)
       context.software->residency.synchronise(name);
   });
 }
 
-void hostTakesColor(Context &context) {
-  if (executesNow(context))
+void hostTakesColor(RasterContext &context) {
+  if (executesPixels(context))
     settleCurrentValues(*context.host);
 }
 
-void hostWrites(Context &context, const char *name) {
+void hostWrites(RasterContext &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (executesNow(context) && context.software)
+    if (executesPixels(context) && context.software)
       context.software->hostDraws(name);
   });
 }
 
-void hostDoesUnknown(Context &context, const char *name) {
+void hostDoesUnknown(RasterContext &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (!executesNow(context))
+    if (!executesPixels(context))
       return;
     if (context.software)
       context.software->residency.hostDoesAnything(name);

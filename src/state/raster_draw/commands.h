@@ -1,5 +1,4 @@
 #pragma once
-#include "state/core/context.h"
 #include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/mirror/attribute_aliases.h"
@@ -7,6 +6,7 @@
 #include "state/primitives/recorder.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/draw.h"
+#include "state/raster_draw/raster_context.h"
 
 /// The functions that generated entry points call before a command goes to the host
 /// (src/dispatch/software.toml).
@@ -16,21 +16,22 @@ namespace arbiter::state::software {
 // mayDraw(), before anything is prepared for the host's draw. ---
 
 /// True if the rasterizer is in use or listens, or if a program change may start it.
-[[nodiscard]] inline bool mayDraw(const Context &context) {
+[[nodiscard]] inline bool mayDraw(const RasterContext &context) {
   return context.softwareListens ||
          (!context.passThrough && (context.attention & attention::kProgram) != 0);
 }
-[[nodiscard]] bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
+[[nodiscard]] bool tryRectangle(RasterContext &context, GLfloat x1, GLfloat y1, GLfloat x2,
+                                GLfloat y2);
 
 // --- Preparations for a host command called `name`. They do nothing between Begin and End, where
 // these commands are errors, and while a list is compiled, where nothing is executed. ---
 
-void hostReads(Context &context, const char *name);
-void hostWaits(Context &context, const char *name);
+void hostReads(RasterContext &context, const char *name);
+void hostWaits(RasterContext &context, const char *name);
 /// Prepares ColorMaterial (host_draw/current_values.h).
-void hostTakesColor(Context &context);
-void hostWrites(Context &context, const char *name);
-void hostDoesUnknown(Context &context, const char *name);
+void hostTakesColor(RasterContext &context);
+void hostWrites(RasterContext &context, const char *name);
+void hostDoesUnknown(RasterContext &context, const char *name);
 
 // --- While a primitive is recorded ---
 

@@ -1,23 +1,23 @@
 #include "state/raster_draw/context_state.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/exit_notice.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/frames/leave.h"
 #include "state/raster_draw/functions/start_note.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
 
 namespace arbiter::state::software {
 
-bool mayBeUsed(const Context &context) {
+bool mayBeUsed(const RasterContext &context) {
   const Backend backend = settings().backend;
   return backend != Backend::Host && context.offered && context.numerics != fp::Numerics::Fp24 &&
          (backend != Backend::Auto || context.caps.onProcessor);
 }
 
-bool keepsLists(const Context &context) {
+bool keepsLists(const RasterContext &context) {
   if (context.software || context.softwareRefused)
     return context.software || (context.leftAlone && context.leftAlone->keepsLists);
   return (settings().alwaysFixedFunction ||
@@ -25,17 +25,17 @@ bool keepsLists(const Context &context) {
          mayBeUsed(context);
 }
 
-bool keepsEarlyLists(const Context &context) {
+bool keepsEarlyLists(const RasterContext &context) {
   return !context.software && !context.softwareRefused && context.counters.frames < kEarlyFrames &&
          mayBeUsed(context);
 }
 
-void expect(const Context &context) {
+void expect(const RasterContext &context) {
   if (mayBeUsed(context))
     startEngineAsBefore();
 }
 
-void engage(Context &context) {
+void engage(RasterContext &context) {
   if (context.software || context.softwareRefused)
     return;
   context.softwareRefused = true;
@@ -54,7 +54,7 @@ void engage(Context &context) {
 }
 
 // The mirror always queries the real host, even while calls are deferred (Context::trueHost).
-ContextState::ContextState(Context &context)
+ContextState::ContextState(RasterContext &context)
     : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps,
              context.attributesAlias ? context.aliases.get() : nullptr),
       residency({context, context.caps, context.errors.pending, context.neighbours,

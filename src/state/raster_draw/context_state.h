@@ -15,7 +15,7 @@
 /// The rasterizer's state of a context. Context::software is null if the rasterizer is not used: on
 /// a GPU host, with ARBITER_BACKEND=host, or in a context without the layer's program targets.
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -26,7 +26,7 @@ class Pipeline;
 inline constexpr std::uint32_t kManyVertices = 32;
 
 struct ContextState {
-  explicit ContextState(Context &context);
+  explicit ContextState(RasterContext &context);
   ~ContextState();
   ContextState(const ContextState &) = delete;
   ContextState &operator=(const ContextState &) = delete;
@@ -40,10 +40,6 @@ struct ContextState {
   std::vector<float> listVertices; ///< scratch memory for a list's primitive
   bool openParts = false; ///< true if parts of the primitive being recorded have been drawn
   std::uint32_t held = 0; ///< number of ended primitives in the recorder (immediate/held.h)
-  /// True if kManyVertices were once recorded for one draw. The vertex count of a primitive that
-  /// begins is not known. Functions for small primitives would make a first draw wait, perhaps for
-  /// nothing.
-  bool recordsMany = false;
   /// scratch memory for joined primitives (primitives/joined.h)
   std::vector<std::uint32_t> joinedIndices;
   /// Null before the first draw that the rasterizer considers. The deleter comes from decision.cpp,
@@ -55,49 +51,70 @@ struct ContextState {
   bool forced = false; ///< ARBITER_BACKEND=swrast: also draws with depth test in mixed frames
   /// `forced`, or ARBITER_DEBUG=steady: waits for machine code and never backs off
   bool steady = false;
-  /// Number of times in this frame that the host drew something that the rasterizer cannot. Depths
-  /// of two rasterizers are not equal to the bit, and passes may compare depths for equality. All
-  /// of a frame's depths must therefore come from one side: mayTestDepth().
-  std::uint64_t hostTurns = 0;
-  std::uint64_t lookTurns = 0; ///< the part of hostTurns whose only reason is a look
+  /// The frame that is being drawn. The end of a frame clears it (frames/frame.cpp).
+  struct Frame {
+    /// Number of times that the host drew something that the rasterizer cannot. Depths of two
+    /// rasterizers are not equal to the bit, and passes may compare depths for equality. All of a
+    /// frame's depths must therefore come from one side: mayTestDepth().
+    std::uint64_t hostTurns = 0;
+    std::uint64_t lookTurns = 0; ///< the part of hostTurns whose only reason is a look
+    /// True if the host drew something while the engine or a program was still being compiled. It
+    /// is then not known whether the rasterizer lacks it.
+    bool unjudged = false;
+    bool observed = false; ///< true if a client of control observes the frame, which says nothing
+    bool hostDrew = false; ///< true if the host drew, for any reason
+    /// true if the rasterizer tested depth, so that later draws must match it
+    bool depthsTested = false;
+  };
+  Frame frame;
+  /// Counters at the end of the last frame.
+  struct Seen {
+    std::uint64_t work = 0;      ///< number of draws on either side
+    std::uint64_t drawn = 0;     ///< the part of `work` that the rasterizer drew
+    std::uint64_t transfers = 0; ///< between host and shadows
+  };
+  Seen seen;
   /// True if the host drew, in the last frame with draws, something that the rasterizer lacks.
   /// Looks and back-off do not count.
   bool lacked = false;
-  /// True if the host drew something in this frame while the engine or a program was still being
-  /// compiled. It is then not known whether the rasterizer lacks it.
-  bool unjudged = false;
-  /// True if the application has read pixels that were drawn. It may compare them with others, and
-  /// hosts round some colours differently, such as those of few bits. One side must then draw from
-  /// the start.
-  bool readsPixels = false;
-  /// true if a client of control observes this frame, which then says nothing
-  bool observed = false;
-  bool hostDrew = false; ///< true if the host drew in this frame, for any reason
-  /// true if the rasterizer tested depth in this frame, so that later draws must match it
-  bool depthsTested = false;
-  bool drawsPlain = true; ///< true while no program has drawn, but fixed function alone
+  /// What the application has been seen to do. It stays.
+  struct Habits {
+    /// True if pixels that were drawn have been read. They may be compared with others, and hosts
+    /// round some colors differently, such as those of few bits. One side must then draw from the
+    /// start.
+    bool readsPixels = false;
+    bool drawsPlain = true; ///< true while no program has drawn, but fixed function alone
+    bool presents = false;  ///< true once a window was shown
+    bool finishes = false;  ///< true once Finish was called before any window was shown
+    /// True if kManyVertices were once recorded for one draw. The vertex count of a primitive that
+    /// begins is not known. Functions for small primitives would make a first draw wait, perhaps
+    /// for nothing.
+    bool recordsMany = false;
+  };
+  Habits habits;
+  const void *frameTarget = nullptr; ///< the target whose clears end frames (clearsTarget())
   /// Prepares a draw of the host that makes the frame a mixed one.
   void hostDraws(const char *why) {
-    ++hostTurns;
+    ++frame.hostTurns;
     residency.hostTakesTargets(why);
   }
   /// Prepares a call of a list of the host's, which may do anything.
   void hostDrawsList() {
-    ++hostTurns;
+    ++frame.hostTurns;
     fellBack(Fallback::List);
     residency.hostDoesAnything("glCallList");
   }
   /// Prepares a draw of the host in a list that is executed while it is compiled.
   void hostDrawsAsCompiled() {
     fellBack(Fallback::List);
-    hostDrew = true;
+    frame.hostDrew = true;
     hostDraws("glNewList");
   }
   /// True if a draw need not wait for machine code, because the host can draw it and the frame may
   /// stay unjudged. The number of such frames in a row is limited, because an application that
   /// makes programs in each frame would otherwise never be judged.
   [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
-    return !readsPixels && !history.waitsForCode && !history.look.isRasterizers() &&
+    return !habits.readsPixels && !history.waitsForCode && !history.look.isRasterizers() &&
            history.unjudgedFrames < (isPlain ? kMaxUnjudgedPlain : kMaxUnjudged);
   }
   static constexpr int kMaxUnjudged = 2, kMaxUnjudgedPlain = 20;
@@ -105,18 +122,12 @@ struct ContextState {
   /// frames count as whole ones, even if the host began them for lack of code. The host's depths
   /// are then nearly always those that the rasterizer would have made.
   [[nodiscard]] bool mayTestDepth() const {
-    return forced || (hostTurns == 0 && ((history.wholeFrames && !hostDrew) || isFirstOfLook()));
+    return forced ||
+           (frame.hostTurns == 0 && ((history.wholeFrames && !frame.hostDrew) || isFirstOfLook()));
   }
   [[nodiscard]] bool isFirstOfLook() const {
     return !history.judged && history.look.isRasterizers();
   }
-  std::uint64_t workSeen = 0;        ///< number of draws at the end of the last frame
-  std::uint64_t drawnSeen = 0;       ///< the part of workSeen that the rasterizer drew
-  bool presents = false;             ///< true once a window was shown
-  bool finishes = false;             ///< true once Finish was called before any window was shown
-  const void *frameTarget = nullptr; ///< the target whose clears end frames (clearsTarget())
-  /// transfers between host and shadows at the end of the last frame
-  std::uint64_t transfersSeen = 0;
   std::uint64_t drawn = 0;
   std::array<std::uint64_t, kFallbackCount> fallbacks{};
   void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }
@@ -125,19 +136,19 @@ struct ContextState {
 /// Creates Context::software once, if it may be used. This happens when a fragment program first
 /// becomes effective, or, unless ARBITER_FIXED_FUNCTION is `programs`, at the first draw of fixed
 /// function. Until then the rasterizer costs nothing.
-void engage(Context &context);
+void engage(RasterContext &context);
 /// True if the settings and the host allow Context::software to be created.
-[[nodiscard]] bool mayBeUsed(const Context &context);
+[[nodiscard]] bool mayBeUsed(const RasterContext &context);
 /// Starts to prepare what the context's draws will need, in the background, when it first becomes
 /// current.
-void expect(const Context &context);
+void expect(const RasterContext &context);
 /// True if lists compiled now keep their primitives for the rasterizer. It must be in use, or must
 /// be allowed and programs must exist already. Clients of control can look into these lists only.
-[[nodiscard]] bool keepsLists(const Context &context);
+[[nodiscard]] bool keepsLists(const RasterContext &context);
 /// An application that loads programs after its lists has done so within this many frames.
 inline constexpr std::uint64_t kEarlyFrames = 8;
 /// True if keepsLists() is false but programs may still be made. Lists of primitives alone are then
 /// kept beside the host's.
-[[nodiscard]] bool keepsEarlyLists(const Context &context);
+[[nodiscard]] bool keepsEarlyLists(const RasterContext &context);
 
 } // namespace arbiter::state::software

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/path_choice.h"
@@ -10,19 +9,20 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/functions/compile_thread.h"
 #include "state/raster_draw/pipeline.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
 namespace {
 
 /// Draws that an observing client gives to the host must not count against the frame.
-[[gnu::cold]] Outcome observed(Context &context) {
-  context.software->observed = true;
+[[gnu::cold]] Outcome observed(RasterContext &context) {
+  context.software->frame.observed = true;
   return Fallback::Observed;
 }
 
 /// Implements decideByPath(), always inline because every draw runs it.
-[[gnu::always_inline]] inline Outcome judgePath(Context &context) {
+[[gnu::always_inline]] inline Outcome judgePath(RasterContext &context) {
   if (context.listMode != 0 || context.listIsExecuted) [[unlikely]]
     return Fallback::List;
   if (isObserved(context)) [[unlikely]]
@@ -53,24 +53,22 @@ std::uint32_t currentSlotsOf(const Pipeline &pipeline, const Mirror &mirror) {
 /// True if a draw must match depths that the rasterizer wrote in this frame.
 bool meetsDepths(const ContextState &state) {
   const abi::DepthStencilKey &depth = state.mirror.pixelOps.depthStencil;
-  return state.depthsTested && (depth.depthTest != 0 || depth.stencilTest != 0);
+  return state.frame.depthsTested && (depth.depthTest != 0 || depth.stencilTest != 0);
 }
 
 } // namespace
 
-bool executesNow(Context &context) {
-  if (context.listMode != 0)
-    context.list->notePixels();
-  return !context.insideBeginEnd && context.listMode == 0;
-}
-
-bool usesRasterizer(Context &context) {
+bool usesRasterizer(RasterContext &context) {
   return validatePrograms(context) && context.softwarePossible;
 }
 
-Outcome decideByPath(Context &context) { return judgePath(context); }
+bool isCandidate(RasterContext &context) {
+  return executesPixels(context) && usesRasterizer(context);
+}
 
-Outcome decideFragments(Context &context) {
+Outcome decideByPath(RasterContext &context) { return judgePath(context); }
+
+Outcome decideFragments(RasterContext &context) {
   const Outcome path = judgePath(context);
   if (!path.ok() && path.reason() != Fallback::BackedOff)
     return path;
@@ -81,7 +79,7 @@ Outcome decideFragments(Context &context) {
 
 namespace {
 
-[[gnu::always_inline]] inline Outcome choose(Context &context, const Pipeline::Kind &kind) {
+[[gnu::always_inline]] inline Outcome choose(RasterContext &context, const Pipeline::Kind &kind) {
   Pipeline &pipeline = pipelineOf(context);
   if (const Outcome outcome = pipeline.choose(context, kind); !outcome.ok())
     return outcome;
@@ -92,7 +90,7 @@ namespace {
 
 } // namespace
 
-Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask materials) {
+Outcome decide(RasterContext &context, GLenum mode, std::uint32_t count, MaterialMask materials) {
   if (mode > GL_POLYGON)
     return Fallback::Vertices;
   notePrimitiveMode(context, mode);
@@ -101,11 +99,11 @@ Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask 
   return choose(context, {mode, count, materials});
 }
 
-Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials) {
+Outcome decideAgain(RasterContext &context, GLenum mode, MaterialMask materials) {
   return choose(context, {mode, 0, materials});
 }
 
-bool waitsForCode(Context &context, const Outcome &outcome) {
+bool waitsForCode(RasterContext &context, const Outcome &outcome) {
   const ContextState &state = *context.software;
   if (outcome.ok() || outcome.reason() != Fallback::Compiling ||
       !(meetsDepths(state) || state.history.look.isRasterizers() ||
@@ -115,23 +113,23 @@ bool waitsForCode(Context &context, const Outcome &outcome) {
   return true;
 }
 
-void noteDrawn(Context &context, std::uint32_t draws) {
+void noteDrawn(RasterContext &context, std::uint32_t draws) {
   ContextState &state = *context.software;
   state.drawn += draws;
-  state.depthsTested = state.depthsTested || pipelineOf(context).testsDepth();
-  state.drawsPlain = state.drawsPlain && !context.effective.linkedProgram;
+  state.frame.depthsTested = state.frame.depthsTested || pipelineOf(context).testsDepth();
+  state.habits.drawsPlain = state.habits.drawsPlain && !context.effective.linkedProgram;
   context.counters.draws[std::size_t(Path::Rasterizer)] += draws;
 }
 
-void giveToHost(Context &context, Fallback reason) {
+void giveToHost(RasterContext &context, Fallback reason) {
   ContextState &state = *context.software;
   state.fellBack(reason);
-  state.hostDrew = true;
+  state.frame.hostDrew = true;
   // Some reasons say nothing about the frame: the rasterizer will take such draws later, or refuses
   // them only because the frame is mixed.
   const bool says = reason != Fallback::Compiling && reason != Fallback::Mixed &&
                     reason != Fallback::BackedOff && reason != Fallback::Observed;
-  state.lookTurns += reason == Fallback::Look ? 1 : 0;
+  state.frame.lookTurns += reason == Fallback::Look ? 1 : 0;
   if (says)
     state.hostDraws(fallbackName(reason));
   else
@@ -139,7 +137,7 @@ void giveToHost(Context &context, Fallback reason) {
   static_cast<void>(validate(context));
 }
 
-bool conclude(Context &context, const Outcome &outcome) {
+bool conclude(RasterContext &context, const Outcome &outcome) {
   if (outcome.ok()) [[likely]]
     noteDrawn(context);
   else
@@ -147,7 +145,7 @@ bool conclude(Context &context, const Outcome &outcome) {
   return outcome.ok();
 }
 
-Pipeline &pipelineOf(Context &context) {
+Pipeline &pipelineOf(RasterContext &context) {
   ContextState &state = *context.software;
   if (!state.pipeline) [[unlikely]]
     state.pipeline = {new Pipeline, [](Pipeline *pipeline) { delete pipeline; }};

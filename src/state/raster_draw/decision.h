@@ -9,48 +9,44 @@
 /// Decides whether the rasterizer draws or the host, and for what reason. Array draws, called lists
 /// and primitives between Begin and End are all decided and counted here.
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
 
 class Pipeline;
 
-/// True if the command is executed now. False if the host must record it in a list, or refuse it
-/// between Begin and End. Notes in an open list that pixels may change.
-[[nodiscard]] bool executesNow(Context &context);
 /// True if programs are valid and the rasterizer is in use, so that decide() may be called. If
 /// false, nothing has been prepared for the host.
-[[nodiscard]] bool usesRasterizer(Context &context);
+[[nodiscard]] bool usesRasterizer(RasterContext &context);
 /// True if a command is executed now and the rasterizer may do it.
-[[nodiscard]] inline bool isCandidate(Context &context) {
-  return executesNow(context) && usesRasterizer(context);
-}
+[[nodiscard]] bool isCandidate(RasterContext &context);
 
 /// Returns why the host must do any draw now, or ok, without looking at state: the path, lists,
 /// neighbours and back-off decide. Requires usesRasterizer().
-Outcome decideByPath(Context &context);
+Outcome decideByPath(RasterContext &context);
 /// Decides about fragments at the raster position, and chooses what to draw them with
 /// (Pipeline::chooseFragments()). Those that hosts draw with fewer values are the rasterizer's even
 /// while back-off keeps the host.
-Outcome decideFragments(Context &context);
+Outcome decideFragments(RasterContext &context);
 /// Decides about a draw of `count` vertices (0: not known yet), and has its functions compiled. If
 /// the outcome is ok, the rasterizer draws it with what pipelineOf() has chosen, and the current
 /// values that its vertices read are up to date. No pixel is written yet. Requires
 /// usesRasterizer().
 /// \param materials parts of the material that vary from vertex to vertex
-Outcome decide(Context &context, GLenum mode, std::uint32_t count, MaterialMask materials = 0);
+Outcome decide(RasterContext &context, GLenum mode, std::uint32_t count,
+               MaterialMask materials = 0);
 /// Decides again about a draw when it turns out later which material parts vary.
-Outcome decideAgain(Context &context, GLenum mode, MaterialMask materials);
+Outcome decideAgain(RasterContext &context, GLenum mode, MaterialMask materials);
 
 /// True if the draw must be tried again. This is so if machine code was still being compiled and
 /// the host cannot draw the same: the draw must match the rasterizer's depths, the rasterizer has
 /// the context's looks, or fragments read values of the raster position. The function has then
 /// waited for the code. Compiling never takes longer than a part of a second (fp_compiler's
 /// budget).
-[[nodiscard]] bool waitsForCode(Context &context, const Outcome &outcome);
+[[nodiscard]] bool waitsForCode(RasterContext &context, const Outcome &outcome);
 /// Calls `attempt`, again each time it has waited for code, and returns its outcome.
-template <typename Attempt> Outcome outcomeOf(Context &context, Attempt attempt) {
+template <typename Attempt> Outcome outcomeOf(RasterContext &context, Attempt attempt) {
   Outcome outcome = attempt();
   // The program, its vertex function and its fragment function are compiled one after the other.
   for (int step = 0; step < 4 && waitsForCode(context, outcome); ++step)
@@ -60,12 +56,12 @@ template <typename Attempt> Outcome outcomeOf(Context &context, Attempt attempt)
 
 /// Counts a draw for the rasterizer, or counts the reason and brings the host up to date.
 /// \return true if the draw is done
-bool conclude(Context &context, const Outcome &outcome);
+bool conclude(RasterContext &context, const Outcome &outcome);
 /// The two halves of conclude(), for a primitive that stays open during several calls.
-void noteDrawn(Context &context, std::uint32_t draws = 1);
-void giveToHost(Context &context, Fallback reason);
+void noteDrawn(RasterContext &context, std::uint32_t draws = 1);
+void giveToHost(RasterContext &context, Fallback reason);
 
 /// Returns the context's pipeline, and creates it at the first call. Requires Context::software.
-[[nodiscard]] Pipeline &pipelineOf(Context &context);
+[[nodiscard]] Pipeline &pipelineOf(RasterContext &context);
 
 } // namespace arbiter::state::software

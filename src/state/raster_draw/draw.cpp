@@ -1,13 +1,13 @@
 #include "state/raster_draw/draw.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/list_arrays.h"
 #include "state/raster_draw/large_draw.h"
 #include "state/raster_draw/pipeline.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/vertices/array_source.h"
 
 namespace arbiter::state::software {
@@ -17,11 +17,12 @@ namespace {
 /// Closes the arrays of a draw at the end of its scope, because the host cannot draw with them
 /// open.
 struct ArraysCloser {
-  ArraysCloser(Context &inContext, ArraySource &ofSource) : context(inContext), source(ofSource) {}
+  ArraysCloser(RasterContext &inContext, ArraySource &ofSource)
+      : context(inContext), source(ofSource) {}
   ~ArraysCloser() { source.close(context); }
   ArraysCloser(const ArraysCloser &) = delete;
   ArraysCloser &operator=(const ArraysCloser &) = delete;
-  Context &context;
+  RasterContext &context;
   ArraySource &source;
 };
 
@@ -35,15 +36,15 @@ std::uint32_t slotsOf(const Pipeline &pipeline) {
 /// arrays too. The arrays are then the reason. Otherwise a frame of such draws would look as if the
 /// rasterizer could draw all of it, the next frame would be tried in vain, and frames would
 /// alternate (ContextState::hostTurns).
-bool alsoLacksArrays(Context &context, const Outcome &outcome, const DrawCommand &command) {
+bool alsoLacksArrays(RasterContext &context, const Outcome &outcome, const DrawCommand &command) {
   ContextState &state = *context.software;
-  if (outcome.ok() || outcome.reason() != Fallback::Mixed || state.hostTurns != 0)
+  if (outcome.ok() || outcome.reason() != Fallback::Mixed || state.frame.hostTurns != 0)
     return false; // also if the frame is known to be mixed already
   state.mirror.refreshArrays();
   return ArraySource::lacks(state.mirror, slotsOf(pipelineOf(context)), command);
 }
 
-Outcome drawFromArrays(Context &context, const DrawCommand &command) {
+Outcome drawFromArrays(RasterContext &context, const DrawCommand &command) {
   Pipeline &pipeline = pipelineOf(context);
   Mirror &mirror = context.software->mirror;
   mirror.refreshArrays();
@@ -78,7 +79,7 @@ bool isIndexType(GLenum type) {
 
 /// Draws arrays and returns true, or returns false with the host up to date. Requires
 /// usesRasterizer(), a count above 0, and `first` of 0 or more.
-bool drawArrays(Context &context, const DrawCommand &command) {
+bool drawArrays(RasterContext &context, const DrawCommand &command) {
   return conclude(context, outcomeOf(context, [&] {
                     const Outcome outcome =
                         decide(context, command.mode, std::uint32_t(command.count));
@@ -89,22 +90,22 @@ bool drawArrays(Context &context, const DrawCommand &command) {
 }
 
 /// Leaves a whole multi-draw to the host. Always returns false, for the caller to return.
-bool leaveMultiDraw(Context &context) {
-  (void)executesNow(context); // an open list notes the draw
+bool leaveMultiDraw(RasterContext &context) {
+  (void)executesPixels(context); // an open list notes the draw
   return false;
 }
 
 /// True if each draw of a multi-draw is decided on its own, and the layer calls the host for those
 /// that the rasterizer does not draw.
-bool decidesEach(Context &context) {
+bool decidesEach(RasterContext &context) {
   if (context.listMode != 0 && context.list->keeps())
     return true;
-  return executesNow(context) && usesRasterizer(context);
+  return executesPixels(context) && usesRasterizer(context);
 }
 
 /// Draws or records one draw of a multi-draw. Returns false if the host must. Requires
 /// decidesEach().
-bool tryOne(Context &context, const DrawCommand &command) {
+bool tryOne(RasterContext &context, const DrawCommand &command) {
   if (context.listMode == 0)
     return drawArrays(context, command);
   if (recordArrays(context, command))
@@ -115,13 +116,13 @@ bool tryOne(Context &context, const DrawCommand &command) {
 
 /// Like tryOne(), and also draws with the host if it would misread the arrays (aliasedDraw()). A
 /// draw of no vertices is done at once.
-bool tryOneOrAliased(Context &context, const DrawCommand &command) {
+bool tryOneOrAliased(RasterContext &context, const DrawCommand &command) {
   return command.count == 0 || tryOne(context, command) || aliasedDraw(context, command);
 }
 
 } // namespace
 
-bool tryDraw(Context &context, const DrawCommand &command) {
+bool tryDraw(RasterContext &context, const DrawCommand &command) {
   const bool draws = command.mode <= GL_POLYGON && command.count > 0 && command.first >= 0 &&
                      (command.indexType == 0 || isIndexType(command.indexType));
   if (context.listMode != 0 && draws) {
@@ -130,16 +131,17 @@ bool tryDraw(Context &context, const DrawCommand &command) {
     // arrays in a list of the host's may change current values (2.8)
     context.dirty |= dirty::kCurrent;
   }
-  return executesNow(context) && draws && usesRasterizer(context) && drawArrays(context, command);
+  return executesPixels(context) && draws && usesRasterizer(context) &&
+         drawArrays(context, command);
 }
 
-bool tryDrawRange(Context &context, GLuint start, GLuint end, const DrawCommand &command) {
+bool tryDrawRange(RasterContext &context, GLuint start, GLuint end, const DrawCommand &command) {
   // An end before the start is an error, which the host raises.
   return end >= start && tryDraw(context, command);
 }
 
-bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
-                        GLsizei drawCount) {
+bool tryMultiDrawArrays(RasterContext &context, GLenum mode, const GLint *first,
+                        const GLsizei *count, GLsizei drawCount) {
   if (mode > GL_POLYGON || drawCount <= 0 || !first || !count)
     return leaveMultiDraw(context);
   for (GLsizei i = 0; i < drawCount; ++i)
@@ -151,7 +153,7 @@ bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const
   return true;
 }
 
-bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLenum type,
+bool tryMultiDrawElements(RasterContext &context, GLenum mode, const GLsizei *count, GLenum type,
                           const void *const *indices, GLsizei drawCount,
                           const GLint *baseVertices) {
   if (mode > GL_POLYGON || drawCount <= 0 || !count || !indices || !isIndexType(type))
@@ -166,7 +168,7 @@ bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, G
   return true;
 }
 
-Outcome drawSource(Context &context, const VertexSource &source, std::uint32_t count) {
+Outcome drawSource(RasterContext &context, const VertexSource &source, std::uint32_t count) {
   Pipeline &pipeline = pipelineOf(context);
   const VertexSequence sequence = {.count = count};
   if (isLarge(sequence)) [[unlikely]]

@@ -9,7 +9,7 @@
 
 /// Draws arrays, and vertices that a list has kept.
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -19,19 +19,19 @@ namespace arbiter::state::software {
 // the host raises the error. ---
 
 /// Executes a draw of arrays or elements.
-[[nodiscard]] bool tryDraw(Context &context, const DrawCommand &command);
-[[nodiscard]] bool tryDrawRange(Context &context, GLuint start, GLuint end,
+[[nodiscard]] bool tryDraw(RasterContext &context, const DrawCommand &command);
+[[nodiscard]] bool tryDrawRange(RasterContext &context, GLuint start, GLuint end,
                                 const DrawCommand &command);
 /// Executes a multi-draw. Each of its draws is decided on its own, so either side may do it.
-[[nodiscard]] bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first,
+[[nodiscard]] bool tryMultiDrawArrays(RasterContext &context, GLenum mode, const GLint *first,
                                       const GLsizei *count, GLsizei drawCount);
 /// \param baseVertices null: 0 for each draw
-[[nodiscard]] bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count,
+[[nodiscard]] bool tryMultiDrawElements(RasterContext &context, GLenum mode, const GLsizei *count,
                                         GLenum type, const void *const *indices, GLsizei drawCount,
                                         const GLint *baseVertices);
 
 /// Draws the first `count` vertices of `source` as decide() (decision.h) has chosen. If the outcome
 /// is not ok, nothing has been drawn.
-Outcome drawSource(Context &context, const VertexSource &source, std::uint32_t count);
+Outcome drawSource(RasterContext &context, const VertexSource &source, std::uint32_t count);
 
 } // namespace arbiter::state::software

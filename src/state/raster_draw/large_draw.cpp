@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <new>
 
-#include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -55,7 +55,7 @@ bool isWhole(const Mirror &mirror, Topology topology) {
 /// Draws parts of one sequence.
 class Parts {
 public:
-  Parts(Context &context, Pipeline &pipeline, const VertexSource &source,
+  Parts(RasterContext &context, Pipeline &pipeline, const VertexSource &source,
         const VertexSequence &sequence, Topology topology)
       : m_context(context), m_pipeline(pipeline), m_source(source), m_sequence(sequence),
         m_topology(topology) {}
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  Context &m_context;
+  RasterContext &m_context;
   Pipeline &m_pipeline;
   const VertexSource &m_source;
   const VertexSequence &m_sequence;
@@ -100,7 +100,7 @@ bool isWithin(const VertexSource &source, const VertexSequence &sequence) {
 
 } // namespace
 
-Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &source,
+Outcome drawInParts(RasterContext &context, Pipeline &pipeline, const VertexSource &source,
                     const VertexSequence &sequence) {
   const Topology topology = pipeline.topology();
   if (isWhole(context.software->mirror, topology))
@@ -123,7 +123,7 @@ Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &so
   return {};
 }
 
-bool opensInParts(const Context &context, const Pipeline &pipeline) {
+bool opensInParts(const RasterContext &context, const Pipeline &pipeline) {
   const Topology topology = pipeline.topology();
   // The last line of a loop closes it, and might have to be the host's.
   return !isWhole(context.software->mirror, topology) && !jointOf(topology).closes;

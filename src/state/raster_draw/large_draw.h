@@ -35,7 +35,7 @@ inline constexpr std::uint32_t kMaxOpen = 1u << 14;
 
 /// Draws the sequence in parts. If the outcome is not ok, nothing has been drawn and the host must
 /// draw. Throws std::bad_alloc if memory runs out after the first part.
-Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &source,
+Outcome drawInParts(RasterContext &context, Pipeline &pipeline, const VertexSource &source,
                     const VertexSequence &sequence);
 
 /// The part of an open primitive that is drawn before its remaining vertices exist.
@@ -45,7 +45,7 @@ struct OpenPart {
   std::uint32_t kept = 0, done = 0;
 };
 /// True if open primitives of the chosen draw may be drawn in parts.
-[[nodiscard]] bool opensInParts(const Context &context, const Pipeline &pipeline);
+[[nodiscard]] bool opensInParts(const RasterContext &context, const Pipeline &pipeline);
 /// Returns the full parts among the first `count` vertices. drawInParts() later draws the rest in
 /// the parts that the whole primitive would have had.
 [[nodiscard]] OpenPart openPart(const Pipeline &pipeline, std::uint32_t count);

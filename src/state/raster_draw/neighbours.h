@@ -1,7 +1,7 @@
 #pragma once
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
 
 /// Ends shadows in all contexts for the rest of the process: the host draws everything. Called
 /// before an EGLImage is made from a GL object or from memory of another interface, and before such
@@ -31,12 +31,12 @@ namespace arbiter::state::software {
 struct Drawable;
 
 /// Add a context when it is made, and remove it when it is freed.
-void addNeighbour(Context &context);
-void removeNeighbour(Context &context);
+void addNeighbour(RasterContext &context);
+void removeNeighbour(RasterContext &context);
 /// Notes that the host has made the context current with `drawable`, which becomes
 /// Context::drawable. Called before the application goes on.
-void becomesCurrent(Context &context, const Drawable &drawable);
+void becomesCurrent(RasterContext &context, const Drawable &drawable);
 /// Notes that the host takes the context from its thread, or gives it another drawable.
-void ceasesToBeCurrent(Context &context);
+void ceasesToBeCurrent(RasterContext &context);
 
 } // namespace arbiter::state::software

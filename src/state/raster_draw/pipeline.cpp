@@ -6,11 +6,11 @@
 #include <new>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/imaging/arithmetic.h"
 #include "state/primitives/joined.h"
 #include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 #include "swrast/pixels.h"
 #include "swrast/setup/rectangle.h"
 
@@ -161,7 +161,7 @@ void Pipeline::takeClears() {
 }
 
 /// Makes the shadows of the targets valid for writing.
-Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint32_t count,
+Outcome Pipeline::acquire(RasterContext &context, const IndexRange &indices, std::uint32_t count,
                           bool opaque, swrast::Topology topology) {
   const abi::DepthStencilKey &depth = m_key.depthStencil;
   if (context.software->residency.targetsHeld(depth.depthTest != 0 || depth.stencilTest != 0))
@@ -176,8 +176,9 @@ Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint
   return {};
 }
 
-Outcome Pipeline::transform(Context &context, const VertexSource &source, const IndexRange &indices,
-                            std::uint32_t first, std::uint32_t count, bool later) {
+Outcome Pipeline::transform(RasterContext &context, const VertexSource &source,
+                            const IndexRange &indices, std::uint32_t first, std::uint32_t count,
+                            bool later) {
   const Mirror &mirror = context.software->mirror;
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
                         mirror.raster.back != swrast::PolygonMode::Fill;
@@ -187,9 +188,9 @@ Outcome Pipeline::transform(Context &context, const VertexSource &source, const 
   return m_vertices.run(context, context.software->mirror, source, begin, fetched, unfilled, later);
 }
 
-Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::uint32_t count,
-                              abi::Interpolation inputs, swrast::Topology topology,
-                              const swrast::Shading *&shading) {
+Outcome Pipeline::readyPixels(RasterContext &context, const IndexRange &indices,
+                              std::uint32_t count, abi::Interpolation inputs,
+                              swrast::Topology topology, const swrast::Shading *&shading) {
   const Mirror &mirror = context.software->mirror;
   const Prepared &prepared = m_prepared[std::size_t(inputs)];
   if (!prepared.ready)
@@ -248,7 +249,7 @@ bool hasOneColor(const VertexSource &source) {
 
 /// True if llvmpipe splits quads from the second corner to the fourth: in lists, with indices, and
 /// where the provoking vertex matters.
-bool Pipeline::cutsSecondDiagonal(const Context &context, const VertexSource &source,
+bool Pipeline::cutsSecondDiagonal(const RasterContext &context, const VertexSource &source,
                                   const IndexRange &indices, const swrast::Shading &shading) const {
   if (source.fromList || indices.indices)
     return true;
@@ -258,9 +259,9 @@ bool Pipeline::cutsSecondDiagonal(const Context &context, const VertexSource &so
          !(isFixed && isUnlit && hasOneColor(source));
 }
 
-Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
-                            std::uint32_t count, abi::Interpolation inputs,
-                            const Joining &primitives) {
+Outcome Pipeline::rasterize(RasterContext &context, const VertexSource &source,
+                            const IndexRange &indices, std::uint32_t count,
+                            abi::Interpolation inputs, const Joining &primitives) {
   const swrast::Topology topology = primitives.topology;
   const swrast::Shading *shading = nullptr;
   if (const Outcome outcome = readyPixels(context, indices, count, inputs, topology, shading);
@@ -281,8 +282,8 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
   return {};
 }
 
-Outcome Pipeline::shade(Context &context, const VertexSource &source, const IndexRange &indices,
-                        std::uint32_t first, std::uint32_t count) {
+Outcome Pipeline::shade(RasterContext &context, const VertexSource &source,
+                        const IndexRange &indices, std::uint32_t first, std::uint32_t count) {
   if (const Outcome outcome = transform(context, source, indices, first, count, false);
       !outcome.ok())
     return outcome;
@@ -290,7 +291,7 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
                    {m_topology, context.software->mirror.raster.provokingIsFirst});
 }
 
-Outcome Pipeline::shadeJoined(Context &context, const VertexSource &source,
+Outcome Pipeline::shadeJoined(RasterContext &context, const VertexSource &source,
                               const IndexRange &indices, const Joining &joining) {
   if (const Outcome outcome = transform(context, source, indices, 0, indices.count, false);
       !outcome.ok())
@@ -299,8 +300,9 @@ Outcome Pipeline::shadeJoined(Context &context, const VertexSource &source,
                    swrast::interpolationOf(m_vertices.vertices()), joining);
 }
 
-Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
-                            std::uint32_t first, std::uint32_t count, swrast::Topology topology) {
+Outcome Pipeline::shadePart(RasterContext &context, const VertexSource &source,
+                            const IndexRange &indices, std::uint32_t first, std::uint32_t count,
+                            swrast::Topology topology) {
   if (const Outcome outcome = transform(context, source, indices, first, count, true);
       !outcome.ok())
     return outcome;
@@ -335,7 +337,7 @@ std::int32_t pixelAt(float raster, float origin) {
 
 } // namespace
 
-Outcome Pipeline::readyFragments(Context &context, const swrast::Shading *&shading,
+Outcome Pipeline::readyFragments(RasterContext &context, const swrast::Shading *&shading,
                                  swrast::BitFragments &fragments) {
   if (const Outcome outcome = chooseFragments(context); !outcome.ok())
     return outcome;
@@ -359,7 +361,7 @@ Outcome Pipeline::readyFragments(Context &context, const swrast::Shading *&shadi
   return {};
 }
 
-Outcome Pipeline::shadeBits(Context &context, const PlacedBits &bits) {
+Outcome Pipeline::shadeBits(RasterContext &context, const PlacedBits &bits) {
   const swrast::Shading *shading = nullptr;
   swrast::BitFragments fragments;
   if (const Outcome outcome = readyFragments(context, shading, fragments); !outcome.ok())
@@ -370,7 +372,7 @@ Outcome Pipeline::shadeBits(Context &context, const PlacedBits &bits) {
   return {};
 }
 
-Outcome Pipeline::shadePixels(Context &context, const imaging::Pixels &pixels) {
+Outcome Pipeline::shadePixels(RasterContext &context, const imaging::Pixels &pixels) {
   const swrast::Shading *shading = nullptr;
   swrast::BitFragments fragments;
   if (const Outcome outcome = readyFragments(context, shading, fragments); !outcome.ok())

@@ -39,26 +39,26 @@ public:
     MaterialMask materials = 0; ///< parts of the material that vary from vertex to vertex
   };
   /// Chooses for a draw of vertices. Requires that the context's programs are validated.
-  Outcome choose(Context &context, const Kind &kind) { return chooseFor(context, &kind); }
+  Outcome choose(RasterContext &context, const Kind &kind) { return chooseFor(context, &kind); }
   /// Draws vertices [first, first + count) of the source, or those that indices name.
-  Outcome shade(Context &context, const VertexSource &source, const IndexRange &indices,
+  Outcome shade(RasterContext &context, const VertexSource &source, const IndexRange &indices,
                 std::uint32_t first, std::uint32_t count);
   /// Draws a part of a large draw (large_draw.h), with primitives of `topology`. Inputs are always
   /// Perspective, so that all parts use the same functions.
-  Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
+  Outcome shadePart(RasterContext &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, swrast::Topology topology);
   /// Draws primitives that were joined (primitives/joined.h), by indices.
-  Outcome shadeJoined(Context &context, const VertexSource &source, const IndexRange &indices,
+  Outcome shadeJoined(RasterContext &context, const VertexSource &source, const IndexRange &indices,
                       const Joining &joining);
   /// Chooses for fragments at the current raster position.
-  Outcome chooseFragments(Context &context) { return chooseFor(context, nullptr); }
+  Outcome chooseFragments(RasterContext &context) { return chooseFor(context, nullptr); }
   /// True if the chosen fragments read more of the raster position than its colour. Hosts lack the
   /// other values, so the draw is always the rasterizer's.
   [[nodiscard]] bool readsRasterValues() const { return m_readsRasterValues; }
   /// Chooses, and draws a bitmap (bitmap.h) with the current raster position's values.
-  Outcome shadeBits(Context &context, const PlacedBits &bits);
+  Outcome shadeBits(RasterContext &context, const PlacedBits &bits);
   /// Chooses, and draws an image at the raster position. Each fragment has its own colour.
-  Outcome shadePixels(Context &context, const imaging::Pixels &pixels);
+  Outcome shadePixels(RasterContext &context, const imaging::Pixels &pixels);
   [[nodiscard]] swrast::Topology topology() const { return m_topology; }
   /// True if the chosen draw tests depth or stencil.
   [[nodiscard]] bool testsDepth() const {
@@ -81,7 +81,7 @@ public:
 private:
   /// The inputs of a choice, except groups of state.
   struct Basis {
-    std::uint64_t selections = 0; ///< Context::selections
+    std::uint64_t selections = 0; ///< DrawChoice::selections
     std::uint64_t images = 0;     ///< Residency::version()
     bool mayTestDepth = false;    ///< ContextState::mayTestDepth()
     bool mixesInVain = false;     ///< FrameHistory::mixesInVain
@@ -94,26 +94,26 @@ private:
     MaterialMask materials = 0;
     bool operator==(const Basis &) const = default;
   };
-  [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,
+  [[nodiscard]] static Basis basisOf(const RasterContext &context, const Mirror &mirror,
                                      const Kind *vertices);
-  Outcome transform(Context &context, const VertexSource &source, const IndexRange &indices,
+  Outcome transform(RasterContext &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, bool later);
-  Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
+  Outcome rasterize(RasterContext &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t count, abi::Interpolation inputs, const Joining &primitives);
-  [[nodiscard]] bool cutsSecondDiagonal(const Context &context, const VertexSource &source,
+  [[nodiscard]] bool cutsSecondDiagonal(const RasterContext &context, const VertexSource &source,
                                         const IndexRange &indices,
                                         const swrast::Shading &shading) const;
   /// Prepares the functions, the targets and the data for pixels. No pixel has been written before.
-  Outcome readyPixels(Context &context, const IndexRange &indices, std::uint32_t count,
+  Outcome readyPixels(RasterContext &context, const IndexRange &indices, std::uint32_t count,
                       abi::Interpolation inputs, swrast::Topology topology,
                       const swrast::Shading *&shading);
   /// Chooses, or keeps the last choice. \param vertices null: fragments at the raster position
-  Outcome chooseFor(Context &context, const Kind *vertices);
-  Outcome chooseAnew(Context &context, Mirror &mirror, const Kind *vertices);
+  Outcome chooseFor(RasterContext &context, const Kind *vertices);
+  Outcome chooseAnew(RasterContext &context, Mirror &mirror, const Kind *vertices);
   /// Chooses the fragment program and the targets.
-  Outcome choosePixels(Context &context, Mirror &mirror, const Kind *vertices);
+  Outcome choosePixels(RasterContext &context, Mirror &mirror, const Kind *vertices);
   /// Finds the draw's looks, and decides how long to wait for code. Not ok if the host draws looks.
-  Outcome chooseSide(Context &context, Mirror &mirror, const Kind *vertices);
+  Outcome chooseSide(RasterContext &context, Mirror &mirror, const Kind *vertices);
   /// True if the draw has a look and must therefore keep the context's side. Like isMixed(), it is
   /// false for draws that only the rasterizer draws correctly.
   [[nodiscard]] bool keepsLooks(const ContextState &state) const;
@@ -123,10 +123,10 @@ private:
   /// True if needsWhole(), and the frame is a mixed one.
   [[nodiscard]] bool isMixed(const ContextState &state, bool testsDepths) const;
   /// Chooses the topology and the vertex program. Requires choosePixels().
-  Outcome chooseVertices(Context &context, Mirror &mirror, const Kind &kind);
+  Outcome chooseVertices(RasterContext &context, Mirror &mirror, const Kind &kind);
   /// Makes the key for pixels' functions. Requires all other choices: what the rasterizer lacks is
   /// judged before the frame is.
-  Outcome makeKey(Context &context, Mirror &mirror, abi::Coverage coverage, bool hasVertices);
+  Outcome makeKey(RasterContext &context, Mirror &mirror, abi::Coverage coverage, bool hasVertices);
   Outcome chooseFunctions(const Mirror &mirror, abi::Interpolation inputs);
   /// Chooses the function for small triangles, for which the rasterizer tests depth.
   /// \param quads true if a level of detail or a derivative is wanted
@@ -135,10 +135,10 @@ private:
   [[nodiscard]] bool isOpaque() const;
   /// Does chooseFragments() and readyPixels(), and computes the attributes that all fragments
   /// share.
-  Outcome readyFragments(Context &context, const swrast::Shading *&shading,
+  Outcome readyFragments(RasterContext &context, const swrast::Shading *&shading,
                          swrast::BitFragments &fragments);
-  Outcome acquire(Context &context, const IndexRange &indices, std::uint32_t count, bool opaque,
-                  swrast::Topology topology);
+  Outcome acquire(RasterContext &context, const IndexRange &indices, std::uint32_t count,
+                  bool opaque, swrast::Topology topology);
   void fillRaster(const Mirror &mirror);
   void fillData(const Mirror &mirror);
   void takeClears();

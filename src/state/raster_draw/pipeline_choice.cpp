@@ -4,11 +4,11 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/variants/point_sprites.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/pipeline.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -18,8 +18,8 @@ namespace {
 static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
 
 /// True if primitives are assumed to be small, so that 2x2 quads waste fewer lanes.
-bool isMany(const Context &context, std::uint32_t vertices) {
-  return vertices == 0 ? context.software->recordsMany : vertices >= kManyVertices;
+bool isMany(const RasterContext &context, std::uint32_t vertices) {
+  return vertices == 0 ? context.software->habits.recordsMany : vertices >= kManyVertices;
 }
 
 /// The groups of state that decide about a choice. VertexState::version and Mirror::obstacle stand
@@ -48,7 +48,7 @@ bool testsAny(const abi::DepthStencilKey &depth, const DrawTargets &targets) {
 
 /// Updates the kept look before a draw that has a look. In a mixed frame, a draw that needs a whole
 /// frame gives looks to the host.
-const KeptLook &keepsLook(Context &context, bool needsWhole) {
+const KeptLook &keepsLook(RasterContext &context, bool needsWhole) {
   ContextState &state = *context.software;
   KeptLook &look = state.history.look;
   look.meets(state.history.backOff.followsHost());
@@ -59,7 +59,7 @@ const KeptLook &keepsLook(Context &context, bool needsWhole) {
 
 /// Returns the looks of draws to the bound framebuffer object. Windows are not asked, because that
 /// may require measuring their size.
-Looks looksOfObject(Context &context) {
+Looks looksOfObject(RasterContext &context) {
   GLint bound = 0;
   context.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   const char *reason = nullptr;
@@ -73,7 +73,7 @@ Looks looksOfObject(Context &context) {
 }
 
 using SpriteThird = swrast::RasterState::SpriteThird;
-SpriteThird spriteThirdNow(const Context &context) {
+SpriteThird spriteThirdNow(const RasterContext &context) {
   const GLenum mode = spriteMode(context);
   return mode == GL_S ? SpriteThird::S : mode == GL_R ? SpriteThird::R : SpriteThird::Zero;
 }
@@ -100,7 +100,7 @@ bool isOneValue(const abi::Format &format) { return format.swizzle[3] == abi::Fr
 
 } // namespace
 
-Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage coverage,
+Outcome Pipeline::makeKey(RasterContext &context, Mirror &mirror, abi::Coverage coverage,
                           bool hasVertices) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   m_key = mirror.pixelOps;
@@ -148,7 +148,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
   return lacking.ok() ? Outcome(Fallback::Mixed) : lacking;
 }
 
-Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
+Pipeline::Basis Pipeline::basisOf(const RasterContext &context, const Mirror &mirror,
                                   const Kind *vertices) {
   Basis basis = {context.effective.selections, context.software->residency.version(),
                  context.software->mayTestDepth(), context.software->history.mixesInVain,
@@ -163,7 +163,7 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
   return basis;
 }
 
-Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
+Outcome Pipeline::chooseFor(RasterContext &context, const Kind *vertices) {
   Mirror &mirror = context.software->mirror;
   releaseSprites(context); // the mirror queries the application's own state
   mirror.refresh(context.dirty);
@@ -191,7 +191,7 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
   if (!outcome.ok() && outcome.reason() == Fallback::Compiling) {
     ContextState &state = *context.software;
     if (m_wait == Wait::Not || m_wait == Wait::ForDisk)
-      state.unjudged = true;
+      state.frame.unjudged = true;
     // The last start's code on disk does not cover all, so the rest of the frame does not wait.
     if (m_wait == Wait::ForDisk)
       state.history.waitsForCode = false;
@@ -203,7 +203,7 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
   return outcome;
 }
 
-Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *vertices) {
+Outcome Pipeline::chooseAnew(RasterContext &context, Mirror &mirror, const Kind *vertices) {
   m_many = false;
   if (const Outcome outcome = choosePixels(context, mirror, vertices); !outcome.ok())
     return outcome;
@@ -226,7 +226,7 @@ bool Pipeline::isMixed(const ContextState &state, bool testsDepths) const {
   return needsWhole(state, testsDepths) && !state.mayTestDepth() && !m_readsRasterValues;
 }
 
-Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *vertices) {
+Outcome Pipeline::chooseSide(RasterContext &context, Mirror &mirror, const Kind *vertices) {
   ContextState &state = *context.software;
   if (!m_program->looks)
     m_program->looks = lookBasisOf(*m_program->source, !m_compiled);
@@ -240,7 +240,7 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
   const bool keeps = keepsLooks(state);
   if (keeps && keepsLook(context, needsWhole(state, testsDepths)).isHosts())
     return Fallback::Look;
-  const bool isPlain = state.drawsPlain && !context.effective.linkedProgram;
+  const bool isPlain = state.habits.drawsPlain && !context.effective.linkedProgram;
   const bool mayWait = isMixed(state, testsDepths) || isPlain;
   m_wait = state.steady || keeps || m_readsRasterValues             ? Wait::UntilDone
            : mayWait && state.mayGoUnjudged(isPlain)                ? Wait::Not
@@ -249,7 +249,7 @@ Outcome Pipeline::chooseSide(Context &context, Mirror &mirror, const Kind *verti
   return {};
 }
 
-Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *vertices) {
+Outcome Pipeline::choosePixels(RasterContext &context, Mirror &mirror, const Kind *vertices) {
   if (context.numerics == fp::Numerics::Fp24)
     return Fallback::NotCompiled;
   m_compiled = context.effective.linkedProgram ? context.effective.linkedProgram->fragment.compiled
@@ -289,7 +289,7 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror, const Kind *ver
   return {};
 }
 
-Outcome Pipeline::chooseVertices(Context &context, Mirror &mirror, const Kind &kind) {
+Outcome Pipeline::chooseVertices(RasterContext &context, Mirror &mirror, const Kind &kind) {
   m_topology = swrast::Topology(kind.mode);
   m_many = isMany(context, kind.count);
   if (const char *const obstacle = mirror.obstacleOf(m_topology))

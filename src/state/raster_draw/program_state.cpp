@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "fp_compiler/ir/ir.h"
-#include "state/core/context.h"
 #include "state/core/host_state.h"
 #include "state/programs/program_edits.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -122,7 +122,7 @@ bool ProgramValues::updateParameters(const ProgramTarget &target) {
   return changed;
 }
 
-bool ProgramValues::update(Context &context, const GenerationCounter &clock,
+bool ProgramValues::update(RasterContext &context, const GenerationCounter &clock,
                            const ProgramTarget *target) {
   bool changed = false;
   if (target) {
@@ -147,7 +147,7 @@ bool ProgramValues::update(Context &context, const GenerationCounter &clock,
   return updateStates(context, groups) || changed;
 }
 
-bool ProgramValues::updateStates(Context &context, std::uint32_t groups) {
+bool ProgramValues::updateStates(RasterContext &context, std::uint32_t groups) {
   bool changed = false;
   // Rows of one matrix mostly follow each other, so the matrix is queried once.
   const fp::ir::StateRef *matrix = nullptr;

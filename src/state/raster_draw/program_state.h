@@ -8,7 +8,7 @@
 #include "state/objects/program_object.h"
 
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 struct ProgramTarget;
 } // namespace arbiter::state
 
@@ -23,7 +23,7 @@ public:
   /// Updates the rows. Env and local parameters are read if their target changed, and state rows if
   /// their group did. `row` is the program target with the program's object bound, or null for
   /// fixed function. Call it after refresh(). Returns true if a value changed.
-  bool update(Context &context, const GenerationCounter &clock, const ProgramTarget *row);
+  bool update(RasterContext &context, const GenerationCounter &clock, const ProgramTarget *row);
   [[nodiscard]] const float (*data() const)[4] {
     return reinterpret_cast<const float(*)[4]>(m_values.data());
   }
@@ -47,7 +47,7 @@ private:
     fp::ir::StateRef state;
   };
   bool updateParameters(const ProgramTarget &target);
-  bool updateStates(Context &context, std::uint32_t groups);
+  bool updateStates(RasterContext &context, std::uint32_t groups);
   /// Sets a row. Returns true if its value changed.
   bool set(std::size_t row, const Vec4 &value);
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "fp_compiler/ir/builder.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/host_state.h"
 #include "state/testing/real_host.h"
 
@@ -36,7 +36,7 @@ Vec4 valueOf(const ProgramValues &values, const fp::ir::Source &row) {
 TEST(ProgramValues, FollowEnvAndLocalParameters) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Builder b(fp::ir::Language::ArbVertex);
   const auto constant = b.constant(1, 2, 3, 4), env = b.env(3), local = b.local(5);
   const auto beyond = b.env(60000);
@@ -78,7 +78,7 @@ TEST(ProgramValues, FollowEnvAndLocalParameters) {
 TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Builder b(fp::ir::Language::ArbVertex);
   const auto fog = b.state(ref(StateItem::FogColor));
   const auto row = b.state(ref(StateItem::MatrixModelview, 0, 0));
@@ -122,7 +122,7 @@ std::vector<StateRef> allRows() {
 TEST(ProgramValues, EveryRowOfStateIsTheHostsAfterItsGroupChanged) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Builder b(fp::ir::Language::ArbVertex);
   const std::vector<StateRef> rows = allRows();
   std::vector<fp::ir::Source> sources;

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frames/leave.h"
 #include "state/raster_draw/functions/functions.h"
+#include "state/raster_draw/raster_context.h"
 #include "util/json.h"
 #include "util/record/record_text.h"
 
@@ -26,7 +26,7 @@ Figures figuresOf(const ContextState &state) {
 
 } // namespace
 
-void Figures::add(const Context &context) {
+void Figures::add(const RasterContext &context) {
   if (context.software || context.leftAlone)
     ++contexts;
   if (context.software)

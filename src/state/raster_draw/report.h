@@ -20,7 +20,7 @@ struct Figures {
   ResidencyStatistics residency;
 
   /// Adds the figures of a context, including those from before it was left alone (frames/leave.h).
-  void add(const Context &context);
+  void add(const RasterContext &context);
   void add(const Figures &others);
 };
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "state/core/context.h"
 #include "state/host_draw/texturing/sampler_override.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -93,7 +93,7 @@ abi::Swizzle depthSwizzle(GLenum mode) {
   }
 }
 
-void Units::refresh(Context &context, Mirror &mirror, const Samplers &samplers) {
+void Units::refresh(RasterContext &context, Mirror &mirror, const Samplers &samplers) {
   m_uses.clear();
   for (const auto &sampler : samplers)
     m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
@@ -103,7 +103,7 @@ void Units::refresh(Context &context, Mirror &mirror, const Samplers &samplers) 
   }
 }
 
-Outcome Units::judge(Context &context, Mirror &mirror, const Samplers &samplers) {
+Outcome Units::judge(RasterContext &context, Mirror &mirror, const Samplers &samplers) {
   refresh(context, mirror, samplers);
   for (const SamplerUse &use : m_uses) {
     const SamplerState &state = mirror.samplers[use.unit][std::size_t(use.dimension)];
@@ -114,7 +114,7 @@ Outcome Units::judge(Context &context, Mirror &mirror, const Samplers &samplers)
   return {};
 }
 
-Outcome Units::bind(Context &context, Mirror &mirror, const Samplers &samplers, Keys &keys) {
+Outcome Units::bind(RasterContext &context, Mirror &mirror, const Samplers &samplers, Keys &keys) {
   m_bound = 0;
   m_storages.clear();
   m_levelsMatter = 0;

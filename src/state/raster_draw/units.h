@@ -8,7 +8,7 @@
 #include "swrast/queue/queued_state.h"
 
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -27,13 +27,13 @@ public:
   using Samplers = std::vector<fp::jit::Sampler>;
   using Keys = std::array<abi::SamplerKey, abi::kMaxUnits>;
   /// Updates the mirror's sampler state of the sampled units.
-  void refresh(Context &context, Mirror &mirror, const Samplers &samplers);
+  void refresh(RasterContext &context, Mirror &mirror, const Samplers &samplers);
   /// Returns why the host must draw, whatever the images contain: because of their sampler state or
   /// formats. Moves no pixel.
-  [[nodiscard]] Outcome judge(Context &context, Mirror &mirror, const Samplers &samplers);
+  [[nodiscard]] Outcome judge(RasterContext &context, Mirror &mirror, const Samplers &samplers);
   /// Makes the images of the sampled units ready, and fills their samplers in `keys`, which must be
   /// None before.
-  Outcome bind(Context &context, Mirror &mirror, const Samplers &samplers, Keys &keys);
+  Outcome bind(RasterContext &context, Mirror &mirror, const Samplers &samplers, Keys &keys);
   /// Fills the views; units that are not sampled are null.
   void fill(std::array<const abi::TextureView *, abi::kMaxUnits> &textures) const;
   /// Finishes queued draws and clears that write the bound images, for functions that sample at

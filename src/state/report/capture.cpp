@@ -6,7 +6,7 @@
 
 #include "fp_compiler/compiler.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/core/core_context.h"
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
 #include "state/objects/linked_program.h"
@@ -20,7 +20,7 @@ namespace {
 /// freed: contexts may be destroyed after static destructors began.
 struct Live {
   std::mutex mutex;
-  std::vector<Context *> contexts;
+  std::vector<CoreContext *> contexts;
 };
 Live &live() {
   static Live *const s_live = new Live;
@@ -32,7 +32,7 @@ void finishAtExit() {
   const std::unique_lock lock = lockAtExit(l.mutex);
   if (!lock)
     return; // the record of a second ago stays
-  for (Context *context : l.contexts)
+  for (CoreContext *context : l.contexts)
     captureLeave(*context);
   CaptureRecord::instance()->finish();
 }
@@ -63,7 +63,7 @@ Binding bindingOf(fp::ir::TexTarget target) {
   return {};
 }
 
-TextureUse describeTexture(Context &context, const fp::GlslSampler &sampler) {
+TextureUse describeTexture(CoreContext &context, const fp::GlslSampler &sampler) {
   const host::HostTable &host = *context.host;
   const UnitScope unit(host, sampler.unit);
   const Binding binding = bindingOf(sampler.target);
@@ -84,7 +84,7 @@ TextureUse describeTexture(Context &context, const fp::GlslSampler &sampler) {
 
 } // namespace
 
-void captureContextMade(Context &context) {
+void captureContextMade(CoreContext &context) {
   if (!capturing())
     return;
   Live &l = live();
@@ -95,7 +95,7 @@ void captureContextMade(Context &context) {
   CaptureRecord::instance()->contextMade();
 }
 
-void captureContextGone(Context &context) {
+void captureContextGone(CoreContext &context) {
   if (!capturing())
     return;
   captureLeave(context);
@@ -104,14 +104,14 @@ void captureContextGone(Context &context) {
   std::erase(l.contexts, &context);
 }
 
-void captureLoad(const Context &context, const ProgramObject &object, std::string_view text,
+void captureLoad(const CoreContext &context, const ProgramObject &object, std::string_view text,
                  const fp::CheckResult &result, const CompiledProgram *compiled) {
   if (capturing())
     CaptureRecord::instance()->loaded(context.serial, object.target, text, result,
                                       context.errors.text, compiled);
 }
 
-void captureEnter(Context &context) {
+void captureEnter(CoreContext &context) {
   if (!capturing() || !context.effective.linkedProgram)
     return;
   CaptureEffective &effective = context.captured;
@@ -131,7 +131,7 @@ void captureEnter(Context &context) {
   }
 }
 
-void captureLeave(Context &context) {
+void captureLeave(CoreContext &context) {
   if (!capturing())
     return;
   CaptureEffective &effective = context.captured;
@@ -158,7 +158,7 @@ void captureLeave(Context &context) {
   }
 }
 
-void captureFrame(Context &context) {
+void captureFrame(CoreContext &context) {
   if (!capturing())
     return;
   captureLeave(context);

@@ -16,7 +16,7 @@
 /// the program.
 namespace arbiter::state {
 
-class Context;
+struct CoreContext;
 struct ProgramObject;
 
 /// True if ARBITER_CAPTURE is set. Costs one load of a constant.
@@ -25,17 +25,17 @@ struct ProgramObject;
   return s_capturing;
 }
 
-void captureContextMade(Context &context);
+void captureContextMade(CoreContext &context);
 /// Forgets a context that is about to be freed. It may be current on no thread.
-void captureContextGone(Context &context);
+void captureContextGone(CoreContext &context);
 /// Records a program string that the layer compiled; `compiled` is null if it was refused.
-void captureLoad(const Context &context, const ProgramObject &object, std::string_view text,
+void captureLoad(const CoreContext &context, const ProgramObject &object, std::string_view text,
                  const fp::CheckResult &result, const CompiledProgram *compiled);
 /// Records that programs became effective. The context is current.
-void captureEnter(Context &context);
+void captureEnter(CoreContext &context);
 /// Records the draws of the effective programs, before others may be chosen.
-void captureLeave(Context &context);
+void captureLeave(CoreContext &context);
 /// Counts a frame, at SwapBuffers.
-void captureFrame(Context &context);
+void captureFrame(CoreContext &context);
 
 } // namespace arbiter::state

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "host/handlers.h"
+#include "state/context/context.h"
 #include "state/raster_draw/context_state.h"
 #include "state/residency/residency.h"
 #include "state/residency/testing/residency_scene.h"
@@ -96,7 +97,7 @@ protected:
     reinterpret_cast<PFNGLGENRENDERBUFFERSPROC>(hostFunction("glGenRenderbuffers"))(
         1, &made.renderbuffer);
     gl().BindRenderbuffer(GL_RENDERBUFFER, made.renderbuffer);
-    handlers::RenderbufferStorage(context(), GL_RENDERBUFFER, GL_RGBA8, width, height);
+    handlers::RenderbufferStorage(wholeOf(context()), GL_RENDERBUFFER, GL_RGBA8, width, height);
     gl().GenFramebuffers(1, &made.framebuffer);
     bindFramebuffer(made.framebuffer);
     gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
@@ -112,7 +113,7 @@ TEST_F(ResidencyOfRenderbuffers, NewStorageConcernsNoOtherImage) {
   drawAll(0x11223344);
   (void)scene(kWidth, kHeight);
   drawAll(0x55667788);
-  handlers::RenderbufferStorage(context(), GL_RENDERBUFFER, GL_RGBA8, 8, 8);
+  handlers::RenderbufferStorage(wholeOf(context()), GL_RENDERBUFFER, GL_RGBA8, 8, 8);
   changed();
   draw({0, 0, 8, 8}, 0x0A0B0C0D);
   EXPECT_EQ(shadowPixel(7, 7), 0x0A0B0C0Du);
@@ -126,7 +127,7 @@ TEST_F(ResidencyOfRenderbuffers, NewStorageConcernsNoOtherImage) {
 TEST_F(ResidencyOfRenderbuffers, RefusedStorageLeavesThePixels) {
   (void)scene(kWidth, kHeight);
   drawAll(0x55667788);
-  handlers::RenderbufferStorage(context(), GL_RENDERBUFFER, GL_RGBA8, -1, 8);
+  handlers::RenderbufferStorage(wholeOf(context()), GL_RENDERBUFFER, GL_RGBA8, -1, 8);
   EXPECT_EQ(gl().GetError(), GLenum(GL_INVALID_VALUE));
   changed();
   draw({0, 0, 1, 1}, 0x0A0B0C0D);
@@ -140,7 +141,7 @@ TEST_F(ResidencyOfRenderbuffers, ADeletedOneLivesOnWhereItIsAttached) {
   drawAll(0x55667788);
   bindFramebuffer(other);
   drawAll(0x11223344);
-  handlers::DeleteRenderbuffers(context(), 1, &made.renderbuffer);
+  handlers::DeleteRenderbuffers(wholeOf(context()), 1, &made.renderbuffer);
   EXPECT_EQ(statistics().uploads, 1u) << "those of the deleted one alone";
   EXPECT_EQ(hostPixel(5, 7), 0x11223344u);
   bindFramebuffer(made.framebuffer);

@@ -125,7 +125,7 @@ void Residency::enter(const Drawable &drawable) {
   images.sizeSure = true;
   images.drawable = drawable;
   images.hot.dirty = ~0u;
-  if (hostMissedFrames(images) && !images.hot.insideBeginEnd && images.hot.listMode == 0)
+  if (hostMissedFrames(images) && images.hot.executesNow())
     refreshWindowSize(images);
   updateBehind(images);
 }

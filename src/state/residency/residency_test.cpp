@@ -236,7 +236,7 @@ TEST_F(Residency, PixelStoreIsFollowed) {
     EXPECT_EQ(unpack.rowLength, 50);
     EXPECT_EQ(unpack.skipRows, 2);
     EXPECT_EQ(unpack.skipPixels, 9);
-    m_context->dirty |= dirty::kPixelStore;
+    context().dirty |= dirty::kPixelStore;
   }
 }
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "fp_compiler/compiler.h"
-#include "state/core/context.h"
 #include "state/programs/program_cache.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/report.h"
 #include "state/statistics/statistics_text.h"
 #include "util/exit_lock.h"
@@ -34,7 +34,7 @@ struct Totals {
   std::uint64_t readBuffers = 0;
   software::Figures software;
 
-  void add(const Context &context) {
+  void add(const RasterContext &context) {
     for (int i = 0; i < kPathCount; ++i)
       draws[std::size_t(i)] += context.counters.draws[std::size_t(i)];
     for (int i = 0; i < kCopyKindCount; ++i) {
@@ -128,7 +128,7 @@ void addProgram(const ProgramRow &row) {
 }
 
 /// Updates what became known about a context since it was made. \return true if something did
-bool renewContext(Registry &r, const Context &context) {
+bool renewContext(Registry &r, const RasterContext &context) {
   for (auto row = r.contexts.rbegin(); row != r.contexts.rend(); ++row) {
     if (row->live != &context)
       continue;
@@ -159,7 +159,7 @@ void begin(Registry &r) {
 
 } // namespace
 
-void noteContextCreated(Context &context) {
+void noteContextCreated(RasterContext &context) {
   Registry &r = registry();
   const std::lock_guard lock(r.mutex);
   context.serial = r.nextSerial++;
@@ -180,7 +180,7 @@ void noteContextCreated(Context &context) {
   }
 }
 
-void noteContextDestroyed(const Context &context) {
+void noteContextDestroyed(const RasterContext &context) {
   if (!wanted())
     return;
   Registry &r = registry();
@@ -196,7 +196,7 @@ void noteContextDestroyed(const Context &context) {
   renewCounters(r);
 }
 
-void noteProgress(const Context &context) {
+void noteProgress(const RasterContext &context) {
   if (!wanted())
     return;
   Registry &r = registry();
@@ -208,8 +208,9 @@ void noteProgress(const Context &context) {
   renewCounters(r);
 }
 
-void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
-                       const fp::CheckResult &result, const Refusal &refusal) {
+void noteLoadedProgram(const CoreContext &context, const ProgramObject &object,
+                       std::string_view text, const fp::CheckResult &result,
+                       const Refusal &refusal) {
   if (!wanted())
     return;
   ProgramRow row;
@@ -228,7 +229,7 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
   addProgram(row);
 }
 
-void noteFragmentShader(const Context &context, const ProgramObject &object,
+void noteFragmentShader(const CoreContext &context, const ProgramObject &object,
                         const CompiledProgram *compiled, std::string_view error) {
   if (!wanted())
     return;

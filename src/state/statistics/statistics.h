@@ -12,7 +12,8 @@ struct CheckResult;
 /// which is updated at the end of each frame and at rare events.
 namespace arbiter::state {
 
-class Context;
+struct RasterContext;
+struct CoreContext;
 struct CompiledProgram;
 struct ProgramObject;
 struct Refusal;
@@ -20,18 +21,19 @@ struct Refusal;
 /// Version of the JSON's schema: grows when a member changes its meaning or is removed.
 inline constexpr int kStatisticsSchema = 3;
 
-void noteContextCreated(Context &context);
+void noteContextCreated(RasterContext &context);
 /// Adds the counters of a context that is about to be freed to those of freed contexts.
-void noteContextDestroyed(const Context &context);
+void noteContextDestroyed(const RasterContext &context);
 /// Updates the record at the end of a context's frame, and when it is first current.
-void noteProgress(const Context &context);
+void noteProgress(const RasterContext &context);
 /// Adds a program string that the layer compiled, if statistics are asked for.
 /// \param refusal empty if it loads, or if the host would not load it either
-void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
-                       const fp::CheckResult &result, const Refusal &refusal);
+void noteLoadedProgram(const CoreContext &context, const ProgramObject &object,
+                       std::string_view text, const fp::CheckResult &result,
+                       const Refusal &refusal);
 /// Adds a shader at EndFragmentShaderATI, like a loaded program. If `compiled` is null, `error`
 /// says why.
-void noteFragmentShader(const Context &context, const ProgramObject &object,
+void noteFragmentShader(const CoreContext &context, const ProgramObject &object,
                         const CompiledProgram *compiled, std::string_view error);
 
 /// Returns the present statistics, even if none were asked for. Programs are listed only if they

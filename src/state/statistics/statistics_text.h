@@ -5,7 +5,7 @@
 
 #include "fp_compiler/limits.h"
 #include "fp_compiler/numerics.h"
-#include "state/core/context.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/report.h"
 #include "state/report/refusals.h"
 #include "util/hash.h"
@@ -41,7 +41,7 @@ struct ContextRow {
   bool offered = false;
   const char *obstacle = nullptr;
   fp::Numerics numerics = fp::Numerics::Host;
-  const Context *live = nullptr;
+  const RasterContext *live = nullptr;
 };
 
 struct ProgramRow {

@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "host/handlers.h"
-#include "state/contexts/lifecycle.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/host_draw/prepare_draw.h"
+#include "state/lifecycle/lifecycle.h"
 #include "state/share/share_group.h"
 #include "state/testing/fake_host.h"
 

@@ -2,7 +2,8 @@
 
 #include <GL/osmesa.h>
 
-#include "state/contexts/lifecycle.h"
+#include "state/context/context.h"
+#include "state/lifecycle/lifecycle.h"
 
 namespace arbiter::state::software::testing {
 
@@ -44,5 +45,7 @@ RealHost::~RealHost() {
     OSMesaDestroyContext(OSMesaContext(m_osmesa));
   }
 }
+
+RasterContext &RealHost::context() const { return *m_context; }
 
 } // namespace arbiter::state::software::testing

@@ -4,10 +4,14 @@
 #include <vector>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/raster_draw/raster_context.h"
 
 /// A context of the real host (OSMesa over llvmpipe) with the layer's context in front of it. For
 /// tests of what the layer queries.
+namespace arbiter::state {
+class Context;
+}
+
 namespace arbiter::state::software::testing {
 
 class RealHost {
@@ -19,8 +23,8 @@ public:
 
   /// False if there is no host to test with.
   [[nodiscard]] bool valid() const { return m_context != nullptr; }
-  [[nodiscard]] Context &context() const { return *m_context; }
-  [[nodiscard]] const host::HostTable &gl() const { return *m_context->host; }
+  [[nodiscard]] RasterContext &context() const;
+  [[nodiscard]] const host::HostTable &gl() const { return *context().host; }
 
 private:
   std::vector<std::uint8_t> m_pixels;

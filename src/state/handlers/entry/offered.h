@@ -1,5 +1,5 @@
 #pragma once
-#include "state/core/context.h"
+#include "state/context/context.h"
 
 /// Which extensions the layer offers in a context. Where it does not offer one, the generated entry
 /// points of the extension's commands call the host ([own.offered] of dispatch/entry_points.toml).

@@ -1,6 +1,6 @@
 #pragma once
+#include "state/context/context.h"
 #include "state/core/capability.h"
-#include "state/core/context.h"
 #include "state/era/era_state.h"
 #include "state/era/sgix_shadow.h"
 #include "state/era/texture_range.h"

@@ -1,7 +1,7 @@
 // PointParameter. POINT_SPRITE_R_MODE_NV is the layer's if it offers NV_point_sprite.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/lists/list_compiler.h"

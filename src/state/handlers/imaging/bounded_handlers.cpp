@@ -2,7 +2,7 @@
 // the layer's ARB_imaging.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
 #include "state/imaging/pixel_types.h"

@@ -4,7 +4,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/formats.h"
 #include "state/imaging/imaging_state.h"

@@ -1,7 +1,7 @@
 // Histograms and minmax tables (ARB_imaging), for hosts without them.
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/count_packing.h"
 #include "state/imaging/formats.h"

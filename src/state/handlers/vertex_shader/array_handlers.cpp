@@ -6,7 +6,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
 #include "state/core/errors.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/vertex_shaders/bindings.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/programs/nv/nv_state.h"
 
@@ -57,7 +57,7 @@ bool has(const Evaluation::Dimension &dimension, GLuint attribute) {
 }
 
 /// Collects the enabled maps of one dimension. Maps of NV_vertex_program replace conventional ones.
-Evaluation::Dimension take(Context &context, int number) {
+Evaluation::Dimension take(DrawContext &context, int number) {
   const host::HostTable &host = *context.host;
   Evaluation::Dimension dimension;
   const GLuint first = number == 0 ? 0 : 16;
@@ -113,11 +113,11 @@ void pass(const host::HostTable &host, const EvaluatorPoint &point) {
 
 } // namespace
 
-bool mayEvaluate(const Context &context) {
+bool mayEvaluate(const DrawContext &context) {
   return context.nv && context.nv->enabledMaps != 0 && context.row(Target::Vertex).enabled;
 }
 
-void beginEvaluation(Context &context) {
+void beginEvaluation(DrawContext &context) {
   if (context.insideBeginEnd)
     return;
   if (context.listMode != 0)
@@ -125,7 +125,7 @@ void beginEvaluation(Context &context) {
   prepareEvaluation(context);
 }
 
-void prepareEvaluation(Context &context) {
+void prepareEvaluation(DrawContext &context) {
   if (!context.nv || context.insideBeginEnd)
     return;
   context.nv->evaluation = nullptr;
@@ -144,7 +144,7 @@ void prepareEvaluation(Context &context) {
   context.nv->evaluation = std::move(evaluation);
 }
 
-void evaluatePoint(Context &context, const EvaluatorPoint &point) {
+void evaluatePoint(DrawContext &context, const EvaluatorPoint &point) {
   const Evaluation *const evaluation = context.nv ? context.nv->evaluation.get() : nullptr;
   if (!evaluation || !context.insideBeginEnd)
     return pass(*context.host, point);

@@ -6,18 +6,18 @@
 /// maps beside them.
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 
 /// True if a vertex program and a map of NV_vertex_program are enabled.
-[[nodiscard]] bool mayEvaluate(const Context &context);
+[[nodiscard]] bool mayEvaluate(const DrawContext &context);
 
 /// Prepares the maps for EvalCoord and EvalPoint, at Begin and until End. In a list being compiled
 /// this is recorded, to be done when the list is called.
-void beginEvaluation(Context &context);
+void beginEvaluation(DrawContext &context);
 /// Executes the recorded command.
-void prepareEvaluation(Context &context);
+void prepareEvaluation(DrawContext &context);
 
 /// Executes EvalCoord or EvalPoint. Passes it to the host if the layer does not evaluate.
-void evaluatePoint(Context &context, const EvaluatorPoint &point);
+void evaluatePoint(DrawContext &context, const EvaluatorPoint &point);
 
 } // namespace arbiter::state

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/unit_scope.h"
+#include "state/host_draw/draw_context.h"
 #include "state/mirror/attribute_aliases.h"
 #include "state/primitives/recorder.h"
 
@@ -39,7 +39,7 @@ void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, 
 }
 
 /// True if the host's attributes alias.
-bool areOne(const Context &context) { return context.aliases && context.aliases->areOne; }
+bool areOne(const DrawContext &context) { return context.aliases && context.aliases->areOne; }
 
 /// True if a component that the conventional command cannot set differs from its default.
 bool isWider(GLuint index, const Vec4 &v) {
@@ -49,7 +49,7 @@ bool isWider(GLuint index, const Vec4 &v) {
 }
 
 /// Makes ARB programs look for such values, from the first one on.
-void noteWider(Context &context, GLuint index, const Vec4 &v) {
+void noteWider(DrawContext &context, GLuint index, const Vec4 &v) {
   if (!context.aliases || context.aliases->widerGiven || !isWider(index, v)) [[likely]]
     return;
   context.aliases->widerGiven = true;
@@ -133,7 +133,7 @@ Vec4 hostsRegister(const host::HostTable &host, GLuint index) {
 
 template <typename T>
 bool getAliased(const ContextHot &hot, const host::HostTable &host, GLuint index, T *values) {
-  if (hot.insideBeginEnd || !values || static_cast<const Context &>(hot).aliases->ofGlsl)
+  if (hot.insideBeginEnd || !values || static_cast<const DrawContext &>(hot).aliases->ofGlsl)
     return false;
   const Vec4 value = hostsRegister(host, index);
   std::transform(value.begin(), value.end(), values, rounded<T>);
@@ -142,7 +142,7 @@ bool getAliased(const ContextHot &hot, const host::HostTable &host, GLuint index
 
 } // namespace
 
-void setNvAttribute(Context &context, GLuint index, const Vec4 &value) {
+void setNvAttribute(DrawContext &context, GLuint index, const Vec4 &value) {
   const bool wider = fewerComponents(index) != 0;
   noteWider(context, index, value);
   if (context.recorder)
@@ -151,7 +151,7 @@ void setNvAttribute(Context &context, GLuint index, const Vec4 &value) {
 }
 
 void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsigned given) {
-  auto &context = static_cast<Context &>(hot);
+  auto &context = static_cast<DrawContext &>(hot);
   if (context.aliases->ofGlsl) {
     if (!hot.recorder)
       return hot.host->VertexAttrib4fv(index, value.data());
@@ -164,7 +164,7 @@ void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsig
   send(*hot.host, index, value, true);
 }
 
-Vec4 currentNvAttribute(const Context &context, GLuint index) {
+Vec4 currentNvAttribute(const DrawContext &context, GLuint index) {
   if (!context.recorder)
     return hostsRegister(*context.host, index);
   const software::CurrentValues &values = context.recorder->values();

@@ -17,7 +17,7 @@ struct HostTable;
 /// (state/programs/variants/attribute_forms.h).
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 struct ContextHot;
 
 /// Converts a float as a Get of type \p T does: to the nearest integer (OpenGL 1.4, 6.1.2).
@@ -29,7 +29,7 @@ template <typename T> [[nodiscard]] T rounded(GLfloat value) {
 }
 
 /// Executes VertexAttribNV. Attribute 0 makes a vertex.
-void setNvAttribute(Context &context, GLuint index, const Vec4 &value);
+void setNvAttribute(DrawContext &context, GLuint index, const Vec4 &value);
 
 /// Executes VertexAttrib, of the ARB and of OpenGL, for an aliased register while attributes alias.
 /// The value also goes to the host's generic attribute, and to that alone while the application's
@@ -40,7 +40,7 @@ void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsig
 /// Returns the current value of an attribute other than 0, with the components of table X.2. While
 /// a primitive is recorded it is the recorder's, else the host's, which must have no open
 /// primitive.
-[[nodiscard]] Vec4 currentNvAttribute(const Context &context, GLuint index);
+[[nodiscard]] Vec4 currentNvAttribute(const DrawContext &context, GLuint index);
 
 /// Answers GetVertexAttrib of CURRENT_VERTEX_ATTRIB for an aliased register while attributes alias.
 /// Returns false if the query is an error, which the host raises.

@@ -4,8 +4,8 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/control_hooks.h"
+#include "state/host_draw/draw_context.h"
 #include "state/programs/variants/point_sprites.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
@@ -41,7 +41,7 @@ bool readsColors(const CompiledProgram &compiled) {
 }
 
 /// True while no other context and no client can change the conditions for assembly at any time.
-bool mayBeAssembly(const Context &context) {
+bool mayBeAssembly(const DrawContext &context) {
   const ShareGroup &group = *context.group;
   return context.caps.fragmentProgram && context.numerics == fp::Numerics::Host &&
          !group.compareModeUsed.load(std::memory_order_relaxed) &&
@@ -49,12 +49,12 @@ bool mayBeAssembly(const Context &context) {
 }
 
 /// True if new programs may begin as assembly, for their first frame.
-bool mayBeginAsAssembly(const Context &context) {
+bool mayBeginAsAssembly(const DrawContext &context) {
   return context.softwarePossible && context.caps.onProcessor && mayBeAssembly(context);
 }
 
 /// True if programs may stay assembly, as long as nothing needs the layer's GLSL.
-bool mayStayAssembly(const Context &context) {
+bool mayStayAssembly(const DrawContext &context) {
   return context.caps.ownFragments && !context.softwarePossible && !mayFollowSprites(context) &&
          spritesAreTheHosts(context) && mayBeAssembly(context);
 }
@@ -79,7 +79,7 @@ bool changesOften(const LinkedProgram *linkedProgram) {
 
 } // namespace
 
-Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
+Fragments fragmentsOf(DrawContext &context, const ProgramPair &pair) {
   if (!pair.fragment)
     return Fragments::Glsl;
   if (mayStayAssembly(context))
@@ -95,7 +95,7 @@ Fragments fragmentsOf(Context &context, const ProgramPair &pair) {
                                                                              : Fragments::Assembly;
 }
 
-bool assemblyIsOver(Context &context) {
+bool assemblyIsOver(DrawContext &context) {
   LinkedProgram &linkedProgram = *context.effective.linkedProgram;
   if (mayStayAssembly(context))
     return changesOften(&linkedProgram);

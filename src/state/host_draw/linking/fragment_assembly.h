@@ -20,10 +20,11 @@ namespace arbiter::state {
 /// 256 instructions and no options, no texture is compared or has the depth mode ALPHA, and no
 /// client is attached. Programs that stay assembly may have fog and draw buffers, but must write no
 /// depth.
-[[nodiscard]] LinkedProgramCache::Fragments fragmentsOf(Context &context, const ProgramPair &pair);
+[[nodiscard]] LinkedProgramCache::Fragments fragmentsOf(DrawContext &context,
+                                                        const ProgramPair &pair);
 /// True if the effective fragment program is assembly but must become GLSL before the host's next
 /// draw. Its frame or its time is over, a condition no longer holds, or colours are flat, which
 /// Mesa's own path ignores. The next choice makes it GLSL.
-[[nodiscard]] bool assemblyIsOver(Context &context);
+[[nodiscard]] bool assemblyIsOver(DrawContext &context);
 
 } // namespace arbiter::state

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "state/contexts/lifecycle.h"
 #include "state/host_draw/change_pace.h"
+#include "state/lifecycle/lifecycle.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/current_context.h"

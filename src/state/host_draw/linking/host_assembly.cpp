@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/linking/linked_program_cache.h"
 #include "state/host_draw/uniforms.h"
 #include "state/objects/linked_program.h"
@@ -22,7 +22,7 @@ constexpr GLenum kHostTargets[] = {GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_AR
 /// if the host can take several.
 class ParameterRun {
 public:
-  ParameterRun(const Context &context, GLenum target) : m_context(context), m_target(target) {}
+  ParameterRun(const DrawContext &context, GLenum target) : m_context(context), m_target(target) {}
   void add(bool env, GLuint index, const Vec4 &value) {
     const bool joins = m_count != 0 && m_context.caps.parameterRuns && env == m_env &&
                        index == m_index + m_count && &value == m_values + m_count;
@@ -52,7 +52,7 @@ public:
   [[nodiscard]] bool sent() const { return m_sent; }
 
 private:
-  const Context &m_context;
+  const DrawContext &m_context;
   GLenum m_target;
   bool m_sent = false;
   bool m_env = false;
@@ -66,7 +66,7 @@ GLenum hostAssemblyTarget(const CompiledProgram &compiled) {
   return kHostTargets[isOfVertices(compiled.target) ? 0 : 1];
 }
 
-void HostAssembly::applyStage(Context &context, std::size_t stage, AssemblyProgram *program) {
+void HostAssembly::applyStage(DrawContext &context, std::size_t stage, AssemblyProgram *program) {
   if (m_active[stage] == program)
     return;
   m_direct = nullptr;
@@ -80,14 +80,15 @@ void HostAssembly::applyStage(Context &context, std::size_t stage, AssemblyProgr
   m_active[stage] = program;
 }
 
-void HostAssembly::applyStages(Context &context, const std::array<AssemblyProgram *, 2> &programs) {
+void HostAssembly::applyStages(DrawContext &context,
+                               const std::array<AssemblyProgram *, 2> &programs) {
   for (std::size_t stage = 0; stage < programs.size(); ++stage)
     applyStage(context, stage, programs[stage]);
   if (std::exchange(m_copied, false))
     restoreEnables(context);
 }
 
-bool HostAssembly::apply(Context &context, const ProgramPair &pair) {
+bool HostAssembly::apply(DrawContext &context, const ProgramPair &pair) {
   std::array<AssemblyProgram *, 2> programs = {};
   const std::array<const std::shared_ptr<const CompiledProgram> *, 2> wanted = {&pair.vertex,
                                                                                 &pair.fragment};
@@ -105,13 +106,13 @@ bool HostAssembly::apply(Context &context, const ProgramPair &pair) {
   return true;
 }
 
-void HostAssembly::apply(Context &context, const LinkedProgram &linkedProgram) {
+void HostAssembly::apply(DrawContext &context, const LinkedProgram &linkedProgram) {
   if (m_refuses)
     release(context);
   applyStages(context, {linkedProgram.vertexAssembly, linkedProgram.fragmentAssembly});
 }
 
-bool HostAssembly::refuse(Context &context) {
+bool HostAssembly::refuse(DrawContext &context) {
   release(context);
   if (!context.caps.fragmentProgram)
     return false;
@@ -122,7 +123,7 @@ bool HostAssembly::refuse(Context &context) {
   return true;
 }
 
-void HostAssembly::restoreEnables(Context &context) const {
+void HostAssembly::restoreEnables(DrawContext &context) const {
   if (!m_used)
     return;
   const std::array<bool, 2> enabled = {m_active[0] != nullptr, m_active[1] != nullptr || m_refuses};
@@ -132,12 +133,12 @@ void HostAssembly::restoreEnables(Context &context) const {
       (enabled[stage] ? context.host->Enable : context.host->Disable)(kHostTargets[stage]);
 }
 
-void HostAssembly::bindAgain(Context &context, GLenum target) const {
+void HostAssembly::bindAgain(DrawContext &context, GLenum target) const {
   const std::size_t stage = target == kHostTargets[0] ? 0 : 1;
   context.host->BindProgramARB(target, m_bound[stage]);
 }
 
-void HostAssembly::uploadStage(Context &context, std::size_t stage) {
+void HostAssembly::uploadStage(DrawContext &context, std::size_t stage) {
   AssemblyProgram &program = *m_active[stage];
   std::vector<Vec4> &uploaded = program.stage.uploaded;
   const ProgramTarget &row = context.row(program.stage.compiled->target);
@@ -168,7 +169,7 @@ void HostAssembly::uploadStage(Context &context, std::size_t stage) {
     program.changesOften = true;
 }
 
-void HostAssembly::uploadParameters(Context &context, std::uint32_t attention) {
+void HostAssembly::uploadParameters(DrawContext &context, std::uint32_t attention) {
   constexpr std::array<std::uint32_t, 2> kBits = {attention::kVertexParameters,
                                                   attention::kFragmentParameters};
   for (std::size_t stage = 0; stage < m_active.size(); ++stage)
@@ -176,7 +177,7 @@ void HostAssembly::uploadParameters(Context &context, std::uint32_t attention) {
       uploadStage(context, stage);
 }
 
-bool HostAssembly::sendLocal(Context &context, GLuint index, const Vec4 &value) {
+bool HostAssembly::sendLocal(DrawContext &context, GLuint index, const Vec4 &value) {
   if (!m_direct || index >= m_direct->localPlaces.size() ||
       context.group->contexts.load(std::memory_order_relaxed) != 1)
     return false;
@@ -194,13 +195,13 @@ bool HostAssembly::sendLocal(Context &context, GLuint index, const Vec4 &value) 
   return true;
 }
 
-void HostAssembly::release(Context &context) {
+void HostAssembly::release(DrawContext &context) {
   if (std::exchange(m_refuses, false))
     context.host->Disable(GL_FRAGMENT_PROGRAM_ARB);
   applyStages(context, {});
 }
 
-void HostAssembly::forget(Context &context, const AssemblyProgram *program) {
+void HostAssembly::forget(DrawContext &context, const AssemblyProgram *program) {
   if (m_direct == program)
     m_direct = nullptr;
   for (std::size_t stage = 0; stage < m_active.size(); ++stage) {

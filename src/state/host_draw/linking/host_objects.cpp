@@ -7,8 +7,8 @@
 #include "fp_compiler/ir/ir.h"
 #include "fp_compiler/ir/reads.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/linking/undefined_results.h"
 #include "state/host_draw/stages/stage_pipeline.h"
@@ -43,7 +43,8 @@ std::string nameOf(const ProgramPair &pair) {
 
 } // namespace
 
-GLuint compileShader(Context &context, const CompiledProgram &compiled, const std::string &glsl) {
+GLuint compileShader(DrawContext &context, const CompiledProgram &compiled,
+                     const std::string &glsl) {
   const host::HostTable &host = *context.host;
   const GLuint shader =
       host.CreateShader(isVertex(compiled) ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
@@ -64,7 +65,7 @@ GLuint compileShader(Context &context, const CompiledProgram &compiled, const st
   return 0;
 }
 
-GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLuint fragment) {
+GLuint linkProgram(DrawContext &context, const ProgramPair &pair, GLuint vertex, GLuint fragment) {
   const host::HostTable &host = *context.host;
   const GLuint program = host.CreateProgram();
   if (program == 0)
@@ -113,7 +114,7 @@ fp::AssemblyLimits hostAssemblyLimits(const host::HostTable &host) {
 /// Returns the ARB text of a program in NVIDIA's languages, if the passes leave only what ARB can
 /// express. Hosts take less time for that than for GLSL, which they link with each fragment
 /// program. Returns an empty text otherwise.
-std::string textOfNvidias(const Context &context, const CompiledProgram &compiled,
+std::string textOfNvidias(const DrawContext &context, const CompiledProgram &compiled,
                           const std::vector<fp::ir::Output> &defined) {
   if (!isVertex(compiled))
     return {};
@@ -133,7 +134,7 @@ fp::ir::Program withClampedColors(fp::ir::Program program) {
   return program;
 }
 
-std::string assemblyText(const Context &context, const CompiledProgram &compiled,
+std::string assemblyText(const DrawContext &context, const CompiledProgram &compiled,
                          const std::vector<fp::ir::Output> &defined) {
   if (isVertex(compiled) && !compiled.clipped)
     return {}; // a clipped variant clips by itself, which the host's assembly cannot
@@ -154,7 +155,7 @@ std::string assemblyText(const Context &context, const CompiledProgram &compiled
 
 } // namespace
 
-GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
+GLuint loadAssembly(DrawContext &context, const CompiledProgram &compiled,
                     const std::vector<fp::ir::Output> &defined) {
   const GLenum target = hostAssemblyTarget(compiled);
   const std::string text = assemblyText(context, compiled, defined);

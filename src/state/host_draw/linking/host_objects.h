@@ -12,7 +12,7 @@
 /// object. Functions return 0 and log it if the host refuses.
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 struct ProgramPair;
 
 [[nodiscard]] inline bool isVertex(const CompiledProgram &compiled) {
@@ -20,14 +20,14 @@ struct ProgramPair;
 }
 
 /// Compiles a shader of the stage of `compiled` from the text `glsl`.
-[[nodiscard]] GLuint compileShader(Context &context, const CompiledProgram &compiled,
+[[nodiscard]] GLuint compileShader(DrawContext &context, const CompiledProgram &compiled,
                                    const std::string &glsl);
 /// Links a program from those of the two shaders that are not 0.
-[[nodiscard]] GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex,
+[[nodiscard]] GLuint linkProgram(DrawContext &context, const ProgramPair &pair, GLuint vertex,
                                  GLuint fragment);
 /// Loads the program into an object of the host's ARB path. Raises no error.
 /// \param defined additional results that a vertex program must write (undefined_results.h)
-[[nodiscard]] GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
+[[nodiscard]] GLuint loadAssembly(DrawContext &context, const CompiledProgram &compiled,
                                   const std::vector<fp::ir::Output> &defined);
 
 } // namespace arbiter::state

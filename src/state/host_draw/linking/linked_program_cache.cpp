@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/linking/host_assembly.h"
 #include "state/host_draw/linking/host_objects.h"
 #include "state/host_draw/linking/undefined_results.h"
@@ -19,7 +19,7 @@ namespace {
 
 /// Sets the samplers to their units, once. Otherwise all would use unit 0, and two types on one
 /// unit are an error at the draw. Requires the program to be current.
-void setSamplers(Context &context, GLuint hostProgram, const CompiledProgram &compiled) {
+void setSamplers(DrawContext &context, GLuint hostProgram, const CompiledProgram &compiled) {
   for (const fp::GlslSampler &sampler : compiled.glsl.samplers) {
     const GLint location = context.host->GetUniformLocation(hostProgram, sampler.uniform.c_str());
     if (location >= 0)
@@ -34,7 +34,7 @@ bool readsState(const CompiledProgram &compiled) {
   });
 }
 
-void findParameters(Context &context, GLuint hostProgram, LinkedProgramStage &stage) {
+void findParameters(DrawContext &context, GLuint hostProgram, LinkedProgramStage &stage) {
   const auto &uniforms = stage.compiled->glsl.uniforms;
   const char *const array = isVertex(*stage.compiled) ? "arb_vparam" : "arb_param";
   stage.uploaded.assign(uniforms.size(), Vec4{}); // the host's initial values
@@ -59,8 +59,8 @@ bool hasPlainSamplers(const CompiledProgram &compiled) {
 }
 
 /// Makes the host's program current, and looks up the uniforms of the given stages.
-void setUp(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
-           LinkedProgram &linkedProgram) {
+void setUp(DrawContext &context, GLuint hostProgram,
+           std::initializer_list<LinkedProgramStage *> stages, LinkedProgram &linkedProgram) {
   context.hostSide.stagePipeline->useAlone(context, hostProgram);
   for (LinkedProgramStage *const stage : stages) {
     if (!stage->compiled)
@@ -78,7 +78,7 @@ std::array<GLuint, 2> ownPrograms(const LinkedProgram &linkedProgram) {
           linkedProgram.fragmentAlone ? 0 : linkedProgram.hostProgram};
 }
 
-void destroy(Context &context, const LinkedProgram &linkedProgram) {
+void destroy(DrawContext &context, const LinkedProgram &linkedProgram) {
   for (const GLuint program : ownPrograms(linkedProgram)) {
     if (program == 0)
       continue;
@@ -89,8 +89,8 @@ void destroy(Context &context, const LinkedProgram &linkedProgram) {
 }
 
 /// Registers a host program that was just linked for `linkedProgram`, and sets it up.
-void keep(Context &context, GLuint hostProgram, std::initializer_list<LinkedProgramStage *> stages,
-          LinkedProgram &linkedProgram) {
+void keep(DrawContext &context, GLuint hostProgram,
+          std::initializer_list<LinkedProgramStage *> stages, LinkedProgram &linkedProgram) {
   try {
     context.group->addHostProgram(hostProgram);
     setUp(context, hostProgram, stages, linkedProgram);
@@ -117,7 +117,7 @@ void takeFragments(LinkedProgram *alone, LinkedProgram &linkedProgram) {
 
 } // namespace
 
-bool drawsVerticesByAssembly(const Context &context) {
+bool drawsVerticesByAssembly(const DrawContext &context) {
   return context.caps.vertexProgram && context.numerics == fp::Numerics::Host;
 }
 
@@ -128,7 +128,7 @@ LinkedProgramCache::objectsOf(const std::shared_ptr<const CompiledProgram> &comp
   return objects;
 }
 
-GLuint LinkedProgramCache::shaderOf(Context &context,
+GLuint LinkedProgramCache::shaderOf(DrawContext &context,
                                     const std::shared_ptr<const CompiledProgram> &compiled) {
   HostObjects &objects = objectsOf(compiled);
   if (objects.shader)
@@ -146,7 +146,7 @@ GLuint LinkedProgramCache::shaderOf(Context &context,
 }
 
 AssemblyProgram *
-LinkedProgramCache::assemblyOf(Context &context,
+LinkedProgramCache::assemblyOf(DrawContext &context,
                                const std::shared_ptr<const CompiledProgram> &compiled,
                                const std::vector<fp::ir::Output> &defined) {
   auto &all = objectsOf(compiled).assembly;
@@ -177,7 +177,7 @@ LinkedProgramCache::assemblyOf(Context &context,
   return assembly->name != 0 ? assembly : nullptr;
 }
 
-bool LinkedProgramCache::buildOnAssembly(Context &context, const ProgramPair &pair,
+bool LinkedProgramCache::buildOnAssembly(DrawContext &context, const ProgramPair &pair,
                                          Fragments fragments, LinkedProgram &linkedProgram) {
   linkedProgram.vertexAssembly =
       pair.fragment ? assemblyOf(context, pair.vertex, missingResults(*pair.vertex, *pair.fragment))
@@ -193,7 +193,7 @@ bool LinkedProgramCache::buildOnAssembly(Context &context, const ProgramPair &pa
 }
 
 bool LinkedProgramCache::takeFragmentAssembly(
-    Context &context, const std::shared_ptr<const CompiledProgram> &fragment,
+    DrawContext &context, const std::shared_ptr<const CompiledProgram> &fragment,
     LinkedProgram &linkedProgram) {
   linkedProgram.fragmentAssembly = assemblyOf(context, fragment);
   linkedProgram.readsState |= capturing() && readsState(*fragment);
@@ -202,7 +202,7 @@ bool LinkedProgramCache::takeFragmentAssembly(
 
 /// Links the stages apart. A vertex program that must define additional results for this fragment
 /// program belongs to this pair alone. All others are linked once for all of their pairs.
-bool LinkedProgramCache::buildApart(Context &context, const ProgramPair &pair,
+bool LinkedProgramCache::buildApart(DrawContext &context, const ProgramPair &pair,
                                     LinkedProgram &linkedProgram) {
   if (!context.hostSide.stagePipeline->make(context))
     return false;
@@ -228,7 +228,7 @@ bool LinkedProgramCache::buildApart(Context &context, const ProgramPair &pair,
   return true;
 }
 
-void LinkedProgramCache::build(Context &context, const ProgramPair &pair, Fragments fragments,
+void LinkedProgramCache::build(DrawContext &context, const ProgramPair &pair, Fragments fragments,
                                LinkedProgram &linkedProgram) {
   const HostErrorScope scope(*context.host, context.errors.pending);
   if (pair.vertex && drawsVerticesByAssembly(context) &&
@@ -266,7 +266,7 @@ void LinkedProgramCache::build(Context &context, const ProgramPair &pair, Fragme
        linkedProgram);
 }
 
-LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pair,
+LinkedProgram *LinkedProgramCache::place(DrawContext &context, const ProgramPair &pair,
                                          Fragments fragments) {
   const Key key = {pair.vertex.get(), pair.fragment.get(), fragments};
   const auto it = m_linkedPrograms.find(key);
@@ -283,7 +283,7 @@ LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pa
   return m_linkedPrograms.emplace(key, std::move(made)).first->second.get();
 }
 
-LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair,
+LinkedProgram *LinkedProgramCache::get(DrawContext &context, const ProgramPair &pair,
                                        Fragments fragments) {
   LinkedProgram *const linkedProgram = place(context, pair, fragments);
   if (linkedProgram->built)
@@ -305,7 +305,7 @@ const LinkedProgram *LinkedProgramCache::find(const ProgramPair &pair, Fragments
   return found != m_linkedPrograms.end() ? found->second.get() : nullptr;
 }
 
-void LinkedProgramCache::deleteObjects(Context &context, const HostObjects &objects) {
+void LinkedProgramCache::deleteObjects(DrawContext &context, const HostObjects &objects) {
   if (const GLuint shader = objects.shader.value_or(0)) {
     context.group->removeHostProgram(shader);
     context.host->DeleteShader(shader);
@@ -318,7 +318,7 @@ void LinkedProgramCache::deleteObjects(Context &context, const HostObjects &obje
   }
 }
 
-void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled) {
+void LinkedProgramCache::drop(DrawContext &context, const CompiledProgram *compiled) {
   const auto objects = m_objects.find(compiled);
   if (objects == m_objects.end())
     return;
@@ -337,7 +337,7 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
 }
 
 /// Drops programs that left their object through another context, so that nothing else holds them.
-void LinkedProgramCache::sweep(Context &context) {
+void LinkedProgramCache::sweep(DrawContext &context) {
   std::vector<const CompiledProgram *> left;
   for (const auto &[compiled, objects] : m_objects) {
     const bool effective = context.hostSide.assembly->runs(compiled) ||

@@ -10,7 +10,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 
 /// The linked programs of a context, with the host's shaders and programs that they consist of.
 /// Each program is compiled once, however many it is paired with.
@@ -21,10 +21,10 @@ public:
   enum class Fragments : std::uint8_t { Glsl, Assembly };
   /// Returns the linked program of `pair`, which must have at least one program. The first call
   /// builds it: the host links it, and compiles what it has not compiled yet. Raises no error.
-  [[nodiscard]] LinkedProgram *get(Context &context, const ProgramPair &pair,
+  [[nodiscard]] LinkedProgram *get(DrawContext &context, const ProgramPair &pair,
                                    Fragments fragments = Fragments::Glsl);
   /// Returns the cache entry of `pair` without building it.
-  [[nodiscard]] LinkedProgram *place(Context &context, const ProgramPair &pair,
+  [[nodiscard]] LinkedProgram *place(DrawContext &context, const ProgramPair &pair,
                                      Fragments fragments = Fragments::Glsl);
   /// Returns the cache entry of `pair`, or null if there is none.
   [[nodiscard]] const LinkedProgram *find(const ProgramPair &pair, Fragments fragments) const;
@@ -33,12 +33,12 @@ public:
   /// own, because a host may crash if one is loaded again and again. Returns null if the host
   /// refuses it. Raises no error.
   /// \param defined additional results that a vertex program must write
-  [[nodiscard]] AssemblyProgram *assemblyOf(Context &context,
+  [[nodiscard]] AssemblyProgram *assemblyOf(DrawContext &context,
                                             const std::shared_ptr<const CompiledProgram> &compiled,
                                             const std::vector<fp::ir::Output> &defined = {});
   /// Deletes the host's objects and the linked programs of a compiled program that left its object.
   /// Requires that `context` is current.
-  void drop(Context &context, const CompiledProgram *compiled);
+  void drop(DrawContext &context, const CompiledProgram *compiled);
 
   /// Names of host objects, for the context that will delete them.
   struct Names {
@@ -72,19 +72,19 @@ private:
     std::vector<std::unique_ptr<AssemblyProgram>> assembly;
   };
   [[nodiscard]] HostObjects &objectsOf(const std::shared_ptr<const CompiledProgram> &compiled);
-  [[nodiscard]] GLuint shaderOf(Context &context,
+  [[nodiscard]] GLuint shaderOf(DrawContext &context,
                                 const std::shared_ptr<const CompiledProgram> &compiled);
-  void build(Context &context, const ProgramPair &pair, Fragments fragments,
+  void build(DrawContext &context, const ProgramPair &pair, Fragments fragments,
              LinkedProgram &linkedProgram);
-  [[nodiscard]] bool buildOnAssembly(Context &context, const ProgramPair &pair, Fragments fragments,
-                                     LinkedProgram &linkedProgram);
-  [[nodiscard]] bool takeFragmentAssembly(Context &context,
+  [[nodiscard]] bool buildOnAssembly(DrawContext &context, const ProgramPair &pair,
+                                     Fragments fragments, LinkedProgram &linkedProgram);
+  [[nodiscard]] bool takeFragmentAssembly(DrawContext &context,
                                           const std::shared_ptr<const CompiledProgram> &fragment,
                                           LinkedProgram &linkedProgram);
-  [[nodiscard]] bool buildApart(Context &context, const ProgramPair &pair,
+  [[nodiscard]] bool buildApart(DrawContext &context, const ProgramPair &pair,
                                 LinkedProgram &linkedProgram);
-  void deleteObjects(Context &context, const HostObjects &objects);
-  void sweep(Context &context);
+  void deleteObjects(DrawContext &context, const HostObjects &objects);
+  void sweep(DrawContext &context);
 
   std::unordered_map<Key, std::unique_ptr<LinkedProgram>, KeyHash> m_linkedPrograms;
   std::unordered_map<const CompiledProgram *, HostObjects> m_objects;
@@ -93,6 +93,6 @@ private:
 
 /// True if vertex programs are drawn with the host's own ARB path. The host must have one, and
 /// numerics must be the host's, because assembly cannot express other numerics.
-[[nodiscard]] bool drawsVerticesByAssembly(const Context &context);
+[[nodiscard]] bool drawsVerticesByAssembly(const DrawContext &context);
 
 } // namespace arbiter::state

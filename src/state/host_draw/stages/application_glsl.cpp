@@ -2,8 +2,8 @@
 #include "state/host_draw/stages/application_glsl.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/stages/stage_pipeline.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
@@ -19,16 +19,16 @@ namespace {
 constexpr GLuint kUnknown = 0xFFFFFFF0u;
 } // namespace
 
-GLuint guardedName(const Context &context, GLuint name) {
+GLuint guardedName(const DrawContext &context, GLuint name) {
   return context.group && context.group->ownsHostProgram(name) ? kUnknown : name;
 }
 
-GLuint guardedPipeline(const Context &context, GLuint name) {
+GLuint guardedPipeline(const DrawContext &context, GLuint name) {
   return context.hostSide.stagePipeline && context.hostSide.stagePipeline->owns(name) ? kUnknown
                                                                                       : name;
 }
 
-std::optional<GlslStages> attachedStages(Context &context, GLuint program) {
+std::optional<GlslStages> attachedStages(DrawContext &context, GLuint program) {
   constexpr GLsizei kMaxShaders = 32;
   GLuint shaders[kMaxShaders] = {};
   GLsizei count = 0;
@@ -45,13 +45,13 @@ std::optional<GlslStages> attachedStages(Context &context, GLuint program) {
   return count > 0 ? std::optional(stages) : std::nullopt;
 }
 
-GlslStages stagesOf(Context &context, GLuint program) {
+GlslStages stagesOf(DrawContext &context, GLuint program) {
   if (const auto known = context.group->linkedStages.of(*context.host, program))
     return *known;
   return attachedStages(context, program).value_or(GlslStages{true, true});
 }
 
-GlslStages stagesOfPipeline(Context &context, GLuint pipeline) {
+GlslStages stagesOfPipeline(DrawContext &context, GLuint pipeline) {
   GLint vertex = 0, fragment = 0;
   const HostErrorScope scope(*context.host, context.errors.pending);
   context.host->GetProgramPipelineiv(pipeline, GL_VERTEX_SHADER, &vertex);

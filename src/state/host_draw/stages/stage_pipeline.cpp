@@ -3,26 +3,26 @@
 #include <utility>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 
 namespace arbiter::state {
 
-bool stagesStandApart(const Context &context) {
+bool stagesStandApart(const DrawContext &context) {
   return context.caps.onProcessor && context.caps.pipelines;
 }
 
-bool StagePipeline::make(Context &context) {
+bool StagePipeline::make(DrawContext &context) {
   if (m_name == 0)
     context.host->GenProgramPipelines(1, &m_name);
   return m_name != 0;
 }
 
-void StagePipeline::setStage(Context &context, GLbitfield stage, GLuint &held, GLuint program) {
+void StagePipeline::setStage(DrawContext &context, GLbitfield stage, GLuint &held, GLuint program) {
   if (std::exchange(held, program) != program)
     context.host->UseProgramStages(m_name, stage, program);
 }
 
-void StagePipeline::use(Context &context, GLuint vertex, GLuint fragment) {
+void StagePipeline::use(DrawContext &context, GLuint vertex, GLuint fragment) {
   setStage(context, GL_VERTEX_SHADER_BIT, m_vertex, vertex);
   setStage(context, GL_FRAGMENT_SHADER_BIT, m_fragment, fragment);
   context.host->UseProgram(0); // a current program would take precedence over the pipeline
@@ -31,7 +31,7 @@ void StagePipeline::use(Context &context, GLuint vertex, GLuint fragment) {
   m_current = 0;
 }
 
-void StagePipeline::useAlone(Context &context, GLuint program) {
+void StagePipeline::useAlone(DrawContext &context, GLuint program) {
   release(context);
   if (context.hostProgramIsOurs && m_current == program)
     return;
@@ -40,12 +40,12 @@ void StagePipeline::useAlone(Context &context, GLuint program) {
   m_current = program;
 }
 
-void StagePipeline::release(Context &context) {
+void StagePipeline::release(DrawContext &context) {
   if (std::exchange(m_isBound, false))
     context.host->BindProgramPipeline(0);
 }
 
-void StagePipeline::lookAgain(Context &context) {
+void StagePipeline::lookAgain(DrawContext &context) {
   if (!m_isBound)
     return;
   GLint bound = 0;
@@ -53,7 +53,7 @@ void StagePipeline::lookAgain(Context &context) {
   m_isBound = GLuint(bound) == m_name;
 }
 
-void StagePipeline::forget(Context &context, GLuint program) {
+void StagePipeline::forget(DrawContext &context, GLuint program) {
   if (program == 0)
     return;
   if (m_current == program)

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/contexts/lifecycle.h"
+#include "state/lifecycle/lifecycle.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

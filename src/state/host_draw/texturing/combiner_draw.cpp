@@ -4,9 +4,9 @@
 
 #include "fp_compiler/ir/reads.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/texture_names.h"
 #include "state/core/unit_scope.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/host_draw/texturing/sampler_override.h"
 #include "state/programs/combiners/combiner_state.h"
@@ -39,7 +39,7 @@ const DepthTarget *depthTargetOf(TexTarget target) {
 }
 
 /// True if the active unit compares depths of `target` with the r coordinate.
-bool comparesNow(Context &context, GLenum target) {
+bool comparesNow(DrawContext &context, GLenum target) {
   GLint sampler = 0, mode = GL_NONE;
   if (context.caps.samplerObjects)
     context.host->GetIntegerv(GL_SAMPLER_BINDING, &sampler);
@@ -51,7 +51,7 @@ bool comparesNow(Context &context, GLenum target) {
 }
 
 /// Finds out, for the active unit, what its texture register gets, and by which target.
-void askDepth(Context &context, const DepthTarget &target, Texel &texel, TexTarget &sampled) {
+void askDepth(DrawContext &context, const DepthTarget &target, Texel &texel, TexTarget &sampled) {
   const host::HostTable &host = *context.host;
   const TextureNames names = textureNames(target.plain);
   // A query of a level that textures cannot have is an error. Every host has this many.
@@ -72,7 +72,7 @@ void askDepth(Context &context, const DepthTarget &target, Texel &texel, TexTarg
 }
 
 /// Finds out which units sample depths, of those whose targets are known.
-void askDepths(Context &context, Surroundings &around) {
+void askDepths(DrawContext &context, Surroundings &around) {
   if (!mayCombineDepths(context))
     return;
   releaseSamplers(context); // query the application's samplers, not the layer's
@@ -88,7 +88,7 @@ void askDepths(Context &context, Surroundings &around) {
 }
 
 /// Queries the state around the combiners that their program depends on.
-Surroundings surroundingsNow(Context &context, const fp::combiners::State &state) {
+Surroundings surroundingsNow(DrawContext &context, const fp::combiners::State &state) {
   const std::uint32_t read =
       fp::combiners::texturesRead(state) & ((1u << unsigned(context.combiners->units())) - 1u);
   const fp::FixedFunction fixed = fixedFunctionNow(context, read);
@@ -104,20 +104,20 @@ Surroundings surroundingsNow(Context &context, const fp::combiners::State &state
   return around;
 }
 
-const StateText &textOfCombiners(const Context &context, const fp::combiners::State &state) {
+const StateText &textOfCombiners(const DrawContext &context, const fp::combiners::State &state) {
   return context.stateTexts->of(context, Target::Combiners, {.combiners = state});
 }
 
 } // namespace
 
-bool combinersSwitchedOff(Context &context) {
+bool combinersSwitchedOff(DrawContext &context) {
   return context.stateTexts && controlled() && ProgramEdits::instance().anyOff() &&
          ProgramEdits::instance().isOff(textFileName(
              Target::Combiners,
              textOfCombiners(context, fp::combiners::essential(context.combiners->state())).hash));
 }
 
-std::shared_ptr<const CompiledProgram> chooseCombinerProgram(Context &context,
+std::shared_ptr<const CompiledProgram> chooseCombinerProgram(DrawContext &context,
                                                              const fp::GlslHost &host) {
   CombinerState &combiners = *context.combiners;
   fp::combiners::State state = fp::combiners::essential(combiners.state());
@@ -133,11 +133,11 @@ std::shared_ptr<const CompiledProgram> chooseCombinerProgram(Context &context,
   return combiners.programUnder(context, {state, combiners.drawnUnder}, host, text);
 }
 
-bool mayFollowCombinedDepths(const Context &context) {
+bool mayFollowCombinedDepths(const DrawContext &context) {
   return followsDepths(context) && texturesMayDiffer(context);
 }
 
-void followCombinedDepths(Context &context) {
+void followCombinedDepths(DrawContext &context) {
   if ((context.attention & attention::kProgram) != 0)
     return; // the program is about to be chosen, which asks for the depths
   Surroundings now = context.combiners->drawnUnder;

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/unit_scope.h"
+#include "state/host_draw/draw_context.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
 namespace arbiter::state {
@@ -116,7 +116,7 @@ Environment environmentOf(const host::HostTable &host) {
 
 } // namespace
 
-fp::texture_shader::Environments environmentsNow(Context &context) {
+fp::texture_shader::Environments environmentsNow(DrawContext &context) {
   fp::texture_shader::Environments environments;
   const TextureShaderState &shaders = *context.textureShaders;
   for (int unit = 0; unit < shaders.units(); ++unit) {

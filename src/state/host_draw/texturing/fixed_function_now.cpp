@@ -1,7 +1,7 @@
 #include "state/host_draw/texturing/fixed_function_now.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 
 namespace arbiter::state {
@@ -13,7 +13,7 @@ using fp::ir::TexTarget;
 
 /// Finds the target that the active unit samples (ARB_texture_rectangle, 3.8.15: "cube map ... is
 /// used"). Returns false if none is enabled.
-bool enabledTarget(Context &context, TexTarget &target) {
+bool enabledTarget(DrawContext &context, TexTarget &target) {
   struct Row {
     GLenum cap;
     TexTarget target;
@@ -34,7 +34,7 @@ bool enabledTarget(Context &context, TexTarget &target) {
   return false;
 }
 
-void queryTargets(Context &context, std::uint32_t units, fp::FixedFunction &state) {
+void queryTargets(DrawContext &context, std::uint32_t units, fp::FixedFunction &state) {
   if (units == 0)
     return;
   GLint active = GL_TEXTURE0;
@@ -52,7 +52,7 @@ void queryTargets(Context &context, std::uint32_t units, fp::FixedFunction &stat
     context.host->ActiveTexture(GLenum(active));
 }
 
-FogMode queryFog(Context &context) {
+FogMode queryFog(DrawContext &context) {
   if (!context.host->IsEnabled(GL_FOG))
     return FogMode::None;
   GLint mode = GL_EXP;
@@ -67,7 +67,7 @@ FogMode queryFog(Context &context) {
   }
 }
 
-bool vertexProgramEffective(const Context &context) {
+bool vertexProgramEffective(const DrawContext &context) {
   return context.application.program != 0 || context.row(Target::Vertex).enabled ||
          (context.vertexShaders && context.vertexShaders->effective);
 }
@@ -75,7 +75,7 @@ bool vertexProgramEffective(const Context &context) {
 /// Returns whether colour sum applies. Lighting computes the secondary colour itself, whatever
 /// COLOR_SUM says, and leaves it black unless the specular part is kept separate (OpenGL 1.4,
 /// sections 2.13.1 and 3.9).
-bool queryColorSum(Context &context) {
+bool queryColorSum(DrawContext &context) {
   if (vertexProgramEffective(context) || !context.host->IsEnabled(GL_LIGHTING))
     return context.host->IsEnabled(GL_COLOR_SUM) != GL_FALSE;
   GLint control = GL_SINGLE_COLOR;
@@ -85,7 +85,7 @@ bool queryColorSum(Context &context) {
 
 } // namespace
 
-fp::FixedFunction fixedFunctionNow(Context &context, std::uint32_t units) {
+fp::FixedFunction fixedFunctionNow(DrawContext &context, std::uint32_t units) {
   fp::FixedFunction state;
   queryTargets(context, units, state);
   state.fog = queryFog(context);

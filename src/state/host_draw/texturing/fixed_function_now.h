@@ -5,10 +5,10 @@
 
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 
 /// Returns the host's fixed-function state that selects programs; texturing only for the units in
 /// `units`. It queries ten to fifty values, so it is for choosing programs, not for each draw.
-[[nodiscard]] fp::FixedFunction fixedFunctionNow(Context &context, std::uint32_t units);
+[[nodiscard]] fp::FixedFunction fixedFunctionNow(DrawContext &context, std::uint32_t units);
 
 } // namespace arbiter::state

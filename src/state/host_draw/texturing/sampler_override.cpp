@@ -1,7 +1,7 @@
 #include "state/host_draw/texturing/sampler_override.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/objects/linked_program.h"
 #include "state/share/share_group.h"
 
@@ -38,7 +38,7 @@ constexpr GLenum kFloats[] = {GL_TEXTURE_MIN_LOD, GL_TEXTURE_MAX_LOD, GL_TEXTURE
 /// Copies parameters of the application's texture or sampler to `uncompared`.
 /// \param getIv, getFv read the parameters
 template <typename GetIv, typename GetFv>
-void copyParameters(Context &context, GLuint uncompared, GetIv getIv, GetFv getFv) {
+void copyParameters(DrawContext &context, GLuint uncompared, GetIv getIv, GetFv getFv) {
   const host::HostTable &host = *context.host;
   for (const GLenum pname : kIntegers) {
     GLint value = 0;
@@ -63,7 +63,7 @@ void copyParameters(Context &context, GLuint uncompared, GetIv getIv, GetFv getF
 
 } // namespace
 
-void SamplerOverride::applyUnit(Context &context, const fp::GlslSampler &sampler) {
+void SamplerOverride::applyUnit(DrawContext &context, const fp::GlslSampler &sampler) {
   const GLenum target = plainTarget(sampler.target);
   if (target == 0 || sampler.unit >= kMaxUnits)
     return;
@@ -99,7 +99,7 @@ void SamplerOverride::applyUnit(Context &context, const fp::GlslSampler &sampler
   m_active |= 1u << sampler.unit;
 }
 
-void SamplerOverride::apply(Context &context, const LinkedProgram &linkedProgram) {
+void SamplerOverride::apply(DrawContext &context, const LinkedProgram &linkedProgram) {
   release(context);
   GLint active = GL_TEXTURE0;
   context.host->GetIntegerv(GL_ACTIVE_TEXTURE, &active);
@@ -111,7 +111,7 @@ void SamplerOverride::apply(Context &context, const LinkedProgram &linkedProgram
   context.host->ActiveTexture(GLenum(active));
 }
 
-void SamplerOverride::release(Context &context) {
+void SamplerOverride::release(DrawContext &context) {
   for (GLuint unit = 0; m_active >> unit != 0 && unit < kMaxUnits; ++unit)
     if ((m_active >> unit & 1u) != 0)
       context.host->BindSampler(unit, m_units[unit].application);
@@ -138,7 +138,7 @@ std::vector<GLuint> SamplerOverride::abandon() {
   return names;
 }
 
-void releaseSamplers(Context &context) {
+void releaseSamplers(DrawContext &context) {
   if (!context.hostSide.samplerOverride->active())
     return;
   context.hostSide.samplerOverride->release(context);

@@ -9,7 +9,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct DrawContext;
 struct LinkedProgram;
 
 /// Switches off texture comparison for plain samplers. Without a SHADOW target,
@@ -22,16 +22,16 @@ public:
 
   /// Overrides the plain samplers of a linked program where needed. Called for each draw while any
   /// texture may compare.
-  void apply(Context &context, const LinkedProgram &linkedProgram);
+  void apply(DrawContext &context, const LinkedProgram &linkedProgram);
   /// Restores the application's sampler bindings.
-  void release(Context &context);
+  void release(DrawContext &context);
   [[nodiscard]] bool active() const { return m_active != 0; }
   [[nodiscard]] bool owns(GLuint sampler) const;
   /// Empties the object without calling the host, and returns the names of its samplers.
   [[nodiscard]] std::vector<GLuint> abandon();
 
 private:
-  void applyUnit(Context &context, const fp::GlslSampler &sampler);
+  void applyUnit(DrawContext &context, const fp::GlslSampler &sampler);
 
   struct Unit {
     GLuint uncompared = 0;  ///< created at first use
@@ -42,6 +42,6 @@ private:
 };
 
 /// Restores the application's sampler bindings; the next draw overrides again.
-void releaseSamplers(Context &context);
+void releaseSamplers(DrawContext &context);
 
 } // namespace arbiter::state

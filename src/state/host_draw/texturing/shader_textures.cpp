@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/texture_binding.h"
 #include "state/core/texture_names.h"
 #include "state/core/unit_scope.h"
+#include "state/host_draw/draw_context.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
@@ -23,7 +23,7 @@ using fp::texture_shader::Texture;
 /// The texture bound to a target of the active unit.
 class Bound {
 public:
-  Bound(Context &context, TexTarget target)
+  Bound(DrawContext &context, TexTarget target)
       : m_context(context), m_host(*context.host), m_target(target), m_names(textureNames(target)) {
     m_host.GetIntegerv(bindingOf(m_names.level), &m_name);
     m_base = parameter(GL_TEXTURE_BASE_LEVEL);
@@ -160,7 +160,7 @@ private:
     return texture;
   }
 
-  Context &m_context;
+  DrawContext &m_context;
   const host::HostTable &m_host;
   TexTarget m_target;
   TextureNames m_names;
@@ -170,7 +170,7 @@ private:
 
 } // namespace
 
-Texture boundTexture(Context &context, int unit, TexTarget target) {
+Texture boundTexture(DrawContext &context, int unit, TexTarget target) {
   if (target == TexTarget::Rect && !context.caps.textureRectangle)
     return {};
   const UnitScope scope(*context.host, unsigned(unit));

@@ -1,7 +1,7 @@
 #include "state/host_draw/texturing/texture_shader_draw.h"
 
 #include "fp_compiler/texture_shader/operations.h"
-#include "state/core/context.h"
+#include "state/host_draw/draw_context.h"
 #include "state/host_draw/texturing/environment_now.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/host_draw/texturing/sampler_override.h"
@@ -40,11 +40,11 @@ Operation conventionalOperation(TexTarget target) {
   }
 }
 
-std::uint32_t allUnits(const Context &context) {
+std::uint32_t allUnits(const DrawContext &context) {
   return (1u << unsigned(context.textureShaders->units())) - 1u;
 }
 
-void askTextures(Context &context, State &state) {
+void askTextures(DrawContext &context, State &state) {
   releaseSamplers(context); // query the application's samplers, not the layer's
   for (int unit = 0; unit < state.units; ++unit) {
     const auto &info = fp::texture_shader::infoOf(state.stages[std::size_t(unit)].operation);
@@ -62,13 +62,13 @@ void addBumps(const TextureShaderSettings &settings,
       state.bumps[unit] = std::uint8_t(settings.bumpTargets[unit] + 1);
 }
 
-bool isEnabled(const Context &context) {
+bool isEnabled(const DrawContext &context) {
   return context.row(Target::TextureShaders).enabled && !context.textureShaders->switchedOff;
 }
 
 /// Returns the stages and what they sample; conventional stages if TEXTURE_SHADER_NV is disabled.
 /// \param instead stages that replace the application's
-State stagesNow(Context &context, const State *instead = nullptr) {
+State stagesNow(DrawContext &context, const State *instead = nullptr) {
   const TextureShaderState &shaders = *context.textureShaders;
   State state;
   state.units = std::uint8_t(shaders.units());
@@ -91,7 +91,7 @@ bool isSpecial(const fp::texture_shader::Texture &texture) {
 }
 
 /// Returns the text of the enabled stages, and of combiners after them.
-const StateText &textOf(const Context &context, bool combines) {
+const StateText &textOf(const DrawContext &context, bool combines) {
   fp::nvparse::Text own;
   State &shaders = own.shaders.emplace();
   shaders.units = std::uint8_t(context.textureShaders->units());
@@ -103,7 +103,7 @@ const StateText &textOf(const Context &context, bool combines) {
 
 } // namespace
 
-bool texturesSwitchedOff(Context &context, bool combines) {
+bool texturesSwitchedOff(DrawContext &context, bool combines) {
   bool &off = context.textureShaders->switchedOff;
   off = context.stateTexts && controlled() && ProgramEdits::instance().anyOff() &&
         ProgramEdits::instance().isOff(
@@ -112,7 +112,7 @@ bool texturesSwitchedOff(Context &context, bool combines) {
 }
 
 std::shared_ptr<const CompiledProgram>
-chooseTextureShaderProgram(Context &context, const fp::GlslHost &host, bool combines) {
+chooseTextureShaderProgram(DrawContext &context, const fp::GlslHost &host, bool combines) {
   TextureShaderState &shaders = keepTextures(context);
   fp::texture_shader::Key key;
   const StateText *const text =
@@ -137,7 +137,7 @@ chooseTextureShaderProgram(Context &context, const fp::GlslHost &host, bool comb
   return shaders.programUnder(context, fp::texture_shader::essential(key), host, text);
 }
 
-bool texturesNeedLayer(Context &context) {
+bool texturesNeedLayer(DrawContext &context) {
   if (!context.textureShaders || isEnabled(context))
     return false;
   const std::uint8_t none =
@@ -152,11 +152,11 @@ bool texturesNeedLayer(Context &context) {
   return false;
 }
 
-bool mayFollowTextures(const Context &context) {
+bool mayFollowTextures(const DrawContext &context) {
   return followsTextures(context) && texturesMayDiffer(context);
 }
 
-void followTextures(Context &context) {
+void followTextures(DrawContext &context) {
   if ((context.attention & attention::kProgram) != 0)
     return; // the choice will look anyway
   TextureShaderState &shaders = *context.textureShaders;
@@ -175,7 +175,7 @@ void followTextures(Context &context) {
     invalidateProgram(context);
 }
 
-bool stageIsConsistent(Context &context, int unit) {
+bool stageIsConsistent(DrawContext &context, int unit) {
   TextureShaderState &shaders = *context.textureShaders;
   State state;
   state.units = std::uint8_t(shaders.units());

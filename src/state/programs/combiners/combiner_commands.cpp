@@ -7,9 +7,9 @@
 #include <GL/glext.h>
 
 #include "enumerants/combiners.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/combiners/combiner_state.h"
+#include "state/programs/program_context.h"
 
 namespace arbiter::state {
 
@@ -38,7 +38,7 @@ int stageOf(const CombinerState &combiners, GLenum name) {
   return stage < GLenum(combiners.stages()) ? int(stage) : -1;
 }
 
-Wrong parameter(Context &context, CombinerState &combiners, const CombinerCommand &command) {
+Wrong parameter(ProgramContext &context, CombinerState &combiners, const CombinerCommand &command) {
   switch (command.names[0]) {
   case GL_CONSTANT_COLOR0_NV:
   case GL_CONSTANT_COLOR1_NV:
@@ -64,7 +64,8 @@ Wrong parameter(Context &context, CombinerState &combiners, const CombinerComman
   }
 }
 
-Wrong stageParameter(Context &context, CombinerState &combiners, const CombinerCommand &command) {
+Wrong stageParameter(ProgramContext &context, CombinerState &combiners,
+                     const CombinerCommand &command) {
   const int stage = stageOf(combiners, command.names[0]);
   const GLenum which = command.names[1] - GL_CONSTANT_COLOR0_NV;
   if (stage < 0 || which > 1)
@@ -74,7 +75,7 @@ Wrong stageParameter(Context &context, CombinerState &combiners, const CombinerC
 }
 
 /// Executes CombinerInput (3.8.12.2).
-Wrong input(Context &context, CombinerState &combiners, const CombinerCommand &command) {
+Wrong input(ProgramContext &context, CombinerState &combiners, const CombinerCommand &command) {
   const auto [stageName, portion, variableName, source, mappingName, usageName, unused] =
       command.names;
   const int stage = stageOf(combiners, stageName);
@@ -105,7 +106,7 @@ bool areUnique(const Portion &portion) {
          !same(portion.cd, portion.sum);
 }
 
-Wrong output(Context &context, CombinerState &combiners, const CombinerCommand &command) {
+Wrong output(ProgramContext &context, CombinerState &combiners, const CombinerCommand &command) {
   const auto [stageName, portionName, abName, cdName, sumName, scaleName, bias] = command.names;
   const int stage = stageOf(combiners, stageName);
   const auto ab = enumerants::outputRegister(abName, combiners.units());
@@ -144,7 +145,8 @@ Wrong output(Context &context, CombinerState &combiners, const CombinerCommand &
 }
 
 /// Executes FinalCombinerInput (3.8.12.3).
-Wrong finalInput(Context &context, CombinerState &combiners, const CombinerCommand &command) {
+Wrong finalInput(ProgramContext &context, CombinerState &combiners,
+                 const CombinerCommand &command) {
   const GLenum variable = command.names[0] - GL_VARIABLE_A_NV;
   const auto from = enumerants::finalInputRegister(command.names[1], combiners.units());
   const auto mapping = enumerants::combinerMapping(command.names[2]);
@@ -165,7 +167,7 @@ Wrong finalInput(Context &context, CombinerState &combiners, const CombinerComma
   return {};
 }
 
-Wrong executed(Context &context, CombinerState &combiners, const CombinerCommand &command) {
+Wrong executed(ProgramContext &context, CombinerState &combiners, const CombinerCommand &command) {
   switch (command.kind) {
   case CombinerCommand::Kind::Parameter:
     return parameter(context, combiners, command);
@@ -188,7 +190,7 @@ Wrong executed(Context &context, CombinerState &combiners, const CombinerCommand
 
 } // namespace
 
-void executeCombinerCommand(Context &context, const CombinerCommand &command) {
+void executeCombinerCommand(ProgramContext &context, const CombinerCommand &command) {
   if (const Wrong wrong = executed(context, *context.combiners, command);
       wrong.error != GL_NO_ERROR)
     raise(context, wrong.error, wrong.why);
@@ -198,7 +200,7 @@ std::string bytesOf(const CombinerCommand &command) {
   return {reinterpret_cast<const char *>(&command), sizeof command};
 }
 
-void executeCombinerCommands(Context &context, const std::string &bytes) {
+void executeCombinerCommands(ProgramContext &context, const std::string &bytes) {
   if (!context.combiners)
     return raise(context, GL_INVALID_OPERATION, "a list's command of NV_register_combiners");
   for (std::size_t at = 0; at + sizeof(CombinerCommand) <= bytes.size();

@@ -11,7 +11,7 @@
 /// points.
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// One command with the application's arguments. It consists of plain bytes, which a list stores.
 struct CombinerCommand {
@@ -33,10 +33,10 @@ struct CombinerCommand {
 };
 
 /// Executes a command, or raises its error. Requires that the context offers the extension.
-void executeCombinerCommand(Context &context, const CombinerCommand &command);
+void executeCombinerCommand(ProgramContext &context, const CombinerCommand &command);
 
 /// Converts a command to a list's bytes, and executes the bytes of one or several commands.
 [[nodiscard]] std::string bytesOf(const CombinerCommand &command);
-void executeCombinerCommands(Context &context, const std::string &bytes);
+void executeCombinerCommands(ProgramContext &context, const std::string &bytes);
 
 } // namespace arbiter::state

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "fp_compiler/combiners/lower.h"
-#include "state/core/context.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/programs/state_text.h"
 #include "state/share/share_group.h"
 
@@ -16,12 +16,12 @@ CombinerSettings &CombinerState::writable() {
   return *m_settings;
 }
 
-void CombinerState::changed(Context &context) {
+void CombinerState::changed(ProgramContext &context) {
   if (context.row(Target::Combiners).enabled)
     invalidateProgram(context);
 }
 
-void CombinerState::setConstant(Context &context, int index, const Vec4 &value) {
+void CombinerState::setConstant(ProgramContext &context, int index, const Vec4 &value) {
   if (constant(index) == value)
     return;
   writable().constants[std::size_t(index)] = value;
@@ -33,7 +33,7 @@ void CombinerState::setConstant(Context &context, int index, const Vec4 &value) 
     }
 }
 
-void CombinerState::restore(Context &context,
+void CombinerState::restore(ProgramContext &context,
                             const std::shared_ptr<const CombinerSettings> &settings) {
   if (settings == m_settings)
     return;
@@ -48,7 +48,8 @@ void CombinerState::restore(Context &context,
   changed(context);
 }
 
-std::shared_ptr<const CompiledProgram> CombinerState::programUnder(Context &context, const Key &key,
+std::shared_ptr<const CompiledProgram> CombinerState::programUnder(ProgramContext &context,
+                                                                   const Key &key,
                                                                    const fp::GlslHost &host,
                                                                    const StateText *text) {
   StatePrograms<Key> &programs = text ? m_named.of(context, text->key()) : m_programs;
@@ -60,7 +61,7 @@ std::shared_ptr<const CompiledProgram> CombinerState::programUnder(Context &cont
   });
 }
 
-bool combinerValue(const Context &context, GLenum pname, GLint &value) {
+bool combinerValue(const ProgramContext &context, GLenum pname, GLint &value) {
   const CombinerState *const combiners = context.combiners.get();
   if (!combiners)
     return false;
@@ -83,12 +84,12 @@ bool combinerValue(const Context &context, GLenum pname, GLint &value) {
   }
 }
 
-bool mayCombineDepths(const Context &context) {
+bool mayCombineDepths(const ProgramContext &context) {
   return context.combiners && context.caps.shadow &&
          context.group->depthImagesUsed.load(std::memory_order_relaxed);
 }
 
-bool followsDepths(const Context &context) {
+bool followsDepths(const ProgramContext &context) {
   return mayCombineDepths(context) && context.combiners->effective;
 }
 

@@ -12,7 +12,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// The state of NV_register_combiners and 2 that belongs to GL_TEXTURE_BIT (3.8.12.4), except
 /// REGISTER_COMBINERS_NV, which is the enable of a target.
@@ -50,24 +50,26 @@ public:
 
   /// Sets a part of the state. If that changes it, the next draw looks.
   template <typename Part, typename Value>
-  void set(Context &context, Part part, const Value &value) {
+  void set(ProgramContext &context, Part part, const Value &value) {
     if (part(std::as_const(m_settings->state)) == value)
       return;
     part(writable().state) = value;
     changed(context);
   }
   /// Sets a constant. \param value components in [0,1]
-  void setConstant(Context &context, int index, const Vec4 &value);
+  void setConstant(ProgramContext &context, int index, const Vec4 &value);
 
   /// Returns the settings for the attribute stack.
   [[nodiscard]] std::shared_ptr<const CombinerSettings> settings() const { return m_settings; }
-  void restore(Context &context, const std::shared_ptr<const CombinerSettings> &settings);
+  void restore(ProgramContext &context, const std::shared_ptr<const CombinerSettings> &settings);
 
   /// Returns the program for a key, whose state must be fp::combiners::essential(). It is made
   /// once.
   /// \param text the text of the application's state; the key holds the state of its replacement
-  [[nodiscard]] std::shared_ptr<const CompiledProgram>
-  programUnder(Context &context, const Key &key, const fp::GlslHost &host, const StateText *text);
+  [[nodiscard]] std::shared_ptr<const CompiledProgram> programUnder(ProgramContext &context,
+                                                                    const Key &key,
+                                                                    const fp::GlslHost &host,
+                                                                    const StateText *text);
 
   /// True if the effective program is one of combiners, made for `drawnUnder` (combiner_draw.h).
   bool effective = false;
@@ -75,7 +77,7 @@ public:
 
 private:
   [[nodiscard]] CombinerSettings &writable();
-  void changed(Context &context);
+  void changed(ProgramContext &context);
 
   int m_stages;
   int m_units;
@@ -88,12 +90,12 @@ private:
 
 /// Answers a Get of NV_register_combiners and 2, except colours, which have four values. Returns
 /// false for other names, or if the context does not offer the extension.
-[[nodiscard]] bool combinerValue(const Context &context, GLenum pname, GLint &value);
+[[nodiscard]] bool combinerValue(const ProgramContext &context, GLenum pname, GLint &value);
 
 /// True if the context has register combiners and some texture may have depths. Combiners read
 /// these otherwise than colours (table RC.2).
-[[nodiscard]] bool mayCombineDepths(const Context &context);
+[[nodiscard]] bool mayCombineDepths(const ProgramContext &context);
 /// True if draws depend on which of the bound textures have depths.
-[[nodiscard]] bool followsDepths(const Context &context);
+[[nodiscard]] bool followsDepths(const ProgramContext &context);
 
 } // namespace arbiter::state

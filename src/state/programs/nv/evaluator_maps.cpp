@@ -55,7 +55,7 @@ MapPoint evaluate(const EvaluatorMap &map, GLfloat u, GLfloat v) {
   return point;
 }
 
-void defineMap(Context &context, const MapDefinition &definition) {
+void defineMap(ProgramContext &context, const MapDefinition &definition) {
   if (definition.error != GL_NO_ERROR)
     return raise(context, definition.error, "Map: target, domain, stride or order");
   GLint unit = GL_TEXTURE0;
@@ -68,13 +68,13 @@ void defineMap(Context &context, const MapDefinition &definition) {
   (*nv.maps)[evaluatorMapOf(definition.target)] = definition.map;
 }
 
-void enableMap(Context &context, GLenum target, bool enabled) {
+void enableMap(ProgramContext &context, GLenum target, bool enabled) {
   const std::uint32_t bit = 1u << evaluatorMapOf(target);
   std::uint32_t &maps = context.nv->enabledMaps;
   maps = enabled ? maps | bit : maps & ~bit;
 }
 
-const EvaluatorMap &evaluatorMap(const Context &context, GLuint map) {
+const EvaluatorMap &evaluatorMap(const ProgramContext &context, GLuint map) {
   static const EvaluatorMap s_undefined;
   return context.nv->maps ? (*context.nv->maps)[map] : s_undefined;
 }

@@ -13,7 +13,7 @@
 /// for the latter.
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 inline constexpr GLuint kEvaluatorMaps = 32;
 
@@ -49,11 +49,11 @@ struct MapDefinition {
 
 /// Executes Map1 and Map2.
 /// \error the definition's error; INVALID_OPERATION if the active texture unit is not 0
-void defineMap(Context &context, const MapDefinition &definition);
+void defineMap(ProgramContext &context, const MapDefinition &definition);
 /// Executes Enable and Disable of a map.
-void enableMap(Context &context, GLenum target, bool enabled);
+void enableMap(ProgramContext &context, GLenum target, bool enabled);
 
 /// Returns a map; one that was never defined is constant (0,0,0,1).
-[[nodiscard]] const EvaluatorMap &evaluatorMap(const Context &context, GLuint map);
+[[nodiscard]] const EvaluatorMap &evaluatorMap(const ProgramContext &context, GLuint map);
 
 } // namespace arbiter::state

@@ -9,10 +9,10 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/host_state.h"
 #include "state/imaging/imaging_state.h"
 #include "state/programs/nv/nv_state.h"
+#include "state/programs/program_context.h"
 
 namespace arbiter::state {
 
@@ -40,7 +40,7 @@ std::optional<MatrixModifier> modifierOf(GLenum transform) {
 }
 
 /// Replaces TEXTURE by the active unit's TEXTUREi, as of the time of the call.
-GLenum wholeName(Context &context, GLenum matrix) {
+GLenum wholeName(ProgramContext &context, GLenum matrix) {
   if (matrix != GL_TEXTURE)
     return matrix;
   GLint unit = GL_TEXTURE0;
@@ -49,7 +49,7 @@ GLenum wholeName(Context &context, GLenum matrix) {
 }
 
 /// Returns the matrix as a row of state, or nothing if programs cannot read it.
-std::optional<StateRef> stateOf(const Context &context, GLenum matrix) {
+std::optional<StateRef> stateOf(const ProgramContext &context, GLenum matrix) {
   const auto numbered = [&](GLenum first, GLint count, StateItem item) -> std::optional<StateRef> {
     if (matrix < first || matrix - first >= GLuint(std::max(count, 0)))
       return std::nullopt;
@@ -72,17 +72,17 @@ std::optional<StateRef> stateOf(const Context &context, GLenum matrix) {
   return numbered(GL_TEXTURE0, context.caps.maxTextureCoords, StateItem::MatrixTexture);
 }
 
-bool hasColorMatrix(const Context &context) {
+bool hasColorMatrix(const ProgramContext &context) {
   return context.imaging || context.caps.has("GL_ARB_imaging");
 }
 
-bool isMatrix(const Context &context, GLenum matrix) {
+bool isMatrix(const ProgramContext &context, GLenum matrix) {
   return matrix == GL_NONE || (matrix == GL_COLOR && hasColorMatrix(context)) ||
          stateOf(context, matrix).has_value();
 }
 
 /// Fetches the colour matrix. It is no StateItem, because programs do not read it.
-void fetchColorMatrix(Context &context, MatrixModifier modifier, GLfloat rows[4][4]) {
+void fetchColorMatrix(ProgramContext &context, MatrixModifier modifier, GLfloat rows[4][4]) {
   glm::mat4 matrix(1.0f);
   if (context.imaging)
     matrix = glm::make_mat4(context.imaging->colorMatrix.top(context).data());
@@ -95,7 +95,7 @@ void fetchColorMatrix(Context &context, MatrixModifier modifier, GLfloat rows[4]
   std::copy_n(glm::value_ptr(matrix), 16, &rows[0][0]);
 }
 
-void fetch(Context &context, const TrackedMatrix &tracked, GLfloat rows[4][4]) {
+void fetch(ProgramContext &context, const TrackedMatrix &tracked, GLfloat rows[4][4]) {
   const MatrixModifier modifier = modifierOf(tracked.transform).value_or(MatrixModifier::Plain);
   if (tracked.matrix == GL_COLOR)
     return fetchColorMatrix(context, modifier, rows);
@@ -117,7 +117,7 @@ bool store(Vec4 &to, const GLfloat row[4]) {
 
 } // namespace
 
-void refreshTrackedMatrices(Context &context) {
+void refreshTrackedMatrices(ProgramContext &context) {
   ProgramTarget &row = context.row(Target::Vertex);
   bool changed = false;
   for (std::uint64_t left = row.tracked; left != 0; left &= left - 1) {
@@ -133,12 +133,13 @@ void refreshTrackedMatrices(Context &context) {
   context.attention |= row.parameterBits;
 }
 
-bool mayBeTracked(const Context &context, GLuint address) {
+bool mayBeTracked(const ProgramContext &context, GLuint address) {
   const std::size_t size = context.row(Target::Vertex).env.size();
   return address % kRows == 0 && address < NvState::kParameters && address + kRows <= size;
 }
 
-void trackMatrix(Context &context, GLenum target, GLuint address, GLenum matrix, GLenum transform) {
+void trackMatrix(ProgramContext &context, GLenum target, GLuint address, GLenum matrix,
+                 GLenum transform) {
   if (target != GL_VERTEX_PROGRAM_NV)
     return raise(context, GL_INVALID_ENUM, "TrackMatrix: target");
   if (!mayBeTracked(context, address))

@@ -1,9 +1,9 @@
 // Named parameters of !!FP1.0 programs (NV_fragment_program 3.11.1), which are local parameters
 // after the numbered ones.
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/nv/nv_programs.h"
 #include "state/programs/parameters.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -16,7 +16,7 @@ struct Named {
   std::size_t local = 0;
 };
 
-Named find(Context &context, GLuint id, std::string_view name) {
+Named find(ProgramContext &context, GLuint id, std::string_view name) {
   std::shared_ptr<ProgramObject> object = existingProgram(context, id);
   if (!object || object->target != Target::Fragment) {
     raise(context, GL_INVALID_OPERATION, "NamedParameter: the id is no fragment program's");
@@ -33,7 +33,8 @@ Named find(Context &context, GLuint id, std::string_view name) {
 
 } // namespace
 
-void setNamedParameter(Context &context, GLuint id, std::string_view name, const Vec4 &value) {
+void setNamedParameter(ProgramContext &context, GLuint id, std::string_view name,
+                       const Vec4 &value) {
   const Named named = find(context, id, name);
   if (!named.object)
     return;
@@ -41,7 +42,7 @@ void setNamedParameter(Context &context, GLuint id, std::string_view name, const
   noteLocalsChanged(context, *named.object);
 }
 
-bool namedParameter(Context &context, GLuint id, std::string_view name, Vec4 &value) {
+bool namedParameter(ProgramContext &context, GLuint id, std::string_view name, Vec4 &value) {
   const Named named = find(context, id, name);
   if (named.object)
     value = named.object->locals[named.local].load();

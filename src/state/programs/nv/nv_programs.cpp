@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/programs/program_load.h"
 #include "state/share/share_group.h"
 
@@ -15,13 +15,13 @@ namespace arbiter::state {
 namespace {
 
 /// Returns the target that a text may be loaded for, including that of state programs.
-ProgramTarget *loadRowOf(Context &context, GLenum target) {
+ProgramTarget *loadRowOf(ProgramContext &context, GLenum target) {
   return target == infoOf(Target::VertexState).name ? &context.row(Target::VertexState)
                                                     : nvRowOf(context, target);
 }
 
 /// True if [index, index + count) are parameters and none of them tracks a matrix.
-bool mayBeSet(Context &context, const ProgramTarget &row, GLuint index, GLsizei count) {
+bool mayBeSet(ProgramContext &context, const ProgramTarget &row, GLuint index, GLsizei count) {
   const std::size_t size = std::min<std::size_t>(NvState::kParameters, row.env.size());
   if (!isRange(context, index, count, size, "ProgramParameters: index"))
     return false;
@@ -35,7 +35,7 @@ bool mayBeSet(Context &context, const ProgramTarget &row, GLuint index, GLsizei 
 
 } // namespace
 
-ProgramTarget *nvRowOf(Context &context, GLenum target) {
+ProgramTarget *nvRowOf(ProgramContext &context, GLenum target) {
   switch (target) {
   case GL_VERTEX_PROGRAM_NV:
     return &context.row(Target::Vertex);
@@ -46,12 +46,13 @@ ProgramTarget *nvRowOf(Context &context, GLenum target) {
   }
 }
 
-std::shared_ptr<ProgramObject> existingProgram(Context &context, GLuint id) {
+std::shared_ptr<ProgramObject> existingProgram(ProgramContext &context, GLuint id) {
   std::shared_ptr<ProgramObject> object = context.group->find(id);
   return object && object->exists.load(std::memory_order_relaxed) ? object : nullptr;
 }
 
-void loadNvProgram(Context &context, GLenum target, GLuint id, GLsizei length, const void *text) {
+void loadNvProgram(ProgramContext &context, GLenum target, GLuint id, GLsizei length,
+                   const void *text) {
   const ProgramTarget *const row = loadRowOf(context, target);
   if (!row)
     return raise(context, GL_INVALID_ENUM, "LoadProgram: target");
@@ -67,14 +68,14 @@ void loadNvProgram(Context &context, GLenum target, GLuint id, GLsizei length, c
     object->exists.store(true, std::memory_order_relaxed);
 }
 
-void bindNvProgram(Context &context, GLenum target, GLuint id) {
+void bindNvProgram(ProgramContext &context, GLenum target, GLuint id) {
   ProgramTarget *const row = nvRowOf(context, target);
   if (!row)
     return raise(context, GL_INVALID_ENUM, "BindProgram: target");
   bindProgram(context, *row, id, Existence::OnceLoaded);
 }
 
-void setNvParameters(Context &context, GLenum target, GLuint index, GLsizei count,
+void setNvParameters(ProgramContext &context, GLenum target, GLuint index, GLsizei count,
                      const Vec4 *values) {
   if (target != GL_VERTEX_PROGRAM_NV)
     return raise(context, GL_INVALID_ENUM, "ProgramParameters: target");

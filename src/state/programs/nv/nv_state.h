@@ -6,9 +6,9 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/nv/evaluation.h"
+#include "state/programs/program_context.h"
 
 namespace arbiter::state {
 
@@ -37,7 +37,8 @@ struct NvState {
 /// the host draws all programs. Otherwise it is an error, because the profile's card does not have
 /// it.
 template <typename Result, typename... Parameters, typename... Arguments>
-Result absentCommand(Context &context, Result (*host)(Parameters...), Arguments... arguments) {
+Result absentCommand(ProgramContext &context, Result (*host)(Parameters...),
+                     Arguments... arguments) {
   if (!context.offered)
     return host(arguments...);
   raise(context, GL_INVALID_OPERATION, "a command of NV_vertex_program, which is not offered");

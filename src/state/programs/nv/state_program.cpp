@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "fp_compiler/ir/evaluate.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_programs.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -14,7 +14,7 @@ namespace arbiter::state {
 namespace {
 
 /// Returns the program if it may be executed now, or null after an error.
-std::shared_ptr<const CompiledProgram> validStateProgram(Context &context, GLuint id) {
+std::shared_ptr<const CompiledProgram> validStateProgram(ProgramContext &context, GLuint id) {
   const std::shared_ptr<ProgramObject> object = existingProgram(context, id);
   if (!object || object->target != Target::VertexState) {
     raise(context, GL_INVALID_OPERATION, "ExecuteProgram: the id is no state program's");
@@ -46,7 +46,7 @@ fp::ir::Evaluation run(const ProgramTarget &row, const fp::ir::Program &program,
 
 } // namespace
 
-void executeStateProgram(Context &context, GLenum target, GLuint id, const Vec4 &input) {
+void executeStateProgram(ProgramContext &context, GLenum target, GLuint id, const Vec4 &input) {
   if (target != infoOf(Target::VertexState).name)
     return raise(context, GL_INVALID_ENUM, "ExecuteProgram: target");
   const auto compiled = validStateProgram(context, id);

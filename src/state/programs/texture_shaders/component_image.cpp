@@ -7,10 +7,10 @@
 
 #include "host/host_table.h"
 #include "state/client_pixels/plain_transfer.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/texture_binding.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -38,7 +38,7 @@ bool isProxy(GLenum image) {
   }
 }
 
-GLuint boundTo(const Context &context, GLenum image) {
+GLuint boundTo(const ProgramContext &context, GLenum image) {
   GLint name = 0;
   if (const GLenum binding = bindingOf(image))
     context.host->GetIntegerv(binding, &name);
@@ -126,7 +126,7 @@ void replace(const host::HostTable &host, const ComponentImage &image, GLenum fo
 }
 
 /// Sends the pixels to the host as floats. \returns the host's error
-GLenum upload(Context &context, const ComponentImage &image, const ComponentFormat &format,
+GLenum upload(ProgramContext &context, const ComponentImage &image, const ComponentFormat &format,
               const std::vector<GLfloat> &pixels) {
   const PlainTransfer plain(context, PixelStore::Unpack);
   const void *const data = image.hasPixels != 0 ? pixels.data() : nullptr;
@@ -140,7 +140,7 @@ GLenum upload(Context &context, const ComponentImage &image, const ComponentForm
 
 } // namespace
 
-bool mayHaveSize(const Context &context, const ComponentImage &image) {
+bool mayHaveSize(const ProgramContext &context, const ComponentImage &image) {
   GLint most = 0;
   context.host->GetIntegerv(image.target == GL_TEXTURE_3D          ? GL_MAX_3D_TEXTURE_SIZE
                             : image.target == GL_TEXTURE_RECTANGLE ? GL_MAX_RECTANGLE_TEXTURE_SIZE
@@ -150,7 +150,7 @@ bool mayHaveSize(const Context &context, const ComponentImage &image) {
   return image.width <= most && image.height <= most && image.depth <= most;
 }
 
-GLenum componentFormatOf(Context &context, GLenum image, GLint level) {
+GLenum componentFormatOf(ProgramContext &context, GLenum image, GLint level) {
   TextureFormats &formats = context.group->textureFormats;
   const GLenum name = formats.any() ? formats.find(boundTo(context, image), image, level) : 0;
   const ComponentFormat *const format = componentFormat(name);
@@ -163,7 +163,7 @@ GLenum componentFormatOf(Context &context, GLenum image, GLint level) {
   return GLenum(there) == format->host ? name : 0;
 }
 
-void noteImageFormat(Context &context, GLenum image, GLint level, GLenum internalFormat) {
+void noteImageFormat(ProgramContext &context, GLenum image, GLint level, GLenum internalFormat) {
   const bool first = internalFormat != 0 && !context.group->textureFormats.any();
   context.group->textureFormats.set(boundTo(context, image), image, level, internalFormat);
   context.textureShaders->wholeTextures.clear();
@@ -173,7 +173,7 @@ void noteImageFormat(Context &context, GLenum image, GLint level, GLenum interna
     invalidateProgram(context); // makes draws look from now on
 }
 
-void executeComponentImage(Context &context, const ComponentImage &image,
+void executeComponentImage(ProgramContext &context, const ComponentImage &image,
                            std::vector<GLfloat> pixels) {
   const bool replaces = image.replaces != 0;
   const GLenum internal =
@@ -204,7 +204,7 @@ ComponentImage componentImageOf(const std::string &bytes) {
   return image;
 }
 
-void executeComponentImage(Context &context, const std::string &bytes) {
+void executeComponentImage(ProgramContext &context, const std::string &bytes) {
   if (!mayKeepTextures(context))
     return raise(context, GL_INVALID_OPERATION, "a list's image of NV_texture_shader");
   keepTextures(context);

@@ -10,8 +10,8 @@
 #include "host/host_table.h"
 #include "state/capabilities/host_integer.h"
 #include "state/client_pixels/client_image.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/programs/program_context.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "util/half.h"
 
@@ -27,7 +27,7 @@ struct Layout : ImageLayout {
   std::size_t element = 0, texel = 0;
 };
 
-Layout layoutOf(const Context &context, const ComponentPixels &pixels, PixelStore store) {
+Layout layoutOf(const ProgramContext &context, const ComponentPixels &pixels, PixelStore store) {
   Layout layout;
   layout.element = bytesOf(pixels.type);
   layout.texel =
@@ -132,7 +132,7 @@ GLenum componentTypeError(GLenum format, GLenum type) {
   }
 }
 
-bool unpackComponents(Context &context, const ComponentPixels &pixels, const void *from,
+bool unpackComponents(ProgramContext &context, const ComponentPixels &pixels, const void *from,
                       std::vector<GLfloat> &to) {
   const Layout layout = layoutOf(context, pixels, PixelStore::Unpack);
   const auto *bytes = static_cast<const std::uint8_t *>(from);
@@ -160,7 +160,7 @@ bool unpackComponents(Context &context, const ComponentPixels &pixels, const voi
   return true;
 }
 
-bool packSignedBytes(Context &context, const ComponentPixels &pixels,
+bool packSignedBytes(ProgramContext &context, const ComponentPixels &pixels,
                      const std::vector<GLfloat> &from, void *to) {
   const Layout layout = layoutOf(context, pixels, PixelStore::Pack);
   const bool swaps = hostInteger(*context.host, GL_PACK_SWAP_BYTES) != 0;

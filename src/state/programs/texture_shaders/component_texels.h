@@ -5,7 +5,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// Pixels of HILO components and texture offset groups, as passed to TexImage. They are converted
 /// between the application's memory, or its pixel buffer, and floats. A signed integer's largest
@@ -24,10 +24,10 @@ struct ComponentPixels {
 
 /// Reads pixels by the context's unpack state. Returns false after an error: the buffer is too
 /// small, or mapped. Requires that componentTypeError() accepts the type.
-[[nodiscard]] bool unpackComponents(Context &context, const ComponentPixels &pixels,
+[[nodiscard]] bool unpackComponents(ProgramContext &context, const ComponentPixels &pixels,
                                     const void *from, std::vector<GLfloat> &to);
 /// Writes texels of one of the two packed types, by the context's pack state.
-[[nodiscard]] bool packSignedBytes(Context &context, const ComponentPixels &pixels,
+[[nodiscard]] bool packSignedBytes(ProgramContext &context, const ComponentPixels &pixels,
                                    const std::vector<GLfloat> &from, void *to);
 
 } // namespace arbiter::state

@@ -6,8 +6,8 @@
 #include "enumerants/texture_shaders.h"
 #include "fp_compiler/texture_shader/operations.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/programs/program_context.h"
 #include "state/programs/texture_shaders/component_image.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
@@ -29,7 +29,7 @@ struct Wrong {
 /// Returns an enumerant that was passed as a float.
 GLenum nameIn(GLfloat value) { return value >= 0.0f && value < 16777216.0f ? GLenum(value) : ~0u; }
 
-Wrong operation(Context &context, TextureShaderState &shaders, int unit, GLenum name) {
+Wrong operation(ProgramContext &context, TextureShaderState &shaders, int unit, GLenum name) {
   const auto wanted = enumerants::shaderOperation(name, shaders.extensions());
   if (!wanted)
     return {GL_INVALID_ENUM, "TexEnv: SHADER_OPERATION_NV"};
@@ -45,7 +45,7 @@ Wrong operation(Context &context, TextureShaderState &shaders, int unit, GLenum 
   return {};
 }
 
-Wrong previous(Context &context, TextureShaderState &shaders, int unit, GLenum name) {
+Wrong previous(ProgramContext &context, TextureShaderState &shaders, int unit, GLenum name) {
   const GLenum input = name - GL_TEXTURE0;
   if (input >= GLenum(fp::texture_shader::kUnits))
     return {GL_INVALID_ENUM, "TexEnv: PREVIOUS_TEXTURE_INPUT_NV"};
@@ -58,7 +58,8 @@ Wrong previous(Context &context, TextureShaderState &shaders, int unit, GLenum n
   return {};
 }
 
-Wrong cullModes(Context &context, TextureShaderState &shaders, int unit, const Vec4 &values) {
+Wrong cullModes(ProgramContext &context, TextureShaderState &shaders, int unit,
+                const Vec4 &values) {
   std::uint8_t less = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const GLenum name = nameIn(values[i]);
@@ -72,7 +73,7 @@ Wrong cullModes(Context &context, TextureShaderState &shaders, int unit, const V
   return {};
 }
 
-Wrong mapping(Context &context, TextureShaderState &shaders, int unit, GLenum name) {
+Wrong mapping(ProgramContext &context, TextureShaderState &shaders, int unit, GLenum name) {
   const auto wanted = enumerants::dotProductMapping(name, shaders.extensions());
   if (!wanted)
     return {GL_INVALID_ENUM, "TexEnv: RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV"};
@@ -82,7 +83,7 @@ Wrong mapping(Context &context, TextureShaderState &shaders, int unit, GLenum na
   return {};
 }
 
-Wrong environment(Context &context, TextureShaderState &shaders,
+Wrong environment(ProgramContext &context, TextureShaderState &shaders,
                   const TextureShaderCommand &command) {
   const int count = textureShaderValues(command.pname);
   if (count == 0 || (command.scalar && count != 1))
@@ -117,7 +118,7 @@ Wrong environment(Context &context, TextureShaderState &shaders,
   }
 }
 
-void mode(Context &context, TextureShaderState &shaders, bool none) {
+void mode(ProgramContext &context, TextureShaderState &shaders, bool none) {
   const GLuint unit = activeUnit(context);
   if (unit >= GLuint(shaders.units())) {
     if (none)
@@ -132,7 +133,7 @@ void mode(Context &context, TextureShaderState &shaders, bool none) {
 
 // --- ATI_envmap_bumpmap ---
 
-void bumpMode(Context &context, TextureShaderState &shaders, bool bumps) {
+void bumpMode(ProgramContext &context, TextureShaderState &shaders, bool bumps) {
   const GLuint unit = activeUnit(context);
   if (unit >= GLuint(shaders.units())) {
     if (bumps)
@@ -145,7 +146,7 @@ void bumpMode(Context &context, TextureShaderState &shaders, bool bumps) {
       context, [](auto &settings) -> auto & { return settings.bumps; }, after);
 }
 
-void bumpTarget(Context &context, TextureShaderState &shaders, GLenum name) {
+void bumpTarget(ProgramContext &context, TextureShaderState &shaders, GLenum name) {
   const GLenum target = name - GL_TEXTURE0;
   if (target >= 32)
     return raise(context, GL_INVALID_ENUM, "TexEnv: BUMP_TARGET_ATI");
@@ -157,7 +158,7 @@ void bumpTarget(Context &context, TextureShaderState &shaders, GLenum name) {
       std::uint8_t(target));
 }
 
-void bumpMatrix(Context &context, TextureShaderState &shaders, const Vec4 &matrix) {
+void bumpMatrix(ProgramContext &context, TextureShaderState &shaders, const Vec4 &matrix) {
   const GLuint unit = activeUnit(context);
   if (unit >= GLuint(shaders.units()))
     return raise(context, GL_INVALID_OPERATION, "TexBumpParameter: the active unit has no texture");
@@ -166,7 +167,7 @@ void bumpMatrix(Context &context, TextureShaderState &shaders, const Vec4 &matri
 
 } // namespace
 
-GLuint activeUnit(const Context &context) {
+GLuint activeUnit(const ProgramContext &context) {
   GLint active = GL_TEXTURE0;
   context.host->GetIntegerv(GL_ACTIVE_TEXTURE, &active);
   return GLuint(active) - GL_TEXTURE0;
@@ -195,7 +196,7 @@ int componentTransfer(GLenum pname) {
   return at < 12 ? int(at) : -1;
 }
 
-void executeTextureShaderCommand(Context &context, const TextureShaderCommand &command) {
+void executeTextureShaderCommand(ProgramContext &context, const TextureShaderCommand &command) {
   TextureShaderState &shaders = *context.textureShaders;
   switch (command.kind) {
   case TextureShaderCommand::Kind::Environment:
@@ -225,7 +226,7 @@ std::string bytesOf(const TextureShaderCommand &command) {
   return {reinterpret_cast<const char *>(&command), sizeof command};
 }
 
-void executeTextureShaderCommands(Context &context, const std::string &bytes) {
+void executeTextureShaderCommands(ProgramContext &context, const std::string &bytes) {
   if (!mayKeepTextures(context))
     return raise(context, GL_INVALID_OPERATION, "a list's command of NV_texture_shader");
   keepTextures(context);

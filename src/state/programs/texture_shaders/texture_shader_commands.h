@@ -11,7 +11,7 @@
 /// hold, called by the entry points.
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// One command with the application's arguments. It consists of plain bytes, which a list stores.
 struct TextureShaderCommand {
@@ -32,11 +32,11 @@ struct TextureShaderCommand {
 };
 
 /// Executes a command, or raises its error. Requires that the context offers the extension.
-void executeTextureShaderCommand(Context &context, const TextureShaderCommand &command);
+void executeTextureShaderCommand(ProgramContext &context, const TextureShaderCommand &command);
 
 /// Converts a command to a list's bytes, and executes the bytes of one or several commands.
 [[nodiscard]] std::string bytesOf(const TextureShaderCommand &command);
-void executeTextureShaderCommands(Context &context, const std::string &bytes);
+void executeTextureShaderCommands(ProgramContext &context, const std::string &bytes);
 
 /// Returns the number of values of a pname of TEXTURE_SHADER_NV: 1, 3 or 4; 0 for an unknown name.
 [[nodiscard]] int textureShaderValues(GLenum pname);
@@ -44,6 +44,6 @@ void executeTextureShaderCommands(Context &context, const std::string &bytes);
 /// and -1 for another name.
 [[nodiscard]] int componentTransfer(GLenum pname);
 /// Returns the active texture unit, counted from 0.
-[[nodiscard]] GLuint activeUnit(const Context &context);
+[[nodiscard]] GLuint activeUnit(const ProgramContext &context);
 
 } // namespace arbiter::state

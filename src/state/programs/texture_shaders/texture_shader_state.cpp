@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "state/core/context.h"
 #include "state/era/era_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/programs/state_text.h"
 #include "state/share/share_group.h"
 
@@ -16,7 +16,7 @@ using fp::texture_shader::Row;
 
 namespace {
 
-void setEnv(Context &context, int index, const Vec4 &value) {
+void setEnv(ProgramContext &context, int index, const Vec4 &value) {
   ProgramTarget &row = context.row(Target::TextureShaders);
   row.env[std::size_t(index)] = value;
   ++row.envVersion;
@@ -31,13 +31,13 @@ TextureShaderSettings &TextureShaderState::writable() {
   return *m_settings;
 }
 
-void TextureShaderState::changed(Context &context) {
+void TextureShaderState::changed(ProgramContext &context) {
   if (effective || m_settings->environmentNone != 0 || m_settings->bumps != 0 ||
       context.row(Target::TextureShaders).enabled)
     invalidateProgram(context);
 }
 
-void TextureShaderState::setRow(Context &context, int unit, Row row, const Vec4 &value) {
+void TextureShaderState::setRow(ProgramContext &context, int unit, Row row, const Vec4 &value) {
   const auto at = std::size_t(row);
   if (m_settings->rows[std::size_t(unit)][at] == value)
     return;
@@ -45,7 +45,7 @@ void TextureShaderState::setRow(Context &context, int unit, Row row, const Vec4 
   setEnv(context, fp::texture_shader::parameter(unit, row), value);
 }
 
-void TextureShaderState::restore(Context &context,
+void TextureShaderState::restore(ProgramContext &context,
                                  const std::shared_ptr<const TextureShaderSettings> &settings) {
   if (settings == m_settings)
     return;
@@ -56,7 +56,7 @@ void TextureShaderState::restore(Context &context,
   changed(context);
 }
 
-void TextureShaderState::setParameters(Context &context) {
+void TextureShaderState::setParameters(ProgramContext &context) {
   if (context.combiners)
     for (int index = 0; index < fp::combiners::kConstants; ++index)
       setEnv(context, index, context.combiners->constant(index));
@@ -66,7 +66,7 @@ void TextureShaderState::setParameters(Context &context) {
              m_settings->rows[std::size_t(unit)][std::size_t(row)]);
 }
 
-std::shared_ptr<const CompiledProgram> TextureShaderState::programUnder(Context &context,
+std::shared_ptr<const CompiledProgram> TextureShaderState::programUnder(ProgramContext &context,
                                                                         const Key &key,
                                                                         const fp::GlslHost &host,
                                                                         const StateText *text) {
@@ -79,12 +79,12 @@ std::shared_ptr<const CompiledProgram> TextureShaderState::programUnder(Context 
   });
 }
 
-bool mayKeepTextures(const Context &context) {
+bool mayKeepTextures(const ProgramContext &context) {
   return context.textureShaders || hasBumpMaps(context) ||
          (context.era && context.era->offered.pointSprite);
 }
 
-TextureShaderState &keepTextures(Context &context) {
+TextureShaderState &keepTextures(ProgramContext &context) {
   if (!context.textureShaders) {
     context.row(Target::TextureShaders).env.assign(fp::texture_shader::kParameters, Vec4{});
     context.textureShaders =
@@ -94,19 +94,21 @@ TextureShaderState &keepTextures(Context &context) {
   return *context.textureShaders;
 }
 
-bool hasTextureShaders(const Context &context) {
+bool hasTextureShaders(const ProgramContext &context) {
   return context.textureShaders && context.textureShaders->extensions() != 0;
 }
 
-bool hasBumpMaps(const Context &context) { return context.era && context.era->offered.bumpMap; }
+bool hasBumpMaps(const ProgramContext &context) {
+  return context.era && context.era->offered.bumpMap;
+}
 
-bool followsTextures(const Context &context) {
+bool followsTextures(const ProgramContext &context) {
   const TextureShaderState *const shaders = context.textureShaders.get();
   return shaders && (shaders->effective || shaders->now().environmentNone != 0 ||
                      shaders->now().bumps != 0 || context.group->textureFormats.any());
 }
 
-bool textureShaderValue(const Context &context, GLint &value) {
+bool textureShaderValue(const ProgramContext &context, GLint &value) {
   value = context.row(Target::TextureShaders).enabled ? 1 : 0;
   return hasTextureShaders(context);
 }

@@ -13,7 +13,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// The state of NV_texture_shader, 2 and 3 that belongs to GL_TEXTURE_BIT (3.8.13.3), except
 /// TEXTURE_SHADER_NV, which is the enable of a target.
@@ -57,26 +57,27 @@ public:
 
   /// Sets a part of a unit's stage, or environmentNone. If that changes it, the next draw looks.
   template <typename Part, typename Value>
-  void set(Context &context, Part part, const Value &value) {
+  void set(ProgramContext &context, Part part, const Value &value) {
     if (part(std::as_const(*m_settings)) == value)
       return;
     part(writable()) = value;
     changed(context);
   }
-  void setRow(Context &context, int unit, fp::texture_shader::Row row, const Vec4 &value);
+  void setRow(ProgramContext &context, int unit, fp::texture_shader::Row row, const Vec4 &value);
 
   /// Sets all env parameters of the target from these settings and from register combiners'.
-  void setParameters(Context &context);
+  void setParameters(ProgramContext &context);
 
   /// Returns the settings for the attribute stack.
   [[nodiscard]] std::shared_ptr<const TextureShaderSettings> settings() const { return m_settings; }
-  void restore(Context &context, const std::shared_ptr<const TextureShaderSettings> &settings);
+  void restore(ProgramContext &context,
+               const std::shared_ptr<const TextureShaderSettings> &settings);
 
   /// Returns the program for a key, which is made once.
   /// \param text see CombinerState::programUnder()
   [[nodiscard]] std::shared_ptr<const CompiledProgram>
-  programUnder(Context &context, const fp::texture_shader::Key &key, const fp::GlslHost &host,
-               const StateText *text);
+  programUnder(ProgramContext &context, const fp::texture_shader::Key &key,
+               const fp::GlslHost &host, const StateText *text);
 
   ComponentTransfers transfers;
 
@@ -100,7 +101,7 @@ public:
 
 private:
   [[nodiscard]] TextureShaderSettings &writable();
-  void changed(Context &context);
+  void changed(ProgramContext &context);
 
   int m_extensions;
   int m_units;
@@ -112,19 +113,19 @@ private:
 
 /// True if an extension is offered that keeps its state here. Those other than texture shaders only
 /// begin to do so with their first command.
-[[nodiscard]] bool mayKeepTextures(const Context &context);
+[[nodiscard]] bool mayKeepTextures(const ProgramContext &context);
 /// Returns the context's TextureShaderState, and creates it if necessary. Requires
 /// mayKeepTextures().
-TextureShaderState &keepTextures(Context &context);
+TextureShaderState &keepTextures(ProgramContext &context);
 /// True if NV_texture_shader is offered.
-[[nodiscard]] bool hasTextureShaders(const Context &context);
+[[nodiscard]] bool hasTextureShaders(const ProgramContext &context);
 /// True if ATI_envmap_bumpmap is the layer's.
-[[nodiscard]] bool hasBumpMaps(const Context &context);
+[[nodiscard]] bool hasBumpMaps(const ProgramContext &context);
 
 /// True if draws depend on the bound textures, because their consistency selects programs.
-[[nodiscard]] bool followsTextures(const Context &context);
+[[nodiscard]] bool followsTextures(const ProgramContext &context);
 
 /// Answers a Get of TEXTURE_SHADER_NV. Returns false if the context does not offer it.
-[[nodiscard]] bool textureShaderValue(const Context &context, GLint &value);
+[[nodiscard]] bool textureShaderValue(const ProgramContext &context, GLint &value);
 
 } // namespace arbiter::state

@@ -1,10 +1,10 @@
 #include "state/programs/variants/alpha_depths.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/texture_names.h"
 #include "state/objects/linked_program.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -13,7 +13,7 @@ namespace {
 
 /// True if the unit samples a depth texture with mode ALPHA. Other images may have the mode too,
 /// without an effect.
-bool readsAlpha(Context &context, const fp::GlslSampler &sampler) {
+bool readsAlpha(ProgramContext &context, const fp::GlslSampler &sampler) {
   const host::HostTable &host = *context.host;
   const TextureNames image = textureNames(sampler.target);
   host.ActiveTexture(GL_TEXTURE0 + sampler.unit);
@@ -31,7 +31,7 @@ bool readsAlpha(Context &context, const fp::GlslSampler &sampler) {
   return depth != 0;
 }
 
-std::uint32_t unitsOf(Context &context, const CompiledProgram *vertex,
+std::uint32_t unitsOf(ProgramContext &context, const CompiledProgram *vertex,
                       const CompiledProgram *fragment) {
   constexpr unsigned kUnits = 32;
   std::uint32_t units = 0;
@@ -48,16 +48,16 @@ std::uint32_t unitsOf(Context &context, const CompiledProgram *vertex,
 
 } // namespace
 
-std::uint32_t alphaDepthsOf(Context &context, const ProgramPair &pair) {
+std::uint32_t alphaDepthsOf(ProgramContext &context, const ProgramPair &pair) {
   return unitsOf(context, pair.vertex.get(), pair.fragment.get());
 }
 
-bool mayFollowAlphaDepths(const Context &context) {
+bool mayFollowAlphaDepths(const ProgramContext &context) {
   return context.effective.alphaDepths &&
          context.group->alphaDepthsUsed.load(std::memory_order_relaxed);
 }
 
-void followAlphaDepths(Context &context) {
+void followAlphaDepths(ProgramContext &context) {
   const LinkedProgram *const linked = context.effective.linkedProgram;
   if (linked && unitsOf(context, linked->vertex.compiled, linked->fragment.compiled) !=
                     *context.effective.alphaDepths)

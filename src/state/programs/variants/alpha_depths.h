@@ -7,15 +7,15 @@
 /// (depth_variants.h).
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 struct ProgramPair;
 
 /// Returns fp::GlslHost::alphaDepths for the images that the pair samples now. Queries the host.
-[[nodiscard]] std::uint32_t alphaDepthsOf(Context &context, const ProgramPair &pair);
+[[nodiscard]] std::uint32_t alphaDepthsOf(ProgramContext &context, const ProgramPair &pair);
 /// True if draws now use texts that apply the mode, and some image has had it.
-[[nodiscard]] bool mayFollowAlphaDepths(const Context &context);
+[[nodiscard]] bool mayFollowAlphaDepths(const ProgramContext &context);
 /// Checks the images before a draw with such texts, and has the pair chosen anew if the mode has
 /// changed for one. Queries the host.
-void followAlphaDepths(Context &context);
+void followAlphaDepths(ProgramContext &context);
 
 } // namespace arbiter::state

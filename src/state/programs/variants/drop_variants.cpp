@@ -1,7 +1,7 @@
 #include "state/programs/variants/drop_variants.h"
 
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
+#include "state/programs/program_context.h"
 #include "state/programs/variants/array_variants.h"
 #include "state/programs/variants/ati_variants.h"
 #include "state/programs/variants/clipped_variant.h"
@@ -9,7 +9,7 @@
 
 namespace arbiter::state {
 
-void dropVariants(Context &context, const CompiledProgram &compiled) {
+void dropVariants(ProgramContext &context, const CompiledProgram &compiled) {
   context.hooks->dropLinkedPrograms(context, compiled);
   const auto dropAll = [&](const auto &variants) {
     if (variants)

@@ -2,10 +2,10 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 struct CompiledProgram;
 
 /// Deletes this context's linked programs of a program that left its object.
-void dropVariants(Context &context, const CompiledProgram &compiled);
+void dropVariants(ProgramContext &context, const CompiledProgram &compiled);
 
 } // namespace arbiter::state

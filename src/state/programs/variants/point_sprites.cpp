@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxUnits = 8; ///< number of gl_TexCoord elements that programs read
 
-GLenum polygonMode(const Context &context, std::size_t face) {
+GLenum polygonMode(const ProgramContext &context, std::size_t face) {
   GLint modes[2] = {GL_FILL, GL_FILL};
   context.host->GetIntegerv(GL_POLYGON_MODE, modes);
   return GLenum(modes[face]);
@@ -23,13 +23,13 @@ GLenum polygonMode(const Context &context, std::size_t face) {
 
 /// True if the draw makes points. Polygons of which only one face is drawn as points do not count,
 /// because a program cannot tell the faces apart.
-bool drawsPoints(const Context &context, GLenum mode) {
+bool drawsPoints(const ProgramContext &context, GLenum mode) {
   if (mode < GL_TRIANGLES || mode > GL_POLYGON)
     return mode == GL_POINTS;
   return polygonMode(context, 0) == GL_POINT && polygonMode(context, 1) == GL_POINT;
 }
 
-std::uint8_t replacedUnits(const Context &context) {
+std::uint8_t replacedUnits(const ProgramContext &context) {
   std::uint8_t units = 0;
   for (int unit = 0; unit < std::min(context.caps.maxTextureCoords, kMaxUnits); ++unit) {
     const UnitScope scope(*context.host, unsigned(unit));
@@ -40,7 +40,7 @@ std::uint8_t replacedUnits(const Context &context) {
   return units;
 }
 
-SpriteForm formNow(const Context &context, const PointSprites &sprites) {
+SpriteForm formNow(const ProgramContext &context, const PointSprites &sprites) {
   if (sprites.rMode == GL_ZERO || !drawsPoints(context, sprites.drawn) ||
       !context.host->IsEnabled(GL_POINT_SPRITE))
     return {};
@@ -50,7 +50,7 @@ SpriteForm formNow(const Context &context, const PointSprites &sprites) {
   return form;
 }
 
-void replaceCoordinates(const Context &context, std::uint8_t units, GLint value) {
+void replaceCoordinates(const ProgramContext &context, std::uint8_t units, GLint value) {
   for (int unit = 0; unit < kMaxUnits; ++unit) {
     if ((units >> unit & 1) == 0)
       continue;
@@ -61,12 +61,12 @@ void replaceCoordinates(const Context &context, std::uint8_t units, GLint value)
 
 } // namespace
 
-bool mayFollowSprites(const Context &context) {
+bool mayFollowSprites(const ProgramContext &context) {
   const PointSprites *const sprites = spritesOf(context);
   return sprites && sprites->rMode != GL_ZERO;
 }
 
-void followSprites(Context &context) {
+void followSprites(ProgramContext &context) {
   PointSprites *const sprites = spritesOf(context);
   if (!sprites || (sprites->rMode == GL_ZERO && sprites->form.units == 0)) [[likely]]
     return;
@@ -77,12 +77,12 @@ void followSprites(Context &context) {
   invalidateProgram(context);
 }
 
-SpriteForm spriteForm(const Context &context) {
+SpriteForm spriteForm(const ProgramContext &context) {
   const PointSprites *const sprites = spritesOf(context);
   return sprites ? sprites->form : SpriteForm{};
 }
 
-void applySprites(Context &context) {
+void applySprites(ProgramContext &context) {
   PointSprites *const sprites = spritesOf(context);
   if (!sprites || (sprites->form.units == 0 && sprites->hidden == 0)) [[likely]]
     return;
@@ -95,12 +95,12 @@ void applySprites(Context &context) {
   replaceCoordinates(context, more, GL_FALSE);
 }
 
-void showCoordinates(Context &context, PointSprites &sprites) {
+void showCoordinates(ProgramContext &context, PointSprites &sprites) {
   replaceCoordinates(context, sprites.hidden, GL_TRUE);
   sprites.hidden = 0;
 }
 
-void setSpriteMode(Context &context, GLenum mode) {
+void setSpriteMode(ProgramContext &context, GLenum mode) {
   if (mode != GL_ZERO && mode != GL_S && mode != GL_R)
     return raise(context, GL_INVALID_ENUM, "PointParameter: POINT_SPRITE_R_MODE_NV");
   PointSprites &sprites = *spritesOf(context);

@@ -4,7 +4,7 @@
 
 #include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/ir/print.h"
-#include "state/core/context.h"
+#include "state/programs/program_context.h"
 #include "state/programs/state_text.h"
 #include "state/programs/variants/depth_variants.h"
 #include "util/flags.h"
@@ -12,7 +12,7 @@
 
 namespace arbiter::state {
 
-std::shared_ptr<const CompiledProgram> programOfState(const Context &context, Target target,
+std::shared_ptr<const CompiledProgram> programOfState(const ProgramContext &context, Target target,
                                                       fp::ir::Program program,
                                                       const fp::GlslHost &host,
                                                       const StateText *text) {

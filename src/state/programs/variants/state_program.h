@@ -13,7 +13,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 struct StateText;
 
@@ -23,7 +23,7 @@ struct StateText;
 /// \param target the target whose env parameters the program reads
 /// \param program a valid program of language ArbFragment
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
-programOfState(const Context &context, Target target, fp::ir::Program program,
+programOfState(const ProgramContext &context, Target target, fp::ir::Program program,
                const fp::GlslHost &host, const StateText *text);
 
 /// A context's programs of a target whose program is GL state, by the state's plain bytes. Each is
@@ -34,7 +34,7 @@ public:
   /// \param lower makes the program of the key
   /// \param text see programOfState()
   template <typename Lower>
-  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(Context &context, Target target,
+  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(ProgramContext &context, Target target,
                                                           const Key &key, const fp::GlslHost &host,
                                                           const StateText *text, Lower lower) {
     if (const auto it = m_programs.find(key); it != m_programs.end())
@@ -45,7 +45,7 @@ public:
         .first->second;
   }
 
-  void clear(Context &context) {
+  void clear(ProgramContext &context) {
     for (const auto &known : m_programs)
       dropVariants(context, *known.second);
     m_programs.clear();
@@ -65,7 +65,7 @@ private:
 /// A context's programs of states that have texts, by the text and its replacement.
 template <typename Key> class NamedStatePrograms {
 public:
-  [[nodiscard]] StatePrograms<Key> &of(Context &context, const std::string &name) {
+  [[nodiscard]] StatePrograms<Key> &of(ProgramContext &context, const std::string &name) {
     const auto it = m_programs.find(name);
     if (it != m_programs.end())
       return it->second;

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/host_state.h"
 #include "state/core/unit_scope.h"
+#include "state/programs/program_context.h"
 #include "state/programs/vertex_shaders/vertex_shader_state.h"
 #include "state/share/share_group.h"
 
@@ -107,11 +107,11 @@ std::optional<VertexSymbol> materialParameter(bool back, GLenum value) {
   }
 }
 
-bool hasColorMatrix(const Context &context) {
+bool hasColorMatrix(const ProgramContext &context) {
   return context.imaging || context.caps.has("GL_ARB_imaging");
 }
 
-std::optional<VertexSymbol> parameter(const Context &context, GLenum value) {
+std::optional<VertexSymbol> parameter(const ProgramContext &context, GLenum value) {
   const auto matrix = [](StateItem item) { return ofState(DataType::Matrix, {.item = item}); };
   const auto fog = [](int component) {
     return ofState(DataType::Scalar, {.item = StateItem::FogParams}, component);
@@ -153,7 +153,7 @@ std::optional<VertexSymbol> parameter(const Context &context, GLenum value) {
 }
 
 /// Returns the share group's name of the symbol. A key begins with the enumerant that was bound.
-GLuint nameOf(Context &context, const std::optional<VertexSymbol> &symbol, const char *why,
+GLuint nameOf(ProgramContext &context, const std::optional<VertexSymbol> &symbol, const char *why,
               const std::array<GLenum, 3> &key) {
   if (!symbol) {
     raise(context, GL_INVALID_ENUM, why);
@@ -167,20 +167,20 @@ GLuint nameOf(Context &context, const std::optional<VertexSymbol> &symbol, const
 
 } // namespace
 
-GLuint bindLightParameter(Context &context, GLenum light, GLenum value) {
+GLuint bindLightParameter(ProgramContext &context, GLenum light, GLenum value) {
   const GLuint number = light - GL_LIGHT0;
   const bool isLight = number < context.row(Target::VertexShader).limits.lights;
   return nameOf(context, isLight ? lightParameter(std::uint8_t(number), value) : std::nullopt,
                 "BindLightParameter: light or value", {light, value, 0});
 }
 
-GLuint bindMaterialParameter(Context &context, GLenum face, GLenum value) {
+GLuint bindMaterialParameter(ProgramContext &context, GLenum face, GLenum value) {
   const bool isFace = face == GL_FRONT || face == GL_BACK;
   return nameOf(context, isFace ? materialParameter(face == GL_BACK, value) : std::nullopt,
                 "BindMaterialParameter: face or value", {face, value, 0});
 }
 
-GLuint bindTexGenParameter(Context &context, GLenum unit, GLenum coord, GLenum value) {
+GLuint bindTexGenParameter(ProgramContext &context, GLenum unit, GLenum coord, GLenum value) {
   const GLuint number = unit - GL_TEXTURE0, row = coord - GL_S;
   std::optional<VertexSymbol> symbol;
   if (number < context.row(Target::VertexShader).limits.textureUnits && row < 4 &&
@@ -192,7 +192,7 @@ GLuint bindTexGenParameter(Context &context, GLenum unit, GLenum coord, GLenum v
   return nameOf(context, symbol, "BindTexGenParameter: unit, coord or value", {unit, coord, value});
 }
 
-GLuint bindTextureUnitParameter(Context &context, GLenum unit, GLenum value) {
+GLuint bindTextureUnitParameter(ProgramContext &context, GLenum unit, GLenum value) {
   const GLuint number = unit - GL_TEXTURE0;
   std::optional<VertexSymbol> symbol;
   if (number < context.row(Target::VertexShader).limits.textureUnits) {
@@ -205,11 +205,11 @@ GLuint bindTextureUnitParameter(Context &context, GLenum unit, GLenum value) {
   return nameOf(context, symbol, "BindTextureUnitParameter: unit or value", {unit, value, 1});
 }
 
-GLuint bindParameter(Context &context, GLenum value) {
+GLuint bindParameter(ProgramContext &context, GLenum value) {
   return nameOf(context, parameter(context, value), "BindParameter: value", {value, 0, 0});
 }
 
-Vec4 boundValue(Context &context, const VertexSymbol &symbol, std::size_t row) {
+Vec4 boundValue(ProgramContext &context, const VertexSymbol &symbol, std::size_t row) {
   const fp::vertex_shader::Symbol &meaning = symbol.meaning;
   Vec4 value = {0.0f, 0.0f, 0.0f, 1.0f};
   if (symbol.follows != VertexSymbol::Follows::Nothing)

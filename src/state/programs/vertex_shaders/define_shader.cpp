@@ -7,9 +7,9 @@
 #include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/vertex_shader/lower.h"
-#include "state/core/context.h"
 #include "state/core/context_hooks.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/programs/program_load.h"
 #include "state/programs/variants/clipped_variant.h"
 #include "state/programs/variants/drop_variants.h"
@@ -66,8 +66,8 @@ bool within(const VertexShaderInputs &inputs, const fp::ResourceCounts &limits,
          inputs.locals <= limits.temporaries;
 }
 
-std::shared_ptr<const VertexShaderInputs> inputsOf(const Context &context, const Recorded &recorded,
-                                                   const Lowered &lowered) {
+std::shared_ptr<const VertexShaderInputs>
+inputsOf(const ProgramContext &context, const Recorded &recorded, const Lowered &lowered) {
   auto inputs = std::make_shared<VertexShaderInputs>();
   countSymbols(recorded, *inputs);
   inputs->instructions = GLuint(lowered.program.code.size());
@@ -85,7 +85,8 @@ std::shared_ptr<const VertexShaderInputs> inputsOf(const Context &context, const
   return inputs;
 }
 
-std::shared_ptr<const CompiledProgram> compile(const Context &context, const Recorded &recorded) {
+std::shared_ptr<const CompiledProgram> compile(const ProgramContext &context,
+                                               const Recorded &recorded) {
   Lowered lowered = fp::vertex_shader::lower(recorded.shader);
   auto compiled = std::make_shared<CompiledProgram>();
   compiled->target = Target::VertexShader;
@@ -112,7 +113,7 @@ std::shared_ptr<const CompiledProgram> compile(const Context &context, const Rec
 
 } // namespace
 
-void defineVertexShader(Context &context, const Recorded &recorded) {
+void defineVertexShader(ProgramContext &context, const Recorded &recorded) {
   const ProgramTarget &row = context.row(Target::VertexShader);
   std::shared_ptr<const CompiledProgram> compiled = compile(context, recorded);
   context.hooks->noteShader(context, *row.bound, compiled.get(),

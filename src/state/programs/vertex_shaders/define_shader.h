@@ -3,9 +3,9 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 
 /// Executes EndVertexShaderEXT: defines the bound shader as recorded.
-void defineVertexShader(Context &context, const VertexShaderRecorder::Recorded &recorded);
+void defineVertexShader(ProgramContext &context, const VertexShaderRecorder::Recorded &recorded);
 
 } // namespace arbiter::state

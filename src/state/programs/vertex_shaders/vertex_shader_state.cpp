@@ -3,15 +3,15 @@
 #include <array>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/imaging/imaging_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/program_context.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
 
-Vec4 followedValue(Context &context, const VertexSymbol &symbol, std::size_t row) {
+Vec4 followedValue(ProgramContext &context, const VertexSymbol &symbol, std::size_t row) {
   Vec4 value{};
   if (symbol.follows == VertexSymbol::Follows::SpotCutoff) {
     context.host->GetLightfv(GL_LIGHT0 + symbol.light, GL_SPOT_CUTOFF, value.data());
@@ -27,11 +27,11 @@ Vec4 followedValue(Context &context, const VertexSymbol &symbol, std::size_t row
 
 namespace {
 
-ProgramTarget &shaderRow(Context &context) { return context.row(Target::VertexShader); }
+ProgramTarget &shaderRow(ProgramContext &context) { return context.row(Target::VertexShader); }
 
 /// Sets the target's env parameters to the shader's invariants, or, if `all` is false, only to
 /// those that follow GL parameters.
-void takeValues(Context &context, const VertexShaderInputs &inputs, bool all) {
+void takeValues(ProgramContext &context, const VertexShaderInputs &inputs, bool all) {
   ProgramTarget &row = shaderRow(context);
   bool changed = false;
   for (std::size_t i = 0; i < inputs.env.size(); ++i) {
@@ -52,7 +52,7 @@ void takeValues(Context &context, const VertexShaderInputs &inputs, bool all) {
 
 } // namespace
 
-void bindVertexShader(Context &context, GLuint name) {
+void bindVertexShader(ProgramContext &context, GLuint name) {
   if (context.vertexShaders->recorder)
     return raise(context, GL_INVALID_OPERATION,
                  "BindVertexShader between Begin- and EndVertexShader");
@@ -66,7 +66,7 @@ void bindVertexShader(Context &context, GLuint name) {
   invalidateProgram(context);
 }
 
-void setInvariant(Context &context, GLuint name, const std::vector<Vec4> &rows) {
+void setInvariant(ProgramContext &context, GLuint name, const std::vector<Vec4> &rows) {
   VertexSymbolTable &table = context.group->vertexSymbols;
   const std::shared_ptr<VertexSymbol> symbol = table.find(name);
   if (!symbol)
@@ -78,7 +78,7 @@ void setInvariant(Context &context, GLuint name, const std::vector<Vec4> &rows) 
     context.attention |= shaderRow(context).parameterBits; // makes the next draw look
 }
 
-const ProgramTarget *vertexShaderEffective(Context &context) {
+const ProgramTarget *vertexShaderEffective(ProgramContext &context) {
   if (!context.vertexShaders)
     return nullptr;
   VertexShaderState &state = *context.vertexShaders;
@@ -95,7 +95,7 @@ const ProgramTarget *vertexShaderEffective(Context &context) {
   return &row;
 }
 
-void refreshVertexShader(Context &context) {
+void refreshVertexShader(ProgramContext &context) {
   VertexShaderState &state = *context.vertexShaders;
   if (!state.effective)
     return;
@@ -107,12 +107,12 @@ void refreshVertexShader(Context &context) {
   takeValues(context, *state.effective, all);
 }
 
-bool vertexShaderFollows(const Context &context) {
+bool vertexShaderFollows(const ProgramContext &context) {
   return context.vertexShaders && context.vertexShaders->effective &&
          context.vertexShaders->effective->follows;
 }
 
-bool vertexShaderValue(const Context &context, GLenum pname, GLint &value) {
+bool vertexShaderValue(const ProgramContext &context, GLenum pname, GLint &value) {
   if (!context.vertexShaders)
     return false;
   const ProgramTarget &row = context.row(Target::VertexShader);

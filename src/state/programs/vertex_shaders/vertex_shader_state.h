@@ -10,7 +10,7 @@
 
 namespace arbiter::state {
 
-class Context;
+struct ProgramContext;
 struct CompiledProgram;
 struct ProgramTarget;
 
@@ -41,24 +41,25 @@ struct VertexShaderState {
 };
 
 /// Executes BindVertexShaderEXT, called or from a list.
-void bindVertexShader(Context &context, GLuint name);
+void bindVertexShader(ProgramContext &context, GLuint name);
 /// Executes SetInvariantEXT, called or from a list. Requires an invariant that may be set.
 /// \param rows of its value
-void setInvariant(Context &context, GLuint name, const std::vector<Vec4> &rows);
+void setInvariant(ProgramContext &context, GLuint name, const std::vector<Vec4> &rows);
 
 /// Returns the target of vertex shaders if one is enabled and defined, and sets its invariants'
 /// values. Draws use it unless a vertex program is enabled.
-[[nodiscard]] const ProgramTarget *vertexShaderEffective(Context &context);
+[[nodiscard]] const ProgramTarget *vertexShaderEffective(ProgramContext &context);
 /// Updates values that have changed, in other contexts too, before a draw. Requires that no
 /// primitive is open.
-void refreshVertexShader(Context &context);
+void refreshVertexShader(ProgramContext &context);
 /// True if each draw must call refreshVertexShader().
-[[nodiscard]] bool vertexShaderFollows(const Context &context);
+[[nodiscard]] bool vertexShaderFollows(const ProgramContext &context);
 
 /// Returns a row of the GL value that a symbol follows. Requires that no primitive is open.
-[[nodiscard]] Vec4 followedValue(Context &context, const VertexSymbol &symbol, std::size_t row);
+[[nodiscard]] Vec4 followedValue(ProgramContext &context, const VertexSymbol &symbol,
+                                 std::size_t row);
 
 /// Answers GetIntegerv and similar queries. Returns false if the host must answer.
-[[nodiscard]] bool vertexShaderValue(const Context &context, GLenum pname, GLint &value);
+[[nodiscard]] bool vertexShaderValue(const ProgramContext &context, GLenum pname, GLint &value);
 
 } // namespace arbiter::state

@@ -14,7 +14,7 @@
 /// 3.8.13 to 3.10) as programs of Language::ArbFragment. Frames that mix it with the application's
 /// programs can then stay on the rasterizer.
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -59,12 +59,12 @@ class FixedFragments {
 public:
   /// Returns the program for the host's current state. Returns null, with the reason, if an
   /// environment is not supported. Call it after refresh().
-  [[nodiscard]] std::shared_ptr<const fp::ir::Program> get(Context &context, Mirror &mirror,
+  [[nodiscard]] std::shared_ptr<const fp::ir::Program> get(RasterContext &context, Mirror &mirror,
                                                            Outcome &outcome);
 
 private:
-  Outcome ask(Context &context);
-  Outcome completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key);
+  Outcome ask(RasterContext &context);
+  Outcome completeUnits(RasterContext &context, Mirror &mirror, FixedFragmentKey &key);
 
   FixedPrograms<FixedFragmentKey> m_programs;
   FixedFragmentKey m_state; ///< as queried; the units' kinds are not known yet

@@ -4,12 +4,12 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/unit_scope.h"
 #include "state/host_draw/texturing/fixed_function_now.h"
 #include "state/host_draw/texturing/sampler_override.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/fixed_function/fixed_fragment.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/units.h"
 
 namespace arbiter::state::software {
@@ -131,7 +131,7 @@ bool readsMissing(const FixedFragmentKey &key, const Combiner &half) {
 
 } // namespace
 
-Outcome FixedFragments::ask(Context &context) {
+Outcome FixedFragments::ask(RasterContext &context) {
   m_state = {};
   const unsigned units = std::min(unsigned(context.caps.maxTextureUnits), 8u);
   const fp::FixedFunction state = fixedFunctionNow(context, (1u << units) - 1u);
@@ -150,7 +150,8 @@ Outcome FixedFragments::ask(Context &context) {
 
 /// Completes the key with what depends on the textures. A unit with an incomplete texture counts as
 /// disabled.
-Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key) {
+Outcome FixedFragments::completeUnits(RasterContext &context, Mirror &mirror,
+                                      FixedFragmentKey &key) {
   for (std::size_t i = 0; i < key.units.size(); ++i) {
     TextureUnitKey &unit = key.units[i];
     if (unit.environment == Environment::Off)
@@ -185,7 +186,7 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
   return {};
 }
 
-std::shared_ptr<const fp::ir::Program> FixedFragments::get(Context &context, Mirror &mirror,
+std::shared_ptr<const fp::ir::Program> FixedFragments::get(RasterContext &context, Mirror &mirror,
                                                            Outcome &outcome) {
   if ((mirror.clock.changedSince(m_seen) & kGroups) != 0 || m_seen == 0)
     m_outcome = ask(context);

@@ -198,7 +198,7 @@ fp::ir::Vec4 output(const fp::ir::Program &program, const fp::ir::Evaluation &ev
   return {-99, -99, -99, -99};
 }
 
-fp::ir::Evaluation run(Context &context, const fp::ir::Program &program, const Vertex &vertex) {
+fp::ir::Evaluation run(RasterContext &context, const fp::ir::Program &program, const Vertex &vertex) {
   const std::vector<fp::ir::Vec4> attributes = attributesOf(program, vertex);
   fp::ir::Inputs inputs;
   inputs.attributes = attributes;
@@ -233,7 +233,7 @@ void expectSame(const fp::ir::Program &program, const fp::ir::Evaluation &got,
 TEST(FixedVertex, IsWhatTheHostMakesOfTheSameState) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   glViewport(0, 0, 64, 64);
   // The host only processes coordinates of units that are in use.
   const GLubyte texel[4] = {};
@@ -276,7 +276,7 @@ TEST(FixedVertex, IsWhatTheHostMakesOfTheSameState) {
 TEST(FixedVertex, PrimaryAndSecondarySumToTheSingleColour) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   Mirror mirror(*context.host, context.caps);
   VertexNeeds needs;
   needs.primary = needs.secondary = true;
@@ -330,7 +330,7 @@ TEST(FixedVertex, WhatIsNotNeededIsNotWritten) {
 TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
-  Context &context = host.context();
+  RasterContext &context = host.context();
   glMatrixMode(GL_MODELVIEW);
   glTranslatef(0, 0, -4);
   const GLdouble plane[4] = {1, 0, 0.5, 2};

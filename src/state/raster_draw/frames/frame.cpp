@@ -3,10 +3,10 @@
 #include <ctime>
 #include <numeric>
 
-#include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/functions/compile_thread.h"
 #include "state/raster_draw/functions/start_note.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -21,7 +21,13 @@ std::uint64_t transfers(const ContextState &state) {
 /// application.
 std::uint64_t workOf(const ContextState &state) {
   return std::accumulate(state.fallbacks.begin(), state.fallbacks.end(),
-                         state.drawn + state.hostTurns);
+                         state.drawn + state.frame.hostTurns);
+}
+
+void startFrame(ContextState &state) {
+  state.frame = {};
+  state.seen.work = workOf(state);
+  state.seen.drawn = state.drawn;
 }
 
 std::chrono::nanoseconds processorTime() {
@@ -33,10 +39,8 @@ std::chrono::nanoseconds processorTime() {
 
 /// Ignores a frame whose draws the host did for a client's sake.
 void passOver(ContextState &state) {
-  state.unjudged = state.observed = state.hostDrew = state.depthsTested = state.lacked = false;
-  state.hostTurns = state.lookTurns = 0;
-  state.workSeen = workOf(state);
-  state.drawnSeen = state.drawn;
+  state.lacked = false;
+  startFrame(state);
   state.history.backOff.frameIgnored(std::chrono::steady_clock::now());
 }
 
@@ -44,9 +48,9 @@ void passOver(ContextState &state) {
 /// Frames with programs never count: programs may be costly on the host, however few the draws.
 bool mixedInVain(const ContextState &state, bool moved) {
   constexpr std::uint64_t kLeastShare = 4;
-  const std::uint64_t drawn = state.drawn - state.drawnSeen;
-  return moved && state.drawsPlain && drawn != 0 &&
-         drawn * kLeastShare < workOf(state) - state.workSeen;
+  const std::uint64_t drawn = state.drawn - state.seen.drawn;
+  return moved && state.habits.drawsPlain && drawn != 0 &&
+         drawn * kLeastShare < workOf(state) - state.seen.work;
 }
 
 /// Updates the history after a frame in which something was drawn.
@@ -54,38 +58,35 @@ void judgeWhole(ContextState &state, bool moved) {
   FrameHistory &history = state.history;
   history.waitsForCode = false;
   // A frame that the host drew before it could be judged says nothing either.
-  if (state.hostTurns != 0 || !state.unjudged) {
+  if (state.frame.hostTurns != 0 || !state.frame.unjudged) {
     history.judged = true;
-    history.wholeFrames = history.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
+    history.wholeFrames =
+        history.trials.frameEnded(state.frame.hostTurns == 0, state.frame.depthsTested);
     if (!state.steady)
-      noteFrame(state.hostTurns == 0);
+      noteFrame(state.frame.hostTurns == 0);
   }
-  const bool lookedAt = history.backOff.engaged() && !state.unjudged;
-  if (history.look.frameEnded(lookedAt && state.hostTurns == state.lookTurns))
+  const bool lookedAt = history.backOff.engaged() && !state.frame.unjudged;
+  if (history.look.frameEnded(lookedAt && state.frame.hostTurns == state.frame.lookTurns))
     history.wholeFrames = true;
-  history.unjudgedFrames = state.unjudged ? history.unjudgedFrames + 1 : 0;
-  state.unjudged = false;
-  state.lacked = state.hostTurns > state.lookTurns && history.backOff.engaged() &&
+  history.unjudgedFrames = state.frame.unjudged ? history.unjudgedFrames + 1 : 0;
+  state.lacked = state.frame.hostTurns > state.frame.lookTurns && history.backOff.engaged() &&
                  !history.look.isRasterizers();
-  history.mixesInVain =
-      state.hostTurns != 0 && (history.mixesInVain || (state.lacked && mixedInVain(state, moved)));
-  state.hostTurns = state.lookTurns = 0;
-  state.workSeen = workOf(state);
-  state.drawnSeen = state.drawn;
+  history.mixesInVain = state.frame.hostTurns != 0 &&
+                        (history.mixesInVain || (state.lacked && mixedInVain(state, moved)));
 }
 
-void judge(Context &context, bool moved) {
+void judge(RasterContext &context, bool moved) {
   ContextState &state = *context.software;
-  if (state.observed)
+  if (state.frame.observed)
     return passOver(state);
-  const bool plain = state.drawsPlain && !state.hostDrew && state.hostTurns == 0;
+  const bool plain = state.habits.drawsPlain && !state.frame.hostDrew && state.frame.hostTurns == 0;
   // An empty frame says nothing about the next one.
-  const bool drew = workOf(state) != state.workSeen;
+  const bool drew = workOf(state) != state.seen.work;
   if (drew) {
     frameEndsForCompiler();
     judgeWhole(state, moved);
   }
-  state.hostDrew = state.depthsTested = false;
+  startFrame(state);
   state.history.backOff.frameEnded(
       {moved, plain, state.history.look.isRasterizers(),
        state.history.backOff.tries() ? processorTime() : std::chrono::nanoseconds()},
@@ -94,36 +95,36 @@ void judge(Context &context, bool moved) {
     keepHistory(state.history);
 }
 
-void endFrame(Context &context) {
+void endFrame(RasterContext &context) {
   ContextState &state = *context.software;
   const std::uint64_t now = transfers(state);
-  judge(context, now != state.transfersSeen);
-  state.transfersSeen = now;
+  judge(context, now != state.seen.transfers);
+  state.seen.transfers = now;
 }
 
 } // namespace
 
-bool presentFrame(Context &context) {
+bool presentFrame(RasterContext &context) {
   ContextState &state = *context.software;
-  state.presents = true;
-  const bool moved = transfers(state) != state.transfersSeen;
+  state.habits.presents = true;
+  const bool moved = transfers(state) != state.seen.transfers;
   const bool shown = state.residency.present();
-  state.transfersSeen = transfers(state);
+  state.seen.transfers = transfers(state);
   judge(context, moved);
   return shown;
 }
 
-void finishFrame(Context &context) {
+void finishFrame(RasterContext &context) {
   ContextState &state = *context.software;
-  if (state.presents)
+  if (state.habits.presents)
     return;
-  state.finishes = true;
+  state.habits.finishes = true;
   endFrame(context);
 }
 
-void clearsTarget(Context &context, GLbitfield mask) {
+void clearsTarget(RasterContext &context, GLbitfield mask) {
   ContextState &state = *context.software;
-  if (state.presents || state.finishes)
+  if (state.habits.presents || state.habits.finishes)
     return;
   const void *const target = state.residency.wholeTargetCleared(mask);
   if (!target)

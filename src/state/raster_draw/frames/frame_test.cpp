@@ -1,4 +1,5 @@
 // Checks where frames end, and which of them count as whole frames of the rasterizer.
+#include "state/context/context.h"
 #include "state/raster_draw/frames/frame.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ protected:
     context().dirty = dirty::kAll;
     context().software->residency.enter(context().drawable);
   }
-  Context &context() { return m_host.context(); }
+  RasterContext &context() { return m_host.context(); }
   ContextState &state() { return *context().software; }
   const host::HostTable &gl() { return m_host.gl(); }
   void clear(GLbitfield mask) {
@@ -41,9 +42,9 @@ protected:
   void drawn() { ++state().drawn; }
   void drawnWithDepths() {
     drawn();
-    state().depthsTested = true;
+    state().frame.depthsTested = true;
   }
-  void drawnByHost() { ++state().hostTurns; }
+  void drawnByHost() { ++state().frame.hostTurns; }
 
 private:
   RealHost m_host;
@@ -129,8 +130,8 @@ TEST_F(Frame, ThoseOfFinishAndOfWindowsEndThereAlone) {
 TEST_F(Frame, LacksWhatIsTheHostsForMoreThanItsLook) {
   const auto frame = [&](std::uint64_t turns, std::uint64_t looks) {
     drawn();
-    state().hostTurns = turns;
-    state().lookTurns = looks;
+    state().frame.hostTurns = turns;
+    state().frame.lookTurns = looks;
     finishFrame(context());
     return state().lacked;
   };
@@ -150,11 +151,11 @@ TEST_F(Frame, MixesInVainWhereLittleIsDrawnBesideTheHost) {
     state().drawn += std::uint64_t(drawnHere);
     for (int i = 0; i < hosts; ++i)
       state().fellBack(Fallback::Mixed);
-    state().hostTurns += hosts != 0 ? 1 : 0;
+    state().frame.hostTurns += hosts != 0 ? 1 : 0;
     if (!moved)
-      state().transfersSeen = 0;
+      state().seen.transfers = 0;
     else
-      --state().transfersSeen;
+      --state().seen.transfers;
     finishFrame(context());
     return state().history.mixesInVain;
   };
@@ -163,7 +164,7 @@ TEST_F(Frame, MixesInVainWhereLittleIsDrawnBesideTheHost) {
   EXPECT_TRUE(frame(1, 40, true));
   EXPECT_TRUE(frame(0, 41, false)) << "the host draws all of it now";
   EXPECT_FALSE(frame(41, 0, false)) << "a whole one";
-  state().drawsPlain = false;
+  state().habits.drawsPlain = false;
   EXPECT_FALSE(frame(1, 40, true)) << "a program may be worth it";
 }
 
@@ -171,7 +172,7 @@ TEST_F(Frame, MixesInVainWhereLittleIsDrawnBesideTheHost) {
 TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
   const auto frame = [&](bool unjudged) {
     state().fellBack(unjudged ? Fallback::Compiling : Fallback::Mixed);
-    state().unjudged = unjudged;
+    state().frame.unjudged = unjudged;
     finishFrame(context());
   };
   frame(true);
@@ -181,7 +182,7 @@ TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
   EXPECT_TRUE(state().history.wholeFrames);
   frame(true);
   EXPECT_TRUE(state().history.wholeFrames) << "nor does it end a row of whole ones";
-  state().unjudged = true;
+  state().frame.unjudged = true;
   drawnByHost();
   finishFrame(context());
   EXPECT_FALSE(state().history.wholeFrames)
@@ -195,12 +196,12 @@ TEST_F(Frame, WhatWasObservedSaysNothing) {
   ASSERT_TRUE(state().history.wholeFrames);
   for (int i = 0; i < 3; ++i) {
     state().fellBack(Fallback::Observed);
-    state().observed = true;
+    state().frame.observed = true;
     drawnByHost(); // a list of the host's
     finishFrame(context());
     EXPECT_TRUE(state().history.wholeFrames);
     EXPECT_TRUE(state().mayTestDepth()) << "the frame behind it is drawn as those before";
-    EXPECT_FALSE(state().observed);
+    EXPECT_FALSE(state().frame.observed);
   }
   drawnByHost();
   finishFrame(context());
@@ -211,7 +212,7 @@ TEST_F(Frame, NotEachOfAnApplicationsFramesGoesUnjudged) {
   int unjudged = 0;
   for (; state().mayGoUnjudged() && unjudged < 100; ++unjudged) {
     state().fellBack(Fallback::Compiling);
-    state().unjudged = true;
+    state().frame.unjudged = true;
     finishFrame(context());
   }
   EXPECT_EQ(unjudged, ContextState::kMaxUnjudged);
@@ -223,7 +224,7 @@ TEST_F(Frame, NotEachOfAnApplicationsFramesGoesUnjudged) {
 TEST_F(Frame, AnApplicationThatReadsPixelsWaitsForMachineCode) {
   ASSERT_TRUE(state().mayGoUnjudged(true));
   std::uint32_t pixel = 0;
-  handlers::ReadPixels(context(), 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+  handlers::ReadPixels(wholeOf(context()), 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
   EXPECT_FALSE(state().mayGoUnjudged(true)) << "the next picture may be compared with this one";
   EXPECT_FALSE(state().mayGoUnjudged());
 }

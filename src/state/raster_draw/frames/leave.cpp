@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include "state/core/context.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -46,7 +46,7 @@ bool gainsNothing(const LeftAlone &left) {
          left.gainlessFrames >= left.mostGainless;
 }
 
-void leave(Context &context, LeftAlone &left) {
+void leave(RasterContext &context, LeftAlone &left) {
   ContextState &state = *context.software;
   invalidateProgram(context);
   state.history.look.becomesHosts(); // the host may draw looks meanwhile
@@ -105,7 +105,7 @@ bool isToReturn(LeftAlone &left, std::uint64_t frames, Clock::time_point now) {
 
 } // namespace
 
-void leaveOrReturn(Context &context, Clock::time_point now) {
+void leaveOrReturn(RasterContext &context, Clock::time_point now) {
   if (context.insideBeginEnd || context.listMode != 0)
     return;
   const ContextState *const state = context.software.get();

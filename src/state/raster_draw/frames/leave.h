@@ -46,8 +46,8 @@ struct LeftAlone {
   /// compiled meanwhile are then kept, unless they change.
   bool keepsLists = false;
   Figures figures;         ///< counts from before the context was left
-  std::uint64_t since = 0; ///< Context::frames when it was left
-  std::uint64_t until = 0; ///< Context::frames when it is looked at again
+  std::uint64_t since = 0; ///< Counters::frames when it was left
+  std::uint64_t until = 0; ///< Counters::frames when it is looked at again
   std::uint64_t patience = kLeastAlone;
   OtherTimes times;
   std::chrono::steady_clock::time_point frameEnd;
@@ -57,7 +57,7 @@ struct LeftAlone {
 
 /// Handles a frame that was shown. A context that gains nothing loses its ContextState. One that
 /// was left alone long enough may get one again.
-void leaveOrReturn(Context &context,
+void leaveOrReturn(RasterContext &context,
                    std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
 
 } // namespace arbiter::state::software

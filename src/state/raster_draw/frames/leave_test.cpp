@@ -1,4 +1,5 @@
 // Checks that a context that gains nothing is left alone.
+#include "state/context/context.h"
 #include "state/raster_draw/frames/leave.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ protected:
     engage(context());
     ASSERT_TRUE(context().software);
   }
-  Context &context() { return m_host.context(); }
+  RasterContext &context() { return m_host.context(); }
   /// Ends `count` frames with one refused draw each.
   void frames(int count, Fallback reason) {
     for (int i = 0; i < count; ++i) {
@@ -163,11 +164,11 @@ TEST_F(Leave, FramesOfAnotherTimeAreLookedAtSoon) {
 
 TEST_F(Leave, ListsThatChangeMeanwhileAreTheHosts) {
   const auto compile = [&] {
-    handlers::NewList(context(), 1, GL_COMPILE);
-    handlers::Begin(context(), GL_POINTS);
+    handlers::NewList(wholeOf(context()), 1, GL_COMPILE);
+    handlers::Begin(wholeOf(context()), GL_POINTS);
     const bool kept = context().list->keeps();
-    handlers::End(context());
-    handlers::EndList(context());
+    handlers::End(wholeOf(context()));
+    handlers::EndList(wholeOf(context()));
     return kept;
   };
   EXPECT_TRUE(compile());

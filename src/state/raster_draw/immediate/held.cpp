@@ -1,6 +1,5 @@
 #include "state/raster_draw/immediate/held.h"
 
-#include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/mirror/dirty_bits.h"
@@ -10,6 +9,7 @@
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -17,7 +17,7 @@ namespace {
 
 /// Passes a vertex outside of Begin and End to the host, which ignores it.
 bool vertexOutside(void *owner, const float position[4]) {
-  auto &context = *static_cast<Context *>(owner);
+  auto &context = *static_cast<RasterContext *>(owner);
   drawHeld(context);
   context.dirty |= dirty::kCurrent;
   setAttribute(*context.host, kPosition, position);
@@ -26,7 +26,7 @@ bool vertexOutside(void *owner, const float position[4]) {
 
 } // namespace
 
-bool holdPrimitive(Context &context) {
+bool holdPrimitive(RasterContext &context) {
   ContextState &state = *context.software;
   ImmediateRecorder &recorder = state.recorder;
   if (context.recorder != &recorder || state.openParts || recorder.failed())
@@ -44,7 +44,7 @@ bool holdPrimitive(Context &context) {
   return true;
 }
 
-bool reopenHeld(Context &context, GLenum mode) {
+bool reopenHeld(RasterContext &context, GLenum mode) {
   ContextState &state = *context.software;
   if (mode != state.recorder.mode()) {
     drawHeld(context);
@@ -62,7 +62,7 @@ bool reopenHeld(Context &context, GLenum mode) {
 }
 
 void drawHeld(ContextHot &hot) {
-  auto &context = static_cast<Context &>(hot);
+  auto &context = rasterStep(hot);
   const ImmediateInputs inputs(context);
   stopRecording(context);
   withinMemory(context, "End", [&] { endHeld(context); });
@@ -70,7 +70,7 @@ void drawHeld(ContextHot &hot) {
 
 const host::HostTable *answeringHost(ContextHot &hot) {
   const bool standsIn = hot.listMode != 0 && hot.host == &kRecordingHost;
-  return standsIn ? static_cast<Context &>(hot).trueHost : hot.host;
+  return standsIn ? rasterStep(hot).trueHost : hot.host;
 }
 
 } // namespace arbiter::state::software

@@ -3,7 +3,7 @@
 
 #include <GL/gl.h>
 
-#include "state/core/context.h"
+#include "state/raster_draw/raster_context.h"
 
 /// Holds ended primitives of Begin and End, so that several can be drawn as one. Old applications
 /// make a primitive of each triangle. Points, lines, triangles and quads share no vertices, so
@@ -22,9 +22,9 @@ inline constexpr std::uint32_t kMaxHeld = 3072;
   return (hot.attention & attention::kHeld) != 0;
 }
 /// Holds the recorded primitive at End. Returns false if it cannot be held and must be drawn.
-[[nodiscard]] bool holdPrimitive(Context &context);
+[[nodiscard]] bool holdPrimitive(RasterContext &context);
 /// Continues the held primitive at Begin. Returns false if nothing is held any more.
-[[nodiscard]] bool reopenHeld(Context &context, GLenum mode);
+[[nodiscard]] bool reopenHeld(RasterContext &context, GLenum mode);
 /// Draws the held primitives. Requires isHeld().
 [[gnu::cold]] void drawHeld(ContextHot &hot);
 

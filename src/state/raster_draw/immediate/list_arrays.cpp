@@ -6,12 +6,12 @@
 #include <cstring>
 #include <utility>
 
-#include "state/core/context.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/host_draw/stages/application_glsl.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/primitives/recorder.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/vertices/vertex_convert.h"
 #include "state/raster_draw/vertices/vertex_fetch.h"
 
@@ -23,12 +23,12 @@ namespace {
 /// vertices once.
 constexpr GLsizei kMaxVertices = 1 << 20;
 
-const host::HostTable &ownHostOf(const Context &context) {
+const host::HostTable &ownHostOf(const RasterContext &context) {
   return context.host == &kRecordingHost ? *context.trueHost : *context.host;
 }
 
 /// True if the application's own GLSL shades vertices now.
-bool applicationShadesVertices(Context &context) {
+bool applicationShadesVertices(RasterContext &context) {
   const host::HostTable &host = ownHostOf(context);
   const auto name = [&](GLenum binding) {
     GLint value = 0;
@@ -45,7 +45,7 @@ bool applicationShadesVertices(Context &context) {
 
 /// Returns the generic arrays that the host would not alias with the conventional ones, in a list
 /// that is compiled or under fixed function. 0 means that the host draws correctly.
-std::uint32_t strangeArrays(Context &context) {
+std::uint32_t strangeArrays(RasterContext &context) {
   if (!context.attributesAlias || context.aliases->arraysUsed == 0 || context.aliases->areOne ||
       context.insideBeginEnd) [[likely]]
     return 0;
@@ -60,7 +60,7 @@ std::uint32_t strangeArrays(Context &context) {
 /// nor has an open primitive.
 class OwnHost {
 public:
-  explicit OwnHost(Context &context) : m_context(context), m_before(context.host) {
+  explicit OwnHost(RasterContext &context) : m_context(context), m_before(context.host) {
     context.host = &ownHostOf(context);
   }
   ~OwnHost() { m_context.host = m_before; }
@@ -68,11 +68,11 @@ public:
   OwnHost &operator=(const OwnHost &) = delete;
 
 private:
-  Context &m_context;
+  RasterContext &m_context;
   const host::HostTable *const m_before;
 };
 
-ListArrays &arraysOf(Context &context) {
+ListArrays &arraysOf(RasterContext &context) {
   ListRecorder::Arrays &arrays = context.list->arrays();
   if (!arrays)
     arrays = {new ListArrays(ownHostOf(context), context.caps),
@@ -82,7 +82,7 @@ ListArrays &arraysOf(Context &context) {
 
 class OpenArrays {
 public:
-  OpenArrays(Context &context, const DrawCommand &command)
+  OpenArrays(RasterContext &context, const DrawCommand &command)
       : m_context(context), m_arrays(arraysOf(context)) {
     const OwnHost host(context);
     isOpen = m_arrays.open(context, command,
@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  Context &m_context;
+  RasterContext &m_context;
   ListArrays &m_arrays;
 };
 
@@ -179,7 +179,7 @@ namespace {
 
 /// Returns the aliases that count now. Arrays enabled by EnableClientState count as conventional
 /// ones while a program reads them.
-AttributeAliases aliasesNow(const Context &context) {
+AttributeAliases aliasesNow(const RasterContext &context) {
   if (!context.attributesAlias)
     return {};
   const bool program = context.row(Target::Vertex).enabled;
@@ -189,7 +189,7 @@ AttributeAliases aliasesNow(const Context &context) {
 
 } // namespace
 
-bool ListArrays::open(Context &context, const DrawCommand &command, bool changed) {
+bool ListArrays::open(RasterContext &context, const DrawCommand &command, bool changed) {
   // Buffers can be written without notice here, and primitive restart has no dirty bit of its own.
   const AttributeAliases aliases = aliasesNow(context);
   changed = std::exchange(m_aliases, aliases) != aliases || changed;
@@ -255,7 +255,7 @@ void ListArrays::sendTo(const host::HostTable &host, const DrawCommand &command)
   });
 }
 
-bool recordArrays(Context &context, const DrawCommand &command) {
+bool recordArrays(RasterContext &context, const DrawCommand &command) {
   if (!context.list->keeps() || context.insideBeginEnd || context.list->recordsPrimitive() ||
       command.count > kMaxVertices || !context.list->hasRoom(command.count))
     return false;
@@ -275,7 +275,7 @@ bool recordArrays(Context &context, const DrawCommand &command) {
   return true;
 }
 
-bool recordElement(Context &context, GLint index) {
+bool recordElement(RasterContext &context, GLint index) {
   const DrawCommand command = {.first = index, .count = 1};
   // While aliases are in use, the rasterizer's open primitive cannot go to the host with this
   // element: the host would misread its arrays.
@@ -289,7 +289,7 @@ bool recordElement(Context &context, GLint index) {
   return arrays.isOpen;
 }
 
-bool aliasedDraw(Context &context, const DrawCommand &command) {
+bool aliasedDraw(RasterContext &context, const DrawCommand &command) {
   const bool draws = command.mode <= GL_POLYGON && command.count > 0 && command.first >= 0 &&
                      !context.insideBeginEnd;
   if (!draws || strangeArrays(context) == 0) [[likely]]
@@ -302,37 +302,38 @@ bool aliasedDraw(Context &context, const DrawCommand &command) {
   return true;
 }
 
-bool aliasedDrawRange(Context &context, GLuint start, GLuint end, const DrawCommand &command) {
+bool aliasedDrawRange(RasterContext &context, GLuint start, GLuint end,
+                      const DrawCommand &command) {
   return end >= start && aliasedDraw(context, command);
 }
 
 namespace {
 
 /// True if a multi-draw is left to the host: it is an error, or no array aliases.
-bool drawsNone(Context &context, GLenum mode, const GLsizei *count, GLsizei drawCount) {
+bool drawsNone(RasterContext &context, GLenum mode, const GLsizei *count, GLsizei drawCount) {
   return mode > GL_POLYGON || drawCount <= 0 || strangeArrays(context) == 0 ||
          std::any_of(count, count + drawCount, [](GLsizei each) { return each < 0; });
 }
 
 } // namespace
 
-void drawEach(Context &context, const MultiDraw &draws,
-              bool (*takes)(Context &, const DrawCommand &)) {
+void drawEach(RasterContext &context, const MultiDraw &draws,
+              bool (*takes)(RasterContext &, const DrawCommand &)) {
   for (GLsizei i = 0; i < draws.drawCount; ++i)
     if (const DrawCommand command = draws.at(i); !takes(context, command))
       drawOnHost(*context.host, command, nullptr);
 }
 
-bool aliasedMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
-                            GLsizei drawCount) {
+bool aliasedMultiDrawArrays(RasterContext &context, GLenum mode, const GLint *first,
+                            const GLsizei *count, GLsizei drawCount) {
   if (drawsNone(context, mode, count, drawCount)) [[likely]]
     return false;
   drawEach(context, {mode, first, count, drawCount}, aliasedDraw);
   return true;
 }
 
-bool aliasedMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLenum type,
-                              const void *const *indices, GLsizei drawCount,
+bool aliasedMultiDrawElements(RasterContext &context, GLenum mode, const GLsizei *count,
+                              GLenum type, const void *const *indices, GLsizei drawCount,
                               const GLint *baseVertices) {
   if (drawsNone(context, mode, count, drawCount)) [[likely]]
     return false;

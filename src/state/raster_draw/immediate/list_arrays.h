@@ -12,7 +12,7 @@
 /// vertices when the list is compiled, because pointers and enables are no part of a list (OpenGL
 /// 2.1, 5.4). A draw equals Begin, an ArrayElement for each vertex, and End (2.8).
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -31,8 +31,8 @@ public:
   /// Opens the enabled arrays until close(), which must always be called.
   /// \param changed true if the arrays may have changed since the last call
   /// \return false if some can only be read by the host, or lie outside their buffers
-  [[nodiscard]] bool open(Context &context, const DrawCommand &command, bool changed);
-  void close(Context &context) { m_source.close(context); }
+  [[nodiscard]] bool open(RasterContext &context, const DrawCommand &command, bool changed);
+  void close(RasterContext &context) { m_source.close(context); }
   /// Adds the command's vertices. Requires open().
   void addTo(ImmediateRecorder &recorder, const DrawCommand &command) const;
   /// Sends the command's vertices to the host, between Begin and End. Requires open().
@@ -51,23 +51,24 @@ private:
 
 /// Records a draw in the list being compiled. Returns false if the host must. Requires that the
 /// command is legal and draws something.
-[[nodiscard]] bool recordArrays(Context &context, const DrawCommand &command);
+[[nodiscard]] bool recordArrays(RasterContext &context, const DrawCommand &command);
 /// Records ArrayElement in an open primitive. Returns false if none is being recorded.
-[[nodiscard]] bool recordElement(Context &context, GLint index);
+[[nodiscard]] bool recordElement(RasterContext &context, GLint index);
 
 // --- Draws by the host whose arrays it would misread (strangeArrays()). They are sent as Begin, an
 // ArrayElement for each vertex, and End, and return true. Requires that state is validated. ---
 
-[[nodiscard]] bool aliasedDraw(Context &context, const DrawCommand &command);
-[[nodiscard]] bool aliasedDrawRange(Context &context, GLuint start, GLuint end,
+[[nodiscard]] bool aliasedDraw(RasterContext &context, const DrawCommand &command);
+[[nodiscard]] bool aliasedDrawRange(RasterContext &context, GLuint start, GLuint end,
                                     const DrawCommand &command);
 /// Executes a multi-draw: each draw by `takes`, or else on the host.
-void drawEach(Context &context, const MultiDraw &draws,
-              bool (*takes)(Context &, const DrawCommand &));
-[[nodiscard]] bool aliasedMultiDrawArrays(Context &context, GLenum mode, const GLint *first,
+void drawEach(RasterContext &context, const MultiDraw &draws,
+              bool (*takes)(RasterContext &, const DrawCommand &));
+[[nodiscard]] bool aliasedMultiDrawArrays(RasterContext &context, GLenum mode, const GLint *first,
                                           const GLsizei *count, GLsizei drawCount);
-[[nodiscard]] bool aliasedMultiDrawElements(Context &context, GLenum mode, const GLsizei *count,
-                                            GLenum type, const void *const *indices,
-                                            GLsizei drawCount, const GLint *baseVertices);
+[[nodiscard]] bool aliasedMultiDrawElements(RasterContext &context, GLenum mode,
+                                            const GLsizei *count, GLenum type,
+                                            const void *const *indices, GLsizei drawCount,
+                                            const GLint *baseVertices);
 
 } // namespace arbiter::state::software

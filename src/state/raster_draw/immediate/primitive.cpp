@@ -5,7 +5,6 @@
 #include <span>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
 #include "state/primitives/joined.h"
@@ -17,19 +16,20 @@
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/large_draw.h"
 #include "state/raster_draw/pipeline.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
 namespace {
 
 /// Gives the recorded vertices to the host, and counts the reason.
-void replayFor(Context &context, Fallback reason) {
+void replayFor(RasterContext &context, Fallback reason) {
   withinMemory(context, "End", [&] { giveToHost(context, reason); });
   replayToHost(context);
 }
 
 /// Returns the material parts that affect pixels if they differ.
-MaterialMask visible(Context &context) {
+MaterialMask visible(RasterContext &context) {
   const VertexState &state = context.software->mirror.vertex;
   if (!state.lighting || !pipelineOf(context).hasFixedVertices())
     return 0;
@@ -39,7 +39,7 @@ MaterialMask visible(Context &context) {
 /// Prepares the materials of recorded vertices. Parts that all vertices share are set on the host,
 /// and functions are chosen for the others. Not ok if the host must draw. Requires that no
 /// primitive is open.
-Outcome readyMaterials(Context &context) {
+Outcome readyMaterials(RasterContext &context) {
   ContextState &state = *context.software;
   MaterialParts &materials = state.materials;
   const MaterialMask touched = materialsIn(state.recorder.touched());
@@ -58,7 +58,7 @@ Outcome readyMaterials(Context &context) {
 }
 
 /// Draws with the chosen functions, after choosing others if materials require it.
-template <typename Draw> Outcome drawWithMaterials(Context &context, Draw draw) {
+template <typename Draw> Outcome drawWithMaterials(RasterContext &context, Draw draw) {
   return outcomeOf(context, [&] {
     const Outcome outcome = readyMaterials(context);
     return outcome.ok() ? draw() : outcome;
@@ -67,7 +67,7 @@ template <typename Draw> Outcome drawWithMaterials(Context &context, Draw draw) 
 
 /// Draws the recorder's primitives [0, starts().size()), and with `last` the last one too. If the
 /// outcome is not ok, nothing has been drawn.
-Outcome drawJoined(Context &context, const VertexSource &source, bool last) {
+Outcome drawJoined(RasterContext &context, const VertexSource &source, bool last) {
   ContextState &state = *context.software;
   const ImmediateRecorder &recorder = state.recorder;
   const std::span<const std::uint32_t> starts = recorder.starts();
@@ -89,7 +89,7 @@ Outcome drawJoined(Context &context, const VertexSource &source, bool last) {
 /// alone. If that fails, the host gets all of them, and the vertex at `position`. Returns false
 /// then.
 bool drawEarlier(void *owner, const float position[4]) {
-  auto &context = *static_cast<Context *>(owner);
+  auto &context = *static_cast<RasterContext *>(owner);
   ContextState &state = *context.software;
   ImmediateRecorder &recorder = state.recorder;
   stopRecording(context);
@@ -117,7 +117,7 @@ bool drawEarlier(void *owner, const float position[4]) {
 /// Draws the full parts of a primitive that has more vertices than a draw may have. If that fails,
 /// the host gets the primitive from here on, and the vertex at `position`. Returns false then.
 bool drawOpen(void *owner, const float position[4]) {
-  auto &context = *static_cast<Context *>(owner);
+  auto &context = *static_cast<RasterContext *>(owner);
   ContextState &state = *context.software;
   ImmediateRecorder &recorder = state.recorder;
   stopRecording(context);
@@ -155,7 +155,7 @@ bool drawOpen(void *owner, const float position[4]) {
 
 } // namespace
 
-void limitOpen(Context &context) {
+void limitOpen(RasterContext &context) {
   ImmediateRecorder &recorder = context.software->recorder;
   if (opensInParts(context, pipelineOf(context)))
     recorder.limit(kMaxAtOnce, drawOpen, &context);
@@ -163,7 +163,7 @@ void limitOpen(Context &context) {
     recorder.unlimit();
 }
 
-bool openNext(Context &context) {
+bool openNext(RasterContext &context) {
   ImmediateRecorder &recorder = context.software->recorder;
   try {
     recorder.next();
@@ -174,7 +174,7 @@ bool openNext(Context &context) {
   return true;
 }
 
-bool beginPrimitive(Context &context, GLenum mode) {
+bool beginPrimitive(RasterContext &context, GLenum mode) {
   ContextState &state = *context.software;
   const Outcome outcome =
       outcomeOf(context, [&] { return decide(context, mode, 0, state.materials.chosen); });
@@ -194,11 +194,11 @@ bool beginPrimitive(Context &context, GLenum mode) {
 namespace {
 
 /// Draws `primitives` consecutive primitives. \param haveWaited true if they were held
-void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
+void drawRecorded(RasterContext &context, std::uint32_t primitives, bool haveWaited) {
   ContextState &state = *context.software;
   const VertexSource source = state.recorder.end();
   const std::uint32_t count = state.recorder.count();
-  state.recordsMany = state.recordsMany || count >= kManyVertices;
+  state.habits.recordsMany = state.habits.recordsMany || count >= kManyVertices;
   state.held = 0;
   Outcome outcome;
   if (state.recorder.failed())
@@ -231,11 +231,11 @@ void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
 
 } // namespace
 
-void endPrimitive(Context &context) {
+void endPrimitive(RasterContext &context) {
   const std::uint32_t held = context.software->held;
   drawRecorded(context, held + 1, held != 0);
 }
 
-void endHeld(Context &context) { drawRecorded(context, context.software->held, true); }
+void endHeld(RasterContext &context) { drawRecorded(context, context.software->held, true); }
 
 } // namespace arbiter::state::software

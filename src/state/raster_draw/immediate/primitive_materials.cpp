@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -51,7 +51,7 @@ MaterialMask tracked(const VertexState &state) {
 }
 
 /// Returns the current material of the real host.
-std::array<float, 4> currentMaterial(const Context &context, int material) {
+std::array<float, 4> currentMaterial(const RasterContext &context, int material) {
   std::array<float, 4> value{};
   context.trueHost->GetMaterialfv(material < kMaterialParts ? GL_FRONT : GL_BACK,
                                   materialName(material), value.data());
@@ -61,7 +61,7 @@ std::array<float, 4> currentMaterial(const Context &context, int material) {
 } // namespace
 
 bool recordsMaterial(ContextHot &hot, GLenum face, GLenum pname, const GLfloat *values) {
-  const auto &context = static_cast<const Context &>(hot);
+  const auto &context = static_cast<const RasterContext &>(hot);
   if (!context.software || context.listMode != 0 ||
       context.recorder != &context.software->recorder || !values)
     return false;
@@ -97,7 +97,7 @@ bool recordsMaterial(ContextHot &hot, GLenum face, GLenum pname, const GLfloat *
   return true;
 }
 
-SlotMask slotsToSet(const Context &context) {
+SlotMask slotsToSet(const RasterContext &context) {
   const ContextState &state = *context.software;
   return state.recorder.touched() & ~slotsOfMaterials(state.materials.given);
 }

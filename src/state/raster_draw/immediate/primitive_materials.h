@@ -10,7 +10,7 @@
 /// fixed function's vertices (fixed_function/). Programs of the application that read materials use
 /// those of before the primitive, so the primitive is split for them (split.h).
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -22,6 +22,6 @@ namespace arbiter::state::software {
 
 /// Returns the slots that the host must be given after the primitive
 /// (ImmediateRecorder::touched()), without those that it already has.
-[[nodiscard]] SlotMask slotsToSet(const Context &context);
+[[nodiscard]] SlotMask slotsToSet(const RasterContext &context);
 
 } // namespace arbiter::state::software

@@ -14,7 +14,7 @@ namespace {
 /// Makes the real host available for queries while it lives. No primitive is open on it.
 class HostBehind {
 public:
-  explicit HostBehind(Context &context) : m_context(context) {
+  explicit HostBehind(RasterContext &context) : m_context(context) {
     context.host = context.trueHost;
     context.insideBeginEnd = false;
   }
@@ -26,13 +26,13 @@ public:
   HostBehind &operator=(const HostBehind &) = delete;
 
 private:
-  Context &m_context;
+  RasterContext &m_context;
 };
 
 } // namespace
 
 bool refuses(ContextHot &hot, const char *command) {
-  auto &context = static_cast<Context &>(hot);
+  auto &context = rasterStep(hot);
   if (isHeld(hot)) {
     drawHeld(hot);
     return false;

@@ -1,5 +1,5 @@
 #pragma once
-#include "state/core/context.h"
+#include "state/raster_draw/raster_context.h"
 
 /// Refuses commands that are errors between Begin and End (OpenGL 2.1, 2.6.3), while a primitive is
 /// recorded. Some applications set state there or nest primitives, and run on other drivers, where

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cstring>
 
-#include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/host_draw/draw.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -40,7 +40,7 @@ private:
 };
 
 /// Updates the mirror after the host was given current values.
-void noteSet(Context &context, const CurrentValues &values, SlotMask slots) {
+void noteSet(RasterContext &context, const CurrentValues &values, SlotMask slots) {
   if (materialsIn(slots) != 0) [[unlikely]]
     context.dirty |= dirty::kMaterial | dirty::kProgramState;
   if (context.software)
@@ -84,7 +84,7 @@ void setAttribute(const host::HostTable &host, int slot, const float *v, int com
   }
 }
 
-void startRecording(Context &context) {
+void startRecording(RasterContext &context) {
   context.trueHost = context.host;
   context.host = &kRecordingHost;
   context.recorder = &context.software->recorder;
@@ -92,14 +92,14 @@ void startRecording(Context &context) {
   context.insideBeginEnd = true;
 }
 
-void stopRecording(Context &context) {
+void stopRecording(RasterContext &context) {
   context.attention &= ~(attention::kHeld | attention::kRecorded);
   context.host = context.trueHost;
   context.recorder = nullptr;
 }
 
 const host::HostTable *flushToHost() {
-  auto &context = static_cast<Context &>(*t_current);
+  auto &context = rasterStep(*t_current);
   if (context.host != &kRecordingHost)
     return context.host; // the caller holds a pointer to the table of a moment ago
   if (context.listMode != 0) {
@@ -162,14 +162,14 @@ void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder) {
   host.End();
 }
 
-void replayToHost(Context &context) {
+void replayToHost(RasterContext &context) {
   const ImmediateRecorder &recorder = context.software->recorder;
   *context.drawCounter += 1 + recorder.starts().size();
   sendOpen(*context.host, recorder);
   noteSet(context, recorder.values(), recorder.touched());
 }
 
-void setCurrentValues(Context &context, const CurrentValues &values, SlotMask touched) {
+void setCurrentValues(RasterContext &context, const CurrentValues &values, SlotMask touched) {
   setAttributes(*context.host, values, touched);
   if (touched != 0)
     noteSet(context, values, touched);

@@ -11,7 +11,7 @@
 /// their own. The host reports those that are errors between Begin and End, except the common ones
 /// (refused.h).
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -19,9 +19,9 @@ namespace arbiter::state::software {
 extern const host::HostTable kRecordingHost;
 
 /// Redirects the host's table to kRecordingHost, after Begin has opened the recorder.
-void startRecording(Context &context);
+void startRecording(RasterContext &context);
 /// Restores the host's table at End. The recorder keeps its vertices.
-void stopRecording(Context &context);
+void stopRecording(RasterContext &context);
 
 /// Stops the recording of the thread's context, if there is one, and gives its primitive to the
 /// host. Returns the real host table.
@@ -35,10 +35,10 @@ void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder);
 /// Opens the recorder's primitive on the host and sends its vertices so far. The host does the rest
 /// of the primitive, and it counts as the host's draw. Call it after stopRecording() and
 /// hostDraws().
-void replayToHost(Context &context);
+void replayToHost(RasterContext &context);
 /// Sets current values as a primitive leaves them, on the host and in the mirror (OpenGL 1.4, 2.7:
 /// an attribute set inside Begin/End stays set).
-void setCurrentValues(Context &context, const CurrentValues &values, SlotMask touched);
+void setCurrentValues(RasterContext &context, const CurrentValues &values, SlotMask touched);
 /// Returns the enumerant of a material part, the same for both sides.
 [[nodiscard]] GLenum materialName(int material);
 /// Sets one attribute, or makes a vertex (kPosition).

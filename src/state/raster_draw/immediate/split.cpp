@@ -1,7 +1,6 @@
 #include "state/raster_draw/immediate/split.h"
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/primitives/geometry.h"
 #include "state/raster_draw/context_state.h"
@@ -9,6 +8,7 @@
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/primitive_materials.h"
 #include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/raster_context.h"
 
 namespace arbiter::state::software {
 
@@ -22,7 +22,7 @@ bool endsHere(const ImmediateRecorder &recorder) {
 } // namespace
 
 void PrimitiveSplit::open(ContextHot &hot) {
-  auto &context = static_cast<Context &>(hot);
+  auto &context = rasterStep(hot);
   if (context.listMode != 0 || context.recorder != &context.software->recorder)
     return;
   const ContextState &state = *context.software;
@@ -41,7 +41,7 @@ void PrimitiveSplit::open(ContextHot &hot) {
 }
 
 void PrimitiveSplit::close() {
-  auto &context = static_cast<Context &>(*m_hot);
+  auto &context = rasterStep(*m_hot);
   bool isRecorded = false;
   withinMemory(context, "glMaterial",
                [&] { isRecorded = usesRasterizer(context) && beginPrimitive(context, m_mode); });

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "state/core/context.h"
 #include "state/mirror/host_query.h"
 #include "state/mirror/mirror.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/vertices/vertex_convert.h"
 
 namespace arbiter::state::software {
@@ -16,7 +16,7 @@ namespace {
 /// (ARB_buffer_storage). A host that draws on the processor maps the buffer's own memory, so it can
 /// be read in place. Data is null if not all of the buffer is mapped so. Requires that the buffer
 /// is bound to `target`.
-BufferCopies::Contents persistentMapping(const Context &context, GLenum target, GLint bytes) {
+BufferCopies::Contents persistentMapping(const RasterContext &context, GLenum target, GLint bytes) {
   const host::HostTable &host = *context.host;
   const auto get = [&](GLenum pname) {
     GLint value = 0;
@@ -55,7 +55,7 @@ public:
 
 } // namespace
 
-bool ArraySource::open(Context &context, const Mirror &mirror, std::uint32_t slots,
+bool ArraySource::open(RasterContext &context, const Mirror &mirror, std::uint32_t slots,
                        const DrawCommand &command) {
   m_source.symmetric = context.caps.symmetricSigned;
   const std::uint32_t changed =
@@ -75,7 +75,7 @@ bool ArraySource::open(Context &context, const Mirror &mirror, std::uint32_t slo
   return addIndices(context, mirror, command);
 }
 
-void ArraySource::close(Context &context) {
+void ArraySource::close(RasterContext &context) {
   if (m_mappedCount == 0)
     return;
   const BufferScope scope(*context.host, context.caps);
@@ -88,7 +88,7 @@ void ArraySource::close(Context &context) {
   m_mappedCount = 0;
 }
 
-BufferCopies::Contents ArraySource::contentsOf(Context &context, const Mirror &mirror,
+BufferCopies::Contents ArraySource::contentsOf(RasterContext &context, const Mirror &mirror,
                                                GLuint buffer) {
   if (const BufferCopies::Contents copy = m_copies.find(mirror.clock, buffer); copy.data)
     return copy;
@@ -98,7 +98,7 @@ BufferCopies::Contents ArraySource::contentsOf(Context &context, const Mirror &m
   return map(context, buffer);
 }
 
-BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
+BufferCopies::Contents ArraySource::map(RasterContext &context, GLuint buffer) {
   const host::HostTable &host = *context.host;
   const BufferScope scope(host, context.caps);
   host.BindBuffer(scope.target, buffer);
@@ -136,7 +136,7 @@ bool ArraySource::lacks(const Mirror &mirror, std::uint32_t slots, const DrawCom
          (command.indexType != 0 && arrays.restart);
 }
 
-bool ArraySource::addArrays(Context &context, const Mirror &mirror, std::uint32_t slots) {
+bool ArraySource::addArrays(RasterContext &context, const Mirror &mirror, std::uint32_t slots) {
   for (std::uint32_t left = m_slots; left != 0; left &= left - 1)
     m_source.arrays[std::size_t(std::countr_zero(left))] = {};
   m_slots = 0;
@@ -167,7 +167,8 @@ bool ArraySource::addArrays(Context &context, const Mirror &mirror, std::uint32_
   return true;
 }
 
-bool ArraySource::addIndices(Context &context, const Mirror &mirror, const DrawCommand &command) {
+bool ArraySource::addIndices(RasterContext &context, const Mirror &mirror,
+                             const DrawCommand &command) {
   m_indices = nullptr;
   if (command.indexType == 0)
     return true;

@@ -11,7 +11,7 @@
 
 /// Finds a draw's vertex arrays and indices in memory.
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 }
 
 namespace arbiter::state::software {
@@ -29,9 +29,9 @@ public:
   /// Opens the arrays of `slots` and the indices of `command`. Returns false if the host must draw:
   /// an array type is not supported, a buffer cannot be mapped, or indices lie outside of their
   /// buffer. Requires that the mirror's arrays are up to date.
-  [[nodiscard]] bool open(Context &context, const Mirror &mirror, std::uint32_t slots,
+  [[nodiscard]] bool open(RasterContext &context, const Mirror &mirror, std::uint32_t slots,
                           const DrawCommand &command);
-  void close(Context &context);
+  void close(RasterContext &context);
 
   /// Returns the arrays. VertexSource::count is set if a buffer's end is known.
   [[nodiscard]] const VertexSource &source() const { return m_source; }
@@ -45,12 +45,13 @@ private:
     bool isApplications = false; ///< true if the application mapped it, so that it stays mapped
   };
   /// Returns a buffer's contents; data is null if it cannot be read.
-  [[nodiscard]] BufferCopies::Contents contentsOf(Context &context, const Mirror &mirror,
+  [[nodiscard]] BufferCopies::Contents contentsOf(RasterContext &context, const Mirror &mirror,
                                                   GLuint buffer);
   /// Maps a buffer until close(), or finds the application's own mapping.
-  [[nodiscard]] BufferCopies::Contents map(Context &context, GLuint buffer);
-  [[nodiscard]] bool addArrays(Context &context, const Mirror &mirror, std::uint32_t slots);
-  [[nodiscard]] bool addIndices(Context &context, const Mirror &mirror, const DrawCommand &command);
+  [[nodiscard]] BufferCopies::Contents map(RasterContext &context, GLuint buffer);
+  [[nodiscard]] bool addArrays(RasterContext &context, const Mirror &mirror, std::uint32_t slots);
+  [[nodiscard]] bool addIndices(RasterContext &context, const Mirror &mirror,
+                                const DrawCommand &command);
 
   VertexSource m_source;
   std::uint32_t m_slots = 0; ///< slots whose arrays are in m_source

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "state/core/context.h"
 #include "state/objects/linked_program.h"
+#include "state/raster_draw/raster_context.h"
 #include "swrast/threads.h"
 
 namespace arbiter::state::software {
@@ -69,14 +69,14 @@ bool isColor(const fp::ir::Attribute &attribute) {
 
 } // namespace
 
-void VertexStage::selectProgram(Context &context,
+void VertexStage::selectProgram(RasterContext &context,
                                 const std::shared_ptr<const fp::ir::Program> &source, Wait wait) {
   m_program = &m_programs.find(source, m_program);
   if (!m_program->functions)
     m_program->functions = vertexFunctions(source, context.numerics, wait);
 }
 
-Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
+Outcome VertexStage::choose(RasterContext &context, Mirror &mirror, const CompiledProgram *compiled,
                             const fp::jit::FragmentShape &fragments, const Use &use,
                             bool floatTarget, Wait wait) {
   m_compiled = compiled;
@@ -106,11 +106,11 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
   return {};
 }
 
-Outcome VertexStage::judgeTextures(Context &context, Mirror &mirror) {
+Outcome VertexStage::judgeTextures(RasterContext &context, Mirror &mirror) {
   return m_units.judge(context, mirror, m_shape->samplers);
 }
 
-Outcome VertexStage::bindTextures(Context &context, Mirror &mirror, Wait wait) {
+Outcome VertexStage::bindTextures(RasterContext &context, Mirror &mirror, Wait wait) {
   if (m_shape->samplers.empty()) [[likely]] {
     m_function = m_program->functions->function();
     return {};
@@ -126,7 +126,7 @@ Outcome VertexStage::bindTextures(Context &context, Mirror &mirror, Wait wait) {
   return outcome;
 }
 
-void VertexStage::findUnwritten(const Context &context) {
+void VertexStage::findUnwritten(const RasterContext &context) {
   m_unwritten.clear();
   if (!m_compiled || context.effective.linkedProgram->fragment.compiled)
     return; // only a program's vertices with the fragments of fixed function need them
@@ -177,7 +177,7 @@ void VertexStage::transformAll(std::uint32_t count) const {
   swrast::parallel((count + kStretch - 1) / kStretch, work);
 }
 
-Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &source,
+Outcome VertexStage::run(RasterContext &context, Mirror &mirror, const VertexSource &source,
                          std::uint32_t first, std::uint32_t count, bool edgeFlags, bool later) {
   const SlotMask slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
   const bool many = count > 2 * kStretch;

@@ -15,7 +15,7 @@
 #include "swrast/rasterize.h"
 
 namespace arbiter::state {
-class Context;
+struct RasterContext;
 struct CompiledProgram;
 } // namespace arbiter::state
 
@@ -32,7 +32,7 @@ public:
   };
   /// Chooses the function for what the fragments need. `compiled` is the application's vertex
   /// program, or null. `floatTarget` is true if a colour buffer holds floats.
-  Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
+  Outcome choose(RasterContext &context, Mirror &mirror, const CompiledProgram *compiled,
                  const fp::jit::FragmentShape &fragments, const Use &use, bool floatTarget,
                  Wait wait);
   /// True if back faces have colours of their own.
@@ -42,9 +42,9 @@ public:
   /// True if the program reads materials, as they are before the primitive. Requires choose().
   [[nodiscard]] bool readsMaterials() const { return m_program->values->readsMaterials(); }
   /// Judges the textures that the program samples, like Units::judge(). Requires choose().
-  [[nodiscard]] Outcome judgeTextures(Context &context, Mirror &mirror);
+  [[nodiscard]] Outcome judgeTextures(RasterContext &context, Mirror &mirror);
   /// Makes these textures ready, and the function for them. Requires choose().
-  Outcome bindTextures(Context &context, Mirror &mirror, Wait wait);
+  Outcome bindTextures(RasterContext &context, Mirror &mirror, Wait wait);
   /// Returns the slots that the function reads.
   [[nodiscard]] SlotMask slots() const { return m_slots; }
   /// Returns the slots whose current values are needed, including slots().
@@ -52,8 +52,8 @@ public:
 
   /// Transforms vertices [first, first + count) of the source.
   /// \param later true if the rasterizer may do it when it needs them (swrast::Vertices::make)
-  Outcome run(Context &context, Mirror &mirror, const VertexSource &source, std::uint32_t first,
-              std::uint32_t count, bool edgeFlags, bool later);
+  Outcome run(RasterContext &context, Mirror &mirror, const VertexSource &source,
+              std::uint32_t first, std::uint32_t count, bool edgeFlags, bool later);
   /// Returns the result of the last successful run(). Fragment inputs are in the order of the
   /// chosen shape.
   [[nodiscard]] const swrast::Vertices &vertices() const { return m_vertices; }
@@ -67,12 +67,12 @@ private:
     RecentFunctions<VertexFunctions, abi::VertexKey> recent; ///< for a program that samples
   };
   /// Makes m_program the entry of `source`, and requests its functions at the first use.
-  void selectProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source,
+  void selectProgram(RasterContext &context, const std::shared_ptr<const fp::ir::Program> &source,
                      Wait wait);
   /// Points m_vertices at the outputs of the chosen program.
   void connect(float *const *outputs);
   /// Fills m_unwritten for the chosen program.
-  void findUnwritten(const Context &context);
+  void findUnwritten(const RasterContext &context);
   /// Points the unwritten inputs at current values. Returns false if there is no memory.
   [[nodiscard]] bool connectUnwritten(const Mirror &mirror);
   void transformStretch(std::uint32_t begin, std::uint32_t end) const;

@@ -2,7 +2,8 @@
 
 #include <dlfcn.h>
 
-#include "state/contexts/lifecycle.h"
+#include "state/context/context.h"
+#include "state/lifecycle/lifecycle.h"
 #include "swrast/image/copy_pixels.h"
 #include "swrast/image/image.h"
 
@@ -67,6 +68,8 @@ void Residency::SetUp() {
   m_context->dirty = dirty::kAll;
   residency().enter(m_context->drawable);
 }
+
+RasterContext &Residency::context() { return *m_context; }
 
 void Residency::TearDown() {
   if (!m_context)

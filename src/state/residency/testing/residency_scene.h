@@ -9,14 +9,18 @@
 #include <gtest/gtest.h>
 
 #include "host/host_table.h"
-#include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/raster_context.h"
 #include "state/residency/residency.h"
 #include "swrast/rect.h"
 
 /// The fixture of residency's tests: an OSMesa context on the real host. Fills of the images from
 /// acquireTargets() stand in for draws of the rasterizer.
+namespace arbiter::state {
+class Context;
+}
+
 namespace arbiter::state::software::residency_scene {
 
 inline constexpr int kWidth = 64, kHeight = 48; ///< of the context's drawable, in pixels
@@ -31,11 +35,11 @@ protected:
   void SetUp() override;
   void TearDown() override;
 
-  Context &context() { return *m_context; }
-  software::Residency &residency() { return m_context->software->residency; }
-  const host::HostTable &gl() { return *m_context->host; }
+  RasterContext &context();
+  software::Residency &residency() { return context().software->residency; }
+  const host::HostTable &gl() { return *context().host; }
   /// Marks state as changed by the application.
-  void changed(std::uint32_t bits = dirty::kAll) { m_context->dirty |= bits; }
+  void changed(std::uint32_t bits = dirty::kAll) { context().dirty |= bits; }
 
   GLuint texture(GLenum internalFormat, int width, int height, const void *rgba = nullptr);
   GLuint framebufferOf(GLuint name);

@@ -1,9 +1,9 @@
-#include "state/contexts/watching.h"
+#include "state/lifecycle/watching.h"
 
 #include <utility>
 
+#include "state/context/context.h"
 #include "state/control/session.h"
-#include "state/core/context.h"
 #include "state/core/control_hooks.h"
 #include "state/core/memory.h"
 #include "state/hud/hud.h"
@@ -15,22 +15,21 @@ namespace arbiter::state {
 
 namespace {
 
-/// True if the layer may issue commands of its own.
-bool isOpen(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
-
 /// Returns the draws that took the path of the effective program, on the host or by the rasterizer.
 std::uint64_t drawsOf(const Context &context, std::size_t path) {
   return context.counters.draws[path] + context.counters.draws[std::size_t(Path::Rasterizer)];
 }
 
-void programsLeave(Context &context) {
+void programsLeave(CoreContext &core) {
+  Context &context = wholeOf(core);
   if (remote::Session *const session = remote::Session::instance(); session && session->isBusy())
     session->tallies().end(
         context.serial, [&](std::size_t path) { return drawsOf(context, path); },
         context.counters.draws[std::size_t(Path::Rasterizer)]);
 }
 
-void programsEnter(Context &context) {
+void programsEnter(CoreContext &core) {
+  Context &context = wholeOf(core);
   remote::Session *const session = remote::Session::instance();
   if (!session || !session->isBusy() || !context.effective.linkedProgram)
     return;
@@ -46,10 +45,11 @@ void programsEnter(Context &context) {
   session->tallies().begin(context.serial, std::move(begun));
 }
 
-void frameEnds(Context &context) {
+void frameEnds(CoreContext &core) {
+  Context &context = wholeOf(core);
   if (remote::Session *const session = remote::Session::instance()) {
     session->noteActivity(true);
-    if (session->isBusy() && isOpen(context)) [[unlikely]] {
+    if (session->isBusy() && context.executesNow()) [[unlikely]] {
       programsLeave(context);
       if (g_observed.load(std::memory_order_relaxed) != nullptr)
         session->endObservation(context);
@@ -61,17 +61,18 @@ void frameEnds(Context &context) {
   } else if (controlled()) {
     remote::Session::begin(); // in a child of a fork
   }
-  if (settings().hud.on && isOpen(context))
+  if (settings().hud.on && context.executesNow())
     hud::draw(context);
 }
 
 /// Serves requests before a draw, unless there are contexts that end frames; those serve them.
-void beforeDraw(Context &context) {
+void beforeDraw(CoreContext &core) {
+  Context &context = wholeOf(core);
   remote::Session *const session = remote::Session::instance();
   if (!session || !session->isBusy()) [[likely]] // the common case
     return;
   session->noteActivity(false);
-  if (session->endsFrames() || !isOpen(context))
+  if (session->endsFrames() || !context.executesNow())
     return;
   // No end of a frame takes the tally, and the programs may stay the same for good.
   programsLeave(context);

@@ -8,6 +8,7 @@
 /// context) and knows when the host succeeded; the state tracker keeps the contexts.
 namespace arbiter::state {
 
+class Context;
 namespace software {
 struct Drawable;
 }

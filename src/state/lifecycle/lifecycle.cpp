@@ -1,4 +1,4 @@
-#include "state/contexts/lifecycle.h"
+#include "state/lifecycle/lifecycle.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,9 +7,8 @@
 
 #include "host/host_table.h"
 #include "host/null_host.h"
-#include "state/contexts/context_hooks.h"
-#include "state/contexts/watching.h"
-#include "state/core/context.h"
+#include "state/context/context.h"
+#include "state/core/application_identity.h"
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/core/garbage.h"
@@ -25,6 +24,8 @@
 #include "state/host_draw/texturing/sampler_override.h"
 #include "state/identity/active_profile.h"
 #include "state/imaging/imaging_state.h"
+#include "state/lifecycle/context_hooks.h"
+#include "state/lifecycle/watching.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_aliases.h" // its destructor
 #include "state/mirror/dirty_bits.h"
@@ -79,6 +80,16 @@ fp::Numerics numericsOf(const Context &context) {
 
 } // namespace
 
+// The steps of a context, with the types of all their members known.
+constexpr CoreContext::CoreContext() = default;
+CoreContext::~CoreContext() = default;
+constexpr ProgramContext::ProgramContext() = default;
+ProgramContext::~ProgramContext() = default;
+constexpr DrawContext::DrawContext() = default;
+DrawContext::~DrawContext() = default;
+constexpr RasterContext::RasterContext() = default;
+RasterContext::~RasterContext() = default;
+
 constexpr Context::Context(NullTag) {
   host = &host::kNullHost;
   passThrough = true;
@@ -112,14 +123,13 @@ Context *currentContext() {
 }
 
 Context::Context(Provider contextProvider, const host::HostTable *table,
-                 std::shared_ptr<ShareGroup> shareGroup)
-    : provider(contextProvider),
-      group(std::move(shareGroup)), hostSide{std::make_unique<LinkedProgramCache>(),
-                                             std::make_unique<SamplerOverride>(),
-                                             std::make_unique<HostAssembly>(),
-                                             std::make_unique<StagePipeline>()},
-      list(std::make_unique<ListCompiler>()) {
+                 std::shared_ptr<ShareGroup> shareGroup) {
   host = table;
+  provider = contextProvider;
+  group = std::move(shareGroup);
+  hostSide = {std::make_unique<LinkedProgramCache>(), std::make_unique<SamplerOverride>(),
+              std::make_unique<HostAssembly>(), std::make_unique<StagePipeline>()};
+  list = std::make_unique<ListCompiler>();
   hooks = &kContextHooks;
   passThrough = true; // until it is first current
   drawCounter = &counters.draws[std::size_t(Path::NotOffered)];
@@ -384,7 +394,7 @@ namespace {
 /// Drops the early lists: an application that has shown some frames without a program uses none.
 void forgetEarlyLists(Context &context) {
   const bool used = context.group->programApiUsed.load(std::memory_order_relaxed);
-  if (!used && context.listMode == 0 && !context.insideBeginEnd)
+  if (!used && context.executesNow())
     context.group->lists.forgetEarly(*context.host, 0, UINT32_MAX);
 }
 
