@@ -5,7 +5,7 @@
 
 #include "dispatch/entry_points.h"
 #include "host/host_table.h"
-#include "state/context/context.h"
+#include "state/core/core_context.h"
 
 namespace {
 

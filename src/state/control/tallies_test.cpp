@@ -7,8 +7,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "state/context/context.h"
 #include "state/control/host_pixels.h"
+#include "state/core/core_context.h"
 #include "state/hud/font.h"
 #include "state/hud/hud_text.h"
 #include "state/programs/program_edits.h"

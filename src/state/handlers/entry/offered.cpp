@@ -6,12 +6,14 @@
 
 namespace arbiter::state::offered {
 
-bool stageConstants(const Context &context) {
+bool stageConstants(const ProgramContext &context) {
   return context.combiners && context.combiners->hasPerStageConstants();
 }
 
-bool nvFences(const Context &context) { return context.era && context.era->offered.nvFence; }
-bool appleFences(const Context &context) { return context.era && context.era->offered.appleFence; }
-bool bumpMaps(const Context &context) { return hasBumpMaps(context); }
+bool nvFences(const ProgramContext &context) { return context.era && context.era->offered.nvFence; }
+bool appleFences(const ProgramContext &context) {
+  return context.era && context.era->offered.appleFence;
+}
+bool bumpMaps(const ProgramContext &context) { return hasBumpMaps(context); }
 
 } // namespace arbiter::state::offered
