@@ -4,10 +4,10 @@ the order, on units that reach each other in a circle of more than eight, on a r
 on an entry point of state that lies outside the room of entry points.
 
 A room is a folder. ORDER lists the rooms of each room, the lowest first: a room includes what stands below
-it in its list, and nothing else of that list. Edges between a room and one that it lies in are free: the
-outer one holds what its rooms share, and what puts them together. A generated header belongs to the room
-that implements it. A unit is a header and its source. Tests, benchmarks and what lies in a folder `testing`
-may see everything.
+it in its list, and nothing else of that list, nor through files of the room that both lie in. Other edges
+between a room and one that it lies in are free: the outer one holds what its rooms share, and what puts them
+together. A generated header belongs to the room that implements it. A unit is a header and its source. Tests,
+benchmarks and what lies in a folder `testing` may see everything.
 
 usage: sub_rooms.py ROOT | sub_rooms.py --self-test
 """
@@ -44,13 +44,13 @@ ORDER = {
     "state/handlers": ["entry", "fixed_function", "imaging", "vertex_shader"],
     "state/host_draw": ["evaluators", "stages", "linking", "texturing"],
     "state/programs": ["nv", "variants", "combiners", "texture_shaders", "vertex_shaders"],
-    "state/raster_draw": ["functions", "fixed_function", "frames", "vertices", "immediate"],
+    "state/raster_draw": ["functions", "frames", "fixed_function", "vertices", "immediate"],
     "swrast": ["image", "setup", "cover", "strokes", "queue"],
     "apps/tools": ["advise", "check", "launch", "draw", "debug", "ctl", "complete", "doctor", "lsp", "options", "page",
               "render", "report", "stats"],
     "apps/tools/advise": ["rules"],
     "apps/tools/debug": ["trace", "pixel", "draws", "gl"],
-    "util": ["cache", "defaults", "hud", "record"],
+    "util": ["cache", "hud", "defaults", "record"],
 }
 # Generated headers that another room than their folder's implements.
 GENERATED = {"host/handlers.h": "state/handlers/handlers.h"}
@@ -95,6 +95,37 @@ def wrong_edges(graph):
             order = ORDER.get(room, [])
             if mine in order and others in order and order.index(others) > order.index(mine):
                 yield f"src/{name}: {room}/{mine} stands below {other}"
+
+
+def room_within(room, name):
+    """Returns the room of `room` that a file lies in; "" where it lies in `room` itself, None outside of it."""
+    folder = str(pathlib.PurePosixPath(name).parent)
+    if folder == room:
+        return ""
+    return folder[len(room) + 1:].split("/")[0] if folder.startswith(room + "/") else None
+
+
+def ways_through(graph):
+    """Yields includes that lead from a room to one above it, by way of files of the room that both lie in."""
+    for room, order in ORDER.items():
+        found = set()
+        for name in graph:
+            mine = room_within(room, name)
+            if mine not in order:
+                continue
+            seen, waiting = set(), [each for each in graph[name] if room_within(room, each) == ""]
+            while waiting:
+                shared = waiting.pop()
+                if shared in seen:
+                    continue
+                seen.add(shared)
+                for other in graph.get(shared, []):
+                    theirs = room_within(room, other)
+                    if theirs == "":
+                        waiting.append(other)
+                    elif theirs in order and order.index(theirs) > order.index(mine):
+                        found.add(f"src/{shared}: leads from {room}/{mine} up to {other}")
+        yield from sorted(found)
 
 
 def without_place(graph):
@@ -164,7 +195,8 @@ def check(root):
     """Returns the complaints about the tree, and the number of files read."""
     source = root / "src"
     graph = read(source)
-    complaints = [*wrong_edges(graph), *without_place(graph), *crowded(source), *misplaced(source)]
+    complaints = [*wrong_edges(graph), *ways_through(graph), *without_place(graph), *crowded(source),
+                  *misplaced(source)]
     for members in circles(graph):
         if len(members) > MOST_UNITS:
             complaints.append(f"{len(members)} units reach each other: " + " ".join(members))
@@ -185,6 +217,10 @@ PLANTED = [
     ({"src/swrast/cover/b.h": '#include "swrast/setup/a.h"\n', "src/swrast/setup/a.h": ""}, 0),
     ({"src/swrast/draw.h": "", "src/swrast/setup/a.h": '#include "swrast/draw.h"\n',
       "src/swrast/draw.cpp": '#include "swrast/setup/a.h"\n'}, 0),
+    ({"src/swrast/setup/a.h": '#include "swrast/b.h"\n', "src/swrast/b.h": '#include "swrast/c.h"\n',
+      "src/swrast/c.h": '#include "swrast/cover/d.h"\n', "src/swrast/cover/d.h": ""}, 1),
+    ({"src/swrast/cover/a.h": '#include "swrast/b.h"\n', "src/swrast/b.h": '#include "swrast/setup/d.h"\n',
+      "src/swrast/setup/d.h": ""}, 0),
     ({"src/state/lists/a.cpp": '#include "host/handlers.h"\n'}, 1),
     ({"src/state/handlers/a.cpp": '#include "host/handlers.h"\n'}, 0),
     ({"src/apps/tools/check/a.cpp": '#include "apps/tools/draw/b.h"\n', "src/apps/tools/draw/b.h": ""}, 1),
