@@ -114,7 +114,7 @@ def recording_table(table):
     primitive, then calls the host's function."""
     out = [HEADING, '#include "state/raster_draw/immediate/replay.h"\n\n#include "host/host_table.h"\n'
            '#include "state/core/context_hot.h"\n\n'
-           "namespace arbiter::state::software {\n\nnamespace {\n\n"]
+           "namespace arbiter::state {\n\nnamespace {\n\n"]
     for name in table.members:
         command = table.commands[name]
         give = "" if command.result == "void" else "return "
@@ -122,5 +122,5 @@ def recording_table(table):
                    f"  {give}flushToHost()->{name}({command.arguments()});\n}}\n")
     out.append(f"\n}} // namespace\n\n{CONSTANT} const host::HostTable kRecordingHost = {{\n")
     out += [f"    .{name} = recording{name},\n" for name in table.members]
-    out.append("    .instead = flushToHost,\n};\n\n} // namespace arbiter::state::software\n")
+    out.append("    .instead = flushToHost,\n};\n\n} // namespace arbiter::state\n")
     return "".join(out)

@@ -23,8 +23,8 @@
 namespace arbiter::dispatch {
 namespace {
 
-namespace dirty = state::software::dirty;
-using state::software::normalized;
+namespace dirty = state::dirty;
+using state::normalized;
 
 std::vector<std::string> g_calls;
 int g_lookups = 0;
@@ -88,10 +88,10 @@ protected:
   }
   /// Starts recording, as handlers::Begin does if the rasterizer takes the primitive.
   void record(GLenum mode) {
-    m_context->software = std::make_unique<state::software::ContextState>(*m_context);
+    m_context->software = std::make_unique<state::ContextState>(*m_context);
     m_context->softwarePossible = m_context->softwareListens = true;
     m_context->software->recorder.begin(mode, m_context->software->mirror.current);
-    state::software::startRecording(*m_context);
+    state::startRecording(*m_context);
   }
 
   state::testing::FakeHost m_fake;
@@ -130,7 +130,7 @@ TEST_F(SoftwarePoints, WhatMovesTheRasterPositionIsNoted) {
 /// waits does not.
 TEST_F(SoftwarePoints, WhatReadsPixelsIsNoted) {
   record(GL_POINTS);
-  state::software::stopRecording(*m_context);
+  state::stopRecording(*m_context);
   m_context->insideBeginEnd = false;
   entry<GLsync(GLenum, GLbitfield)>("glFenceSync")(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   EXPECT_FALSE(m_context->software->habits.readsPixels);
@@ -157,10 +157,10 @@ TEST_F(SoftwarePoints, APrimitiveIsRecordedWithoutACall) {
   entry<void(GLenum, GLfloat, GLfloat)>("glMultiTexCoord2f")(GL_TEXTURE3, 7, 8);
   entry<void(GLuint, GLfloat, GLfloat, GLfloat)>("glVertexAttrib3f")(0, 3, 4, 5);
   EXPECT_TRUE(g_calls.empty());
-  state::software::stopRecording(*m_context);
+  state::stopRecording(*m_context);
   EXPECT_EQ(m_context->host, &m_table);
 
-  using namespace state::software;
+  using namespace state;
   const VertexSource source = m_context->software->recorder.end();
   EXPECT_EQ(source.count, 2u);
   const auto at = [&](int slot, int vertex) {
@@ -255,12 +255,12 @@ TEST_F(SoftwarePoints, AVeryLongPrimitiveIsKeptWhole) {
       texture(float(i), 0);
     vertex(float(i), 0);
   }
-  const state::software::ImmediateRecorder &recorder = m_context->software->recorder;
+  const state::ImmediateRecorder &recorder = m_context->software->recorder;
   ASSERT_EQ(recorder.count(), unsigned(kVertices));
   EXPECT_FALSE(recorder.failed());
   for (const int i : {0, 49999, 50000, kVertices - 1})
     recorder.read(unsigned(i), [&](int slot, const float *value) {
-      const bool set = slot == state::software::kPosition || i >= 50000;
+      const bool set = slot == state::kPosition || i >= 50000;
       EXPECT_EQ(value[0], set ? float(i) : 0.0f) << "slot " << slot;
     });
 }

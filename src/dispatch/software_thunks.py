@@ -116,12 +116,12 @@ def thunk(table, command, way):
         condition, values = LISTED_MATERIALS[command.name]
         lines += (f"  if (hot->listMode != 0 && {condition}arbiter::state::recordMaterial(here(), face, pname, "
                   f"{values}))\n    return;\n")
-        lines += (f"  if (hot->recorder && {condition}software::recordsMaterial(*hot, face, pname, {values})) "
+        lines += (f"  if (hot->recorder && {condition}state::recordsMaterial(*hot, face, pname, {values})) "
                   f"[[unlikely]]\n    return;\n")
     if SPLITS.fullmatch(command.name):
-        lines += "  const software::PrimitiveSplit split(*hot);\n"
+        lines += "  const state::PrimitiveSplit split(*hot);\n"
     if command.name == "ColorMaterial":
-        lines += "  if (hot->softwareListens) [[unlikely]]\n    software::hostTakesColor(here());\n"
+        lines += "  if (hot->softwareListens) [[unlikely]]\n    state::hostTakesColor(here());\n"
     bits = "dirty::kAll" if way == "unknown" else table.bits_of(command.name)
     if bits:
         lines += f"  hot->dirty |= {bits};\n"
@@ -130,7 +130,7 @@ def thunk(table, command, way):
               "unknown": ("hot->softwareListens", "hostDoesUnknown")}.get(way)
     if before:
         lines += (f"  if ({before[0]}) [[unlikely]]\n"
-                  f"    software::{before[1]}(here(), \"gl{command.name}\");\n")
+                  f"    state::{before[1]}(here(), \"gl{command.name}\");\n")
     return first, held, lines + body
 
 
@@ -155,13 +155,10 @@ def source(table):
 
 #define ARBITER_ENTRY extern "C" __attribute__((visibility("default")))
 
-using arbiter::state::RasterContext;
-using arbiter::state::ContextHot;
-using arbiter::state::t_current;
 namespace host = arbiter::host;
-namespace software = arbiter::state::software;
-namespace dirty = software::dirty;
-using namespace arbiter::state::software;
+namespace state = arbiter::state;
+namespace dirty = arbiter::state::dirty;
+using namespace arbiter::state;
 
 namespace {
 [[gnu::always_inline]] inline RasterContext &here() { return arbiter::state::rasterStep(*t_current); }

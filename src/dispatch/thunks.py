@@ -44,7 +44,7 @@ def draws_itself(table, name):
     """Returns the line with which a draw's slow path tries the rasterizer before the host is prepared; "" for none."""
     if name not in table.draw_commands:
         return ""
-    return f"  if (software::mayDraw(here()) && software::{table.draw_commands[name]})\n    return;\n"
+    return f"  if (state::mayDraw(here()) && state::{table.draw_commands[name]})\n    return;\n"
 
 
 def aliases_itself(table, name):
@@ -52,7 +52,7 @@ def aliases_itself(table, name):
     draw = table.draw_commands.get(name, "")
     if not draw.startswith(("tryDraw", "tryMultiDraw")):
         return ""
-    return (f"  if (here().attributesAlias && software::{draw.replace('try', 'aliased', 1)})\n"
+    return (f"  if (here().attributesAlias && state::{draw.replace('try', 'aliased', 1)})\n"
             "    return;\n")
 
 
@@ -66,7 +66,7 @@ LETTERS = "Bitmap"
 
 def imaged(command):
     """Returns the line with which such a command first tries imaging and the rasterizer."""
-    return (f"  if ((here().imagesPixels || software::mayDraw(here())) && "
+    return (f"  if ((here().imagesPixels || state::mayDraw(here())) && "
             f"arbiter::state::imaged{command.name}({command.arguments(['here()'])}))\n    return;\n")
 
 
@@ -74,7 +74,7 @@ def hides_from_host(table, name):
     """Returns the statement that notes a write of the host, "" for draws that the rasterizer tries first."""
     if name in table.draw_commands:
         return ""
-    return f'  if (here().softwareListens)\n    software::hostWrites(here(), "gl{name}");\n'
+    return f'  if (here().softwareListens)\n    state::hostWrites(here(), "gl{name}");\n'
 
 
 def straight(command, symbol, dirty, call, handled):
@@ -155,7 +155,7 @@ def thunks(table, command, action, symbol):
         slow = "  const arbiter::state::LettersStay stay(here());\n" + slow
         count_and_call += "  arbiter::state::noteLetters(here());\n"
     if action in ATTENTIVE:
-        slow = "  if (software::isHeld(here()))\n    software::drawHeld(here());\n" + slow
+        slow = "  if (state::isHeld(here()))\n    state::drawHeld(here());\n" + slow
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
              f"{guarded(command, slow)}{lead}{count_and_call}}}\n")
     turn = f"slow_{symbol}({command.arguments()});"
@@ -184,12 +184,12 @@ def draws_held(table, command, symbol, action=""):
     give = "" if result == "void" else "return "
     if command.name in table.outside:
         aside = (f"[[gnu::cold, gnu::noinline]] static void recorded_{symbol}({command.declare()}) {{\n"
-                 f"  if (!software::refuses(*t_current, \"{symbol}\"))\n    arbiter_{symbol}({arguments});\n}}\n")
-        return aside, ("  if (software::isRecorded(*t_current)) [[unlikely]]\n"
+                 f"  if (!state::refuses(*t_current, \"{symbol}\"))\n    arbiter_{symbol}({arguments});\n}}\n")
+        return aside, ("  if (state::isRecorded(*t_current)) [[unlikely]]\n"
                        f"    return recorded_{symbol}({arguments});\n")
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} held_{symbol}({command.declare()}) {{\n"
-             f"  software::drawHeld(*t_current);\n  {give}arbiter_{symbol}({arguments});\n}}\n")
-    return aside, f"  if (software::isHeld(*t_current)) [[unlikely]]\n    return held_{symbol}({arguments});\n"
+             f"  state::drawHeld(*t_current);\n  {give}arbiter_{symbol}({arguments});\n}}\n")
+    return aside, f"  if (state::isHeld(*t_current)) [[unlikely]]\n    return held_{symbol}({arguments});\n"
 
 
 def without_suffix(table, rows):
@@ -224,8 +224,8 @@ def entry_points_source(table):
            '#include "state/raster_draw/immediate/refused.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"
-           "using arbiter::state::t_current;\nnamespace software = arbiter::state::software;\n"
-           "namespace dirty = software::dirty;\nnamespace handlers = arbiter::state::handlers;\n\n"
+           "using arbiter::state::t_current;\nnamespace state = arbiter::state;\n"
+           "namespace dirty = arbiter::state::dirty;\nnamespace handlers = arbiter::state::handlers;\n\n"
            "namespace {\n[[gnu::always_inline]] inline Context &here() {\n"
            "  return static_cast<Context &>(*t_current);\n}\n} // namespace\n\n"]
     rows = []

@@ -81,7 +81,7 @@ EGLint queried(EGLDisplay display, EGLSurface surface, EGLint attribute, EGLint 
   return g_host->querySurface(display, surface, attribute, &value) ? value : otherwise;
 }
 
-bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, bool) {
+bool sizeOf(const state::Drawable &drawable, int &width, int &height, bool) {
   auto *const display = const_cast<void *>(drawable.display);
   auto *const surface = const_cast<void *>(drawable.draw);
   width = queried(display, surface, EGL_WIDTH, 0);
@@ -89,8 +89,8 @@ bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, 
   return width > 0 && height > 0;
 }
 
-state::software::Drawable drawableOf(EGLDisplay display, EGLSurface draw, EGLSurface read) {
-  using state::software::Drawable;
+state::Drawable drawableOf(EGLDisplay display, EGLSurface draw, EGLSurface read) {
+  using state::Drawable;
   Drawable drawable;
   if (draw == EGL_NO_SURFACE || !g_host->querySurface.function)
     return drawable;
@@ -114,7 +114,7 @@ EGLBoolean makeCurrent(EGLDisplay display, EGLSurface draw, EGLSurface read, EGL
   const EGLBoolean ok = g_host->makeCurrent(display, draw, read, context);
   if (!ok)
     return ok;
-  const state::software::Drawable drawable = drawableOf(display, draw, read);
+  const state::Drawable drawable = drawableOf(display, draw, read);
   t_surface = draw;
   if (registry::madeCurrent(key(display, context), table(), &drawable))
     return ok;

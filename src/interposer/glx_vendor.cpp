@@ -138,7 +138,7 @@ void copyContext(Display *display, GLXContext from, GLXContext to, unsigned long
 }
 
 /// Asks the server for the size of a GLX window, X window or pixmap.
-bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, bool) {
+bool sizeOf(const state::Drawable &drawable, int &width, int &height, bool) {
   auto *const display = const_cast<Display *>(static_cast<const Display *>(drawable.display));
   const auto name = GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw));
   unsigned int w = 0, h = 0;
@@ -149,7 +149,7 @@ bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, 
   return w != 0 && h != 0;
 }
 
-void swapHost(const state::software::Drawable &drawable) {
+void swapHost(const state::Drawable &drawable) {
   g_host->swapBuffers(const_cast<Display *>(static_cast<const Display *>(drawable.display)),
                       GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw)));
 }
@@ -204,7 +204,7 @@ Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
                  GLXContext context) {
   if (!ok)
     return ok;
-  using state::software::Drawable;
+  using state::Drawable;
   Drawable drawable = {.kind = draw && g_host->queryDrawable.function ? Drawable::Kind::Window
                                                                       : Drawable::Kind::None,
                        .display = display,
@@ -417,7 +417,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
         loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
         host.queryDrawable.function = hostLookup("glXQueryDrawable");
       });
-      state::software::setWindowFrames({hostMissedFrames, swapHost});
+      state::setWindowFrames({hostMissedFrames, swapHost});
       return true;
     }
   }

@@ -112,7 +112,7 @@ registry::Key key(OSMesaContext context) { return {Provider::OsMesa, nullptr, co
 
 /// Reads the memory layout while the context is current, as OSMesaPixelStore may be called at any
 /// time.
-void layoutOf(const state::software::Drawable &drawable, int &rowLength, bool &topRowFirst) {
+void layoutOf(const state::Drawable &drawable, int &rowLength, bool &topRowFirst) {
   GLint length = 0, upwards = 1;
   real().getInteger(OSMESA_ROW_LENGTH, &length);
   real().getInteger(OSMESA_Y_UP, &upwards);
@@ -121,13 +121,13 @@ void layoutOf(const state::software::Drawable &drawable, int &rowLength, bool &t
 }
 
 /// Describes the application's memory at the time when the context becomes current.
-state::software::Drawable memoryOf(void *buffer, GLenum type, int width, int height) {
-  state::software::Drawable drawable;
+state::Drawable memoryOf(void *buffer, GLenum type, int width, int height) {
+  state::Drawable drawable;
   if (!buffer || !real().getInteger)
     return drawable;
   GLint format = 0;
   real().getInteger(OSMESA_FORMAT, &format);
-  drawable.kind = state::software::Drawable::Kind::Memory;
+  drawable.kind = state::Drawable::Kind::Memory;
   drawable.width = width;
   drawable.height = height;
   drawable.memory = buffer;
@@ -207,7 +207,7 @@ ARBITER_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext context, void *buffer, 
   const GLboolean ok = real().makeCurrent(context, buffer, type, width, height);
   if (!ok)
     return ok;
-  const arbiter::state::software::Drawable drawable = memoryOf(buffer, type, width, height);
+  const arbiter::state::Drawable drawable = memoryOf(buffer, type, width, height);
   if (registry::madeCurrent(key(context), table(), &drawable))
     return ok;
   real().makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);

@@ -94,7 +94,7 @@ void destroyed(const Key &key) {
 }
 
 bool madeCurrent(const Key &key, const host::HostTable &table,
-                 const state::software::Drawable *drawable) try {
+                 const state::Drawable *drawable) try {
   if (!key.handle) {
     if (isCurrent(key.provider)) {
       state::makeCurrent(nullptr, nullptr);

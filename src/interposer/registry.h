@@ -35,7 +35,7 @@ void destroyed(const Key &key);
 /// \return false if there is no memory; the layer then has no current context, and the host's must
 /// be unbound too
 [[nodiscard]] bool madeCurrent(const Key &key, const host::HostTable &table,
-                               const state::software::Drawable *drawable = nullptr);
+                               const state::Drawable *drawable = nullptr);
 
 /// Called when the host has copied attribute groups from one context to another of the same
 /// display.

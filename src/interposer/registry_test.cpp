@@ -29,7 +29,7 @@ Context *createContext(Provider, const host::HostTable *table, Context *share, b
   g_made.push_back(std::make_unique<Context>(Context{share, table, false, false}));
   return g_made.back().get();
 }
-void makeCurrent(Context *context, const software::Drawable *) {
+void makeCurrent(Context *context, const Drawable *) {
   if (!context && t_now)
     ++g_unbinds;
   t_now = context;

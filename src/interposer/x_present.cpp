@@ -13,7 +13,7 @@ namespace arbiter::interposer {
 
 namespace {
 
-using state::software::Drawable;
+using state::Drawable;
 
 /// The X graphics context that pictures are put with, for windows of a screen's depth.
 struct GraphicsContext {
@@ -221,7 +221,7 @@ std::uint32_t graphicsContextOf(const std::shared_ptr<Connection> &connection, s
 
 } // namespace
 
-bool hostMissedFrames(const state::software::Drawable &drawable, bool forget) {
+bool hostMissedFrames(const state::Drawable &drawable, bool forget) {
   auto &window = *static_cast<Window *>(drawable.presenter);
   return forget ? window.hostMissedFrames.exchange(false) : window.hostMissedFrames.load();
 }

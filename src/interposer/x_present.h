@@ -11,10 +11,10 @@ namespace arbiter::interposer {
 /// this machine's byte order. Costs a round trip or two.
 /// \param display an Xlib Display
 /// \param window  an X window; anything else is detected and ignored
-void offerPresenting(void *display, std::uint32_t window, state::software::Drawable &drawable);
+void offerPresenting(void *display, std::uint32_t window, state::Drawable &drawable);
 
-/// Implements state::software::WindowFrames::hostMissed for such a window.
-bool hostMissedFrames(const state::software::Drawable &drawable, bool forget);
+/// Implements state::WindowFrames::hostMissed for such a window.
+bool hostMissedFrames(const state::Drawable &drawable, bool forget);
 
 /// Called before the display is closed: no more requests are sent to it.
 void presentingDisplayCloses(const void *display);

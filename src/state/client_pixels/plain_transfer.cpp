@@ -39,7 +39,7 @@ PlainArithmetic::PlainArithmetic(CoreContext &context)
   }
   m_mapColor = hostInteger(host, GL_MAP_COLOR);
   host.PixelTransferi(GL_MAP_COLOR, 0);
-  context.dirty |= software::dirty::kPixelStore;
+  context.dirty |= dirty::kPixelStore;
 }
 
 PlainArithmetic::~PlainArithmetic() {
@@ -47,7 +47,7 @@ PlainArithmetic::~PlainArithmetic() {
   for (std::size_t i = 0; i < kTransfer.size(); ++i)
     host.PixelTransferf(kTransfer[i], m_transfer[i]);
   host.PixelTransferi(GL_MAP_COLOR, m_mapColor);
-  m_context.dirty |= software::dirty::kPixelStore;
+  m_context.dirty |= dirty::kPixelStore;
 }
 
 PlainTransfer::PlainTransfer(CoreContext &context, PixelStore way)

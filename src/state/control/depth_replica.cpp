@@ -6,7 +6,7 @@
 #include "state/core/host_errors.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -68,4 +68,4 @@ bool DepthReplica::holds(const Region &region) const {
          region.y + region.height <= m_region.y + m_region.height;
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

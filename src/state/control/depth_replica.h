@@ -6,7 +6,7 @@
 #include "state/control/draw_probe.h"
 #include "state/control/probe_target.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 /// A copy of the window's depths and stencils for a few pixels, made by repeating the frame's draws
 /// in a framebuffer object. Depths in an object may differ from a window's in the last bits (Mesa
@@ -43,4 +43,4 @@ private:
   bool m_known = false;
 };
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -11,7 +11,7 @@
 #include "state/objects/linked_program.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -279,4 +279,4 @@ void DrawObserver::end() {
   m_context.insideBeginEnd = inside;
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -10,7 +10,7 @@
 #include "state/control/draw_probe.h"
 #include "state/control/observed_table.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace wire = arbiter::control;
 
@@ -121,4 +121,4 @@ private:
   std::string m_trouble;
 };
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

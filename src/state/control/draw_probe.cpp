@@ -12,7 +12,7 @@
 #include "state/programs/variants/drop_variants.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -147,4 +147,4 @@ compileProbe(const RasterContext &context, const std::string &text) {
   return compileProgram(context, Target::Fragment, text, {}, &probe);
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -16,7 +16,7 @@ namespace arbiter::state {
 
 struct RasterContext;
 
-namespace remote {
+namespace control {
 
 /// Repeats a draw of the application's, any number of times. It leaves GL's current values as the
 /// draw does, and otherwise changes only pixels.
@@ -63,5 +63,5 @@ compileProbe(const RasterContext &context, const std::string &text);
 /// Returns why the context cannot draw to float targets; null if it can.
 [[nodiscard]] const char *whyNoProbe(const RasterContext &context);
 
-} // namespace remote
+} // namespace control
 } // namespace arbiter::state

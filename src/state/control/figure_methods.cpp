@@ -6,7 +6,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 wire::Answer stats(Call &call) {
   using wire::Json;
@@ -17,10 +17,9 @@ wire::Answer stats(Call &call) {
       draws[pathName(Path(i))] = context.counters.draws[std::size_t(i)];
   Json given = Json::object();
   if (context.software)
-    for (int i = 0; i < software::kFallbackCount; ++i)
+    for (int i = 0; i < kFallbackCount; ++i)
       if (context.software->fallbacks[std::size_t(i)] != 0)
-        given[software::fallbackName(software::Fallback(i))] =
-            context.software->fallbacks[std::size_t(i)];
+        given[fallbackName(Fallback(i))] = context.software->fallbacks[std::size_t(i)];
   std::size_t programs = 0, over = 0;
   for (const auto &[id, program] : knownPrograms(call.session, call.context)) {
     ++programs;
@@ -39,4 +38,4 @@ wire::Answer stats(Call &call) {
                          {"given_to_host", std::move(given)}}}});
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -4,7 +4,7 @@
 #include "state/control/session.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 void Session::wantFrames(wire::ClientId client, std::uint32_t every, int width, int height) {
   const std::lock_guard lock(m_mutex);
@@ -67,4 +67,4 @@ void Session::lend(wire::ClientId id, const Picture &picture, const RasterContex
                                                                   {"context", context.serial}})));
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

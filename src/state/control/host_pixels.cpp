@@ -10,7 +10,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -53,10 +53,10 @@ public:
     }
     m_buffer = hostInteger(m_host, GL_READ_BUFFER);
     m_host.ReadBuffer(hostInteger(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
-    context.dirty |= software::dirty::kFramebuffer;
+    context.dirty |= dirty::kFramebuffer;
   }
   ~WindowRead() {
-    m_context.dirty |= software::dirty::kFramebuffer;
+    m_context.dirty |= dirty::kFramebuffer;
     m_host.ReadBuffer(GLenum(m_buffer));
     if (m_read != 0)
       m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, GLuint(m_read));
@@ -113,10 +113,10 @@ Picture reduced(Picture picture, int maxWidth, int maxHeight) {
 }
 
 bool drawableSize(const RasterContext &context, int &width, int &height) {
-  const software::Drawable &drawable = context.drawable;
+  const Drawable &drawable = context.drawable;
   width = drawable.width;
   height = drawable.height;
-  if (drawable.kind == software::Drawable::Kind::None)
+  if (drawable.kind == Drawable::Kind::None)
     return false;
   return drawable.size ? drawable.size(drawable, width, height, false) : width > 0 && height > 0;
 }
@@ -244,7 +244,7 @@ bool writeTexture(RasterContext &context, const BoundTexture &texture, const Pic
   const ActiveUnit active(host, texture.unit);
   if (context.software) // the host's copy is the valid one from here on
     context.software->residency.textureRedefined(target.target);
-  context.dirty |= software::dirty::kTextureBindings;
+  context.dirty |= dirty::kTextureBindings;
   const PlainTransfer plain(context, PixelStore::Unpack);
   HostErrorScope errors(host, context.errors.pending);
   Picture level = picture;
@@ -265,4 +265,4 @@ bool writeTexture(RasterContext &context, const BoundTexture &texture, const Pic
   return false;
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -15,7 +15,7 @@ namespace arbiter::state {
 
 struct RasterContext;
 
-namespace remote {
+namespace control {
 
 /// RGBA bytes, bottom row first, without gaps between rows.
 struct Picture {
@@ -58,5 +58,5 @@ struct TextureTarget {
 [[nodiscard]] bool writeTexture(RasterContext &context, const BoundTexture &texture,
                                 const Picture &picture, const char *&why);
 
-} // namespace remote
+} // namespace control
 } // namespace arbiter::state

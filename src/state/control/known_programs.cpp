@@ -6,7 +6,7 @@
 #include "state/report/drawn_states.h"
 #include "state/share/share_group.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::optional<KnownProgram> findProgram(Session &session, const RasterContext &c
   return std::move(found->second);
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

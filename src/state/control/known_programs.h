@@ -7,7 +7,7 @@
 #include "state/control/session.h"
 #include "state/objects/program_object.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 /// A program text of the application's and the objects that hold it. Or a state that is written as
 /// text, which no object holds.
@@ -28,4 +28,4 @@ struct KnownProgram {
 [[nodiscard]] std::optional<KnownProgram>
 findProgram(Session &session, const RasterContext &context, const std::string &id);
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -9,7 +9,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "util/own_exception.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -101,4 +101,4 @@ wire::Answer frameWant(Call &call) {
   return wire::Json::object();
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -9,7 +9,7 @@
 #include "state/control/session.h"
 
 /// The methods that clients may call (docs/write/control.md).
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 /// A request that the application's thread executes.
 struct Call {
@@ -70,4 +70,4 @@ struct Method {
 /// has replaced meanwhile stay.
 void putBackStale(RasterContext &context, std::vector<Session::OwnImage> &images);
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

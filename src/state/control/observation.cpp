@@ -8,7 +8,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "util/thread.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -24,7 +24,7 @@ constexpr std::chrono::milliseconds kMoved{500};
 } // namespace
 
 std::optional<wire::Fault> Session::observe(RasterContext &context, Observation wish) {
-  if (context.host == &software::kRecordingHost) // trueHost stays set when that is over
+  if (context.host == &kRecordingHost) // trueHost stays set when that is over
     return wire::Fault{wire::kTooBusy, "a list or a primitive is recorded at the frame's end", {}};
   const std::lock_guard lock(m_mutex);
   if (m_observer && (m_holder || Clock::now() - m_observedSince < kGivenUp))
@@ -105,4 +105,4 @@ void Session::hold(DrawObserver &observer, const ObservedDraw &draw, const Redra
   m_holder.reset();
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

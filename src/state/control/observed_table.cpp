@@ -5,7 +5,7 @@
 #include "state/control/draw_observer.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -96,4 +96,4 @@ ObservedTable::ObservedTable(const HostTable &host, DrawObserver *to)
 
 bool isObservedTable(const HostTable &table) { return table.Begin == begin; }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -1,7 +1,7 @@
 #pragma once
 #include "host/host_table.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 class DrawObserver;
 
@@ -15,4 +15,4 @@ struct ObservedTable : host::HostTable {
 /// True if the table is an ObservedTable that still has an observer.
 [[nodiscard]] bool isObservedTable(const host::HostTable &table);
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -11,7 +11,7 @@
 #include "state/programs/replacement.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -153,4 +153,4 @@ wire::Answer paramReset(Call &call) {
   return Json::object({{"count", count}});
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -14,7 +14,7 @@
 #include "state/share/share_group.h"
 #include "util/json.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -266,4 +266,4 @@ wire::Answer observedAnswer(const DrawObserver &observer, std::uint64_t frame) {
   return answer;
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -8,7 +8,7 @@
 #include "state/core/texture_binding.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -205,4 +205,4 @@ bool limitTo(const host::HostTable &host, const Region &region) {
   return box[2] > box[0] && box[3] > box[1];
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

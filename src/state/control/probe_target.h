@@ -10,7 +10,7 @@ namespace arbiter::state {
 
 struct RasterContext;
 
-namespace remote {
+namespace control {
 
 /// Pixels of a draw's target, y up.
 struct Region {
@@ -83,5 +83,5 @@ private:
 /// empty.
 [[nodiscard]] bool limitTo(const host::HostTable &host, const Region &region);
 
-} // namespace remote
+} // namespace control
 } // namespace arbiter::state

@@ -13,7 +13,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "util/json.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -159,4 +159,4 @@ wire::Answer programEnable(Call &call) {
   return Json::object();
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

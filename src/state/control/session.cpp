@@ -17,7 +17,7 @@
 #include "util/log.h"
 #include "util/thread.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -326,4 +326,4 @@ void Session::serve(RasterContext &context) {
   tellLoaded();
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

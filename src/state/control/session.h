@@ -22,7 +22,7 @@ namespace arbiter::state {
 struct RasterContext;
 class ShareGroup;
 
-namespace remote {
+namespace control {
 
 using Clock = std::chrono::steady_clock;
 
@@ -142,5 +142,5 @@ private:
   FrameTimes m_times;
 };
 
-} // namespace remote
+} // namespace control
 } // namespace arbiter::state

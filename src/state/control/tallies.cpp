@@ -4,7 +4,7 @@
 #include <ctime>
 #include <utility>
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 void Tallies::begin(std::uint32_t context, Begun begun) {
   const std::lock_guard lock(m_mutex);
@@ -73,4 +73,4 @@ std::int64_t nowNanoseconds() {
   return std::int64_t(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

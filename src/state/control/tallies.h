@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 /// The counts of one program, while there are clients.
 struct ProgramTally {
@@ -69,4 +69,4 @@ private:
 /// Returns the monotonic time in ns.
 [[nodiscard]] std::int64_t nowNanoseconds();
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

@@ -16,18 +16,18 @@
 namespace arbiter::state {
 namespace {
 
-using remote::FrameTimes;
-using remote::Picture;
-using remote::Tallies;
+using control::FrameTimes;
+using control::Picture;
+using control::Tallies;
 
 TEST(Tallies, CountDrawsOfEachProgram) {
   Tallies tallies;
-  tallies.begin(1, {{"a.vp", "b.fp"}, 10, 0, remote::nowNanoseconds()});
+  tallies.begin(1, {{"a.vp", "b.fp"}, 10, 0, control::nowNanoseconds()});
   tallies.end(1, [](std::size_t) { return std::uint64_t(13); });
   tallies.end(1, [](std::size_t) { return std::uint64_t(99); }); // it has ended already
-  tallies.begin(2, {{"", "b.fp"}, 5, 0, remote::nowNanoseconds()});
+  tallies.begin(2, {{"", "b.fp"}, 5, 0, control::nowNanoseconds()});
   tallies.end(2, [](std::size_t) { return std::uint64_t(6); });
-  tallies.begin(3, {{"", "c.fp"}, 20, 0, remote::nowNanoseconds(), 7});
+  tallies.begin(3, {{"", "c.fp"}, 20, 0, control::nowNanoseconds(), 7});
   tallies.end(
       3, [](std::size_t) { return std::uint64_t(25); }, 9);
   const auto all = tallies.all();
@@ -61,14 +61,14 @@ TEST(Picture, IsMadeSmallerByMeans) {
   for (int i = 0; i < 8; ++i)
     for (int c = 0; c < 4; ++c)
       picture.bytes.push_back(std::uint8_t(i % 4 < 2 ? 10 : 20 + i));
-  const Picture same = remote::reduced(picture, 4, 0);
+  const Picture same = control::reduced(picture, 4, 0);
   EXPECT_EQ(same.bytes, picture.bytes);
-  const Picture half = remote::reduced(picture, 2, 0);
+  const Picture half = control::reduced(picture, 2, 0);
   EXPECT_EQ(half.width, 2);
   EXPECT_EQ(half.height, 1);
   EXPECT_EQ(half.bytes[0], 10);
   EXPECT_EQ(half.bytes[4], (22 + 23 + 26 + 27 + 2) / 4);
-  const Picture narrow = remote::reduced({1, 9, std::vector<std::uint8_t>(36, 7)}, 3, 3);
+  const Picture narrow = control::reduced({1, 9, std::vector<std::uint8_t>(36, 7)}, 3, 3);
   EXPECT_EQ(narrow.height, 3);
   EXPECT_EQ(narrow.bytes[0], 7);
 }

@@ -12,7 +12,7 @@
 #include "state/report/format_name.h"
 #include "state/share/share_group.h"
 
-namespace arbiter::state::remote {
+namespace arbiter::state::control {
 
 namespace {
 
@@ -216,4 +216,4 @@ wire::Answer textureReset(Call &call) {
   return Json::object({{"count", count}});
 }
 
-} // namespace arbiter::state::remote
+} // namespace arbiter::state::control

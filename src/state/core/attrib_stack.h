@@ -28,9 +28,9 @@ class AttribStack {
 public:
   struct Entry {
     bool hasEnables = false;
-    std::uint8_t enabledTargets = 0;             ///< one bit per program target
-    std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
-    bool hasMaps = false;                        ///< `enabledMaps` of NV_vertex_program is saved
+    std::uint8_t enabledTargets = 0;   ///< one bit per program target
+    std::uint32_t dirty = dirty::kAll; ///< groups that the pop restores
+    bool hasMaps = false;              ///< `enabledMaps` of NV_vertex_program is saved
     std::uint32_t enabledMaps = 0;
     std::optional<Hints> hints;                        ///< saved by GL_HINT_BIT
     bool perStageConstants = false;                    ///< PER_STAGE_CONSTANTS_NV

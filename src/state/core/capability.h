@@ -31,11 +31,11 @@ struct CapabilityRow {
 
   static constexpr std::uint32_t kAllDirty = 0xFFFFFF;
 };
-static_assert(sizeof(CapabilityRow) == 8 && software::dirty::kGroups <= 24);
+static_assert(sizeof(CapabilityRow) == 8 && dirty::kGroups <= 24);
 
 namespace detail {
 
-using namespace software::dirty;
+using namespace dirty;
 
 /// A program target's enable makes no group dirty: a draw checks it by itself.
 inline constexpr CapabilityRow kCapabilities[] = {

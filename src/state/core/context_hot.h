@@ -7,9 +7,7 @@ struct HostTable;
 
 namespace arbiter::state {
 
-namespace software {
 class ImmediateRecorder;
-}
 
 /// The members that every generated entry point reads. They come first in Context, so that a
 /// passed-on call costs one thread-local load, one test and the host's jump.
@@ -52,7 +50,7 @@ struct ContextHot {
   /// it (mirror/attribute_aliases.h).
   bool attributesAlias = false;
   /// Receives the vertices of a deferred primitive. Null: they go to the host.
-  software::ImmediateRecorder *recorder = nullptr;
+  ImmediateRecorder *recorder = nullptr;
   /// Groups of the host's state that may have changed since they were queried
   /// (mirror/dirty_bits.h).
   std::uint32_t dirty = ~0u;

@@ -11,7 +11,7 @@ void outOfMemory(CoreContext &context, const char *name) noexcept {
   raise(context, GL_OUT_OF_MEMORY, name);
   if (context.passThrough)
     return;
-  context.dirty = software::dirty::kAll;
+  context.dirty = dirty::kAll;
   invalidateProgram(context);
   // The draw may have failed half-way, so what was chosen before may not match.
   context.hooks->forgetPipeline(context);

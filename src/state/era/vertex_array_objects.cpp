@@ -16,7 +16,7 @@ void VertexArrayObjects::keepResident(const CoreContext &context, const VertexAr
 
 void VertexArrayObjects::switchTo(CoreContext &context, VertexArrayRange &range, GLuint name) {
   context.host->BindVertexArray(0);
-  context.dirty |= software::dirty::kArrays;
+  context.dirty |= dirty::kArrays;
   if (name == m_resident)
     return;
   const Object wanted = objectOf(context, name);

@@ -12,7 +12,7 @@ void Begin(Context &context, GLenum mode) { issueBegin(context, mode); }
 void End(Context &context) { issueEnd(context); }
 
 void ArrayElement(Context &context, GLint index) {
-  if (!software::recordElement(context, index))
+  if (!recordElement(context, index))
     context.host->ArrayElement(index);
 }
 

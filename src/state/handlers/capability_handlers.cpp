@@ -88,7 +88,7 @@ void noteCapability(Context &context, Capability capability, bool enabled) {
   else if (capability == Capability::ProgramTarget)
     // The driver has the extension and not the layer. The mirror asks for the capability again
     // together with the queries (mirror_obstacles.cpp).
-    context.dirty |= software::dirty::kQueries;
+    context.dirty |= dirty::kQueries;
 }
 
 /// Executes Enable and Disable of a capability that is not the host's alone.

@@ -74,7 +74,7 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
   }
   if (context.listMode) {
     listCompiler(context).notePixels();
-    context.dirty = software::dirty::kAll;
+    context.dirty = dirty::kAll;
     return context.host->CallLists(n, type, lists);
   }
   callLists(context, n, type, lists);
@@ -102,7 +102,7 @@ GLuint generateLists(Context &context, GLsizei range) {
 
 GLuint GenLists(Context &context, GLsizei range) {
   const GLuint first = generateLists(context, range);
-  if (first != 0 && range <= kMaxKnownEmpty && software::keepsLists(context))
+  if (first != 0 && range <= kMaxKnownEmpty && keepsLists(context))
     withinMemory(context, "GenLists", [&] { context.group->lists.noteEmpty(first, range); });
   return first;
 }

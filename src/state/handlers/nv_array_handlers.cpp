@@ -28,7 +28,7 @@ void setArrayEnabled(Context &context, GLuint index, bool enabled) {
   noteGenericArray(context, index, enabled);
   if (enabled && !ofAll)
     context.aliases->ofProgramsAlone |= 1u << index;
-  context.dirty |= software::dirty::kArrays;
+  context.dirty |= dirty::kArrays;
   (enabled ? context.host->EnableVertexAttribArray : context.host->DisableVertexAttribArray)(index);
 }
 
@@ -104,7 +104,7 @@ void VertexAttribPointerNV(Context &context, GLuint index, GLint fsize, GLenum t
     return;
   if (const GLenum error = pointerError(index, fsize, type, stride); error != GL_NO_ERROR)
     return raise(context, error, "VertexAttribPointer: index, size, type or stride");
-  context.dirty |= software::dirty::kArrays;
+  context.dirty |= dirty::kArrays;
   const GLboolean normalized = type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;
   context.host->VertexAttribPointer(index, fsize, type, normalized, stride, pointer);
 }

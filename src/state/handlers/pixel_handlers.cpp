@@ -20,7 +20,7 @@ namespace arbiter::state::handlers {
 
 void Clear(Context &context, GLbitfield mask) {
   if (executesPixels(context) && context.software) {
-    software::clearsTarget(context, mask);
+    clearsTarget(context, mask);
     // The host decides whether it happens (OpenGL 3.0, 2.14).
     if (!context.software->mirror.conditional && context.software->residency.clear(mask))
       return;
@@ -70,7 +70,7 @@ void Finish(Context &context) {
   if (!context.executesNow() || !context.software)
     return context.host->Finish();
   context.software->residency.flush(true);
-  software::finishFrame(context);
+  finishFrame(context);
 }
 
 void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height) {
@@ -86,7 +86,7 @@ namespace {
 void pixelStored(Context &context, GLenum pname, GLint value) {
   if (!context.executesNow() || !context.software ||
       !context.software->residency.pixelStored(pname, value))
-    context.dirty |= software::dirty::kPixelStore;
+    context.dirty |= dirty::kPixelStore;
 }
 
 } // namespace
@@ -102,7 +102,7 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
   if (setClientStorage(context, pname, param != 0.0f))
     return;
   context.host->PixelStoref(pname, param);
-  context.dirty |= software::dirty::kPixelStore; // the host decides how to round
+  context.dirty |= dirty::kPixelStore; // the host decides how to round
 }
 
 // --- Commands that (re)define a level ---

@@ -23,7 +23,7 @@ void renderbufferRedefined(Context &context, const char *name) {
   if (knowsWhich(context))
     context.software->residency.renderbufferRedefined();
   else if (context.softwareListens)
-    software::hostDoesUnknown(context, name);
+    hostDoesUnknown(context, name);
 }
 
 } // namespace
@@ -32,7 +32,7 @@ void TextureView(Context &context, GLuint texture, GLenum target, GLuint origtex
                  GLenum internalformat, GLuint minlevel, GLuint numlevels, GLuint minlayer,
                  GLuint numlayers) {
   if (context.softwareListens)
-    software::hostDoesUnknown(context, "glTextureView");
+    hostDoesUnknown(context, "glTextureView");
   if (context.group)
     context.group->textureViews.add(texture, origtexture);
   context.host->TextureView(texture, target, origtexture, internalformat, minlevel, numlevels,
@@ -44,7 +44,7 @@ void TextureView(Context &context, GLuint texture, GLenum target, GLuint origtex
 void ImportMemoryFdEXT(Context &context, GLuint memory, GLuint64 size, GLenum handleType,
                        GLint fd) {
   if (context.softwareListens)
-    software::hostDoesUnknown(context, "glImportMemoryFdEXT");
+    hostDoesUnknown(context, "glImportMemoryFdEXT");
   imagesEscape();
   context.host->ImportMemoryFdEXT(memory, size, handleType, fd);
 }
@@ -69,7 +69,7 @@ void DeleteRenderbuffers(Context &context, GLsizei n, const GLuint *renderbuffer
   if (knowsWhich(context))
     context.software->residency.renderbuffersDeleted(n, renderbuffers);
   else if (context.softwareListens)
-    software::hostDoesUnknown(context, "glDeleteRenderbuffers");
+    hostDoesUnknown(context, "glDeleteRenderbuffers");
   if (context.group && !context.insideBeginEnd)
     context.group->deletedNames.add(DeletedNames::Kind::Renderbuffer, n, renderbuffers,
                                     context.serial);
@@ -90,7 +90,7 @@ void RenderbufferStorageMultisample(Context &context, GLenum target, GLsizei sam
 
 void BufferData(Context &context, GLenum target, GLsizeiptr size, const void *data, GLenum usage) {
   if (target == GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD) [[unlikely]]
-    software::BufferCopies::stop();
+    BufferCopies::stop();
   context.host->BufferData(target, size, data, usage);
 }
 

@@ -19,7 +19,7 @@ constexpr char kGreen[] = "!!ARBfp1.0\nADD result.color, program.local[0], fragm
 class HostPartWaits : public ::testing::Test {
 protected:
   HostPartWaits() : m_context(m_host) {
-    m_context->software = std::make_unique<software::ContextState>(*m_context);
+    m_context->software = std::make_unique<ContextState>(*m_context);
     m_context->softwarePossible = m_context->softwareListens = true;
     m_host.calls.clear();
   }

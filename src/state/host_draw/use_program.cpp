@@ -44,7 +44,7 @@ void useProgram(DrawContext &context, GLuint name) {
 
 void pushEnables(DrawContext &context, GLbitfield mask) {
   AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0,
-                           .dirty = software::dirtyGroupsOfAttributes(mask)};
+                           .dirty = dirtyGroupsOfAttributes(mask)};
   for (const ProgramTarget &row : context.targets)
     entry.enabledTargets |= std::uint8_t(std::uint8_t(row.enabled) << unsigned(row.target));
   if (context.nv) {
@@ -150,7 +150,7 @@ void pushAttrib(DrawContext &context, GLbitfield mask) {
 
 void popAttrib(DrawContext &context) {
   releaseSprites(context);
-  if (context.softwareListens && (context.attribStack.restores() & software::dirty::kCurrent) != 0)
+  if (context.softwareListens && (context.attribStack.restores() & dirty::kCurrent) != 0)
     settleCurrentValues(*context.host);
   context.host->PopAttrib();
   // The enables that the layer itself made on the host must be neither saved nor restored.

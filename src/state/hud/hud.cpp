@@ -27,7 +27,7 @@ namespace arbiter::state::hud {
 
 namespace {
 
-using remote::Picture;
+using control::Picture;
 
 /// Names that no application uses, like those of residency (residency_host.h).
 constexpr GLuint kOurTexture = 0xFFFFFFFBu, kOurFramebuffer = 0xFFFFFFFBu;
@@ -35,7 +35,7 @@ constexpr GLuint kOurTexture = 0xFFFFFFFBu, kOurFramebuffer = 0xFFFFFFFBu;
 /// Data from which a context's figures are computed.
 struct Counters {
   std::array<std::uint64_t, kPathCount> draws{}; ///< at the end of the last frame
-  remote::FrameTimes times;
+  control::FrameTimes times;
   std::string host;     ///< GL_RENDERER
   bool refused = false; ///< the host refused the figures, so they are not tried again
 };
@@ -143,13 +143,13 @@ public:
     }
     m_buffer = hostInteger(m_host, GL_DRAW_BUFFER);
     m_host.DrawBuffer(hostInteger(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
-    context.dirty |= software::dirty::kFramebuffer;
+    context.dirty |= dirty::kFramebuffer;
   }
   ~WindowDraw() {
     m_host.DrawBuffer(GLenum(m_buffer));
     if (m_framebuffer != 0)
       m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, GLuint(m_framebuffer));
-    m_context.dirty |= software::dirty::kFramebuffer;
+    m_context.dirty |= dirty::kFramebuffer;
   }
   WindowDraw(const WindowDraw &) = delete;
   WindowDraw &operator=(const WindowDraw &) = delete;
@@ -213,9 +213,9 @@ bool blit(RasterContext &context, const Picture &picture, const swrast::Rect &pl
 bool writeHere(RasterContext &context, const Picture &picture) {
   if (!context.software || !context.hostIsBehind)
     return false;
-  software::Residency &residency = context.software->residency;
+  Residency &residency = context.software->residency;
   const char *reason = nullptr;
-  const software::DrawTargets *const targets = residency.describeTargets(reason);
+  const DrawTargets *const targets = residency.describeTargets(reason);
   if (!targets || !targets->color[0] || !targets->isWindow)
     return false;
   const swrast::Rect place = placeOf(picture, targets->width, targets->height);
@@ -229,7 +229,7 @@ bool isShown() {
   static std::atomic<std::int64_t> s_next = 0;
   static std::atomic<bool> s_shown = !settings().hud.hidden, s_wasDown = false;
   const auto keyIsDown = g_keyIsDown.load(std::memory_order_acquire);
-  const std::int64_t now = remote::nowNanoseconds();
+  const std::int64_t now = control::nowNanoseconds();
   std::int64_t due = s_next.load(std::memory_order_relaxed);
   if (!keyIsDown || settings().hud.key.keysym == 0 || now < due ||
       !s_next.compare_exchange_strong(due, now + kInterval))
@@ -247,11 +247,11 @@ void draw(RasterContext &context) {
   const std::shared_ptr<Counters> counters = countersOf(context);
   if (context.passThrough || counters->refused)
     return;
-  counters->times.frameEnded(remote::nowNanoseconds());
+  counters->times.frameEnded(control::nowNanoseconds());
   if (!isShown())
     return;
   int width = 0, height = 0;
-  if (!remote::drawableSize(context, width, height))
+  if (!control::drawableSize(context, width, height))
     return;
   const HudOptions options = fitted(settings().hud, height);
   const Figures figures = figuresOf(context, *counters);

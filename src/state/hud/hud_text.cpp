@@ -22,7 +22,7 @@ std::string formatted(const char *format, double a, double b, double c) {
   return text;
 }
 
-void fill(remote::Picture &picture, int x, int y, int width, int height, std::uint8_t value) {
+void fill(control::Picture &picture, int x, int y, int width, int height, std::uint8_t value) {
   for (int v = y; v < std::min(y + height, picture.height); ++v)
     for (int u = x; u < std::min(x + width, picture.width); ++u) {
       std::uint8_t *const pixel =
@@ -31,7 +31,7 @@ void fill(remote::Picture &picture, int x, int y, int width, int height, std::ui
     }
 }
 
-void drawLetter(remote::Picture &picture, int x, int top, char letter, int scale) {
+void drawLetter(control::Picture &picture, int x, int top, char letter, int scale) {
   for (int row = 0; row < kGlyphHeight; ++row)
     for (int column = 0; column < kGlyphWidth; ++column)
       if ((glyphRow(letter, row) >> (kGlyphWidth - 1 - column) & 1) != 0)
@@ -40,7 +40,7 @@ void drawLetter(remote::Picture &picture, int x, int top, char letter, int scale
 
 /// Draws one bar per frame. The full height is the worst frame's time, but at least 1/30 s. Frames
 /// slower than 1/30 s are lighter.
-void drawGraph(remote::Picture &picture, const std::vector<float> &times, int scale) {
+void drawGraph(control::Picture &picture, const std::vector<float> &times, int scale) {
   constexpr float kSlow = 1000.f / 30;
   const float most = std::max(kSlow, *std::max_element(times.begin(), times.end()));
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -119,14 +119,14 @@ HudOptions fitted(HudOptions options, int frameHeight) {
   return options;
 }
 
-remote::Picture pictureOf(const std::vector<std::string> &lines, const std::vector<float> &times,
-                          int scale) {
+control::Picture pictureOf(const std::vector<std::string> &lines, const std::vector<float> &times,
+                           int scale) {
   std::size_t longest = 0;
   for (const std::string &line : lines)
     longest = std::max(longest, line.size());
   const int inside = std::max(int(longest) * kAdvance, int(times.size()) * kGraphBar);
   const int graph = times.empty() ? 0 : kGraphHeight + 2;
-  remote::Picture picture;
+  control::Picture picture;
   picture.width = (inside + 2 * kBorder) * scale;
   picture.height = (int(lines.size()) * kLine + graph + 2 * kBorder) * scale;
   picture.bytes.assign(std::size_t(picture.width) * std::size_t(picture.height) * 4, 255);

@@ -37,7 +37,7 @@ struct Figures {
 /// Draws lines, light on dark, above a graph of frame times; bottom row first.
 /// \param times ms; empty: no graph
 /// \param scale the width of a letter's pixel
-[[nodiscard]] remote::Picture pictureOf(const std::vector<std::string> &lines,
-                                        const std::vector<float> &times, int scale);
+[[nodiscard]] control::Picture pictureOf(const std::vector<std::string> &lines,
+                                         const std::vector<float> &times, int scale);
 
 } // namespace arbiter::state::hud

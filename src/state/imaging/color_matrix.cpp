@@ -34,7 +34,7 @@ std::vector<imaging::Matrix> replaceStack(const CoreContext &context,
 }
 
 void noteMatrices(CoreContext &context) {
-  context.dirty |= software::dirty::kTransform | software::dirty::kProgramState;
+  context.dirty |= dirty::kTransform | dirty::kProgramState;
 }
 
 } // namespace

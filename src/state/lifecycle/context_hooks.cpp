@@ -14,9 +14,9 @@ void dropLinkedPrograms(CoreContext &context, const CompiledProgram &compiled) {
   whole.hostSide.linkedPrograms->drop(whole, &compiled);
 }
 
-void engageRasterizer(CoreContext &context) { software::engage(wholeOf(context)); }
+void engageRasterizer(CoreContext &context) { engage(wholeOf(context)); }
 
-bool mayUseRasterizer(const CoreContext &context) { return software::mayBeUsed(wholeOf(context)); }
+bool mayUseRasterizer(const CoreContext &context) { return mayBeUsed(wholeOf(context)); }
 
 bool rasterizerDraws(const CoreContext &context) {
   return context.softwarePossible && wholeOf(context).software->history.backOff.engaged();

@@ -139,14 +139,14 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
     targets[i].parameterBits =
         isOfVertices(Target(i)) ? attention::kVertexParameters : attention::kFragmentParameters;
   }
-  software::addNeighbour(*this); // throws without memory, before the group counts this context
+  addNeighbour(*this); // throws without memory, before the group counts this context
   group->contexts.fetch_add(1);
 }
 
 Context::~Context() {
   if (!group)
     return;
-  software::removeNeighbour(*this);
+  removeNeighbour(*this);
   group->contexts.fetch_sub(1);
   try {
     LinkedProgramCache::Names names = hostSide.linkedPrograms->abandon();
@@ -224,8 +224,8 @@ void release(Context *context) {
 
 /// Draws a primitive that waits for more (held.h), before the window system sees the pixels.
 void drawHeldOf(Context *context) {
-  if (context && software::isHeld(*context))
-    software::drawHeld(*context);
+  if (context && isHeld(*context))
+    drawHeld(*context);
 }
 
 } // namespace
@@ -268,7 +268,7 @@ bool exchange(Exchange what, const char *name) {
   withinMemory(*context, name, [&] {
     switch (what) {
     case Exchange::Present:
-      isShown = software::presentFrame(*context);
+      isShown = presentFrame(*context);
       break;
     case Exchange::Flush:
       context->software->residency.flush(false);
@@ -305,7 +305,7 @@ void hostSwaps() {
     context->software->residency.hostSwaps();
 }
 
-void makeCurrent(Context *context, const software::Drawable *drawable) {
+void makeCurrent(Context *context, const Drawable *drawable) {
   Context *const old = currentContext();
   if (old != context) {
     bool leaves = false;
@@ -316,7 +316,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
       leaves = old && --old->life.currentCount == 0;
     }
     if (leaves)
-      software::ceasesToBeCurrent(*old);
+      ceasesToBeCurrent(*old);
     t_current = context ? context : &g_null.context;
     if (context)
       logFlag(DebugFlag::Contexts, "state", "context %u: current", context->serial);
@@ -325,13 +325,13 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     if (old)
       release(old);
   } else if (context) {
-    software::ceasesToBeCurrent(*context); // it may get another drawable
+    ceasesToBeCurrent(*context); // it may get another drawable
   }
   if (context)
-    software::becomesCurrent(*context, drawable ? *drawable : software::Drawable{});
+    becomesCurrent(*context, drawable ? *drawable : Drawable{});
   if (context && !context->life.initialised) {
     initialiseWhole(*context);
-    software::expect(*context);
+    expect(*context);
     noteProgress(*context);
     beginWatching();
   } else if (context && context->group->hasGarbage() && !context->listMode)
@@ -359,7 +359,7 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
   if (&from == currentContext())
     drawHeldOf(currentContext());
   noteFixedFunctionChange(to);
-  to.dirty = software::dirty::kAll;
+  to.dirty = dirty::kAll;
   if ((mask & (GL_ENABLE_BIT | GL_TRANSFORM_BIT)) != 0)
     copyClipPlanes(from, to);
   if (from.combiners && to.combiners && (mask & GL_TEXTURE_BIT) != 0) {
@@ -409,10 +409,10 @@ void frameEnd(Context *context) {
     noteTextureChange(*context); // commands that the layer does not see may have changed textures
     if (const ControlHooks *const hooks = controlHooks()) [[unlikely]]
       hooks->frameEnds(*context);
-    if (context->counters.frames >= software::kEarlyFrames && context->group->lists.hasEarly())
+    if (context->counters.frames >= kEarlyFrames && context->group->lists.hasEarly())
       forgetEarlyLists(*context);
     noteProgress(*context);
-    software::leaveOrReturn(*context);
+    leaveOrReturn(*context);
     refreshReplacements(*context);
   });
 }

@@ -9,9 +9,7 @@
 namespace arbiter::state {
 
 class Context;
-namespace software {
 struct Drawable;
-}
 
 /// Makes a context in the share group of `share`, or in a new group if `share` is null. Calls
 /// nothing of the host, whose context need not be current.
@@ -22,7 +20,7 @@ struct Drawable;
 /// Makes `context` the calling thread's (null: the null context), after the host's make-current
 /// succeeded. The first time it queries the host's limits and extensions.
 /// \param drawable the default framebuffer; null: unknown
-void makeCurrent(Context *context, const software::Drawable *drawable = nullptr);
+void makeCurrent(Context *context, const Drawable *drawable = nullptr);
 
 /// Gives the host all pixels that the layer holds. Called before the host takes the context from
 /// the calling thread, or gives it another drawable. The context stays usable if the host refuses.

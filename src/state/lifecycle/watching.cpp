@@ -22,7 +22,7 @@ std::uint64_t drawsOf(const Context &context, std::size_t path) {
 
 void programsLeave(CoreContext &core) {
   Context &context = wholeOf(core);
-  if (remote::Session *const session = remote::Session::instance(); session && session->isBusy())
+  if (control::Session *const session = control::Session::instance(); session && session->isBusy())
     session->tallies().end(
         context.serial, [&](std::size_t path) { return drawsOf(context, path); },
         context.counters.draws[std::size_t(Path::Rasterizer)]);
@@ -30,10 +30,10 @@ void programsLeave(CoreContext &core) {
 
 void programsEnter(CoreContext &core) {
   Context &context = wholeOf(core);
-  remote::Session *const session = remote::Session::instance();
+  control::Session *const session = control::Session::instance();
   if (!session || !session->isBusy() || !context.effective.linkedProgram)
     return;
-  remote::Tallies::Begun begun;
+  control::Tallies::Begun begun;
   const auto stages = context.effective.linkedProgram->stages();
   for (std::size_t i = 0; i < stages.size(); ++i)
     if (const CompiledProgram *const compiled = stages[i]->compiled)
@@ -41,13 +41,13 @@ void programsEnter(CoreContext &core) {
   begun.path = std::size_t(context.effective.path);
   begun.drawsBefore = drawsOf(context, begun.path);
   begun.rasterizedBefore = context.counters.draws[std::size_t(Path::Rasterizer)];
-  begun.since = remote::nowNanoseconds();
+  begun.since = control::nowNanoseconds();
   session->tallies().begin(context.serial, std::move(begun));
 }
 
 void frameEnds(CoreContext &core) {
   Context &context = wholeOf(core);
-  if (remote::Session *const session = remote::Session::instance()) {
+  if (control::Session *const session = control::Session::instance()) {
     session->noteActivity(true);
     if (session->isBusy() && context.executesNow()) [[unlikely]] {
       programsLeave(context);
@@ -59,7 +59,7 @@ void frameEnds(CoreContext &core) {
       programsEnter(context);
     }
   } else if (controlled()) {
-    remote::Session::begin(); // in a child of a fork
+    control::Session::begin(); // in a child of a fork
   }
   if (settings().hud.on && context.executesNow())
     hud::draw(context);
@@ -68,7 +68,7 @@ void frameEnds(CoreContext &core) {
 /// Serves requests before a draw, unless there are contexts that end frames; those serve them.
 void beforeDraw(CoreContext &core) {
   Context &context = wholeOf(core);
-  remote::Session *const session = remote::Session::instance();
+  control::Session *const session = control::Session::instance();
   if (!session || !session->isBusy()) [[likely]] // the common case
     return;
   session->noteActivity(false);
@@ -88,7 +88,7 @@ void beginWatching() {
   if (!controlled() && !settings().hud.on)
     return;
   if (controlled())
-    remote::Session::begin();
+    control::Session::begin();
   g_controlHooks.store(&kHooks, std::memory_order_release);
 }
 

@@ -9,7 +9,7 @@ namespace arbiter::state {
 
 namespace {
 
-bool isRecorded(RasterContext &context) {
+bool keepsCommand(RasterContext &context) {
   if (context.listMode == 0 || !listCompiler(context).keeps())
     return false;
   listCompiler(context).leavePrimitive(context);
@@ -20,13 +20,13 @@ void note(RasterContext &context, bool begun) {
   if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE)
     return;
   context.software->mirror.conditional = begun;
-  context.dirty |= software::dirty::kQueries;
+  context.dirty |= dirty::kQueries;
 }
 
 } // namespace
 
 void issueBeginConditional(RasterContext &context, GLuint id, GLenum mode) {
-  if (isRecorded(context))
+  if (keepsCommand(context))
     return listCompiler(context).record(
         context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
   // An upload is a blit, which the condition could discard. The host draws and clears until the
@@ -38,7 +38,7 @@ void issueBeginConditional(RasterContext &context, GLuint id, GLenum mode) {
 }
 
 void issueEndConditional(RasterContext &context) {
-  if (isRecorded(context))
+  if (keepsCommand(context))
     return listCompiler(context).record(context, {.kind = Command::Kind::EndConditional});
   context.host->EndConditionalRender();
   note(context, false);

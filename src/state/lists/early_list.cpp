@@ -24,7 +24,7 @@ void ListCompiler::beginEarly(RasterContext &context) {
   m_early = true;
   m_earlyVertices = 0;
   context.trueHost = context.host;
-  context.host = &software::kRecordingHost;
+  context.host = &kRecordingHost;
   context.softwareListens = true;
   context.recorder = &m_outside;
   recordOutsideAttributes(context);
@@ -40,8 +40,8 @@ void ListCompiler::recordOutsideAttributes(RasterContext &context) {
 void ListCompiler::takeOutsideAttributes(RasterContext &context) {
   if (m_outside.touched() == 0)
     return;
-  software::setTouched(*context.trueHost, m_outside);
-  auto geometry = software::geometryOf(m_outside);
+  setTouched(*context.trueHost, m_outside);
+  auto geometry = geometryOf(m_outside);
   geometry->onlyValues = true;
   recordOutsideAttributes(context);
   finishGeometry();
@@ -55,7 +55,7 @@ bool ListCompiler::hasRoom(GLsizei count) const { return !m_early || count <= GL
 void ListCompiler::endEarlyPrimitive(RasterContext &context, bool fromArrays) {
   context.recorder = &m_outside;
   if (!fromArrays)
-    software::sendWhole(*context.trueHost, m_recorder);
+    sendWhole(*context.trueHost, m_recorder);
   notePrimitive(Primitive::Open);
   notePrimitive(Primitive::Closed);
   m_earlyVertices += m_recorder.count();
@@ -73,10 +73,10 @@ void ListCompiler::leaveEarly(RasterContext &context) {
   context.softwareListens = context.softwarePossible;
   const bool recorded = std::exchange(m_recording, false);
   if (recorded) {
-    software::sendOpen(*context.host, m_recorder);
+    sendOpen(*context.host, m_recorder);
     notePrimitive(Primitive::Open);
   } else {
-    software::setTouched(*context.host, m_outside);
+    setTouched(*context.host, m_outside);
   }
   m_outside.begin(GL_POINTS, {});
 }
@@ -86,7 +86,7 @@ void ListCompiler::leaveEarly(RasterContext &context) {
 bool ListCompiler::leaveFull(void *owner, const float position[4]) {
   auto &context = *static_cast<RasterContext *>(owner);
   listCompiler(context).leaveEarly(context);
-  software::setAttribute(*context.host, software::kPosition, position);
+  setAttribute(*context.host, kPosition, position);
   return false;
 }
 

@@ -18,7 +18,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "state/share/share_group.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -70,7 +70,7 @@ void drawOnHost(RasterContext &context, const Geometry &geometry) {
 
 /// Begins an open primitive vertex by vertex, as the application would. Who draws it is decided
 /// when it is whole. Requires geometry.open.
-void beginPrimitive(RasterContext &context, const Geometry &geometry) {
+void openPrimitive(RasterContext &context, const Geometry &geometry) {
   issueBegin(context, geometry.mode);
   if (ImmediateRecorder *const to = context.recorder) {
     return geometry.read(
@@ -142,11 +142,11 @@ void callGeometry(RasterContext &context, const Geometry &geometry) {
   if (geometry.onlyValues)
     return setCurrentValues(context, geometry.values, geometry.touched);
   if (geometry.open)
-    return beginPrimitive(context, geometry);
+    return openPrimitive(context, geometry);
   if (mayDraw(context) && usesRasterizer(context) && geometry.count != 0 &&
       drawGeometry(context, geometry))
     return setCurrentValues(context, geometry.values, geometry.touched);
   drawOnHost(context, geometry);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -32,7 +32,7 @@ void beforeHostLists(RasterContext &context) {
 
 /// Notes a Viewport in the segment, by which an application follows its window's size.
 void noteViewport(RasterContext &context, const Effects &effects) {
-  if (!context.software || (effects.dirty & software::dirty::kViewport) == 0)
+  if (!context.software || (effects.dirty & dirty::kViewport) == 0)
     return;
   GLint box[4] = {};
   context.host->GetIntegerv(GL_VIEWPORT, box);
@@ -43,7 +43,7 @@ void noteViewport(RasterContext &context, const Effects &effects) {
 /// it.
 void callStateList(RasterContext &context, GLuint name, const Effects &effects) {
   // RasterPos transforms a vertex with the host's vertex program and its parameters.
-  if ((effects.dirty & software::dirty::kRasterPosition) != 0 && context.attention)
+  if ((effects.dirty & dirty::kRasterPosition) != 0 && context.attention)
     (void)validate(context);
   if (isObserved(context)) [[unlikely]] {
     const ListHoldsScope holds(ListHolds::State);
@@ -79,7 +79,7 @@ void callHostList(RasterContext &context, GLuint name, Primitive primitive = Pri
     context.host->CallList(name);
     context.insideBeginEnd = primitive == Primitive::Open;
   }
-  context.dirty = software::dirty::kAll;
+  context.dirty = dirty::kAll;
   if (context.insideBeginEnd)
     return;
   noteViewport(context, effects);
@@ -158,8 +158,8 @@ std::shared_ptr<const DisplayList> earlyList(RasterContext &context, GLuint name
     return nullptr;
   if (isObserved(context))
     return context.group->lists.findEarly(name);
-  if (!context.software || !software::mayDraw(context) || !software::usesRasterizer(context) ||
-      !software::decideByPath(context).ok())
+  if (!context.software || !mayDraw(context) || !usesRasterizer(context) ||
+      !decideByPath(context).ok())
     return nullptr;
   return context.group->lists.findEarly(name);
 }
@@ -176,7 +176,7 @@ void callList(RasterContext &context, GLuint name) {
   if (!list) {
     if (const std::shared_ptr<const DisplayList> early = earlyList(context, name)) {
       for (const DisplayList::Item &item : early->items)
-        software::callGeometry(context, *item.geometry);
+        callGeometry(context, *item.geometry);
       return;
     }
     callHostList(context, name);
@@ -187,7 +187,7 @@ void callList(RasterContext &context, GLuint name) {
   ++context.listDepth;
   for (const DisplayList::Item &item : list->items) {
     if (item.geometry) {
-      software::callGeometry(context, *item.geometry);
+      callGeometry(context, *item.geometry);
     } else if (item.command) {
       context.dirty |= item.effects.dirty;
       execute(context, *item.command);
@@ -200,7 +200,7 @@ void callList(RasterContext &context, GLuint name) {
 
 void callListIntoHost(RasterContext &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
-  context.dirty = software::dirty::kAll;
+  context.dirty = dirty::kAll;
   listCompiler(context).notePixels();
   if (!list)
     return context.host->CallList(name);
@@ -232,7 +232,7 @@ void callLists(RasterContext &context, GLsizei count, GLenum type, const void *l
     if (refused)
       refuseDraws(context);
     context.host->CallLists(count, type, lists); // raises errors of the arguments
-    context.dirty = software::dirty::kAll;
+    context.dirty = dirty::kAll;
     if (refused)
       releaseHostState(context);
     if (!context.insideBeginEnd)

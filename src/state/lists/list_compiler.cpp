@@ -20,7 +20,7 @@ namespace {
 
 /// Removes the groups of commands that are executed at once even in a list (5.4).
 std::uint32_t recordable(std::uint32_t dirty) {
-  using namespace software::dirty;
+  using namespace dirty;
   return dirty == kAll ? dirty : dirty & ~kArrays;
 }
 
@@ -84,7 +84,7 @@ void ListCompiler::begin(RasterContext &context, GLuint name, GLenum mode) {
   m_kind = Kind::None;
   m_arraysDirty = true;
   m_mode = std::uint16_t(mode);
-  m_keeps = software::keepsLists(context) && !changesAlone(context, name);
+  m_keeps = keepsLists(context) && !changesAlone(context, name);
   context.listIsExecuted = executes();
   if (m_keeps) {
     context.softwareListens = true;
@@ -93,7 +93,7 @@ void ListCompiler::begin(RasterContext &context, GLuint name, GLenum mode) {
   setMode(context, m_mode);
   m_segment = name;
   context.host->NewList(name, mode);
-  if (mode == GL_COMPILE && software::keepsEarlyLists(context))
+  if (mode == GL_COMPILE && keepsEarlyLists(context))
     beginEarly(context);
 }
 
@@ -171,7 +171,7 @@ void ListCompiler::resume(CoreContext &lower) {
     return openSegment(context);
   m_dirty = std::exchange(context.dirty, 0);
   setMode(context, m_mode);
-  context.host = &software::kRecordingHost;
+  context.host = &kRecordingHost;
 }
 
 /// Validates state that changed since the list began. Changes by the command that opens the segment
@@ -281,10 +281,10 @@ void ListCompiler::endPrimitive(CoreContext &lower, bool fromArrays) {
 /// leaves at their defaults may be those of the previous primitive.
 void ListCompiler::executePrimitive(RasterContext &context) {
   if (beginExecuted(context, m_recorder.mode())) {
-    software::sendOpen(*context.host, m_recorder);
+    sendOpen(*context.host, m_recorder);
     context.host->End();
   } else {
-    software::setTouched(*context.host, m_recorder);
+    setTouched(*context.host, m_recorder);
   }
   endExecuted(context);
 }
@@ -301,12 +301,12 @@ bool ListCompiler::beginExecuted(CoreContext &lower, GLenum mode) {
 
 void ListCompiler::endExecuted(CoreContext &lower) {
   RasterContext &context = rasterStep(lower);
-  context.dirty |= software::dirty::kCurrent;
+  context.dirty |= dirty::kCurrent;
   resume(context);
 }
 
 void ListCompiler::keepPrimitive(bool fromArrays) {
-  if (fromArrays || (m_recorder.touched() >> software::kColor & 1u) != 0)
+  if (fromArrays || (m_recorder.touched() >> kColor & 1u) != 0)
     m_known.forgetMaterials();
   if (m_geometry && append(*m_geometry, m_recorder, fromArrays))
     return;
@@ -342,7 +342,7 @@ void ListCompiler::givePrimitive(RasterContext &context) {
     return leaveEarly(context);
   stopPrimitive(context);
   openSegment(context);
-  software::sendOpen(*context.host, m_recorder);
+  sendOpen(*context.host, m_recorder);
   notePixels();
   notePrimitive(Primitive::Open);
   context.insideBeginEnd = executes();
@@ -351,7 +351,7 @@ void ListCompiler::givePrimitive(RasterContext &context) {
 bool ListCompiler::takeArraysDirty(CoreContext &lower) {
   RasterContext &context = rasterStep(lower);
   // Arrays are set at once. Their dirty bit applies after the list, and is no effect of a segment.
-  const std::uint32_t bit = context.dirty & software::dirty::kArrays;
+  const std::uint32_t bit = context.dirty & dirty::kArrays;
   context.dirty &= ~bit;
   m_dirty |= bit;
   return std::exchange(m_arraysDirty, false) || bit != 0;

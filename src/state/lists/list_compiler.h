@@ -45,7 +45,7 @@ public:
   [[nodiscard]] bool beginPrimitive(CoreContext &lower, GLenum mode) override;
   void endPrimitive(CoreContext &lower, bool fromArrays = false) override;
   [[nodiscard]] bool recordsPrimitive() const override { return m_recording; }
-  [[nodiscard]] software::ImmediateRecorder &recorder() override { return m_recorder; }
+  [[nodiscard]] ImmediateRecorder &recorder() override { return m_recorder; }
   void giveHost(CoreContext &lower) override {
     RasterContext &context = rasterStep(lower);
     if (m_early)
@@ -156,9 +156,9 @@ private:
   bool m_arraysDirty = true;                   ///< arrays changed since the last draw, or the list
                                                ///< has no draw yet
   std::vector<DisplayList::Item> m_items;
-  std::unique_ptr<software::Geometry> m_geometry; ///< complete primitives after the last item
-  software::ImmediateRecorder m_recorder;
-  software::ImmediateRecorder m_outside; ///< attributes outside primitives in an early list
+  std::unique_ptr<Geometry> m_geometry; ///< complete primitives after the last item
+  ImmediateRecorder m_recorder;
+  ImmediateRecorder m_outside; ///< attributes outside primitives in an early list
   Arrays m_arrays{nullptr, nullptr};
   std::vector<Push> m_pushes;
   KnownState m_known;

@@ -270,10 +270,10 @@ TEST(Lists, WhatIsSetBehindTheLastVertexIsCurrentThoughTheHostDraws) {
     KeepingContext context(host);
     handlers::NewList(*context, 1, GL_COMPILE);
     handlers::Begin(*context, GL_POINTS);
-    context->recorder->set(software::kColor, 1, 0, 0, 1);
+    context->recorder->set(kColor, 1, 0, 0, 1);
     context->recorder->vertex(1, 2, 0, 1);
     if (behind)
-      context->recorder->set(software::kColor, 0, 1, 0, 1);
+      context->recorder->set(kColor, 0, 1, 0, 1);
     handlers::End(*context);
     handlers::EndList(*context);
     context.leaveToHost(host);
@@ -309,7 +309,7 @@ TEST(Lists, PrimitivesThatAreExecutedTooAreDrawnOutsideOfTheHostsLists) {
   ASSERT_EQ(list->items.size(), 3u);
   EXPECT_EQ(list->items[0].geometry->count, 1u);
   EXPECT_FALSE(list->items[1].effects.pixels);
-  EXPECT_EQ(list->items[1].effects.dirty, software::dirty::kPixelOps);
+  EXPECT_EQ(list->items[1].effects.dirty, dirty::kPixelOps);
   EXPECT_EQ(list->items[2].geometry->count, 1u);
 }
 
@@ -350,7 +350,7 @@ TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   ASSERT_TRUE(list);
   ASSERT_EQ(list->items.size(), 3u);
   EXPECT_EQ(list->items[1].hostList, kTop);
-  EXPECT_EQ(list->items[1].effects.dirty, software::dirty::kPixelOps);
+  EXPECT_EQ(list->items[1].effects.dirty, dirty::kPixelOps);
   EXPECT_FALSE(list->items[1].effects.pixels);
 }
 
@@ -375,10 +375,10 @@ TEST(Lists, RectanglesArePrimitives) {
   FakeHost host;
   const KeepingContext context(host);
   handlers::NewList(*context, 1, GL_COMPILE);
-  EXPECT_TRUE(software::tryRectangle(*context, 1, 2, 3, 4));
-  EXPECT_TRUE(software::tryRectangle(*context, 1, 2, 3, 4));
+  EXPECT_TRUE(tryRectangle(*context, 1, 2, 3, 4));
+  EXPECT_TRUE(tryRectangle(*context, 1, 2, 3, 4));
   handlers::Begin(*context, GL_LINES);
-  EXPECT_FALSE(software::tryRectangle(*context, 1, 2, 3, 4)) << "an error, and the host's";
+  EXPECT_FALSE(tryRectangle(*context, 1, 2, 3, 4)) << "an error, and the host's";
   handlers::EndList(*context);
   const auto list = context->group->lists.find(1);
   ASSERT_EQ(list->items.size(), 2u);

@@ -77,7 +77,7 @@ bool takesMesh(RasterContext &context, const EvaluatorMesh &mesh) {
   if (context.attention && !prepareDraw(context, mesh.mode == GL_POINT ? GL_POINTS : GL_LINES))
     return true;
   if (context.softwareListens)
-    software::hostWrites(context, mesh.dimension == 1 ? "glEvalMesh1" : "glEvalMesh2");
+    hostWrites(context, mesh.dimension == 1 ? "glEvalMesh1" : "glEvalMesh2");
   ++*context.drawCounter;
   return false;
 }

@@ -23,18 +23,18 @@ namespace {
 bool defer(RasterContext &context, GLenum mode) {
   if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
     return false;
-  if (!software::usesRasterizer(context) || !software::beginPrimitive(context, mode))
+  if (!usesRasterizer(context) || !beginPrimitive(context, mode))
     return false;
-  software::startRecording(context);
+  startRecording(context);
   return true;
 }
 
 } // namespace
 
 void issueBegin(RasterContext &context, GLenum mode) {
-  if (software::isHeld(context) && software::reopenHeld(context, mode))
+  if (isHeld(context) && reopenHeld(context, mode))
     return;
-  if (software::isRecorded(context) && software::refuses(context, "glBegin")) [[unlikely]]
+  if (isRecorded(context) && refuses(context, "glBegin")) [[unlikely]]
     return;
   const ImmediateInputs inputs(context);
   if (context.mapsNamed) [[unlikely]]
@@ -45,7 +45,7 @@ void issueBegin(RasterContext &context, GLenum mode) {
     else if (listCompiler(context).beginPrimitive(context, mode))
       return;
   }
-  if (software::mayDraw(context) && defer(context, mode))
+  if (mayDraw(context) && defer(context, mode))
     return;
   if (context.attention && !prepareDraw(context, mode)) [[unlikely]]
     return;
@@ -62,17 +62,17 @@ void issueBegin(RasterContext &context, GLenum mode) {
 }
 
 void issueEnd(RasterContext &context) {
-  if (software::isHeld(context)) [[unlikely]] // an End without Begin, which is an error
-    software::drawHeld(context);
-  if (context.recorder && context.listMode == 0 && software::holdPrimitive(context))
+  if (isHeld(context)) [[unlikely]] // an End without Begin, which is an error
+    drawHeld(context);
+  if (context.recorder && context.listMode == 0 && holdPrimitive(context))
     return;
   const ImmediateInputs inputs(context);
   if (context.listMode != 0 && listCompiler(context).recordsPrimitive())
     return listCompiler(context).endPrimitive(context);
   if (context.recorder && context.listMode == 0) {
-    software::stopRecording(context);
+    stopRecording(context);
     context.insideBeginEnd = false;
-    return software::endPrimitive(context);
+    return endPrimitive(context);
   }
   if (context.listMode)
     listCompiler(context).notePixels();

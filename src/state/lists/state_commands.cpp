@@ -31,11 +31,11 @@ bool recordMaterial(RasterContext &context, GLenum face, GLenum pname, const GLf
     return false;
   StateCommand command{.target = face, .pname = pname};
   std::copy_n(values, count, command.values.begin());
-  return record(context, command, software::dirty::kMaterial | software::dirty::kProgramState);
+  return record(context, command, dirty::kMaterial | dirty::kProgramState);
 }
 
 bool recordBindTexture(RasterContext &context, GLenum target, GLuint texture) {
-  return record(context, {.target = target, .texture = texture}, software::dirty::kTextureBindings);
+  return record(context, {.target = target, .texture = texture}, dirty::kTextureBindings);
 }
 
 void executeStateCommands(RasterContext &context, const std::string &bytes) {

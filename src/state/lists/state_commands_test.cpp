@@ -55,7 +55,7 @@ TEST_F(StateCommands, WhatIsSetAlreadyIsLeftOutAndPrimitivesAreOne) {
   });
   ASSERT_EQ(items.size(), 2u);
   EXPECT_EQ(commandsOf(items[0]), 3u) << "a run of them is an item";
-  using namespace software::dirty;
+  using namespace dirty;
   EXPECT_EQ(items[0].effects.dirty, kMaterial | kProgramState | kTextureBindings);
   EXPECT_EQ(items[1].geometry->count, 5u);
   EXPECT_EQ(m_host.count("NewList"), 1) << "the name alone, and no list for each run";
@@ -148,7 +148,7 @@ TEST_F(StateCommands, TheyAreExecutedInTheirOrder) {
       seen.push_back(call.substr(0, call.find(' ')));
   EXPECT_EQ(seen,
             (std::vector<std::string>{"Materialfv", "BindTexture", "CallList", "BindTexture"}));
-  EXPECT_NE(m_context->dirty & software::dirty::kMaterial, 0u);
+  EXPECT_NE(m_context->dirty & dirty::kMaterial, 0u);
 }
 
 } // namespace

@@ -14,16 +14,16 @@ namespace arbiter::state {
   constexpr unsigned kFirstTexCoord = 8;
   switch (index) {
   case 2:
-    return software::kNormal;
+    return kNormal;
   case 3:
-    return software::kColor;
+    return kColor;
   case 4:
-    return software::kSecondary;
+    return kSecondary;
   case 5:
-    return software::kFogCoord;
+    return kFogCoord;
   default:
-    return index < kFirstTexCoord ? software::kGeneric0 + int(index)
-                                  : software::kTexCoord0 + int(index - kFirstTexCoord);
+    return index < kFirstTexCoord ? kGeneric0 + int(index)
+                                  : kTexCoord0 + int(index - kFirstTexCoord);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "state/mirror/dirty_bits.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Returns the groups of state (dirty_bits.h) that PopAttrib restores after PushAttrib of `mask`.
 /// They follow the attribute groups of OpenGL 2.1, tables 6.5 to 6.27.
@@ -53,4 +53,4 @@ namespace arbiter::state::software {
   return (mask & ~known) != 0 ? kAll : groups; // ALL_ATTRIB_BITS has bits that mean nothing
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -3,7 +3,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 std::uint32_t elementBytes(const VertexSource::Array &array) {
   switch (array.type) {
@@ -29,4 +29,4 @@ std::uint32_t elementBytes(const VertexSource::Array &array) {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,7 +5,7 @@
 #include "fp_compiler/ir/interface.h"
 
 /// Vertex attributes, numbered in one sequence whatever command or array sets them.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 enum Slot : std::uint8_t {
   kPosition = 0,
@@ -93,4 +93,4 @@ struct VertexSource {
 /// Returns the bytes of one element of an array; 0 if the type is unknown.
 [[nodiscard]] std::uint32_t elementBytes(const VertexSource::Array &array);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -3,7 +3,7 @@
 #include <type_traits>
 
 /// Conversions of vertex attribute components to floats.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Converts a fixed-point integer to [0,1] or [-1,1], by table 2.9 of OpenGL 2.1: a signed c of b
 /// bits is (2c + 1) / (2^b - 1).
@@ -17,4 +17,4 @@ template <typename Integer> [[nodiscard]] constexpr float normalized(Integer val
   return float((2.0 * value + 1.0) / kMax);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

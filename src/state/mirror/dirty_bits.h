@@ -4,7 +4,7 @@
 /// Groups of the host's state that may have changed since the mirror queried them. An entry point
 /// that changes state sets bits in ContextHot::dirty and calls the host. A draw queries the groups
 /// whose bits are set, and no others. The rows of software.toml name these bits.
-namespace arbiter::state::software::dirty {
+namespace arbiter::state::dirty {
 inline constexpr std::uint32_t kTextureBindings = 1u << 0; ///< bound textures, active unit, sampler
                                                            ///< objects
 inline constexpr std::uint32_t kTextureParameters =
@@ -38,4 +38,4 @@ inline constexpr int kGroups = 19;
 inline constexpr std::uint32_t kMatrix = 1u << 19;     ///< the matrix that MATRIX_MODE names
 inline constexpr std::uint32_t kMatrixMode = 1u << 20; ///< which matrix MATRIX_MODE names
 inline constexpr std::uint32_t kAll = ~0u;
-} // namespace arbiter::state::software::dirty
+} // namespace arbiter::state::dirty

@@ -5,7 +5,7 @@
 
 #include "state/mirror/dirty_bits.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Turns ContextHot::dirty into generations. It alone clears the dirty bits, except for the groups
 /// that residency reads. Each reader remembers the time up to which it has seen all changes.
@@ -69,4 +69,4 @@ private:
   }();
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

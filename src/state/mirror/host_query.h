@@ -4,7 +4,7 @@
 
 #include "host/host_table.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Queries of the host that return values.
 struct HostQuery {
@@ -34,4 +34,4 @@ inline void refuse(const char *&obstacle, const char *&detail, const char *reaso
   detail = what;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

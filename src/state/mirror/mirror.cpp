@@ -6,7 +6,7 @@
 #include "state/mirror/host_query.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -184,4 +184,4 @@ const char *Mirror::obstacleOf(swrast::Topology topology) const {
   return lacks ? "state" : nullptr;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

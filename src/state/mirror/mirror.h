@@ -21,7 +21,7 @@ struct AttributeAliases;
 struct HostCaps;
 } // namespace arbiter::state
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 struct SamplerState {
   GLuint texture = 0;                               ///< bound to the program's texture target
@@ -200,4 +200,4 @@ private:
   const AttributeAliases *m_aliases;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -6,7 +6,7 @@
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -168,4 +168,4 @@ void Mirror::refreshArrays() {
   arrays.elementBuffer = GLuint(query.integer(GL_ELEMENT_ARRAY_BUFFER_BINDING));
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,7 +5,7 @@
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -83,4 +83,4 @@ void Mirror::noteCurrent(const CurrentValues &values, std::uint32_t slots) {
     currentSeen = clock.now();
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

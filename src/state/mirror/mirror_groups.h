@@ -5,7 +5,7 @@
 #include "state/mirror/host_query.h"
 
 /// The parts of mirror.cpp, one file each.
-namespace arbiter::state::software {
+namespace arbiter::state {
 class Mirror;
 enum class FogFrom : std::uint8_t;
 
@@ -41,4 +41,4 @@ void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror
 /// bit.
 void queryPolygonStipple(const HostCaps &caps, const HostQuery &query, std::uint8_t rows[128]);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -112,4 +112,4 @@ void queryPolygonStipple(const HostCaps &caps, const HostQuery &query, std::uint
       query.host.PixelStorei(store.pname, store.before);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

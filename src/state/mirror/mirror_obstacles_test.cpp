@@ -5,7 +5,7 @@
 #include "state/mirror/mirror_groups.h"
 #include "state/testing/fake_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 class DriversExtensions : public ::testing::Test {
@@ -54,4 +54,4 @@ TEST_F(DriversExtensions, AHostOnTheProcessorIsNotAsked) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

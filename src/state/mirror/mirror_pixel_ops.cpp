@@ -4,7 +4,7 @@
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -261,4 +261,4 @@ void queryPixelOps(const HostCaps &caps, const HostQuery &query, Mirror &mirror)
   mirror.clampVertexFixedOnly = clampVertex == GL_FIXED_ONLY;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

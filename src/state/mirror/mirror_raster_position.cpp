@@ -10,7 +10,7 @@
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -109,4 +109,4 @@ void Mirror::refreshRasterPosition(std::uint32_t &dirty, std::uint32_t slots) {
   rasterValuesKnown |= wanted;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

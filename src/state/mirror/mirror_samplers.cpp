@@ -5,7 +5,7 @@
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -62,7 +62,7 @@ void minifyOf(GLint filter, abi::SamplerKey &key) {
 }
 
 /// Queries sampling parameters: of the texture on the active unit, or of a sampler object.
-struct Source {
+struct SamplingSource {
   const host::HostTable &host;
   GLenum target;
   GLuint sampler; ///< 0: none
@@ -96,7 +96,7 @@ float anisotropyOf(const HostCaps &caps, float ofTexture) {
 }
 
 /// Queries the parameters that a sampler object overrides.
-void querySampling(const HostCaps &caps, const Source &source, SamplerState &state) {
+void querySampling(const HostCaps &caps, const SamplingSource &source, SamplerState &state) {
   abi::SamplerKey &key = state.key;
   constexpr GLenum kWraps[] = {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
   // Wrap modes of coordinates that the target lacks stay at their defaults, which makes fewer keys.
@@ -133,7 +133,7 @@ void querySampling(const HostCaps &caps, const Source &source, SamplerState &sta
 }
 
 /// Queries the parameters that belong to the texture even with a sampler object.
-void queryTexture(const HostCaps &caps, const Source &source, SamplerState &state) {
+void queryTexture(const HostCaps &caps, const SamplingSource &source, SamplerState &state) {
   state.baseLevel = source.integer(GL_TEXTURE_BASE_LEVEL);
   state.maxLevel = source.integer(GL_TEXTURE_MAX_LEVEL);
   state.depthMode = GLenum(source.integer(GL_DEPTH_TEXTURE_MODE));
@@ -196,4 +196,4 @@ void Mirror::refreshSamplers(std::span<const SamplerUse> uses) {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

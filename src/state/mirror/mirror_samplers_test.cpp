@@ -11,7 +11,7 @@
 #include "state/raster_draw/vertices/vertex_fetch.h"
 #include "state/testing/real_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using testing::Numbers;
@@ -356,4 +356,4 @@ TEST(MirrorArrays, WhatWeLackIsRefused) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -15,7 +15,7 @@
 #include "host/null_host.h"
 #include "state/mirror/testing/mirror_fields.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using Vec = std::array<float, 4>;
@@ -363,4 +363,4 @@ TEST(Mirror, CostsLittle) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

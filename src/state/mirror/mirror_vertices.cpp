@@ -6,7 +6,7 @@
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -179,4 +179,4 @@ void Mirror::refreshVertexState(bool floatTarget) {
     ++state.version;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -18,9 +18,7 @@ struct HostTable;
 
 namespace arbiter::state {
 
-namespace software {
 class Geometry;
-}
 
 /// A command of the layer's in a display list. The host never sees it, so it cannot record it.
 struct Command {
@@ -97,7 +95,7 @@ struct DisplayList {
     std::unique_ptr<const Command> command;
     Primitive primitive = Primitive::AsBefore; ///< effect of the host list
     Effects effects;                           ///< of the host list; `dirty` also of a command
-    std::shared_ptr<const software::Geometry> geometry;
+    std::shared_ptr<const Geometry> geometry;
   };
   std::vector<Item> items;
 };

@@ -7,7 +7,7 @@
 
 #include "swrast/image/image.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// A context's default framebuffer as the window system describes it. The interposer fills it in
 /// before the context becomes current.
@@ -49,4 +49,4 @@ struct Drawable {
                                           : a.draw == b.draw && a.display == b.display;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

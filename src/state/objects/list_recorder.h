@@ -9,10 +9,8 @@ namespace arbiter::state {
 
 struct CoreContext;
 
-namespace software {
 class ImmediateRecorder;
 class ListArrays;
-} // namespace software
 
 /// The display list between NewList and EndList, as the rooms below the list compiler see it
 /// (lists/list_compiler.h).
@@ -42,7 +40,7 @@ public:
   /// \param fromArrays the draw leaves current values undefined (OpenGL 2.1, 2.8)
   virtual void endPrimitive(CoreContext &context, bool fromArrays = false) = 0;
   [[nodiscard]] virtual bool recordsPrimitive() const = 0;
-  [[nodiscard]] virtual software::ImmediateRecorder &recorder() = 0;
+  [[nodiscard]] virtual ImmediateRecorder &recorder() = 0;
   /// Makes the host compile the commands that follow. An open segment is the host's already.
   virtual void giveHost(CoreContext &context) = 0;
   /// Notes that the next command of the host draws, or reads or writes images.
@@ -64,7 +62,7 @@ public:
   virtual void endExecuted(CoreContext &context) = 0;
   /// True if a draw of `count` vertices may be kept.
   [[nodiscard]] virtual bool hasRoom(GLsizei count) const = 0;
-  using Arrays = std::unique_ptr<software::ListArrays, void (*)(software::ListArrays *)>;
+  using Arrays = std::unique_ptr<ListArrays, void (*)(ListArrays *)>;
   /// The reader of vertex arrays; null until it is first needed. Its maker
   /// (raster_draw/immediate/list_arrays.cpp) gives the deleter.
   [[nodiscard]] virtual Arrays &arrays() = 0;

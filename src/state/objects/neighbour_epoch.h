@@ -2,7 +2,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Generation counter: what a context keeps of shared objects is valid while it stays the same
 /// (neighbours.h).
@@ -19,4 +19,4 @@ private:
   bool m_current = false; ///< current on some thread
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -37,7 +37,7 @@ void forward(const host::HostTable &host, const CopyCommand &c) {
 }
 
 /// Converts the command for residency.
-software::CopyToTexture copyTo(GLuint texture, const CopyCommand &copy) {
+CopyToTexture copyTo(GLuint texture, const CopyCommand &copy) {
   const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
   const CopyRegion &r = copy.region;
   return {texture,     copy.target, copy.level, defines, copy.internalFormat,

@@ -27,7 +27,7 @@ bool isImaged(RasterContext &context) {
 bool isOurs(RasterContext &context) {
   if (context.listMode != 0)
     return context.imagesPixels;
-  return isImaged(context) || software::shadesRasterValues(context);
+  return isImaged(context) || shadesRasterValues(context);
 }
 
 /// Runs the pixel transfer with ARB_imaging. Returns false if a sink has taken the pixels.
@@ -42,10 +42,10 @@ bool process(RasterContext &context, ImageKind kind, bool indices, Pixels &pixel
 
 /// Draws pixels at the raster position, without further transfer.
 void draw(RasterContext &context, const char *command, const Pixels &pixels) {
-  if (software::shadesRasterValues(context) && software::tryPixels(context, pixels))
+  if (shadesRasterValues(context) && tryPixels(context, pixels))
     return;
   if (context.softwareListens)
-    software::hostWrites(context, command);
+    hostWrites(context, command);
   ++*context.drawCounter;
   if (pixels.count() == 0)
     return;
@@ -132,9 +132,9 @@ bool imagedCopyPixels(RasterContext &context, GLint x, GLint y, GLsizei width, G
 void copyImage(RasterContext &context, const ImagingCommand &command) {
   if (!preparePixels(context))
     return;
-  if (!isImaged(context) && !software::shadesRasterValues(context)) {
+  if (!isImaged(context) && !shadesRasterValues(context)) {
     if (context.softwareListens)
-      software::hostWrites(context, "glCopyPixels");
+      hostWrites(context, "glCopyPixels");
     ++*context.drawCounter;
     return context.host->CopyPixels(command.x, command.y, command.width, command.height,
                                     command.pname);

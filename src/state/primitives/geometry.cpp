@@ -5,7 +5,7 @@
 
 #include "state/primitives/joined.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 std::uint32_t independentVertices(GLenum mode) {
   switch (mode) {
@@ -172,4 +172,4 @@ GLuint Geometry::madeHostList() const {
   return m_hostList;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

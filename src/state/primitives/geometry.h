@@ -13,7 +13,7 @@
 
 /// Primitives in a display list (OpenGL 1.4, 5.4) as the application gave them. Their vertices stay
 /// in memory from call to call.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Returns the number of vertices of a primitive if primitives of this mode share none, so that
 /// several form one. Returns 0 for all other modes.
@@ -96,4 +96,4 @@ private:
 /// Adds the recorder's primitive to `to` if the two can be drawn as one. Returns false if not.
 [[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays = false);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 
 #include "swrast/setup/assembly.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 using swrast::PolygonMode;
 using swrast::Topology;
@@ -63,4 +63,4 @@ void makeIndices(std::vector<std::uint32_t> &indices, GLenum mode,
   appendIndices(indices, mode, first, end - first);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -11,7 +11,7 @@
 /// Joins consecutive primitives whose vertices depend on each other (strips, fans, loops,
 /// polygons). They are drawn as one, as the triangles or lines that they consist of, by indices.
 /// Some applications draw each face as a polygon.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 struct Joining {
   /// the primitives that the indices make: Triangles or Lines
@@ -33,4 +33,4 @@ void appendIndices(std::vector<std::uint32_t> &indices, GLenum mode, std::uint32
 void makeIndices(std::vector<std::uint32_t> &indices, GLenum mode,
                  std::span<const std::uint32_t> starts, std::uint32_t end);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

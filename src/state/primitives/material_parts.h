@@ -1,7 +1,7 @@
 #pragma once
 #include "state/mirror/attributes.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Tells what is known of the materials of recorded primitives. Each part has a bit
 /// (primitive_materials.h).
@@ -23,4 +23,4 @@ struct MaterialParts {
   bool isUndecided = false; ///< true if the last choice failed and must be tried again
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 void ImmediateRecorder::begin(GLenum mode, const CurrentValues &current) {
   m_mode = mode;
@@ -108,4 +108,4 @@ VertexSource ImmediateRecorder::end() const {
   return source;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -14,7 +14,7 @@
 /// Records the vertices of a primitive between Begin and End. The generated entry points of
 /// glVertex, glColor and so on call set() and vertex() of ContextHot::recorder, or the host if it
 /// is null.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The numbers of components with which each slot was given, as bits: 1 << components. The other
 /// components have the defaults 0, 0, 1 (OpenGL 2.1, 2.7).
@@ -142,4 +142,4 @@ private:
   std::vector<std::uint32_t> m_starts;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 /// A vertex as the host would get it: its number, stored in the position's x, and the slots that
@@ -117,4 +117,4 @@ TEST(Immediate, AVertexThatIsTakenOverIsNotRecorded) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/pipeline.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -105,4 +105,4 @@ bool tryBitmap(RasterContext &context, const BitmapCommand &command) {
   return true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// A bitmap, with its offset from the raster position.
 struct PlacedBits {
@@ -27,4 +27,4 @@ struct BitmapCommand {
 /// host up to date where it may draw. The host also reports invalid arguments.
 [[nodiscard]] bool tryBitmap(RasterContext &context, const BitmapCommand &command);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

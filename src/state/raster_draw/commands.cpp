@@ -8,7 +8,7 @@
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/primitive.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -80,4 +80,4 @@ void hostDoesUnknown(RasterContext &context, const char *name) {
   });
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

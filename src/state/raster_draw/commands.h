@@ -10,7 +10,7 @@
 
 /// The functions that generated entry points call before a command goes to the host
 /// (src/dispatch/software.toml).
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 // --- Draws that the rasterizer may do. They return true if drawn. They are called only if
 // mayDraw(), before anything is prepared for the host's draw. ---
@@ -46,4 +46,4 @@ inline void generic(ContextHot &hot, GLuint index, GLfloat x, GLfloat y, GLfloat
     hot.recorder->set(kGeneric0 + int(index), x, y, z, w, given);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -9,7 +9,7 @@
 #include "state/share/share_group.h"
 #include "util/flags.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 bool mayBeUsed(const RasterContext &context) {
   const Backend backend = settings().backend;
@@ -62,4 +62,4 @@ ContextState::ContextState(RasterContext &context)
                  draws, context.serial}) {}
 ContextState::~ContextState() = default;
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -18,7 +18,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 class Pipeline;
 
@@ -151,4 +151,4 @@ inline constexpr std::uint64_t kEarlyFrames = 8;
 /// kept beside the host's.
 [[nodiscard]] bool keepsEarlyLists(const RasterContext &context);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -11,7 +11,7 @@
 #include "state/raster_draw/pipeline.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -152,4 +152,4 @@ Pipeline &pipelineOf(RasterContext &context) {
   return *state.pipeline;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

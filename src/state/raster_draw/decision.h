@@ -12,7 +12,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 class Pipeline;
 
@@ -64,4 +64,4 @@ void giveToHost(RasterContext &context, Fallback reason);
 /// Returns the context's pipeline, and creates it at the first call. Requires Context::software.
 [[nodiscard]] Pipeline &pipelineOf(RasterContext &context);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

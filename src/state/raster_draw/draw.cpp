@@ -10,7 +10,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/vertices/array_source.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -176,4 +176,4 @@ Outcome drawSource(RasterContext &context, const VertexSource &source, std::uint
   return pipeline.shade(context, source, {}, 0, count);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

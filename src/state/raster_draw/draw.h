@@ -12,7 +12,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 // --- Commands. They return true if drawn, and are called only if mayDraw() (commands.h), before
 // anything is prepared for the host's draw. They return false for invalid arguments too, for which
@@ -34,4 +34,4 @@ namespace arbiter::state::software {
 /// is not ok, nothing has been drawn.
 Outcome drawSource(RasterContext &context, const VertexSource &source, std::uint32_t count);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 const char *fallbackName(Fallback reason) {
   switch (reason) {
@@ -23,4 +23,4 @@ Fallback fallbackNamed(const char *key, Fallback otherwise) {
   return otherwise;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The reasons why the host drew: rows of reasons.def.
 enum class Fallback : std::uint8_t {
@@ -20,4 +20,4 @@ inline constexpr int kFallbackCount = [] {
 /// Returns the reason that a key of the mirror or of residency names, or `otherwise`.
 [[nodiscard]] Fallback fallbackNamed(const char *key, Fallback otherwise);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

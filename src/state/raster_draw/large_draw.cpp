@@ -6,7 +6,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -136,4 +136,4 @@ OpenPart openPart(const Pipeline &pipeline, std::uint32_t count) {
   return {around + done, lead, done};
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -6,7 +6,7 @@
 
 /// Draws with very many vertices, whose arrays would use most of the process's memory. They are
 /// drawn in parts, and each part repeats the vertices that it shares with the part before.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The vertices of a draw: `count` of them from `first` on, or, if the type is not 0, those that
 /// `count` indices name, plus `baseVertex`.
@@ -50,4 +50,4 @@ struct OpenPart {
 /// the parts that the whole primitive would have had.
 [[nodiscard]] OpenPart openPart(const Pipeline &pipeline, std::uint32_t count);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "state/share/share_group.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -119,10 +119,10 @@ void becomesCurrent(RasterContext &context, const Drawable &drawable) {
 }
 void ceasesToBeCurrent(RasterContext &context) { table().cease(context); }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state
 
 namespace arbiter::state {
 
-void imagesEscape() { software::table().escape(); }
+void imagesEscape() { table().escape(); }
 
 } // namespace arbiter::state

@@ -26,7 +26,7 @@ void imagesEscape();
 /// A context that stays current needs no notice. The application must order its contexts' commands
 /// anyway (OpenGL 4.6, 5.3), and the epoch moves before a neighbour's first command and after its
 /// last.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 struct Drawable;
 
@@ -39,4 +39,4 @@ void becomesCurrent(RasterContext &context, const Drawable &drawable);
 /// Notes that the host takes the context from its thread, or gives it another drawable.
 void ceasesToBeCurrent(RasterContext &context);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

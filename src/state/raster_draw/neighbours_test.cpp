@@ -4,7 +4,7 @@
 
 #include "state/testing/current_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using testing::FakeHost;
@@ -124,4 +124,4 @@ TEST(Neighbours, AContextThatIsFreedCrowdsNoLonger) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 #include "state/raster_draw/fallback.h"
 
 /// The outcome of a step of a draw: success, or the reason why the host draws.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 class [[nodiscard]] Outcome {
 public:
@@ -17,4 +17,4 @@ private:
   bool m_ok = true;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

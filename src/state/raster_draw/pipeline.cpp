@@ -14,7 +14,7 @@
 #include "swrast/pixels.h"
 #include "swrast/setup/rectangle.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 using fp::ir::AttributeKind;
 
@@ -407,4 +407,4 @@ Outcome Pipeline::shadePixels(RasterContext &context, const imaging::Pixels &pix
   return {};
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

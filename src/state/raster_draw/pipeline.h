@@ -16,7 +16,7 @@
 #include "swrast/bits.h"
 #include "swrast/rasterize.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 struct DrawTargets;
 struct Joining;
@@ -190,4 +190,4 @@ private:
   std::array<swrast::Storage *, abi::kMaxColorTargets + 1> m_written;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -10,7 +10,7 @@
 #include "state/raster_draw/pipeline.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -313,4 +313,4 @@ bool Pipeline::isOpaque() const {
   });
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,7 +5,7 @@
 #include "state/raster_draw/pipeline.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 bool shadesRasterValues(RasterContext &context) {
   if (context.insideBeginEnd || context.listMode != 0 || !usesRasterizer(context) ||
@@ -23,4 +23,4 @@ bool tryPixels(RasterContext &context, const imaging::Pixels &pixels) {
                   }));
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

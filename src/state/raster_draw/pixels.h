@@ -7,7 +7,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// True if fragments at the raster position read more than its colour and the rasterizer can shade
 /// them now. Hosts draw pixels without the other values.
@@ -16,4 +16,4 @@ namespace arbiter::state::software {
 /// it up to date.
 [[nodiscard]] bool tryPixels(RasterContext &context, const imaging::Pixels &pixels);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

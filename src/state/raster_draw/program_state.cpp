@@ -10,7 +10,7 @@
 #include "state/programs/program_edits.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -169,4 +169,4 @@ bool ProgramValues::updateStates(RasterContext &context, std::uint32_t groups) {
   return changed;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

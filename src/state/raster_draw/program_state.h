@@ -12,7 +12,7 @@ struct RasterContext;
 struct ProgramTarget;
 } // namespace arbiter::state
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The values of a program's parameters, in the rows that machine code reads
 /// (FragmentData::parameters). There is one for each program and context.
@@ -62,4 +62,4 @@ private:
 /// Returns the dirty bits of the commands that may change a row of state.
 [[nodiscard]] std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

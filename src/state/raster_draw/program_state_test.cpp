@@ -14,7 +14,7 @@
 #include "state/core/host_state.h"
 #include "state/testing/real_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using fp::ir::Builder;
@@ -195,4 +195,4 @@ TEST(ProgramValues, EveryRowOfStateIsTheHostsAfterItsGroupChanged) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

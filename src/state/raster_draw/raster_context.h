@@ -7,20 +7,18 @@
 
 namespace arbiter::state {
 
-namespace software {
 struct ContextState;
 struct LeftAlone;
-} // namespace software
 
 /// Adds the rasterizer.
 struct RasterContext : DrawContext {
   /// The rasterizer's state; null if the rasterizer is not used here.
-  std::unique_ptr<software::ContextState> software;
-  bool softwareRefused = false;                   ///< decided for good: no rasterizer here
-  std::unique_ptr<software::LeftAlone> leftAlone; ///< null until the context was left to the host
-                                                  ///< once (frames/leave.h)
-  software::Drawable drawable;                    ///< from the last make-current
-  software::NeighbourEpoch neighbours;
+  std::unique_ptr<ContextState> software;
+  bool softwareRefused = false;         ///< decided for good: no rasterizer here
+  std::unique_ptr<LeftAlone> leftAlone; ///< null until the context was left to the host
+                                        ///< once (frames/leave.h)
+  Drawable drawable;                    ///< from the last make-current
+  NeighbourEpoch neighbours;
 
 protected:
   constexpr RasterContext();

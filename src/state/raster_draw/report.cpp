@@ -9,7 +9,7 @@
 #include "util/json.h"
 #include "util/record/record_text.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -127,4 +127,4 @@ void write(JsonWriter &json, unsigned first) {
   json.endObject();
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -9,7 +9,7 @@ namespace arbiter {
 class JsonWriter;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The figures of one context, or the sum of several.
 struct Figures {
@@ -31,4 +31,4 @@ void store(const Figures &figures, std::uint64_t (&counters)[kFigureCount]);
 /// (util/record/record_text.h).
 void write(JsonWriter &json, unsigned first);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

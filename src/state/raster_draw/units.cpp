@@ -6,7 +6,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -178,4 +178,4 @@ void Units::fill(std::array<const abi::TextureView *, abi::kMaxUnits> &textures)
     textures[unit] = (m_bound >> unit & 1u) != 0 ? &m_views[unit] : nullptr;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -11,7 +11,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Returns the dimension of a texture target; a SHADOW target has that of the plain one.
 [[nodiscard]] abi::Dimension dimensionOf(fp::ir::TexTarget target);
@@ -53,4 +53,4 @@ private:
   std::uint32_t m_levelsMatter = 0;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

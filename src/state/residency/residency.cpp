@@ -7,7 +7,7 @@
 #include "state/residency/residency_host.h"
 #include "util/log.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -159,4 +159,4 @@ ResidencyStatistics Residency::statistics() const {
   return statistics;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

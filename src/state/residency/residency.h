@@ -19,7 +19,7 @@ class DeletedNames;
 class TextureViews;
 } // namespace arbiter::state
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 class NeighbourEpoch;
 struct ResidentImages;
@@ -250,4 +250,4 @@ private:
   std::unique_ptr<ResidentImages> m_images;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

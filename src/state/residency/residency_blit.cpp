@@ -6,7 +6,7 @@
 #include "state/residency/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -116,4 +116,4 @@ bool Residency::blit(const FramebufferBlit &command) {
   return true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

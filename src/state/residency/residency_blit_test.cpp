@@ -5,7 +5,7 @@
 #include "state/residency/residency.h"
 #include "state/residency/testing/residency_scene.h"
 
-namespace arbiter::state::software::residency_scene {
+namespace arbiter::state::residency_scene {
 namespace {
 
 class Blit : public Residency {
@@ -135,4 +135,4 @@ TEST_F(Blit, LeavesToTheHostWhatIsNoPlainMove) {
 }
 
 } // namespace
-} // namespace arbiter::state::software::residency_scene
+} // namespace arbiter::state::residency_scene

@@ -4,7 +4,7 @@
 #include "state/residency/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -168,4 +168,4 @@ bool Residency::clear(GLbitfield mask) {
   return true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

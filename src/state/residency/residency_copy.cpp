@@ -4,7 +4,7 @@
 #include "state/residency/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -124,4 +124,4 @@ bool Residency::copyToTexture(const CopyToTexture &copy) {
   return false;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

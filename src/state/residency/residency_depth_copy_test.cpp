@@ -2,7 +2,7 @@
 #include "state/residency/testing/residency_scene.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software::residency_scene {
+namespace arbiter::state::residency_scene {
 namespace {
 
 class ResidencyOfDepthCopies : public Residency {
@@ -98,4 +98,4 @@ TEST_F(ResidencyOfDepthCopies, WhatConvertsIsTheHosts) {
 }
 
 } // namespace
-} // namespace arbiter::state::software::residency_scene
+} // namespace arbiter::state::residency_scene

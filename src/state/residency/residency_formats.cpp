@@ -1,7 +1,7 @@
 // The formats of images in the host and the layer, and conversions between them.
 #include "state/residency/residency_images.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -339,4 +339,4 @@ bool writable(const abi::Format &format, const abi::Format &canonical) {
   return used == canonicalUsed;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,7 +5,7 @@
 
 #include "state/capabilities/host_integer.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -267,4 +267,4 @@ const Framebuffers &framebuffersOf(ResidentImages &images) {
   return f;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

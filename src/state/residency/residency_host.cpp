@@ -2,7 +2,7 @@
 
 #include "state/capabilities/host_integer.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -182,4 +182,4 @@ FramebufferBinding::~FramebufferBinding() {
     m_host.Enable(GL_SCISSOR_TEST);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -9,7 +9,7 @@
 
 /// Scopes that change host state for moving pixels, and restore it. For the files of residency*.cpp
 /// only.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Binds a texture of the application's or the layer's for the lifetime of the result.
 [[nodiscard]] TextureBinding bindTexture(const ResidentImages &images, GLenum target, GLuint name);
@@ -57,4 +57,4 @@ inline constexpr GLuint kOurTexture = 0xFFFFFFFEu;
 inline constexpr GLuint kOurReadFramebuffer = 0xFFFFFFFEu;
 inline constexpr GLuint kOurDrawFramebuffer = 0xFFFFFFFDu;
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -7,7 +7,7 @@
 #include "state/residency/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -391,4 +391,4 @@ bool makeOwn(ResidentImages &images, PixelImage &image, bool keep) {
   return true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -20,7 +20,7 @@
 
 /// The images that residency keeps: their descriptions, their valid copies, and tables to find
 /// them. For the files of residency*.cpp only.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 enum class Valid : std::uint8_t {
   Host,  ///< the shadow is stale or missing
@@ -287,4 +287,4 @@ void writeApplicationRows(const swrast::Image &image, GLenum format, std::uint8_
 /// Copies the shadow's pixels to the host.
 void upload(ResidentImages &images, PixelImage &image);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

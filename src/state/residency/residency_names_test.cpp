@@ -6,7 +6,7 @@
 #include "state/residency/testing/residency_scene.h"
 #include "state/share/share_group.h"
 
-namespace arbiter::state::software::residency_scene {
+namespace arbiter::state::residency_scene {
 namespace {
 
 using Kind = DeletedNames::Kind;
@@ -125,4 +125,4 @@ TEST_F(ResidencyOfNames, ARenderbufferWithoutANameStaysBound) {
 }
 
 } // namespace
-} // namespace arbiter::state::software::residency_scene
+} // namespace arbiter::state::residency_scene

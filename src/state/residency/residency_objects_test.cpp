@@ -8,7 +8,7 @@
 #include "state/residency/testing/residency_scene.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software::residency_scene {
+namespace arbiter::state::residency_scene {
 namespace {
 
 TEST_F(Residency, TexturesAreRenderedToAndSampled) {
@@ -152,7 +152,7 @@ TEST_F(ResidencyOfRenderbuffers, ADeletedOneLivesOnWhereItIsAttached) {
 /// Checks a texture or a renderbuffer: encoded pixels are moved unchanged, even while writes are
 /// encoded. Only Clear encodes, so the host clears.
 void checkSrgb(bool ofTexture, const std::function<void(std::uint32_t)> &drawAll,
-               const std::function<std::uint32_t()> &hostPixel, software::Residency &residency,
+               const std::function<std::uint32_t()> &hostPixel, state::Residency &residency,
                const host::HostTable &gl) {
   SCOPED_TRACE(ofTexture ? "texture" : "renderbuffer");
   gl.Enable(GL_FRAMEBUFFER_SRGB);
@@ -406,4 +406,4 @@ TEST_F(Residency, FeedbackReachesTexture0) {
 }
 
 } // namespace
-} // namespace arbiter::state::software::residency_scene
+} // namespace arbiter::state::residency_scene

@@ -5,7 +5,7 @@
 #include "state/core/exit_notice.h"
 #include "state/residency/residency_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -153,4 +153,4 @@ void Residency::flush(bool finish) {
     copyToMemory(images);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -3,7 +3,7 @@
 
 #include "state/residency/residency_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -144,4 +144,4 @@ bool Residency::getTexImage(GLenum target, GLint level, GLenum format, GLenum ty
                                         modes.pack, static_cast<std::uint8_t *>(pixels));
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -1,7 +1,7 @@
 // Follows the application's pixel store, for draws that read its memory.
 #include "state/residency/residency_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 BitUnpacking Residency::bitUnpacking() {
   const PixelModes::Store &unpack = pixelModes(*m_images).unpack;
@@ -47,4 +47,4 @@ bool Residency::pixelStored(GLenum pname, GLint value) {
   return true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -4,7 +4,7 @@
 #include "state/residency/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -115,4 +115,4 @@ bool Residency::acquireTargets(const swrast::Rect &overwritten, bool depthUsed, 
   return !f.depthStencil || !(depthUsed || stencilUsed) || acquire(images, *f.depthStencil, true);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

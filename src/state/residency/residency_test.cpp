@@ -6,7 +6,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/residency/testing/residency_scene.h"
 
-namespace arbiter::state::software::residency_scene {
+namespace arbiter::state::residency_scene {
 namespace {
 
 TEST_F(Residency, AFullDrawDownloadsNothing) {
@@ -276,4 +276,4 @@ TEST_F(Residency, WhatIsKnownOfTargetsIsToldWithoutMeasuringTheWindow) {
 }
 
 } // namespace
-} // namespace arbiter::state::software::residency_scene
+} // namespace arbiter::state::residency_scene

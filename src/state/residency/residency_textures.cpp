@@ -5,7 +5,7 @@
 #include "state/residency/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -333,4 +333,4 @@ void Residency::renderbuffersDeleted(GLsizei n, const GLuint *names) {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

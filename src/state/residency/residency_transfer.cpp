@@ -8,7 +8,7 @@
 #include "swrast/image/copy_pixels.h"
 #include "util/thread.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -379,4 +379,4 @@ void upload(ResidentImages &images, PixelImage &image) {
   statistics.uploadedBytes += bytesOf(image);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

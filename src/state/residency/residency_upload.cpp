@@ -3,7 +3,7 @@
 
 #include "state/residency/residency_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -259,4 +259,4 @@ void Residency::texImage2D(GLenum target, GLint level, GLint internalFormat, GLs
     image->definition = now;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

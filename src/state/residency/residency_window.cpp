@@ -10,7 +10,7 @@
 #include "state/residency/residency_host.h"
 #include "state/residency/window_frames.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -155,4 +155,4 @@ void refreshWindowSize(ResidentImages &images) {
     host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, GLuint(bound));
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 
 #include "util/cache/sealed.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -16,4 +16,4 @@ void setWindowFrames(const WindowFrames &frames) {
 
 const WindowFrames &windowFrames() { return *g_frames; }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -3,7 +3,7 @@
 
 /// Tracks frames that the layer presents without the host. After such a frame the host must look
 /// for a new window size, as it would at its own swap.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The functions, which the interposer implements. They take drawables with `show`.
 struct WindowFrames {
@@ -16,4 +16,4 @@ struct WindowFrames {
 void setWindowFrames(const WindowFrames &frames);
 [[nodiscard]] const WindowFrames &windowFrames();
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

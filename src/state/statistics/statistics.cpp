@@ -32,7 +32,7 @@ struct Totals {
   std::array<FeedbackTracker::Totals, kCopyKindCount> copies{};
   std::uint64_t frames = 0;
   std::uint64_t readBuffers = 0;
-  software::Figures software;
+  Figures software;
 
   void add(const RasterContext &context) {
     for (int i = 0; i < kPathCount; ++i)
@@ -111,8 +111,8 @@ void renewCounters(Registry &r) {
   to[kCacheHits] = cache.hits;
   to[kCacheMisses] = cache.misses;
   to[kCacheStored] = cache.stored;
-  std::uint64_t figures[software::kFigureCount];
-  software::store(totals.software, figures);
+  std::uint64_t figures[kFigureCount];
+  store(totals.software, figures);
   std::copy(std::begin(figures), std::end(figures), to + kSoftware);
 }
 

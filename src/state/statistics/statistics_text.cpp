@@ -140,7 +140,7 @@ FrameText frameText(const std::vector<ContextRow> &contexts) {
   writeDraws(json);
   writeFeedback(json);
   json.key("software");
-  software::write(json, kSoftware);
+  write(json, kSoftware);
   json.key("frames").raw(counterPlace(kFrames));
   json.endObject();
   const std::string text = json.take();

@@ -31,7 +31,7 @@ enum Counter : unsigned {
   kCacheMisses,
   kCacheStored,
   kSoftware,
-  kCounterCount = kSoftware + software::kFigureCount,
+  kCounterCount = kSoftware + kFigureCount,
 };
 static_assert(kCounterCount <= LiveRecord::kCounters);
 

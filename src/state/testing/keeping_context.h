@@ -13,7 +13,7 @@ struct KeepingContext : CurrentContext {
   explicit KeepingContext(FakeHost &host) : CurrentContext(host) {
     Context &context = **this;
     use(context, kKeepingText);
-    context.software = std::make_unique<software::ContextState>(context);
+    context.software = std::make_unique<ContextState>(context);
     context.softwarePossible = context.softwareListens = true;
     context.host->GetError();
     host.calls.clear();
@@ -31,7 +31,7 @@ struct KeepingContext : CurrentContext {
 inline void point(Context &context, bool colored = false) {
   handlers::Begin(context, GL_POINTS);
   if (context.recorder && colored)
-    context.recorder->set(software::kColor, 1, 0, 0, 1);
+    context.recorder->set(kColor, 1, 0, 0, 1);
   if (context.recorder)
     context.recorder->vertex(1, 2, 0, 1);
   handlers::End(context);

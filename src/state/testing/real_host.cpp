@@ -5,7 +5,7 @@
 #include "state/context/context.h"
 #include "state/lifecycle/lifecycle.h"
 
-namespace arbiter::state::software::testing {
+namespace arbiter::state::testing {
 
 namespace {
 
@@ -48,4 +48,4 @@ RealHost::~RealHost() {
 
 RasterContext &RealHost::context() const { return *m_context; }
 
-} // namespace arbiter::state::software::testing
+} // namespace arbiter::state::testing

@@ -12,7 +12,7 @@ namespace arbiter::state {
 class Context;
 }
 
-namespace arbiter::state::software::testing {
+namespace arbiter::state::testing {
 
 class RealHost {
 public:
@@ -50,4 +50,4 @@ private:
   std::mt19937_64 m_engine;
 };
 
-} // namespace arbiter::state::software::testing
+} // namespace arbiter::state::testing

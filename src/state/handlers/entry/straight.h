@@ -37,11 +37,11 @@ namespace arbiter::state::straight {
 
 /// Marks the matrix mode dirty, unless it is known to stay the modelview matrix.
 inline void noteMatrixMode(RasterContext &context, GLenum mode) {
-  using software::dirty::kMatrixMode;
-  const bool stays = mode == GL_MODELVIEW && context.listMode == 0 && context.software &&
-                     (context.dirty & kMatrixMode) == 0 &&
-                     context.software->mirror.clock.currentMatrix() ==
-                         software::GenerationCounter::CurrentMatrix::Modelview;
+  using dirty::kMatrixMode;
+  const bool stays =
+      mode == GL_MODELVIEW && context.listMode == 0 && context.software &&
+      (context.dirty & kMatrixMode) == 0 &&
+      context.software->mirror.clock.currentMatrix() == GenerationCounter::CurrentMatrix::Modelview;
   if (!stays)
     context.dirty |= kMatrixMode;
 }

@@ -77,9 +77,9 @@ TEST(Straight, APrimitiveOfTheHostsIsWhatTheHandlersMakeOfIt) {
 TEST(Straight, WhatIsDirtyAlreadyStaysSo) {
   FakeHost host;
   const CurrentContext context(host);
-  context->dirty = software::dirty::kArrays;
+  context->dirty = dirty::kArrays;
   EXPECT_TRUE(straight::Disable(*context, GL_CULL_FACE));
-  EXPECT_EQ(context->dirty, software::dirty::kArrays | software::dirty::kRaster);
+  EXPECT_EQ(context->dirty, dirty::kArrays | dirty::kRaster);
 }
 
 TEST(Straight, AnErrorOfTheLayersIsNotTheHosts) {

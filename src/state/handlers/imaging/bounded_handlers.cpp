@@ -90,7 +90,7 @@ void ReadnPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heig
       return;
   }
   if (context.softwareListens)
-    software::hostReads(context, "glReadnPixels");
+    hostReads(context, "glReadnPixels");
   context.host->ReadnPixels(x, y, width, height, format, type, bufSize, data);
 }
 

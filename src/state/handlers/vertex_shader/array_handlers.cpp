@@ -56,7 +56,7 @@ void setArrayEnabled(Context &context, GLuint id, bool enabled, const char *comm
   const auto symbol = arrayOf(context, id, command);
   if (!symbol)
     return;
-  context.dirty |= software::dirty::kArrays;
+  context.dirty |= dirty::kArrays;
   const auto set =
       enabled ? context.host->EnableVertexAttribArray : context.host->DisableVertexAttribArray;
   for (int column = 0; column < symbol->rows(); ++column)
@@ -170,7 +170,7 @@ void VariantPointerEXT(Context &context, GLuint id, GLenum type, GLuint stride, 
     return raise(context, GL_INVALID_ENUM, "VariantPointer: type");
   if (stride > GLuint(INT_MAX))
     return raise(context, GL_INVALID_VALUE, "VariantPointer: stride");
-  context.dirty |= software::dirty::kArrays;
+  context.dirty |= dirty::kArrays;
   // An array has four components (2.8); a matrix has four times as many.
   const int columns = symbol->rows();
   const GLuint apart = stride == 0 && columns > 1 ? 16 * size : stride;

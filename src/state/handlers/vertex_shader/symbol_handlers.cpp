@@ -46,7 +46,7 @@ From sourceOf(GLenum storage) {
 /// Sets a current attribute: of the recorded primitive, else of the host.
 void setAttribute(const Context &context, GLuint index, const Vec4 &v) {
   if (context.recorder)
-    context.recorder->set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3]);
+    context.recorder->set(kGeneric0 + int(index), v[0], v[1], v[2], v[3]);
   else
     context.host->VertexAttrib4fv(index, v.data());
 }

@@ -11,7 +11,7 @@ namespace arbiter::state {
 
 namespace {
 
-constexpr GLuint kPosition = 0, kNormal = 2;
+constexpr GLuint kPositionAttribute = 0, kNormalAttribute = 2;
 
 /// The conventional maps (OpenGL 2.1, table 5.1), except that of colour indices. If two maps of an
 /// attribute are enabled, the first in the table counts.
@@ -20,11 +20,14 @@ struct Conventional {
   GLuint attribute;
   std::size_t components;
 };
-constexpr Conventional kConventional[] = {
-    {GL_MAP1_COLOR_4, 3, 4},          {GL_MAP1_NORMAL, kNormal, 3},
-    {GL_MAP1_TEXTURE_COORD_4, 8, 4},  {GL_MAP1_TEXTURE_COORD_3, 8, 3},
-    {GL_MAP1_TEXTURE_COORD_2, 8, 2},  {GL_MAP1_TEXTURE_COORD_1, 8, 1},
-    {GL_MAP1_VERTEX_4, kPosition, 4}, {GL_MAP1_VERTEX_3, kPosition, 3}};
+constexpr Conventional kConventional[] = {{GL_MAP1_COLOR_4, 3, 4},
+                                          {GL_MAP1_NORMAL, kNormalAttribute, 3},
+                                          {GL_MAP1_TEXTURE_COORD_4, 8, 4},
+                                          {GL_MAP1_TEXTURE_COORD_3, 8, 3},
+                                          {GL_MAP1_TEXTURE_COORD_2, 8, 2},
+                                          {GL_MAP1_TEXTURE_COORD_1, 8, 1},
+                                          {GL_MAP1_VERTEX_4, kPositionAttribute, 4},
+                                          {GL_MAP1_VERTEX_3, kPositionAttribute, 3}};
 
 /// Returns a conventional map of the host's, extended to four components.
 EvaluatorMap hostsMap(const host::HostTable &host, GLenum target, int dimension,
@@ -69,9 +72,10 @@ Evaluation::Dimension take(DrawContext &context, int number) {
     if (!has(dimension, row.attribute) && host.IsEnabled(row.target + higher))
       dimension.maps.push_back(
           {row.attribute, hostsMap(host, row.target + higher, number, row.components)});
-  std::stable_partition(dimension.maps.begin(), dimension.maps.end(),
-                        [](const Evaluation::Map &map) { return map.attribute != kPosition; });
-  if (!has(dimension, kPosition))
+  std::stable_partition(
+      dimension.maps.begin(), dimension.maps.end(),
+      [](const Evaluation::Map &map) { return map.attribute != kPositionAttribute; });
+  if (!has(dimension, kPositionAttribute))
     return {};
   dimension.makesNormal = number == 1 && host.IsEnabled(GL_AUTO_NORMAL);
   takeGrid(host, number, dimension);
@@ -136,10 +140,10 @@ void prepareEvaluation(DrawContext &context) {
     evaluation->dimensions[std::size_t(i)] = take(context, i);
   for (const Evaluation::Dimension &dimension : evaluation->dimensions) {
     for (const Evaluation::Map &map : dimension.maps)
-      if (map.attribute != kPosition)
+      if (map.attribute != kPositionAttribute)
         evaluation->current[map.attribute] = currentNvAttribute(context, map.attribute);
     if (dimension.makesNormal)
-      evaluation->current[kNormal] = currentNvAttribute(context, kNormal);
+      evaluation->current[kNormalAttribute] = currentNvAttribute(context, kNormalAttribute);
   }
   context.nv->evaluation = std::move(evaluation);
 }
@@ -159,17 +163,17 @@ void evaluatePoint(DrawContext &context, const EvaluatorPoint &point) {
   std::array<Vec4, NvState::kAttributes> before = evaluation->current;
   std::uint32_t touched = 0;
   const auto set = [&](GLuint attribute, const Vec4 &value) {
-    if (context.recorder && attribute != kPosition)
+    if (context.recorder && attribute != kPositionAttribute)
       before[attribute] = currentNvAttribute(context, attribute);
     touched |= 1u << attribute;
     setNvAttribute(context, attribute, value);
   };
   for (const Evaluation::Map &map : dimension.maps) {
-    if (map.attribute == kNormal && dimension.makesNormal)
+    if (map.attribute == kNormalAttribute && dimension.makesNormal)
       continue;
     const MapPoint evaluated = evaluate(map.map, u, v);
-    if (map.attribute == kPosition && dimension.makesNormal)
-      set(kNormal, normalOf(evaluated));
+    if (map.attribute == kPositionAttribute && dimension.makesNormal)
+      set(kNormalAttribute, normalOf(evaluated));
     set(map.attribute, evaluated.value);
   }
   for (GLuint i = 1; i < NvState::kAttributes; ++i)

@@ -23,8 +23,7 @@ constexpr int fewerComponents(GLuint index) {
 /// Records an attribute.
 /// \param both records the generic attribute too; otherwise the conventional one stands for both,
 /// on a host whose attributes alias
-void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, unsigned given,
-            bool both) {
+void record(ImmediateRecorder &recorder, GLuint index, const Vec4 &v, unsigned given, bool both) {
   if (index == 0)
     return recorder.vertex(v[0], v[1], v[2], v[3], given);
   Vec4 conventional = v;
@@ -33,7 +32,7 @@ void record(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v, 
     std::copy_n(v.begin(), common, conventional.begin());
   }
   if (both)
-    recorder.set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3], given);
+    recorder.set(kGeneric0 + int(index), v[0], v[1], v[2], v[3], given);
   recorder.set(slotOfRegister(index), conventional[0], conventional[1], conventional[2],
                conventional[3], given);
 }
@@ -155,8 +154,7 @@ void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsig
   if (context.aliases->ofGlsl) {
     if (!hot.recorder)
       return hot.host->VertexAttrib4fv(index, value.data());
-    return hot.recorder->set(software::kGeneric0 + int(index), value[0], value[1], value[2],
-                             value[3], given);
+    return hot.recorder->set(kGeneric0 + int(index), value[0], value[1], value[2], value[3], given);
   }
   noteWider(context, index, value);
   if (hot.recorder)
@@ -167,10 +165,10 @@ void setAliasedAttribute(ContextHot &hot, GLuint index, const Vec4 &value, unsig
 Vec4 currentNvAttribute(const DrawContext &context, GLuint index) {
   if (!context.recorder)
     return hostsRegister(*context.host, index);
-  const software::CurrentValues &values = context.recorder->values();
+  const CurrentValues &values = context.recorder->values();
   const Vec4 &conventional = values[std::size_t(slotOfRegister(index))];
   return fewerComponents(index) != 0 && !areOne(context)
-             ? later(index, conventional, values[software::kGeneric0 + index])
+             ? later(index, conventional, values[kGeneric0 + index])
              : conventional;
 }
 

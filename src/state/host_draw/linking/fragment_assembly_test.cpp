@@ -45,7 +45,7 @@ class FragmentAssembly : public FragmentDraws {
 protected:
   FragmentAssembly() {
     m_context->caps.onProcessor = true;
-    m_context->software = std::make_unique<software::ContextState>(*m_context);
+    m_context->software = std::make_unique<ContextState>(*m_context);
     m_context->softwarePossible = m_context->softwareListens = true;
   }
 };
@@ -264,7 +264,7 @@ TEST_F(OwnFragments, AReplacementIsGlsl) {
 }
 
 TEST_F(OwnFragments, WhereTheRasterizerIsForcedItIsGlsl) {
-  m_context->software = std::make_unique<software::ContextState>(*m_context);
+  m_context->software = std::make_unique<ContextState>(*m_context);
   m_context->softwarePossible = m_context->softwareListens = true;
   use(*m_context, kShading);
   EXPECT_TRUE(drawsByGlsl());

@@ -7,7 +7,7 @@
 #include "state/testing/real_host.h"
 
 /// Pieces of GL state. Each can be set at random, and checks what the mirror reports for it.
-namespace arbiter::state::software::testing {
+namespace arbiter::state::testing {
 
 inline void turn(GLenum cap, bool on) { (on ? glEnable : glDisable)(cap); }
 
@@ -22,4 +22,4 @@ struct Field {
 [[nodiscard]] std::span<const Field> pixelFields();
 [[nodiscard]] std::span<const Field> vertexFields();
 
-} // namespace arbiter::state::software::testing
+} // namespace arbiter::state::testing

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arbiter::state::software::testing {
+namespace arbiter::state::testing {
 namespace {
 
 template <typename Value> struct Pair {
@@ -205,4 +205,4 @@ constexpr Field kPixels[] = {
 
 std::span<const Field> pixelFields() { return kPixels; }
 
-} // namespace arbiter::state::software::testing
+} // namespace arbiter::state::testing

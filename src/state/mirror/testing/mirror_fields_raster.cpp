@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arbiter::state::software::testing {
+namespace arbiter::state::testing {
 namespace {
 
 swrast::PolygonMode modeOf(GLenum mode) {
@@ -205,4 +205,4 @@ constexpr Field kRaster[] = {
 
 std::span<const Field> rasterFields() { return kRaster; }
 
-} // namespace arbiter::state::software::testing
+} // namespace arbiter::state::testing

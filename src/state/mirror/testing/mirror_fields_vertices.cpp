@@ -5,7 +5,7 @@
 
 #include "state/raster_draw/fixed_function/fixed_vertex.h"
 
-namespace arbiter::state::software::testing {
+namespace arbiter::state::testing {
 namespace {
 
 /// Runs `act` on each unit and restores the active one.
@@ -154,4 +154,4 @@ constexpr Field kVertices[] = {
 
 std::span<const Field> vertexFields() { return kVertices; }
 
-} // namespace arbiter::state::software::testing
+} // namespace arbiter::state::testing

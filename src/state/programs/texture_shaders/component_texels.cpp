@@ -20,7 +20,7 @@ namespace arbiter::state {
 namespace {
 
 /// Returns the size of a component, or of a texel of a packed type; 0 for an invalid type.
-std::size_t bytesOf(GLenum type) { return isSignedPacked(type) ? 4 : componentBytes(type); }
+std::size_t bytesOfType(GLenum type) { return isSignedPacked(type) ? 4 : componentBytes(type); }
 
 /// The layout of texels in memory.
 struct Layout : ImageLayout {
@@ -29,7 +29,7 @@ struct Layout : ImageLayout {
 
 Layout layoutOf(const ProgramContext &context, const ComponentPixels &pixels, PixelStore store) {
   Layout layout;
-  layout.element = bytesOf(pixels.type);
+  layout.element = bytesOfType(pixels.type);
   layout.texel =
       layout.element * (isSignedPacked(pixels.type) ? 1 : std::size_t(pixels.components));
   const ImageSize size{pixels.dimensions, std::size_t(pixels.width), std::size_t(pixels.height),
@@ -128,7 +128,7 @@ GLenum componentTypeError(GLenum format, GLenum type) {
   case GL_UNSIGNED_INT_2_10_10_10_REV:
     return GL_INVALID_OPERATION;
   default:
-    return bytesOf(type) != 0 ? GL_NO_ERROR : GL_INVALID_ENUM;
+    return bytesOfType(type) != 0 ? GL_NO_ERROR : GL_INVALID_ENUM;
   }
 }
 

@@ -109,7 +109,7 @@ void setSpriteMode(ProgramContext &context, GLenum mode) {
   releaseSprites(context);
   sprites.rMode = mode;
   sprites.used = true;
-  context.dirty |= software::dirty::kRaster;
+  context.dirty |= dirty::kRaster;
   invalidateProgram(context); // makes draws look from now on
 }
 

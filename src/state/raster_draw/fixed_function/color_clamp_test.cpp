@@ -13,7 +13,7 @@
 #include "fp_compiler/ir/validate.h"
 #include "state/testing/real_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using fp::ir::AttributeKind;
@@ -85,4 +85,4 @@ TEST(ColorClamp, TheHostClampsAsItsCapsSay) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -4,16 +4,14 @@
 
 #include "fp_compiler/ir/builder.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
 using fp::ir::AttributeKind;
 using fp::ir::Builder;
 using fp::ir::Opcode;
-using fp::ir::Source;
 using fp::ir::StateItem;
-using fp::ir::Target;
 
 /// Writes the program of one key. A temporary carries the colour from unit to unit.
 class Writer {
@@ -51,7 +49,7 @@ private:
     }
   }
 
-  [[nodiscard]] Source constant(int unit) {
+  [[nodiscard]] fp::ir::Source constant(int unit) {
     fp::ir::StateRef ref;
     ref.item = StateItem::TexEnvColor;
     ref.index = std::uint8_t(unit);
@@ -60,7 +58,7 @@ private:
 
   void apply(int unit) {
     const TextureUnitKey &key = m_key.units[std::size_t(unit)];
-    const Source texel = m_texels[std::size_t(unit)].read();
+    const fp::ir::Source texel = m_texels[std::size_t(unit)].read();
     switch (key.environment) {
     case Environment::Off:
       return;
@@ -82,19 +80,19 @@ private:
     }
   }
 
-  void replace(TexelKind kind, const Source &texel) {
+  void replace(TexelKind kind, const fp::ir::Source &texel) {
     if (kind != TexelKind::Alpha)
       m_builder.op(Opcode::Mov, m_color.mask("xyz"), {texel});
     if (kind != TexelKind::Opaque)
       m_builder.op(Opcode::Mov, m_color.mask("w"), {texel});
   }
 
-  void modulate(TexelKind kind, const Source &texel) {
+  void modulate(TexelKind kind, const fp::ir::Source &texel) {
     m_builder.op(Opcode::Mul, kind == TexelKind::Alpha ? m_color.mask("w") : m_color,
                  {m_color.read(), texel});
   }
 
-  void blend(TexelKind kind, const Source &texel, const Source &constantColor) {
+  void blend(TexelKind kind, const fp::ir::Source &texel, const fp::ir::Source &constantColor) {
     if (kind != TexelKind::Alpha)
       m_builder.op(Opcode::Lrp, m_color.mask("xyz"), {texel, constantColor, m_color.read()});
     if (kind == TexelKind::Intensity)
@@ -103,7 +101,7 @@ private:
       m_builder.op(Opcode::Mul, m_color.mask("w"), {m_color.read(), texel});
   }
 
-  void add(TexelKind kind, const Source &texel) {
+  void add(TexelKind kind, const fp::ir::Source &texel) {
     if (kind != TexelKind::Alpha)
       m_builder.op(Opcode::Add, m_color.mask("xyz").sat(), {m_color.read(), texel});
     if (kind == TexelKind::Intensity)
@@ -112,9 +110,9 @@ private:
       m_builder.op(Opcode::Mul, m_color.mask("w"), {m_color.read(), texel});
   }
 
-  [[nodiscard]] Source argument(int unit, const Combiner &half, int i) {
+  [[nodiscard]] fp::ir::Source argument(int unit, const Combiner &half, int i) {
     const auto at = std::size_t(i);
-    Source source = m_color.read();
+    fp::ir::Source source = m_color.read();
     switch (half.sources[at]) {
     case 0:
       source = m_texels[std::size_t(unit)].read();
@@ -134,15 +132,15 @@ private:
       source = source.swz("w");
     if ((half.operands[at] & 1) == 0)
       return source;
-    const Target complement = m_builder.temporary();
+    const fp::ir::Target complement = m_builder.temporary();
     m_builder.op(Opcode::Sub, complement, {m_builder.constant(1.0f), source});
     return complement.read();
   }
 
   /// Writes one half of COMBINE (table 3.24), before the scale, to a temporary through its mask.
-  void function(int unit, const Combiner &half, const Target &to) {
+  void function(int unit, const Combiner &half, const fp::ir::Target &to) {
     const auto arg = [&](int i) { return argument(unit, half, i); };
-    const Target work = m_builder.temporary();
+    const fp::ir::Target work = m_builder.temporary();
     switch (half.function) {
     case 0: // REPLACE
       m_builder.op(Opcode::Mov, to, {arg(0)});
@@ -164,8 +162,8 @@ private:
       m_builder.op(Opcode::Sub, to, {arg(0), arg(1)});
       return;
     default: { // DOT3_RGB, DOT3_RGBA: 4 * (a - 1/2) . (b - 1/2)
-      const Target other = m_builder.temporary();
-      const Source middle = m_builder.constant(0.5f), four = m_builder.constant(4.0f);
+      const fp::ir::Target other = m_builder.temporary();
+      const fp::ir::Source middle = m_builder.constant(0.5f), four = m_builder.constant(4.0f);
       m_builder.op(Opcode::Sub, work, {arg(0), middle});
       m_builder.op(Opcode::Sub, other, {arg(1), middle});
       m_builder.op(Opcode::Dp3, work, {work.read(), other.read()});
@@ -175,7 +173,7 @@ private:
   }
 
   void combine(int unit, const TextureUnitKey &key) {
-    const Target result = m_builder.temporary();
+    const fp::ir::Target result = m_builder.temporary();
     const bool dotRgba = key.color.function == 7;
     function(unit, key.color, dotRgba ? result : result.mask("xyz"));
     if (!dotRgba)
@@ -190,9 +188,9 @@ private:
 
   const FixedFragmentKey &m_key;
   Builder m_builder;
-  Target m_color;
-  Source m_primary;
-  std::array<Target, 8> m_texels;
+  fp::ir::Target m_color;
+  fp::ir::Source m_primary;
+  std::array<fp::ir::Target, 8> m_texels;
 };
 
 } // namespace
@@ -201,4 +199,4 @@ fp::ir::Program makeFixedFragmentProgram(const FixedFragmentKey &key) {
   return Writer(key).write();
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

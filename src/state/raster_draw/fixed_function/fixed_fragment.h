@@ -17,7 +17,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The property of a texture's format that environment functions depend on (table 3.20 and the
 /// following ones).
@@ -72,4 +72,4 @@ private:
   std::uint64_t m_seen = 0;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -12,7 +12,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/units.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -200,4 +200,4 @@ std::shared_ptr<const fp::ir::Program> FixedFragments::get(RasterContext &contex
   return m_programs.get(key, makeFixedFragmentProgram);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -3,7 +3,7 @@
 
 #include "state/raster_draw/fixed_function/fixed_writer.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 using fp::ir::OutputKind;
 
@@ -188,4 +188,4 @@ void FixedWriter::lit() {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

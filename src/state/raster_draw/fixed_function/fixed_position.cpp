@@ -5,7 +5,7 @@
 #include "fp_compiler/ir/ir.h"
 #include "state/raster_draw/fixed_function/fixed_vertex.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -206,4 +206,4 @@ void ExtendedPrograms::sweep() {
   m_sweepAt = std::max<std::size_t>(64, 2 * m_programs.size());
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -6,7 +6,7 @@
 #include "fp_compiler/abi.h"
 #include "fp_compiler/ir/interface.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The programs of fixed function by state, shared by all contexts of the process. Machine code is
 /// found by its program (functions/) and lives as long. A new context can thus draw its first frame
@@ -64,4 +64,4 @@ private:
   typename Map::value_type *m_last = nullptr;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

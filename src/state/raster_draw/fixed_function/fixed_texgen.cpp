@@ -1,7 +1,7 @@
 // Writes generated texture coordinates, computed from positions and normals (OpenGL 1.4, 2.10.4).
 #include "state/raster_draw/fixed_function/fixed_writer.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 bool isMode(std::uint8_t coded, TexGenMode mode) { return coded == 1 + int(mode); }
@@ -61,4 +61,4 @@ fp::ir::Source FixedWriter::generated(int unit) {
   return to.read();
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,13 +5,11 @@
 
 #include "state/raster_draw/fixed_function/fixed_writer.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 using fp::ir::Opcode;
 using fp::ir::OutputKind;
-using fp::ir::Source;
 using fp::ir::StateItem;
-using fp::ir::Target;
 
 FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs) {
   FixedVertexKey key;
@@ -57,7 +55,7 @@ FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs
   return key;
 }
 
-Source FixedWriter::constant(float x, float y, float z, float w) {
+fp::ir::Source FixedWriter::constant(float x, float y, float z, float w) {
   const fp::ir::Vec4 value = {x, y, z, w};
   for (const ConstantRow &row : m_constants)
     if (row.value == value)
@@ -66,7 +64,7 @@ Source FixedWriter::constant(float x, float y, float z, float w) {
   return m_constants.back().source;
 }
 
-Source FixedWriter::state(const fp::ir::StateRef &ref) {
+fp::ir::Source FixedWriter::state(const fp::ir::StateRef &ref) {
   for (const StateRow &row : m_states)
     if (row.ref == ref)
       return row.source;
@@ -74,7 +72,7 @@ Source FixedWriter::state(const fp::ir::StateRef &ref) {
   return m_states.back().source;
 }
 
-Source FixedWriter::state(StateItem item, int index, int row, bool back) {
+fp::ir::Source FixedWriter::state(StateItem item, int index, int row, bool back) {
   fp::ir::StateRef ref;
   ref.item = item;
   ref.index = std::uint8_t(index);
@@ -83,7 +81,7 @@ Source FixedWriter::state(StateItem item, int index, int row, bool back) {
   return state(ref);
 }
 
-Source FixedWriter::matrixRow(StateItem item, int index, int row, MatrixModifier modifier) {
+fp::ir::Source FixedWriter::matrixRow(StateItem item, int index, int row, MatrixModifier modifier) {
   fp::ir::StateRef ref;
   ref.item = item;
   ref.index = std::uint8_t(index);
@@ -92,10 +90,10 @@ Source FixedWriter::matrixRow(StateItem item, int index, int row, MatrixModifier
   return state(ref);
 }
 
-Source FixedWriter::eye() {
+fp::ir::Source FixedWriter::eye() {
   if (m_eye)
     return *m_eye;
-  const Target eye = temporary();
+  const fp::ir::Target eye = temporary();
   for (int row = 0; row < 4; ++row)
     op(Opcode::Dp4, eye.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixModelview, 0, row), attribute(Kind::Position)});
@@ -104,31 +102,31 @@ Source FixedWriter::eye() {
 
 /// Returns the squared length, at least the smallest normal number, so that its root has a
 /// reciprocal.
-Source FixedWriter::square(const Source &vector) {
-  const Target square = temporary();
+fp::ir::Source FixedWriter::square(const fp::ir::Source &vector) {
+  const fp::ir::Target square = temporary();
   op(Opcode::Dp3, square.mask("x"), {vector, vector});
   op(Opcode::Max, square.mask("x"), {square.read(), constant(FLT_MIN, FLT_MIN, FLT_MIN, FLT_MIN)});
   return square.read();
 }
 
-Source FixedWriter::normalized(const Source &vector) {
-  const Target unit = temporary();
+fp::ir::Source FixedWriter::normalized(const fp::ir::Source &vector) {
+  const fp::ir::Target unit = temporary();
   op(Opcode::Rsq, unit.mask("w"), {square(vector).swz("x")});
   op(Opcode::Mul, unit.mask("xyz"), {vector, unit.read().swz("w")});
   return unit.read();
 }
 
-Source FixedWriter::eyeUnit() {
+fp::ir::Source FixedWriter::eyeUnit() {
   if (!m_eyeUnit)
     m_eyeUnit = normalized(eye());
   return *m_eyeUnit;
 }
 
 /// Returns the normal, transformed by the inverse transpose of the modelview matrix (2.10.3).
-Source FixedWriter::normal() {
+fp::ir::Source FixedWriter::normal() {
   if (m_normal)
     return *m_normal;
-  const Target normal = temporary();
+  const fp::ir::Target normal = temporary();
   for (int row = 0; row < 3; ++row)
     op(Opcode::Dp3, normal.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixModelview, 0, row, MatrixModifier::InvTrans),
@@ -136,8 +134,9 @@ Source FixedWriter::normal() {
   if (m_key.normalize)
     return *(m_normal = normalized(normal.read()));
   if (m_key.rescale) {
-    const Source third = matrixRow(StateItem::MatrixModelview, 0, 2, MatrixModifier::Inverse);
-    const Target factor = temporary();
+    const fp::ir::Source third =
+        matrixRow(StateItem::MatrixModelview, 0, 2, MatrixModifier::Inverse);
+    const fp::ir::Target factor = temporary();
     op(Opcode::Rsq, factor.mask("x"), {square(third).swz("x")});
     op(Opcode::Mul, normal.mask("xyz"), {normal.read(), factor.read().swz("x")});
   }
@@ -146,15 +145,15 @@ Source FixedWriter::normal() {
 
 /// Writes the position, and clip distances (2.12) as addClipDistances() does.
 void FixedWriter::position() {
-  const Target result = m_builder.result(OutputKind::Position);
-  const Target position = m_key.clipPlanes == 0 ? result : temporary();
+  const fp::ir::Target result = m_builder.result(OutputKind::Position);
+  const fp::ir::Target position = m_key.clipPlanes == 0 ? result : temporary();
   for (int row = 0; row < 4; ++row)
     op(Opcode::Dp4, position.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixMvp, 0, row), attribute(Kind::Position)});
   if (m_key.clipPlanes == 0)
     return;
   op(Opcode::Mov, result, {position.read()});
-  const Target eye = temporary();
+  const fp::ir::Target eye = temporary();
   for (int row = 0; row < 4; ++row)
     op(Opcode::Dp4, eye.mask(fp::ir::kLetters[row]),
        {matrixRow(StateItem::MatrixProjection, 0, row, MatrixModifier::Inverse), position.read()});
@@ -166,8 +165,8 @@ void FixedWriter::position() {
          {state(StateItem::ClipPlane, plane), eye.read()});
 }
 
-void FixedWriter::storeColor(OutputKind kind, const Source &value) {
-  const Target to = m_builder.result(kind);
+void FixedWriter::storeColor(OutputKind kind, const fp::ir::Source &value) {
+  const fp::ir::Target to = m_builder.result(kind);
   switch (m_key.clampColors) {
   case ColorClamp::None:
     return op(Opcode::Mov, to, {value});
@@ -196,8 +195,8 @@ void FixedWriter::texCoords() {
   for (int unit = 0; unit < 8; ++unit) {
     if ((m_key.needs.texCoords >> unit & 1u) == 0)
       continue;
-    const Source coordinate = generated(unit);
-    const Target to = m_builder.result(OutputKind::TexCoord, unit);
+    const fp::ir::Source coordinate = generated(unit);
+    const fp::ir::Target to = m_builder.result(OutputKind::TexCoord, unit);
     if ((m_key.textureMatrix >> unit & 1u) == 0) {
       op(Opcode::Mov, to, {coordinate});
       continue;
@@ -211,7 +210,7 @@ void FixedWriter::texCoords() {
 void FixedWriter::fogCoord() {
   if (!m_key.needs.fogCoord)
     return;
-  const Target to = m_builder.result(OutputKind::FogCoord).mask("x");
+  const fp::ir::Target to = m_builder.result(OutputKind::FogCoord).mask("x");
   switch (m_key.fogFrom) {
   case FogFrom::AbsoluteDepth:
     op(Opcode::Abs, to, {eye().swz("z")});
@@ -220,8 +219,8 @@ void FixedWriter::fogCoord() {
     op(Opcode::Mov, to, {eye().swz("z")});
     break;
   case FogFrom::Distance: {
-    const Target root = temporary();
-    const Source squared = square(eye());
+    const fp::ir::Target root = temporary();
+    const fp::ir::Source squared = square(eye());
     op(Opcode::Rsq, root.mask("x"), {squared.swz("x")});
     op(Opcode::Mul, to, {squared.swz("x"), root.read().swz("x")});
     break;
@@ -239,8 +238,9 @@ void FixedWriter::fogCoord() {
 void FixedWriter::pointSize() {
   if (!m_key.pointAttenuation)
     return;
-  const Source size = state(StateItem::PointSize), factors = state(StateItem::PointAttenuation);
-  const Target t = temporary();
+  const fp::ir::Source size = state(StateItem::PointSize),
+                       factors = state(StateItem::PointAttenuation);
+  const fp::ir::Target t = temporary();
   op(Opcode::Abs, t.mask("y"), {eye().swz("z")});
   op(Opcode::Mad, t.mask("z"), {factors.swz("z"), t.read().swz("y"), factors.swz("y")});
   op(Opcode::Mad, t.mask("z"), {t.read().swz("z"), t.read().swz("y"), factors.swz("x")});
@@ -273,4 +273,4 @@ const std::shared_ptr<const fp::ir::Program> &FixedVertexPrograms::get(const Ver
   return *m_last;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -12,7 +12,7 @@
 
 /// Writes fixed-function vertex processing (OpenGL 1.4, chapter 2) as programs of
 /// Language::ArbVertex, one for each state that needs other code.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The first output for clip distances. Distances to planes 0 to 3 are the components of
 /// result.texcoord[8], those to planes 4 to 7 of result.texcoord[9]. No application has these
@@ -102,4 +102,4 @@ private:
   VertexNeeds m_lastNeeds;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

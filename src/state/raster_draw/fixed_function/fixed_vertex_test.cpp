@@ -17,7 +17,7 @@
 #include "state/mirror/mirror.h"
 #include "state/testing/real_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using fp::ir::AttributeKind;
@@ -198,7 +198,8 @@ fp::ir::Vec4 output(const fp::ir::Program &program, const fp::ir::Evaluation &ev
   return {-99, -99, -99, -99};
 }
 
-fp::ir::Evaluation run(RasterContext &context, const fp::ir::Program &program, const Vertex &vertex) {
+fp::ir::Evaluation run(RasterContext &context, const fp::ir::Program &program,
+                       const Vertex &vertex) {
   const std::vector<fp::ir::Vec4> attributes = attributesOf(program, vertex);
   fp::ir::Inputs inputs;
   inputs.attributes = attributes;
@@ -442,4 +443,4 @@ TEST(FixedVertex, ProgramsAreFoundAgain) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -7,7 +7,7 @@
 
 /// Writes the program of one key. It is a part of fixed_vertex.cpp, which calls its functions in
 /// turn.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 class FixedWriter {
 public:
@@ -88,4 +88,4 @@ private:
   std::optional<Source> m_eye, m_eyeUnit, m_normal, m_reflected, m_sphere;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

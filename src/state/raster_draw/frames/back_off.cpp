@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 void BackOff::enter(Phase phase) {
   m_phase = phase;
@@ -164,4 +164,4 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

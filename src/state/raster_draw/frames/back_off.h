@@ -4,7 +4,7 @@
 
 #include "state/raster_draw/frames/other_times.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Decides by measurement whether the rasterizer or the host draws.
 ///
@@ -122,4 +122,4 @@ private:
   Statistics m_statistics;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -285,4 +285,4 @@ TEST(BackOff, ForcedItIsNeverInDoubt) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@
 #include "state/raster_draw/functions/start_note.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -135,4 +135,4 @@ void clearsTarget(RasterContext &context, GLbitfield mask) {
     endFrame(context);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

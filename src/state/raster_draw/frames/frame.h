@@ -6,7 +6,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Ends a frame before the window system shows the window. Calls Residency::present() and judges
 /// the frame (back_off.h). Transfers made for presenting do not count against the rasterizer.
@@ -20,4 +20,4 @@ void finishFrame(RasterContext &context);
 /// targets, or of depths alone, belong to passes of the same frame.
 void clearsTarget(RasterContext &context, GLbitfield mask);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -4,7 +4,7 @@
 
 #include "state/raster_draw/functions/start_note.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -44,4 +44,4 @@ void keepHistory(const FrameHistory &history) {
   g_last.kept = true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -3,7 +3,7 @@
 #include "state/raster_draw/frames/frame_trials.h"
 #include "state/raster_draw/frames/kept_look.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Holds what a context has learnt of its frames. It decides how the next frame begins.
 struct FrameHistory {
@@ -30,4 +30,4 @@ struct FrameHistory {
 /// two functions.
 void keepHistory(const FrameHistory &history);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

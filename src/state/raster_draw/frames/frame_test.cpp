@@ -10,7 +10,7 @@
 #include "state/residency/residency.h"
 #include "state/testing/real_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using testing::RealHost;
@@ -324,4 +324,4 @@ TEST_F(Frame, WhatIsEngagedLaterBeginsWithIt) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

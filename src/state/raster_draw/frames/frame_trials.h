@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Decides when to try a whole frame, in which the rasterizer tests depth from the beginning. What
 /// the rasterizer lacks is known from state in mixed frames too, but failures of memory or machine
@@ -35,4 +35,4 @@ private:
   int m_kept = 0;                 ///< number of those that were trials
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

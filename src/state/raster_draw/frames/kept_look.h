@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Keeps the side that draws a context's looks: features that the two sides draw differently
 /// (looks.h). The first such draw decides. The rasterizer gets them if the frame is its own. The
@@ -52,4 +52,4 @@ private:
   int m_held = 0;              ///< frames in a row in which the rasterizer had the looks
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 TEST(KeptLook, TheFirstDrawDecides) {
@@ -57,4 +57,4 @@ TEST(KeptLook, AMixedFrameNowAndThenCostsLittle) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -124,4 +124,4 @@ void leaveOrReturn(RasterContext &context, Clock::time_point now) {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

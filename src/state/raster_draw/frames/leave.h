@@ -9,7 +9,7 @@
 /// is refused for its target. In other contexts something in each frame is the host's, and most
 /// draws are the host's for its sake. Such a context would pay for following state and splitting
 /// lists in vain, so the host gets it whole.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Frames, with every draw refused for its target, after which the context is left alone.
 inline constexpr int kRefusedFrames = 8;
@@ -60,4 +60,4 @@ struct LeftAlone {
 void leaveOrReturn(RasterContext &context,
                    std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -9,7 +9,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/testing/real_host.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using testing::RealHost;
@@ -191,4 +191,4 @@ TEST_F(Leave, NotInTheMiddleOfAListOrWhereTheRasterizerIsChosen) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

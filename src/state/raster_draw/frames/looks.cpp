@@ -4,7 +4,7 @@
 
 #include "state/raster_draw/units.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -70,4 +70,4 @@ Looks looksOf(abi::Layout target) {
   return isFew ? bitOf(Look::FewBits) : 0;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

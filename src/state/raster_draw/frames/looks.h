@@ -8,7 +8,7 @@
 
 /// Looks: features that the rasterizer deliberately draws differently from a software host. Nobody
 /// should see which of the two draws, so one side draws all looks of a context (kept_look.h).
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The rows of looks.def.
 enum class Look : std::uint8_t {
@@ -43,4 +43,4 @@ struct LookedAt {
 /// Returns the looks of all draws to a colour buffer with this layout.
 [[nodiscard]] Looks looksOf(abi::Layout target);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

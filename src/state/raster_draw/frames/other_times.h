@@ -1,6 +1,6 @@
 #pragma once
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// A frame differs from others if its time is this many times longer or shorter.
 inline constexpr float kOtherTime = 1.5f;
@@ -30,4 +30,4 @@ private:
   int m_row = 0; ///< frames in a row that differ
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -14,7 +14,7 @@
 #include "util/flags.h"
 #include "util/thread.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -156,4 +156,4 @@ void awaitCompiler(std::optional<std::chrono::milliseconds> atMost) {
     own->await(atMost);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

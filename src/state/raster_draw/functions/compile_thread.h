@@ -5,7 +5,7 @@
 #include <optional>
 
 /// A thread that compiles, so that the drawing thread waits little or not at all.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// When to compile. AfterFrame is for code that the process's first frame does without, because the
 /// host draws it. The host compiles then too, and two processors may be halves of one.
@@ -24,4 +24,4 @@ void frameEndsForCompiler();
 /// Waits until nothing is left to compile, at most `atMost`.
 void awaitCompiler(std::optional<std::chrono::milliseconds> atMost);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

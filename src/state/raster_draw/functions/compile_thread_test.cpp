@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 using std::chrono::milliseconds;
@@ -81,4 +81,4 @@ TEST(CompileThread, AFrameMayEndBeforeThereIsAThread) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

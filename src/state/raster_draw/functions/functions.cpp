@@ -12,7 +12,7 @@
 #include "util/log.h"
 #include "util/thread.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -190,7 +190,7 @@ void FragmentFunctions::prepare() {
       m_owned = jit->prepareFragment(*m_source, m_numerics);
   });
   if (m_owned)
-    m_pixelCost = state::software::pixelCost(m_owned->program());
+    m_pixelCost = state::pixelCost(m_owned->program());
   m_prepared.store(m_owned.get(), std::memory_order_release);
   m_progress.store(m_owned ? Progress::Ready : Progress::Failed, std::memory_order_release);
 }
@@ -206,9 +206,8 @@ FragmentFunctions::Slot &FragmentFunctions::slot(const abi::FragmentKey &key, Wa
 }
 
 void VertexFunctions::compile(const abi::VertexKey &key, Slot &slot) {
-  state::software::make(slot, "vertex", [&](std::string &reason) {
-    return engine()->compile(*m_owned, key, reason);
-  });
+  state::make(slot, "vertex",
+              [&](std::string &reason) { return engine()->compile(*m_owned, key, reason); });
 }
 
 VertexFunctions::Slot &VertexFunctions::slot(const abi::VertexKey &key, Wait wait) {
@@ -272,4 +271,4 @@ CompileStatistics compileStatistics() {
           double(g_nanoseconds.load()) * 1e-6};
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

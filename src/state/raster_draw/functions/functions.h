@@ -14,7 +14,7 @@
 /// The process's machine code: the engine, created on first use, and functions by program and key.
 /// Missing functions are compiled on another thread. A draw waits for that only a while; then the
 /// host draws until the function is ready.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Returns the engine, created at the first call, which loads LLVM. Returns null if the library
 /// does not load; this is logged once.
@@ -182,4 +182,4 @@ struct CompileStatistics {
 };
 [[nodiscard]] CompileStatistics compileStatistics();
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 // In tenths of a nanosecond, with eight lanes.
@@ -29,4 +29,4 @@ std::uint32_t pixelCost(const fp::ir::Program &program) {
   return std::max(tenths / 10, 1u);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

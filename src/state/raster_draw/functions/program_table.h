@@ -4,7 +4,7 @@
 
 #include "fp_compiler/ir/interface.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// A context's data for each program that it drew with. An entry begins as `Entry{source}`, and its
 /// address is stable. When there are too many, all but the effective one are dropped.
@@ -30,4 +30,4 @@ private:
   std::unordered_map<const fp::ir::Program *, Entry> m_entries;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

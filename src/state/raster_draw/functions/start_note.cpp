@@ -11,7 +11,7 @@
 #include "util/defaults/program.h"
 #include "util/flags.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -97,4 +97,4 @@ void noteFrame(bool whole) {
     write(whole ? LastStart::WholeFrames : LastStart::Engine);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

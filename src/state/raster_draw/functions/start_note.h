@@ -6,7 +6,7 @@
 /// known whether the rasterizer can draw the whole frame. The host would then compile what is never
 /// used again. With the note, the engine is created while the program starts, and the code on disk
 /// draws its first frame.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// The note's account of the last start by the same program (util/defaults/program.h) and the same
 /// build. A wrong note costs time only.
@@ -26,4 +26,4 @@ void noteEngine();
 /// Notes a frame that was judged. \param whole true if it was a whole frame
 void noteFrame(bool whole);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -14,7 +14,7 @@
 #include "state/raster_draw/frames/frame_history.h"
 #include "state/raster_draw/functions/compile_thread.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 class StartNote : public ::testing::Test {
@@ -121,4 +121,4 @@ TEST_F(StartNote, FewNotesAreWritten) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

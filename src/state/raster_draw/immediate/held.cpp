@@ -11,7 +11,7 @@
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -73,4 +73,4 @@ const host::HostTable *answeringHost(ContextHot &hot) {
   return standsIn ? rasterStep(hot).trueHost : hot.host;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -13,7 +13,7 @@
 /// After End, the recorder stays open for attributes, and another Begin of the same mode continues
 /// it. Every other command first draws the held primitives: its generated entry point tests
 /// attention::kHeld. Requests to the window system do the same.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Most vertices that are held. After more, the other threads should begin to draw.
 inline constexpr std::uint32_t kMaxHeld = 3072;
@@ -32,4 +32,4 @@ inline constexpr std::uint32_t kMaxHeld = 3072;
 /// while a display list redirects calls to a recorder.
 [[nodiscard]] const host::HostTable *answeringHost(ContextHot &hot);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

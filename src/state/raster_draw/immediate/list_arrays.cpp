@@ -15,7 +15,7 @@
 #include "state/raster_draw/vertices/vertex_convert.h"
 #include "state/raster_draw/vertices/vertex_fetch.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -341,4 +341,4 @@ bool aliasedMultiDrawElements(RasterContext &context, GLenum mode, const GLsizei
   return true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

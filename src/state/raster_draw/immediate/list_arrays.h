@@ -15,7 +15,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 class ImmediateRecorder;
 
@@ -71,4 +71,4 @@ void drawEach(RasterContext &context, const MultiDraw &draws,
                                             const void *const *indices, GLsizei drawCount,
                                             const GLint *baseVertices);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -18,7 +18,7 @@
 #include "state/raster_draw/pipeline.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -238,4 +238,4 @@ void endPrimitive(RasterContext &context) {
 
 void endHeld(RasterContext &context) { drawRecorded(context, context.software->held, true); }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -7,7 +7,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Begins a primitive. Returns true if it is deferred: the recorder is open, and endPrimitive()
 /// will draw it or give it to the host. Returns false if the host draws, after bringing it up to
@@ -24,4 +24,4 @@ void endPrimitive(RasterContext &context);
 /// Draws the held primitives, when no other follows.
 void endHeld(RasterContext &context);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -102,4 +102,4 @@ SlotMask slotsToSet(const RasterContext &context) {
   return state.recorder.touched() & ~slotsOfMaterials(state.materials.given);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

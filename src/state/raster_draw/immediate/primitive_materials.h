@@ -13,7 +13,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Records a glMaterial in the recorded primitive. Returns true if that is done, or if nothing
 /// would change. It may query the host. It raises no error.
@@ -24,4 +24,4 @@ namespace arbiter::state::software {
 /// (ImmediateRecorder::touched()), without those that it already has.
 [[nodiscard]] SlotMask slotsToSet(const RasterContext &context);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -7,7 +7,7 @@
 #include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/replay.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -48,4 +48,4 @@ bool refuses(ContextHot &hot, const char *command) {
   return false;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,7 +5,7 @@
 /// recorded. Some applications set state there or nest primitives, and run on other drivers, where
 /// such commands have no effect. Passing such a command to the host would give it the primitive,
 /// and with it the frame.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// True if a primitive is recorded or held, so that refuses() must be asked.
 [[nodiscard]] inline bool isRecorded(const ContextHot &hot) {
@@ -17,4 +17,4 @@ namespace arbiter::state::software {
 /// the error. Requires isRecorded().
 [[nodiscard, gnu::cold]] bool refuses(ContextHot &hot, const char *command);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -10,7 +10,7 @@
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 GLenum materialName(int material) {
   constexpr std::array<GLenum, std::size_t(kMaterialParts)> kNames = {
@@ -175,4 +175,4 @@ void setCurrentValues(RasterContext &context, const CurrentValues &values, SlotM
     noteSet(context, values, touched);
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -14,7 +14,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 extern const host::HostTable kRecordingHost;
 
@@ -49,4 +49,4 @@ void setAttributes(const host::HostTable &host, const CurrentValues &values, Slo
 /// Sets the attributes that were touched.
 void setTouched(const host::HostTable &host, const ImmediateRecorder &recorder);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -10,7 +10,7 @@
 #include "state/raster_draw/immediate/replay.h"
 #include "state/raster_draw/raster_context.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -52,4 +52,4 @@ void PrimitiveSplit::close() {
   context.insideBeginEnd = true;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,7 +5,7 @@
 
 /// Splits a recorded primitive for commands between Begin and End that are neither attributes nor
 /// vertices, but legal: glMaterial.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Suspends a recorded primitive while it lives, so that the host's state can be set outside of
 /// Begin and End. The part so far is drawn, and the rest is recorded as another primitive of the
@@ -33,4 +33,4 @@ private:
   GLenum m_mode = 0;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "state/raster_draw/vertices/vertex_convert.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -191,4 +191,4 @@ bool ArraySource::addIndices(RasterContext &context, const Mirror &mirror,
   return m_indices != nullptr;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -14,7 +14,7 @@ namespace arbiter::state {
 struct RasterContext;
 }
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 struct Mirror;
 
 /// The arrays of a draw: in client memory, in a copy of a buffer, or in a buffer that is mapped
@@ -65,4 +65,4 @@ private:
   std::uint64_t m_seen = 0;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -5,7 +5,7 @@
 
 #include "state/mirror/generation_counter.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -47,4 +47,4 @@ void BufferCopies::drawnFrom(GLuint buffer, const Contents &contents) {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -6,7 +6,7 @@
 
 #include <GL/gl.h>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 class GenerationCounter;
 
@@ -37,4 +37,4 @@ private:
   std::uint64_t m_seen = 0;
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

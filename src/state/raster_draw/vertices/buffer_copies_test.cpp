@@ -5,7 +5,7 @@
 #include "state/mirror/attribute_groups.h"
 #include "state/mirror/generation_counter.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 class BufferCopiesTest : public ::testing::Test {
@@ -94,4 +94,4 @@ TEST_F(BufferCopiesTest, NothingIsCopiedWhereMemoryIsTheApplications) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -1,7 +1,7 @@
 #pragma once
 #include <GL/gl.h>
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// A draw of `count` vertices: those from `first` on, or those that `indices` name, plus
 /// `baseVertex`. Indices have the type GL_UNSIGNED_BYTE, _SHORT or _INT; the pointer is an offset
@@ -36,4 +36,4 @@ struct MultiDraw {
   }
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -11,7 +11,7 @@
 
 #include "util/half.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -245,4 +245,4 @@ Convert conversionOf(const VertexSource::Array &array, bool symmetric) {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -6,7 +6,7 @@
 #include "state/mirror/attributes.h"
 
 /// Converts elements of vertex arrays to floats.
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// A conversion of `count` elements from `base` on. Component c of element i goes to to[c][i], for
 /// the components that the array has. No alignment is required.
@@ -21,4 +21,4 @@ using Convert = void (*)(const Conversion &);
 /// \param symmetric selects the rule of OpenGL 4.2 for signed numbers
 [[nodiscard]] Convert conversionOf(const VertexSource::Array &array, bool symmetric);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -8,7 +8,7 @@
 
 #include "swrast/threads.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -374,4 +374,4 @@ SlotMask slotsOf(std::span<const fp::ir::Attribute> attributes) {
   return slots;
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -14,7 +14,7 @@
 /// Fetches vertices in the form that machine code reads: one array of floats for each component.
 /// Defaults (0, 0, 0, 1) are filled in, and fixed-point numbers are converted (OpenGL 1.4, table
 /// 2.6).
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Indices as 32 bits, relative to `minimum`. The vertices to fetch are [minimum, maximum].
 struct IndexRange {
@@ -140,4 +140,4 @@ private:
 /// Returns the slots of a program's attributes.
 [[nodiscard]] SlotMask slotsOf(std::span<const fp::ir::Attribute> attributes);
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -13,7 +13,7 @@
 
 #include "state/raster_draw/vertices/vertex_convert.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 namespace {
 
 struct TypeRow {
@@ -249,4 +249,4 @@ TEST(VertexFetch, IsFastEnoughForScenes) {
 }
 
 } // namespace
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -6,7 +6,7 @@
 #include "state/raster_draw/raster_context.h"
 #include "swrast/threads.h"
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 namespace {
 
@@ -253,4 +253,4 @@ void VertexStage::connect(float *const *outputs) {
   }
 }
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -19,7 +19,7 @@ struct RasterContext;
 struct CompiledProgram;
 } // namespace arbiter::state
 
-namespace arbiter::state::software {
+namespace arbiter::state {
 
 /// Transforms the application's vertices: chooses the effective vertex program or fixed function's,
 /// its machine code, and the arrays that it reads and writes.
@@ -107,4 +107,4 @@ private:
   std::uint32_t m_connectedTo = 0; ///< the VertexFetcher::outputsVersion() of that moment
 };
 
-} // namespace arbiter::state::software
+} // namespace arbiter::state

@@ -7,7 +7,7 @@
 #include "swrast/image/copy_pixels.h"
 #include "swrast/image/image.h"
 
-namespace arbiter::state::software::residency_scene {
+namespace arbiter::state::residency_scene {
 
 namespace {
 
@@ -191,4 +191,4 @@ std::uint32_t Residency::sampled(GLuint name, int x, int y) {
   return result;
 }
 
-} // namespace arbiter::state::software::residency_scene
+} // namespace arbiter::state::residency_scene

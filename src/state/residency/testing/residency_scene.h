@@ -21,7 +21,7 @@ namespace arbiter::state {
 class Context;
 }
 
-namespace arbiter::state::software::residency_scene {
+namespace arbiter::state::residency_scene {
 
 inline constexpr int kWidth = 64, kHeight = 48; ///< of the context's drawable, in pixels
 
@@ -36,7 +36,7 @@ protected:
   void TearDown() override;
 
   RasterContext &context();
-  software::Residency &residency() { return context().software->residency; }
+  state::Residency &residency() { return context().software->residency; }
   const host::HostTable &gl() { return *context().host; }
   /// Marks state as changed by the application.
   void changed(std::uint32_t bits = dirty::kAll) { context().dirty |= bits; }
@@ -72,4 +72,4 @@ protected:
   Bytes m_memory;
 };
 
-} // namespace arbiter::state::software::residency_scene
+} // namespace arbiter::state::residency_scene
