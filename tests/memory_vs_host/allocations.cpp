@@ -11,6 +11,7 @@
 #include <dlfcn.h>
 
 #include "../rasterizer_vs_host/glx_windows.h"
+#include "../rasterizer_vs_host/surface.h"
 #include "allocations.h"
 #include "failing_memory.h"
 
@@ -168,17 +169,9 @@ void reset() {
 
 int main(int argc, char **argv) {
   using namespace memory;
-  if (argc == 2 && !std::strcmp(argv[1], "--list")) {
-    for (const Scene &scene : kScenes)
-      std::printf("%s\n", scene.name);
-    return 0;
-  }
-  const Scene *scene = nullptr;
-  for (const Scene &known : kScenes)
-    if (argc == 6 && !std::strcmp(argv[1], known.name))
-      scene = &known;
+  const Scene *const scene = software::rowNamed(kScenes, argc, argv);
   Surface window;
-  if (!scene || !window.open()) {
+  if (!scene || argc != 6 || !window.open()) {
     std::fprintf(stderr, "allocations: no such scene, or no window\n");
     return 2;
   }

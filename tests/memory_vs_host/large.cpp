@@ -4,7 +4,6 @@
 // MILLISECONDS KIB".
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -212,20 +211,12 @@ void drawLong(const Chain &chain, std::size_t count) {
 } // namespace
 
 int main(int argc, char **argv) {
-  const Kind *kind = nullptr;
-  for (const Kind &known : kKinds)
-    if (argc == 3 && !std::strcmp(argv[1], known.name))
-      kind = &known;
+  const Kind *const kind = software::rowNamed(kKinds, argc, argv);
   const bool binds = argc == 3 && !std::strcmp(argv[1], "binds");
   const Chain *chain = nullptr;
   for (const Chain &known : kChains)
     if (argc == 3 && argv[1] == std::string("long-") + known.name)
       chain = &known;
-  if (argc == 2 && !std::strcmp(argv[1], "--list")) {
-    for (const Kind &known : kKinds)
-      std::printf("%s\n", known.name);
-    return 0;
-  }
   software::Screen screen;
   if ((!kind && !binds && !chain) || !screen.open())
     return 2;

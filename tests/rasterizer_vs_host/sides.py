@@ -8,7 +8,6 @@ import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "clients"))
@@ -125,20 +124,6 @@ def software_statistics(path):
         return {}
 
 
-def bare_and_layer(command, layer, scratch, server_options=(), bare=None):
-    """Returns (the bare host's records, those under the layer with the back end swrast, its statistics), on an X server
-    each. `scratch`: a folder for caches and statistics. `bare`: the command on the bare host, if it differs."""
-    stats = pathlib.Path(scratch) / "stats.json"
-    stats.unlink(missing_ok=True)
-    both = {"XDG_CACHE_HOME": str(scratch)}
-    answers = []
-    for arguments, env in ((bare or command, environment(extra=both)),
-                           (command, environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)}))):
-        with XServer(options=server_options) as display:
-            answers.append(run(arguments, {**env, "DISPLAY": display}))
-    return (*answers, software_statistics(stats))
-
-
 def software_totals(folder):
     """Returns (draws of the rasterizer, {reason: draws that it left to the host}) over the statistics there."""
     drawn, given = 0, collections.Counter()
@@ -175,68 +160,18 @@ def cpu_setting(cpu):
     return {"ARBITER_CPU": cpu}
 
 
+def options(description):
+    """Returns a parser of a runner's command line: --build."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    return parser
+
+
 def layer_of(build):
     layer = build / "src/interposer/libGLX_arbiter.so.0"
     if not layer.exists():
         sys.exit(f"the layer is not built: {layer}")
     return layer
-
-
-def seeded_arguments(doc, count):
-    """Parses the command line of a runner of random scenes: --build, --first SEED, --count N, --backend."""
-    parser = argparse.ArgumentParser(description=doc,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=count)
-    parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
-    return parser.parse_args()
-
-
-def compare(args, client, judge, extra=None, host=None):
-    """Runs a client of tests/rasterizer_vs_host that draws args.count scenes from seed args.first on.
-
-    Returns (the other side's records, judge(other, layer)'s complaints, the rasterizer's statistics). The other side
-    is the bare host. With `host`, further arguments of the client, it is the layer whose host draws everything."""
-    build = args.build.resolve()
-    command = [build / "tests/rasterizer_vs_host" / client, args.first, args.count]
-    with tempfile.TemporaryDirectory(prefix="arbiter-sides-") as scratch, XServer() as display:
-        both = {"DISPLAY": display, "XDG_CACHE_HOME": scratch, **(extra or {})}
-        stats = pathlib.Path(scratch) / "stats.json"
-        layer = environment(layer_of(build), args.backend, {**both, "ARBITER_STATS": str(stats)})
-        other = environment(extra=both) if host is None else environment(layer_of(build), "host", both)
-        try:
-            bare = run([*command, *(host or [])], other)
-            wrong = judge(bare, run(command, layer))
-        except (Died, subprocess.TimeoutExpired) as death:
-            bare, wrong = [], [str(death)]
-        return bare, wrong, software_statistics(stats)
-
-
-def conclude(args, what, records, wrong, part):
-    """Prints the result of compare(); returns 1 if anything is wrong."""
-    print(f"{args.count} {what} from seed {args.first}, {len(records)} records; the rasterizer drew "
-          f"{part.get('drawn', 0)}, the host {part.get('given_to_host', {})}")
-    for line in wrong[:12]:
-        print(f"     {line}")
-    print(f"{int(not wrong)} passed, {int(bool(wrong))} failed, 0 skipped")
-    return 1 if wrong else 0
-
-
-def mostly_ours(args, part, least):
-    """True if the rasterizer, when it must draw, drew more than `least` times what the host did."""
-    return args.backend != "swrast" or part.get("drawn", 0) > least * sum(part.get("given_to_host", {}).values())
-
-
-def all_ours(args, part):
-    """True if the rasterizer, when it must draw, drew everything."""
-    return args.backend != "swrast" or (part.get("drawn", 0) > 0 and not part.get("given_to_host", {}))
-
-
-def empty_pictures(records):
-    """Returns a line for each empty picture, of those whose records have red and blue."""
-    return [f"'{what}': nothing is drawn" for what, picture in records
-            if picture and not any(picture[0::4]) and not any(picture[2::4])]
 
 
 class Tally:

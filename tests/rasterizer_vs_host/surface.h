@@ -1,7 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -46,6 +49,32 @@ int drawSeeds(int argc, char **argv, int edge, const char *option, Draw draw) {
   const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
   for (int seed = first; seed < first + count; ++seed)
     draw(seed, screen, window, chosen);
+  return 0;
+}
+
+/// Returns the row of `rows` whose `name` is the client's first argument; null if there is none.
+/// With
+/// --list in its place it prints all names and ends the process.
+template <typename Rows>
+auto rowNamed(const Rows &rows, int argc, char **argv) -> decltype(&*std::begin(rows)) {
+  const std::string_view wanted = argc > 1 ? argv[1] : "";
+  for (const auto &row : rows) {
+    if (wanted == "--list")
+      std::printf("%s\n", row.name);
+    else if (wanted == row.name)
+      return &row;
+  }
+  if (wanted == "--list")
+    std::exit(0);
+  return nullptr;
+}
+
+/// Runs the row that rowNamed() returns. Returns the client's exit status.
+template <typename Rows> int runNamed(const Rows &rows, int argc, char **argv) {
+  const auto *const row = rowNamed(rows, argc, argv);
+  if (!row)
+    return 1;
+  row->run();
   return 0;
 }
 

@@ -71,7 +71,7 @@ class Program:
 
 
 # For cases with anisotropic textures, whose filter is implementation-dependent. llvmpipe's is a weighted mean of whole
-# texels of one level, the rasterizer's one of trilinear samples (tests/rasterizer_vs_host/run_anisotropy.py). In 0ad's
+# texels of one level, the rasterizer's one of trilinear samples (tests/rasterizer_vs_host/anisotropy.py). In 0ad's
 # terrain single pixels differ by 33, at the edges of magnified texels by 47. Lost or moved geometry differs more.
 ANISOTROPIC_STEP = 48
 # These cases are compared with the usual step too, on a host without the filter.

@@ -1,8 +1,7 @@
 // Tests objects that share storage or that shaders write: sharing-storage SCENE, or
-// `sharing-storage list`. Each scene draws to one object with a fragment program and samples the
-// other. The samples are written as records, which run_storage.py compares. Exits with 77 if the
+// `sharing-storage --list`. Each scene draws to one object with a fragment program and samples the
+// other. The samples are written as records, which comparisons.py compares. Exits with 77 if the
 // host lacks the scene's feature.
-#include <cstring>
 
 #include "storage.h"
 
@@ -197,13 +196,11 @@ constexpr Scene kScenes[] = {
 } // namespace storage
 
 int main(int argc, char **argv) {
-  for (const storage::Scene &scene : storage::kScenes)
-    if (argc > 1 && std::strcmp(argv[1], "list") == 0)
-      std::printf("%s\n", scene.name);
-    else if (argc > 1 && std::strcmp(argv[1], scene.name) == 0) {
-      scene.open();
-      scene.draw();
-      software::record("errors" + software::takeErrors(), {});
-    }
+  const storage::Scene *const scene = software::rowNamed(storage::kScenes, argc, argv);
+  if (!scene)
+    return 2;
+  scene->open();
+  scene->draw();
+  software::record("errors" + software::takeErrors(), {});
   return 0;
 }

@@ -63,7 +63,7 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
 
 /// Sets what only the names of the host's renderer and vendor tell. llvmpipe (Mesa 22.3.6) draws
 /// the same with every anisotropy limit above 1; softpipe obeys the limit.
-/// tests/rasterizer_vs_host/run_anisotropy.py shows both.
+/// tests/rasterizer_vs_host/anisotropy.py shows both.
 void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   const std::string_view name = getString(host, GL_RENDERER);
   const auto names = [&](const char *part) { return name.find(part) != name.npos; };

@@ -2,7 +2,6 @@
 #include "safety.h"
 
 #include <cstdio>
-#include <cstring>
 
 namespace software {
 
@@ -54,39 +53,33 @@ int main(int argc, char **argv) {
   std::vector<Hazard> all = kVertexHazards;
   all.insert(all.end(), kTextureHazards.begin(), kTextureHazards.end());
   all.insert(all.end(), kCommandHazards.begin(), kCommandHazards.end());
-  if (argc == 2 && !std::strcmp(argv[1], "--list")) {
-    for (const Hazard &hazard : all)
-      std::printf("%s\n", hazard.name);
-    return 0;
+  const Hazard *const hazard = rowNamed(all, argc, argv);
+  if (!hazard) {
+    std::fprintf(stderr, "usage: rasterizer-safety NAME | --list\n");
+    return 2;
   }
-  for (const Hazard &hazard : all) {
-    if (argc != 2 || std::strcmp(argv[1], hazard.name) != 0)
-      continue;
-    software::Screen screen;
-    if (!screen.open())
-      return 1;
-    const GLXDrawable window = screen.makeWindow(kSide, kSide);
-    const GLXContext context = screen.makeContext();
-    screen.makeCurrent(window, context);
-    glDisable(GL_DITHER);
-    glViewport(0, 0, kSide, kSide);
-    glClearColor(0.1f, 0.2f, 0.3f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    hazard.run();
-    // After any hazard a simple picture must still be right.
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, kSide, kSide);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_VERTEX_PROGRAM_ARB);
-    useFragments("MOV result.color, fragment.color;\n");
-    glColor4ub(10, 200, 30, 255);
-    wholeQuad();
-    picture("afterwards");
-    screen.swap(window);
-    screen.destroy(context);
-    return 0;
-  }
-  std::fprintf(stderr, "usage: rasterizer-safety NAME | --list\n");
-  return 2;
+  software::Screen screen;
+  if (!screen.open())
+    return 1;
+  const GLXDrawable window = screen.makeWindow(kSide, kSide);
+  const GLXContext context = screen.makeContext();
+  screen.makeCurrent(window, context);
+  glDisable(GL_DITHER);
+  glViewport(0, 0, kSide, kSide);
+  glClearColor(0.1f, 0.2f, 0.3f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  hazard->run();
+  // After any hazard a simple picture must still be right.
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, kSide, kSide);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_VERTEX_PROGRAM_ARB);
+  useFragments("MOV result.color, fragment.color;\n");
+  glColor4ub(10, 200, 30, 255);
+  wholeQuad();
+  picture("afterwards");
+  screen.swap(window);
+  screen.destroy(context);
+  return 0;
 }

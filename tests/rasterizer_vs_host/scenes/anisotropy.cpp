@@ -1,6 +1,6 @@
 // Draws a plane with a detailed texture at steep angles: rasterizer-anisotropy. Each view is drawn
 // without anisotropy and with 2, 4, 8 and 16 to 1, and also computed as the mean of 16 times 16
-// samples of the texture a pixel. Writes all pictures as records, which run_anisotropy.py judges.
+// samples of the texture a pixel. Writes all pictures as records, which anisotropy.py judges.
 #include <algorithm>
 #include <array>
 #include <cmath>

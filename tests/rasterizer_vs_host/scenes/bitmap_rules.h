@@ -6,7 +6,7 @@ namespace software {
 
 constexpr int kEdge = 64; ///< of the target, in pixels
 
-/// Draws what the specification defines but not all hosts implement; run_bitmaps.py knows the
+/// Draws what the specification defines but not all hosts implement; bitmaps.py knows the
 /// colors.
 void rules();
 /// Draws a bitmap and an image in fog, in frames that are the host's because of another draw.

@@ -5,7 +5,7 @@
 //               depths, the final raster position, and GL's errors
 //   shared      two contexts of a share group draw each scene in turns; they share programs, lists,
 //               buffers of bits, and the window
-//   rules       draws what the specification defines but not all hosts implement; run_bitmaps.py
+//   rules       draws what the specification defines but not all hosts implement; bitmaps.py
 //               knows the colors
 //   frames      draws the fog of the rules in frames that are the host's
 //   fonts       draws texts by glXUseXFont

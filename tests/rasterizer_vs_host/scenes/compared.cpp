@@ -1,7 +1,7 @@
 // Draws fixed function with depth comparison textures: rasterizer-compared SEED COUNT. There is a
 // picture for each target and depth format, with a cell for each TEXTURE_COMPARE_FUNC and filter;
 // depth texture modes and environments alternate. The references of a cell go from below 0 to above
-// 1. Writes pictures as records, which run_compared.py compares. There are two pictures for 1D
+// 1. Writes pictures as records, which comparisons.py compares. There are two pictures for 1D
 // textures, one with t equal to r: OpenGL compares r (1.4, 3.8.14), Mesa 22.3.6 t.
 #include <cstdlib>
 

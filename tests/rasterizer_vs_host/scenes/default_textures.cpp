@@ -1,7 +1,7 @@
 // Tests texture 0 of each target among named textures: rasterizer-default-textures SEED COUNT. Each
 // seed is a random sequence of definitions, texels, feedback, draws and reads in one context, for
 // some seeds in two of a share group in turns. Writes the results as records, which
-// run_default_textures.py compares.
+// comparisons.py compares.
 #include <cstdio>
 #include <cstdlib>
 #include <utility>

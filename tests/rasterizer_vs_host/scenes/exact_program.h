@@ -14,7 +14,7 @@ inline constexpr GLenum kExactTargets[kExactUnits] = {
 /// Returns a program that passes an input through, or uses it for a lookup.
 [[nodiscard]] std::string plainProgram(Random &random);
 /// Returns a program that is exact except for its last instruction, whose rounding is
-/// implementation-dependent. It begins with "about NAME: ", a row of run_exact.py.
+/// implementation-dependent. It begins with "about NAME: ", a row of exact.py.
 [[nodiscard]] std::string nearProgram(Random &random);
 
 } // namespace software

@@ -1,8 +1,9 @@
 // Draws frames of an application that never loads a program: rasterizer-fixed SEED COUNT. Each seed
 // is a few frames in a window: lights and materials, texture environments on two units, generated
 // coordinates, fog, depth, stencil, blending, alpha, scissors, clip planes; primitives between
-// Begin and End, from arrays and from display lists. Writes pictures as records, which run_fixed.py
-// compares. With LISTS_WHOLE in the environment, lists do not depend on the current state.
+// Begin and End, from arrays and from display lists. Writes pictures as records, which
+// comparisons.py compares. With LISTS_WHOLE in the environment, lists do not depend on the current
+// state.
 #include <algorithm>
 #include <cstdlib>
 

@@ -1,7 +1,7 @@
 // Makes single fixed-function draws with all state random: rasterizer-fixed-states SEED COUNT. Each
 // seed is a few draws, each with its own state: matrices, lights and materials, fog, color sum, and
 // four texture units of every target with generated coordinates and every environment. Textures
-// have colors or depths, compared or not. Writes pictures as records, which run_fixed_states.py
+// have colors or depths, compared or not. Writes pictures as records, which comparisons.py
 // compares.
 #include <cstdlib>
 

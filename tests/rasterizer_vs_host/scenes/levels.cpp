@@ -1,7 +1,7 @@
 // Shows which level of a texture each pixel uses: rasterizer-levels SEED COUNT. Each level has a
 // color, and so have the faces of a cube map. Triangles with random coordinates, in perspective or
 // not, minify them to all levels. Fixed function and programs sample, with a bias, by a quotient or
-// at computed coordinates. Writes the pictures as records, which run_levels.py compares.
+// at computed coordinates. Writes the pictures as records, which comparisons.py compares.
 #include <array>
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 // Draws lit primitives whose materials are set between Begin and End (OpenGL 2.1, 2.14.2):
 // rasterizer-materials SEED COUNT. Each seed is a few draws of several primitives each, with its
 // own lights. Materials change randomly at any vertex, on one side or both. Writes pictures and the
-// final materials as records, which run_materials.py compares.
+// final materials as records, which comparisons.py compares.
 #include <array>
 #include <string>
 

@@ -3,7 +3,7 @@
 // are equal. The two passes transform in different ways (fixed function, a vertex program with the
 // invariant option, by DP4, by DPH, by MUL and MAD) and submit their vertices in different ways.
 // Half of the second passes have a scissor. Whether they meet depends on the host. The records are
-// the second pass's pixels, which run_meets.py compares.
+// the second pass's pixels, which meets.py compares.
 #include <array>
 #include <cstdlib>
 #include <string>

@@ -5,6 +5,13 @@
 
 namespace software {
 
+/// A kind of primitive, drawn with that many vertices.
+struct Kind {
+  const char *name;
+  GLenum mode;
+  int corners;
+};
+
 /// A random picture of one kind of primitive, named by its properties.
 class PictureByChance {
 protected:

@@ -2,7 +2,7 @@
 // each kind, including quads that are not flat or cross themselves. They vary in provoking vertex,
 // colors, fog, two-sided light, culling, stipple and clipping, and come from Begin and End, arrays,
 // elements and lists. Overlaps show which half of a quad is drawn first, colors and fog how it is
-// split. Writes the pictures as records, which run_polygons.py compares.
+// split. Writes the pictures as records, which comparisons.py compares.
 #include <array>
 #include <string>
 
@@ -14,11 +14,6 @@ namespace {
 constexpr int kEdge = 160; ///< of the window, in pixels
 constexpr int kPrimitives = 16;
 
-struct Kind {
-  const char *name;
-  GLenum mode;
-  int corners;
-};
 constexpr Kind kKinds[] = {{"triangles", GL_TRIANGLES, 6},   {"strip", GL_TRIANGLE_STRIP, 6},
                            {"fan", GL_TRIANGLE_FAN, 6},      {"quads", GL_QUADS, 8},
                            {"quad strip", GL_QUAD_STRIP, 8}, {"polygon", GL_POLYGON, 5}};

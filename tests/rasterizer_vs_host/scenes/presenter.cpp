@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <thread>
 
 #include "glx_windows.h"
@@ -344,14 +343,4 @@ constexpr Case kCases[] = {{"frames", frames},
 } // namespace
 } // namespace software
 
-int main(int argc, char **argv) {
-  for (const software::Case &scene : software::kCases) {
-    if (argc == 2 && !std::strcmp(argv[1], "--list"))
-      std::printf("%s\n", scene.name);
-    if (argc != 2 || std::strcmp(argv[1], scene.name) != 0)
-      continue;
-    scene.run();
-    return 0;
-  }
-  return argc == 2 && !std::strcmp(argv[1], "--list") ? 0 : 1;
-}
+int main(int argc, char **argv) { return software::runNamed(software::kCases, argc, argv); }

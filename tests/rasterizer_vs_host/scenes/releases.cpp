@@ -3,7 +3,6 @@
 // depths, for comparison between two sides.
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <thread>
 
 #include "glx_windows.h"
@@ -324,14 +323,4 @@ constexpr Case kCases[] = {{"cleared", cleared},
 } // namespace
 } // namespace software
 
-int main(int argc, char **argv) {
-  for (const software::Case &scene : software::kCases) {
-    if (argc == 2 && !std::strcmp(argv[1], "--list"))
-      std::printf("%s\n", scene.name);
-    if (argc != 2 || std::strcmp(argv[1], scene.name) != 0)
-      continue;
-    scene.run();
-    return 0;
-  }
-  return argc == 2 && !std::strcmp(argv[1], "--list") ? 0 : 1;
-}
+int main(int argc, char **argv) { return software::runNamed(software::kCases, argc, argv); }

@@ -4,9 +4,7 @@
 // primitive, which only its arrays tell. Records the last pictures.
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <thread>
 #include <vector>
 
@@ -100,12 +98,9 @@ private:
 
 int main(int argc, char **argv) {
   using namespace software;
-  const Name *chosen = nullptr;
-  for (const Name &known : kNames)
-    if (argc == 3 && !std::strcmp(argv[1], known.name))
-      chosen = &known;
+  const Name *const chosen = rowNamed(kNames, argc, argv);
   software::Screen screen; // X11 has a Screen too
-  if (!chosen || !screen.open())
+  if (!chosen || argc != 3 || !screen.open())
     return 1;
   const GLXContext context = screen.makeContext();
   screen.makeCurrent(screen.makePbuffer(kEdge, kEdge), context);

@@ -1,6 +1,6 @@
 // Draws points, lines and unfilled polygons: rasterizer-strokes SEED COUNT. Each seed is a picture
 // of each kind, with random sizes, widths, stipples and colors, smooth or not, inside the view or
-// leaving it. Writes the pictures as records, which run_strokes.py compares.
+// leaving it. Writes the pictures as records, which comparisons.py compares.
 #include <array>
 #include <string>
 
@@ -12,11 +12,6 @@ namespace {
 constexpr int kEdge = 160; ///< of the window, in pixels
 constexpr int kPrimitives = 24;
 
-struct Kind {
-  const char *name;
-  GLenum mode;
-  int corners;
-};
 constexpr Kind kKinds[] = {{"points", GL_POINTS, 8},         {"lines", GL_LINES, 8},
                            {"line strip", GL_LINE_STRIP, 5}, {"line loop", GL_LINE_LOOP, 4},
                            {"triangles", GL_TRIANGLES, 6},   {"quads", GL_QUADS, 4},

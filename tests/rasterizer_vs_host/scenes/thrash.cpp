@@ -2,9 +2,7 @@
 // frame: rasterizer-thrash cheap|dear FRAMES. Records the last picture, and the time of each frame
 // in microseconds.
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -130,12 +128,9 @@ private:
 
 int main(int argc, char **argv) {
   using namespace software;
-  const Kind *kind = nullptr;
-  for (const Kind &known : kKinds)
-    if (argc == 3 && !std::strcmp(argv[1], known.name))
-      kind = &known;
+  const Kind *const kind = rowNamed(kKinds, argc, argv);
   software::Screen screen;
-  if (!kind || !screen.open())
+  if (!kind || argc != 3 || !screen.open())
     return 1;
   const GLXDrawable window = screen.makeWindow(64, 64);
   const GLXContext context = screen.makeContext();

@@ -1,7 +1,7 @@
 // Draws meshes that a vertex program displaces and colors by a texture: rasterizer-vertex-textures
 // SEED COUNT. Each seed is a random sequence of definitions, texels, feedback, draws to the
 // texture, changed levels and samplers, and deletions. It draws by arrays, by Begin and End, from
-// display lists and with many vertices. Writes the results as records, which run_vertex_textures.py
+// display lists and with many vertices. Writes the results as records, which comparisons.py
 // compares. With a third argument, "finish", it waits for its draws to textures.
 #include <cstdio>
 #include <cstdlib>

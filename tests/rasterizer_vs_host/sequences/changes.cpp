@@ -1,12 +1,9 @@
 // Draws, changes one piece of state, draws again, undoes the change and draws a third time, all in
 // one context, so that stale cached state is noticed.
-//   rasterizer-changes           all changes
-//   rasterizer-changes list      their names
-//   rasterizer-changes NAME ..   some of them
+//   rasterizer-changes --list   the changes' names
+//   rasterizer-changes NAME     one of them
 // Records "<form> <name>: before", "after", "undone", and "popped" if an attribute group restores
 // it.
-#include <cstdio>
-#include <cstring>
 
 #include "changes.h"
 
@@ -198,33 +195,21 @@ void run(Screen &screen, GLXDrawable window, const Change &change, Form form) {
   screen.destroy(stage.context);
 }
 
-bool isWanted(const Change &change, int count, char **names) {
-  if (count == 0)
-    return true;
-  for (int i = 0; i < count; ++i)
-    if (std::strcmp(names[i], change.name) == 0)
-      return true;
-  return false;
-}
-
 } // namespace
 } // namespace software
 
 int main(int argc, char **argv) {
   using namespace software;
-  const bool onlyNames = argc > 1 && std::strcmp(argv[1], "list") == 0;
+  std::vector<Change> all = kPixelChanges;
+  for (const std::vector<Change> *const part : {&kVertexChanges, &kObjectChanges})
+    all.insert(all.end(), part->begin(), part->end());
+  const Change *const change = rowNamed(all, argc, argv);
   software::Screen screen;
-  if (!onlyNames && !screen.open())
-    return 77;
-  const GLXDrawable window = onlyNames ? 0 : screen.makeWindow(kSide, kSide);
-  for (const std::vector<Change> *const part : {&kPixelChanges, &kVertexChanges, &kObjectChanges})
-    for (const Change &change : *part) {
-      if (onlyNames)
-        std::printf("%s\n", change.name);
-      else if (isWanted(change, argc - 1, argv + 1))
-        for (const Form form : {Form::Programs, Form::FixedVertices, Form::Fixed})
-          if ((change.forms & unsigned(form)) != 0)
-            run(screen, window, change, form);
-    }
+  if (!change || !screen.open())
+    return change ? 77 : 2;
+  const GLXDrawable window = screen.makeWindow(kSide, kSide);
+  for (const Form form : {Form::Programs, Form::FixedVertices, Form::Fixed})
+    if ((change->forms & unsigned(form)) != 0)
+      run(screen, window, *change, form);
   return 0;
 }

@@ -1,8 +1,7 @@
 // Shows a still picture repeatedly: rasterizer-still SCENE FRAMES [two]. Records the first picture,
 // and each picture that differs from the previous one, as the window shows them, because an
 // application that reads its pixels may be treated differently. With `two`, two contexts draw
-// frames in turns. rasterizer-still list prints the names of the scenes.
-#include <cstdio>
+// frames in turns. rasterizer-still --list prints the names of the scenes.
 #include <cstdlib>
 #include <cstring>
 
@@ -64,14 +63,10 @@ int drawStill(const StillScene &scene, int frames, bool two) {
 } // namespace software
 
 int main(int argc, char **argv) {
-  if (argc == 2 && !std::strcmp(argv[1], "list")) {
-    for (const software::StillScene &scene : software::stillScenes())
-      std::printf("%s\n", scene.name);
-    return 0;
-  }
+  const auto &scenes = software::stillScenes();
+  const software::StillScene *const scene = software::rowNamed(scenes, argc, argv);
   const bool two = argc == 4 && !std::strcmp(argv[3], "two");
-  for (const software::StillScene &scene : software::stillScenes())
-    if ((argc == 3 || two) && !std::strcmp(argv[1], scene.name))
-      return software::drawStill(scene, std::atoi(argv[2]), two);
-  return 2;
+  if (!scene || (argc != 3 && !two))
+    return 2;
+  return software::drawStill(*scene, std::atoi(argv[2]), two);
 }

@@ -15,7 +15,7 @@
 /// Third, the level is that of the shorter axis. The example's level is up to one level finer if
 /// Pmax / Pmin is no whole number.
 ///
-/// tests/rasterizer_vs_host/run_anisotropy.py measures the error on planes seen upright, at 60, 30,
+/// tests/rasterizer_vs_host/anisotropy.py measures the error on planes seen upright, at 60, 30,
 /// 15, 7 and 4 degrees. The exact example is off by 9.1, 8.4, 6.9, 5.0 and 4.8 steps of 255; this
 /// filter is off by 5.7, 4.9, 3.8, 3.2 and 3.9.
 namespace arbiter::fp::llvm_back {

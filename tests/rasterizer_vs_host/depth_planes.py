@@ -1,23 +1,16 @@
-#!/usr/bin/env python3
-"""Compares the depths of slanting surfaces and lines on the bare host and under the layer. They must be equal to the
-last
-bit, so that the same one of two coplanar surfaces is visible, whichever side draws them.
-
-  run_depth_planes.py --build build [--first SEED] [--count N] [--backend auto]
+"""Judges the depths of slanting surfaces and lines. They must be equal to the last bit, so that the same one of two
+coplanar surfaces is visible, whichever side draws them.
 
 Debian's 32-bit x86 Mesa clips at the view and sets up lines in C with x87's precision, 64-bit Mesa with single
 precision. There (CUT_BY_X87=1) the host is the reference for other surfaces only. Of the rest, surfaces that no matrix
 of the host has moved must equal a 64-bit rasterizer's, whose depths are the host's: DIGEST.
-
-Ends with "N passed, N failed, 0 skipped".
 """
 
 import array
-import functools
 import hashlib
 import re
-import sys
 
+import checks
 import sides
 
 UNITS = 1 << 8  # the last of 24 bits, in GL_UNSIGNED_INT
@@ -52,6 +45,8 @@ def multiplies_and_adds_in_one():
 
 def differing(what, a, b):
     """Returns a line of what is wrong with a record's depths, or nothing."""
+    if sides.HOST_HAS_X87 and not uncut(what):
+        return None
     bare, layer = array.array("I", a), array.array("I", b)
     covered = [(x, y) for x, y in zip(bare, layer) if CLEARED not in (x, y)]
     edges = sum((x == CLEARED) != (y == CLEARED) for x, y in zip(bare, layer))
@@ -62,27 +57,13 @@ def differing(what, a, b):
            f"units; {edges} pixels are covered by one of the two"
 
 
-def judge(bare, layer, cut_by_x87=False, seeds=()):
-    """Returns complaints. `seeds`: those drawn, if a rasterizer whose bits are known drew them."""
-    if [what for what, _ in bare] != [what for what, _ in layer]:
-        return ["other records"]
-    lines = (differing(what, a, b) for (what, a), (_, b) in zip(bare, layer) if uncut(what) or not cut_by_x87)
-    wrong = [line for line in lines if line]
-    if set(DIGEST_SEEDS) <= set(seeds) and digest(layer) != DIGEST:
-        wrong.append(f"untransformed depths are not those of 64 bits: {digest(layer)}")
-    return wrong
+def as_64_bits(run):
+    """Compares untransformed depths with the digest, if a rasterizer whose bits are known drew its seeds."""
+    seeds = range(run.case.args.first, run.case.args.first + run.count)
+    known = run.backend == "swrast" and multiplies_and_adds_in_one() and set(DIGEST_SEEDS) <= set(seeds)
+    if not known or digest(run.layer) == DIGEST:
+        return []
+    return [f"untransformed depths are not those of 64 bits: {digest(run.layer)}"]
 
 
-def main():
-    args = sides.seeded_arguments(__doc__, 12)
-    known = args.backend == "swrast" and multiplies_and_adds_in_one()
-    bare, wrong, part = sides.compare(args, "rasterizer-depth-planes", functools.partial(
-        judge, cut_by_x87=sides.HOST_HAS_X87,
-        seeds=range(args.first, args.first + args.count) if known else ()))
-    if args.backend == "swrast" and (not part.get("drawn", 0) or part.get("given_to_host", {})):
-        wrong.append("draws of the host's")
-    return sides.conclude(args, "primitives", bare, wrong, part)
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+alike = checks.each(differing)

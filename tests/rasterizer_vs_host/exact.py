@@ -1,20 +1,12 @@
-#!/usr/bin/env python3
-"""Draws random primitives with random fragment programs and nearest and linear filters, on the bare host and under the
-layer. Bytes and floats must be equal to the last bit. Inputs often lie on edges of texels and on ties of cube map axes,
-where the last bit of an input selects another texel. Programs use all instructions. Only the results in the tables
-below may differ.
-
-  run_exact.py --build build [--first SEED] [--count N] [--backend swrast]
-
-Ends with "N passed, N failed, 0 skipped".
-"""
+"""Judges random primitives with random fragment programs and nearest and linear filters. Bytes and floats must be equal
+to the last bit. Inputs often lie on edges of texels and on ties of cube map axes, where the last bit of an input
+selects another texel. Programs use all instructions. Only the results in the tables below may differ."""
 
 import array
 import dataclasses
 import math
-import sys
 
-import sides
+import checks
 
 
 @dataclasses.dataclass(frozen=True)
@@ -50,7 +42,7 @@ UNDEFINED = {
     "lookups beyond 2^31 texels": Row("3.8.7", "CLAMP_TO_EDGE is the last texel, and the first on the host"),
     "lookups at infinities and at no number": Row("3.8.7", "undefined"),
     "flat colours": Row("2.14.7", "of the provoking vertex, and interpolated in the host's own fragment programs"),
-    "levels of detail": Row("3.8.8", "may be approximated: run_levels.py"),
+    "levels of detail": Row("3.8.8", "may be approximated: row levels of comparisons.py"),
 }
 
 
@@ -78,23 +70,7 @@ def differing(what, a, b):
         one, other = a, b
         apart = [i for i, (x, y) in enumerate(zip(a, b)) if abs(x - y) > (row is not None)]
     worst = max((abs(one[i] - other[i]) for i in apart), default=0)
-    pixels = len({i // 4 for i in apart})
-    return f"'{what}': {pixels} pixels differ, by up to {worst}" if apart or len(a) != len(b) else None
+    return checks.far_line(what, len({i // 4 for i in apart}), worst) if len(a) == len(b) else f"'{what}': another size"
 
 
-def judge(bare, layer):
-    if [what for what, _ in bare] != [what for what, _ in layer]:
-        return ["other records"]
-    return [line for line in (differing(what, a, b) for (what, a), (_, b) in zip(bare, layer)) if line]
-
-
-def main():
-    args = sides.seeded_arguments(__doc__, 40)
-    bare, wrong, part = sides.compare(args, "rasterizer-exact", judge)
-    if not sides.all_ours(args, part):
-        wrong.append("draws of the host's")
-    return sides.conclude(args, "seeds", bare, wrong, part)
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+alike = checks.each(differing)
