@@ -102,6 +102,24 @@ GLuint makeProgram(GLenum target, const std::string &text) {
   return name;
 }
 
+GLuint makeFramebuffer(GLuint texture) {
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  if (texture != 0)
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  return framebuffer;
+}
+
+GLuint attachBuffer(GLenum attachment, GLenum format, int width, int height) {
+  GLuint buffer = 0;
+  glGenRenderbuffers(1, &buffer);
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+  return buffer;
+}
+
 std::uint64_t Random::bits() {
   m_state += 0x9e3779b97f4a7c15u;
   std::uint64_t z = m_state;

@@ -88,6 +88,11 @@ void record(const std::string &text, const std::vector<unsigned char> &bytes);
 /// Makes a program of either target; aborts if GL rejects it, as nothing would be tested then.
 [[nodiscard]] GLuint makeProgram(GLenum target, const std::string &text);
 
+/// Makes and binds a framebuffer, whose color is the 2D texture if one is given.
+GLuint makeFramebuffer(GLuint texture = 0);
+/// Attaches a new renderbuffer to the bound framebuffer, and returns it.
+GLuint attachBuffer(GLenum attachment, GLenum format, int width, int height);
+
 /// A random generator that is the same everywhere: splitmix64.
 class Random {
 public:

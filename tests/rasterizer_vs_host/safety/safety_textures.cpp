@@ -103,11 +103,7 @@ void large() {
 /// Draws to a framebuffer that is much larger than the window.
 void largeTarget() {
   constexpr int kLarge = 4096;
-  GLuint framebuffer = 0;
-  const GLuint color = smoothTexture(kLarge, kLarge);
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+  makeFramebuffer(smoothTexture(kLarge, kLarge));
   glBindTexture(GL_TEXTURE_2D, 0);
   glViewport(0, 0, kLarge, kLarge);
   useFragments("MUL result.color, fragment.color, {0.5, 1, 0.25, 1};\n");
@@ -189,10 +185,7 @@ void sampledByVertices() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 3);
     wholeQuad();
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
-    GLuint framebuffer = 0;
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    const GLuint framebuffer = makeFramebuffer(texture);
     for (int i = 0; i < 4; ++i)
       wholeQuad(0.1f, 0, 1.1f, 1);
     glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 16, 16, 0);
@@ -207,11 +200,7 @@ void sampledByVertices() {
 
 /// Draws undefined pictures: only the process must survive.
 void feedbackOntoItself() {
-  GLuint framebuffer = 0;
-  const GLuint texture = smoothTexture(kSide, kSide);
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  makeFramebuffer(smoothTexture(kSide, kSide));
   fetch("TEX", "2D");
   for (int i = 0; i < 4; ++i)
     wholeQuad(0.1f, 0, 1.1f, 1);

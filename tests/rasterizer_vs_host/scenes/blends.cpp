@@ -105,14 +105,12 @@ int main() {
   glClear(GL_COLOR_BUFFER_BIT);
   pictures("window");
   layers();
-  GLuint texture = 0, framebuffer = 0;
+  GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kEdge, kEdge, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  makeFramebuffer(texture);
   pictures("texture");
   record("errors" + takeErrors(), {});
   return 0;

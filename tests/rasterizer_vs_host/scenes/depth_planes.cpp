@@ -2,7 +2,7 @@
 // of each kind one after another, with random corners and transforms, in the window and in a
 // framebuffer object. Each is drawn with and without polygon offset and with either provoking
 // vertex; lines have random widths. Writes all 24 bits of the depths as records, which
-// run_depth_planes.py compares.
+// depth_planes.py compares.
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -138,17 +138,9 @@ void useTarget(const std::string &name) {
     return glBindFramebuffer(GL_FRAMEBUFFER, 0);
   if (s_framebuffer != 0)
     return glBindFramebuffer(GL_FRAMEBUFFER, s_framebuffer);
-  GLuint buffers[2] = {};
-  glGenFramebuffers(1, &s_framebuffer);
-  glGenRenderbuffers(2, buffers);
-  glBindFramebuffer(GL_FRAMEBUFFER, s_framebuffer);
-  const std::array<std::pair<GLenum, GLenum>, 2> parts = {
-      {{GL_RGBA8, GL_COLOR_ATTACHMENT0}, {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT}}};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-    glRenderbufferStorage(GL_RENDERBUFFER, parts[i].first, kWidth, kHeight);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, parts[i].second, GL_RENDERBUFFER, buffers[i]);
-  }
+  s_framebuffer = makeFramebuffer();
+  attachBuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, kWidth, kHeight);
+  attachBuffer(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, kWidth, kHeight);
 }
 
 } // namespace

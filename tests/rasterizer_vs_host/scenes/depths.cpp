@@ -1,7 +1,7 @@
 // Draws to depth buffers without stencil, as most applications request: rasterizer-depths SEED
 // COUNT. Each seed is a random frame in a window with at least 1 to 24 bits of depth, and in
 // framebuffer objects with DEPTH_COMPONENT32. The drawn depths are also sampled and compared.
-// Writes colors and all 32 bits of depths as records, which run_depths.py compares.
+// Writes colors and all 32 bits of depths as records, which comparisons.py compares.
 #include <cstdio>
 #include <cstdlib>
 
@@ -131,13 +131,8 @@ private:
 
 /// Makes a framebuffer object whose depths are a renderbuffer or a texture.
 GLuint attach(bool texture, GLuint &depth) {
-  GLuint framebuffer = 0, color = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glGenRenderbuffers(1, &color);
-  glBindRenderbuffer(GL_RENDERBUFFER, color);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kEdge, kEdge);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+  const GLuint framebuffer = makeFramebuffer();
+  attachBuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, kEdge, kEdge);
   if (texture) {
     glGenTextures(1, &depth);
     glBindTexture(GL_TEXTURE_2D, depth);
@@ -147,10 +142,7 @@ GLuint attach(bool texture, GLuint &depth) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
   } else {
-    glGenRenderbuffers(1, &depth);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32, kEdge, kEdge);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+    depth = attachBuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32, kEdge, kEdge);
   }
   return framebuffer;
 }

@@ -2,7 +2,7 @@
 // primitive of each kind with a random transform, whole or clipped by the view volume, with random
 // inputs, many of them on edges of texels. It uses a random fragment program with nearest and
 // linear filters, and draws to the window or to a float buffer. One in eight programs ends with an
-// implementation-dependent result, and says so. Writes the pixels as records, which run_exact.py
+// implementation-dependent result, and says so. Writes the pixels as records, which exact.py
 // compares.
 #include <algorithm>
 #include <array>
@@ -238,13 +238,8 @@ void useTarget(bool floats) {
     return glBindFramebuffer(GL_FRAMEBUFFER, 0);
   if (s_framebuffer != 0)
     return glBindFramebuffer(GL_FRAMEBUFFER, s_framebuffer);
-  GLuint buffer = 0;
-  glGenFramebuffers(1, &s_framebuffer);
-  glGenRenderbuffers(1, &buffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, s_framebuffer);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, kWidth, kHeight);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+  s_framebuffer = makeFramebuffer();
+  attachBuffer(GL_COLOR_ATTACHMENT0, GL_RGBA32F, kWidth, kHeight);
 }
 
 } // namespace

@@ -76,15 +76,13 @@ void drawScene(GLuint list, float place) {
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
 }
 
-GLuint makeFramebuffer() {
-  GLuint texture = 0, framebuffer = 0;
+GLuint makeTarget() {
+  GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kEdge, kEdge, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  const GLuint framebuffer = makeFramebuffer(texture);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return framebuffer;
 }
@@ -105,7 +103,7 @@ void recordSome(int frame) {
 }
 
 void drawSampled(Display *display, GLXDrawable window, int frames) {
-  const GLuint list = makeList(), framebuffer = makeFramebuffer();
+  const GLuint list = makeList(), framebuffer = makeTarget();
   for (int frame = 0; frame < frames; ++frame) {
     const float place = float(frame % 7) / 8;
     if (frame >= frames - kLast) {

@@ -82,18 +82,10 @@ void World::makeContextObjects() {
   glGenQueries(1, &now.query);
   now.firstList = glGenLists(kLists);
   for (Framebuffer &framebuffer : now.framebuffers) {
-    glGenFramebuffers(1, &framebuffer.name);
-    glGenRenderbuffers(1, &framebuffer.color);
-    glGenRenderbuffers(1, &framebuffer.depthStencil);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name);
-    glBindRenderbuffer(GL_RENDERBUFFER, framebuffer.color);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kWindow, kWindow);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              framebuffer.color);
-    glBindRenderbuffer(GL_RENDERBUFFER, framebuffer.depthStencil);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kWindow, kWindow);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                              framebuffer.depthStencil);
+    framebuffer.name = makeFramebuffer();
+    framebuffer.color = attachBuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, kWindow, kWindow);
+    framebuffer.depthStencil =
+        attachBuffer(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, kWindow, kWindow);
     clearAll();
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

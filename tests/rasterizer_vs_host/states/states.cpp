@@ -62,15 +62,9 @@ void attachColor(const Scene &scene) {
 void makeTarget(const Scene &scene) {
   if (scene.choice("target") == 0)
     return;
-  GLuint framebuffer = 0, depthStencil = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  makeFramebuffer();
   attachColor(scene);
-  glGenRenderbuffers(1, &depthStencil);
-  glBindRenderbuffer(GL_RENDERBUFFER, depthStencil);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kEdge, kEdge);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                            depthStencil);
+  attachBuffer(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, kEdge, kEdge);
 }
 
 /// Clears a part of the drawing, and reads everything, with sRGB encoding.

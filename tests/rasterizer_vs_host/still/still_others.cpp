@@ -105,15 +105,13 @@ void shadow() {
 void makePacked() {
   makeTexture();
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_FALSE);
-  GLuint texture = 0, framebuffer = 0;
+  GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB565, kStillEdge, kStillEdge, 0, GL_RGB,
                GL_UNSIGNED_SHORT_5_6_5, nullptr);
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  makeFramebuffer(texture);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
