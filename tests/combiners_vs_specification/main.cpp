@@ -36,18 +36,6 @@ struct Tally {
   double worst = 0.0;
 };
 
-void makeTarget() {
-  GLuint framebuffer = 0, buffer = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glGenRenderbuffers(1, &buffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, combined::kSize, combined::kSize);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
-  glViewport(0, 0, combined::kSize, combined::kSize);
-  glDisable(GL_DITHER);
-}
-
 using Pixels = std::vector<std::uint8_t>;
 
 /// Returns the largest difference of a cell's pixels from the expected color, in steps of a byte.
@@ -138,7 +126,7 @@ int run(const Options &options) {
   glGetIntegerv(GL_MAX_GENERAL_COMBINERS_NV, &stages);
   units = std::min(units, GLint(combiners::kTextures));
   stages = std::min(stages, GLint(combiners::kStages));
-  makeTarget();
+  bindTarget(combined::kSize, combined::kSize);
   combined::Scene scene(units, !options.isUnsigned, options.fx9);
   Tally tally;
   for (std::uint64_t seed = options.seeds.first; seed < options.seeds.last(); ++seed) {

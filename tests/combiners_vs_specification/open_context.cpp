@@ -41,18 +41,18 @@ bool openContextWith(const char *extension) {
   return false;
 }
 
-void bindTarget(int size) {
+void bindTarget(int width, int height, GLenum format) {
   GLuint framebuffer = 0, buffers[2] = {};
   glGenFramebuffers(1, &framebuffer);
   glGenRenderbuffers(2, buffers);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  constexpr GLenum kFormats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+  const GLenum formats[] = {format, GL_DEPTH_COMPONENT24};
   constexpr GLenum kPoints[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
   for (int i = 0; i < 2; ++i) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-    glRenderbufferStorage(GL_RENDERBUFFER, kFormats[i], size, size);
+    glRenderbufferStorage(GL_RENDERBUFFER, formats[i], width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, kPoints[i], GL_RENDERBUFFER, buffers[i]);
   }
-  glViewport(0, 0, size, size);
+  glViewport(0, 0, width, height);
   glDisable(GL_DITHER);
 }

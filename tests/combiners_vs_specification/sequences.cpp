@@ -6,16 +6,13 @@
 
 #include <epoxy/gl.h>
 
-#include "client_options.h"
 #include "command_model.h"
-#include "open_context.h"
+#include "command_sequences.h"
 
 namespace {
 
 using namespace commanded;
 using arbiter::fp::testing::Random;
-
-constexpr int kCommands = 100; ///< in a sequence
 
 void issue(const Command &c) {
   const auto &n = c.names;
@@ -100,88 +97,27 @@ Model queried() {
   return model;
 }
 
-struct Tally {
-  long commands = 0, errors = 0, listed = 0, saved = 0;
+struct Combiners {
+  using Command = commanded::Command;
+  using Model = commanded::Model;
+  static constexpr const char *kExtension = "GL_NV_register_combiners2";
+  static constexpr int kMaxUnits = 1 << 8;
+  static constexpr bool kListsRaise = true;
+
+  static Command random(Random &random, int units) { return randomCommand(random, units); }
+  static GLenum apply(Model &model, const Command &command, int units) {
+    return commanded::apply(model, command, units);
+  }
+  static void issue(const Command &command) { ::issue(command); }
+  static Model queried(int) { return ::queried(); }
+  static void print(const Command &command) {
+    std::printf("kind %d", command.kind);
+    for (const GLenum name : command.names)
+      std::printf(" 0x%04X", name);
+    std::printf(" number %d\n", command.number);
+  }
 };
-
-bool isExpected(std::uint64_t seed, int at, const Command &command, GLenum expected) {
-  const GLenum got = glGetError();
-  while (glGetError() != GL_NO_ERROR) {
-  }
-  if (got == expected)
-    return true;
-  std::printf("seed %llu, command %d: error 0x%04X, expected 0x%04X; kind %d",
-              static_cast<unsigned long long>(seed), at, got, expected, command.kind);
-  for (const GLenum name : command.names)
-    std::printf(" 0x%04X", name);
-  std::printf(" number %d\n", command.number);
-  return false;
-}
-
-/// Runs one sequence; the state continues from the previous one.
-bool run(std::uint64_t seed, int units, Model &model, Tally &tally) {
-  Random random(seed);
-  const Model before = model;
-  const bool saves = random.chance(25), lists = random.chance(25);
-  if (saves)
-    glPushAttrib(GL_TEXTURE_BIT);
-  const GLuint list = lists ? glGenLists(1) : 0;
-  if (lists)
-    glNewList(list, GL_COMPILE);
-  GLenum firstError = GL_NO_ERROR;
-  bool same = true;
-  for (int i = 0; i < kCommands; ++i) {
-    const Command command = randomCommand(random, units);
-    const GLenum error = apply(model, command, units);
-    issue(command);
-    ++tally.commands;
-    tally.errors += error != GL_NO_ERROR ? 1 : 0;
-    if (firstError == GL_NO_ERROR)
-      firstError = error;
-    same = isExpected(seed, i, command, lists ? GLenum(GL_NO_ERROR) : error) && same;
-  }
-  if (lists) {
-    glEndList();
-    glCallList(list);
-    same = isExpected(seed, kCommands, {.kind = -1}, firstError) && same;
-    glDeleteLists(list, 1);
-    tally.listed += kCommands;
-  }
-  const auto agrees = [&](const char *when) {
-    if (queried() == model)
-      return true;
-    std::printf("seed %llu: the state %s is another than the model's\n",
-                static_cast<unsigned long long>(seed), when);
-    return false;
-  };
-  same = agrees("behind the sequence") && same;
-  if (saves) {
-    glPopAttrib();
-    model = before;
-    ++tally.saved;
-    same = agrees("behind PopAttrib") && same;
-  }
-  return same;
-}
 
 } // namespace
 
-int main(int argc, char **argv) {
-  Seeds seeds;
-  if (const auto status =
-          parseOptions(argc, argv, "Issues random commands and compares errors and state.", seeds))
-    return *status;
-  if (!openContextWith("GL_NV_register_combiners2"))
-    return kSkipped;
-  GLint units = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-  Model model;
-  Tally tally;
-  int different = 0;
-  for (std::uint64_t seed = seeds.first; seed < seeds.last(); ++seed)
-    different += run(seed, units, model, tally) ? 0 : 1;
-  std::printf("{\"sequences\": %d, \"different\": %d, \"commands\": %ld, \"errors\": %ld, "
-              "\"in_lists\": %ld, \"saved\": %ld}\n",
-              seeds.count, different, tally.commands, tally.errors, tally.listed, tally.saved);
-  return different == 0 ? 0 : 1;
-}
+int main(int argc, char **argv) { return CommandSequences<Combiners>::main(argc, argv); }

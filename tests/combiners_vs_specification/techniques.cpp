@@ -18,18 +18,6 @@ using namespace techniques;
 
 constexpr int kTolerance = 2; ///< in 255ths
 
-void makeTarget() {
-  GLuint framebuffer = 0, buffer = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glGenRenderbuffers(1, &buffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSize, kSize);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
-  glViewport(0, 0, kSize, kSize);
-  glDisable(GL_DITHER);
-}
-
 Picture read() {
   Picture picture(std::size_t(kSize) * kSize * 4);
   glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
@@ -70,7 +58,7 @@ int worstOf(const Picture &a, const Picture &b) {
 }
 
 int compareAll(const char *folder) {
-  makeTarget();
+  bindTarget(kSize, kSize);
   int worstOfAll = 0;
   std::printf("{");
   for (const Technique &technique : {kGlow, kBumps}) {

@@ -191,7 +191,7 @@ int run(const std::vector<std::string> &arguments) {
     return kSkipped;
   if (paced && arguments.size() == 3)
     g_size = std::max(std::atoi(arguments[2].c_str()), 16);
-  bindTarget(g_size);
+  bindTarget(g_size, g_size);
   if (paced)
     return pace(arguments[1]);
   return compareAll(option == "--png" ? arguments[1] : "",

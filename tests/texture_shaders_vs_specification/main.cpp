@@ -46,7 +46,7 @@ struct Tally {
 };
 
 void makeTarget() {
-  bindTarget(shaded::kSize);
+  bindTarget(shaded::kSize, shaded::kSize);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_ALWAYS);
   const auto &c = shaded::kClearColor;

@@ -10,8 +10,7 @@
 
 #include <epoxy/gl.h>
 
-#include "../combiners_vs_specification/client_options.h"
-#include "../combiners_vs_specification/open_context.h"
+#include "../combiners_vs_specification/command_sequences.h"
 #include "fp_compiler/testing/random.h"
 
 namespace {
@@ -19,7 +18,6 @@ namespace {
 using arbiter::fp::testing::Random;
 
 constexpr int kMaxUnits = 8;
-constexpr int kCommands = 100; ///< in a sequence
 constexpr GLenum kShader = GL_TEXTURE_SHADER_NV;
 
 /// An operation, the first unit that may have it, and whether another unit must follow.
@@ -244,84 +242,25 @@ Model queried(int units) {
   return model;
 }
 
-bool isExpected(std::uint64_t seed, int at, const Command &c, GLenum expected) {
-  const GLenum got = glGetError();
-  while (glGetError() != GL_NO_ERROR) {
-  }
-  if (got == expected)
-    return true;
-  std::printf("seed %llu, command %d: error 0x%04X, expected 0x%04X; unit %d, 0x%04X, %g\n",
-              static_cast<unsigned long long>(seed), at, got, expected, c.unit, c.pname,
-              double(c.values[0]));
-  return false;
-}
+struct TextureShaders {
+  using Command = ::Command;
+  using Model = ::Model;
+  static constexpr const char *kExtension = "GL_NV_texture_shader3";
+  static constexpr int kMaxUnits = ::kMaxUnits;
+  // For its own environments the host raises errors when the list is compiled.
+  static constexpr bool kListsRaise = false;
 
-/// Runs one sequence; the state continues from the previous one.
-bool run(std::uint64_t seed, int units, Model &model, long &errors) {
-  Random random(seed);
-  const Model before = model;
-  const bool saves = random.chance(25), lists = random.chance(25);
-  if (saves)
-    glPushAttrib(GL_TEXTURE_BIT);
-  const GLuint list = lists ? glGenLists(1) : 0;
-  if (lists)
-    glNewList(list, GL_COMPILE);
-  GLenum firstError = GL_NO_ERROR;
-  bool same = true;
-  for (int i = 0; i < kCommands; ++i) {
-    const Command command = randomCommand(random, units);
-    const GLenum error = apply(model, command, units);
-    issue(command);
-    errors += error != GL_NO_ERROR ? 1 : 0;
-    if (firstError == GL_NO_ERROR)
-      firstError = error;
-    // For its own environments the host raises errors when the list is compiled.
-    if (!lists)
-      same = isExpected(seed, i, command, error) && same;
+  static Command random(Random &random, int units) { return randomCommand(random, units); }
+  static GLenum apply(Model &model, const Command &command, int units) {
+    return ::apply(model, command, units);
   }
-  if (lists) {
-    glEndList();
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    glCallList(list);
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    glDeleteLists(list, 1);
+  static void issue(const Command &command) { ::issue(command); }
+  static Model queried(int units) { return ::queried(units); }
+  static void print(const Command &command) {
+    std::printf("unit %d, 0x%04X, %g\n", command.unit, command.pname, double(command.values[0]));
   }
-  const auto agrees = [&](const char *when) {
-    if (queried(units) == model)
-      return true;
-    std::printf("seed %llu: the state %s is another than the model's\n",
-                static_cast<unsigned long long>(seed), when);
-    return false;
-  };
-  same = agrees("behind the sequence") && same;
-  if (saves) {
-    glPopAttrib();
-    model = before;
-    same = agrees("behind PopAttrib") && same;
-  }
-  return same;
-}
+};
 
 } // namespace
 
-int main(int argc, char **argv) {
-  Seeds seeds;
-  if (const auto status =
-          parseOptions(argc, argv, "Issues random commands and compares errors and state.", seeds))
-    return *status;
-  if (!openContextWith("GL_NV_texture_shader3"))
-    return kSkipped;
-  GLint units = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-  units = std::min(units, GLint(kMaxUnits));
-  Model model;
-  long errors = 0;
-  int different = 0;
-  for (std::uint64_t seed = seeds.first; seed < seeds.last(); ++seed)
-    different += run(seed, units, model, errors) ? 0 : 1;
-  std::printf("{\"sequences\": %d, \"different\": %d, \"commands\": %ld, \"errors\": %ld}\n",
-              seeds.count, different, long(seeds.count) * kCommands, errors);
-  return different == 0 ? 0 : 1;
-}
+int main(int argc, char **argv) { return CommandSequences<TextureShaders>::main(argc, argv); }

@@ -33,16 +33,6 @@ struct Tally {
   long cells = 0, unjudged = 0;
 };
 
-void makeTarget() {
-  GLuint framebuffer = 0, buffer = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glGenRenderbuffers(1, &buffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, kViews, 1);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
-}
-
 /// Makes the programs that show one result each.
 void makeViews(GLuint (&programs)[kViews]) {
   glGenProgramsARB(kViews, programs);
@@ -99,7 +89,7 @@ void judge(std::uint64_t seed, const testing::RandomVertexShader &made, const Op
 }
 
 int run(const Options &options) {
-  makeTarget();
+  bindTarget(kViews, 1, GL_RGBA32F);
   GLuint views[kViews];
   makeViews(views);
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
