@@ -110,11 +110,8 @@ public:
   Edges(Backend &backend, const SuiteOptions &options) : m_backend(backend), m_options(options) {}
 
   Report run() {
-    m_report.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
-    if (!m_target.create()) {
-      m_report.failures.push_back({0, "no float framebuffer on this host"});
+    if (!begin(m_report, m_target))
       return m_report;
-    }
     bindTexels();
     for (int op = 0; op < fp::ir::kFragmentOpcodeCount; ++op) {
       const OpInfo &row = info(Opcode(op));

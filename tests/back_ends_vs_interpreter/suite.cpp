@@ -30,11 +30,8 @@ public:
   Suite(Backend &backend, const SuiteOptions &options) : m_backend(backend), m_options(options) {}
 
   Report run() {
-    m_report.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
-    if (!m_target.create()) {
-      m_report.failures.push_back({0, "no float framebuffer on this host"});
+    if (!begin(m_report, m_target))
       return m_report;
-    }
     applyState(m_backend.hasProgramMatrices());
     applyTextures(m_backend.hasProgramMatrices());
     if (const std::string errors = takeErrors(); !errors.empty())
@@ -222,6 +219,14 @@ private:
   std::map<Optioned, std::vector<float>> m_measured;
 };
 } // namespace
+
+bool begin(Report &report, FloatTarget &target) {
+  report.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
+  if (target.create())
+    return true;
+  report.failures.push_back({0, "no float framebuffer on this host"});
+  return false;
+}
 
 Report runSuite(Backend &backend, const SuiteOptions &options) {
   return Suite(backend, options).run();

@@ -34,6 +34,10 @@ struct Report {
   std::vector<Failure> failures;
 };
 
+/// Begins a report with the renderer's name, and makes the target. Returns false, with a failure in
+/// the report, on a host without float buffers.
+[[nodiscard]] bool begin(Report &report, FloatTarget &target);
+
 /// Draws each program, and compares each pixel with the interpreter.
 [[nodiscard]] Report runSuite(Backend &backend, const SuiteOptions &options);
 

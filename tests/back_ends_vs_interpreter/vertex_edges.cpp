@@ -94,11 +94,8 @@ public:
   VertexEdges(Backend &backend, fp::Numerics numerics) : m_backend(backend), m_numerics(numerics) {}
 
   Report run() {
-    m_report.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
-    if (!m_target.create()) {
-      m_report.failures.push_back({0, "no float framebuffer on this host"});
+    if (!begin(m_report, m_target))
       return m_report;
-    }
     applyState(m_backend.hasProgramMatrices());
     for (const Case &wanted : cases())
       one(wanted);

@@ -21,11 +21,8 @@ public:
       : m_backend(backend), m_options(options) {}
 
   Report run() {
-    m_report.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
-    if (!m_target.create()) {
-      m_report.failures.push_back({0, "no float framebuffer on this host"});
+    if (!begin(m_report, m_target))
       return m_report;
-    }
     applyState(m_backend.hasProgramMatrices());
     applyTextures();
     if (const std::string errors = takeErrors(); !errors.empty())

@@ -53,6 +53,27 @@ inline GLuint makeTexture(GLenum target, const Pixel &color) {
   return name;
 }
 
+/// Clears, calls a list that draws both halves of the window, and compares them.
+inline void expectHalves(GLuint list, const Pixel &left, const Pixel &right) {
+  clear();
+  glCallList(list);
+  expectNear(readPixel(4), left);
+  expectNear(readPixel(28), right);
+}
+
+/// Calls `draws(name of the command, function that binds a 2D texture)` for each command that binds
+/// to the unit, which is the active one.
+template <typename Draws> void forEachBinding(GLuint unit, const Draws &draws) {
+  draws("BindTexture", [](GLuint name) { glBindTexture(GL_TEXTURE_2D, name); });
+  if (epoxy_has_gl_extension("GL_ARB_multi_bind"))
+    draws("BindTextures", [=](GLuint name) { glBindTextures(unit, 1, &name); });
+  if (epoxy_has_gl_extension("GL_ARB_direct_state_access"))
+    draws("BindTextureUnit", [=](GLuint name) { glBindTextureUnit(unit, name); });
+  if (epoxy_has_gl_extension("GL_EXT_direct_state_access"))
+    draws("BindMultiTextureEXT",
+          [=](GLuint name) { glBindMultiTextureEXT(GL_TEXTURE0 + unit, GL_TEXTURE_2D, name); });
+}
+
 /// Makes a shader that samples unit 0 at its coordinates and outputs the sample.
 inline void makeSamplingShader() {
   ati::makeShader([] {

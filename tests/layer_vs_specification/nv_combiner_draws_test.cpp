@@ -178,14 +178,7 @@ TEST_F(NvCombinerDraws, EachCommandThatBinds) {
     bind(red);
     EXPECT_EQ(drawn(), kRedPixel) << what;
   };
-  draws("BindTexture", [](GLuint name) { glBindTexture(GL_TEXTURE_2D, name); });
-  if (epoxy_has_gl_extension("GL_ARB_multi_bind"))
-    draws("BindTextures", [](GLuint name) { glBindTextures(0, 1, &name); });
-  if (epoxy_has_gl_extension("GL_ARB_direct_state_access"))
-    draws("BindTextureUnit", [](GLuint name) { glBindTextureUnit(0, name); });
-  if (epoxy_has_gl_extension("GL_EXT_direct_state_access"))
-    draws("BindMultiTextureEXT",
-          [](GLuint name) { glBindMultiTextureEXT(GL_TEXTURE0, GL_TEXTURE_2D, name); });
+  forEachBinding(0, draws);
   draws("PopAttrib", [](GLuint name) {
     const GLint before = boundTexture();
     glBindTexture(GL_TEXTURE_2D, name);
@@ -216,12 +209,8 @@ TEST_F(NvCombinerDraws, TexturesThatListsBind) {
   glRectf(0, -1, 1, 1);
   glBindTexture(GL_TEXTURE_2D, red);
   glEndList();
-  for (int call = 0; call < 2; ++call) {
-    clear();
-    glCallList(list);
-    expectNear(readPixel(4), kRedPixel);
-    expectNear(readPixel(28), kBluePixel);
-  }
+  for (int call = 0; call < 2; ++call)
+    expectHalves(list, kRedPixel, kBluePixel);
   glDeleteLists(list, 1);
 }
 
@@ -300,10 +289,7 @@ TEST_F(NvCombinerDraws, FromDisplayLists) {
   glRectf(0, -1, 1, 1);
   glEndList();
   glColor4f(0, 0, 1, 1);
-  clear();
-  glCallList(list);
-  expectNear(readPixel(4), kGreenPixel);
-  expectNear(readPixel(28), kBluePixel);
+  expectHalves(list, kGreenPixel, kBluePixel);
   glDeleteLists(list, 1);
 }
 
@@ -319,10 +305,7 @@ TEST_F(NvCombinerDraws, WhatAListEnablesChoosesTheProgram) {
   glRectf(0, -1, 1, 1);
   glDisable(GL_TEXTURE_3D);
   glEndList();
-  clear();
-  glCallList(list);
-  expectNear(readPixel(4), kRedPixel);
-  expectNear(readPixel(28), kGreenPixel);
+  expectHalves(list, kRedPixel, kGreenPixel);
   glDeleteLists(list, 1);
 }
 

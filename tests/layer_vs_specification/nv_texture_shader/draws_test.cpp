@@ -198,10 +198,7 @@ TEST_F(NvTextureShaderDraws, FromDisplayLists) {
   glRectf(0, -1, 1, 1);
   glEndList();
   glColor4f(0, 0, 1, 1);
-  clear();
-  glCallList(list);
-  expectNear(readPixel(4), kRedPixel);
-  expectNear(readPixel(28), kBluePixel);
+  expectHalves(list, kRedPixel, kBluePixel);
   glDeleteLists(list, 1);
 }
 
@@ -214,10 +211,7 @@ TEST_F(NvTextureShaderDraws, TexturesThatListsBind) {
   glBindTexture(GL_TEXTURE_2D, m_four);
   glEndList();
   glColor4f(0, 0, 1, 1);
-  clear();
-  glCallList(list);
-  expectNear(readPixel(4), kRedPixel);
-  expectNear(readPixel(28), kBluePixel);
+  expectHalves(list, kRedPixel, kBluePixel);
   glDeleteLists(list, 1);
 }
 
@@ -231,14 +225,7 @@ TEST_F(NvTextureShaderDraws, EachCommandThatBinds) { // 0 is incomplete, so inco
     bind(m_four);
     EXPECT_EQ(drawn(), kRedPixel) << what;
   };
-  draws("BindTexture", [](GLuint name) { glBindTexture(GL_TEXTURE_2D, name); });
-  if (epoxy_has_gl_extension("GL_ARB_multi_bind"))
-    draws("BindTextures", [](GLuint name) { glBindTextures(1, 1, &name); });
-  if (epoxy_has_gl_extension("GL_ARB_direct_state_access"))
-    draws("BindTextureUnit", [](GLuint name) { glBindTextureUnit(1, name); });
-  if (epoxy_has_gl_extension("GL_EXT_direct_state_access"))
-    draws("BindMultiTextureEXT",
-          [](GLuint name) { glBindMultiTextureEXT(GL_TEXTURE1, GL_TEXTURE_2D, name); });
+  forEachBinding(1, draws);
 }
 
 TEST_F(NvTextureShaderDraws, Fog) {
