@@ -2,18 +2,11 @@
 // It uses pixel shaders 2.x (2.a and 2.b are profiles of it) and 3.0, and vertex shaders 2.x and
 // 3.0, with the features that each adds to the previous model.
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <vector>
 
-#include <d3d9.h>
-#include <d3dx9shader.h>
+#include "tiled.h"
 
 namespace {
 
-constexpr int kTile = 128, kColumns = 4, kRows = 3;
-constexpr int kWidth = kTile * kColumns, kHeight = kTile * kRows;
 constexpr int kSteps = 16; // of a tile's grid
 
 struct Vertex {
@@ -162,19 +155,7 @@ constexpr Tile kTiles[kColumns * kRows] = {
     {kCallVs, kBranches, false}, {kCallVs, kDependent, false},  {kPlainVs, kNested3, false},
 };
 
-[[noreturn]] void fail(const char *what, HRESULT code) {
-  std::fprintf(stderr, "%s: 0x%08lx\n", what, static_cast<unsigned long>(code));
-  std::exit(1);
-}
-
-void check(const char *what, HRESULT code) {
-  if (FAILED(code))
-    fail(what, code);
-}
-
-struct Device {
-  IDirect3DDevice9 *device = nullptr;
-  IDirect3DSurface9 *target = nullptr;
+struct Device : Target {
   IDirect3DTexture9 *picture = nullptr, *heights = nullptr;
 };
 
@@ -217,30 +198,13 @@ IDirect3DTexture9 *makeHeights(IDirect3DDevice9 *device) {
   return texture;
 }
 
-Device open() {
-  Device d;
-  HWND window = CreateWindowA("static", "models", WS_OVERLAPPEDWINDOW, 0, 0, kWidth, kHeight,
-                              nullptr, nullptr, nullptr, nullptr);
-  IDirect3D9 *d3d = Direct3DCreate9(D3D_SDK_VERSION);
-  D3DPRESENT_PARAMETERS p = {};
-  p.Windowed = TRUE;
-  p.SwapEffect = D3DSWAPEFFECT_DISCARD;
-  p.BackBufferFormat = D3DFMT_X8R8G8B8;
-  p.BackBufferWidth = kWidth;
-  p.BackBufferHeight = kHeight;
-  p.hDeviceWindow = window;
-  check("CreateDevice", d3d->CreateDevice(D3DADAPTER_DEFAULT, D3DDEVTYPE_HAL, window,
-                                          D3DCREATE_HARDWARE_VERTEXPROCESSING, &p, &d.device));
+Device prepare() {
+  const Target target = open("models");
+  const Device d{target, makePicture(target.device), makeHeights(target.device)};
   D3DCAPS9 caps = {};
   d.device->GetDeviceCaps(&caps);
   std::fprintf(stderr, "vertex shaders %lx, pixel shaders %lx, clip planes %lu\n",
                caps.VertexShaderVersion, caps.PixelShaderVersion, caps.MaxUserClipPlanes);
-  check("CreateRenderTarget",
-        d.device->CreateRenderTarget(kWidth, kHeight, D3DFMT_X8R8G8B8, D3DMULTISAMPLE_NONE, 0,
-                                     FALSE, &d.target, nullptr));
-  check("SetRenderTarget", d.device->SetRenderTarget(0, d.target));
-  d.picture = makePicture(d.device);
-  d.heights = makeHeights(d.device);
   return d;
 }
 
@@ -265,17 +229,6 @@ void setConstants(const Device &d) {
   device->SetSamplerState(0, D3DSAMP_MIPFILTER, D3DTEXF_LINEAR);
   device->SetSamplerState(D3DVERTEXTEXTURESAMPLER0, D3DSAMP_MINFILTER, D3DTEXF_POINT);
   device->SetSamplerState(D3DVERTEXTEXTURESAMPLER0, D3DSAMP_MAGFILTER, D3DTEXF_POINT);
-}
-
-ID3DXBuffer *assembled(const char *text) {
-  ID3DXBuffer *code = nullptr, *errors = nullptr;
-  const HRESULT result =
-      D3DXAssembleShader(text, UINT(std::strlen(text)), nullptr, nullptr, 0, &code, &errors);
-  if (FAILED(result)) {
-    std::fprintf(stderr, "%s", text);
-    fail(errors ? static_cast<const char *>(errors->GetBufferPointer()) : text, result);
-  }
-  return code;
 }
 
 const char *chosen(const char *text, bool inlined) {
@@ -308,13 +261,7 @@ Vertex corner(int x, int y, bool turned) {
 
 void drawTile(const Device &d, int index, bool inlined) {
   const Tile &tile = kTiles[index];
-  const D3DVIEWPORT9 view = {DWORD(index % kColumns * kTile),
-                             DWORD(index / kColumns * kTile),
-                             DWORD(kTile),
-                             DWORD(kTile),
-                             0.0f,
-                             1.0f};
-  d.device->SetViewport(&view);
+  useTile(d, index);
   // A level of detail between two is implementation-dependent, and each lookup increases the
   // difference.
   d.device->SetSamplerState(0, D3DSAMP_MIPFILTER,
@@ -342,34 +289,12 @@ void declare(const Device &d) {
   check("SetVertexDeclaration", d.device->SetVertexDeclaration(declaration));
 }
 
-void save(const Device &d) {
-  IDirect3DSurface9 *copy = nullptr;
-  check("CreateOffscreenPlainSurface",
-        d.device->CreateOffscreenPlainSurface(kWidth, kHeight, D3DFMT_X8R8G8B8, D3DPOOL_SYSTEMMEM,
-                                              &copy, nullptr));
-  check("GetRenderTargetData", d.device->GetRenderTargetData(d.target, copy));
-  D3DLOCKED_RECT lock;
-  check("LockRect", copy->LockRect(&lock, nullptr, D3DLOCK_READONLY));
-  std::vector<std::uint8_t> rgb;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const DWORD p = static_cast<const DWORD *>(lock.pBits)[y * lock.Pitch / 4 + x];
-      rgb.insert(rgb.end(), {std::uint8_t(p >> 16), std::uint8_t(p >> 8), std::uint8_t(p)});
-    }
-  std::FILE *file = std::fopen("o.ppm", "wb");
-  if (!file)
-    fail("o.ppm", 0);
-  std::fprintf(file, "P6\n%d %d\n255\n", kWidth, kHeight);
-  std::fwrite(rgb.data(), 1, rgb.size(), file);
-  std::fclose(file);
-}
-
 } // namespace
 
 /// "inline" replaces calls of subroutines by their code.
 int main(int argc, char **argv) {
   const bool inlined = argc > 1 && !std::strcmp(argv[1], "inline");
-  const Device d = open();
+  const Device d = prepare();
   d.device->Clear(0, nullptr, D3DCLEAR_TARGET, D3DCOLOR_XRGB(30, 30, 60), 1.0f, 0);
   check("BeginScene", d.device->BeginScene());
   setConstants(d);

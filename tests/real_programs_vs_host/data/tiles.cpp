@@ -1,18 +1,10 @@
 // A Direct3D 9 program that draws twelve tiles into an off-screen target, one technique each, and
 // writes them to o.ppm: pixel shaders 1.1, 1.4 and 2.0, and fixed-function texture stages.
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <vector>
 
-#include <d3d9.h>
-#include <d3dx9shader.h>
+#include "tiled.h"
 
 namespace {
-
-constexpr int kTile = 128, kColumns = 4, kRows = 3;
-constexpr int kWidth = kTile * kColumns, kHeight = kTile * kRows;
 
 struct Vertex {
   float x, y, z;           // in the tile's own viewport, z the depth
@@ -118,21 +110,9 @@ constexpr char kKill20[] = "ps_2_0\n"
                            "mul r4, r4, r5\n"
                            "mov oC0, r4\n";
 
-struct Device {
-  IDirect3DDevice9 *device = nullptr;
-  IDirect3DSurface9 *target = nullptr;
+struct Device : Target {
   IDirect3DTexture9 *picture = nullptr, *normals = nullptr;
 };
-
-[[noreturn]] void fail(const char *what, HRESULT code) {
-  std::fprintf(stderr, "%s: 0x%08lx\n", what, static_cast<unsigned long>(code));
-  std::exit(1);
-}
-
-void check(const char *what, HRESULT code) {
-  if (FAILED(code))
-    fail(what, code);
-}
 
 IDirect3DTexture9 *makeTexture(IDirect3DDevice9 *device, DWORD (*texel)(int, int)) {
   IDirect3DTexture9 *texture = nullptr;
@@ -158,27 +138,10 @@ DWORD normalTexel(int x, int y) {
   return D3DCOLOR_ARGB(255, int(128 + dx * scale), int(128 + dy * scale), int(128 + dz * scale));
 }
 
-Device open() {
-  Device d;
-  HWND window = CreateWindowA("static", "tiles", WS_OVERLAPPEDWINDOW, 0, 0, kWidth, kHeight,
-                              nullptr, nullptr, nullptr, nullptr);
-  IDirect3D9 *d3d = Direct3DCreate9(D3D_SDK_VERSION);
-  D3DPRESENT_PARAMETERS p = {};
-  p.Windowed = TRUE;
-  p.SwapEffect = D3DSWAPEFFECT_DISCARD;
-  p.BackBufferFormat = D3DFMT_X8R8G8B8;
-  p.BackBufferWidth = kWidth;
-  p.BackBufferHeight = kHeight;
-  p.hDeviceWindow = window;
-  check("CreateDevice", d3d->CreateDevice(D3DADAPTER_DEFAULT, D3DDEVTYPE_HAL, window,
-                                          D3DCREATE_HARDWARE_VERTEXPROCESSING, &p, &d.device));
-  check("CreateRenderTarget",
-        d.device->CreateRenderTarget(kWidth, kHeight, D3DFMT_X8R8G8B8, D3DMULTISAMPLE_NONE, 0,
-                                     FALSE, &d.target, nullptr));
-  check("SetRenderTarget", d.device->SetRenderTarget(0, d.target));
-  d.picture = makeTexture(d.device, pictureTexel);
-  d.normals = makeTexture(d.device, normalTexel);
-  return d;
+Device prepare() {
+  const Target target = open("tiles");
+  return {target, makeTexture(target.device, pictureTexel),
+          makeTexture(target.device, normalTexel)};
 }
 
 void defaults(const Device &d) {
@@ -219,16 +182,9 @@ void stage(const Device &d, DWORD index, DWORD op, DWORD first, DWORD second) {
 }
 
 void shader(const Device &d, const char *text) {
-  ID3DXBuffer *code = nullptr, *errors = nullptr;
-  const HRESULT result =
-      D3DXAssembleShader(text, UINT(std::strlen(text)), nullptr, nullptr, 0, &code, &errors);
-  if (FAILED(result)) {
-    std::fprintf(stderr, "%s", text);
-    fail(errors ? static_cast<const char *>(errors->GetBufferPointer()) : text, result);
-  }
   IDirect3DPixelShader9 *pixel = nullptr;
-  check(text,
-        d.device->CreatePixelShader(static_cast<const DWORD *>(code->GetBufferPointer()), &pixel));
+  check(text, d.device->CreatePixelShader(
+                  static_cast<const DWORD *>(assembled(text)->GetBufferPointer()), &pixel));
   check("SetPixelShader", d.device->SetPixelShader(pixel));
 }
 
@@ -291,13 +247,7 @@ void technique(const Device &d, int index) {
 }
 
 void drawTile(const Device &d, int index) {
-  D3DVIEWPORT9 view = {DWORD(index % kColumns * kTile),
-                       DWORD(index / kColumns * kTile),
-                       DWORD(kTile),
-                       DWORD(kTile),
-                       0.0f,
-                       1.0f};
-  d.device->SetViewport(&view);
+  useTile(d, index);
   // The corners have different depths and colors, so that a mistake in any input is visible.
   const float x[4] = {-0.95f, 0.95f, -0.95f, 0.95f}, y[4] = {0.95f, 0.95f, -0.95f, -0.95f};
   const float z[4] = {0.1f, 0.4f, 0.6f, 0.9f};
@@ -313,32 +263,10 @@ void drawTile(const Device &d, int index) {
         d.device->DrawPrimitiveUP(D3DPT_TRIANGLESTRIP, 2, corners, sizeof corners[0]));
 }
 
-void save(const Device &d) {
-  IDirect3DSurface9 *copy = nullptr;
-  check("CreateOffscreenPlainSurface",
-        d.device->CreateOffscreenPlainSurface(kWidth, kHeight, D3DFMT_X8R8G8B8, D3DPOOL_SYSTEMMEM,
-                                              &copy, nullptr));
-  check("GetRenderTargetData", d.device->GetRenderTargetData(d.target, copy));
-  D3DLOCKED_RECT lock;
-  check("LockRect", copy->LockRect(&lock, nullptr, D3DLOCK_READONLY));
-  std::vector<std::uint8_t> rgb;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const DWORD p = static_cast<const DWORD *>(lock.pBits)[y * lock.Pitch / 4 + x];
-      rgb.insert(rgb.end(), {std::uint8_t(p >> 16), std::uint8_t(p >> 8), std::uint8_t(p)});
-    }
-  std::FILE *file = std::fopen("o.ppm", "wb");
-  if (!file)
-    fail("o.ppm", 0);
-  std::fprintf(file, "P6\n%d %d\n255\n", kWidth, kHeight);
-  std::fwrite(rgb.data(), 1, rgb.size(), file);
-  std::fclose(file);
-}
-
 } // namespace
 
 int main() {
-  const Device d = open();
+  const Device d = prepare();
   d.device->Clear(0, nullptr, D3DCLEAR_TARGET, D3DCOLOR_XRGB(30, 30, 60), 1.0f, 0);
   check("BeginScene", d.device->BeginScene());
   // Wine ignores the first stage's texture until a draw has used two, so that the second tile is

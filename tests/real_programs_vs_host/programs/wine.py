@@ -34,7 +34,8 @@ class Wine(Program):
     @staticmethod
     def _compiled(work: Path, name: str, libraries: list[str]) -> Path:
         binary, source = work / f"{name}.exe", DATA / f"{name}.cpp"
-        if not binary.exists() or binary.stat().st_mtime < source.stat().st_mtime:
+        changed = max(path.stat().st_mtime for path in (source, DATA / "tiled.h"))
+        if not binary.exists() or binary.stat().st_mtime < changed:
             shell(["x86_64-w64-mingw32-g++", "-O1", "-static", "-o", str(binary), str(source),
                    *libraries])
         return binary
