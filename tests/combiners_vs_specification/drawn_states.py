@@ -1,7 +1,6 @@
 """Runs a client that draws random states and judges them itself, under the layer: on the host and by its rasterizer.
 Shared by the tests of state that the layer turns into programs."""
 
-import argparse
 import json
 import pathlib
 import subprocess
@@ -57,8 +56,7 @@ def main(description, client, most_unjudged, least_drawn, has_fx9=False):
     most_unjudged: the fraction of cells that may stay undecided
     least_drawn: the fraction of draws that the rasterizer must draw when it is selected
     """
-    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(description)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--backend", default="both", choices=("host", "swrast", "both"))
@@ -69,7 +67,7 @@ def main(description, client, most_unjudged, least_drawn, has_fx9=False):
     else:
         parser.set_defaults(fx9=False)
     args = parser.parse_args()
-    failed, reports = 0, {}
+    tally, reports = sides.Tally(), {}
     backends = ("host", "swrast") if args.backend == "both" else (args.backend,)
     with tempfile.TemporaryDirectory(prefix="arbiter-states-") as scratch:
         for backend in backends:
@@ -78,14 +76,9 @@ def main(description, client, most_unjudged, least_drawn, has_fx9=False):
                 print(f"0 passed, 0 failed, 1 skipped: {result.stderr.strip()}")
                 return SKIPPED
             wrong = judge(backend, result, report, part, most_unjudged, least_drawn)
-            failed += bool(wrong)
             reports[backend] = {**report, "rasterizer_drew": part.get("drawn", 0),
                                 "given_to_host": part.get("given_to_host", {}), "wrong": wrong}
-            print(f"{'FAIL' if wrong else 'pass'} {backend}: {json.dumps(report)}, "
-                  f"the rasterizer drew {part.get('drawn', 0)}")
-            for line in wrong:
-                print(f"  {line}")
+            tally.row(f"{backend}: {json.dumps(report)}, the rasterizer drew {part.get('drawn', 0)}", wrong, 12)
     if args.json:
         args.json.write_text(json.dumps(reports, indent=2) + "\n")
-    print(f"{len(backends) - failed} passed, {failed} failed, 0 skipped")
-    return 1 if failed else 0
+    return tally.end()

@@ -6,7 +6,7 @@
   tests/layer_vs_host/run.py --build build --out FOLDER    keeps the pictures that differ (bare, layer)
   tests/layer_vs_host/run.py --build build --surface pbuffer
 
-Pictures may differ by ROUNDING in a channel; values and errors must be equal. If the client's table says that the
+Pictures may differ by 1 of 255 in a channel; values and errors must be equal. If the client's table says that the
 bare host is wrong, only the case's own checks count. Exit status 1 if a case fails.
 """
 import argparse
@@ -18,13 +18,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "clients"), str(HERE.parent / "real_programs_vs_host")]
-from plain_environment import sanitized  # noqa: E402
-from picture import Picture, write_png  # noqa: E402
-from x_server import XServer  # noqa: E402
+sys.path[:0] = [str(HERE.parent / "rasterizer_vs_host"), str(HERE.parent / "real_programs_vs_host")]
+import sides  # noqa: E402
+from picture import of_rgba, write_png  # noqa: E402
 
 SIZE = 64
-ROUNDING = 1  # in 255ths: two compilers order the same sums differently
 TIMEOUT = 240
 
 
@@ -39,7 +37,7 @@ class Report:
 
 
 def environment(display, layer, scratch):
-    env = sanitized(bool(layer), DISPLAY=display, XDG_RUNTIME_DIR=str(scratch))
+    env = sides.sanitized(bool(layer), DISPLAY=display, XDG_RUNTIME_DIR=str(scratch))
     if layer:
         env["LD_PRELOAD"] = str(layer)
     return env
@@ -68,19 +66,6 @@ def draw(client, names, display, layer, folder, surface):
     return reports
 
 
-def differing(a, b):
-    """Returns how many pixels differ by more than rounding, and the largest difference."""
-    distances = [max(abs(x - y) for x, y in zip(a[i:i + 4], b[i:i + 4])) for i in range(0, len(a), 4)]
-    return sum(d > ROUNDING for d in distances), max(distances)
-
-
-def rgb(rgba):
-    """Converts RGBA with the bottom row first to RGB with the top row first."""
-    rows = [rgba[y * SIZE * 4:(y + 1) * SIZE * 4] for y in reversed(range(SIZE))]
-    pixels = b"".join(rows)
-    return Picture(SIZE, SIZE, b"".join(pixels[i:i + 3] for i in range(0, len(pixels), 4)))
-
-
 def compare(bare, layer):
     """Returns the differences, as lines."""
     lines = []
@@ -91,7 +76,7 @@ def compare(bare, layer):
             pairs.append(f"{len(bare.values)} values, layer {len(layer.values)}")
         lines += pairs[:6]
     for (what, a), (_, b) in zip(bare.pictures, layer.pictures):
-        count, worst = differing(a, b)
+        count, worst = sides.distances(a, b)  # compilers order the same sums differently
         if count:
             lines.append(f"picture '{what}': {count} pixels differ, by up to {worst}")
     return lines
@@ -121,10 +106,10 @@ def judge(reason, bare, layer):
 def keep(folder, name, bare, layer):
     folder.mkdir(parents=True, exist_ok=True)
     for (what, a), (_, b) in zip(bare.pictures, layer.pictures):
-        if differing(a, b)[0]:
+        if sides.distances(a, b)[0]:
             for side, pixels in (("bare", a), ("layer", b)):
                 path = folder / f"{name}.{what.replace(' ', '-')}.{side}.png"
-                write_png(path, rgb(pixels))
+                write_png(path, of_rgba(pixels, SIZE, SIZE))
 
 
 def main():
@@ -143,12 +128,12 @@ def main():
     if unknown:
         sys.exit(f"paths: no such case: {', '.join(sorted(unknown))}")
     rows = []
-    with tempfile.TemporaryDirectory(prefix="arbiter-paths-") as scratch, XServer() as display:
-        sides = [draw(client, arguments.names, display, layer, Path(scratch) / name,
+    with tempfile.TemporaryDirectory(prefix="arbiter-paths-") as scratch, sides.XServer() as display:
+        drawn = [draw(client, arguments.names, display, layer, Path(scratch) / name,
                       arguments.surface)
                  for name, layer in (("bare", None), ("layer", build / "src/interposer/libGLX_arbiter.so.0"))]
-    for name, layer in sides[1].items():
-        bare = sides[0].get(name, Report(died=-1))
+    for name, layer in drawn[1].items():
+        bare = drawn[0].get(name, Report(died=-1))
         result, notes = judge(reasons[name], bare, layer)
         rows.append({"name": name, "result": result, "notes": notes})
         print(f"{result:5} {name}")

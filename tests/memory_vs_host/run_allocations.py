@@ -10,7 +10,6 @@ right.
 Ends with "N passed, N failed, 0 skipped", where one is a scene on a back end in a mode.
 """
 
-import argparse
 import concurrent.futures
 import json
 import os
@@ -97,9 +96,7 @@ def done_line(lines):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(__doc__)
     parser.add_argument("--every", type=int, default=1, help="every K-th allocation fails in turn")
     parser.add_argument("--scene", action="append")
     parser.add_argument("--backend", action="append", choices=BACKENDS)
@@ -113,7 +110,7 @@ def main():
                                                check=True).stdout.split()
     pairs = [(scene, backend) for scene in scenes for backend in arguments.backend or BACKENDS]
     modes = arguments.mode or MODES
-    every, reports, failed = arguments.every, [], 0
+    every, reports, tally = arguments.every, [], sides.Tally()
     with sides.Displays() as displays, \
             concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         counted = list(pool.map(
@@ -135,18 +132,14 @@ def main():
                 report = {"scene": pair[0], "backend": pair[1], "mode": mode, "allocations": most,
                           "failed": sum(tried for tried, _ in results), "wrong": wrong}
                 reports.append(report)
-                failed += bool(wrong)
-                print(f"{'FAIL' if wrong else 'pass'} {report['scene']} {report['backend']} {mode}: "
-                      f"{report['failed']} frames of up to {most} allocations", flush=True)
-                for line in wrong[:12]:
-                    print(f"     {line}", flush=True)
+                tally.row(f"{report['scene']} {report['backend']} {mode}: {report['failed']} frames of up to {most} "
+                          "allocations", wrong, 12)
     if arguments.json:
         arguments.json.parent.mkdir(parents=True, exist_ok=True)
         arguments.json.write_text(json.dumps({"every": arguments.every, "scenes": reports}, indent=1))
     frames = sum(report["failed"] for report in reports)
     print(f"{frames} frames in which an allocation failed")
-    print(f"{len(reports) - failed} passed, {failed} failed, 0 skipped")
-    return 1 if failed or not frames else 0
+    return tally.end() or not frames
 
 
 if __name__ == "__main__":

@@ -9,7 +9,6 @@ layer's own host back end, as the bare host shades smoothly under ARB programs w
 Ends with "N passed, N failed, 0 skipped".
 """
 
-import argparse
 import json
 import pathlib
 import sys
@@ -54,9 +53,7 @@ def wrong_of_long(statistics):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(__doc__)
     parser.add_argument("--vertices", type=int, default=1_300_001)
     parser.add_argument("--binds", type=int, default=300_000)
     parser.add_argument("--instructions", type=int, default=1500)
@@ -72,7 +69,7 @@ def main():
     client = build / "tests/memory_vs_host/rasterizer-large"
     kinds = arguments.kind or [*sides.subprocess.run([client, "--list"], capture_output=True, text=True,
                                                      check=True).stdout.split(), "binds", *CHAINS]
-    rows, failed = [], 0
+    rows, tally = [], sides.Tally()
     with tempfile.TemporaryDirectory(prefix="arbiter-large-") as folder, XServer() as display:
         for kind in kinds:
             count = (arguments.binds if kind == "binds" else
@@ -98,16 +95,14 @@ def main():
                     wrong.append(f"{pixels} pixels are not the bare host's")
             elif arguments.backend == "swrast" and (given or drawn < 2):
                 wrong.append(f"the rasterizer drew {drawn}, the host {given}")
-            failed += bool(wrong)
             rows.append({"kind": kind, "count": count, "milliseconds": [bare[1], layered[1]],
                          "kib": [bare[2], layered[2]], "pixels": far, "wrong": wrong})
-            print(f"{'FAIL' if wrong else 'pass'} {kind}: {layered[1]} ms ({bare[1]} bare), "
-                  f"{layered[2]} KiB ({bare[2]}), {far} pixels differ {'; '.join(wrong)}", flush=True)
+            tally.row(f"{kind}: {layered[1]} ms ({bare[1]} bare), {layered[2]} KiB ({bare[2]}), {far} pixels differ",
+                      wrong)
     if arguments.json:
         arguments.json.parent.mkdir(parents=True, exist_ok=True)
         arguments.json.write_text(json.dumps(rows, indent=1))
-    print(f"{len(rows) - failed} passed, {failed} failed, 0 skipped")
-    return 1 if failed else 0
+    return tally.end()
 
 
 if __name__ == "__main__":

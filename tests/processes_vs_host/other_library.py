@@ -5,7 +5,6 @@ Also tests that the version changes with each of the headers.
   other_library.py --build build
 """
 
-import argparse
 import pathlib
 import re
 import subprocess
@@ -85,9 +84,7 @@ def wrong_ends(build, display, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(__doc__)
     build = parser.parse_args().build.resolve()
     problems = list(wrong_versions(build))
     with sides.XServer() as display, tempfile.TemporaryDirectory(prefix="arbiter-library-") as folder:

@@ -13,7 +13,6 @@ draws, as the layer's statistics tell. Exceptions are listed with their reasons,
 with "N passed, N failed, N skipped".
 """
 
-import argparse
 import array
 import concurrent.futures
 import math
@@ -234,9 +233,7 @@ def judge(label, bare, layer, half_is_none):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(__doc__)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", help="scenes whose name holds this")
     parser.add_argument("--sample", default="1/1", metavar="N/M", help="one of M scenes, the Nth")

@@ -11,7 +11,6 @@ Draws of the layer and of the host are mixed; all are exact in any arithmetic, s
 sequence is reduced: commands are removed as long as it still differs. Ends with "N passed, N failed, N skipped".
 """
 
-import argparse
 import concurrent.futures
 import pathlib
 import subprocess
@@ -157,9 +156,7 @@ def report(sequences, seed, lines, reduces):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(__doc__)
     parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
     parser.add_argument("--first", type=int, default=1, help="seed")
     parser.add_argument("--count", type=int, default=24, help="seeds")

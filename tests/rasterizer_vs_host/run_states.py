@@ -15,7 +15,6 @@ The rows are a covering array (covering.py) of the states in factors.py, followe
 number of pixels may differ by more. Ends with "N passed, N failed, N skipped".
 """
 
-import argparse
 import array
 import concurrent.futures
 import pathlib
@@ -27,7 +26,7 @@ import sides
 from factors import FACTORS, line, make_valid
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "real_programs_vs_host"))
-from picture import Picture, write_png  # noqa: E402
+from picture import of_rgba, write_png  # noqa: E402
 
 AFTER_THE_ROWS = [
     # These test a quad's provoking vertex, and the corner from which it is split and outlined.
@@ -58,14 +57,6 @@ def run_batch(client, scenes, env, spell=line):
         if len(scenes) == 1:
             return [str(death)]
         return [result for scene in scenes for result in run_batch(client, [scene], env, spell)]
-
-
-def far_colors(a, b, most):
-    """Returns how many pixels have a channel that differs by more than `most`."""
-    if a == b:
-        return 0
-    apart = [abs(x - y) for x, y in zip(a, b)]
-    return sum(max(apart[i:i + 4]) > most for i in range(0, len(apart), 4))
 
 
 def far_depths(a, b):
@@ -113,7 +104,7 @@ def judge(scene, bare, layer):
         lines.append(f"errors: '{bare['errors'][0]}', layer '{layer['errors'][0]}'")
     levels, part = allowance(scene)
     pixels = EDGE * EDGE
-    counts = {"color": far_colors(bare["color"][1], layer["color"][1], levels),
+    counts = {"color": sides.distances(bare["color"][1], layer["color"][1], levels)[0],
               "depth": far_depths(bare["depth"][1], layer["depth"][1]),
               "stencil": sum(x != y for x, y in zip(bare["stencil"][1], layer["stencil"][1]))}
     for what, count in counts.items():
@@ -141,10 +132,7 @@ def keep(folder, number, scene, bare, layer):
     for side, records in (("bare", bare), ("layer", layer)):
         if isinstance(records, str):
             continue
-        data = records["color"][1]
-        rows = b"".join(data[y * EDGE * 4:(y + 1) * EDGE * 4] for y in reversed(range(EDGE)))
-        rgb = b"".join(rows[i:i + 3] for i in range(0, len(rows), 4))
-        write_png(folder / f"{number}.{side}.png", Picture(EDGE, EDGE, rgb))
+        write_png(folder / f"{number}.{side}.png", of_rgba(records["color"][1], EDGE, EDGE))
 
 
 def scene_of(words):
@@ -194,9 +182,7 @@ def self_test():
 
 
 def parse():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(__doc__)
     parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
     parser.add_argument("--cpu", choices=sides.CPU_FLAGS, help="the rasterizer as on this family")
     parser.add_argument("--count", type=int, default=100, help="rows; 0: all")

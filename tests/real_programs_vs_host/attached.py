@@ -9,13 +9,11 @@ listed with its cost, a pixel of its frame is traced, and the program is edited:
 is restored when the client has gone. The screen is read after each step.
 """
 
-import argparse
 import json
 import os
 import signal
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -73,23 +71,13 @@ class Attached:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--packages", action="store_true", help="print Debian packages and stop")
-    parser.add_argument("--build", type=Path, default=Path("build"), help="Meson's build folder")
-    parser.add_argument("--out", type=Path, help="pictures and logs (default: a temporary folder)")
-    parser.add_argument("names", nargs="*", choices=[[], *APPLICATIONS], metavar="NAME")
-    options = parser.parse_args()
-    if options.packages:
-        print(" ".join(PACKAGES))
-        return 0
-    out = (options.out or Path(tempfile.mkdtemp(prefix="arbiter-attached-"))).absolute()
+    options, out = session.command_line(__doc__, PACKAGES, "attached", APPLICATIONS)
     failures = 0
     for name in options.names or APPLICATIONS:
         folder = out / name
         folder.mkdir(parents=True, exist_ok=True)
         try:
-            said = _attach(options.build.absolute() / "src/apps/tools/arbiter", name, folder)
+            said = _attach(options.build / "src/apps/tools/arbiter", name, folder)
             print(f"attached: {name}: pass: {said}")
         except (live.Failure, session.SessionError, FileNotFoundError) as failure:
             print(f"attached: {name}: FAIL: {failure}; see {folder}")

@@ -9,13 +9,11 @@ MPlayer is captured for a few frames. Then it plays a still picture forever unde
 formula, to an invalid one, back to its own. The screen is read after each step.
 """
 
-import argparse
 import json
 import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 from pathlib import Path
 
@@ -35,20 +33,10 @@ class Failure(Exception):
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--packages", action="store_true", help="print Debian packages and stop")
-    parser.add_argument("--build", type=Path, default=Path("build"), help="Meson's build folder")
-    parser.add_argument("--out", type=Path, help="pictures and logs (default: a temporary folder)")
-    options = parser.parse_args()
-    if options.packages:
-        print(" ".join(PACKAGES))
-        return 0
-    out = (options.out or Path(tempfile.mkdtemp(prefix="arbiter-live-"))).absolute()
+    options, out = session.command_line(__doc__, PACKAGES, "live")
     shutil.rmtree(out / "mplayer.capture", ignore_errors=True)
-    out.mkdir(parents=True, exist_ok=True)
     try:
-        _steps(options.build.absolute() / "src/apps/tools/arbiter", out)
+        _steps(options.build / "src/apps/tools/arbiter", out)
     except (Failure, session.SessionError, FileNotFoundError) as failure:
         print(f"live: FAIL: {failure}; see {out}")
         return 1

@@ -71,6 +71,13 @@ def compare(a: Picture, b: Picture) -> Difference:
     )
 
 
+def of_rgba(pixels: bytes, width: int, height: int) -> Picture:
+    """Returns the picture of GL's pixels: RGBA, bottom row first."""
+    stride = width * 4
+    rows = b"".join(pixels[y * stride:(y + 1) * stride] for y in reversed(range(height)))
+    return Picture(width, height, b"".join(rows[i:i + 3] for i in range(0, len(rows), 4)))
+
+
 def magnified(a: Picture, b: Picture, factor: int = 16) -> Picture:
     """Returns |a - b| times factor, which shows where two pictures of one size differ."""
     rgb = bytes(min(255, factor * abs(x - y)) for x, y in zip(a.rgb, b.rgb))

@@ -1,17 +1,40 @@
 """Runs one program on an X server of its own, on the bare host or with the layer, and watches its screen."""
 
+import argparse
 import collections
 import json
 import os
 import shutil
 import signal
 import subprocess
+import sys
+import tempfile
 import time
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import picture
 from cases import Case, PrepareError
+
+
+def command_line(description: str, packages: tuple, name: str, applications=None) -> tuple:
+    """Parses a script's command line; for --packages it prints them and ends.
+
+    Returns (the options, the folder for pictures and logs). `applications`: names that may be chosen from."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--packages", action="store_true", help="print Debian packages and stop")
+    parser.add_argument("--build", type=lambda text: Path(text).absolute(), default="build",
+                        help="Meson's build folder")
+    parser.add_argument("--out", type=Path, help="pictures and logs (default: a temporary folder)")
+    if applications:
+        parser.add_argument("names", nargs="*", choices=[[], *applications], metavar="NAME")
+    options = parser.parse_args()
+    if options.packages:
+        print(" ".join(packages))
+        sys.exit(0)
+    out = (options.out or Path(tempfile.mkdtemp(prefix=f"arbiter-{name}-"))).absolute()
+    out.mkdir(parents=True, exist_ok=True)
+    return options, out
 
 
 class SessionError(Exception):

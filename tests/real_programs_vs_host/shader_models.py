@@ -10,13 +10,11 @@ a tile of each. The bare host runs the same client by GLSL, which Wine writes wi
 a level in any pixel.
 """
 
-import argparse
 import json
 import os
 import shutil
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -110,21 +108,11 @@ def compared(backend: str, bare: picture.Picture, layer: picture.Picture) -> lis
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--packages", action="store_true", help="print Debian packages and stop")
-    parser.add_argument("--build", type=Path, default=Path("build"), help="Meson's build folder")
-    parser.add_argument("--out", type=Path, help="pictures and logs (default: a temporary folder)")
-    options = parser.parse_args()
-    if options.packages:
-        print(" ".join(PACKAGES))
-        return 0
-    out = (options.out or Path(tempfile.mkdtemp(prefix="arbiter-models-"))).absolute()
+    options, out = session.command_line(__doc__, PACKAGES, "models")
     for backend in BACKENDS:
         shutil.rmtree(out / backend, ignore_errors=True)
-    out.mkdir(parents=True, exist_ok=True)
     try:
-        return steps(options.build.absolute(), out)
+        return steps(options.build, out)
     except (PrepareError, session.SessionError, picture.PictureError, OSError,
             subprocess.SubprocessError) as failure:
         print(f"shader models: FAIL: {failure}; see {out}")

@@ -14,7 +14,6 @@ differs. It is run twice on the bare host, and what differs between the two is i
 output. --json FILE writes the result as data. Ends with "N passed, N failed, N skipped".
 """
 
-import argparse
 import collections
 import concurrent.futures
 import json
@@ -190,9 +189,7 @@ def drawn(model, side, windows, scratch):
 
 
 def parse():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser = sides.options(__doc__)
     parser.add_argument("--backend", action="append", choices=BACKENDS)
     parser.add_argument("--first", type=int, default=1, help="seed")
     parser.add_argument("--count", type=int, default=48, help="seeds")
