@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "../rasterizer_vs_host/glx_windows.h"
+
 namespace paths {
 
 namespace {
@@ -105,67 +107,33 @@ struct Surface {
 };
 Surface g_surface;
 
-void chooseConfig() {
-  const int wanted[] = {GLX_DRAWABLE_TYPE,
-                        GLX_PBUFFER_BIT | GLX_WINDOW_BIT | GLX_PIXMAP_BIT,
-                        GLX_RENDER_TYPE,
-                        GLX_RGBA_BIT,
-                        GLX_RED_SIZE,
-                        8,
-                        GLX_GREEN_SIZE,
-                        8,
-                        GLX_BLUE_SIZE,
-                        8,
-                        GLX_ALPHA_SIZE,
-                        8,
-                        GLX_DEPTH_SIZE,
-                        24,
-                        GLX_STENCIL_SIZE,
-                        8,
-                        GLX_ACCUM_RED_SIZE,
-                        8,
-                        GLX_ACCUM_ALPHA_SIZE,
-                        8,
-                        GLX_DOUBLEBUFFER,
-                        False,
-                        None};
-  int count = 0;
-  GLXFBConfig *const configs =
-      glXChooseFBConfig(g_surface.display, DefaultScreen(g_surface.display), wanted, &count);
-  if (!configs || count == 0)
-    die("no GLX configuration with an accumulation buffer");
-  g_surface.config = configs[0];
-  XFree(configs);
-}
-
 GLXDrawable makeDrawable(const std::string &kind) {
   Display *const display = g_surface.display;
   if (kind == "pbuffer") {
     const int size[] = {GLX_PBUFFER_WIDTH, kSize, GLX_PBUFFER_HEIGHT, kSize, None};
     return glXCreatePbuffer(display, g_surface.config, size);
   }
-  XVisualInfo *const visual = glXGetVisualFromFBConfig(display, g_surface.config);
-  if (!visual)
-    die("the configuration has no visual");
-  const Window root = DefaultRootWindow(display);
   if (kind == "pixmap") {
-    const Pixmap pixmap = XCreatePixmap(display, root, kSize, kSize, unsigned(visual->depth));
+    XVisualInfo *const visual = glXGetVisualFromFBConfig(display, g_surface.config);
+    if (!visual)
+      die("the configuration has no visual");
+    const Pixmap pixmap =
+        XCreatePixmap(display, DefaultRootWindow(display), kSize, kSize, unsigned(visual->depth));
     return glXCreatePixmap(display, g_surface.config, pixmap, nullptr);
   }
-  XSetWindowAttributes attributes = {};
-  attributes.colormap = XCreateColormap(display, root, visual->visual, AllocNone);
-  const Window window =
-      XCreateWindow(display, root, 0, 0, kSize, kSize, 0, visual->depth, InputOutput,
-                    visual->visual, CWColormap | CWBorderPixel, &attributes);
-  XMapWindow(display, window);
-  return glXCreateWindow(display, g_surface.config, window, nullptr);
+  return glXCreateWindow(display, g_surface.config,
+                         software::makeWindow(display, g_surface.config, kSize, kSize), nullptr);
 }
 
 void openSurface(const std::string &kind) {
   g_surface.display = XOpenDisplay(nullptr);
   if (!g_surface.display)
     die("no X display");
-  chooseConfig();
+  g_surface.config = software::chooseGlxConfig(
+      g_surface.display, GLX_PBUFFER_BIT | GLX_WINDOW_BIT | GLX_PIXMAP_BIT,
+      {GLX_ACCUM_RED_SIZE, 8, GLX_ACCUM_ALPHA_SIZE, 8, GLX_DOUBLEBUFFER, False});
+  if (!g_surface.config)
+    die("no GLX configuration with an accumulation buffer");
   g_surface.drawable = makeDrawable(kind);
   g_surface.context = createContext();
   makeCurrent(g_surface.context);

@@ -1,36 +1,31 @@
 #include "glx_windows.h"
 
+#include <utility>
+
 #include <X11/Xutil.h>
 
 namespace software {
 
-GLXFBConfig chooseGlxConfig(Display *display, int drawables) {
-  const int wanted[] = {GLX_DRAWABLE_TYPE,
-                        drawables,
-                        GLX_RENDER_TYPE,
-                        GLX_RGBA_BIT,
-                        GLX_RED_SIZE,
-                        8,
-                        GLX_GREEN_SIZE,
-                        8,
-                        GLX_BLUE_SIZE,
-                        8,
-                        GLX_ALPHA_SIZE,
-                        8,
-                        GLX_DEPTH_SIZE,
-                        24,
-                        GLX_STENCIL_SIZE,
-                        8,
-                        GLX_DOUBLEBUFFER,
-                        True,
-                        None};
+GLXFBConfig firstGlxConfig(Display *display, std::vector<int> attributes) {
+  attributes.push_back(None);
   int count = 0;
-  GLXFBConfig *const configs = glXChooseFBConfig(display, DefaultScreen(display), wanted, &count);
+  GLXFBConfig *const configs =
+      glXChooseFBConfig(display, DefaultScreen(display), attributes.data(), &count);
   if (!configs)
     return nullptr;
   const GLXFBConfig first = count > 0 ? configs[0] : nullptr;
   XFree(configs);
   return first;
+}
+
+GLXFBConfig chooseGlxConfig(Display *display, int drawables, const std::vector<int> &more) {
+  std::vector<int> wanted = {GLX_DRAWABLE_TYPE, drawables, GLX_RENDER_TYPE, GLX_RGBA_BIT};
+  for (const int size :
+       {GLX_RED_SIZE, GLX_GREEN_SIZE, GLX_BLUE_SIZE, GLX_ALPHA_SIZE, GLX_STENCIL_SIZE})
+    wanted.insert(wanted.end(), {size, 8});
+  wanted.insert(wanted.end(), {GLX_DEPTH_SIZE, 24});
+  wanted.insert(wanted.end(), more.begin(), more.end());
+  return firstGlxConfig(display, std::move(wanted));
 }
 
 Window makeWindow(Display *display, GLXFBConfig config, int width, int height,

@@ -7,9 +7,12 @@
 /// Windows of an X display for GLX, for clients that have several or change them.
 namespace software {
 
-/// Returns the first double-buffered configuration of RGBA8, 24 bits of depth and 8 of stencil that
-/// supports all of `drawables` (GLX_WINDOW_BIT, ..); null if there is none.
-[[nodiscard]] GLXFBConfig chooseGlxConfig(Display *display, int drawables);
+/// Returns the first configuration with these attributes; null if there is none.
+[[nodiscard]] GLXFBConfig firstGlxConfig(Display *display, std::vector<int> attributes);
+/// Returns the first configuration of RGBA8, 24 bits of depth and 8 of stencil that supports all of
+/// `drawables` (GLX_WINDOW_BIT, ..) and has further attributes; null if there is none.
+[[nodiscard]] GLXFBConfig chooseGlxConfig(Display *display, int drawables,
+                                          const std::vector<int> &more = {GLX_DOUBLEBUFFER, True});
 
 struct WindowOptions {
   int x = 0, y = 0;     ///< of its upper left corner, on the screen

@@ -19,16 +19,11 @@ public:
   Scene() : m_display(XOpenDisplay(nullptr)) {
     if (!m_display)
       fail("no X display");
-    const int wanted[] = {
-        GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RED_SIZE, 8, GLX_GREEN_SIZE, 8, GLX_BLUE_SIZE, 8,
-        GLX_DOUBLEBUFFER,  True,           None};
-    int count = 0;
-    GLXFBConfig *const configs =
-        glXChooseFBConfig(m_display, DefaultScreen(m_display), wanted, &count);
-    if (!configs || count == 0)
+    m_config =
+        firstGlxConfig(m_display, {GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RED_SIZE, 8,
+                                   GLX_GREEN_SIZE, 8, GLX_BLUE_SIZE, 8, GLX_DOUBLEBUFFER, True});
+    if (!m_config)
       fail("no GLX configuration");
-    m_config = configs[0];
-    XFree(configs);
     m_context = glXCreateNewContext(m_display, m_config, GLX_RGBA_TYPE, nullptr, True);
     if (!m_context)
       fail("no context");
