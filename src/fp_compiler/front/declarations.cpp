@@ -1,5 +1,4 @@
 #include "fp_compiler/front/parser.h"
-#include "fp_compiler/front/words/numeral.h"
 
 namespace arbiter::fp {
 
@@ -10,26 +9,22 @@ constexpr std::size_t kShownName = 40; ///< how much of a name a hint shows, in 
 /// Parses <establishName>: any identifier that is not reserved. declare() reports a name that is
 /// already declared, after the rest of the statement is read.
 bool Parser::newName(Token &name) {
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("a new name");
-  name = m_tokens.next();
-  const bool isIndex = text(name) == "A0" && m_options.nv == ir::NvOption::Second &&
-                       m_language.language == ir::Language::ArbFragment; // LOOP's
-  if (isIndex || wordOf(name).keyword != Keyword::None)
+  if (!expectWord("a new name", name))
+    return false;
+  const bool isIndex = text(name) == "A0" && isSecondNv() && !isVertex(); // LOOP's
+  if (isIndex || !isFree(name))
     error(DiagnosticId::ReservedName, name.span, quote(text(name)) + " is a reserved word",
           "choose another name");
   return true;
 }
 
 void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
-  if (wordOf(name).keyword != Keyword::None)
+  if (!isFree(name))
     return;
   note(name, Access::Declare, kind);
   const Symbol *before = m_symbols.declare(text(name), {kind, index, name.span, m_size});
   if (before)
-    error(DiagnosticId::RedeclaredName, name.span, quote(text(name)) + " is declared twice",
-          "the first declaration is in line " +
-              std::to_string(locate(m_text, before->declared.begin).line));
+    redeclared(name, before->declared);
 }
 
 /// Parses <varNameList> of TEMP or ADDRESS.
@@ -39,13 +34,13 @@ bool Parser::parseRegisters(SymbolKind kind) {
     if (!newName(name))
       return false;
     declare(name, kind,
-            kind != SymbolKind::Address          ? m_binder.temporary(text(name), name.span)
-            : m_options.nv == ir::NvOption::None ? m_binder.addressRegister(text(name), name.span)
-                                                 : m_binder.addressVector(text(name), name.span));
+            kind != SymbolKind::Address ? m_binder.temporary(text(name), name.span)
+            : isNv()                    ? m_binder.addressVector(text(name), name.span)
+                                        : m_binder.addressRegister(text(name), name.span));
   } while (m_tokens.accept(TokenKind::Comma));
   const std::string name(m_text.substr(m_tokens.last().begin, kShownName)
                              .substr(0, m_tokens.lastEnd() - m_tokens.last().begin));
-  return endStatement("',' or ';'", m_tokens.at(TokenKind::Equals) && kind == SymbolKind::Temporary
+  return endStatement("',' or ';'", at(TokenKind::Equals) && kind == SymbolKind::Temporary
                                         ? "a declaration gives no value: MOV " + name +
                                               ", ... gives one, and PARAM " + name +
                                               " = ...; is a constant"
@@ -64,15 +59,14 @@ bool Parser::expectBinding(const Token &name, const char *declaration, const cha
 
 bool Parser::parseAttrib() {
   Token name;
-  const bool vertex = m_language.language == ir::Language::ArbVertex;
   if (!newName(name) ||
-      !expectBinding(name, "ATTRIB", vertex ? "vertex.position" : "fragment.texcoord[0]"))
+      !expectBinding(name, "ATTRIB", isVertex() ? "vertex.position" : "fragment.texcoord[0]"))
     return false;
   std::uint16_t row = 0;
   const bool isBinding = keywordAt().keyword == Keyword::Attributes;
-  if (atWord(0, "vertex") && !isBinding)
+  if (atWord("vertex") && !isBinding)
     foreign(m_tokens.peek(), "a vertex attribute");
-  else if (atWord(0, "fragment") && !isBinding)
+  else if (atWord("fragment") && !isBinding)
     foreign(m_tokens.peek(), "a fragment attribute");
   else if (!isBinding)
     unexpected((std::string(m_language.attributes) + ".*").c_str());
@@ -99,12 +93,12 @@ bool Parser::parseAlias() {
   if (!newName(name) || !expectBinding(name, "ALIAS", "other"))
     return false;
   Symbol symbol;
-  if (!m_tokens.at(TokenKind::Identifier)) {
+  if (!at(TokenKind::Identifier)) {
     declare(name, SymbolKind::Unknown, 0);
     return unexpected("the name of a variable");
   }
   const Token target = m_tokens.next();
-  if (wordOf(target).keyword != Keyword::None) {
+  if (!isFree(target)) {
     declare(name, SymbolKind::Unknown, 0);
     error(DiagnosticId::BadAlias, target.span, quote(text(target)) + " names no variable",
           "ALIAS takes a declared name; use ATTRIB, PARAM or OUTPUT to name a binding");
@@ -125,7 +119,7 @@ bool Parser::parseParam() {
   Token name;
   if (!newName(name))
     return false;
-  if (m_tokens.at(TokenKind::OpenBracket))
+  if (at(TokenKind::OpenBracket))
     return parseParamArray(name);
   bool parsed =
       m_tokens.accept(TokenKind::Equals) ||
@@ -167,7 +161,7 @@ bool Parser::parseParamArray(const Token &name) {
   }
   // A wrong element may stand for any number of rows, so the size is checked only without errors.
   const auto sound = [&] { return parsed && m_reporter.errorCount() == errorsBefore; };
-  if (sound() && size && rows.size() < *size && m_tokens.at(TokenKind::CloseBrace))
+  if (sound() && size && rows.size() < *size && at(TokenKind::CloseBrace))
     error(DiagnosticId::ArraySizeMismatch, m_tokens.peek().span,
           std::to_string(rows.size()) + " elements in an array of " + std::to_string(*size));
   parsed = parsed && expect(TokenKind::CloseBrace, "',' or '}'");
@@ -180,18 +174,17 @@ bool Parser::parseParamArray(const Token &name) {
 }
 
 bool Parser::parseArraySize(std::optional<std::uint32_t> &size) {
-  if (m_tokens.at(TokenKind::CloseBracket))
+  if (at(TokenKind::CloseBracket))
     return true;
-  if (!m_tokens.at(TokenKind::Integer))
-    return unexpected("the size of the array or ']'");
-  const Token token = m_tokens.next();
-  size = fp::parseInteger(text(token));
+  Token token;
+  if (!expectInteger(token, size.emplace(), "the size of the array or ']'"))
+    return false;
   const std::uint32_t limit = m_limits.api.parameters;
   const std::string message = "an array of more than " + std::to_string(limit) + " parameters";
   if (*size == 0)
     error(DiagnosticId::ArraySize, token.span, "an array of no elements");
   else if (*size > limit && m_policy == LimitPolicy::Report)
-    m_reporter.warning(DiagnosticId::ArraySize, token.span, message);
+    warning(DiagnosticId::ArraySize, token.span, message);
   else if (*size > limit)
     error(DiagnosticId::ArraySize, token.span, message);
   return true;

@@ -206,8 +206,13 @@ Token Lexer::next() {
   return finish(TokenKind::DotDot, begin);
 }
 
-TokenStream::TokenStream(std::string_view text, std::uint32_t begin)
-    : m_text(text), m_lexer(text, begin), m_last{begin, begin} {
+TokenStream::TokenStream(std::string_view text, std::uint32_t begin, Words words)
+    : m_text(text), m_words(words), m_lexer(text, begin, words), m_last{begin, begin} {
+  lookAhead(begin);
+}
+
+void TokenStream::lookAhead(std::uint32_t from) {
+  m_lexer = Lexer(m_text, from, m_words);
   for (Token &token : m_ahead)
     token = m_lexer.next();
 }
@@ -225,6 +230,13 @@ bool TokenStream::accept(TokenKind kind) {
     return false;
   next();
   return true;
+}
+
+Token TokenStream::nextNumeral() {
+  const Token token = Lexer(m_text, m_ahead[0].span.begin).next();
+  m_last = token.span;
+  lookAhead(token.span.end);
+  return token;
 }
 
 } // namespace arbiter::fp

@@ -42,11 +42,11 @@ private:
   Words m_words;
 };
 
-/// A lexer with two tokens of look-ahead, which is enough for the grammar.
+/// A lexer with two tokens of look-ahead, which is enough for every grammar.
 class TokenStream {
 public:
   /// Begins at byte \p begin of \p text, which must outlive this object.
-  TokenStream(std::string_view text, std::uint32_t begin);
+  TokenStream(std::string_view text, std::uint32_t begin, Words words = Words::Identifiers);
 
   /// Returns the next token, or the one after it (\p ahead 1), without consuming it.
   [[nodiscard]] const Token &peek(int ahead = 0) const { return m_ahead[std::size_t(ahead)]; }
@@ -55,6 +55,8 @@ public:
   Token next();
   /// Consumes the next token if it has this kind. Returns whether it did.
   bool accept(TokenKind kind);
+  /// Consumes the next token by the grammar of numerals, which may be longer than a word: "0.5".
+  Token nextNumeral();
   [[nodiscard]] std::string_view text(const Token &token) const {
     return m_text.substr(token.span.begin, token.span.end - token.span.begin);
   }
@@ -63,7 +65,10 @@ public:
   [[nodiscard]] std::uint32_t lastEnd() const { return m_last.end; }
 
 private:
+  void lookAhead(std::uint32_t from);
+
   std::string_view m_text;
+  Words m_words;
   Lexer m_lexer;
   std::array<Token, 2> m_ahead;
   Span m_last;

@@ -1,31 +1,44 @@
-#include "fp_compiler/front/c_like/statements.h"
+#include <utility>
+
 #include "fp_compiler/front/parser.h"
-#include "fp_compiler/front/words/numeral.h"
 #include "fp_compiler/front/words/suffix.h"
 
 namespace arbiter::fp {
 
 namespace {
 constexpr std::uint32_t kMaxOffset = 4095;
+constexpr const char *kOffsets = "offsets reach from -64 to 63; add the rest to what ARL loads";
 } // namespace
 
-/// Parses <vectorSrcReg>, or <scalarSrcReg>, whose component is repeated.
-bool Parser::parseSource(bool scalar, ir::Operand &operand) {
-  const std::uint32_t begin = m_tokens.peek().span.begin;
-  if (m_tokens.at(TokenKind::Minus))
-    operand.negate = 0xF;
-  if (m_tokens.at(TokenKind::Minus) || m_tokens.at(TokenKind::Plus))
-    m_tokens.next();
-  if (!parseSourceRegister(operand) || !parseSwizzle(scalar, operand.swizzle, begin))
+bool Parser::parseOperand(nv::Statement &statement, int number) {
+  if (statement.instruction.op == ir::Opcode::Swz) {
+    const bool absolute = isNv() && acceptByte('|');
+    if (!parseSwzSource(statement.instruction.src[0]) || (absolute && !expectByte('|')))
+      return false;
+    statement.absolute |= std::uint8_t(absolute);
+  } else if (!AssemblyParser::parseOperand(statement, number)) {
     return false;
-  operand.span = spanFrom(begin);
+  }
+  statement.indexed[std::size_t(number)] = std::exchange(m_indexed, {});
   return true;
+}
+
+bool Parser::parseBase(Base &base) {
+  // Under NVIDIA's options a number has the same value in every component and takes no suffix.
+  base.hasSuffix = !isNv() || (!at(TokenKind::Integer) && !at(TokenKind::Float));
+  m_mayIndex = true;
+  m_indexed.reset();
+  const bool read = parseSourceRegister(base.operand);
+  m_mayIndex = false;
+  if (!base.hasSuffix && base.scalar)
+    base.operand.swizzle.fill(ir::Select::X); // all four are the same
+  return read;
 }
 
 /// Parses SWZ's operand, which is a bare <srcReg>: its components have their own signs.
 bool Parser::parseSwzSource(ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
-  if (m_tokens.at(TokenKind::Minus) || m_tokens.at(TokenKind::Plus)) {
+  if (at(TokenKind::Minus) || at(TokenKind::Plus)) {
     error(DiagnosticId::SwzOperand, m_tokens.peek().span, "the operand of SWZ takes no sign",
           "put the sign on the selectors: -x, -y, -z, -w");
     m_tokens.next();
@@ -33,11 +46,11 @@ bool Parser::parseSwzSource(ir::Operand &operand) {
   if (!parseSourceRegister(operand))
     return false;
   operand.span = spanFrom(begin);
-  if (m_tokens.at(TokenKind::Dot)) {
+  if (at(TokenKind::Dot)) {
     error(DiagnosticId::SwzOperand, m_tokens.peek().span, "the operand of SWZ takes no suffix",
           "the four selectors behind it choose the components");
     m_tokens.next();
-    if (m_tokens.at(TokenKind::Identifier))
+    if (at(TokenKind::Identifier))
       m_tokens.next();
   }
   return true;
@@ -117,9 +130,9 @@ bool Parser::parseNamedSource(ir::Operand &operand) {
     operand.index = 0;
     return true;
   case SymbolKind::Unknown:
-    return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
+    return at(TokenKind::OpenBracket) ? skipIndex() : true;
   }
-  if (m_tokens.at(TokenKind::OpenBracket)) {
+  if (at(TokenKind::OpenBracket)) {
     error(DiagnosticId::NotAnArray, m_tokens.peek().span, quote(text(name)) + " is no array");
     return skipIndex();
   }
@@ -130,7 +143,7 @@ bool Parser::parseArrayElement(const Token &name, const Symbol &array, ir::Opera
   const Rows &rows = m_arrays[array.index].rows;
   operand.file = ir::File::Parameter;
   operand.index = rows[0];
-  if (!m_tokens.at(TokenKind::OpenBracket)) {
+  if (!at(TokenKind::OpenBracket)) {
     const Token token = m_tokens.peek();
     error(DiagnosticId::ArrayNotIndexed, token.span,
           "the array " + quote(text(name)) + " needs an index",
@@ -150,17 +163,13 @@ bool Parser::parseArrayElement(const Token &name, const Symbol &array, ir::Opera
 bool Parser::parseRelativeElement(const Token &name, const Symbol &symbol, ir::Operand &operand) {
   m_tokens.next();
   const Token token = m_tokens.peek();
-  if (keywordAt().keyword != Keyword::None)
+  if (!isFree(token))
     return unexpected("an integer or an address register");
   m_tokens.next();
-  note(token, Access::Read);
-  const Symbol *address = m_symbols.find(text(token));
-  if (!address && !undeclared(token))
-    return false;
-  if (address && address->kind != SymbolKind::Address && address->kind != SymbolKind::Unknown)
-    error(DiagnosticId::AddressRegister, token.span, quote(text(token)) + " is no address register",
-          "declare one with ADDRESS and load it with ARL");
-  if (!parseAddressComponent() || !parseRelativeOffset(operand.offset) ||
+  const auto address =
+      addressOf(token, Access::Read, "declare one with ADDRESS and load it with ARL");
+  std::uint8_t component = 0;
+  if (!address || !parseAddressComponent(component) || !parseRelativeOffset(operand.offset) ||
       !expect(TokenKind::CloseBracket, "'+', '-' or ']'"))
     return false;
   Array &array = m_arrays[symbol.index];
@@ -168,62 +177,65 @@ bool Parser::parseRelativeElement(const Token &name, const Symbol &symbol, ir::O
     array.relative = m_binder.relativeArray(text(name), array.rows, name.span);
   operand.relative = true;
   operand.index = *array.relative;
-  operand.address = std::uint8_t((address ? address->index : 0) + m_addressComponent);
+  operand.address = std::uint8_t(*address + component);
   return true;
 }
 
-/// Parses <addrComponent> or <addrWriteMask>.
-bool Parser::parseAddressComponent() {
-  constexpr const char *kHint = "an address register has the component x only";
-  if (!expect(TokenKind::Dot, "'.x'", kHint))
-    return false;
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("'x'", kHint);
-  const Token token = m_tokens.next();
-  m_addressComponent = 0;
-  if (const auto component = std::string_view("xyzw").find(text(token));
-      m_options.nv != ir::NvOption::None && text(token).size() == 1 && component < 4)
-    m_addressComponent = std::uint8_t(component);
-  else if (text(token) != "x")
-    error(DiagnosticId::AddressComponent, token.span,
-          "an address register has no component " + quote(text(token)), "write .x");
-  return true;
+/// Returns the number of the address register of that name, or 0 after an error if it is not one.
+/// Returns nothing if the statement cannot be continued.
+std::optional<std::uint16_t> Parser::addressOf(const Token &name, Access access, const char *hint) {
+  note(name, access);
+  const Symbol *symbol = m_symbols.find(text(name));
+  if (!symbol && !undeclared(name))
+    return std::nullopt;
+  if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
+    error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
+          hint);
+  return symbol && symbol->kind == SymbolKind::Address ? symbol->index : std::uint16_t(0);
+}
+
+std::optional<std::uint16_t> Parser::takeAddress(Access access) {
+  constexpr const char *kHint = "ARL writes a register declared with ADDRESS";
+  const Token name = m_tokens.peek();
+  if (!isFree(name)) {
+    unexpected("an address register", isNv() ? "" : kHint);
+    return std::nullopt;
+  }
+  m_tokens.next();
+  return isNv() ? addressOf(name, Access::Read, "declare one with ADDRESS")
+                : addressOf(name, access, kHint);
 }
 
 /// Parses <addrRegRelOffset>: -64 to 63 in the grammar, and with a warning up to Mesa's limits.
 bool Parser::parseRelativeOffset(std::int16_t &offset) {
-  const bool negative = m_tokens.at(TokenKind::Minus);
-  if (!negative && !m_tokens.at(TokenKind::Plus))
+  std::optional<Offset> read;
+  if (!parseOffset(read))
+    return false;
+  if (!read)
     return true;
-  m_tokens.next();
-  if (!m_tokens.at(TokenKind::Integer))
-    return unexpected("an integer");
-  const Token token = m_tokens.next();
-  const std::uint32_t value = parseInteger(text(token));
-  const std::string spelled = (negative ? "-" : "+") + std::string(text(token));
-  if (value > kMaxOffset) {
-    error(DiagnosticId::RelativeOffset, token.span, "the offset " + spelled + " is out of range",
-          "offsets reach from -64 to 63; add the rest to what ARL loads");
+  const Span where = read->token.span;
+  const std::string spelled = (read->negative ? "-" : "+") + std::string(text(read->token));
+  if (read->magnitude > kMaxOffset) {
+    error(DiagnosticId::RelativeOffset, where, "the offset " + spelled + " is out of range",
+          kOffsets);
     return true;
   }
   // Drivers accept larger offsets than the grammar, and programs use them.
-  if (value > (negative ? 64u : 63u))
-    m_reporter.warning(DiagnosticId::RelativeOffset, token.span,
-                       "the offset " + spelled + " is beyond the grammar's; a driver may refuse it",
-                       "offsets reach from -64 to 63; add the rest to what ARL loads");
-  offset = std::int16_t(negative ? -std::int32_t(value) : std::int32_t(value));
+  if (read->magnitude > (read->negative ? 64u : 63u))
+    warning(DiagnosticId::RelativeOffset, where,
+            "the offset " + spelled + " is beyond the grammar's; a driver may refuse it", kOffsets);
+  offset = read->value();
   return true;
 }
 
 /// Skips "[" ... "]" after a name that has been reported.
 bool Parser::skipIndex() {
   m_tokens.next();
-  while (m_tokens.at(TokenKind::Identifier) || m_tokens.at(TokenKind::Integer) ||
-         m_tokens.at(TokenKind::Dot) || m_tokens.at(TokenKind::Plus) ||
-         m_tokens.at(TokenKind::Minus)) {
-    if (beginsStatement(keywordAt().keyword))
+  while (at(TokenKind::Identifier) || at(TokenKind::Integer) || at(TokenKind::Dot) ||
+         at(TokenKind::Plus) || at(TokenKind::Minus)) {
+    if (endsStatement(m_tokens.peek()))
       return false;
-    noteSkipped(m_tokens.next());
+    skipped(m_tokens.next());
   }
   return expect(TokenKind::CloseBracket, "']'");
 }
@@ -232,52 +244,25 @@ bool Parser::skipIndex() {
 /// cannot make sense.
 bool Parser::undeclared(const Token &name) {
   const std::string_view word = text(name);
-  const bool attribute = (word == "vertex" || word == "fragment") && m_tokens.at(TokenKind::Dot);
+  const bool attribute = (word == "vertex" || word == "fragment") && at(TokenKind::Dot);
   if (attribute)
     foreign(name, "a " + std::string(word) + " attribute");
   else {
-    const std::string hint = c_like::operandHint(
-        m_text, name.span, c_like::dialectOf(m_language.language), vocabulary());
+    const std::string hint = operandHint(name);
     error(DiagnosticId::UndeclaredName, name.span, quote(word) + " is not declared",
           hint.empty() ? m_symbols.suggest(word) : hint);
   }
   m_symbols.declare(word, {});
   if (attribute || c_like::isCall(m_text, name.span))
     return false;
-  return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
-}
-
-/// Parses <optionalSuffix> or <scalarSuffix>, with its dot.
-/// \param begin of a scalar operand, for the hint
-bool Parser::parseSwizzle(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin) {
-  if (!m_tokens.at(TokenKind::Dot)) {
-    if (scalar)
-      error(DiagnosticId::ScalarSuffix, m_tokens.peek().span,
-            "this operand is a scalar and needs one component",
-            componentHint(m_text.substr(begin, m_tokens.lastEnd() - begin)));
-    return true;
-  }
-  m_tokens.next();
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("a component");
-  const Token token = m_tokens.next();
-  const SuffixError wrong = readSwizzle(text(token), m_language.colorLetters, scalar, swizzle);
-  if (wrong)
-    error(scalar ? DiagnosticId::ScalarSuffix : DiagnosticId::BadSwizzle,
-          {token.span.begin + wrong.offset, token.span.end},
-          "bad suffix " + quote(text(token)) + ": " + wrong.reason,
-          suffixHint(text(token), scalar));
-  return true;
+  return at(TokenKind::OpenBracket) ? skipIndex() : true;
 }
 
 /// Returns the hint for a suffix that is wrong: what it is in four components, if it is GLSL's.
 std::string Parser::suffixHint(std::string_view suffix, bool scalar) const {
   ir::Swizzle ignored = ir::kIdentity;
   const std::string four = scalar ? "" : c_like::fourComponents(suffix);
-  std::string hint =
-      scalar ? "a scalar operand takes one of x, y, z, w" : "a suffix is one or four of x, y, z, w";
-  if (m_language.colorLetters)
-    hint += scalar ? " or r, g, b, a" : ", or of r, g, b, a";
+  const std::string hint = AssemblyParser::suffixHint(suffix, scalar);
   if (four.empty() || readSwizzle(four, m_language.colorLetters, false, ignored))
     return hint;
   return hint + ": write ." + four;

@@ -68,25 +68,6 @@ constexpr OptionRow kOptions[] = {
 
 } // namespace
 
-void Parser::parseOptions() {
-  while (keywordAt().keyword == Keyword::Option && !m_reporter.full())
-    if (!parseOption(false))
-      recover();
-}
-
-bool Parser::parseOption(bool late) {
-  const Token option = m_tokens.next();
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("the name of an option");
-  const Token name = m_tokens.next();
-  if (late)
-    error(DiagnosticId::LateOption, option.span, "OPTION after the first statement",
-          "options come directly after the header");
-  else
-    applyOption(name);
-  return endStatement();
-}
-
 void Parser::applyOption(const Token &token) {
   const auto row = std::find_if(std::begin(kOptions), std::end(kOptions), [&](const auto &option) {
     return option.name == text(token) && option.language == m_language.language;

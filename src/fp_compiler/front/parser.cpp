@@ -4,9 +4,7 @@
 
 #include "fp_compiler/front/c_like/statements.h"
 #include "fp_compiler/front/c_like/tokens.h"
-#include "fp_compiler/front/header.h"
 #include "fp_compiler/front/nv/words.h"
-#include "fp_compiler/front/unexpected.h"
 
 namespace arbiter::fp {
 
@@ -16,65 +14,32 @@ constexpr const char *kStatement = "an instruction, a declaration or END";
 
 ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
                             const CompileOptions &options, NameTable *names) {
-  Reporter reporter;
-  ParseResult result;
-  const bool good = checkHeader(language.header, text, reporter);
-  if (good || (names && text.size() <= kMaxTextBytes)) {
-    const std::uint32_t begin =
-        good ? std::uint32_t(language.header.size()) : endOfWrongHeader(text);
-    Parser parser(language, text, options, reporter, begin, names);
-    parser.parse();
-    parser.binder().finish();
-    if (!reporter.hasErrors()) {
-      result.counts = parser.binder().counts();
-      result.program = parser.binder().takeProgram();
-    }
-  }
-  result.diagnostics = reporter.take();
-  return result;
+  return readText<ParseResult>(language.header, text, names,
+                               [&](const SourceText &source, ParseResult &result) {
+                                 Parser(language, source, options).run(result);
+                               });
 }
 
-Parser::Parser(const ArbLanguage &language, std::string_view text, const CompileOptions &options,
-               Reporter &reporter, std::uint32_t begin, NameTable *names)
-    : m_language(language), m_text(text), m_limits(options.limits), m_policy(options.policy),
-      m_reporter(reporter), m_names(names), m_tokens(text, begin),
-      m_binder(language.language, options, reporter) {}
-
-void Parser::parse() {
-  parseOptions();
-  m_binder.setOptions(m_options);
-  while (!m_reporter.full()) {
-    if (m_tokens.at(TokenKind::EndOfText)) {
-      error(DiagnosticId::EndMissing, m_tokens.peek().span, "the text ends before END",
-            "every program ends with END; check the length given");
-      return;
-    }
-    if (keywordAt().keyword == Keyword::End) {
-      const Span end = m_tokens.peek().span;
-      parseEnd();
-      if (m_options.nv != ir::NvOption::None)
-        finishNv(end);
-      return;
-    }
-    parseStatement();
-  }
-}
+Parser::Parser(const ArbLanguage &language, const SourceText &source, const CompileOptions &options)
+    : AssemblyParser(source, options, options.limits, language.language,
+                     {.dialect = c_like::dialectOf(language.language),
+                      .colors = language.colorLetters,
+                      .unit = "texture[0]",
+                      .addressDot = "'.x'",
+                      .addressComponent = "'x'",
+                      .addressHint = "an address register has the component x only",
+                      .addressAdvice = "write .x"}),
+      m_language(language), m_policy(options.policy) {}
 
 void Parser::parseStatement() {
   constexpr const char *kNoBlocks = "there are no blocks: END ends the program";
-  if (m_tokens.at(TokenKind::CloseBrace)) { // the next statement may stand behind it
+  if (at(TokenKind::CloseBrace)) { // the next statement may stand behind it
     unexpected(kStatement, kNoBlocks);
     m_tokens.next();
     return;
   }
-  if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected(kStatement, m_tokens.at(TokenKind::OpenBrace) ? kNoBlocks : "");
-    if (!m_tokens.accept(TokenKind::Semicolon)) {
-      m_tokens.next();
-      recover();
-    }
+  if (!atStatement(kStatement, at(TokenKind::OpenBrace) ? kNoBlocks : ""))
     return;
-  }
   const Word word = keywordAt();
   if (word.keyword == Keyword::Option) {
     if (!parseOption(true))
@@ -94,8 +59,7 @@ void Parser::parseStatement() {
 bool Parser::parseStatementBody(const Token &first, const Word &word) {
   switch (word.keyword) {
   case Keyword::Opcode:
-    return m_options.nv == ir::NvOption::None ? parseInstruction(first, word)
-                                              : parseNvInstruction(first, word);
+    return info(word.op).has(ir::Flow) ? parseFlow(first, word) : parseInstruction(first, word);
   case Keyword::Temp:
     return parseRegisters(SymbolKind::Temporary);
   case Keyword::Address:
@@ -109,9 +73,9 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   case Keyword::Param:
     return parseParam();
   case Keyword::None:
-    if (m_options.nv != ir::NvOption::None && atByte(':'))
-      return parseLabel(first);
-    return m_options.nv == ir::NvOption::None ? unknownStatement(first) : unknownNvStatement(first);
+    if (isNv() && atByte(':'))
+      return parseBlockLabel(first);
+    return isNv() ? unknownNvStatement(first) : unknownStatement(first);
   case Keyword::Attributes:
   case Keyword::Program:
   case Keyword::Result:
@@ -137,9 +101,8 @@ bool Parser::isNvVariant(std::string_view word) const {
 
 /// True for an instruction or a declaration of the other language.
 bool Parser::isForeignStatement(std::string_view word) const {
-  const bool vertex = m_language.language == ir::Language::ArbVertex;
   const ArbLanguage &other =
-      arbLanguage(vertex ? ir::Language::ArbFragment : ir::Language::ArbVertex);
+      arbLanguage(isVertex() ? ir::Language::ArbFragment : ir::Language::ArbVertex);
   return beginsStatement(classify(word, other).keyword);
 }
 
@@ -158,29 +121,14 @@ std::string Parser::nvOptionsHint(std::string_view word) const {
                : "the profiles from nv30 to nv40 have them, and host";
 }
 
-/// The words that may begin a statement, to suggest from.
-Vocabulary Parser::vocabulary() const {
-  const ir::NvOption nv = m_options.nv;
-  Vocabulary result{.words = statementWords(m_language),
-                    .saturate = m_language.saturates ? "_SAT" : "",
+Vocabulary Parser::statementWords() const {
+  Vocabulary result{.words = fp::statementWords(m_language),
+                    .saturate = m_language.saturates || isSecondNv() ? "_SAT" : "",
                     .parts = {}};
   for (int i = ir::kOpcodeCount; i < ir::kOpcodeRowCount; ++i)
-    if (nv != ir::NvOption::None && nv::offers(m_language, nv, ir::Opcode(i)))
+    if (isNv() && nv::offers(m_language, m_options.nv, ir::Opcode(i)))
       result.words.emplace_back(info(ir::Opcode(i)).mnemonic);
-  if (nv == ir::NvOption::Second)
-    result.saturate = "_SAT";
-  result.parts = [this](std::string_view word) {
-    const Word known = m_options.nv == ir::NvOption::None
-                           ? classify(word, m_language)
-                           : nv::classify(word, m_language, m_options.nv);
-    return known.keyword == Keyword::Opcode ? partCount(known.op) : 0;
-  };
   return result;
-}
-
-std::string Parser::statementHintInC(const Token &first) const {
-  return c_like::statementHint(m_text, first.span, c_like::dialectOf(m_language.language),
-                               vocabulary());
 }
 
 /// Goes on behind an unknown statement: accepts the names that it may declare or write, so that
@@ -195,7 +143,7 @@ void Parser::settle(const Token &first) {
     if (lexer.next().kind == TokenKind::Identifier && lexer.next().kind == TokenKind::EndOfText)
       m_symbols.declare(part, {});
   }
-  while (c_like::isCall(m_text, first.span) && !m_tokens.at(TokenKind::EndOfText) &&
+  while (c_like::isCall(m_text, first.span) && !at(TokenKind::EndOfText) &&
          !isOnLaterLine(m_text, m_tokens.lastEnd(), m_tokens.peek().span.begin))
     m_tokens.next();
 }
@@ -213,7 +161,7 @@ bool Parser::unknownStatement(const Token &first) {
     else
       foreign(first, word, meaningHint(word, parts, vocabulary()));
     // Declare the name, so that its uses give no further errors.
-    if (word == "ADDRESS" && m_tokens.at(TokenKind::Identifier))
+    if (word == "ADDRESS" && at(TokenKind::Identifier))
       m_symbols.declare(text(m_tokens.peek()), {});
   } else if (isNvInstruction(word, m_language) || isNvVariant(word)) {
     const std::string hint = isNvVariant(word) ? "write " + std::string(word.substr(0, 3))
@@ -232,25 +180,8 @@ bool Parser::unknownStatement(const Token &first) {
   return false;
 }
 
-void Parser::parseEnd() {
-  m_tokens.next();
-  reportBehindEnd(m_reporter, m_text, m_tokens.peek());
-}
-
-void Parser::recover() {
-  while (!m_tokens.at(TokenKind::EndOfText)) {
-    if (beginsStatement(keywordAt().keyword) ||
-        beginsLine(m_text, m_tokens.last(), m_tokens.peek()))
-      return;
-    const Token token = m_tokens.next();
-    if (token.kind == TokenKind::Semicolon)
-      return;
-    noteSkipped(token);
-  }
-}
-
 /// Notes a known name in a statement that was skipped.
-void Parser::noteSkipped(const Token &token) {
+void Parser::skipped(const Token &token) {
   if (!m_names || token.kind != TokenKind::Identifier)
     return;
   const bool suffix = token.span.begin > 0 && m_text[token.span.begin - 1] == '.';
@@ -258,50 +189,21 @@ void Parser::noteSkipped(const Token &token) {
     note(token, Access::Read);
 }
 
-bool Parser::expect(TokenKind kind, const char *what, const char *hint) {
-  if (m_tokens.accept(kind))
-    return true;
-  return unexpected(what, hint);
-}
-
-bool Parser::endStatement(const char *expected, std::string hint) {
-  if (m_tokens.accept(TokenKind::Semicolon))
-    return true;
-  if (reportLostSemicolon(m_reporter, m_text, m_tokens.last(), m_tokens.peek(),
-                          beginsStatement(keywordAt().keyword), expected))
-    return false;
-  return unexpected(expected, std::move(hint));
-}
-
-bool Parser::unexpected(const char *expected, std::string hint) {
-  return unexpectedToken(m_tokens.peek(), expected, std::move(hint));
-}
-
 bool Parser::unexpectedToken(const Token &token, const char *expected, std::string hint) {
-  // Name tokens of NVIDIA's options.
-  if (m_options.nv != ir::NvOption::None && token.kind == TokenKind::InvalidByte &&
-      std::string_view("|():").find(m_text[token.span.begin]) != std::string_view::npos) {
-    error(DiagnosticId::Syntax, token.span,
-          "expected " + std::string(expected) + ", found " + describe(token), std::move(hint));
-    return false;
-  }
-  if (token.kind == TokenKind::InvalidByte &&
-      std::string_view("|()<>").find(m_text[token.span.begin]) != std::string_view::npos &&
+  if (!isByteOf(token, ownBytes()) && isByteOf(token, "|()<>") &&
       c_like::tokenHint(m_text, token).empty())
     hint = std::string("absolute values and condition codes belong to the ") +
            m_language.nvOptions + " options";
-  reportUnexpected(m_reporter, m_text, token, expected, std::move(hint));
-  return false;
+  return AssemblyParser::unexpectedToken(token, expected, std::move(hint));
 }
 
-std::string Parser::describe(const Token &token) const { return fp::describe(m_text, token); }
-
-Word Parser::keywordAt() const {
-  return m_tokens.at(TokenKind::Identifier) ? wordOf(m_tokens.peek()) : Word{};
+Word Parser::wordOf(std::string_view identifier) const {
+  return isNv() ? nv::classify(identifier, m_language, m_options.nv)
+                : classify(identifier, m_language);
 }
 
-bool Parser::atWord(int ahead, std::string_view word) const {
-  return m_tokens.peek(ahead).kind == TokenKind::Identifier && text(m_tokens.peek(ahead)) == word;
+bool Parser::isFree(const Token &token) const {
+  return token.kind == TokenKind::Identifier && wordOf(text(token)).keyword == Keyword::None;
 }
 
 void Parser::foreign(const Token &token, std::string_view what, std::string hint) {
@@ -309,10 +211,6 @@ void Parser::foreign(const Token &token, std::string_view what, std::string hint
   error(m_language.foreignId, token.span,
         std::string(what) + " belongs to " + m_language.foreignName,
         own.empty() ? std::move(hint) : std::string(own));
-}
-
-void Parser::error(DiagnosticId id, Span span, std::string message, std::string hint) {
-  m_reporter.error(id, span, std::move(message), std::move(hint));
 }
 
 } // namespace arbiter::fp

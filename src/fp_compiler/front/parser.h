@@ -4,26 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "fp_compiler/front/bindings/binder.h"
-#include "fp_compiler/front/lexer.h"
-#include "fp_compiler/front/nv/labels.h"
-#include "fp_compiler/front/reporter.h"
+#include "fp_compiler/front/assembly/parser.h"
 #include "fp_compiler/front/symbols.h"
-#include "fp_compiler/front/words/keywords.h"
 #include "fp_compiler/front/words/language.h"
-#include "fp_compiler/front/words/names.h"
-#include "fp_compiler/front/words/other_words.h"
-#include "fp_compiler/front/words/parts.h"
-#include "fp_compiler/native_interface.h"
 
 namespace arbiter::fp {
-
-struct ParseResult {
-  std::vector<Diagnostic> diagnostics; ///< in text order
-  std::optional<ir::Program> program;  ///< empty if there is any error
-  ResourceCounts counts;
-  NativeInterface native; ///< of NVIDIA's own languages (native/parser.h)
-};
 
 /// Parses and checks an ARBfp1.0 (ARB_fragment_program 3.11.2 to 3.11.6) or an ARBvp1.0 program
 /// (ARB_vertex_program 2.14.2 to 2.14.5). Time and memory are linear in the text, and there is no
@@ -34,17 +19,11 @@ struct ParseResult {
                                           const CompileOptions &options,
                                           NameTable *names = nullptr);
 
-/// The parser, with one function for each statement. A function that returns bool returns false
-/// after it has reported a syntax error. The statement is then skipped, and parsing continues at
-/// the next one. After a semantic error the statement continues.
-class Parser {
+/// The parser of an ARB program, also under NVIDIA's options.
+class Parser : public AssemblyParser {
 public:
   /// Begins after the header, which has been checked.
-  Parser(const ArbLanguage &language, std::string_view text, const CompileOptions &options,
-         Reporter &reporter, std::uint32_t begin, NameTable *names);
-
-  void parse();
-  [[nodiscard]] Binder &binder() { return m_binder; }
+  Parser(const ArbLanguage &language, const SourceText &source, const CompileOptions &options);
 
 private:
   /// Whether a binding is in a declaration or in an instruction, where a suffix may follow.
@@ -53,17 +32,13 @@ private:
   using Rows = std::vector<std::uint16_t>;
 
   // options.cpp
-  void parseOptions();
-  bool parseOption(bool late);
-  void applyOption(const Token &name);
+  void applyOption(const Token &name) override;
   void refuseOption(const Token &name);
 
-  // parser.cpp: the program, recovery, tokens
-  void parseStatement();
+  // parser.cpp: the program, recovery
+  void parseStatement() override;
   bool parseStatementBody(const Token &first, const Word &word);
-  void parseEnd();
   bool unknownStatement(const Token &first);
-  [[nodiscard]] std::string statementHintInC(const Token &first) const;
   void settle(const Token &first);
   bool isNvVariant(std::string_view word) const;
   /// Returns the end of the error that refuses a word of NVIDIA's options. The second function
@@ -71,35 +46,20 @@ private:
   std::string ofNvOptions() const;
   std::string nvOptionsHint(std::string_view word) const;
   bool isForeignStatement(std::string_view word) const;
-  void recover();
-  bool expect(TokenKind kind, const char *what, const char *hint = "");
-  /// The semicolon of a statement.
-  bool endStatement(const char *expected = "';'", std::string hint = {});
-  /// The same of an instruction, which may have too many operands.
-  bool endInstruction(ir::Opcode op) { return endStatement("';'", surplusHint(op)); }
-  [[nodiscard]] std::string surplusHint(ir::Opcode op) const;
-  [[nodiscard]] Vocabulary vocabulary() const;
-  [[nodiscard]] PartTexts parts() const { return partsBehind(m_text, m_behindOpcode); }
-  bool unexpected(const char *expected, std::string hint = {});
-  bool unexpectedToken(const Token &token, const char *expected, std::string hint = {});
-  [[nodiscard]] std::string describe(const Token &token) const;
-  [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
-  [[nodiscard]] Word wordOf(const Token &token) const {
-    return m_options.nv == ir::NvOption::None ? classify(text(token), m_language)
-                                              : nv::classify(text(token), m_language, m_options.nv);
+  [[nodiscard]] Vocabulary statementWords() const override;
+  bool unexpectedToken(const Token &token, const char *expected, std::string hint = {}) override;
+  [[nodiscard]] std::string_view ownBytes() const override { return isNv() ? "|():" : ""; }
+  [[nodiscard]] Word wordOf(std::string_view identifier) const override;
+  [[nodiscard]] std::optional<ir::Opcode> baseOf(std::string_view identifier) const override {
+    return nv::baseOf(identifier, m_language, m_options.nv);
   }
-  [[nodiscard]] Word keywordAt() const;
-  [[nodiscard]] bool atWord(int ahead, std::string_view word) const;
-  [[nodiscard]] Span spanFrom(std::uint32_t begin) const { return {begin, m_tokens.lastEnd()}; }
-  void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
+  [[nodiscard]] bool isFree(const Token &token) const; ///< an identifier, and no reserved word
+  [[nodiscard]] bool isVertex() const { return m_language.language == ir::Language::ArbVertex; }
+  [[nodiscard]] bool isNv() const { return m_options.nv != ir::NvOption::None; }
+  [[nodiscard]] bool isSecondNv() const { return m_options.nv == ir::NvOption::Second; }
   /// Reports a word of the other language. The hint is for a word that has none of its own.
   void foreign(const Token &token, std::string_view what, std::string hint = {});
-  /// Adds the name to the table of names, if there is one.
-  void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
-    if (m_names)
-      m_names->add(text(name), name.span, access, kind);
-  }
-  void noteSkipped(const Token &token);
+  void skipped(const Token &token) override;
 
   // declarations.cpp
   bool parseRegisters(SymbolKind kind);
@@ -122,12 +82,10 @@ private:
   bool parseFragmentResult(ir::Output &output);
   bool parseProgramBinding(std::uint32_t begin, bool range, Rows &rows);
   bool parseConstant(bool isSigned, std::uint16_t &row);
-  bool parseConstantVector(ir::Vec4 &value);
-  bool parseNumber(bool isSigned, float &value);
-  bool parseIndex(std::uint32_t limit, DiagnosticId id, const char *what, std::uint32_t &index);
   bool parseOptionalIndex(std::uint32_t limit, DiagnosticId id, const char *what,
                           std::uint32_t &index);
-  bool parseBounded(std::uint32_t limit, DiagnosticId id, const char *what, std::uint32_t &value);
+  bool parseBounded(std::uint32_t limit, DiagnosticId id, const char *what,
+                    std::uint32_t &value) override;
   bool unknownWord(const char *what, std::initializer_list<std::string_view> words,
                    std::initializer_list<std::string_view> foreignWords = {});
 
@@ -156,61 +114,50 @@ private:
   bool parseFace(ir::StateRef &ref);
 
   // instructions.cpp
-  bool parseInstruction(const Token &opcode, const Word &word);
-  bool expectPart(ir::Opcode op, Part part);
-  bool parseDestination(ir::Destination &destination);
-  bool parseDestinationRegister(ir::Destination &destination);
-  bool parseAddressDestination(ir::Destination &destination);
+  bool parseDestinationRegister(ir::Destination &destination) override;
   bool readOnlyDestination(const Token &first, const Word &word);
-  bool parseMask(std::uint8_t &mask);
-  bool parseExtendedSwizzle(ir::Instruction &instruction);
-  bool parseTexture(ir::Instruction &instruction);
+  bool parseExtendedSwizzle(ir::Instruction &instruction) override;
+  bool parseTexture(ir::Instruction &instruction) override;
   [[nodiscard]] std::string unitHint() const;
-  bool parseTarget(Token &word);
 
   // operands.cpp
-  bool parseSource(bool scalar, ir::Operand &operand);
+  bool parseOperand(nv::Statement &statement, int number) override;
+  bool parseBase(Base &base) override;
   bool parseSwzSource(ir::Operand &operand);
   bool parseSourceRegister(ir::Operand &operand);
   bool parseNamedSource(ir::Operand &operand);
   bool parseArrayElement(const Token &name, const Symbol &array, ir::Operand &operand);
   bool parseRelativeElement(const Token &name, const Symbol &array, ir::Operand &operand);
-  bool parseAddressComponent();
   bool parseRelativeOffset(std::int16_t &offset);
-  bool parseSwizzle(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin = 0);
-  [[nodiscard]] std::string suffixHint(std::string_view suffix, bool scalar) const;
+  std::optional<std::uint16_t> takeAddress(Access access) override;
+  std::optional<std::uint16_t> addressOf(const Token &name, Access access, const char *hint);
+  [[nodiscard]] std::string suffixHint(std::string_view suffix, bool scalar) const override;
   bool undeclared(const Token &name);
   bool skipIndex();
 
   // nv/parse.cpp: statements of NVIDIA's options
-  [[nodiscard]] bool atByte(char byte, int ahead = 0) const;
-  bool acceptByte(char byte);
-  bool expectByte(char byte);
+  [[nodiscard]] bool hasConditions() const override { return isNv(); }
+  [[nodiscard]] bool hasSecondCondition() const override { return isVertex() && isSecondNv(); }
+  [[nodiscard]] bool hasAddressVectors() const override { return isNv(); }
+  [[nodiscard]] bool killsByTest() const override;
+  [[nodiscard]] bool atLabel() const override { return isFree(m_tokens.peek()); }
   [[nodiscard]] bool atSize() const;
   bool parseSized();
-  bool parseTest(nv::Test &test);
-  bool parseConditionMask(nv::Test &test);
-  bool parseNvSource(bool scalar, ir::Operand &operand, bool &absolute);
-  bool parseNvSwzSource(ir::Operand &operand, bool &absolute);
-  bool parseNvOperands(nv::Statement &statement);
-  std::optional<std::uint16_t> readAddressVector(const Token &name);
-  bool parseAddressSource(ir::Operand &operand);
-  bool parseNvAddressDestination(ir::Destination &destination);
-  bool parseNvDestination(nv::Statement &statement);
+  bool parseDestinationPart(nv::Statement &statement) override;
   void checkSize(const ir::Destination &destination);
-  bool parseNvInstruction(const Token &opcode, const Word &word);
-  bool parseNvFlow(const Token &opcode, const Word &word);
-  bool endBlock(const Token &opcode, const Word &word);
+  [[nodiscard]] std::string laterOption(std::string_view word) const;
+  bool unknownNvStatement(const Token &first);
+
+  // nv/parse_flow.cpp
+  bool parseBlockLabel(const Token &name);
+  bool endBlock(const Token &opcode, ir::Opcode op);
   bool beginLoop(nv::Statement &statement);
   bool parseStack(nv::Statement &statement);
-  std::string unknownNvHint(const Token &first) const;
-  bool unknownNvStatement(const Token &first);
-  bool parseLabel(const Token &name);
-  bool atAddress() const;
+  bool parseFlowParts(nv::Statement &statement, const Token &opcode) override;
+  [[nodiscard]] bool atAddress() const;
   bool parseIndexed(std::optional<std::uint16_t> &sequence);
   void indexAttributes(ir::AttributeKind kind, std::uint32_t count);
-  void keep(const nv::Statement &statement, Span opcode);
-  void finishNv(Span end);
+  void finish(Span end) override;
 
   /// A parameter array. `relative` is its number in the program once an address register has
   /// indexed it.
@@ -224,15 +171,8 @@ private:
   /// of them that this matters.
   static std::uint32_t byteLimit(std::uint32_t limit) { return limit < 256 ? limit : 256; }
 
-  std::string_view m_text;
-  const Limits &m_limits;
   LimitPolicy m_policy;
-  Reporter &m_reporter;
-  NameTable *m_names; ///< null where names are not wanted
-  TokenStream m_tokens;
-  Binder m_binder;
   SymbolTable m_symbols;
-  ir::Options m_options;
   std::vector<Array> m_arrays;
   /// A range makes many elements from little text, so the number of elements has its own limit.
   static constexpr std::size_t kMaxArrayEntries = 65536;
@@ -242,11 +182,7 @@ private:
     ir::TexTarget target = ir::TexTarget::Tex2D;
   };
   std::vector<UnitUse> m_units;
-  std::uint32_t m_behindOpcode = 0; ///< the end of the opcode of the instruction that is read
   // State for NVIDIA's options.
-  std::vector<nv::Statement> m_statements;
-  nv::Labels m_labels{m_text, m_reporter};
-  std::uint8_t m_addressComponent = 0; ///< the one that was read last
   struct Block {
     ir::Opcode begin = ir::Opcode::If; ///< If, Else, Loop or Rep
     Span where;

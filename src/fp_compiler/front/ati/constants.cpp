@@ -2,7 +2,6 @@
 
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/ati/words.h"
-#include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/numeral.h"
 #include "util/suggest.h"
 
@@ -12,17 +11,17 @@ void Parser::parseConstants() {
   if (!endStatement())
     recover();
   while (!m_reporter.full()) {
-    if (m_tokens.acceptWord("EndConstants")) {
+    if (acceptWord("EndConstants")) {
       if (!endStatement())
         recover();
       return;
     }
-    if (m_tokens.at(TokenKind::EndOfText) || m_tokens.atWord("StartPrelimPass") ||
-        m_tokens.atWord("StartOutputPass")) {
+    if (m_tokens.at(TokenKind::EndOfText) || atWord("StartPrelimPass") ||
+        atWord("StartOutputPass")) {
       unexpected("EndConstants", "every block of constants ends with EndConstants;");
       return;
     }
-    if (!m_tokens.acceptWord("CONSTANT")) {
+    if (!acceptWord("CONSTANT")) {
       std::string hint;
       if (m_tokens.at(TokenKind::Identifier))
         hint = didYouMean(text(m_tokens.peek()), {"CONSTANT", "EndConstants"});
@@ -49,7 +48,7 @@ bool Parser::parseConstant() {
   if (!expect(TokenKind::Equals, "'='"))
     return false;
   Constant constant;
-  const bool bound = m_tokens.acceptWord("program") ? parseParameterBinding(constant)
+  const bool bound = acceptWord("program") ? parseParameterBinding(constant)
                      : m_tokens.accept(TokenKind::OpenBrace)
                          ? parseLiteral(constant)
                          : unexpected("program.env[n], program.local[n] or '{'");
@@ -74,16 +73,13 @@ bool Parser::parseConstantName(const char *what, Token &token, std::uint8_t &ind
 bool Parser::parseParameterBinding(Constant &constant) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  const bool env = m_tokens.acceptWord("env");
-  if (!env && !m_tokens.acceptWord("local"))
+  const bool env = acceptWord("env");
+  if (!env && !acceptWord("local"))
     return unexpected("env or local");
-  if (!expect(TokenKind::OpenBracket, "'['"))
+  Token number;
+  if (!expect(TokenKind::OpenBracket, "'['") ||
+      !expectNumeral("the number of a parameter", true, number))
     return false;
-  const Token number = m_tokens.nextNumeral();
-  if (number.kind != TokenKind::Integer) {
-    reportUnexpected(m_reporter, m_text, number, "the number of a parameter");
-    return false;
-  }
   const std::uint32_t limit =
       std::min(env ? m_limits.envParameters : m_limits.localParameters, std::uint32_t(kConstants));
   const std::uint32_t index = parseInteger(text(number));
@@ -116,11 +112,9 @@ bool Parser::parseLiteral(Constant &constant) {
 bool Parser::parseNormalizedFloat(float &value) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   const bool minus = m_tokens.accept(TokenKind::Minus);
-  const Token number = m_tokens.nextNumeral();
-  if (number.kind != TokenKind::Integer && number.kind != TokenKind::Float) {
-    reportUnexpected(m_reporter, m_text, number, "a number from 0.0 to 1.0");
+  Token number;
+  if (!expectNumeral("a number from 0.0 to 1.0", false, number))
     return false;
-  }
   value = parseFloat(text(number)).value;
   if (minus || value > 1.0f)
     error(DiagnosticId::AtiConstantRange, {begin, number.span.end},

@@ -1,6 +1,5 @@
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/ati/words.h"
-#include "fp_compiler/front/unexpected.h"
 #include "fp_compiler/front/words/parts.h"
 #include "util/suggest.h"
 
@@ -31,7 +30,7 @@ bool Parser::parseDestination(Statement &statement) {
   enum Stage { kMask, kScale, kSaturate, kDone } stage = kMask;
   while (m_tokens.accept(TokenKind::Dot)) {
     Token word;
-    if (!suffixWord("a mask, a scale or sat", word))
+    if (!expectWord("a mask, a scale or sat", word))
       return false;
     const std::uint8_t mask = maskOf(text(word));
     const std::optional<Scale> scale = scaleOf(text(word));
@@ -140,7 +139,7 @@ bool Parser::parseArgumentSuffixes(Argument &argument) {
   std::size_t stage = 0; // 0 replication, then one more than the modifier's place
   while (m_tokens.accept(TokenKind::Dot)) {
     Token word;
-    if (!suffixWord("a component, neg, 2x, bias or comp", word))
+    if (!expectWord("a component, neg, 2x, bias or comp", word))
       return false;
     std::size_t own = 0;
     const std::uint8_t mask = maskOf(text(word));

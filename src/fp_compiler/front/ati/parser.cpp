@@ -4,53 +4,42 @@
 
 #include "fp_compiler/front/ati/words.h"
 #include "fp_compiler/front/c_like/statements.h"
-#include "fp_compiler/front/header.h"
-#include "fp_compiler/front/unexpected.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp::ati {
 
 ParseResult parse(std::string_view text, const CompileOptions &options, NameTable *names) {
-  Reporter reporter;
-  ParseResult result;
-  const bool good = checkHeader(kHeader, text, reporter);
-  if (good || (names && text.size() <= kMaxTextBytes)) {
-    const std::uint32_t begin = good ? std::uint32_t(kHeader.size()) : endOfWrongHeader(text);
-    Parser parser(text, options.limits, reporter, begin, names);
+  const auto read = [&](const SourceText &source, ParseResult &result) {
+    Parser parser(source, options.limits);
     parser.run();
-    if (!reporter.hasErrors()) {
-      result.counts = parser.counts();
-      result.shader = parser.shader();
-    }
-  }
-  result.diagnostics = reporter.take();
-  return result;
+    if (source.reporter.hasErrors())
+      return;
+    result.counts = parser.counts();
+    result.shader = parser.shader();
+  };
+  return readText<ParseResult>(kHeader, text, names, read);
 }
 
-Parser::Parser(std::string_view text, const Limits &limits, Reporter &reporter, std::uint32_t begin,
-               NameTable *names)
-    : m_text(text), m_limits(limits), m_reporter(reporter), m_names(names), m_tokens(text, begin) {}
-
 void Parser::run() {
-  if (m_tokens.acceptWord("StartConstants"))
+  if (acceptWord("StartConstants"))
     parseConstants();
-  if (m_tokens.acceptWord("StartPrelimPass"))
+  if (acceptWord("StartPrelimPass"))
     parsePass(true);
-  if (m_tokens.acceptWord("StartOutputPass")) {
+  if (acceptWord("StartOutputPass")) {
     parsePass(false);
     return parseEnd();
   }
   if (m_reporter.full())
     return;
   std::string hint = "the result is what the output pass leaves in r0";
-  if (m_tokens.atWord("StartConstants"))
+  if (atWord("StartConstants"))
     hint = "there is one block of constants, before the passes";
-  else if (m_tokens.atWord("StartPrelimPass"))
+  else if (atWord("StartPrelimPass"))
     hint = "there is one preliminary pass, before the output pass";
-  else if (m_tokens.at(TokenKind::Identifier))
+  else if (at(TokenKind::Identifier))
     hint = didYouMean(text(m_tokens.peek()),
                       {"StartConstants", "StartPrelimPass", "StartOutputPass"}, std::move(hint));
-  if (m_tokens.at(TokenKind::Identifier) || m_tokens.at(TokenKind::EndOfText))
+  if (at(TokenKind::Identifier) || at(TokenKind::EndOfText))
     error(DiagnosticId::AtiOutputPass, m_tokens.peek().span,
           "expected StartOutputPass, found " + describe(m_text, m_tokens.peek()), std::move(hint));
   else
@@ -65,11 +54,11 @@ void Parser::parsePass(bool prelim) {
   if (!endStatement())
     recover();
   while (!m_reporter.full()) {
-    if (m_tokens.atWord("EndPass"))
+    if (atWord("EndPass"))
       return closePass();
     // Another block, or the end of the text, ends this block.
-    if (m_tokens.at(TokenKind::EndOfText) || m_tokens.atWord("StartOutputPass") ||
-        m_tokens.atWord("StartPrelimPass") || m_tokens.atWord("StartConstants")) {
+    if (at(TokenKind::EndOfText) || atWord("StartOutputPass") || atWord("StartPrelimPass") ||
+        atWord("StartConstants")) {
       error(DiagnosticId::AtiPassOpen, m_tokens.peek().span,
             "expected EndPass, found " + describe(m_text, m_tokens.peek()),
             "every pass ends with EndPass;");
@@ -80,14 +69,8 @@ void Parser::parsePass(bool prelim) {
 }
 
 void Parser::parsePassStatement() {
-  if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected("an instruction or EndPass");
-    if (!m_tokens.accept(TokenKind::Semicolon)) {
-      m_tokens.next();
-      recover();
-    }
+  if (!atStatement("an instruction or EndPass"))
     return;
-  }
   const Token first = m_tokens.next();
   const std::optional<Op> op = opOf(text(first));
   bool whole = false;
@@ -148,7 +131,7 @@ void Parser::closePass() {
 }
 
 void Parser::parseEnd() {
-  if (m_reporter.full() || m_tokens.at(TokenKind::EndOfText))
+  if (m_reporter.full() || at(TokenKind::EndOfText))
     return;
   const Token token = m_tokens.peek();
   // Callers that pass sizeof of a literal include its terminator in the length.
@@ -161,45 +144,13 @@ void Parser::parseEnd() {
         "only comments may follow its EndPass;");
 }
 
-void Parser::recover() {
-  while (!m_tokens.at(TokenKind::EndOfText)) {
-    if ((m_tokens.at(TokenKind::Identifier) && beginsStatement(text(m_tokens.peek()))) ||
-        beginsLine(m_text, m_tokens.last(), m_tokens.peek()))
-      return;
-    if (m_tokens.next().kind == TokenKind::Semicolon)
-      return;
-  }
+bool Parser::endsStatement(const Token &token) const {
+  return token.kind == TokenKind::Identifier && beginsStatement(text(token));
 }
 
-bool Parser::expect(TokenKind kind, const char *what, std::string hint) {
-  if (m_tokens.accept(kind))
-    return true;
-  return unexpected(what, std::move(hint));
-}
-
-bool Parser::endStatement() {
-  const bool begins = m_tokens.at(TokenKind::Identifier) && beginsStatement(text(m_tokens.peek()));
-  return m_tokens.accept(TokenKind::Semicolon) ||
-         (!reportLostSemicolon(m_reporter, m_text, m_tokens.last(), m_tokens.peek(), begins) &&
-          unexpected("';'"));
-}
-
-bool Parser::unexpected(const char *expected, std::string hint) {
-  if (hint.empty() && m_tokens.at(TokenKind::Identifier))
-    hint = c_like::nameHint(text(m_tokens.peek()), c_like::Dialect::Ati);
-  reportUnexpected(m_reporter, m_text, m_tokens.peek(), expected, std::move(hint));
-  return false;
-}
-
-bool Parser::suffixWord(const char *what, Token &word) {
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected(what);
-  word = m_tokens.next();
-  return true;
-}
-
-void Parser::error(DiagnosticId id, Span span, std::string message, std::string hint) {
-  m_reporter.error(id, span, std::move(message), std::move(hint));
+std::string Parser::hintAt(const Token &token) const {
+  return token.kind == TokenKind::Identifier ? c_like::nameHint(text(token), c_like::Dialect::Ati)
+                                             : "";
 }
 
 ResourceCounts Parser::counts() const {

@@ -6,10 +6,8 @@
 
 #include "fp_compiler/ati/shader.h"
 #include "fp_compiler/compiler.h"
-#include "fp_compiler/front/reporter.h"
-#include "fp_compiler/front/words/names.h"
+#include "fp_compiler/front/core/reader.h"
 #include "fp_compiler/front/words/other_words.h"
-#include "fp_compiler/front/words/word_tokens.h"
 
 /// Parses the text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed
 /// grammar has gaps; docs/write/ati_fragment_shader.md says how each is read.
@@ -34,40 +32,26 @@ struct ParseResult {
 [[nodiscard]] ParseResult parse(std::string_view text, const CompileOptions &options,
                                 NameTable *names = nullptr);
 
-/// The parser, with one function for each statement. A function that returns bool returns false
-/// after it has reported a syntax error. The statement is then skipped, and parsing continues at
-/// the next one. After a semantic error the statement continues.
-class Parser {
+/// The parser of a text.
+class Parser : Reader {
 public:
-  Parser(std::string_view text, const Limits &limits, Reporter &reporter, std::uint32_t begin,
-         NameTable *names);
+  Parser(const SourceText &source, const Limits &limits)
+      : Reader(source, Words::Suffixes), m_limits(limits) {}
 
   void run();
   [[nodiscard]] const Shader &shader() const { return m_shader; }
   [[nodiscard]] ResourceCounts counts() const;
 
 private:
-  // parser.cpp: blocks, recovery, tokens
+  // parser.cpp: blocks
   void parsePass(bool prelim);
   void parsePassStatement();
   void closePass();
   void parseEnd();
   [[nodiscard]] static Vocabulary vocabulary();
   void unknownStatement(const Token &first);
-  void recover();
-  bool expect(TokenKind kind, const char *what, std::string hint = {});
-  /// The semicolon of a statement.
-  bool endStatement();
-  bool unexpected(const char *expected, std::string hint = {});
-  [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
-  /// Reads the word after a full stop. Reports an error if there is none.
-  bool suffixWord(const char *what, Token &word);
-  void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  /// Adds the name to the table of names, if there is one.
-  void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
-    if (m_names)
-      m_names->add(text(name), name.span, access, kind);
-  }
+  [[nodiscard]] bool endsStatement(const Token &token) const override;
+  [[nodiscard]] std::string hintAt(const Token &token) const override;
 
   // constants.cpp
   void parseConstants();
@@ -103,11 +87,7 @@ private:
   void checkPairing(const Statement &statement);
   void addToPairs(const Statement &statement);
 
-  std::string_view m_text;
   const Limits &m_limits;
-  Reporter &m_reporter;
-  NameTable *m_names; ///< null where names are not wanted
-  WordTokens m_tokens;
   Shader m_shader;
 
   std::array<bool, kConstants> m_declared = {};

@@ -1,6 +1,5 @@
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/ati/words.h"
-#include "fp_compiler/front/unexpected.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp::ati {
@@ -88,7 +87,7 @@ bool Parser::parseCoordinates(Setup &setup, const Token &source) {
   constexpr const char *kWhat = ".str, .stq, .str_dr or .stq_dq";
   Token selector;
   if (!expect(TokenKind::Dot, kWhat, "say which three components to take") ||
-      !suffixWord(kWhat, selector))
+      !expectWord(kWhat, selector))
     return false;
   const std::optional<Coordinates> coordinates = coordinatesOf(text(selector));
   if (!coordinates) {

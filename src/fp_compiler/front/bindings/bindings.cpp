@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "fp_compiler/front/parser.h"
-#include "fp_compiler/front/words/numeral.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp {
@@ -9,7 +8,7 @@ namespace arbiter::fp {
 /// Reports that the current token is not one of the words that are allowed here.
 bool Parser::unknownWord(const char *what, std::initializer_list<std::string_view> words,
                          std::initializer_list<std::string_view> foreignWords) {
-  if (!m_tokens.at(TokenKind::Identifier))
+  if (!at(TokenKind::Identifier))
     return unexpected(what);
   const std::string_view word = text(m_tokens.peek());
   if (std::find(foreignWords.begin(), foreignWords.end(), word) != foreignWords.end()) {
@@ -28,17 +27,16 @@ bool Parser::unknownWord(const char *what, std::initializer_list<std::string_vie
 /// Parses <integer> from 0 to limit - 1. A value out of range is not a syntax error; it becomes 0.
 bool Parser::parseBounded(std::uint32_t limit, DiagnosticId id, const char *what,
                           std::uint32_t &value) {
-  if (m_tokens.at(TokenKind::Identifier)) {
+  if (at(TokenKind::Identifier)) {
     error(DiagnosticId::RelativeAddressing, m_tokens.peek().span,
           "the index " + quote(text(m_tokens.peek())) + " is no constant",
           m_language.addresses ? "a register indexes only the arrays that PARAM declares"
                                : "only vertex programs index by a register; unroll the access");
     return false;
   }
-  if (!m_tokens.at(TokenKind::Integer))
-    return unexpected("an integer");
-  const Token token = m_tokens.next();
-  value = parseInteger(text(token));
+  Token token;
+  if (!expectInteger(token, value))
+    return false;
   if (value < limit)
     return true;
   value = 0;
@@ -47,34 +45,27 @@ bool Parser::parseBounded(std::uint32_t limit, DiagnosticId id, const char *what
   return true;
 }
 
-bool Parser::parseIndex(std::uint32_t limit, DiagnosticId id, const char *what,
-                        std::uint32_t &index) {
-  return expect(TokenKind::OpenBracket, "'['") && parseBounded(limit, id, what, index) &&
-         expect(TokenKind::CloseBracket, "']'");
-}
-
 bool Parser::parseOptionalIndex(std::uint32_t limit, DiagnosticId id, const char *what,
                                 std::uint32_t &index) {
   index = 0;
-  return !m_tokens.at(TokenKind::OpenBracket) || parseIndex(limit, id, what, index);
+  return !at(TokenKind::OpenBracket) || parseIndex(limit, id, what, index);
 }
 
 /// Parses <fragAttribBinding> or <vtxAttribBinding>, from its first word on.
 bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   const std::uint32_t begin = m_tokens.next().span.begin;
-  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  const bool vertex = isVertex();
   if (!expect(TokenKind::Dot, "'.'",
               vertex ? "name the attribute: vertex.position, vertex.color, vertex.texcoord[0]"
                      : "name the attribute: fragment.color, fragment.texcoord[0]"))
     return false;
   ir::Attribute attribute;
-  if (atWord(0, "color")) {
+  if (atWord("color")) {
     if (!parseColorAttribute(place, attribute))
       return false;
-  } else if (atWord(0, "texcoord")) {
+  } else if (atWord("texcoord")) {
     attribute.kind = ir::AttributeKind::TexCoord;
-    if (m_tokens.peek(1).kind == TokenKind::OpenBracket && m_mayIndex &&
-        m_options.nv == ir::NvOption::Second) {
+    if (m_tokens.peek(1).kind == TokenKind::OpenBracket && m_mayIndex && isSecondNv()) {
       m_tokens.next();
       if (atAddress()) {
         indexAttributes(attribute.kind, m_limits.textureCoords);
@@ -89,10 +80,10 @@ bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
     } else if (!parseTexCoord(attribute.index)) {
       return false;
     }
-  } else if (atWord(0, "fogcoord") || atWord(0, "position")) {
+  } else if (atWord("fogcoord") || atWord("position")) {
     attribute.kind = text(m_tokens.next()) == "fogcoord" ? ir::AttributeKind::FogCoord
                                                          : ir::AttributeKind::Position;
-  } else if (!vertex && m_options.nv == ir::NvOption::Second && atWord(0, "facing")) {
+  } else if (!vertex && isSecondNv() && atWord("facing")) {
     m_tokens.next();
     attribute.kind = ir::AttributeKind::Facing;
   } else if (vertex) {
@@ -121,13 +112,13 @@ void Parser::indexAttributes(ir::AttributeKind kind, std::uint32_t count) {
 /// Parses "color" <optColorType>.
 bool Parser::parseColorAttribute(Place place, ir::Attribute &attribute) {
   m_tokens.next();
-  const bool secondary = atWord(1, "secondary");
-  if (m_tokens.at(TokenKind::Dot) && (secondary || atWord(1, "primary"))) {
+  const bool secondary = atWord("secondary", 1);
+  if (at(TokenKind::Dot) && (secondary || atWord("primary", 1))) {
     m_tokens.next();
     m_tokens.next();
     attribute.kind =
         secondary ? ir::AttributeKind::ColorSecondary : ir::AttributeKind::ColorPrimary;
-  } else if (m_tokens.at(TokenKind::Dot) && place == Place::Declaration) {
+  } else if (at(TokenKind::Dot) && place == Place::Declaration) {
     m_tokens.next();
     return unknownWord("primary or secondary", {"primary", "secondary"});
   }
@@ -148,7 +139,7 @@ bool Parser::parseTexCoord(std::uint8_t &index) {
 /// Parses <resultBinding>, from "result" on.
 bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
   m_tokens.next();
-  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  const bool vertex = isVertex();
   if (!expect(TokenKind::Dot, "'.'",
               vertex ? "name the result: result.position, result.color, result.texcoord[0]"
                      : "name the result: result.color or result.depth"))
@@ -156,7 +147,7 @@ bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
   ir::Output output;
   if (!(vertex ? parseVertexResult(output) : parseFragmentResult(output)))
     return false;
-  if (place == Place::Declaration && m_tokens.at(TokenKind::Dot))
+  if (place == Place::Declaration && at(TokenKind::Dot))
     return unexpected("';'", "the mask goes to the instruction that writes the variable");
   row = m_binder.output(output);
   return true;
@@ -164,16 +155,16 @@ bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
 
 /// Parses <resultBinding> of fragment programs, after its dot.
 bool Parser::parseFragmentResult(ir::Output &output) {
-  if (atWord(0, "depth")) {
+  if (atWord("depth")) {
     m_tokens.next();
     output.kind = ir::OutputKind::Depth;
     return true;
   }
-  if (!atWord(0, "color"))
+  if (!atWord("color"))
     return unknownWord("a fragment result", {"color", "depth"},
                        {"position", "fogcoord", "pointsize", "texcoord", "clip"});
   m_tokens.next();
-  if (m_tokens.at(TokenKind::OpenBracket)) {
+  if (at(TokenKind::OpenBracket)) {
     std::uint32_t index = 0;
     if (!m_options.drawBuffers)
       error(DiagnosticId::ColorOption, m_tokens.peek().span,
@@ -182,7 +173,7 @@ bool Parser::parseFragmentResult(ir::Output &output) {
                     index))
       return false;
     output.index = std::uint8_t(index);
-  } else if (m_tokens.at(TokenKind::Dot) && m_tokens.peek(1).kind == TokenKind::Identifier) {
+  } else if (at(TokenKind::Dot) && m_tokens.peek(1).kind == TokenKind::Identifier) {
     const Token word = m_tokens.peek(1);
     const std::string_view side = text(word);
     if (side == "primary" || side == "secondary" || side == "front" || side == "back") {
@@ -197,8 +188,8 @@ bool Parser::parseFragmentResult(ir::Output &output) {
 bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::Dot, "'.'", "name the parameter: program.local[0] or program.env[0]"))
     return false;
-  const bool env = atWord(0, "env");
-  if (!env && !atWord(0, "local"))
+  const bool env = atWord("env");
+  if (!env && !atWord("local"))
     return unknownWord("env or local", {"env", "local"});
   m_tokens.next();
   const std::uint32_t limit =
@@ -229,51 +220,19 @@ bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
   return true;
 }
 
-/// Parses <floatConstant> or <signedFloatConstant>. An integer is accepted too, as programs use it.
-bool Parser::parseNumber(bool isSigned, float &value) {
-  bool negative = false;
-  if (isSigned) {
-    negative = m_tokens.at(TokenKind::Minus);
-    if (negative || m_tokens.at(TokenKind::Plus))
-      m_tokens.next();
-  }
-  if (!m_tokens.at(TokenKind::Integer) && !m_tokens.at(TokenKind::Float))
-    return unexpected("a number");
-  const Token token = m_tokens.next();
-  const FloatValue parsed = parseFloat(text(token));
-  if (parsed.overflow)
-    m_reporter.warning(DiagnosticId::NumeralOverflow, token.span,
-                       quote(text(token)) + " is beyond the largest float, which is used instead");
-  value = negative ? -parsed.value : parsed.value;
-  return true;
-}
-
-/// Parses <paramConstVector>. Missing y, z and w are 0, 0 and 1.
-bool Parser::parseConstantVector(ir::Vec4 &value) {
-  m_tokens.next();
-  value = {0, 0, 0, 1};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!parseNumber(true, value[i]))
-      return false;
-    if (i == 3 || !m_tokens.accept(TokenKind::Comma))
-      break;
-  }
-  return expect(TokenKind::CloseBrace, "'}'", "a vector has one to four components");
-}
-
 /// Parses <paramConstDecl> (signed) or <paramConstUse>. A scalar sets all four components.
 bool Parser::parseConstant(bool isSigned, std::uint16_t &row) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   ir::Vec4 value{};
-  if (m_tokens.at(TokenKind::OpenBrace)) {
-    if (!parseConstantVector(value))
+  if (at(TokenKind::OpenBrace)) {
+    if (!parseVector(value))
       return false;
   } else {
     const TokenKind kind = m_tokens.peek().kind;
     const bool sign = isSigned && (kind == TokenKind::Plus || kind == TokenKind::Minus);
     if (!sign && kind != TokenKind::Integer && kind != TokenKind::Float)
       return unexpected("a constant, state.* or program.*");
-    if (!parseNumber(isSigned, value[0]))
+    if (!(isSigned ? parseScalar(value[0]) : parseNumber(value[0])))
       return false;
     value.fill(value[0]);
   }

@@ -36,7 +36,7 @@ std::optional<MatrixModifier> findModifier(std::string_view word) {
 bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  if (atWord(0, "matrix")) {
+  if (atWord("matrix")) {
     m_tokens.next();
     return parseMatrix(begin, range, rows);
   }
@@ -59,7 +59,7 @@ bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
   };
   const Token word = m_tokens.peek();
   for (const Group &group : kGroups) {
-    if (!atWord(0, group.word))
+    if (!atWord(group.word))
       continue;
     if (group.only && *group.only != m_language.language) {
       foreign(word, quote(group.word));
@@ -72,18 +72,17 @@ bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
     rows.push_back(m_binder.state(ref, spanFrom(begin)));
     return true;
   }
-  return m_language.language == ir::Language::ArbVertex
-             ? unknownWord("a state group", {"material", "light", "lightmodel", "lightprod",
-                                             "texgen", "fog", "clip", "point", "matrix"})
-             : unknownWord("a state group", {"material", "light", "lightmodel", "lightprod",
-                                             "texenv", "fog", "depth", "matrix"});
+  return isVertex() ? unknownWord("a state group", {"material", "light", "lightmodel", "lightprod",
+                                                    "texgen", "fog", "clip", "point", "matrix"})
+                    : unknownWord("a state group", {"material", "light", "lightmodel", "lightprod",
+                                                    "texenv", "fog", "depth", "matrix"});
 }
 
 /// Parses <optFaceType> and the dot before the next property.
 bool Parser::parseFace(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  if (!atWord(0, "front") && !atWord(0, "back"))
+  if (!atWord("front") && !atWord("back"))
     return true;
   ref.back = text(m_tokens.next()) == "back";
   return expect(TokenKind::Dot, "'.'");
@@ -129,7 +128,7 @@ bool Parser::parseLight(ir::StateRef &ref) {
     return true;
   if (!expect(TokenKind::Dot, "'.direction'"))
     return false;
-  if (!atWord(0, "direction"))
+  if (!atWord("direction"))
     return unknownWord("direction", {"direction"});
   m_tokens.next();
   return true;
@@ -138,15 +137,15 @@ bool Parser::parseLight(ir::StateRef &ref) {
 bool Parser::parseLightModel(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  const bool face = atWord(0, "front") || atWord(0, "back");
+  const bool face = atWord("front") || atWord("back");
   if (face) {
     ref.back = text(m_tokens.next()) == "back";
     if (!expect(TokenKind::Dot, "'.scenecolor'"))
       return false;
   }
-  if (atWord(0, "scenecolor"))
+  if (atWord("scenecolor"))
     ref.item = StateItem::LightModelSceneColor;
-  else if (atWord(0, "ambient") && !face)
+  else if (atWord("ambient") && !face)
     ref.item = StateItem::LightModelAmbient;
   else if (face)
     return unknownWord("scenecolor", {"scenecolor"});
@@ -181,7 +180,7 @@ bool Parser::parseTexEnv(ir::StateRef &ref) {
     return false;
   ref.index = std::uint8_t(index);
   ref.item = StateItem::TexEnvColor;
-  if (!atWord(0, "color"))
+  if (!atWord("color"))
     return unknownWord("color", {"color"});
   m_tokens.next();
   return true;
@@ -190,7 +189,7 @@ bool Parser::parseTexEnv(ir::StateRef &ref) {
 bool Parser::parseFog(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  if (!atWord(0, "color") && !atWord(0, "params"))
+  if (!atWord("color") && !atWord("params"))
     return unknownWord("color or params", {"color", "params"});
   ref.item = text(m_tokens.next()) == "color" ? StateItem::FogColor : StateItem::FogParams;
   return true;
@@ -199,7 +198,7 @@ bool Parser::parseFog(ir::StateRef &ref) {
 bool Parser::parseDepth(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  if (!atWord(0, "range"))
+  if (!atWord("range"))
     return unknownWord("range", {"range"});
   m_tokens.next();
   ref.item = StateItem::DepthRange;
@@ -239,7 +238,7 @@ bool Parser::parseMatrix(std::uint32_t begin, bool range, Rows &rows) {
   ir::StateRef ref;
   if (!expect(TokenKind::Dot, "'.'") || !parseMatrixName(ref))
     return false;
-  if (m_tokens.at(TokenKind::Dot) && m_tokens.peek(1).kind == TokenKind::Identifier) {
+  if (at(TokenKind::Dot) && m_tokens.peek(1).kind == TokenKind::Identifier) {
     if (const auto modifier = findModifier(text(m_tokens.peek(1)))) {
       m_tokens.next();
       m_tokens.next();
@@ -248,11 +247,11 @@ bool Parser::parseMatrix(std::uint32_t begin, bool range, Rows &rows) {
   }
   std::uint32_t first = 0;
   std::uint32_t last = 3;
-  if (!range || m_tokens.at(TokenKind::Dot)) {
+  if (!range || at(TokenKind::Dot)) {
     if (!expect(TokenKind::Dot, "'.row[n]'",
                 "a whole matrix belongs in an array: PARAM m[4] = { state.matrix.mvp }"))
       return false;
-    if (!atWord(0, "row"))
+    if (!atWord("row"))
       return ref.modifier == MatrixModifier::Plain
                  ? unknownWord("a matrix modifier or row",
                                {"inverse", "transpose", "invtrans", "row"})

@@ -6,12 +6,12 @@ namespace arbiter::fp {
 
 /// Parses a <vtxAttribItem> that fragment programs lack.
 bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
-  if (atWord(0, "normal")) {
+  if (atWord("normal")) {
     m_tokens.next();
     attribute.kind = ir::AttributeKind::Normal;
     return true;
   }
-  if (atWord(0, "attrib")) {
+  if (atWord("attrib")) {
     m_tokens.next();
     std::uint32_t index = 0;
     attribute.kind = ir::AttributeKind::Generic;
@@ -26,8 +26,8 @@ bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
     attribute.index = std::uint8_t(index);
     return true;
   }
-  const bool weight = atWord(0, "weight");
-  if (!weight && !atWord(0, "matrixindex"))
+  const bool weight = atWord("weight");
+  if (!weight && !atWord("matrixindex"))
     return unknownWord("a vertex attribute",
                        {"position", "normal", "color", "fogcoord", "texcoord", "attrib"});
   const Token word = m_tokens.next();
@@ -48,17 +48,17 @@ bool Parser::parseVertexWeight(const Token &word, ir::Attribute &attribute) {
   if (!parseOptionalIndex(1, DiagnosticId::AttributeIndex, "vertex weight", index))
     return false;
   attribute = {ir::AttributeKind::Generic, 1};
-  m_reporter.warning(DiagnosticId::AttributeExtension, word.span,
-                     "vertex.weight without ARB_vertex_blend is generic attribute 1",
-                     "weights are given by VertexAttrib4fARB(1, ...) or its array");
+  warning(DiagnosticId::AttributeExtension, word.span,
+          "vertex.weight without ARB_vertex_blend is generic attribute 1",
+          "weights are given by VertexAttrib4fARB(1, ...) or its array");
   return true;
 }
 
 /// Parses <resultBinding>, after its dot.
 bool Parser::parseVertexResult(ir::Output &output) {
-  if (atWord(0, "color"))
+  if (atWord("color"))
     return parseVertexColor(output);
-  if (atWord(0, "position")) {
+  if (atWord("position")) {
     const Token word = m_tokens.next();
     output.kind = ir::OutputKind::Position;
     if (m_options.positionInvariant)
@@ -67,10 +67,10 @@ bool Parser::parseVertexResult(ir::Output &output) {
             "the option computes the position; remove one of the two");
     return true;
   }
-  if (atWord(0, "texcoord")) {
+  if (atWord("texcoord")) {
     output.kind = ir::OutputKind::TexCoord;
     if (m_tokens.peek(1).kind == TokenKind::OpenBracket && m_mayIndex &&
-        m_tokens.peek(0).kind == TokenKind::Identifier && m_options.nv == ir::NvOption::Second) {
+        m_tokens.peek(0).kind == TokenKind::Identifier && isSecondNv()) {
       m_tokens.next();
       if (atAddress()) {
         if (!m_texCoordResults) {
@@ -90,12 +90,12 @@ bool Parser::parseVertexResult(ir::Output &output) {
     }
     return parseTexCoord(output.index);
   }
-  if (atWord(0, "fogcoord") || atWord(0, "pointsize")) {
+  if (atWord("fogcoord") || atWord("pointsize")) {
     output.kind =
         text(m_tokens.next()) == "fogcoord" ? ir::OutputKind::FogCoord : ir::OutputKind::PointSize;
     return true;
   }
-  if (atWord(0, "clip"))
+  if (atWord("clip"))
     return parseClipDistance(output);
   return unknownWord("a vertex result", {"position", "color", "fogcoord", "pointsize", "texcoord"},
                      {"depth"});
@@ -104,7 +104,7 @@ bool Parser::parseVertexResult(ir::Output &output) {
 /// Parses "clip" "[" <clipPlaneNum> "]" of NV_vertex_program2_option.
 bool Parser::parseClipDistance(ir::Output &output) {
   const Token word = m_tokens.next();
-  if (m_options.nv == ir::NvOption::None) {
+  if (!isNv()) {
     error(DiagnosticId::NvOnly, word.span, "result.clip" + ofNvOptions(),
           "OPTION ARB_position_invariant clips as fixed function does");
     return false;
@@ -121,12 +121,12 @@ bool Parser::parseClipDistance(ir::Output &output) {
 /// Parses <resultColBinding>. A suffix that is not a face or a colour type is a mask.
 bool Parser::parseVertexColor(ir::Output &output) {
   m_tokens.next();
-  if (m_tokens.at(TokenKind::OpenBracket)) {
+  if (at(TokenKind::OpenBracket)) {
     foreign(m_tokens.peek(), "result.color[n]");
     return false;
   }
   const auto accept = [&](std::string_view word) {
-    if (!m_tokens.at(TokenKind::Dot) || !atWord(1, word))
+    if (!at(TokenKind::Dot) || !atWord(word, 1))
       return false;
     m_tokens.next();
     m_tokens.next();
@@ -147,14 +147,14 @@ bool Parser::parseTexGen(ir::StateRef &ref) {
       !expect(TokenKind::Dot, "'.'"))
     return false;
   ref.index = std::uint8_t(index);
-  if (!atWord(0, "eye") && !atWord(0, "object"))
+  if (!atWord("eye") && !atWord("object"))
     return unknownWord("eye or object", {"eye", "object"});
   ref.item =
       text(m_tokens.next()) == "eye" ? ir::StateItem::TexGenEye : ir::StateItem::TexGenObject;
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
   for (const std::string_view word : {"s", "t", "r", "q"}) {
-    if (atWord(0, word)) {
+    if (atWord(word)) {
       m_tokens.next();
       return true;
     }
@@ -170,7 +170,7 @@ bool Parser::parseClipPlane(ir::StateRef &ref) {
                   index) ||
       !expect(TokenKind::Dot, "'.plane'"))
     return false;
-  if (!atWord(0, "plane"))
+  if (!atWord("plane"))
     return unknownWord("plane", {"plane"});
   m_tokens.next();
   ref.item = ir::StateItem::ClipPlane;
@@ -182,7 +182,7 @@ bool Parser::parseClipPlane(ir::StateRef &ref) {
 bool Parser::parsePoint(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  if (!atWord(0, "size") && !atWord(0, "attenuation"))
+  if (!atWord("size") && !atWord("attenuation"))
     return unknownWord("size or attenuation", {"size", "attenuation"});
   ref.item =
       text(m_tokens.next()) == "size" ? ir::StateItem::PointSize : ir::StateItem::PointAttenuation;

@@ -3,9 +3,6 @@
 #include <algorithm>
 
 #include "fp_compiler/front/native/parser.h"
-#include "fp_compiler/front/unexpected.h"
-#include "fp_compiler/front/words/numeral.h"
-#include "fp_compiler/front/words/suffix.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp::native {
@@ -46,57 +43,33 @@ ir::Attribute vertexAttribute(std::uint32_t number) {
   return {AttributeKind::Generic, std::uint8_t(number)};
 }
 
-/// Returns the swizzle that applies \p before and then \p after.
-ir::Swizzle composed(const ir::Swizzle &before, const ir::Swizzle &after) {
-  ir::Swizzle result;
-  std::transform(after.begin(), after.end(), result.begin(),
-                 [&](Select select) { return before[std::size_t(select)]; });
-  return result;
-}
 } // namespace
 
-/// Parses <vectorSrc>, or <scalarSrc>, whose component is repeated.
-bool NativeParser::parseSource(bool scalar, ir::Operand &operand, bool &absolute) {
+bool NativeParser::parseBase(Base &base) {
+  if (!fragment() || (!at(TokenKind::Integer) && !at(TokenKind::Float)))
+    return parseRegister(base);
+  // A number sets every component. The sign right before it is a part of it.
   const std::uint32_t begin = m_tokens.peek().span.begin;
-  const auto sign = [&] {
-    const bool negative = m_tokens.at(TokenKind::Minus);
-    if (negative || (m_traits.plusSigns && m_tokens.at(TokenKind::Plus)))
-      m_tokens.next();
-    return negative;
-  };
-  bool negative = sign();
-  absolute = m_traits.conditions && acceptByte('|');
-  const bool inner = absolute ? sign() : negative;
-  const bool number = m_tokens.at(TokenKind::Integer) || m_tokens.at(TokenKind::Float);
-  ir::Swizzle suffix = ir::kIdentity;
-  if (fragment() && number) { // the sign before it is a part of it
-    if (!parseLiteral(inner, operand))
-      return false;
-    negative &= absolute;
-  } else {
-    bool hasSuffix = true;
-    if (!parseBase(operand, hasSuffix) || (hasSuffix && !parseSuffix(scalar, suffix, begin)))
-      return false;
-  }
-  if (absolute && !expectByte('|'))
+  ir::Vec4 value = {};
+  if (!parseNumber(value[0]))
     return false;
-  operand.swizzle = composed(operand.swizzle, suffix);
-  operand.negate = negative ? 0xF : 0;
-  operand.span = spanFrom(begin);
+  value.fill(base.inner ? -value[0] : value[0]);
+  base.negative &= base.absolute;
+  base.hasSuffix = false;
+  base.operand.swizzle.fill(ir::Select::X);
+  useConstant(base.operand, value, spanFrom(begin));
   return true;
 }
 
-/// Parses an operand without its suffix. Sets `hasSuffix` to false for a scalar constant, which has
-/// none.
-bool NativeParser::parseBase(ir::Operand &operand, bool &hasSuffix) {
+/// Parses a register, a parameter or a vector.
+bool NativeParser::parseRegister(Base &base) {
+  ir::Operand &operand = base.operand;
   const Token first = m_tokens.peek();
   if (fragment() && first.kind == TokenKind::OpenBrace) {
     ir::Vec4 value = {};
     if (!parseVector(value))
       return false;
-    operand.file = ir::File::Parameter;
-    operand.index = m_binder.constant(value, spanFrom(first.span.begin));
-    useConstant(value, spanFrom(first.span.begin));
+    useConstant(operand, value, spanFrom(first.span.begin));
     return true;
   }
   if (first.kind != TokenKind::Identifier)
@@ -110,7 +83,7 @@ bool NativeParser::parseBase(ir::Operand &operand, bool &hasSuffix) {
     operand.index = *row;
     return true;
   }
-  const bool result = text(first) == "o" && m_tokens.at(TokenKind::OpenBracket);
+  const bool result = text(first) == "o" && at(TokenKind::OpenBracket);
   if (result || isNullRegister(text(first))) {
     error(DiagnosticId::WriteOnly, first.span,
           result ? std::string("a result cannot be read") : quote(text(first)) + " is written only",
@@ -118,10 +91,10 @@ bool NativeParser::parseBase(ir::Operand &operand, bool &hasSuffix) {
     return false;
   }
   if (m_named.contains(text(first)))
-    return parseNamed(first, operand, hasSuffix);
+    return parseNamed(first, base);
   if (!fragment() || numberBehind(text(first), "R") || numberBehind(text(first), "H"))
     return notThere(first, "a register");
-  const std::string hint = c_like::operandHint(m_text, first.span, dialect(), vocabulary());
+  const std::string hint = operandHint(first);
   error(DiagnosticId::UndeclaredName, first.span, quote(text(first)) + " is not declared",
         hint.empty() ? "DEFINE a constant or DECLARE a parameter before it is used" : hint);
   m_named.emplace(text(first), Named{});
@@ -152,14 +125,11 @@ bool NativeParser::parseAttribute(ir::Operand &operand) {
 }
 
 bool NativeParser::parseFragmentAttribute(ir::Attribute &attribute) {
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("the name of an attribute");
-  const Token name = m_tokens.next();
-  if (const auto unit = numberBehind(text(name), "TEX"); unit && *unit < kTexCoords) {
-    attribute = {AttributeKind::TexCoord, std::uint8_t(*unit)};
-    if (*unit >= m_limits.textureCoords)
-      error(DiagnosticId::TexCoordIndex, name.span,
-            "there is no texture coordinate set " + std::to_string(*unit));
+  Token name;
+  if (!expectWord("the name of an attribute", name))
+    return false;
+  if (const auto unit = takeTexCoord(name)) {
+    attribute = {AttributeKind::TexCoord, *unit};
     return true;
   }
   if (const AttributeRow *const row = findAttribute(false, text(name))) {
@@ -176,7 +146,7 @@ bool NativeParser::parseVertexAttribute(ir::Attribute &attribute, std::uint32_t 
   const Token name = m_tokens.peek();
   const std::uint32_t limit = statesOnly() ? 1 : kVertexAttributeCount;
   if (name.kind == TokenKind::Integer || statesOnly()) {
-    if (!takeIndex(limit, DiagnosticId::AttributeIndex, "vertex attribute", number))
+    if (!parseBounded(limit, DiagnosticId::AttributeIndex, "vertex attribute", number))
       return false;
     attribute = vertexAttribute(number);
     return true;
@@ -202,8 +172,8 @@ bool NativeParser::parseVertexAttribute(ir::Attribute &attribute, std::uint32_t 
 bool NativeParser::parseLocal(ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.next().span.begin;
   std::uint32_t index = 0;
-  if (!parseBracketed(std::min(m_limits.localParameters, kMaxLocals), DiagnosticId::ParameterIndex,
-                      "local parameter", index))
+  if (!parseIndex(std::min(m_limits.localParameters, kMaxLocals), DiagnosticId::ParameterIndex,
+                  "local parameter", index))
     return false;
   operand.file = ir::File::Parameter;
   operand.index = m_binder.local(index, spanFrom(begin));
@@ -221,7 +191,7 @@ bool NativeParser::parseRow(ir::Operand &operand) {
       return false;
   } else {
     std::uint32_t index = 0;
-    if (!parseBracketed(m_traits.rows, DiagnosticId::ParameterIndex, "program parameter", index))
+    if (!parseIndex(m_traits.rows, DiagnosticId::ParameterIndex, "program parameter", index))
       return false;
     operand.index = m_binder.env(index, spanFrom(begin));
     m_rowsRead.insert(std::uint16_t(index));
@@ -239,85 +209,25 @@ bool NativeParser::parseRelativeRow(ir::Operand &operand) {
   std::uint8_t component = 0;
   if (!row)
     return notThere(name, m_traits.addresses > 1 ? "an integer, A0 or A1" : "an integer or A0");
-  if (!parseAddressComponent(component) || !parseOffset(operand.offset) ||
-      !expect(TokenKind::CloseBracket, "'+', '-' or ']'"))
+  std::optional<Offset> offset;
+  if (!parseAddressComponent(component) || !parseOffset(offset))
+    return false;
+  if (offset) {
+    const int limit = offset->negative ? -m_traits.lowest : m_traits.highest;
+    if (offset->magnitude > std::uint32_t(limit))
+      error(DiagnosticId::RelativeOffset, offset->token.span,
+            "the offset " + quote(text(offset->token)) + " is out of range",
+            "offsets of " + header() + " reach from " + std::to_string(m_traits.lowest) + " to " +
+                std::to_string(m_traits.highest));
+    else
+      operand.offset = offset->value();
+  }
+  if (!expect(TokenKind::CloseBracket, "'+', '-' or ']'"))
     return false;
   m_interface.readsAnyRow = true;
   operand.relative = true;
   operand.index = 0; // the program's one array
   operand.address = std::uint8_t(*row + component);
-  return true;
-}
-
-bool NativeParser::parseAddressComponent(std::uint8_t &component) {
-  if (!expect(TokenKind::Dot, "'.'"))
-    return false;
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("a component of the address register");
-  const Token token = m_tokens.next();
-  const std::size_t found = std::string_view("xyzw").find(text(token));
-  const bool there = text(token).size() == 1 && found != std::string_view::npos &&
-                     (found == 0 || m_traits.addressVectors);
-  if (!there)
-    error(DiagnosticId::AddressComponent, token.span,
-          "an address register has no component " + quote(text(token)),
-          m_traits.addressVectors ? "it has x, y, z and w" : "write .x");
-  component = std::uint8_t(there ? found : 0);
-  return true;
-}
-
-bool NativeParser::parseOffset(std::int16_t &offset) {
-  const bool negative = m_tokens.at(TokenKind::Minus);
-  if (!negative && !m_tokens.at(TokenKind::Plus))
-    return true;
-  m_tokens.next();
-  if (!m_tokens.at(TokenKind::Integer))
-    return unexpected("an integer");
-  const Token token = m_tokens.next();
-  const std::uint32_t value = parseInteger(text(token));
-  const int limit = negative ? -m_traits.lowest : m_traits.highest;
-  if (value > std::uint32_t(limit))
-    error(DiagnosticId::RelativeOffset, token.span,
-          "the offset " + quote(text(token)) + " is out of range",
-          "offsets of " + header() + " reach from " + std::to_string(m_traits.lowest) + " to " +
-              std::to_string(m_traits.highest));
-  else
-    offset = std::int16_t(negative ? -std::int32_t(value) : std::int32_t(value));
-  return true;
-}
-
-/// Parses <addrRegister> of ARA: a whole address register.
-bool NativeParser::parseAddressSource(ir::Operand &operand) {
-  const Token name = m_tokens.peek();
-  const auto row = name.kind == TokenKind::Identifier ? address(name) : std::nullopt;
-  if (!row)
-    return unexpected("A0 or A1");
-  m_tokens.next();
-  operand.file = ir::File::Address;
-  operand.index = *row;
-  operand.span = name.span;
-  return true;
-}
-
-/// Parses <swizzleSuffix> or <scalarSuffix>, with its dot.
-bool NativeParser::parseSuffix(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin) {
-  if (!m_tokens.at(TokenKind::Dot)) {
-    if (scalar)
-      error(DiagnosticId::ScalarSuffix, m_tokens.peek().span,
-            "this operand is a scalar and needs one component",
-            componentHint(m_text.substr(begin, m_tokens.lastEnd() - begin)));
-    return true;
-  }
-  m_tokens.next();
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("a component");
-  const Token token = m_tokens.next();
-  if (const SuffixError wrong = readSwizzle(text(token), false, scalar, swizzle))
-    error(scalar ? DiagnosticId::ScalarSuffix : DiagnosticId::BadSwizzle,
-          {token.span.begin + wrong.offset, token.span.end},
-          "bad suffix " + quote(text(token)) + ": " + wrong.reason,
-          scalar ? "a scalar operand takes one of x, y, z, w"
-                 : "a suffix is one or four of x, y, z, w");
   return true;
 }
 
@@ -333,7 +243,10 @@ void NativeParser::useParameter(const ir::Operand &operand, Span where) {
   m_parameter = operand;
 }
 
-void NativeParser::useConstant(const ir::Vec4 &value, Span where) {
+/// Binds a constant as an operand.
+void NativeParser::useConstant(ir::Operand &operand, const ir::Vec4 &value, Span where) {
+  operand.file = ir::File::Parameter;
+  operand.index = m_binder.constant(value, where);
   m_scalars.insert(value.begin(), value.end());
   constexpr std::size_t kMaxScalars = 4;
   if (m_parameter || m_scalars.size() > kMaxScalars)

@@ -6,15 +6,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "fp_compiler/front/bindings/binder.h"
-#include "fp_compiler/front/c_like/statements.h"
-#include "fp_compiler/front/lexer.h"
+#include "fp_compiler/front/assembly/parser.h"
 #include "fp_compiler/front/native/language.h"
-#include "fp_compiler/front/nv/labels.h"
 #include "fp_compiler/front/nv/lowering.h"
-#include "fp_compiler/front/parser.h"
-#include "fp_compiler/front/reporter.h"
-#include "fp_compiler/front/words/names.h"
 
 namespace arbiter::fp::native {
 
@@ -30,15 +24,11 @@ namespace arbiter::fp::native {
 /// Local parameters are numbered in 16 bits, and those with names come last.
 inline constexpr std::uint32_t kMaxLocals = 65536 - kMaxNamedParameters;
 
-/// The parser, with one function for each statement. A function that returns bool returns false
-/// after it has reported a syntax error.
-class NativeParser {
+/// The parser of a program.
+class NativeParser : public AssemblyParser {
 public:
-  NativeParser(ir::NativeLanguage language, std::string_view text, const CompileOptions &options,
-               Reporter &reporter, NameTable *names);
+  NativeParser(const Traits &traits, const SourceText &source, const CompileOptions &options);
 
-  void parse();
-  [[nodiscard]] Binder &binder() { return m_binder; }
   [[nodiscard]] NativeInterface takeInterface();
 
 private:
@@ -50,90 +40,65 @@ private:
     Span declared;
   };
 
-  // parser.cpp: statements, recovery, tokens
-  void parseOptions();
-  bool parseOption();
-  void parseStatement();
+  // parser.cpp: statements
+  void applyOption(const Token &name) override;
+  void parseStatement() override;
   bool unknownStatement(const Token &first);
-  [[nodiscard]] Vocabulary vocabulary() const;
-  void parseEnd();
-  void finish(Span end);
+  [[nodiscard]] Vocabulary statementWords() const override;
+  void finish(Span end) override;
   void bindAllRows(Span where);
-  void recover();
-  [[nodiscard]] bool beginsStatement(const Token &token) const;
-  [[nodiscard]] bool atByte(char byte) const;
-  bool acceptByte(char byte);
-  bool expectByte(char byte);
-  bool expect(TokenKind kind, const char *what, const char *hint = "");
-  /// The semicolon of a statement.
-  bool endStatement(const char *expected = "';'", std::string hint = {});
-  bool unexpected(const char *expected, std::string hint = {});
-  [[nodiscard]] bool atWord(std::string_view word) const;
-  [[nodiscard]] bool atBinding(std::string_view letter) const;
-  [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
-  [[nodiscard]] std::string_view at(Span span) const {
-    return m_text.substr(span.begin, span.end - span.begin);
+  void skipped(const Token &token) override;
+  [[nodiscard]] std::string_view ownBytes() const override { return "|():"; }
+  [[nodiscard]] Word wordOf(std::string_view identifier) const override {
+    return nv::classify(identifier, m_traits.language);
   }
-  [[nodiscard]] Span spanFrom(std::uint32_t begin) const { return {begin, m_tokens.lastEnd()}; }
+  [[nodiscard]] std::optional<ir::Opcode> baseOf(std::string_view identifier) const override {
+    return nv::baseOf(identifier, m_traits.language);
+  }
+  /// Returns whether a name may be a word that begins statements (newName()).
+  [[nodiscard]] bool endsParts(const Token &word) const override {
+    return endsStatement(word) && !m_named.contains(text(word));
+  }
+  [[nodiscard]] bool hasConditions() const override { return m_traits.conditions; }
+  [[nodiscard]] bool hasAddressVectors() const override { return m_traits.addressVectors; }
+  [[nodiscard]] bool hasPlusSigns() const override { return m_traits.plusSigns; }
+  [[nodiscard]] bool killsByTest() const override { return true; }
+  [[nodiscard]] bool atBinding(std::string_view letter) const;
   [[nodiscard]] bool fragment() const { return m_traits.language == ir::NativeLanguage::Fp1; }
   [[nodiscard]] bool statesOnly() const { return m_traits.language == ir::NativeLanguage::Vsp1; }
   [[nodiscard]] std::string header() const { return std::string(ir::headerOf(m_traits.language)); }
-  [[nodiscard]] c_like::Dialect dialect() const {
-    return fragment() ? c_like::Dialect::OwnFragment : c_like::Dialect::OwnVertex;
-  }
-  [[nodiscard]] PartTexts parts() const { return partsBehind(m_text, m_behindOpcode); }
-  void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
-  void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
-    if (m_names)
-      m_names->add(text(name), name.span, access, kind);
-  }
-
-  // instructions.cpp
-  bool parseInstruction(const Token &opcode, const Word &word);
-  bool expectPart(ir::Opcode op, Part part);
-  bool parseOperands(nv::Statement &statement);
-  bool parseTest(nv::Test &test);
-  bool parseConditionMask(nv::Test &test);
-  bool parseTexture(ir::Instruction &instruction);
-  bool parseTarget(Span unitSpan, ir::Instruction &instruction);
-  bool parseFlow(const Token &opcode, const Word &word);
-  bool parseLabel(const Token &name);
-  void keep(const nv::Statement &statement, Span opcode);
+  /// Returns the number of a texture coordinate set that is named TEX0 to TEX7.
+  [[nodiscard]] std::optional<std::uint8_t> takeTexCoord(const Token &name);
 
   // registers.cpp: destinations, and registers that operands use too
-  bool parseDestination(ir::Destination &destination);
-  bool parseDestinationRegister(ir::Destination &destination);
-  bool parseAddressDestination(ir::Destination &destination);
+  bool parseDestinationRegister(ir::Destination &destination) override;
   bool parseResult(ir::Destination &destination);
   bool parseFragmentResult(const Token &name, ir::Output &output);
   bool parseVertexResult(const Token &name, ir::Output &output);
   bool parseWrittenRow(ir::Destination &destination);
-  bool parseMask(std::uint8_t &mask);
-  bool parseBracketed(std::uint32_t limit, DiagnosticId id, const char *what, std::uint32_t &index);
-  bool takeIndex(std::uint32_t limit, DiagnosticId id, const char *what, std::uint32_t &index);
+  bool parseBounded(std::uint32_t limit, DiagnosticId id, const char *what,
+                    std::uint32_t &value) override;
+  bool parseTexture(ir::Instruction &instruction) override;
   [[nodiscard]] std::optional<std::uint16_t> temporary(const Token &name);
   [[nodiscard]] std::uint16_t nullRegister(Span where);
   [[nodiscard]] bool isNullRegister(std::string_view word) const;
   [[nodiscard]] std::optional<std::uint16_t> address(const Token &name);
+  std::optional<std::uint16_t> takeAddress(Access access) override;
   [[nodiscard]] bool isRegisterName(std::string_view word) const;
   bool notThere(const Token &name, const char *expected);
   void countUnits(std::uint32_t units, Span where);
 
   // operands.cpp
-  bool parseSource(bool scalar, ir::Operand &operand, bool &absolute);
-  bool parseBase(ir::Operand &operand, bool &hasSuffix);
+  bool parseBase(Base &base) override;
+  bool parseRegister(Base &base);
   bool parseAttribute(ir::Operand &operand);
   bool parseVertexAttribute(ir::Attribute &attribute, std::uint32_t &index);
   bool parseFragmentAttribute(ir::Attribute &attribute);
   bool parseLocal(ir::Operand &operand);
   bool parseRow(ir::Operand &operand);
   bool parseRelativeRow(ir::Operand &operand);
-  bool parseOffset(std::int16_t &offset);
-  bool parseAddressComponent(std::uint8_t &component);
-  bool parseAddressSource(ir::Operand &operand);
-  bool parseSuffix(bool scalar, ir::Swizzle &swizzle, std::uint32_t begin = 0);
   void useParameter(const ir::Operand &operand, Span where);
-  void useConstant(const ir::Vec4 &value, Span where);
+  void useConstant(ir::Operand &operand, const ir::Vec4 &value, Span where);
   void tooManyParameters(Span where);
 
   // names.cpp: DEFINE, DECLARE and the constants of !!FP1.0
@@ -142,30 +107,18 @@ private:
   bool newName(Token &name);
   void declare(const Token &name, const Named &named);
   bool parseValue(Named &named);
-  bool parseVector(ir::Vec4 &value);
-  bool parseScalar(float &value);
-  bool parseNumber(float &value);
-  bool parseNamed(const Token &name, ir::Operand &operand, bool &hasSuffix);
-  bool parseLiteral(bool negative, ir::Operand &operand);
+  bool parseScalar(float &value) override;
+  [[nodiscard]] const Named *takeNamed(Named::Kind kind);
+  bool parseNamed(const Token &name, Base &base);
 
   const Traits &m_traits;
-  std::string_view m_text;
-  const Limits &m_limits;
-  Reporter &m_reporter;
-  NameTable *m_names;
-  TokenStream m_tokens;
-  Binder m_binder;
-  ir::Options m_options;
   NativeInterface m_interface;
   nv::NativeRules m_rules;
-  std::vector<nv::Statement> m_statements;
 
   std::array<std::optional<std::uint16_t>, 96> m_temporaries; ///< R0 to R31, H0 to H63
   std::optional<std::uint16_t> m_nullRegister;
   std::array<std::optional<std::uint16_t>, 2> m_addresses;
   std::unordered_map<std::string_view, Named> m_named;
-  std::uint32_t m_behindOpcode = 0; ///< the end of the opcode of the instruction that is read
-  nv::Labels m_labels{m_text, m_reporter};
   std::array<std::optional<ir::TexTarget>, 32> m_targets; ///< by image unit
 
   std::set<std::uint16_t> m_rowsRead, m_rowsWritten;

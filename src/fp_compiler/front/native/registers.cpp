@@ -1,9 +1,6 @@
 // Parses destinations of NVIDIA's own languages, and registers by their names.
 
 #include "fp_compiler/front/native/parser.h"
-#include "fp_compiler/front/unexpected.h"
-#include "fp_compiler/front/words/numeral.h"
-#include "fp_compiler/front/words/suffix.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp::native {
@@ -34,20 +31,9 @@ constexpr std::uint32_t kClipDistances = 6; // CLP0 to CLP5 (NV_vertex_program2,
 constexpr std::uint32_t kMaxUnits = 64;     // of !!FP1.0's registers
 } // namespace
 
-/// Parses <maskedDstReg>, without its condition.
-bool NativeParser::parseDestination(ir::Destination &destination) {
-  const std::uint32_t begin = m_tokens.peek().span.begin;
-  if (!parseDestinationRegister(destination))
-    return false;
-  if (m_tokens.accept(TokenKind::Dot) && !parseMask(destination.mask))
-    return false;
-  destination.span = spanFrom(begin);
-  return true;
-}
-
 bool NativeParser::parseDestinationRegister(ir::Destination &destination) {
   const std::string expected = statesOnly() ? "a temporary or c[n]" : "a temporary or a result";
-  if (!m_tokens.at(TokenKind::Identifier))
+  if (!at(TokenKind::Identifier))
     return unexpected(expected.c_str());
   if (atBinding("o"))
     return parseResult(destination);
@@ -63,7 +49,7 @@ bool NativeParser::parseDestinationRegister(ir::Destination &destination) {
     return true;
   }
   const std::string_view word = text(name);
-  const bool binding = m_tokens.at(TokenKind::OpenBracket) &&
+  const bool binding = at(TokenKind::OpenBracket) &&
                        (word == (fragment() ? "f" : "v") || word == (fragment() ? "p" : "c"));
   if (!binding && !m_named.contains(word))
     return notThere(name, expected.c_str());
@@ -89,8 +75,7 @@ bool NativeParser::notThere(const Token &name, const char *expected) {
           "the address register " + quote(word) + " cannot stand here",
           m_traits.addresses != 0 ? "ARL loads it, and an index reads it: c[A0.x]" : "");
   else
-    reportUnexpected(m_reporter, m_text, name, expected,
-                     c_like::operandHint(m_text, name.span, dialect(), vocabulary()));
+    unexpectedToken(name, expected, operandHint(name));
   return false;
 }
 
@@ -108,6 +93,16 @@ std::optional<std::uint16_t> NativeParser::temporary(const Token &name) {
     countUnits(full ? 2 : 1, name.span);
   }
   return row;
+}
+
+std::optional<std::uint8_t> NativeParser::takeTexCoord(const Token &name) {
+  const auto unit = numberBehind(text(name), "TEX");
+  if (!unit || *unit >= kTexCoords)
+    return std::nullopt;
+  if (*unit >= m_limits.textureCoords)
+    error(DiagnosticId::TexCoordIndex, name.span,
+          "there is no texture coordinate set " + std::to_string(*unit));
+  return std::uint8_t(*unit);
 }
 
 /// Counts register units of !!FP1.0. A register of 32 bits counts twice.
@@ -149,33 +144,21 @@ std::optional<std::uint16_t> NativeParser::address(const Token &name) {
   return row;
 }
 
-/// Parses <maskedAddrReg>. In !!VP1.0 and !!VP1.1 it can only be A0.x.
-bool NativeParser::parseAddressDestination(ir::Destination &destination) {
+std::optional<std::uint16_t> NativeParser::takeAddress(Access) {
   const Token name = m_tokens.peek();
   const auto row = name.kind == TokenKind::Identifier ? address(name) : std::nullopt;
-  if (!row)
-    return unexpected(m_traits.addresses > 1 ? "A0 or A1" : "A0");
-  m_tokens.next();
-  destination.file = ir::File::Address;
-  destination.index = *row;
-  if (m_traits.addressVectors) {
-    if (m_tokens.accept(TokenKind::Dot) && !parseMask(destination.mask))
-      return false;
-  } else {
-    std::uint8_t component = 0;
-    if (!parseAddressComponent(component))
-      return false;
-    destination.mask = 1;
-  }
-  destination.span = spanFrom(name.span.begin);
-  return true;
+  if (row)
+    m_tokens.next();
+  else
+    unexpected(m_traits.addresses > 1 ? "A0 or A1" : "A0");
+  return row;
 }
 
 /// Parses "o" "[" <name> "]".
 bool NativeParser::parseResult(ir::Destination &destination) {
   const Token letter = m_tokens.next();
   m_tokens.next();
-  if (!m_tokens.at(TokenKind::Identifier))
+  if (!at(TokenKind::Identifier))
     return unexpected("the name of a result");
   if (statesOnly()) {
     error(DiagnosticId::NativeRegister, letter.span, "a vertex state program has no results",
@@ -213,11 +196,8 @@ bool NativeParser::parseFragmentResult(const Token &name, ir::Output &output) {
 
 bool NativeParser::parseVertexResult(const Token &name, ir::Output &output) {
   const std::string_view word = text(name);
-  if (const auto unit = numberBehind(word, "TEX"); unit && *unit < kTexCoords) {
-    output = {OutputKind::TexCoord, std::uint8_t(*unit)};
-    if (*unit >= m_limits.textureCoords)
-      error(DiagnosticId::TexCoordIndex, name.span,
-            "there is no texture coordinate set " + std::to_string(*unit));
+  if (const auto unit = takeTexCoord(name)) {
+    output = {OutputKind::TexCoord, *unit};
     return true;
   }
   if (const ResultRow *const row = findResult(true, word)) {
@@ -247,7 +227,7 @@ bool NativeParser::parseVertexResult(const Token &name, ir::Output &output) {
 bool NativeParser::parseWrittenRow(ir::Destination &destination) {
   const Token letter = m_tokens.next();
   std::uint32_t index = 0;
-  if (!parseBracketed(m_traits.rows, DiagnosticId::ParameterIndex, "program parameter", index))
+  if (!parseIndex(m_traits.rows, DiagnosticId::ParameterIndex, "program parameter", index))
     return false;
   destination.file = ir::File::Output;
   destination.index = m_binder.output({OutputKind::EnvParameter, std::uint8_t(index)});
@@ -257,36 +237,52 @@ bool NativeParser::parseWrittenRow(ir::Destination &destination) {
   return true;
 }
 
-bool NativeParser::parseMask(std::uint8_t &mask) {
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("a write mask");
-  const Token token = m_tokens.next();
-  if (const SuffixError wrong = readMask(text(token), false, mask))
-    error(DiagnosticId::BadMask, {token.span.begin + wrong.offset, token.span.end},
-          "bad write mask " + quote(text(token)) + ": " + wrong.reason,
-          "a mask names x, y, z, w, in this order");
-  return true;
-}
-
-/// Parses "[" <integer> "]".
-bool NativeParser::parseBracketed(std::uint32_t limit, DiagnosticId id, const char *what,
-                                  std::uint32_t &index) {
-  return expect(TokenKind::OpenBracket, "'['") && takeIndex(limit, id, what, index) &&
-         expect(TokenKind::CloseBracket, "']'");
-}
-
-bool NativeParser::takeIndex(std::uint32_t limit, DiagnosticId id, const char *what,
-                             std::uint32_t &index) {
-  if (!m_tokens.at(TokenKind::Integer))
-    return unexpected("an integer");
-  const Token token = m_tokens.next();
-  index = parseInteger(text(token));
-  if (index < limit)
+bool NativeParser::parseBounded(std::uint32_t limit, DiagnosticId id, const char *what,
+                                std::uint32_t &value) {
+  Token token;
+  if (!expectInteger(token, value))
+    return false;
+  if (value < limit)
     return true;
   error(id, token.span,
         std::string("there is no ") + what + " " + quote(text(token)) + " in " + header(),
         "they go from 0 to " + std::to_string(limit - 1));
-  index = 0;
+  value = 0;
+  return true;
+}
+
+/// Parses <texImageUnit> "," <texImageTarget>, from the comma before them.
+bool NativeParser::parseTexture(ir::Instruction &instruction) {
+  if (!expectPart(instruction.op, {PartKind::Unit}))
+    return false;
+  constexpr std::uint32_t kNamed = 16; // TEX0 to TEX15
+  const std::uint32_t limit = std::min(m_limits.textureImageUnits, kNamed);
+  const Token unit = m_tokens.peek();
+  const auto number =
+      unit.kind == TokenKind::Identifier ? numberBehind(text(unit), "TEX") : std::nullopt;
+  if (!number)
+    return unexpected("a texture image unit: TEX0 and up");
+  m_tokens.next();
+  const bool there = *number < limit;
+  if (!there)
+    error(DiagnosticId::ImageUnit, unit.span, "there is no image unit " + quote(text(unit)),
+          "units are TEX0 to TEX" + std::to_string(limit - 1));
+  instruction.unit = std::uint8_t(there ? *number : 0);
+  Token word;
+  const TargetRow *row = nullptr;
+  if (!expectPart(instruction.op, {PartKind::Target}) ||
+      !parseTarget("a texture target: 1D, 2D, 3D, CUBE or RECT", false, word, row))
+    return false;
+  if (!row)
+    return true;
+  instruction.target = row->target;
+  std::optional<ir::TexTarget> &target = m_targets[instruction.unit];
+  if (target && *target != row->target)
+    error(DiagnosticId::TargetConflict, word.span,
+          quote(text(unit)) + " is sampled with another target before",
+          "one texture image unit has one target in a program");
+  if (!target)
+    target = row->target;
   return true;
 }
 

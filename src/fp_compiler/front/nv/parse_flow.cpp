@@ -11,27 +11,25 @@ namespace arbiter::fp {
 
 using ir::Opcode;
 
-/// Parses a label, "name :".
-bool Parser::parseLabel(const Token &name) {
-  m_tokens.next();
+/// Parses a label, "name :". It may not be in a block.
+bool Parser::parseBlockLabel(const Token &name) {
   if (!m_blocks.empty())
     error(DiagnosticId::NvFlow, name.span,
           "the label " + quote(text(name)) + " is inside of a block",
           "a subroutine begins outside of IF, LOOP and REP");
-  keep(m_labels.place(name.span), name.span);
-  return true;
+  return parseLabel(name);
 }
 
 /// Parses ELSE, ENDIF, ENDLOOP or ENDREP. The innermost block must be one that it can end.
-bool Parser::endBlock(const Token &opcode, const Word &word) {
+bool Parser::endBlock(const Token &opcode, Opcode op) {
   const Opcode ended = m_blocks.empty() ? Opcode::Mov : m_blocks.back().begin;
-  const bool fits = word.op == Opcode::Else      ? ended == Opcode::If
-                    : word.op == Opcode::Endif   ? ended == Opcode::If || ended == Opcode::Else
-                    : word.op == Opcode::Endloop ? ended == Opcode::Loop
-                                                 : ended == Opcode::Rep;
+  const bool fits = op == Opcode::Else      ? ended == Opcode::If
+                    : op == Opcode::Endif   ? ended == Opcode::If || ended == Opcode::Else
+                    : op == Opcode::Endloop ? ended == Opcode::Loop
+                                            : ended == Opcode::Rep;
   if (!fits) {
     error(DiagnosticId::NvFlow, opcode.span,
-          std::string(info(word.op).mnemonic) + " does not fit the innermost block",
+          std::string(info(op).mnemonic) + " does not fit the innermost block",
           m_blocks.empty()
               ? "no block is open here"
               : "that one begins with " + std::string(info(m_blocks.back().begin).mnemonic) +
@@ -39,7 +37,7 @@ bool Parser::endBlock(const Token &opcode, const Word &word) {
     return false;
   }
   m_blocks.pop_back();
-  if (word.op == Opcode::Else)
+  if (op == Opcode::Else)
     m_blocks.push_back({Opcode::Else, opcode.span});
   return true;
 }
@@ -49,7 +47,7 @@ bool Parser::beginLoop(nv::Statement &statement) {
   ir::Operand &operand = statement.instruction.src[0];
   const Token first = m_tokens.peek();
   bool absolute = false;
-  if (!parseNvSource(false, operand, absolute))
+  if (!parseSource(false, operand, absolute))
     return false;
   statement.absolute = absolute ? 1 : 0;
   if (operand.file != ir::File::Parameter || operand.relative)
@@ -66,7 +64,7 @@ bool Parser::parseStack(nv::Statement &statement) {
   ir::Instruction &instruction = statement.instruction;
   if (instruction.op == Opcode::Pusha)
     return parseAddressSource(instruction.src[0]);
-  if (!parseNvAddressDestination(instruction.dst))
+  if (!parseAddressDestination(instruction.dst))
     return false;
   if (instruction.dst.mask != 0xF)
     error(DiagnosticId::BadMask, instruction.dst.span, "POPA writes all of an address register",
@@ -79,62 +77,44 @@ bool Parser::parseStack(nv::Statement &statement) {
   return true;
 }
 
-bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
-  nv::Statement statement;
-  statement.instruction.op = word.op;
-  statement.instruction.dst.file = ir::File::Output; // it writes no register
+bool Parser::parseFlowParts(nv::Statement &statement, const Token &opcode) {
+  const Opcode op = statement.instruction.op;
   bool parsed = true;
-  switch (word.op) {
+  switch (op) {
   case Opcode::If:
     parsed = parseTest(statement.test);
-    m_blocks.push_back({word.op, opcode.span});
-    break;
+    m_blocks.push_back({op, opcode.span});
+    return parsed;
   case Opcode::Loop:
   case Opcode::Rep:
     parsed = beginLoop(statement);
-    m_blocks.push_back({word.op, opcode.span});
-    break;
+    m_blocks.push_back({op, opcode.span});
+    return parsed;
   case Opcode::Else:
   case Opcode::Endif:
   case Opcode::Endloop:
   case Opcode::Endrep:
-    parsed = endBlock(opcode, word);
-    break;
+    return endBlock(opcode, op);
   case Opcode::Brk:
     if (std::none_of(m_blocks.begin(), m_blocks.end(), [](const Block &block) {
           return block.begin == Opcode::Loop || block.begin == Opcode::Rep;
         }))
       error(DiagnosticId::NvFlow, opcode.span, "BRK outside of a loop",
             "it ends the innermost LOOP or REP");
-    parsed = parseConditionMask(statement.test);
-    break;
+    return parseConditionMask(statement.test);
   case Opcode::Bra:
-  case Opcode::Cal: {
-    const Token name = m_tokens.peek();
-    if (name.kind != TokenKind::Identifier || wordOf(name).keyword != Keyword::None)
-      return unexpected("a label");
-    m_tokens.next();
-    statement.label = m_labels.numberOf(name.span);
-    parsed = parseConditionMask(statement.test);
-    break;
-  }
+  case Opcode::Cal:
   case Opcode::Ret:
-    parsed = parseConditionMask(statement.test);
-    break;
+    return AssemblyParser::parseFlowParts(statement, opcode);
   default:
-    parsed = parseStack(statement);
+    return parseStack(statement);
   }
-  statement.instruction.span = spanFrom(opcode.span.begin);
-  if (!parsed || !endStatement())
-    return false;
-  keep(statement, opcode.span);
-  return true;
 }
 
 /// True at a binding's index that is an address register: "[" A0 "." x.
 bool Parser::atAddress() const {
-  return m_mayIndex && m_options.nv == ir::NvOption::Second &&
-         m_tokens.at(TokenKind::OpenBracket) && m_tokens.peek(1).kind == TokenKind::Identifier;
+  return m_mayIndex && isSecondNv() && at(TokenKind::OpenBracket) &&
+         m_tokens.peek(1).kind == TokenKind::Identifier;
 }
 
 /// Parses "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment
@@ -142,19 +122,20 @@ bool Parser::atAddress() const {
 bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
   m_tokens.next();
   const Token name = m_tokens.next();
-  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  const bool vertex = isVertex();
   nv::Indexed indexed;
   if (vertex) {
-    const auto address = readAddressVector(name);
+    const auto address = addressOf(name, Access::Read, "declare one with ADDRESS");
     if (!address)
       return false;
     indexed.address = std::uint8_t(*address);
   } else if (text(name) != "A0") {
     return unexpectedToken(name, "an integer or A0");
   }
-  if (!parseAddressComponent())
+  std::uint8_t component = 0;
+  if (!parseAddressComponent(component))
     return false;
-  indexed.address = std::uint8_t(indexed.address + m_addressComponent);
+  indexed.address = std::uint8_t(indexed.address + component);
   constexpr std::uint32_t kMaxOffset = 9;
   if (!vertex && m_tokens.accept(TokenKind::Plus)) {
     std::uint32_t offset = 0;
@@ -170,7 +151,9 @@ bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
 }
 
 /// Finishes the program: checks the blocks and labels, then lowers the statements.
-void Parser::finishNv(Span end) {
+void Parser::finish(Span end) {
+  if (!isNv())
+    return;
   if (!m_blocks.empty())
     error(DiagnosticId::NvFlow, end, "the program ends inside of a block",
           "the block of line " + std::to_string(locate(m_text, m_blocks.back().where.begin).line) +
@@ -179,7 +162,7 @@ void Parser::finishNv(Span end) {
   if (m_reporter.hasErrors())
     return;
   nv::NativeRules rules;
-  rules.vertex = m_language.language == ir::Language::ArbVertex;
+  rules.vertex = isVertex();
   nv::lower(m_statements, m_labels.start(), m_sequences, m_binder, m_reporter, rules);
 }
 

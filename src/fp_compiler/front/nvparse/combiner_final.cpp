@@ -18,14 +18,13 @@ constexpr Input kOne = {Register::Zero, Mapping::UnsignedInvert, combiners::Usag
 bool CombinerParser::parseFinalInput(Usage usage, Input &input) {
   bool inverts = false;
   bool wrapped = false;
-  if (m_tokens.at(TokenKind::Minus) || m_tokens.atWord("expand") || m_tokens.atWord("half_bias"))
+  if (at(TokenKind::Minus) || atWord("expand") || atWord("half_bias"))
     error(DiagnosticId::RcMapping, m_tokens.peek().span,
           "the final combiner maps by unsigned() and unsigned_invert() alone",
           "map it in a stage before");
   m_tokens.accept(TokenKind::Minus);
-  if (m_tokens.atWord("unsigned") || m_tokens.atWord("unsigned_invert") ||
-      m_tokens.atWord("expand") || m_tokens.atWord("half_bias")) {
-    inverts = m_tokens.atWord("unsigned_invert");
+  if (atWord("unsigned") || atWord("unsigned_invert") || atWord("expand") || atWord("half_bias")) {
+    inverts = atWord("unsigned_invert");
     wrapped = true;
     m_tokens.next();
     if (!expect(TokenKind::OpenParen, "'('"))
@@ -90,7 +89,7 @@ bool CombinerParser::parseColor(const Token &out) {
   a = b = c = d = kZero;
   if (!expect(TokenKind::Equals, "'='"))
     return false;
-  if (m_tokens.atWord("lerp")) {
+  if (atWord("lerp")) {
     if (!parseLerp() || (m_tokens.accept(TokenKind::Plus) && !parseFinalInput(Usage::Rgb, d)))
       return false;
   } else {
@@ -103,7 +102,7 @@ bool CombinerParser::parseColor(const Token &out) {
           (m_tokens.accept(TokenKind::Plus) && !parseFinalInput(Usage::Rgb, d)))
         return false;
     } else if (m_tokens.accept(TokenKind::Plus)) {
-      if (m_tokens.atWord("lerp")) {
+      if (atWord("lerp")) {
         if (!parseLerp())
           return false;
         d = first;

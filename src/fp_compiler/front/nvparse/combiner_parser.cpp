@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "fp_compiler/front/c_like/statements.h"
-#include "fp_compiler/front/unexpected.h"
 #include "util/suggest.h"
 
 namespace arbiter::fp::nvparse {
@@ -30,16 +29,16 @@ void CombinerParser::run(combiners::State &state, texture_shader::Values &values
     m_state.finals[v] = {Register::Zero, Mapping::UnsignedIdentity,
                          v == 6 ? Usage::Alpha : Usage::Rgb};
   m_state.sumClamp = false;
-  while (!m_tokens.at(TokenKind::EndOfText) && !m_reporter.full())
+  while (!at(TokenKind::EndOfText) && !m_reporter.full())
     parseTop();
   finish(values);
   state = m_state;
 }
 
 void CombinerParser::parseTop() {
-  if (m_tokens.at(TokenKind::OpenBrace))
+  if (at(TokenKind::OpenBrace))
     return parseStage();
-  if (m_tokens.at(TokenKind::CloseBrace)) {
+  if (at(TokenKind::CloseBrace)) {
     unexpected("a stage or out.rgb", "no block is open here");
     m_tokens.next();
     return;
@@ -51,11 +50,8 @@ void CombinerParser::parseTop() {
 /// Parses a statement outside of stages.
 bool CombinerParser::parseFinalStatement() {
   constexpr const char *kWhat = "a stage, a constant or the final combiner";
-  if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected(kWhat);
-    m_tokens.next();
+  if (!atStatement(kWhat))
     return false;
-  }
   const std::string_view word = text(m_tokens.peek());
   if (word == "const0" || word == "const1") {
     if (m_stages != 0 || m_final)
@@ -83,9 +79,9 @@ bool CombinerParser::parseFinalStatement() {
     return parseFinalProduct();
   }
   if (word == "out" && m_tokens.accept(TokenKind::Dot)) {
-    if (m_tokens.acceptWord("rgb"))
+    if (acceptWord("rgb"))
       return parseColor(first);
-    if (m_tokens.acceptWord("a"))
+    if (acceptWord("a"))
       return parseAlpha(first);
     return unknownWord("rgb or a", {"rgb", "a"});
   }
@@ -168,11 +164,11 @@ void CombinerParser::parseStageBody(Stage &stage, Pair &own) {
               "a stage without rgb { } and alpha { }", "leave the stage out");
       return;
     }
-    if (m_tokens.at(TokenKind::EndOfText)) {
+    if (at(TokenKind::EndOfText)) {
       unexpected("'}'");
       return;
     }
-    if (m_tokens.atWord("const0") || m_tokens.atWord("const1")) {
+    if (atWord("const0") || atWord("const1")) {
       if (rgb || alpha)
         error(DiagnosticId::RcOrder, token.span, "a stage's constants stand before its blocks");
       if (m_options.limits.perStageConstants == 0 && m_options.limits.generalCombiners != 0)
@@ -183,7 +179,7 @@ void CombinerParser::parseStageBody(Stage &stage, Pair &own) {
         recover();
       continue;
     }
-    if (m_tokens.atWord("rgb") || m_tokens.atWord("alpha")) {
+    if (atWord("rgb") || atWord("alpha")) {
       const bool isAlpha = word == "alpha";
       bool &seen = isAlpha ? alpha : rgb;
       if (seen)

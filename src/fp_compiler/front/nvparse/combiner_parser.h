@@ -11,9 +11,8 @@ namespace arbiter::fp::nvparse {
 /// function for each statement.
 class CombinerParser : Reader {
 public:
-  CombinerParser(WordTokens &tokens, std::string_view text, const CompileOptions &options,
-                 Reporter &reporter, NameTable *names)
-      : Reader(tokens, text, options, reporter, names) {}
+  CombinerParser(const SourceText &source, const CompileOptions &options)
+      : Reader(source, options) {}
 
   void run(combiners::State &state, texture_shader::Values &values);
 

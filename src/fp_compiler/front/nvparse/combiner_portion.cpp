@@ -77,7 +77,7 @@ void CombinerParser::parsePortion(Portion &portion, Usage usage) {
               "a block without a product", "leave the block out");
       return;
     }
-    if (m_tokens.at(TokenKind::EndOfText)) {
+    if (at(TokenKind::EndOfText)) {
       unexpected("'}'");
       return;
     }
@@ -87,12 +87,8 @@ void CombinerParser::parsePortion(Portion &portion, Usage usage) {
 }
 
 bool CombinerParser::parsePortionStatement(Portion &portion, Usage usage) {
-  constexpr const char *kWhat = "a register to write, a scale or '}'";
-  if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected(kWhat);
-    m_tokens.next();
+  if (!atStatement("a register to write, a scale or '}'"))
     return false;
-  }
   const Token first = m_tokens.peek();
   if (scaleWord(text(first))) {
     m_tokens.next();
@@ -105,8 +101,8 @@ bool CombinerParser::parsePortionStatement(Portion &portion, Usage usage) {
   if (m_hasScale)
     error(DiagnosticId::RcPortion, span, "a result behind the scale",
           "the scale is of all results, and stands last");
-  const bool mux = m_tokens.atWord("mux");
-  if (mux || m_tokens.atWord("sum")) {
+  const bool mux = atWord("mux");
+  if (mux || atWord("sum")) {
     const Token word = m_tokens.next();
     if (m_products != 2 || m_hasSum)
       error(DiagnosticId::RcPortion, word.span,
@@ -197,7 +193,7 @@ bool CombinerParser::parseProduct(Portion &portion, Usage usage, Register to, Sp
 /// True at a dot that begins components: no space comes before it. After a space the dot is a dot
 /// product.
 bool CombinerParser::atComponents() const {
-  if (!m_tokens.at(TokenKind::Dot) || m_tokens.peek().span.begin != m_tokens.lastEnd())
+  if (!at(TokenKind::Dot) || m_tokens.peek().span.begin != m_tokens.lastEnd())
     return false;
   const std::string_view rest = m_text.substr(m_tokens.peek().span.end);
   std::size_t length = 0;
@@ -212,7 +208,7 @@ bool CombinerParser::atComponents() const {
 
 bool CombinerParser::parseRegister(Named &named, Access access) {
   constexpr const char *kWhat = "a register";
-  if (!m_tokens.at(TokenKind::Identifier))
+  if (!at(TokenKind::Identifier))
     return unexpected(kWhat);
   const std::optional<NamedRegister> known = registerOf(text(m_tokens.peek()));
   if (!known)
@@ -246,9 +242,8 @@ bool CombinerParser::parseRegister(Named &named, Access access) {
 bool CombinerParser::parseMapped(Usage usage, Input &input) {
   const bool minus = m_tokens.accept(TokenKind::Minus);
   const Token first = m_tokens.peek();
-  const auto *const row =
-      std::find_if(std::begin(kMappings), std::end(kMappings),
-                   [&](const MappingWord &r) { return m_tokens.atWord(r.word); });
+  const auto *const row = std::find_if(std::begin(kMappings), std::end(kMappings),
+                                       [&](const MappingWord &r) { return atWord(r.word); });
   input.mapping = minus ? Mapping::SignedNegate : Mapping::SignedIdentity;
   Named named;
   if (row != std::end(kMappings)) {

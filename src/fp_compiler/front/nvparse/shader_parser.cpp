@@ -12,16 +12,15 @@ namespace arbiter::fp::nvparse {
 using texture_shader::Row;
 using texture_shader::Stage;
 
-void ShaderParser::run(texture_shader::State &state, texture_shader::Values &values) {
+Token ShaderParser::run(texture_shader::State &state, texture_shader::Values &values) {
   // If texture shaders are not offered at all, the header has the error.
   const Limits &limits = m_options.limits;
   m_state.units = limits.textureShaders == 0
                       ? std::uint8_t(texture_shader::kUnits)
                       : std::uint8_t(std::clamp(limits.textureUnits, 1u,
                                                 std::uint32_t(texture_shader::kUnits)));
-  while (!m_tokens.at(TokenKind::EndOfText) && !m_reporter.full()) {
-    const Token &token = m_tokens.peek();
-    if (token.kind == TokenKind::InvalidByte && m_text[token.span.begin] == '!')
+  while (!at(TokenKind::EndOfText) && !m_reporter.full()) {
+    if (atByte('!'))
       break;
     if (!parseStage()) {
       recover();
@@ -35,15 +34,12 @@ void ShaderParser::run(texture_shader::State &state, texture_shader::Values &val
   for (std::size_t i = 0; i < values.size(); ++i)
     if (m_values[i])
       values[i] = m_values[i];
+  return m_tokens.peek();
 }
 
 bool ShaderParser::parseStage() {
-  constexpr const char *kWhat = "a stage, such as texture_2d();";
-  if (!m_tokens.at(TokenKind::Identifier)) {
-    unexpected(kWhat);
-    m_tokens.next();
+  if (!atStatement("a stage, such as texture_2d();"))
     return false;
-  }
   const Token word = m_tokens.next();
   const OperationWord *const row = operationOf(text(word));
   if (!row) {
@@ -129,8 +125,8 @@ bool ShaderParser::parseArguments(const OperationWord &row, Stage &stage) {
 
 bool ShaderParser::parseCull(Stage &stage) {
   for (int i = 0; i < 4; ++i) {
-    const bool less = m_tokens.atWord("LESS_THAN_ZERO");
-    if (!less && !m_tokens.atWord("GEQUAL_TO_ZERO"))
+    const bool less = atWord("LESS_THAN_ZERO");
+    if (!less && !atWord("GEQUAL_TO_ZERO"))
       return unknownWord("GEQUAL_TO_ZERO or LESS_THAN_ZERO", {"GEQUAL_TO_ZERO", "LESS_THAN_ZERO"});
     m_tokens.next();
     stage.cullLess |= std::uint8_t(less ? 1u << unsigned(i) : 0u);
@@ -142,8 +138,8 @@ bool ShaderParser::parseCull(Stage &stage) {
 
 bool ShaderParser::parsePrevious(Stage &stage) {
   constexpr const char *kWhat = "a texture, tex0 or another of a stage before this one";
-  const auto named = m_tokens.at(TokenKind::Identifier) ? registerOf(text(m_tokens.peek()))
-                                                        : std::optional<NamedRegister>{};
+  const auto named = at(TokenKind::Identifier) ? registerOf(text(m_tokens.peek()))
+                                               : std::optional<NamedRegister>{};
   const int unit = named ? combiners::textureUnit(named->name) : -1;
   if (unit < 0)
     return unexpected(kWhat);
@@ -159,8 +155,8 @@ bool ShaderParser::parsePrevious(Stage &stage) {
 }
 
 bool ShaderParser::parseMapped(Stage &stage) {
-  const bool expands = m_tokens.acceptWord("expand");
-  const bool forces = !expands && m_tokens.acceptWord("force_blue_to_one");
+  const bool expands = acceptWord("expand");
+  const bool forces = !expands && acceptWord("force_blue_to_one");
   if (expands)
     stage.mapping = texture_shader::Mapping::ExpandNormal;
   if (forces) {
@@ -180,7 +176,7 @@ bool ShaderParser::parseNumbers(const OperationWord &row) {
                             : row.arguments == Arguments::Scale ? 6
                             : row.arguments == Arguments::Eye   ? 3
                                                                 : 0;
-  if (count == 0 || m_tokens.at(TokenKind::CloseParen))
+  if (count == 0 || at(TokenKind::CloseParen))
     return true;
   std::array<float, 6> numbers{};
   for (std::size_t i = 0; i < count; ++i)

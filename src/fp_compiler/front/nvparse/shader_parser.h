@@ -9,12 +9,11 @@ namespace arbiter::fp::nvparse {
 /// Parses the text after !!TS1.0: one stage for each texture unit.
 class ShaderParser : Reader {
 public:
-  ShaderParser(WordTokens &tokens, std::string_view text, const CompileOptions &options,
-               Reporter &reporter, NameTable *names)
-      : Reader(tokens, text, options, reporter, names) {}
+  ShaderParser(const SourceText &source, const CompileOptions &options) : Reader(source, options) {}
 
   /// Parses up to the end of the text, or to a byte that begins no word, such as the next header.
-  void run(texture_shader::State &state, texture_shader::Values &values);
+  /// Returns the token there.
+  Token run(texture_shader::State &state, texture_shader::Values &values);
 
 private:
   bool parseStage();

@@ -1,6 +1,5 @@
 #include "fp_compiler/front/nvparse/text.h"
 
-#include "fp_compiler/front/header.h"
 #include "fp_compiler/front/nvparse/combiner_parser.h"
 #include "fp_compiler/front/nvparse/shader_parser.h"
 #include "fp_compiler/texture_shader/operations.h"
@@ -50,41 +49,33 @@ assumedTextures(const texture_shader::State &state) {
 
 ParseResult parse(ir::Language language, std::string_view text, const CompileOptions &options,
                   NameTable *names) {
-  Reporter reporter;
-  ParseResult result;
   const bool shaders = language == ir::Language::TextureShaders;
   const std::string_view header = shaders ? kShaderHeader : kCombinerHeader;
-  const bool good = checkHeader(header, text, reporter);
-  if (good || (names && text.size() <= kMaxTextBytes)) {
-    const auto begin = good ? std::uint32_t(header.size()) : endOfWrongHeader(text);
+  const auto read = [&](const SourceText &source, ParseResult &result) {
+    Reporter &reporter = source.reporter;
     Text made;
-    WordTokens tokens(text, begin, Words::Calls);
-    std::uint32_t next = begin;
+    SourceText rest = source;
+    Token end;
     if (shaders) {
-      checkOffered(options.limits.textureShaders, {0, begin}, true, reporter, options.policy);
-      ShaderParser(tokens, text, options, reporter, names).run(made.shaders.emplace(), made.values);
-      next = tokens.peek().span.begin;
+      checkOffered(options.limits.textureShaders, {0, source.begin}, true, reporter,
+                   options.policy);
+      end = ShaderParser(source, options).run(made.shaders.emplace(), made.values);
+      rest.begin = end.span.begin;
     }
-    const std::string_view rest = text.substr(shaders ? next : begin);
-    if (shaders && rest.starts_with(kCombinerHeader)) {
-      next += std::uint32_t(kCombinerHeader.size());
-      tokens = WordTokens(text, next, Words::Calls);
-    }
-    if (!shaders || rest.starts_with(kCombinerHeader)) {
-      checkOffered(options.limits.generalCombiners,
-                   {next - std::uint32_t(good || shaders ? kCombinerHeader.size() : 0), next},
-                   false, reporter, options.policy);
-      CombinerParser(tokens, text, options, reporter, names)
-          .run(made.combiners.emplace(), made.values);
-    } else if (tokens.peek().kind != TokenKind::EndOfText && !reporter.full()) {
-      reporter.error(DiagnosticId::Syntax, tokens.peek().span,
-                     "expected a stage or !!RC1.0, found '!'");
+    if (!shaders || text.substr(rest.begin).starts_with(kCombinerHeader)) {
+      const auto headerBytes =
+          std::uint32_t(shaders || text.starts_with(kCombinerHeader) ? kCombinerHeader.size() : 0);
+      rest.begin += shaders ? headerBytes : 0;
+      checkOffered(options.limits.generalCombiners, {rest.begin - headerBytes, rest.begin}, false,
+                   reporter, options.policy);
+      CombinerParser(rest, options).run(made.combiners.emplace(), made.values);
+    } else if (end.kind != TokenKind::EndOfText && !reporter.full()) {
+      reporter.error(DiagnosticId::Syntax, end.span, "expected a stage or !!RC1.0, found '!'");
     }
     if (!reporter.hasErrors())
       result.text = made;
-  }
-  result.diagnostics = reporter.take();
-  return result;
+  };
+  return readText<ParseResult>(header, text, names, read);
 }
 
 } // namespace arbiter::fp::nvparse

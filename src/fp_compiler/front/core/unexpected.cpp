@@ -1,6 +1,7 @@
-#include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/core/unexpected.h"
 
 #include "fp_compiler/front/c_like/tokens.h"
+#include "fp_compiler/front/words/parts.h"
 #include "fp_compiler/limits.h"
 
 namespace arbiter::fp {
